@@ -1,0 +1,3 @@
+#![forbid(unsafe_code)]
+//! The command `carom`.
+fn main() {}

@@ -1,0 +1,50 @@
+//! The axis ratio a/b of an ellipse, the argument of every elliptic integral in carom.
+
+use crate::RangeError;
+
+/// The ratio `k' = a/b` of the semi-axes of an ellipse, any finite positive number.
+///
+/// Carrying `k'` instead of the modulus `k = sqrt(1 - k'^2)` keeps full accuracy for nearly
+/// circular and for very slender ellipses; `k' > 1` (parameter `m < 0`) is valid everywhere.
+///
+/// ```
+/// use carom_special::AxisRatio;
+/// let ratio = AxisRatio::new(0.5)?;
+/// assert_eq!(ratio.parameter(), 0.75);
+/// assert_eq!(ratio.inverse().get(), 2.0);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
+pub struct AxisRatio(f64);
+
+impl AxisRatio {
+    /// The circle, a = b.
+    pub const CIRCLE: Self = Self(1.0);
+
+    /// An axis ratio a/b.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless `ratio` is finite and positive.
+    pub fn new(ratio: f64) -> Result<Self, RangeError> {
+        RangeError::positive("axis_ratio", ratio).map(Self)
+    }
+
+    /// The ratio k' = a/b.
+    #[must_use]
+    pub const fn get(self) -> f64 {
+        self.0
+    }
+
+    /// The ratio b/a of the same ellipse with its axes exchanged.
+    #[must_use]
+    pub fn inverse(self) -> Self {
+        // The reciprocal of a subnormal overflows; the largest number stands for it.
+        Self((1.0 / self.0).min(f64::MAX))
+    }
+
+    /// The parameter m = k^2 = (1 - k')(1 + k'); negative for a > b.
+    #[must_use]
+    pub fn parameter(self) -> f64 {
+        (1.0 - self.0) * (1.0 + self.0)
+    }
+}

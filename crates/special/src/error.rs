@@ -1,0 +1,64 @@
+//! The one shape of a domain error on every floor: which field, its value, what is allowed.
+
+/// A value outside the range its formula or constructor accepts.
+///
+/// ```
+/// use carom_special::RangeError;
+/// let error = RangeError::positive("radius", -1.0).unwrap_err();
+/// assert_eq!(error.to_string(), "radius = -1 is out of range: must be finite and > 0");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error("{field} = {value} is out of range: must be {allowed}")]
+pub struct RangeError {
+    /// Name of the offending field or argument.
+    pub field: &'static str,
+    /// The value that was given.
+    pub value: f64,
+    /// The allowed range, in words.
+    pub allowed: &'static str,
+}
+
+impl RangeError {
+    /// An error for `field` with `value`, of which `allowed` says the range.
+    #[must_use]
+    pub const fn new(field: &'static str, value: f64, allowed: &'static str) -> Self {
+        Self { field, value, allowed }
+    }
+
+    /// `value` if it is finite and positive.
+    ///
+    /// # Errors
+    /// Otherwise the error that names `field`.
+    pub fn positive(field: &'static str, value: f64) -> Result<f64, Self> {
+        Self::check(field, value, value.is_finite() && value > 0.0, "finite and > 0")
+    }
+
+    /// `value` if it is finite and not negative.
+    ///
+    /// # Errors
+    /// Otherwise the error that names `field`.
+    pub fn non_negative(field: &'static str, value: f64) -> Result<f64, Self> {
+        Self::check(field, value, value.is_finite() && value >= 0.0, "finite and >= 0")
+    }
+
+    /// `value` if it is finite.
+    ///
+    /// # Errors
+    /// Otherwise the error that names `field`.
+    pub fn finite(field: &'static str, value: f64) -> Result<f64, Self> {
+        Self::check(field, value, value.is_finite(), "finite")
+    }
+
+    /// `value` if `holds`; else the error that `field` must be `allowed`.
+    ///
+    /// # Errors
+    /// The error that names `field` when `holds` is false.
+    pub fn check(
+        field: &'static str,
+        value: f64,
+        holds: bool,
+        allowed: &'static str,
+    ) -> Result<f64, Self> {
+        if holds { Ok(value) } else { Err(Self::new(field, value, allowed)) }
+    }
+}

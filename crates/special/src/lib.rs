@@ -1,0 +1,8 @@
+//! Floor 1 of carom: special functions and numerical tools. It knows no mechanics.
+#![forbid(unsafe_code)]
+
+mod axis_ratio;
+mod error;
+
+pub use axis_ratio::AxisRatio;
+pub use error::RangeError;
