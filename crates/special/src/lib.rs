@@ -3,6 +3,7 @@
 
 mod axis_ratio;
 mod error;
+pub mod ode;
 
 pub use axis_ratio::AxisRatio;
 pub use error::RangeError;
