@@ -5,6 +5,7 @@ pub mod elliptic;
 
 mod axis_ratio;
 mod error;
+pub mod ode;
 
 pub use axis_ratio::AxisRatio;
 pub use error::RangeError;
