@@ -6,5 +6,7 @@
 
 pub mod curvature;
 pub mod ellipse;
+pub mod friction;
 pub mod hertz;
+pub mod shift;
 pub mod stiffness;
