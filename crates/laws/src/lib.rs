@@ -8,5 +8,7 @@ pub mod curvature;
 pub mod ellipse;
 pub mod friction;
 pub mod hertz;
+pub mod memory;
+pub mod profile;
 pub mod shift;
 pub mod stiffness;
