@@ -17,6 +17,11 @@ pub trait NormalProfile: Copy {
     /// dF_z/dzeta.
     fn stiffness(&self, zeta: f64) -> f64;
 
+    /// F_z(from + by) - F_z(from), for by >= 0 and not both zero.
+    fn growth(&self, from: f64, by: f64) -> f64 {
+        self.force(from + by) - self.force(from)
+    }
+
     /// The integral of F_z from 0 to zeta.
     fn energy(&self, zeta: f64) -> f64;
 
@@ -63,6 +68,14 @@ impl NormalProfile for Hertzian {
     #[inline]
     fn stiffness(&self, zeta: f64) -> f64 {
         1.5 * zeta.sqrt()
+    }
+
+    #[inline]
+    fn growth(&self, from: f64, by: f64) -> f64 {
+        // a^3 - b^3 = (a^2 - b^2) (a + b - a b/(a + b)) keeps the digits of a small step.
+        let (a, b) = ((from + by).sqrt(), from.sqrt());
+        let sum = a + b;
+        by * (sum - a * b / sum)
     }
 
     fn energy(&self, zeta: f64) -> f64 {
@@ -212,6 +225,7 @@ mod tests {
         let force = integrate(|z| profile.stiffness(z), lower, upper);
         let difference = profile.force(upper) - profile.force(lower);
         assert_relative_eq!(force, difference, max_relative = 1e-7);
+        assert_relative_eq!(profile.growth(lower, upper - lower), difference, max_relative = 1e-14);
         let energy = integrate(|z| profile.force(z), lower, upper);
         let difference = profile.energy(upper) - profile.energy(lower);
         assert_relative_eq!(energy, difference, max_relative = 1e-7);

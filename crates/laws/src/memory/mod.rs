@@ -16,11 +16,13 @@
 //! is chapter 7's approximation (one direction of traction in each slip ring), which is the exact
 //! one-dimensional law on straight paths.
 
+mod adhesion;
 mod energy;
 mod lateral;
 mod report;
 mod stack;
 
+pub use adhesion::AdhesionMemory;
 pub use lateral::Lateral;
 pub use report::{Segment, Tangent};
 pub use stack::{Fixed, Growing, Vertex, VertexStack};
@@ -72,8 +74,6 @@ pub struct Memory<V, S = Growing<V>, P = Hertzian> {
     zeta: f64,
     shift: V,
     force: V,
-    /// F_z of the profile at zeta.
-    normal: f64,
     regime: Regime,
     stack: S,
     profile: P,
@@ -110,7 +110,6 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
             zeta: 0.0,
             shift: V::default(),
             force: V::default(),
-            normal: 0.0,
             regime: Regime::Separated,
             stack: S::default(),
             profile,
@@ -160,7 +159,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     fn separate(&mut self, zeta: f64, shift: V) {
         self.stack.clear();
         (self.zeta, self.shift, self.regime) = (zeta, shift, Regime::Separated);
-        (self.force, self.normal) = (V::default(), 0.0);
+        self.force = V::default();
     }
 
     /// Moves a separated pair to the point of its path at which it touches.
@@ -168,7 +167,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     fn touch(&mut self, zeta: f64, shift: V) {
         let part = self.zeta / (self.zeta - zeta);
         self.shift = self.shift.plus(shift.minus(self.shift).times(part));
-        (self.zeta, self.normal, self.force) = (0.0, 0.0, V::default());
+        (self.zeta, self.force) = (0.0, V::default());
         let vertex = Vertex { anchor: self.shift, curb: 1.0, ..Vertex::default() };
         self.stack.push(vertex, &self.profile);
     }
@@ -181,7 +180,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
             anchor: self.shift,
             slope,
             force_slope: slope,
-            offset: self.force.minus(slope.times(self.normal)),
+            force: self.force,
             curb: (1.0 - slope.dot(slope)).max(0.0),
         };
         let top = self.stack.len() - 1;
@@ -196,8 +195,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
 
     #[inline]
     fn finish(&mut self, zeta: f64, regime: Regime) {
-        self.normal = self.profile.force(zeta);
-        self.force = self.stack.get(self.stack.len() - 1).force_at(self.normal);
+        self.force = self.stack.get(self.stack.len() - 1).force_at(zeta, &self.profile);
         self.regime = regime;
     }
 
@@ -242,24 +240,18 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     fn lay_slip(&mut self, zeta: f64, below: &Vertex<V>, d: V, reach: f64, rings: u32) {
         let depth = zeta - reach;
         let slope = V::slip_slope(d, below.slope, reach);
-        let normal = self.profile.force(depth);
+        let force = below.force_at(depth, &self.profile);
+        let anchor = below.anchor_at(depth);
         self.stack.push(
-            Vertex {
-                depth,
-                anchor: below.anchor_at(depth),
-                slope,
-                force_slope: slope,
-                offset: below.force_at(normal).minus(slope.times(normal)),
-                curb: 0.0,
-            },
+            Vertex { depth, anchor, slope, force_slope: slope, force, curb: 0.0 },
             &self.profile,
         );
-        let regime = match rings {
+        self.force = force.plus(slope.times(self.profile.growth(depth, reach)));
+        self.regime = match rings {
             0 if below.is_slip() => Regime::Reversal,
             0 | 1 => Regime::Slip,
             _ => Regime::Overlay,
         };
-        self.finish(zeta, regime);
     }
 
     /// Gross sliding: the whole polyline is one segment of slope 1 whose foot is dragged along.
@@ -280,7 +272,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
                 anchor: shift.minus(slope.times(zeta)),
                 slope,
                 force_slope: slope,
-                offset: V::default(),
+                force: V::default(),
                 curb: 0.0,
             },
             &self.profile,

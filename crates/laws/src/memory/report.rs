@@ -53,7 +53,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     /// The normalised normal force, zeta^(3/2) for Hertz.
     #[must_use]
     pub fn normal_force(&self) -> f64 {
-        self.normal
+        self.profile.force(self.zeta.max(0.0))
     }
 
     /// What the last step did.
@@ -167,9 +167,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     #[must_use]
     pub fn force_below(&self, depth: f64) -> V {
         match self.index_of(depth) {
-            Some(i) if depth < self.zeta => {
-                self.stack.get(i).force_at(self.profile.force(depth.max(0.0)))
-            }
+            Some(i) if depth < self.zeta => self.stack.get(i).force_at(depth, &self.profile),
             _ => self.force,
         }
     }
@@ -211,7 +209,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
             return rest(isotropic(stiffness));
         }
         let m = top.slope.components();
-        let chord = (self.normal - self.profile.force(top.depth)) / length;
+        let chord = self.profile.growth(top.depth, length) / length;
         let normal_turn = m.map(|m| m * (stiffness - chord));
         match self.regime {
             Regime::Adhesion => Tangent { by_shift: isotropic(chord), by_approach: normal_turn },
@@ -290,7 +288,7 @@ impl<S: VertexStack<[f64; 2]>, P: NormalProfile> Memory<[f64; 2], S, P> {
             turn(&mut vertex.anchor);
             turn(&mut vertex.slope);
             turn(&mut vertex.force_slope);
-            turn(&mut vertex.offset);
+            turn(&mut vertex.force);
         }
     }
 }

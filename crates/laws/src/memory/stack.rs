@@ -5,8 +5,8 @@ use crate::profile::NormalProfile;
 
 /// The lower end of a segment of the memory polyline.
 ///
-/// On the segment that begins here the anchor is `W(s) = anchor + slope (s - depth)` and the force
-/// of the part of the contact deeper than s is `offset + force_slope F_z(s)`.
+/// On the segment that begins here the anchor is `W(s) = anchor + slope (s - depth)`, and the force
+/// of the part of the contact deeper than s is `force + force_slope (F_z(s) - F_z(depth))`.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct Vertex<V> {
@@ -18,8 +18,8 @@ pub struct Vertex<V> {
     pub slope: V,
     /// The slope of the force; other than m only where two segments were merged.
     pub force_slope: V,
-    /// The force's offset.
-    pub offset: V,
+    /// The force of the part of the contact deeper than this.
+    pub force: V,
     /// `1 - m.m`, exactly zero on segments laid down in slip.
     pub curb: f64,
 }
@@ -32,11 +32,16 @@ impl<V: Lateral> Vertex<V> {
         self.anchor.plus(self.slope.times(depth - self.depth))
     }
 
-    /// The force of the part of the contact deeper than a point whose normal force is `normal`.
+    /// The force of the part of the contact deeper than a point of this segment.
     #[inline]
     #[must_use]
-    pub fn force_at(&self, normal: f64) -> V {
-        self.offset.plus(self.force_slope.times(normal))
+    pub fn force_at<P: NormalProfile>(&self, depth: f64, profile: &P) -> V {
+        let by = depth - self.depth;
+        if by > 0.0 {
+            self.force.plus(self.force_slope.times(profile.growth(self.depth, by)))
+        } else {
+            self.force
+        }
     }
 
     /// Whether the segment was laid down in slip.
@@ -190,13 +195,12 @@ impl<V: Lateral, const N: usize> Fixed<V, N> {
         let i = best.1;
         let (below, here) = (self.vertices[i - 1], self.vertices[i]);
         let (end_depth, end_anchor) = upper_end(i, &self.vertices);
-        let (low, high) = (profile.force(below.depth), profile.force(end_depth));
-        let slope = end_anchor.minus(below.anchor).times(1.0 / (end_depth - below.depth));
-        let force_slope = here.force_at(high).minus(below.force_at(low)).times(1.0 / (high - low));
+        let length = end_depth - below.depth;
+        let slope = end_anchor.minus(below.anchor).times(1.0 / length);
+        let growth = here.force_at(end_depth, profile).minus(below.force);
         self.vertices[i - 1] = Vertex {
             slope,
-            force_slope,
-            offset: below.force_at(low).minus(force_slope.times(low)),
+            force_slope: growth.times(1.0 / profile.growth(below.depth, length)),
             curb: (1.0 - slope.dot(slope)).max(0.0),
             ..below
         };
