@@ -43,9 +43,8 @@ pub mod catalogue;
 pub mod claim;
 pub mod figure;
 mod figures;
-pub mod series;
 
+pub use carom_plot::{Arrow, Marker, Point, Series, linspace, logspace};
 pub use catalogue::{Entry, FigureResult, catalogue};
 pub use claim::{Check, Claim, Pair, Tolerance};
 pub use figure::{Axis, Cell, Figure, Panel, Table};
-pub use series::{Arrow, Marker, Point, Series, linspace, logspace};
