@@ -41,8 +41,13 @@
 
 pub mod catalogue;
 pub mod claim;
+pub mod data;
 pub mod figure;
 mod figures;
+pub mod report;
+pub mod run;
+pub mod snapshot;
+pub mod statistics;
 
 pub use carom_plot::{Arrow, Marker, Point, Series, linspace, logspace};
 pub use catalogue::{Entry, FigureResult, catalogue};
