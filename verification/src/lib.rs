@@ -44,10 +44,13 @@ pub mod claim;
 pub mod data;
 pub mod figure;
 mod figures;
+pub mod files;
 pub mod report;
 pub mod run;
+pub mod selection;
 pub mod snapshot;
 pub mod statistics;
+pub mod terminal;
 
 pub use carom_plot::{Arrow, Marker, Point, Series, linspace, logspace};
 pub use catalogue::{Entry, FigureResult, catalogue};
