@@ -2,7 +2,8 @@
 //! Line plots as SVG: panels of axes with lines, markers, arrows and areas.
 //!
 //! Knows no mechanics and needs no fonts or system libraries. The SVG has clip paths, true
-//! dash patterns and text, on a light ground, in colours that colour-blind readers tell apart.
+//! dash patterns and text, on a light ground, in colours that colour-blind readers tell apart. In labels,
+//! `F_x` and `M_{zS}` carry subscripts.
 //!
 //! ```
 //! use carom_plot::{Axis, Panel, Series, linspace, render};

@@ -29,23 +29,28 @@ pub fn render(title: &str, panels: &[Panel]) -> Result<String, PlotError> {
         2..=4 => 2,
         _ => 3,
     };
-    let aside = plots.iter().filter_map(Plot::aside).fold(0.0, f64::max);
-    let cell_width = LEFT + WIDTH + RIGHT + aside;
+    let widths: Vec<f64> =
+        (0..columns).map(|column| column_width(&plots, column, columns)).collect();
     let cell_height = TOP + HEIGHT + BOTTOM;
     let heading = if title.is_empty() { 0.0 } else { HEADING };
     let mut svg = Svg::default();
     for (i, plot) in plots.iter().enumerate() {
-        let corner = Pixel {
-            x: (i % columns) as f64 * cell_width,
-            y: heading + (i / columns) as f64 * cell_height,
-        };
+        let (row, column) = (i / columns, i % columns);
+        let corner =
+            Pixel { x: widths[..column].iter().sum(), y: heading + row as f64 * cell_height };
         plot.draw(&mut svg, corner, &clip_name(title, i));
     }
-    let width = columns.min(plots.len()) as f64 * cell_width;
+    let width: f64 = widths.iter().sum();
     let height = heading + plots.len().div_ceil(columns) as f64 * cell_height;
     let middle = Pixel { x: 0.5 * width, y: 22.0 };
     svg.text(middle, Anchor::Middle, title, "font-size=\"15\" font-weight=\"bold\"");
     Ok(svg.finish(width, height))
+}
+
+/// Width of a column: its axes, and the widest legend beside them.
+fn column_width(plots: &[Plot<'_>], column: usize, columns: usize) -> f64 {
+    let asides = plots.iter().skip(column).step_by(columns).filter_map(Plot::aside);
+    LEFT + WIDTH + RIGHT + asides.fold(0.0, f64::max)
 }
 
 /// A name for a clip path that stays unique when several plots share one HTML page.
@@ -211,7 +216,7 @@ mod tests {
     fn every_style_is_drawn() {
         let mut panel = panel().titled("all").equal_aspect();
         let square = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)];
-        panel.add(Series::line("line", square));
+        panel.add(Series::line("R_x", square));
         panel.add(Series::dashed("dashed", square));
         panel.add(Series::area("area", square));
         let arrow = Arrow { tail: Point::new(0.0, 0.0), head: Point::new(1.0, 0.5) };
@@ -229,6 +234,7 @@ mod tests {
         }
         let svg = render("A & B", &[panel]).unwrap();
         assert!(svg.contains("A &amp; B") && svg.contains("x &lt; y"));
+        assert!(svg.contains("R<tspan"), "subscript");
         assert_eq!(svg.matches("stroke-dasharray").count(), 2); // curve and legend
         assert_eq!(svg.matches("<g ").count(), svg.matches("</g>").count());
         assert!(!svg.contains("NaN"));

@@ -89,7 +89,7 @@ impl Span {
     }
 
     fn linear_ticks(&self) -> (Vec<Tick>, i32) {
-        let step = nice_step((self.high - self.low) / 6.0);
+        let step = nice_step((self.high - self.low) / 7.0);
         let first = libm::ceil(self.low / step - 1e-9) as i64;
         let last = libm::floor(self.high / step + 1e-9) as i64;
         let largest = self.low.abs().max(self.high.abs());
@@ -200,8 +200,8 @@ mod tests {
     fn linear_ticks_are_round() {
         let (ticks, power) = labels(&Axis::linear("").between(0.0, 1.0));
         assert_eq!((ticks.join(" ").as_str(), power), ("0.0 0.2 0.4 0.6 0.8 1.0", 0));
-        let (ticks, _) = labels(&Axis::linear("").between(-0.06, 0.07));
-        assert_eq!(ticks.join(" "), "−0.050 −0.025 0.000 0.025 0.050");
+        let (ticks, _) = labels(&Axis::linear("").between(-0.06, 0.09));
+        assert_eq!(ticks.join(" "), "−0.050 −0.025 0.000 0.025 0.050 0.075");
         let (ticks, power) = labels(&Axis::linear("").between(0.0, 3e-6));
         assert_eq!((ticks.join(" ").as_str(), power), ("0.0 0.5 1.0 1.5 2.0 2.5 3.0", -6));
     }

@@ -109,8 +109,11 @@ impl Svg {
         let _ = writeln!(self.body, "\" {attributes}/>");
     }
 
-    /// A text, its baseline at the point.
+    /// A text, its baseline at the point; `_x` and `_{xy}` are set as subscripts.
     pub(crate) fn text(&mut self, at: Pixel, anchor: Anchor, text: &str, attributes: &str) {
+        if text.is_empty() {
+            return;
+        }
         let anchor = match anchor {
             Anchor::Start => "start",
             Anchor::Middle => "middle",
@@ -121,7 +124,7 @@ impl Svg {
             "<text x=\"{:.2}\" y=\"{:.2}\" text-anchor=\"{anchor}\" {attributes}>{}</text>",
             at.x,
             at.y,
-            escape(text)
+            with_subscripts(&escape(text))
         );
     }
 
@@ -140,6 +143,24 @@ impl Svg {
 /// Text with the characters that XML reserves written out.
 pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+/// `F_x` and `M_{zS}` with their subscripts lowered.
+fn with_subscripts(text: &str) -> String {
+    let mut parts = text.split('_');
+    let mut marked = parts.next().unwrap_or_default().to_owned();
+    for part in parts {
+        let (lowered, rest) = match part.strip_prefix('{').and_then(|part| part.split_once('}')) {
+            Some(split) => split,
+            None => part.split_at(part.chars().next().map_or(0, char::len_utf8)),
+        };
+        let _ = write!(
+            marked,
+            "<tspan dy=\"0.28em\" font-size=\"75%\">{lowered}</tspan>\
+             <tspan dy=\"-0.21em\">&#8203;</tspan>{rest}"
+        );
+    }
+    marked
 }
 
 /// About how wide a text of this font size is.
