@@ -78,6 +78,33 @@ def three(s, a, b, c, y):
     return s * z ** (-s) * (first + second)
 
 
+# Parametric excess of 2F1 at or next to an integer.
+LOGARITHMIC3 = [(1.0, 0.5, 0.5, 1.0), (0.4, 0.5, 1.5, 2.0), (0.7, 1.2, 0.8, 1.01),
+                (1.3, 0.3, 0.7, 2.02), (0.5, 2.0, 1.5, 1.52), (2.5, -0.3, 1.3, 1.0)]
+
+
+def three_logarithmic(s, a, b, c, y):
+    """s z^-s int_0^z t^(s-1) 2F1 dt, the last part on intervals halving towards 1."""
+    s, a, b, c = (mp.mpf(v) for v in (s, a, b, c))
+    z = 1 - y
+    half = mp.mpf(1) / 2
+    if z <= half:
+        return mp.hyper([s, a, b], [s + 1, c], z)
+    total = half**s / s * mp.hyper([s, a, b], [s + 1, c], half)
+    points = [half]
+    while points[-1] > max(y, mp.mpf(10) ** (-3)):
+        points.append(max(points[-1] / 4, y))
+    if points[-1] > y:
+        points.append(y)
+
+    def integrand(w):
+        return (1 - w) ** (s - 1) * mp.hyp2f1(a, b, c, 1 - w)
+
+    with mp.workdps(60):
+        total -= mp.quad(integrand, points, method="tanh-sinh")
+    return s * z ** (-s) * total
+
+
 def wide(generator, largest):
     """Random parameters, excess near integers now and then."""
     rows = []
@@ -124,6 +151,19 @@ def main():
         for x, y in arguments():
             rows.append((s, a, b, c, x, float(y), number(three(s, a, b, c, y))))
     write(f"{folder}/three_f_two.csv", "s,a,b,c,x,complement,F", rows)
+
+    rows = []
+    for s, a, b, c in LOGARITHMIC3:
+        for y in (0.6, 0.49, 0.3, 0.1, 1e-2, 1e-3, 1e-5):
+            value = three_logarithmic(s, a, b, c, mp.mpf(y))
+            rows.append((s, a, b, c, float(1 - mp.mpf(y)), y, number(value)))
+    rows.append((1.0, 0.5, 0.5, 1.0, 1.0, 0.0, number(4 / mp.pi)))
+    # 3F2(s, a, b; s + 1, b; 1) = gamma(s + 1) gamma(1 - a)/gamma(s + 1 - a), excess -a.
+    for s, a in ((0.7, 0.99), (0.4, 0.97), (1.5, 1e-3), (2.5, -1.0 + 1e-4)):
+        x, w = mp.mpf(a), mp.mpf(s)
+        value = mp.gamma(w + 1) * mp.gamma(1 - x) / mp.gamma(w + 1 - x)
+        rows.append((s, a, 1.25, 1.25, 1.0, 0.0, number(value)))
+    write(f"{folder}/three_f_two_logarithmic.csv", "s,a,b,c,x,complement,F", rows)
 
 
 if __name__ == "__main__":
