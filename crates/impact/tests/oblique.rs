@@ -58,10 +58,11 @@ fn check_table(name: &str, tolerance: f64) {
         let impact = ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap();
         let error = (impact.restitution() - number(row, "Rx")).abs();
         worst = worst.max(error);
-        if error > 1e-11 {
-            println!("chi {chi} psi {psi}: error {error:e} {:?}", impact.phases());
-        }
-        //assert!(error < tolerance, "chi {chi} psi {psi}: error {error:e}");
+        // This row's own integration stops before separation (END at t = 2.94294 < T): its R_x is
+        // off by 7.9e-10, more than its stated 5e-11; tightening ours changes it by 1e-13 only.
+        let truncated = row["regimes"].as_array().unwrap().last().unwrap() == "END-1";
+        let tolerance = if truncated { 1e-9 } else { tolerance };
+        assert!(error < tolerance, "chi {chi} psi {psi}: error {error:e}");
         let (mut own, short) = own_regimes(&impact);
         let mut theirs = table_regimes(row);
         if short && own.len() != theirs.len() {
@@ -118,9 +119,10 @@ fn histories() {
             };
             check("t", own.time, 1.0);
             check("zeta", own.compression, 1.0);
-            check("e", own.shift, 1.0);
-            check("e_dot", own.velocity, 1.0);
-            check("Phi", own.force, 1.5);
+            check("e", groups.psi() * own.shift, 1.0);
+            check("e_dot", groups.psi() * own.velocity, 1.0);
+            check("Phi", groups.psi() * own.force, 1.5);
+            check("Fx_over_fFz", own.friction_used, 1.0);
             check("s_stick", own.stick_depth, 1.0);
         }
     }

@@ -7,11 +7,14 @@ use super::groups::Groups;
 use super::memory::{Shape, Stretch};
 use super::slip::{Chart, Clock, Instant, Slip, Unknowns, Weight};
 use super::trace::{Recorder, Silent};
+use crate::closed_form;
 use crate::normal::compression;
 
 const TOLERANCE: Tolerance = Tolerance { absolute: 1e-12, relative: 1e-12 };
 /// Half-width of the neighbourhood of the onset of slip that a series covers.
 const ONSET: f64 = 1e-3;
+/// Below this psi nothing distinguishes the impact from one without slip.
+pub(super) const PSI_MIN: f64 = 1e-14;
 /// Tangential velocity at maximal compression below which the impact counts as reversible.
 const NEUTRAL: f64 = 1e-12;
 /// Steps of one slip phase and phases of one impact after which the walk gives up.
@@ -128,6 +131,11 @@ impl ObliqueImpact {
     /// # Errors
     /// [`ObliqueError`] if the walk does not reach separation; not seen for chi up to 100.
     pub fn new(groups: Groups) -> Result<Self, ObliqueError> {
+        if groups.psi() < PSI_MIN {
+            let restitution = closed_form::restitution_without_slip(groups.chi());
+            let phase = Phase { regime: Regime::Adhesion, began_by: Event::Touch, start: 1.0 };
+            return Ok(Self { groups, restitution, phases: vec![phase] });
+        }
         Self::record(groups, &mut Silent)
     }
 
@@ -226,10 +234,6 @@ impl<'r, R: Recorder> Walk<'r, R> {
 
     /// The final tangential velocity in units of the initial one.
     fn run(&mut self) -> Result<f64, ObliqueError> {
-        if self.scale.is_infinite() {
-            self.enter(Regime::SlideForward, Event::Touch);
-            return Ok(1.0);
-        }
         let slides = self.scale > 1.0 || (self.scale == 1.0 && self.chi < 1.0);
         let mut next = if slides {
             Next::Slide { sign: 1.0, event: Event::Touch }
@@ -585,12 +589,17 @@ impl<R: Recorder> Journey<'_, R> {
     fn land(&mut self, crossing: Crossing, from: &Unknowns) -> Option<Arrival> {
         match crossing {
             Crossing::StretchEnd => self.by_stick_radius(from).ok(),
-            Crossing::SlipStop | Crossing::RingClosed => self.to_zero(self.slip, crossing, from),
+            Crossing::SlipStop | Crossing::RingClosed => self.until_zero(self.slip, crossing, from),
             Crossing::ChartEnd => None,
         }
     }
 
-    fn to_zero(&mut self, slip: Slip<'_>, crossing: Crossing, from: &Unknowns) -> Option<Arrival> {
+    fn until_zero(
+        &mut self,
+        slip: Slip<'_>,
+        crossing: Crossing,
+        from: &Unknowns,
+    ) -> Option<Arrival> {
         let (clock, now) = match crossing {
             Crossing::SlipStop => (Clock::SlipVelocity, slip.instant(from).slip_velocity),
             _ => (Clock::RingWidth, from[2]),
@@ -647,7 +656,7 @@ impl<R: Recorder> Journey<'_, R> {
                     let crossing =
                         if now.ring <= 0.0 { Crossing::RingClosed } else { Crossing::SlipStop };
                     let failed = OdeError::NotFinite { x: radius };
-                    return self.to_zero(slip, crossing, &before).ok_or(failed);
+                    return self.until_zero(slip, crossing, &before).ok_or(failed);
                 }
                 self.recorder.slip(&slip, Clock::StickRadius, &mut walk);
                 if radius == target {

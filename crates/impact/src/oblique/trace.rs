@@ -3,20 +3,24 @@
 use carom_special::ode::{DenseStep, Stepper, Tolerance};
 
 use super::adhesion::Segment;
-use super::engine::{ObliqueError, ObliqueImpact, Regime, State};
+use super::engine::{ObliqueError, ObliqueImpact, PSI_MIN, Regime, State};
 use super::groups::Groups;
 use super::slip::{Clock, Slip, Unknowns};
 use crate::normal::{compression, time};
+
+/// Stands for psi = 0 where a history is wanted: it differs from the limit by less than this.
+const PSI_NO_SLIP: f64 = 1e-14;
 
 const TOLERANCE: Tolerance = Tolerance { absolute: 1e-14, relative: 1e-14 };
 
 /// One instant of an oblique impact.
 ///
-/// Units: compression by zeta_max; tangential shift by f c_z zeta_max/c_x, its velocity by
-/// f c_z zeta'_A/c_x; forces by f F_max with F_max the maximal normal force.
+/// Units: compression by zeta_max, time by zeta_max/zeta'_A; the tangential velocity by its
+/// initial value u_0, the shift by u_0 zeta_max/zeta'_A, the force by
+/// (2/3) c_x zeta_max^(3/2) u_0/zeta'_A. They stay finite for any friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TracePoint {
-    /// Time since touch in units of zeta_max/zeta'_A.
+    /// Time since touch.
     pub time: f64,
     /// Normal velocity w, from 1 to -1.
     pub normal_velocity: f64,
@@ -28,19 +32,12 @@ pub struct TracePoint {
     pub velocity: f64,
     /// Tangential force on body 1.
     pub force: f64,
+    /// Tangential force over the friction limit f F_z, between -1 and 1; 0 before touch.
+    pub friction_used: f64,
     /// Depth z* of the stick area (its radius is the square root); 0 while sliding.
     pub stick_depth: f64,
     /// Regime.
     pub regime: Regime,
-}
-
-impl TracePoint {
-    /// Tangential force over the friction limit f F_z of that instant; 0 before touch.
-    #[must_use]
-    pub fn friction_used(&self) -> f64 {
-        let limit = self.compression * self.compression.sqrt();
-        if limit > 0.0 { self.force / limit } else { 0.0 }
-    }
 }
 
 impl ObliqueImpact {
@@ -50,7 +47,16 @@ impl ObliqueImpact {
     /// [`ObliqueError`] as for [`ObliqueImpact::new`].
     pub fn trace(groups: Groups, w: &[f64]) -> Result<Vec<TracePoint>, ObliqueError> {
         let mut recorder = Trace { scale: groups.psi(), targets: w, points: Vec::new() };
-        Self::record(groups, &mut recorder)?;
+        if groups.psi() >= PSI_MIN {
+            Self::record(groups, &mut recorder)?;
+            return Ok(recorder.points);
+        }
+        // Without slip: the limit psi -> 0, reached to rounding long before.
+        recorder.scale = PSI_NO_SLIP;
+        Self::record(Groups::new(groups.chi(), PSI_NO_SLIP).unwrap_or(groups), &mut recorder)?;
+        for point in &mut recorder.points {
+            (point.regime, point.friction_used) = (Regime::Adhesion, 0.0);
+        }
         Ok(recorder.points)
     }
 }
@@ -106,13 +112,21 @@ impl Trace<'_> {
     }
 
     fn push(&mut self, state: State, stick_depth: f64, regime: Regime) {
+        let limit = state.zeta * state.zeta.sqrt();
+        let friction_used = match regime {
+            Regime::SlideForward => 1.0,
+            Regime::SlideBackward => -1.0,
+            _ if limit > 0.0 => self.scale * state.traction / limit,
+            _ => 0.0,
+        };
         self.points.push(TracePoint {
             time: time(state.w),
             normal_velocity: state.w,
             compression: state.zeta,
-            shift: self.scale * state.shift,
-            velocity: self.scale * state.velocity,
-            force: self.scale * state.traction,
+            shift: state.shift,
+            velocity: state.velocity,
+            force: state.traction,
+            friction_used,
             stick_depth,
             regime,
         });
