@@ -1,6 +1,11 @@
 //! Floor 1 of carom: special functions and numerical tools. It knows no mechanics.
 #![forbid(unsafe_code)]
 
+pub mod elliptic;
+pub mod ode;
+pub mod quadrature;
+pub mod roots;
+
 mod axis_ratio;
 mod error;
 

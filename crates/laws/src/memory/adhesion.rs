@@ -1,0 +1,218 @@
+//! The memory of bodies that never slip, the limit of infinite friction.
+
+use carom_special::RangeError;
+
+use super::{Growing, Lateral, Vertex, VertexStack};
+use crate::profile::{Hertzian, NormalProfile};
+
+/// The memory of a contact without slip: the anchor of each ring is the shift at which it touched.
+///
+/// The anchor is any function of the depth, steps included: a shift at constant approach moves
+/// all rings. A receding edge releases its rings, and their energy is lost. Shifts are scaled so
+/// that full adhesion is `dPhi = F_z'(zeta) dX`, for Hertz `X = c_x xi`, `F = (2/3) Phi`.
+///
+/// ```
+/// use carom_laws::memory::AdhesionMemory;
+/// let mut memory = AdhesionMemory::<f64>::new();
+/// memory.advance(4.0, 0.0)?;
+/// assert_eq!(memory.advance(4.0, 1.0)?, 3.0); // (3/2) sqrt(4)
+/// assert_eq!(memory.advance(1.0, 1.0)?, 1.5); // the outer rings let go
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct AdhesionMemory<V, P = Hertzian> {
+    zeta: f64,
+    shift: V,
+    force: V,
+    stack: Growing<V>,
+    profile: P,
+}
+
+impl<V: Lateral> Default for AdhesionMemory<V> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<V: Lateral> AdhesionMemory<V> {
+    /// Two bodies that just touch, unshifted.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::with_profile(Hertzian)
+    }
+}
+
+impl<V: Lateral, P: NormalProfile> AdhesionMemory<V, P> {
+    /// Two bodies of another normal law that just touch, unshifted.
+    #[must_use]
+    pub fn with_profile(profile: P) -> Self {
+        let (shift, force) = (V::default(), V::default());
+        Self { zeta: 0.0, shift, force, stack: Growing::default(), profile }
+    }
+
+    /// The approach.
+    #[must_use]
+    pub fn zeta(&self) -> f64 {
+        self.zeta
+    }
+
+    /// The scaled shift X.
+    #[must_use]
+    pub fn shift(&self) -> V {
+        self.shift
+    }
+
+    /// The force Phi.
+    #[must_use]
+    pub fn force(&self) -> V {
+        self.force
+    }
+
+    /// Goes straight to a new approach and shift and returns the force Phi.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a value that is not finite; the state is then unchanged.
+    pub fn advance(&mut self, zeta: f64, shift: V) -> Result<V, RangeError> {
+        RangeError::finite("zeta", zeta)?;
+        let [x, y] = shift.components();
+        RangeError::finite("shift", x)?;
+        RangeError::finite("shift", y)?;
+        if zeta <= 0.0 {
+            self.stack.clear();
+            self.force = V::default();
+        } else {
+            if self.stack.is_empty() {
+                self.touch(zeta, shift);
+            }
+            self.reshape(zeta, shift);
+            let top = self.stack.get(self.stack.len() - 1);
+            let stretch = shift.minus(top.anchor_at(zeta));
+            self.force =
+                top.force_at(zeta, &self.profile).plus(stretch.times(self.profile.stiffness(zeta)));
+        }
+        (self.zeta, self.shift) = (zeta, shift);
+        Ok(self.force)
+    }
+
+    fn touch(&mut self, zeta: f64, shift: V) {
+        let part = self.zeta / (self.zeta - zeta);
+        self.shift = self.shift.plus(shift.minus(self.shift).times(part));
+        (self.zeta, self.force) = (0.0, V::default());
+        let vertex = Vertex { anchor: self.shift, curb: 1.0, ..Vertex::default() };
+        self.stack.push(vertex, &self.profile);
+    }
+
+    fn reshape(&mut self, zeta: f64, shift: V) {
+        let growth = zeta - self.zeta;
+        if growth > 0.0 {
+            let slope = shift.minus(self.shift).times(1.0 / growth);
+            let vertex = Vertex {
+                depth: self.zeta,
+                anchor: self.shift,
+                slope,
+                force_slope: slope,
+                force: self.force,
+                curb: 1.0,
+            };
+            if self.zeta == 0.0 {
+                self.stack.pop();
+            }
+            self.stack.push(vertex, &self.profile);
+        }
+        while self.stack.len() > 1 && self.stack.get(self.stack.len() - 1).depth >= zeta {
+            self.stack.pop();
+        }
+    }
+
+    /// The elastic energy of the shift, conjugate to Phi and X, per direction.
+    #[must_use]
+    pub fn stored_energy(&self) -> V {
+        self.energy_between(0.0, |_| self.shift)
+    }
+
+    /// The energy that a straight step would release at a receding edge, per direction.
+    ///
+    /// Not finite arguments give zero.
+    #[must_use]
+    pub fn dissipation(&self, zeta: f64, shift: V) -> V {
+        if !(zeta.is_finite() && shift.is_finite() && zeta < self.zeta) {
+            return V::default();
+        }
+        let rate = shift.minus(self.shift).times(1.0 / (self.zeta - zeta));
+        self.energy_between(zeta.max(0.0), |s| self.shift.plus(rate.times(self.zeta - s)))
+    }
+
+    /// The energy of the rings deeper than the edge and no deeper than `from` when the shift of
+    /// the ring s is `at(s)`, linear in s.
+    fn energy_between(&self, from: f64, at: impl Fn(f64) -> V) -> V {
+        let mut sum = [0.0; 2];
+        let mut to = self.zeta;
+        for i in (0..self.stack.len()).rev() {
+            let segment = self.stack.get(i);
+            let low = segment.depth.max(from);
+            let ends = [low, to].map(|s| at(s).minus(segment.anchor_at(s)).components());
+            for (k, sum) in sum.iter_mut().enumerate().take(V::DIMENSION) {
+                let u = [ends[0][k], ends[1][k]];
+                *sum += 0.5 * self.profile.spring_product(low, to.max(low), u, u);
+            }
+            to = segment.depth;
+            if to <= from {
+                break;
+            }
+        }
+        V::from_components(sum)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    #[test]
+    fn work_is_stored_or_released() {
+        let mut memory = AdhesionMemory::<[f64; 2]>::new();
+        let path = [(1.0, [0.1, 0.0]), (1.3, [0.4, 0.2]), (1.3, [0.1, 0.9]), (0.4, [0.0, 0.3])];
+        let (mut work, mut lost) = (0.0, 0.0);
+        let mut last = (0.0, [0.0; 2]);
+        for (zeta, x) in path {
+            let n = 2000;
+            let mut force = memory.force();
+            for i in 1..=n {
+                let part = f64::from(i) / f64::from(n);
+                let to = [0, 1].map(|k| last.1[k] + part * (x[k] - last.1[k]));
+                let depth = last.0 + part * (zeta - last.0);
+                lost += memory.dissipation(depth, to).iter().sum::<f64>();
+                let from = memory.shift();
+                let after = memory.advance(depth, to).unwrap();
+                work +=
+                    (0..2).map(|k| 0.5 * (force[k] + after[k]) * (to[k] - from[k])).sum::<f64>();
+                force = after;
+            }
+            last = (zeta, x);
+        }
+        let stored: f64 = memory.stored_energy().iter().sum();
+        assert_relative_eq!(work, stored + lost, max_relative = 1e-6);
+        assert!(lost > 0.0);
+    }
+
+    #[test]
+    fn release_is_the_same_in_one_step_or_many() {
+        let mut whole = AdhesionMemory::<f64>::new();
+        whole.advance(1.0, 0.2).unwrap();
+        whole.advance(1.5, 1.4).unwrap();
+        let mut steps = whole.clone();
+        let at_once = whole.dissipation(0.3, -0.5);
+        whole.advance(0.3, -0.5).unwrap();
+        let mut sum = 0.0;
+        for i in 1..=50 {
+            let part = f64::from(i) / 50.0;
+            let (zeta, x) = (1.5 - 1.2 * part, 1.4 - 1.9 * part);
+            sum += steps.dissipation(zeta, x);
+            steps.advance(zeta, x).unwrap();
+        }
+        assert_relative_eq!(sum, at_once, max_relative = 1e-12);
+        assert_relative_eq!(steps.force(), whole.force(), max_relative = 1e-12);
+        assert_eq!(whole.advance(0.3, f64::NAN).unwrap_err().field, "shift");
+    }
+}

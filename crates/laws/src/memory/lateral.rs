@@ -1,0 +1,260 @@
+//! The tangential shift as a number (one direction) or a pair (two directions).
+
+use std::fmt::Debug;
+
+mod sealed {
+    pub trait Sealed {}
+    impl Sealed for f64 {}
+    impl Sealed for [f64; 2] {}
+}
+
+/// A tangential shift: `f64` for one direction, `[f64; 2]` for two.
+pub trait Lateral: sealed::Sealed + Copy + Debug + Default + PartialEq {
+    /// Sum.
+    #[must_use]
+    fn plus(self, other: Self) -> Self;
+
+    /// Difference.
+    #[must_use]
+    fn minus(self, other: Self) -> Self;
+
+    /// Multiple.
+    #[must_use]
+    fn times(self, factor: f64) -> Self;
+
+    /// Product component by component.
+    #[must_use]
+    fn by_component(self, other: Self) -> Self;
+
+    /// Scalar product.
+    #[must_use]
+    fn dot(self, other: Self) -> f64;
+
+    /// The components in a list, of which the first [`Lateral::DIMENSION`] count.
+    #[must_use]
+    fn components(self) -> [f64; 2];
+
+    /// From the components.
+    #[must_use]
+    fn from_components(components: [f64; 2]) -> Self;
+
+    /// Number of directions.
+    const DIMENSION: usize;
+
+    /// Euclidean length.
+    #[must_use]
+    fn length(self) -> f64;
+
+    /// Whether every component is finite.
+    #[must_use]
+    fn is_finite(self) -> bool;
+
+    /// How far behind the new point the cone cuts a segment.
+    ///
+    /// `d` is the distance of the new point from the segment's line at the new approach, `m` the
+    /// segment's slope and `q = 1 - m.m`. The cut is measured from the tip, where nothing cancels;
+    /// infinite if the cone does not meet the line.
+    #[must_use]
+    fn reach(d: Self, m: Self, q: f64) -> f64;
+
+    /// The slope of the new slip segment of length `r`: the direction of `d + m r`.
+    #[must_use]
+    fn slip_slope(d: Self, m: Self, r: f64) -> Self;
+
+    /// The traction's direction after sliding along a straight path of direction and length
+    /// `path` while the approach goes from `from` to `to`, given the direction `m` before.
+    #[must_use]
+    fn dragged(m: Self, path: Self, from: f64, to: f64) -> Self;
+
+    /// The share of the straight step at which sliding begins: the last parameter in [0, 1] at
+    /// which `|x + t dx - base| <= zeta + t dz`.
+    #[must_use]
+    fn sliding_onset(offset: Self, dx: Self, zeta: f64, dz: f64) -> f64;
+}
+
+impl Lateral for f64 {
+    const DIMENSION: usize = 1;
+
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        self + other
+    }
+
+    #[inline]
+    fn minus(self, other: Self) -> Self {
+        self - other
+    }
+
+    #[inline]
+    fn times(self, factor: f64) -> Self {
+        self * factor
+    }
+
+    #[inline]
+    fn by_component(self, other: Self) -> Self {
+        self * other
+    }
+
+    #[inline]
+    fn dot(self, other: Self) -> f64 {
+        self * other
+    }
+
+    fn components(self) -> [f64; 2] {
+        [self, 0.0]
+    }
+
+    fn from_components(components: [f64; 2]) -> Self {
+        components[0]
+    }
+
+    #[inline]
+    fn length(self) -> f64 {
+        self.abs()
+    }
+
+    #[inline]
+    fn is_finite(self) -> bool {
+        self.is_finite()
+    }
+
+    #[inline]
+    fn reach(d: Self, m: Self, _q: f64) -> f64 {
+        // d.d/(|d| - m d) = |d|/(1 - m sign(d))
+        let towards = m * 1.0_f64.copysign(d);
+        d.abs() / (1.0 - towards)
+    }
+
+    #[inline]
+    fn slip_slope(d: Self, _m: Self, _r: f64) -> Self {
+        1.0_f64.copysign(d)
+    }
+
+    #[inline]
+    fn dragged(m: Self, path: Self, from: f64, _to: f64) -> Self {
+        if from > 0.0 || path == 0.0 { m } else { 1.0_f64.copysign(path) }
+    }
+
+    fn sliding_onset(offset: Self, dx: Self, zeta: f64, dz: f64) -> f64 {
+        // sign (offset + t dx) = zeta + t dz
+        let sign = 1.0_f64.copysign(offset + dx);
+        let rate = sign * dx - dz;
+        if rate > 0.0 { ((zeta - sign * offset) / rate).clamp(0.0, 1.0) } else { 0.0 }
+    }
+}
+
+impl Lateral for [f64; 2] {
+    const DIMENSION: usize = 2;
+
+    #[inline]
+    fn plus(self, other: Self) -> Self {
+        [self[0] + other[0], self[1] + other[1]]
+    }
+
+    #[inline]
+    fn minus(self, other: Self) -> Self {
+        [self[0] - other[0], self[1] - other[1]]
+    }
+
+    #[inline]
+    fn times(self, factor: f64) -> Self {
+        [self[0] * factor, self[1] * factor]
+    }
+
+    #[inline]
+    fn by_component(self, other: Self) -> Self {
+        [self[0] * other[0], self[1] * other[1]]
+    }
+
+    #[inline]
+    fn dot(self, other: Self) -> f64 {
+        self[0] * other[0] + self[1] * other[1]
+    }
+
+    fn components(self) -> [f64; 2] {
+        self
+    }
+
+    fn from_components(components: [f64; 2]) -> Self {
+        components
+    }
+
+    #[inline]
+    fn length(self) -> f64 {
+        self.dot(self).sqrt()
+    }
+
+    #[inline]
+    fn is_finite(self) -> bool {
+        self[0].is_finite() && self[1].is_finite()
+    }
+
+    #[inline]
+    fn reach(d: Self, m: Self, q: f64) -> f64 {
+        // The root r >= 0 of |d + m r| = r.
+        let (along, square) = (m.dot(d), d.dot(d));
+        let root = (along * along + q * square).sqrt();
+        if along <= 0.0 { square / (root - along) } else { (along + root) / q }
+    }
+
+    #[inline]
+    fn slip_slope(d: Self, m: Self, r: f64) -> Self {
+        let arm = d.plus(m.times(r));
+        let length = arm.length();
+        if length > 0.0 { arm.times(1.0 / length) } else { m }
+    }
+
+    fn dragged(m: Self, path: Self, from: f64, to: f64) -> Self {
+        let length = path.length();
+        if length == 0.0 {
+            return m;
+        }
+        let ahead = path.times(1.0 / length);
+        let cos = m.dot(ahead);
+        let sin = ahead[0] * m[1] - ahead[1] * m[0];
+        if from <= 0.0 {
+            return ahead;
+        }
+        if sin == 0.0 {
+            return m;
+        }
+        // tan(phi/2), from the half that does not cancel; the tractrix shrinks it (8.56).
+        let half = if cos > 0.0 { sin / (1.0 + cos) } else { (1.0 - cos) / sin };
+        let growth = (to - from) / from;
+        let pull = if growth == 0.0 {
+            length / from
+        } else {
+            length / from * (libm::log1p(growth) / growth)
+        };
+        let half = half * libm::exp(-pull);
+        let scale = 1.0 / (1.0 + half * half);
+        let (cos, sin) = ((1.0 - half) * (1.0 + half) * scale, 2.0 * half * scale);
+        [ahead[0] * cos - ahead[1] * sin, ahead[1] * cos + ahead[0] * sin]
+    }
+
+    fn sliding_onset(offset: Self, dx: Self, zeta: f64, dz: f64) -> f64 {
+        cone_exit(offset, dx, zeta, dz)
+    }
+}
+
+/// The parameter t >= 0 at which `|offset + t dx|` outgrows `depth + t dz`, both given inside the
+/// cone at t = 0; at most 1.
+pub(crate) fn cone_exit<V: Lateral>(offset: V, dx: V, depth: f64, dz: f64) -> f64 {
+    // (dx.dx - dz^2) t^2 + 2 (offset.dx - depth dz) t + (offset.offset - depth^2) = 0
+    let (square, excess) = (offset.length(), dx.length());
+    let curve = (excess - dz) * (excess + dz);
+    let slope = offset.dot(dx) - depth * dz;
+    let inside = ((square - depth) * (square + depth)).min(0.0);
+    let discriminant = slope * slope - curve * inside;
+    let root = discriminant.max(0.0).sqrt();
+    let exit = if discriminant < 0.0 {
+        1.0
+    } else if slope > 0.0 {
+        -inside / (slope + root)
+    } else if curve > 0.0 {
+        (root - slope) / curve
+    } else {
+        1.0
+    };
+    exit.clamp(0.0, 1.0)
+}

@@ -1,0 +1,282 @@
+//! The memory polyline of chapters 6 and 7: the exact tangential force of any history.
+//!
+//! In normalised shifts the state is a polyline `W(s)`, `0 <= s <= zeta`, of slopes at most 1: the
+//! anchor at which the ring of the contact that touches at the approach s would carry no
+//! tangential load. A step cuts it by the cone `|X - W(s)| <= zeta - s`; what lies outside is
+//! replaced by a segment of slope 1, the new slip ring. Everything in chapters 6, 7 and 8.4
+//! (points of instantaneous adhesion, the N-th decrease, overlays, wipe-outs) follows from the
+//! one rule, as does the release by a receding edge, which the thesis leaves out.
+//!
+//! Shifts are normalised so that the friction cone has the slope 1:
+//! `X = (c_x xi, c_y eta)/(f c_z)` (chapter 7), which for two equal spheres and the one-sphere
+//! displacements of chapter 6 is `xi/(f kappa)`; the force comes out as Phi, with
+//! `F = (2/3) f c_z Phi`, `|Phi| <= zeta^(3/2)`. The trait laws do the scaling.
+//!
+//! In one direction the law is exact within Cattaneo's and Mindlin's assumptions. In two it
+//! is chapter 7's approximation (one direction of traction in each slip ring), which is the exact
+//! one-dimensional law on straight paths.
+
+mod adhesion;
+mod energy;
+mod lateral;
+mod report;
+mod stack;
+
+pub use adhesion::AdhesionMemory;
+pub use lateral::Lateral;
+pub use report::{Segment, Tangent};
+pub use stack::{Fixed, Growing, Vertex, VertexStack};
+
+use carom_special::RangeError;
+
+use crate::profile::{Hertzian, NormalProfile};
+
+/// What the last step did to a contact.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Regime {
+    /// The bodies are apart.
+    #[default]
+    Separated,
+    /// Complete adhesion: the area grew faster than the shift.
+    Adhesion,
+    /// The edge receded, and what is left did not slip.
+    Release,
+    /// A slip ring; the stick area shrank from where it was, or slip began.
+    Slip,
+    /// Slip began anew at the edge after a point of instantaneous adhesion.
+    Reversal,
+    /// A slip ring overlaid older ones: at least one point of instantaneous adhesion was wiped out.
+    Overlay,
+    /// Gross sliding.
+    Sliding,
+}
+
+/// The memory of a contact in one direction, `V = f64`, or two, `V = [f64; 2]`.
+///
+/// `S` is where the vertices live ([`Growing`] is exact, [`Fixed`] plain data) and `P` the
+/// normal law.
+///
+/// ```
+/// use carom_laws::memory::{Memory, Regime};
+/// let mut memory: Memory<f64> = Memory::new();
+/// memory.advance(1.0, 0.0)?; // press
+/// memory.advance(1.0, 0.6)?; // shift
+/// assert_eq!(memory.regime(), Regime::Slip);
+/// assert_eq!(memory.stick_depth(), 0.4);
+/// let virgin = 1.0 - 0.4_f64.powf(1.5);
+/// assert!((memory.force() - virgin).abs() < 1e-15);
+/// memory.advance(1.0, -0.6)?; // all the way back: the loop is symmetric
+/// assert!((memory.force() + virgin).abs() < 1e-15);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Memory<V, S = Growing<V>, P = Hertzian> {
+    zeta: f64,
+    shift: V,
+    force: V,
+    regime: Regime,
+    stack: S,
+    profile: P,
+}
+
+/// The exact memory of a shift in one direction.
+pub type ScalarMemory = Memory<f64>;
+/// The exact memory of a shift in two directions.
+pub type VectorMemory = Memory<[f64; 2]>;
+/// One direction in at most N vertices, plain data.
+pub type FixedScalarMemory<const N: usize> = Memory<f64, Fixed<f64, N>>;
+/// Two directions in at most N vertices, plain data.
+pub type FixedVectorMemory<const N: usize> = Memory<[f64; 2], Fixed<[f64; 2], N>>;
+
+impl<V: Lateral, S: VertexStack<V>> Default for Memory<V, S> {
+    fn default() -> Self {
+        Self::new()
+    }
+}
+
+impl<V: Lateral, S: VertexStack<V>> Memory<V, S> {
+    /// Two bodies that just touch, unshifted.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::with_profile(Hertzian)
+    }
+}
+
+impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
+    /// Two bodies of another normal law that just touch, unshifted.
+    #[must_use]
+    pub fn with_profile(profile: P) -> Self {
+        Self {
+            zeta: 0.0,
+            shift: V::default(),
+            force: V::default(),
+            regime: Regime::Separated,
+            stack: S::default(),
+            profile,
+        }
+    }
+
+    /// Goes straight to a new approach and shift and returns the force Phi.
+    ///
+    /// An approach that is not positive separates the bodies: the memory is lost. In the step
+    /// that closes the gap the shift at touch is interpolated.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a value that is not finite; the state is then unchanged.
+    #[inline]
+    pub fn advance(&mut self, zeta: f64, shift: V) -> Result<V, RangeError> {
+        RangeError::finite("zeta", zeta)?;
+        if !shift.is_finite() {
+            let [x, y] = shift.components();
+            RangeError::finite("shift", x)?;
+            RangeError::finite("shift", y)?;
+        }
+        self.step(zeta, shift);
+        Ok(self.force)
+    }
+
+    #[inline]
+    fn step(&mut self, zeta: f64, shift: V) {
+        if zeta <= 0.0 {
+            self.separate(zeta, shift);
+            return;
+        }
+        if self.stack.is_empty() {
+            self.touch(zeta, shift);
+        }
+        let dz = zeta - self.zeta;
+        let dx = shift.minus(self.shift);
+        if dz > 0.0 && dx.dot(dx) <= dz * dz {
+            self.adhere(zeta, dx.times(1.0 / dz));
+        } else {
+            self.cut(zeta, shift);
+        }
+        self.zeta = zeta;
+        self.shift = shift;
+    }
+
+    #[cold]
+    fn separate(&mut self, zeta: f64, shift: V) {
+        self.stack.clear();
+        (self.zeta, self.shift, self.regime) = (zeta, shift, Regime::Separated);
+        self.force = V::default();
+    }
+
+    /// Moves a separated pair to the point of its path at which it touches.
+    #[cold]
+    fn touch(&mut self, zeta: f64, shift: V) {
+        let part = self.zeta / (self.zeta - zeta);
+        self.shift = self.shift.plus(shift.minus(self.shift).times(part));
+        (self.zeta, self.force) = (0.0, V::default());
+        let vertex = Vertex { anchor: self.shift, curb: 1.0, ..Vertex::default() };
+        self.stack.push(vertex, &self.profile);
+    }
+
+    /// The segment laid down in complete adhesion (6.45), (7.54).
+    #[inline]
+    fn adhere(&mut self, zeta: f64, slope: V) {
+        let vertex = Vertex {
+            depth: self.zeta,
+            anchor: self.shift,
+            slope,
+            force_slope: slope,
+            force: self.force,
+            curb: (1.0 - slope.dot(slope)).max(0.0),
+        };
+        let top = self.stack.len() - 1;
+        let below = self.stack.get_mut(top);
+        if below.depth >= vertex.depth {
+            *below = vertex; // the first segment after touch
+        } else if below.slope != slope || below.force_slope != slope {
+            self.stack.push(vertex, &self.profile);
+        }
+        self.finish(zeta, Regime::Adhesion);
+    }
+
+    #[inline]
+    fn finish(&mut self, zeta: f64, regime: Regime) {
+        self.force = self.stack.get(self.stack.len() - 1).force_at(zeta, &self.profile);
+        self.regime = regime;
+    }
+
+    /// Cuts the polyline by the cone below the new point and lays down the slip ring.
+    #[inline]
+    fn cut(&mut self, zeta: f64, shift: V) {
+        let (mut end, mut anchor) = (self.zeta, self.shift);
+        let mut rings = 0_u32;
+        loop {
+            let top = *self.stack.get(self.stack.len() - 1);
+            if top.depth < zeta {
+                let beyond = zeta - end;
+                let d = shift.minus(anchor).minus(top.slope.times(beyond));
+                if d == V::default() && (beyond <= 0.0 || top.is_slip()) {
+                    self.recede(zeta, top.is_slip());
+                    return;
+                }
+                let reach = V::reach(d, top.slope, top.curb).max(beyond);
+                if reach < zeta - top.depth {
+                    self.lay_slip(zeta, &top, d, reach, rings);
+                    return;
+                }
+                rings += u32::from(top.is_slip());
+            }
+            if self.stack.len() == 1 {
+                self.slide(zeta, shift, &top);
+                return;
+            }
+            (end, anchor) = (top.depth, top.anchor);
+            self.stack.pop();
+        }
+    }
+
+    /// Nothing slips: the point stays on the polyline, or on its last slip segment produced.
+    fn recede(&mut self, zeta: f64, in_ring: bool) {
+        if zeta != self.zeta {
+            self.finish(zeta, if in_ring { Regime::Slip } else { Regime::Release });
+        }
+    }
+
+    #[inline]
+    fn lay_slip(&mut self, zeta: f64, below: &Vertex<V>, d: V, reach: f64, rings: u32) {
+        let depth = zeta - reach;
+        let slope = V::slip_slope(d, below.slope, reach);
+        let force = below.force_at(depth, &self.profile);
+        let anchor = below.anchor_at(depth);
+        self.stack.push(
+            Vertex { depth, anchor, slope, force_slope: slope, force, curb: 0.0 },
+            &self.profile,
+        );
+        self.force = force.plus(slope.times(self.profile.growth(depth, reach)));
+        self.regime = match rings {
+            0 if below.is_slip() => Regime::Reversal,
+            0 | 1 => Regime::Slip,
+            _ => Regime::Overlay,
+        };
+    }
+
+    /// Gross sliding: the whole polyline is one segment of slope 1 whose foot is dragged along.
+    #[cold]
+    fn slide(&mut self, zeta: f64, shift: V, base: &Vertex<V>) {
+        let dx = shift.minus(self.shift);
+        let dz = zeta - self.zeta;
+        let offset = self.shift.minus(base.anchor);
+        let onset = V::sliding_onset(offset, dx, self.zeta, dz);
+        let arm = offset.plus(dx.times(onset));
+        let from = self.zeta + onset * dz;
+        let before = V::slip_slope(arm, base.slope, 0.0);
+        let slope = V::dragged(before, dx.times(1.0 - onset), from, zeta);
+        self.stack.clear();
+        self.stack.push(
+            Vertex {
+                depth: 0.0,
+                anchor: shift.minus(slope.times(zeta)),
+                slope,
+                force_slope: slope,
+                force: V::default(),
+                curb: 0.0,
+            },
+            &self.profile,
+        );
+        self.finish(zeta, Regime::Sliding);
+    }
+}

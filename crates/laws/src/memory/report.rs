@@ -1,0 +1,305 @@
+//! What a memory can tell: the quantities of the thesis, tractions, tangents.
+
+use super::{Lateral, Memory, Regime, VertexStack};
+use crate::profile::NormalProfile;
+
+/// A straight piece of the memory polyline.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Segment<V> {
+    /// Depth of the lower end.
+    pub from: f64,
+    /// Depth of the upper end.
+    pub to: f64,
+    /// Anchor at the lower end.
+    pub anchor: V,
+    /// Slope of the anchor; of length 1 in a slip ring.
+    pub slope: V,
+    /// Slope of the force against the normal force; differs from `slope` only after a merge.
+    pub force_slope: V,
+    /// Whether it was laid down in slip (else in complete adhesion).
+    pub is_slip: bool,
+}
+
+/// The consistent tangent of a step: the derivatives of the force at its end with respect to the
+/// approach and the shift at its end.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tangent {
+    /// dPhi_i/dX_j, rows i; in one direction only the first entry counts.
+    pub by_shift: [[f64; 2]; 2],
+    /// dPhi_i/dzeta.
+    pub by_approach: [f64; 2],
+}
+
+impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
+    /// The approach zeta; negative while the bodies are apart.
+    #[must_use]
+    pub fn zeta(&self) -> f64 {
+        self.zeta
+    }
+
+    /// The normalised shift X.
+    #[must_use]
+    pub fn shift(&self) -> V {
+        self.shift
+    }
+
+    /// The normalised force Phi; F = (2/3) f c_z Phi.
+    #[inline]
+    #[must_use]
+    pub fn force(&self) -> V {
+        self.force
+    }
+
+    /// The normalised normal force, zeta^(3/2) for Hertz.
+    #[must_use]
+    pub fn normal_force(&self) -> f64 {
+        self.profile.force(self.zeta.max(0.0))
+    }
+
+    /// What the last step did.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        self.regime
+    }
+
+    /// Whether the bodies touch.
+    #[must_use]
+    pub fn is_touching(&self) -> bool {
+        !self.stack.is_empty()
+    }
+
+    /// The normal law.
+    #[must_use]
+    pub fn profile(&self) -> &P {
+        &self.profile
+    }
+
+    /// How often two segments were merged for want of room; zero for the exact memory.
+    #[must_use]
+    pub fn merges(&self) -> u32 {
+        self.stack.merges()
+    }
+
+    /// The stack itself, for state that is stored elsewhere.
+    #[must_use]
+    pub fn stack(&self) -> &S {
+        &self.stack
+    }
+
+    /// zeta*, the approach that would give a contact of the size of the stick area:
+    /// `(a*/a)^2 = zeta*/zeta`. Equal to zeta after adhesion and release, zero in gross sliding.
+    #[must_use]
+    pub fn stick_depth(&self) -> f64 {
+        match self.regime {
+            Regime::Separated | Regime::Sliding => 0.0,
+            Regime::Adhesion | Regime::Release => self.zeta,
+            _ => self.stack.get(self.stack.len() - 1).depth,
+        }
+    }
+
+    /// a*/a, the size of the stick area of a Hertz contact, from 0 to 1.
+    #[must_use]
+    pub fn stick_radius(&self) -> f64 {
+        if self.zeta > 0.0 { (self.stick_depth() / self.zeta).sqrt() } else { 0.0 }
+    }
+
+    /// The slide offset W_0: the shift at which the deepest ring would carry no load. Zero until
+    /// gross sliding or a new touch moves it; the elastic shift is `X - W_0`.
+    #[must_use]
+    pub fn slide_offset(&self) -> V {
+        if self.is_touching() { self.stack.get(0).anchor } else { self.shift }
+    }
+
+    /// The segments of the polyline, from the deepest ring to the edge.
+    pub fn segments(&self) -> impl ExactSizeIterator<Item = Segment<V>> + '_ {
+        let len = self.stack.len();
+        (0..len).map(move |i| {
+            let here = self.stack.get(i);
+            let to = if i + 1 < len { self.stack.get(i + 1).depth } else { self.zeta };
+            Segment {
+                from: here.depth,
+                to,
+                anchor: here.anchor,
+                slope: here.slope,
+                force_slope: here.force_slope,
+                is_slip: here.is_slip(),
+            }
+        })
+    }
+
+    /// The direction of the traction in the running slip ring: p_N summed, or `-s_N` of the
+    /// thesis, whose slip is that of body 1. None when nothing slips.
+    #[must_use]
+    pub fn slip_direction(&self) -> Option<V> {
+        match self.regime {
+            Regime::Separated | Regime::Adhesion | Regime::Release => None,
+            _ => Some(self.stack.get(self.stack.len() - 1).slope),
+        }
+    }
+
+    /// The depths `zeta_i*` of the live points of instantaneous adhesion: where one slip ring
+    /// ends and the next, of another direction, begins.
+    pub fn instantaneous_adhesions(&self) -> impl Iterator<Item = f64> + '_ {
+        let slips = |i: usize| self.stack.get(i).is_slip();
+        (1..self.stack.len())
+            .filter(move |&i| slips(i - 1) && slips(i))
+            .map(|i| self.stack.get(i).depth)
+    }
+
+    /// N of the thesis, the number of slip rings (the "N-th decrease").
+    #[must_use]
+    pub fn decrease(&self) -> usize {
+        self.segments().filter(|segment| segment.is_slip).count()
+    }
+
+    /// The anchor W(s): the shift at which the ring of depth s would carry no load. Beyond the
+    /// edge it is the present shift.
+    #[must_use]
+    pub fn anchor(&self, depth: f64) -> V {
+        match self.index_of(depth) {
+            Some(i) if depth < self.zeta => self.stack.get(i).anchor_at(depth),
+            _ => self.shift,
+        }
+    }
+
+    /// The force of the part of the contact deeper than `depth`: Phi of the sub-contact, whose
+    /// shift is the anchor there.
+    #[must_use]
+    pub fn force_below(&self, depth: f64) -> V {
+        match self.index_of(depth) {
+            Some(i) if depth < self.zeta => self.stack.get(i).force_at(depth, &self.profile),
+            _ => self.force,
+        }
+    }
+
+    fn index_of(&self, depth: f64) -> Option<usize> {
+        (0..self.stack.len()).rev().find(|&i| i == 0 || self.stack.get(i).depth <= depth)
+    }
+
+    /// The sum over all segments of their slope times the growth of `g` over them.
+    ///
+    /// Any field of the tangential problem follows from the field `g(z)` of the normal problem at
+    /// the approach z: force, traction, displacement.
+    pub fn superpose(&self, mut g: impl FnMut(f64) -> f64) -> V {
+        let mut low = g(0.0);
+        let mut sum = V::default();
+        for segment in self.segments() {
+            let high = g(segment.to);
+            sum = sum.plus(segment.force_slope.times(high - low));
+            low = high;
+        }
+        sum
+    }
+
+    /// The consistent tangent of the last step, for implicit integration and force control.
+    ///
+    /// It is the derivative of the step's end, so that Newton's method converges
+    /// quadratically; in gross sliding the traction's turning is that of the last instant.
+    #[must_use]
+    pub fn tangent(&self) -> Tangent {
+        let isotropic = |k: f64| [[k, 0.0], [0.0, k]];
+        let rest = |by_shift| Tangent { by_shift, by_approach: [0.0; 2] };
+        if !self.is_touching() {
+            return rest(isotropic(0.0));
+        }
+        let stiffness = self.profile.stiffness(self.zeta);
+        let top = self.stack.get(self.stack.len() - 1);
+        let length = self.zeta - top.depth;
+        if self.regime == Regime::Release || length <= 0.0 {
+            return rest(isotropic(stiffness));
+        }
+        let m = top.slope.components();
+        let chord = self.profile.growth(top.depth, length) / length;
+        let normal_turn = m.map(|m| m * (stiffness - chord));
+        match self.regime {
+            Regime::Adhesion => Tangent { by_shift: isotropic(chord), by_approach: normal_turn },
+            Regime::Sliding => {
+                Tangent { by_shift: turning(m, chord), by_approach: m.map(|m| m * stiffness) }
+            }
+            _ => self.slip_tangent(m, stiffness, chord),
+        }
+    }
+
+    /// The tangent while a ring of slope m grows down into the segment below.
+    fn slip_tangent(&self, m: [f64; 2], stiffness: f64, chord: f64) -> Tangent {
+        let last = self.stack.len() - 1;
+        let depth = self.stack.get(last).depth;
+        let (slope, force_slope) = match last {
+            0 => ([0.0; 2], [0.0; 2]),
+            _ => {
+                let below = self.stack.get(last - 1);
+                (below.slope.components(), below.force_slope.components())
+            }
+        };
+        let stick = self.profile.stiffness(depth);
+        let approach_to_line = 1.0 - (m[0] * slope[0] + m[1] * slope[1]);
+        // ds* = (dzeta - m.dX)/(1 - m.m0); dm = (I - m m^T)(dX - m0 ds*)/(zeta - s*).
+        // The force at the cut moves with the force slope below, else equal to m0.
+        let mut tangent = Tangent { by_shift: turning(m, chord), by_approach: [0.0; 2] };
+        let across = turning(m, chord);
+        for i in 0..2 {
+            let turned = across[i][0] * slope[0] + across[i][1] * slope[1];
+            let by_depth = stick * (force_slope[i] - m[i]) - turned;
+            let by_depth = if approach_to_line > 0.0 { by_depth / approach_to_line } else { 0.0 };
+            for (entry, direction) in tangent.by_shift[i].iter_mut().zip(m) {
+                *entry -= by_depth * direction;
+            }
+            tangent.by_approach[i] = m[i] * stiffness + by_depth;
+        }
+        if V::DIMENSION == 1 {
+            tangent.by_shift[1] = [0.0; 2];
+            tangent.by_approach[1] = 0.0;
+        }
+        tangent
+    }
+}
+
+/// `k (I - m m^T)`.
+fn turning(m: [f64; 2], k: f64) -> [[f64; 2]; 2] {
+    let off = -k * m[0] * m[1];
+    [[k * (1.0 - m[0] * m[0]), off], [off, k * (1.0 - m[1] * m[1])]]
+}
+
+impl<V: Lateral, S: VertexStack<V>> Memory<V, S> {
+    /// The traction in units of `f sigma_z0`, the greatest friction, at the elliptical radius
+    /// squared `q = (x/a)^2 + (y/b)^2` of the present contact.
+    #[must_use]
+    pub fn traction(&self, q: f64) -> V {
+        if !(self.zeta > 0.0 && q < 1.0) {
+            return V::default();
+        }
+        let depth = q * self.zeta;
+        self.superpose(|z| (z - depth).max(0.0).sqrt()).times(1.0 / self.zeta.sqrt())
+    }
+}
+
+impl<S: VertexStack<[f64; 2]>, P: NormalProfile> Memory<[f64; 2], S, P> {
+    /// Turns the frame in the contact plane: all components are expressed in axes that are
+    /// rotated by `angle` (radians, counter-clockwise).
+    ///
+    /// Carries the memory along when the contact frame of two rolling bodies turns.
+    pub fn turn_frame(&mut self, angle: f64) {
+        let (s, c) = libm::sincos(angle);
+        let turn = |v: &mut [f64; 2]| *v = [c * v[0] + s * v[1], c * v[1] - s * v[0]];
+        turn(&mut self.shift);
+        turn(&mut self.force);
+        for i in 0..self.stack.len() {
+            let vertex = self.stack.get_mut(i);
+            turn(&mut vertex.anchor);
+            turn(&mut vertex.slope);
+            turn(&mut vertex.force_slope);
+            turn(&mut vertex.force);
+        }
+    }
+}
+
+impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
+    /// Moves the origin of the shifts: X and every anchor grow by `by`. Forces do not change.
+    pub fn translate(&mut self, by: V) {
+        self.shift = self.shift.plus(by);
+        for i in 0..self.stack.len() {
+            let vertex = self.stack.get_mut(i);
+            vertex.anchor = vertex.anchor.plus(by);
+        }
+    }
+}

@@ -1,0 +1,251 @@
+//! Where the vertices of a memory live: a stack that grows, or one of fixed capacity.
+
+use super::lateral::Lateral;
+use crate::profile::NormalProfile;
+
+/// The lower end of a segment of the memory polyline.
+///
+/// On the segment that begins here the anchor is `W(s) = anchor + slope (s - depth)`, and the force
+/// of the part of the contact deeper than s is `force + force_slope (F_z(s) - F_z(depth))`.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct Vertex<V> {
+    /// The depth z at which the segment begins.
+    pub depth: f64,
+    /// The anchor W(z).
+    pub anchor: V,
+    /// The slope m of the anchor, |m| <= 1.
+    pub slope: V,
+    /// The slope of the force; other than m only where two segments were merged.
+    pub force_slope: V,
+    /// The force of the part of the contact deeper than this.
+    pub force: V,
+    /// `1 - m.m`, exactly zero on segments laid down in slip.
+    pub curb: f64,
+}
+
+impl<V: Lateral> Vertex<V> {
+    /// The anchor at a depth on this segment.
+    #[inline]
+    #[must_use]
+    pub fn anchor_at(&self, depth: f64) -> V {
+        self.anchor.plus(self.slope.times(depth - self.depth))
+    }
+
+    /// The force of the part of the contact deeper than a point of this segment.
+    #[inline]
+    #[must_use]
+    pub fn force_at<P: NormalProfile>(&self, depth: f64, profile: &P) -> V {
+        let by = depth - self.depth;
+        if by > 0.0 {
+            self.force.plus(self.force_slope.times(profile.growth(self.depth, by)))
+        } else {
+            self.force
+        }
+    }
+
+    /// Whether the segment was laid down in slip.
+    #[inline]
+    #[must_use]
+    pub fn is_slip(&self) -> bool {
+        self.curb == 0.0
+    }
+}
+
+/// A stack of vertices, the deepest part of the contact (depth zero) at its bottom.
+pub trait VertexStack<V: Lateral>: Clone + Default {
+    /// Number of vertices.
+    fn len(&self) -> usize;
+
+    /// Whether there is none: the bodies are apart.
+    fn is_empty(&self) -> bool {
+        self.len() == 0
+    }
+
+    /// The vertex at a position below [`VertexStack::len`], counted from the bottom.
+    fn get(&self, index: usize) -> &Vertex<V>;
+
+    /// The vertex at a position, to be changed.
+    fn get_mut(&mut self, index: usize) -> &mut Vertex<V>;
+
+    /// Takes the last vertex away; nothing if there is none.
+    fn pop(&mut self);
+
+    /// Puts a vertex on top.
+    fn push<P: NormalProfile>(&mut self, vertex: Vertex<V>, profile: &P);
+
+    /// Takes all vertices away.
+    fn clear(&mut self);
+
+    /// How many times two segments were merged for want of room.
+    fn merges(&self) -> u32;
+}
+
+/// Vertices that a stack keeps in line before it goes to the heap.
+const IN_LINE: usize = 8;
+
+/// The exact stack: eight vertices in line, the rest on the heap.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Growing<V> {
+    in_line: [Vertex<V>; IN_LINE],
+    len: usize,
+    heap: Vec<Vertex<V>>,
+}
+
+impl<V: Lateral> Default for Growing<V> {
+    fn default() -> Self {
+        Self { in_line: [Vertex::default(); IN_LINE], len: 0, heap: Vec::new() }
+    }
+}
+
+impl<V: Lateral> VertexStack<V> for Growing<V> {
+    #[inline]
+    fn len(&self) -> usize {
+        self.len
+    }
+
+    #[inline]
+    fn get(&self, index: usize) -> &Vertex<V> {
+        if index < IN_LINE { &self.in_line[index] } else { &self.heap[index - IN_LINE] }
+    }
+
+    #[inline]
+    fn get_mut(&mut self, index: usize) -> &mut Vertex<V> {
+        if index < IN_LINE { &mut self.in_line[index] } else { &mut self.heap[index - IN_LINE] }
+    }
+
+    #[inline]
+    fn pop(&mut self) {
+        if self.len > IN_LINE {
+            self.heap.pop();
+        }
+        self.len = self.len.saturating_sub(1);
+    }
+
+    #[inline]
+    fn push<P: NormalProfile>(&mut self, vertex: Vertex<V>, _profile: &P) {
+        match self.in_line.get_mut(self.len) {
+            Some(place) => *place = vertex,
+            None => self.heap.push(vertex),
+        }
+        self.len += 1;
+    }
+
+    fn clear(&mut self) {
+        self.len = 0;
+        self.heap.clear();
+    }
+
+    fn merges(&self) -> u32 {
+        0
+    }
+}
+
+/// A stack of at most N vertices (N >= 4): plain data that can live in someone else's array.
+///
+/// When it is full, the vertex whose removal changes the anchor least is taken out: its two
+/// segments become one, along the chord of the anchor and of the force. The force stays
+/// continuous and below the friction limit; [`VertexStack::merges`] counts.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
+pub struct Fixed<V, const N: usize> {
+    vertices: [Vertex<V>; N],
+    len: u32,
+    merges: u32,
+}
+
+impl<V: Lateral, const N: usize> Default for Fixed<V, N> {
+    fn default() -> Self {
+        const { assert!(N >= 4, "a memory of fixed capacity needs room for four vertices") };
+        Self { vertices: [Vertex::default(); N], len: 0, merges: 0 }
+    }
+}
+
+impl<V: Lateral, const N: usize> Fixed<V, N> {
+    /// The state as plain numbers would have it: the vertices, the first of which count, their
+    /// number and the number of merges.
+    #[must_use]
+    pub fn parts(&self) -> (&[Vertex<V>; N], u32, u32) {
+        (&self.vertices, self.len, self.merges)
+    }
+
+    /// Takes out the vertex between the two segments that are most nearly one.
+    #[cold]
+    fn merge<P: NormalProfile>(&mut self, next_depth: f64, next_anchor: V, profile: &P) {
+        let upper_end = |i: usize, all: &[Vertex<V>; N]| {
+            if i + 1 < N {
+                (all[i + 1].depth, all[i + 1].anchor)
+            } else {
+                (next_depth, next_anchor)
+            }
+        };
+        let cost = |i: usize| {
+            let (below, here) = (&self.vertices[i - 1], &self.vertices[i]);
+            let lower = here.depth - below.depth;
+            let upper = upper_end(i, &self.vertices).0 - here.depth;
+            here.slope.minus(below.slope).length() * (lower * upper / (lower + upper))
+        };
+        let mut best = (f64::INFINITY, 1);
+        for i in 1..N {
+            let cost = cost(i);
+            if cost < best.0 {
+                best = (cost, i);
+            }
+        }
+        let i = best.1;
+        let (below, here) = (self.vertices[i - 1], self.vertices[i]);
+        let (end_depth, end_anchor) = upper_end(i, &self.vertices);
+        let length = end_depth - below.depth;
+        let slope = end_anchor.minus(below.anchor).times(1.0 / length);
+        let growth = here.force_at(end_depth, profile).minus(below.force);
+        self.vertices[i - 1] = Vertex {
+            slope,
+            force_slope: growth.times(1.0 / profile.growth(below.depth, length)),
+            curb: (1.0 - slope.dot(slope)).max(0.0),
+            ..below
+        };
+        self.vertices.copy_within(i + 1.., i);
+        self.len -= 1;
+        self.merges = self.merges.saturating_add(1);
+    }
+}
+
+impl<V: Lateral, const N: usize> VertexStack<V> for Fixed<V, N> {
+    #[inline]
+    fn len(&self) -> usize {
+        self.len as usize
+    }
+
+    #[inline]
+    fn get(&self, index: usize) -> &Vertex<V> {
+        &self.vertices[index]
+    }
+
+    #[inline]
+    fn get_mut(&mut self, index: usize) -> &mut Vertex<V> {
+        &mut self.vertices[index]
+    }
+
+    #[inline]
+    fn pop(&mut self) {
+        self.len = self.len.saturating_sub(1);
+    }
+
+    #[inline]
+    fn push<P: NormalProfile>(&mut self, vertex: Vertex<V>, profile: &P) {
+        if self.len() == N {
+            self.merge(vertex.depth, vertex.anchor, profile);
+        }
+        self.vertices[self.len as usize] = vertex;
+        self.len += 1;
+    }
+
+    fn clear(&mut self) {
+        self.len = 0;
+    }
+
+    #[inline]
+    fn merges(&self) -> u32 {
+        self.merges
+    }
+}

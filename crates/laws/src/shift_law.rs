@@ -1,0 +1,328 @@
+//! The contact law of a shift: Hertz's normal force and the memory of chapters 6 and 7.
+
+use carom_special::RangeError;
+
+use crate::friction::Friction;
+use crate::law::{ContactLaw, ContactLoad, Shift};
+use crate::memory::{AdhesionMemory, Growing, Lateral, Memory, Regime, Tangent, VertexStack};
+use crate::profile::{Hertzian, NormalProfile};
+use crate::stiffness::ContactStiffness;
+
+/// The law of normal and tangential load: `V = [f64; 2]` in two directions, `V = f64` along x.
+///
+/// Exact for uncoupled pairs (epsilon = 0, (5.20)) on straight paths within Cattaneo's and
+/// Mindlin's assumptions; an approximation where the direction turns, and where c_x differs from
+/// c_y and the whole contact slides. The twist Omega is carried along without effect.
+///
+/// ```
+/// use carom_laws::friction::Friction;
+/// use carom_laws::law::{ContactLaw, Shift};
+/// use carom_laws::shift_law::ShiftLaw;
+/// use carom_laws::stiffness::ContactStiffness;
+/// let stiffness = ContactStiffness::new(1.0, 1.0, 1.2)?;
+/// let mut law = ShiftLaw::<[f64; 2]>::new(stiffness, Friction::new(0.3)?);
+/// law.advance(Shift { zeta: 1.0, ..Shift::default() })?;
+/// let load = law.advance(Shift { zeta: 1.0, xi: 9.0, ..Shift::default() })?;
+/// assert!((load.f_x - 0.3 * load.f_z).abs() < 1e-15); // gross sliding
+/// assert!(law.dissipated() > 0.0);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShiftLaw<V, S = Growing<V>> {
+    stiffness: ContactStiffness,
+    scale: Scale<V>,
+    state: State<V, S>,
+    shift: Shift,
+    dissipated: f64,
+}
+
+/// Between physical and normalised quantities, per direction.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Scale<V> {
+    /// X = shift times this.
+    shift: V,
+    /// F = Phi times this.
+    force: f64,
+    /// Energy = normalised energy times this.
+    energy: V,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum State<V, S> {
+    /// No friction: no tangential load.
+    Free,
+    /// Coulomb's friction.
+    Rubbing(Memory<V, S>),
+    /// Infinite friction.
+    Stuck(AdhesionMemory<V>),
+}
+
+impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
+    /// A law at rest, the bodies just touching and unshifted.
+    #[must_use]
+    pub fn new(stiffness: ContactStiffness, friction: Friction) -> Self {
+        let along = V::from_components([stiffness.c_x, stiffness.c_y]);
+        let inverse = V::from_components([1.0 / stiffness.c_x, 1.0 / stiffness.c_y]);
+        let (state, limit) = match friction.coefficient() {
+            None => (State::Stuck(AdhesionMemory::new()), 1.0),
+            Some(0.0) => (State::Free, 1.0),
+            Some(f) => (State::Rubbing(Memory::new()), f * stiffness.c_z),
+        };
+        let force = 2.0 / 3.0 * limit;
+        let scale =
+            Scale { shift: along.times(1.0 / limit), force, energy: inverse.times(force * limit) };
+        Self { stiffness, scale, state, shift: Shift::default(), dissipated: 0.0 }
+    }
+
+    /// The stiffness coefficients.
+    #[must_use]
+    pub fn stiffness(&self) -> ContactStiffness {
+        self.stiffness
+    }
+
+    /// The memory, if the friction is neither zero nor infinite.
+    #[must_use]
+    pub fn memory(&self) -> Option<&Memory<V, S>> {
+        match &self.state {
+            State::Rubbing(memory) => Some(memory),
+            _ => None,
+        }
+    }
+
+    /// What the last step did.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        match &self.state {
+            _ if self.shift.zeta <= 0.0 => Regime::Separated,
+            State::Free => Regime::Sliding,
+            State::Stuck(_) => Regime::Adhesion,
+            State::Rubbing(memory) => memory.regime(),
+        }
+    }
+
+    /// `zeta*/zeta = (a*/a)^2`: how much of the contact sticks.
+    #[must_use]
+    pub fn stick_depth(&self) -> f64 {
+        match &self.state {
+            _ if self.shift.zeta <= 0.0 => 0.0,
+            State::Free => 0.0,
+            State::Stuck(_) => 1.0,
+            State::Rubbing(memory) => memory.stick_depth() / memory.zeta(),
+        }
+    }
+
+    /// The consistent tangent of the last step: derivatives of (F_x, F_y, F_z) (rows) by
+    /// (xi, eta, zeta) (columns).
+    #[must_use]
+    pub fn tangent(&self) -> [[f64; 3]; 3] {
+        let zeta = self.shift.zeta.max(0.0);
+        let normal = self.stiffness.c_z * zeta.sqrt();
+        let tangent = match &self.state {
+            State::Free => Tangent { by_shift: [[0.0; 2]; 2], by_approach: [0.0; 2] },
+            State::Rubbing(memory) => memory.tangent(),
+            State::Stuck(_) => {
+                let k = Hertzian.stiffness(zeta);
+                Tangent { by_shift: [[k, 0.0], [0.0, k]], by_approach: [0.0; 2] }
+            }
+        };
+        let by = self.scale.shift.components();
+        let row = |i: usize| {
+            let [x, y] = tangent.by_shift[i];
+            [x * by[0], y * by[1], tangent.by_approach[i]].map(|t| t * self.scale.force)
+        };
+        [row(0), row(1), [0.0, 0.0, normal]]
+    }
+
+    fn normalised(&self, shift: Shift) -> V {
+        V::from_components([shift.xi, shift.eta]).by_component(self.scale.shift)
+    }
+
+    fn force(&self) -> [f64; 2] {
+        let phi = match &self.state {
+            State::Free => V::default(),
+            State::Rubbing(memory) => memory.force(),
+            State::Stuck(memory) => memory.force(),
+        };
+        phi.times(self.scale.force).components()
+    }
+}
+
+impl<V: Lateral, S: VertexStack<V>> ContactLaw for ShiftLaw<V, S> {
+    type Error = RangeError;
+
+    fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
+        shift.check_finite()?;
+        if V::DIMENSION == 1 && shift.eta != 0.0 {
+            return Err(RangeError::new("eta", shift.eta, "0 in a law of one direction"));
+        }
+        let to = self.normalised(shift);
+        let heat = match &mut self.state {
+            State::Free => V::default(),
+            State::Rubbing(memory) => {
+                let heat = memory.dissipation(shift.zeta, to);
+                memory.advance(shift.zeta, to)?;
+                heat
+            }
+            State::Stuck(memory) => {
+                let heat = memory.dissipation(shift.zeta, to);
+                memory.advance(shift.zeta, to)?;
+                heat
+            }
+        };
+        self.dissipated += heat.dot(self.scale.energy);
+        self.shift = shift;
+        Ok(self.load())
+    }
+
+    fn shift(&self) -> Shift {
+        self.shift
+    }
+
+    fn load(&self) -> ContactLoad {
+        let zeta = self.shift.zeta.max(0.0);
+        let [f_x, f_y] = self.force();
+        let f_z = 2.0 / 3.0 * self.stiffness.c_z * (zeta * zeta.sqrt());
+        ContactLoad { f_x, f_y, f_z, m_z: 0.0 }
+    }
+
+    fn stored_energy(&self) -> f64 {
+        let tangential = match &self.state {
+            State::Free => V::default(),
+            State::Rubbing(memory) => memory.stored_energy(),
+            State::Stuck(memory) => memory.stored_energy(),
+        };
+        let zeta = self.shift.zeta.max(0.0);
+        let normal = 4.0 / 15.0 * self.stiffness.c_z * (zeta * zeta * zeta.sqrt());
+        normal + tangential.dot(self.scale.energy)
+    }
+
+    fn dissipated(&self) -> f64 {
+        self.dissipated
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    fn law<V: Lateral>(friction: f64) -> ShiftLaw<V> {
+        let stiffness = ContactStiffness::new(0.9, 0.7, 1.1).unwrap();
+        ShiftLaw::new(stiffness, Friction::new(friction).unwrap())
+    }
+
+    fn at(zeta: f64, xi: f64, eta: f64) -> Shift {
+        Shift { zeta, xi, eta, omega: 0.0 }
+    }
+
+    const PATH: [(f64, f64, f64); 6] = [
+        (1.0, 0.0, 0.0),
+        (1.0, 0.25, 0.1),
+        (1.2, 0.2, 0.3),
+        (0.9, -0.3, 0.2),
+        (0.5, -1.2, 0.4),
+        (0.6, -1.15, 0.4),
+    ];
+
+    #[test]
+    fn work_is_stored_or_lost_in_every_limit_of_friction() {
+        for friction in [0.0, 0.3, 5.0, f64::INFINITY] {
+            let mut law = law::<[f64; 2]>(friction);
+            let mut work = 0.0;
+            for (zeta, xi, eta) in PATH {
+                let from = law.shift();
+                let n = 4000;
+                for i in 1..=n {
+                    let t = f64::from(i) / f64::from(n);
+                    let mix = |a: f64, b: f64| a + t * (b - a);
+                    let to = at(mix(from.zeta, zeta), mix(from.xi, xi), mix(from.eta, eta));
+                    let (p, s) = (law.load(), law.shift());
+                    let q = law.advance(to).unwrap();
+                    work += 0.5
+                        * ((p.f_x + q.f_x) * (to.xi - s.xi)
+                            + (p.f_y + q.f_y) * (to.eta - s.eta)
+                            + (p.f_z + q.f_z) * (to.zeta - s.zeta));
+                }
+            }
+            let balance = law.stored_energy() + law.dissipated();
+            assert_relative_eq!(work, balance, max_relative = 3e-7);
+            if friction == 0.0 {
+                assert_eq!((law.load().f_x, law.dissipated()), (0.0, 0.0));
+            } else {
+                assert!(law.dissipated() > 0.0);
+            }
+        }
+    }
+
+    #[test]
+    fn heat_of_a_step_is_that_of_its_parts() {
+        let (mut whole, mut parts) = (law::<[f64; 2]>(0.3), law::<[f64; 2]>(0.3));
+        for (zeta, xi, eta) in PATH {
+            let from = whole.shift();
+            whole.advance(at(zeta, xi, eta)).unwrap();
+            for i in 1..=16 {
+                let t = f64::from(i) / 16.0;
+                let mix = |a: f64, b: f64| a + t * (b - a);
+                let to = at(mix(from.zeta, zeta), mix(from.xi, xi), mix(from.eta, eta));
+                parts.advance(to).unwrap();
+            }
+            assert_relative_eq!(whole.dissipated(), parts.dissipated(), max_relative = 1e-9);
+            assert_relative_eq!(whole.load().f_x, parts.load().f_x, max_relative = 1e-12);
+        }
+    }
+
+    #[test]
+    fn infinite_friction_is_the_limit_of_much() {
+        let (mut much, mut stuck) = (law::<[f64; 2]>(1e9), law::<[f64; 2]>(f64::INFINITY));
+        for (zeta, xi, eta) in PATH {
+            much.advance(at(zeta, xi, eta)).unwrap();
+            stuck.advance(at(zeta, xi, eta)).unwrap();
+            assert_relative_eq!(much.load().f_x, stuck.load().f_x, max_relative = 1e-8);
+            assert_relative_eq!(much.load().f_y, stuck.load().f_y, max_relative = 1e-8);
+            assert_relative_eq!(much.stored_energy(), stuck.stored_energy(), max_relative = 1e-8);
+            // Slip of the order 1/f remains at finite friction.
+            assert!((much.dissipated() - stuck.dissipated()).abs() < 1e-8 * much.stored_energy());
+        }
+    }
+
+    #[test]
+    fn tangent_is_the_derivative_of_the_step() {
+        let mut law = law::<[f64; 2]>(0.3);
+        let h = 1e-7;
+        for (zeta, xi, eta) in PATH {
+            let end = |z: f64, x: f64, y: f64| {
+                let mut trial = law.clone();
+                let load = trial.advance(at(z, x, y)).unwrap();
+                ([load.f_x, load.f_y, load.f_z], trial.tangent(), trial.regime())
+            };
+            let (_, tangent, regime) = end(zeta, xi, eta);
+            let difference =
+                |i: usize, plus: [f64; 3], minus: [f64; 3]| (plus[i] - minus[i]) / (2.0 * h);
+            for i in 0..3 {
+                let numeric = [
+                    difference(i, end(zeta, xi + h, eta).0, end(zeta, xi - h, eta).0),
+                    difference(i, end(zeta, xi, eta + h).0, end(zeta, xi, eta - h).0),
+                    difference(i, end(zeta + h, xi, eta).0, end(zeta - h, xi, eta).0),
+                ];
+                // Sliding reports the tangent of the last instant, not of the whole step.
+                if regime != Regime::Sliding {
+                    for (got, want) in tangent[i].iter().zip(numeric) {
+                        assert!((got - want).abs() < 1e-6, "{regime:?} row {i}: {got} {want}");
+                    }
+                }
+            }
+            law.advance(at(zeta, xi, eta)).unwrap();
+        }
+    }
+
+    #[test]
+    fn failed_step_leaves_the_state() {
+        let mut law = law::<f64>(0.3);
+        law.advance(at(1.0, 0.1, 0.0)).unwrap();
+        let before = law.clone();
+        assert_eq!(law.advance(at(1.0, 0.1, 0.1)).unwrap_err().field, "eta");
+        assert_eq!(law.advance(at(f64::NAN, 0.1, 0.0)).unwrap_err().field, "zeta");
+        assert_eq!(law.advance(at(1.0, f64::INFINITY, 0.0)).unwrap_err().field, "xi");
+        assert_eq!(law, before);
+    }
+}

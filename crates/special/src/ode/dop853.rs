@@ -1,0 +1,330 @@
+//! The Dormand-Prince method of order 8(5,3) for small systems of fixed size, without allocation.
+
+use super::tableau::{A, B, C, D, E3, E5};
+
+/// Absolute and relative tolerance of one step, the same for every component.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerance {
+    /// Absolute tolerance, in the units of the unknowns.
+    pub absolute: f64,
+    /// Relative tolerance.
+    pub relative: f64,
+}
+
+/// Why an integration could not go on; the state is that of the last accepted step.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum OdeError {
+    /// The step fell below what the argument can resolve.
+    #[error("step {step:e} at x = {x} is too small to go on")]
+    StepTooSmall {
+        /// Argument of the last accepted step.
+        x: f64,
+        /// The step that was tried.
+        step: f64,
+    },
+    /// The slope was not a finite number at an accepted point.
+    #[error("the slope is not finite at x = {x}")]
+    NotFinite {
+        /// Argument of that point.
+        x: f64,
+    },
+}
+
+/// An integration of `y' = f(x, y)` with `N` unknowns under way.
+///
+/// Each call of [`Stepper::step`] takes one accepted step of adaptive length (order 8, error
+/// estimates of order 5 and 3), never beyond the limit given. No allocation.
+///
+/// ```
+/// use carom_special::ode::{Stepper, Tolerance};
+/// let slope = |_: f64, y: &[f64; 2]| [y[1], -y[0]];
+/// let tolerance = Tolerance { absolute: 1e-13, relative: 1e-13 };
+/// let mut walk = Stepper::new(0.0, [0.0, 1.0], 1.0, tolerance, slope)?;
+/// while walk.x() < 2.0 {
+///     walk.step(2.0)?;
+/// }
+/// assert!((walk.y()[0] - 2.0_f64.sin()).abs() < 1e-12);
+/// # Ok::<(), carom_special::ode::OdeError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Stepper<const N: usize, F> {
+    slope: F,
+    tolerance: Tolerance,
+    x: f64,
+    y: [f64; N],
+    trial: f64,
+    last: f64,
+    previous: [f64; N],
+    stages: [[f64; N]; 16],
+}
+
+impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
+    /// Start at `x`, `y` with a first trial step of `step` (its sign is the direction).
+    ///
+    /// # Errors
+    /// [`OdeError::NotFinite`] if the slope at the start is not finite.
+    pub fn new(
+        x: f64,
+        y: [f64; N],
+        step: f64,
+        tolerance: Tolerance,
+        mut slope: F,
+    ) -> Result<Self, OdeError> {
+        let mut stages = [[0.0; N]; 16];
+        stages[0] = slope(x, &y);
+        if !all_finite(&stages[0]) {
+            return Err(OdeError::NotFinite { x });
+        }
+        Ok(Self { slope, tolerance, x, y, trial: step, last: 0.0, previous: y, stages })
+    }
+
+    /// The argument reached.
+    #[must_use]
+    pub fn x(&self) -> f64 {
+        self.x
+    }
+
+    /// The unknowns there.
+    #[must_use]
+    pub fn y(&self) -> &[f64; N] {
+        &self.y
+    }
+
+    /// The argument and the unknowns before the last accepted step.
+    #[must_use]
+    pub fn before(&self) -> (f64, &[f64; N]) {
+        (self.x - self.last, &self.previous)
+    }
+
+    /// The length (with sign) that the next step will try.
+    #[must_use]
+    pub fn trial_step(&self) -> f64 {
+        self.trial
+    }
+
+    /// One accepted step towards `limit`, ending there at the latest.
+    ///
+    /// # Errors
+    /// [`OdeError::StepTooSmall`] if no step length meets the tolerance; the state is unchanged.
+    pub fn step(&mut self, limit: f64) -> Result<(), OdeError> {
+        let room = limit - self.x;
+        if room == 0.0 {
+            return Ok(());
+        }
+        let mut step = self.trial.abs().copysign(room);
+        let mut rejected = false;
+        loop {
+            // Stretch by up to 1 % rather than leave a sliver.
+            let lands = step.abs() * 1.01 >= room.abs();
+            if lands {
+                step = room;
+            }
+            if step.abs() <= f64::EPSILON * self.x.abs() * 0.5 || step.abs() < 1e-300 {
+                return Err(OdeError::StepTooSmall { x: self.x, step });
+            }
+            let (y, error) = self.attempt(step);
+            if error <= 1.0 {
+                self.accept(step, y, if lands { limit } else { self.x + step });
+                let factor = if error == 0.0 { 10.0 } else { 0.9 * libm::pow(error, -0.125) };
+                let factor = factor.clamp(0.333, if rejected { 1.0 } else { 6.0 });
+                // A step cut by the limit says nothing against the longer trial.
+                self.trial = (step * factor).abs().max(if lands && !rejected {
+                    self.trial.abs()
+                } else {
+                    0.0
+                });
+                return Ok(());
+            }
+            rejected = true;
+            let factor = if error.is_finite() { 0.9 * libm::pow(error, -0.125) } else { 0.1 };
+            step *= factor.clamp(0.1, 0.9);
+        }
+    }
+
+    fn attempt(&mut self, step: f64) -> ([f64; N], f64) {
+        for i in 1..12 {
+            let y = self.combine(step, A[i]);
+            self.stages[i] = (self.slope)(self.x + C[i] * step, &y);
+        }
+        let y = self.combine(step, B);
+        (y, self.error_norm(step, &y))
+    }
+
+    fn combine(&self, step: f64, weights: &[(usize, f64)]) -> [f64; N] {
+        let sum = self.weighted(weights);
+        std::array::from_fn(|n| self.y[n] + step * sum[n])
+    }
+
+    #[inline]
+    fn weighted(&self, weights: &[(usize, f64)]) -> [f64; N] {
+        let mut sum = [0.0; N];
+        for &(stage, weight) in weights {
+            for (sum, slope) in sum.iter_mut().zip(&self.stages[stage]) {
+                *sum += weight * slope;
+            }
+        }
+        sum
+    }
+
+    fn error_norm(&self, step: f64, y: &[f64; N]) -> f64 {
+        let (e3, e5) = (self.weighted(E3), self.weighted(E5));
+        let (mut sum3, mut sum5) = (0.0, 0.0);
+        for n in 0..N {
+            let size = self.y[n].abs().max(y[n].abs());
+            let scale = self.tolerance.absolute + self.tolerance.relative * size;
+            sum3 += (e3[n] / scale) * (e3[n] / scale);
+            sum5 += (e5[n] / scale) * (e5[n] / scale);
+        }
+        let denominator = sum5 + 0.01 * sum3;
+        if denominator == 0.0 {
+            return 0.0;
+        }
+        let error = step.abs() * sum5 / (denominator * N as f64).sqrt();
+        if error.is_finite() && all_finite(y) { error } else { f64::INFINITY }
+    }
+
+    fn accept(&mut self, step: f64, y: [f64; N], x: f64) {
+        // Stage 12 keeps the slope at the new point, for the next step and for dense output.
+        self.stages[12] = (self.slope)(x, &y);
+        self.previous = self.y;
+        self.y = y;
+        self.last = step;
+        self.x = x;
+        self.swap_slopes();
+    }
+
+    // Stage 0 becomes the slope at the new point, stage 12 that at the old one.
+    fn swap_slopes(&mut self) {
+        self.stages.swap(0, 12);
+    }
+
+    /// The dense output over the last accepted step: three more evaluations of the slope.
+    pub fn dense(&mut self) -> DenseStep<N> {
+        let (start, step) = (self.x - self.last, self.last);
+        self.swap_slopes();
+        let end = std::mem::replace(&mut self.y, self.previous);
+        for i in 13..16 {
+            let y = self.combine(step, A[i]);
+            self.stages[i] = (self.slope)(start + C[i] * step, &y);
+        }
+        self.y = end;
+        let delta: [f64; N] = std::array::from_fn(|n| self.y[n] - self.previous[n]);
+        let mut terms = [[0.0; N]; 7];
+        for n in 0..N {
+            terms[0][n] = delta[n];
+            terms[1][n] = step * self.stages[0][n] - delta[n];
+            terms[2][n] = 2.0 * delta[n] - step * (self.stages[12][n] + self.stages[0][n]);
+        }
+        for (row, weights) in D.iter().enumerate() {
+            let sum = self.weighted(weights);
+            terms[3 + row] = sum.map(|value| step * value);
+        }
+        self.swap_slopes();
+        DenseStep { start, step, origin: self.previous, terms }
+    }
+}
+
+/// The solution over one accepted step as a polynomial of degree 7 in x.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct DenseStep<const N: usize> {
+    start: f64,
+    step: f64,
+    origin: [f64; N],
+    terms: [[f64; N]; 7],
+}
+
+impl<const N: usize> DenseStep<N> {
+    /// The argument at the start of the step.
+    #[must_use]
+    pub fn start(&self) -> f64 {
+        self.start
+    }
+
+    /// The argument at its end.
+    #[must_use]
+    pub fn end(&self) -> f64 {
+        self.start + self.step
+    }
+
+    /// The unknowns at `x`, meant for x between start and end.
+    #[must_use]
+    pub fn at(&self, x: f64) -> [f64; N] {
+        let t = (x - self.start) / self.step;
+        let mut y = [0.0; N];
+        for (i, term) in self.terms.iter().rev().enumerate() {
+            let factor = if i % 2 == 0 { t } else { 1.0 - t };
+            for n in 0..N {
+                y[n] = (y[n] + term[n]) * factor;
+            }
+        }
+        std::array::from_fn(|n| y[n] + self.origin[n])
+    }
+}
+
+fn all_finite<const N: usize>(y: &[f64; N]) -> bool {
+    y.iter().all(|value| value.is_finite())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    const TIGHT: Tolerance = Tolerance { absolute: 1e-13, relative: 1e-13 };
+
+    fn kepler(_: f64, y: &[f64; 4]) -> [f64; 4] {
+        let r3 = (y[0] * y[0] + y[1] * y[1]).powf(1.5);
+        [y[2], y[3], -y[0] / r3, -y[1] / r3]
+    }
+
+    #[test]
+    fn kepler_orbit_closes_and_dense_output_follows_it() {
+        let start = [0.4, 0.0, 0.0, 2.0]; // eccentricity 0.6, period 2 pi
+        let period = 2.0 * std::f64::consts::PI;
+        let mut walk = Stepper::new(0.0, start, 0.1, TIGHT, kepler).unwrap();
+        let mut worst: f64 = 0.0;
+        while walk.x() < period {
+            walk.step(period).unwrap();
+            let dense = walk.dense();
+            assert_eq!(dense.at(dense.start()), *walk.before().1);
+            for i in 1..8 {
+                let y = dense.at(dense.start() + 0.125 * i as f64 * (dense.end() - dense.start()));
+                let energy = 0.5 * (y[2] * y[2] + y[3] * y[3]) - 1.0 / y[0].hypot(y[1]);
+                worst = worst.max((energy + 0.5).abs());
+            }
+        }
+        for n in 0..4 {
+            assert!((walk.y()[n] - start[n]).abs() < 3e-11, "{:?}", walk.y());
+        }
+        assert!(worst < 1e-10, "{worst}");
+    }
+
+    #[test]
+    fn order_is_eight() {
+        // One fixed step of exp: the error falls by 2^9 when the step halves.
+        let error = |step: f64| {
+            let loose = Tolerance { absolute: 1.0, relative: 1.0 };
+            let mut walk = Stepper::new(0.0, [1.0], step, loose, |_, y: &[f64; 1]| [y[0]]).unwrap();
+            walk.step(step).unwrap();
+            (walk.y()[0] - step.exp()).abs()
+        };
+        let ratio = error(2.0) / error(1.0);
+        assert!((256.0..1500.0).contains(&ratio), "{ratio}");
+    }
+
+    #[test]
+    fn backward_integration_and_failure_are_typed() {
+        let mut walk = Stepper::new(1.0, [1.0], -0.1, TIGHT, |_, y: &[f64; 1]| [y[0]]).unwrap();
+        while walk.x() > 0.0 {
+            walk.step(0.0).unwrap();
+        }
+        assert!((walk.y()[0] - (-1.0_f64).exp()).abs() < 1e-12);
+        let mut blow =
+            Stepper::new(0.0, [1.0], 0.1, TIGHT, |_, y: &[f64; 1]| [y[0] * y[0]]).unwrap();
+        let error = loop {
+            if let Err(error) = blow.step(2.0) {
+                break error;
+            }
+        };
+        assert!(matches!(error, OdeError::StepTooSmall { x, .. } if (x - 1.0).abs() < 1e-3));
+    }
+}
