@@ -60,7 +60,7 @@ pub struct RectangleIntegrals {
     pub log_y: f64,
 }
 
-/// Offset over the larger half-width from which the cell acts as a point, to rounding.
+/// Offset over the larger width from which the cell acts as a point, to rounding.
 const POINT_LIKE: f64 = 1e9;
 
 impl Rectangle {
@@ -122,11 +122,11 @@ impl Rectangle {
     }
 
     fn in_first_quadrant(&self, x: f64, y: f64) -> RectangleIntegrals {
+        if x.max(y) > POINT_LIKE * self.width_x.max(self.width_y) {
+            return self.as_point(x, y);
+        }
         let (x, y) = (x / self.scale, y / self.scale);
         let (hx, hy) = (self.half_x, self.half_y);
-        if x.max(y) > POINT_LIKE * hx.max(hy) {
-            return point_like(x, y, hx, hy).scaled(self.scale);
-        }
         // Distance to the nearest singularity of each rule, in half-widths.
         let gap_x = (x - hx).max(0.0);
         let gap_y = (y - hy).max(0.0);
@@ -143,6 +143,21 @@ impl Rectangle {
             closed_form(ix, iy)
         };
         value.scaled(self.scale)
+    }
+
+    /// The integrands at the centre times the area.
+    fn as_point(&self, x: f64, y: f64) -> RectangleIntegrals {
+        let r = libm::hypot(x, y);
+        let (a, b) = (x / r, y / r);
+        let value = self.width_x / r * self.width_y;
+        RectangleIntegrals {
+            inverse_distance: value,
+            xx: value * b * b,
+            yy: value * a * a,
+            xy: -value * a * b,
+            log_x: value * a,
+            log_y: value * b,
+        }
     }
 }
 
@@ -161,21 +176,6 @@ impl RectangleIntegrals {
             log_x: self.log_x * factor,
             log_y: self.log_y * factor,
         }
-    }
-}
-
-/// The integrands at the centre times the area.
-fn point_like(x: f64, y: f64, hx: f64, hy: f64) -> RectangleIntegrals {
-    let r = libm::hypot(x, y);
-    let (a, b) = (x / r, y / r);
-    let value = 4.0 * hx / r * hy;
-    RectangleIntegrals {
-        inverse_distance: value,
-        xx: value * b * b,
-        yy: value * a * a,
-        xy: -value * a * b,
-        log_x: value * a,
-        log_y: value * b,
     }
 }
 
