@@ -148,7 +148,11 @@ fn history_starts_and_ends_with_the_outcome() {
         assert!((middle.normal_force / rebound.maximal_force - 1.0).abs() < 1e-14);
         assert!((middle.contact_radius / rebound.maximal_radius - 1.0).abs() < 1e-14);
         let ratio = -last.shift_velocity / first.shift_velocity;
-        assert!((ratio - rebound.tangential_restitution).abs() < 1e-11);
+        assert!(
+            (ratio - rebound.tangential_restitution).abs() < 1e-11,
+            "{friction:?} {ratio} {}",
+            rebound.tangential_restitution
+        );
         // Newton: the impulse is the integral of the force (trapezoidal rule, smooth at both ends).
         let step = rebound.duration / 100.0;
         let impulse: f64 = history.iter().map(|p| p.tangential_force * step).sum();

@@ -2,6 +2,8 @@
 #![forbid(unsafe_code)]
 
 pub mod elliptic;
+pub mod gamma;
+pub mod hypergeometric;
 pub mod ode;
 pub mod quadrature;
 pub mod roots;

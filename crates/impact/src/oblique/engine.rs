@@ -257,7 +257,10 @@ impl<'r, R: Recorder> Walk<'r, R> {
                     self.enter(Regime::slide(sign), event);
                     self.slide(sign)
                 }
-                Next::Separate => return Ok(self.state.velocity),
+                Next::Separate => {
+                    self.recorder.separation(&self.state);
+                    return Ok(self.state.velocity);
+                }
             };
         }
     }

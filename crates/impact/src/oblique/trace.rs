@@ -9,7 +9,7 @@ use super::slip::{Clock, Slip, Unknowns};
 use crate::normal::{compression, time};
 
 /// Stands for psi = 0 where a history is wanted: it differs from the limit by less than this.
-const PSI_NO_SLIP: f64 = 1e-14;
+const PSI_NO_SLIP: f64 = 1e-13;
 
 const TOLERANCE: Tolerance = Tolerance { absolute: 1e-14, relative: 1e-14 };
 
@@ -74,6 +74,8 @@ pub(super) trait Recorder {
         clock: Clock,
         walk: &mut Stepper<4, F>,
     );
+    /// Separation in `state`.
+    fn separation(&mut self, state: &State);
     /// Sliding from `state` to the velocity `w`; keeps `state.shift` up to date.
     fn slide(&mut self, chi: f64, scale: f64, sign: f64, state: &mut State, w: f64);
 }
@@ -91,6 +93,7 @@ impl Recorder for Silent {
         _: &mut Stepper<4, F>,
     ) {
     }
+    fn separation(&mut self, _: &State) {}
     fn slide(&mut self, _: f64, _: f64, _: f64, _: &mut State, _: f64) {}
 }
 
@@ -101,10 +104,10 @@ struct Trace<'a> {
 }
 
 impl Trace<'_> {
-    // The next target not below `w`.
+    // The next target not below `w`; separation itself, which w does not resolve, comes last.
     fn next(&mut self, w: f64) -> Option<f64> {
         let (&first, rest) = self.targets.split_first()?;
-        if first < w {
+        if first < w || first <= -1.0 {
             return None;
         }
         self.targets = rest;
@@ -188,6 +191,14 @@ impl Recorder for Trace<'_> {
             };
             let regime = if slip.sign > 0.0 { Regime::SlipForward } else { Regime::SlipBackward };
             self.push(state, now.stick, regime);
+        }
+    }
+
+    fn separation(&mut self, state: &State) {
+        let regime = self.points.last().map_or(Regime::Adhesion, |last| last.regime);
+        let remaining = std::mem::take(&mut self.targets).len();
+        for _ in 0..remaining {
+            self.push(*state, 0.0, regime);
         }
     }
 

@@ -78,7 +78,7 @@ impl<V: Lateral, P: NormalProfile> AdhesionMemory<V, P> {
         RangeError::finite("shift", x)?;
         RangeError::finite("shift", y)?;
         if zeta <= 0.0 {
-            self.stack.clear();
+            self.stack.truncate(0);
             self.force = V::default();
         } else {
             if self.stack.is_empty() {
@@ -115,13 +115,15 @@ impl<V: Lateral, P: NormalProfile> AdhesionMemory<V, P> {
                 curb: 1.0,
             };
             if self.zeta == 0.0 {
-                self.stack.pop();
+                self.stack.truncate(0);
             }
             self.stack.push(vertex, &self.profile);
         }
-        while self.stack.len() > 1 && self.stack.get(self.stack.len() - 1).depth >= zeta {
-            self.stack.pop();
+        let mut len = self.stack.len();
+        while len > 1 && self.stack.get(len - 1).depth >= zeta {
+            len -= 1;
         }
+        self.stack.truncate(len);
     }
 
     /// The elastic energy of the shift, conjugate to Phi and X, per direction.

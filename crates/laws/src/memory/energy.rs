@@ -138,7 +138,7 @@ impl<V: Lateral> Path<V> {
         let reach = if d == V::default() {
             beyond.max(0.0)
         } else {
-            V::reach(d, line.slope, line.curb).max(beyond).min(zeta)
+            V::reach(d, line.slope, line.curb, zeta).unwrap_or(zeta).max(beyond)
         };
         let slope = V::slip_slope(d, line.slope, reach);
         let closing = 1.0 - slope.dot(line.slope);

@@ -49,13 +49,13 @@ pub trait Lateral: sealed::Sealed + Copy + Debug + Default + PartialEq {
     #[must_use]
     fn is_finite(self) -> bool;
 
-    /// How far behind the new point the cone cuts a segment.
+    /// How far behind the new point the cone cuts a segment, if it does so within `length`.
     ///
-    /// `d` is the distance of the new point from the segment's line at the new approach, `m` the
-    /// segment's slope and `q = 1 - m.m`. The cut is measured from the tip, where nothing cancels;
-    /// infinite if the cone does not meet the line.
+    /// `d` is the distance (not zero) of the new point from the segment's line at the new
+    /// approach, `m` the segment's slope and `q = 1 - m.m`. The cut is measured from the tip,
+    /// where nothing cancels.
     #[must_use]
-    fn reach(d: Self, m: Self, q: f64) -> f64;
+    fn reach(d: Self, m: Self, q: f64, length: f64) -> Option<f64>;
 
     /// The slope of the new slip segment of length `r`: the direction of `d + m r`.
     #[must_use]
@@ -119,10 +119,10 @@ impl Lateral for f64 {
     }
 
     #[inline]
-    fn reach(d: Self, m: Self, _q: f64) -> f64 {
+    fn reach(d: Self, m: Self, _q: f64, length: f64) -> Option<f64> {
         // d.d/(|d| - m d) = |d|/(1 - m sign(d))
-        let towards = m * 1.0_f64.copysign(d);
-        d.abs() / (1.0 - towards)
+        let closing = 1.0 - m * 1.0_f64.copysign(d);
+        (d.abs() < closing * length).then(|| d.abs() / closing)
     }
 
     #[inline]
@@ -190,11 +190,16 @@ impl Lateral for [f64; 2] {
     }
 
     #[inline]
-    fn reach(d: Self, m: Self, q: f64) -> f64 {
+    fn reach(d: Self, m: Self, q: f64, length: f64) -> Option<f64> {
         // The root r >= 0 of |d + m r| = r.
         let (along, square) = (m.dot(d), d.dot(d));
-        let root = (along * along + q * square).sqrt();
-        if along <= 0.0 { square / (root - along) } else { (along + root) / q }
+        let (numerator, denominator) = if q == 0.0 {
+            (square, -2.0 * along)
+        } else {
+            let root = (along * along + q * square).sqrt();
+            if along <= 0.0 { (square, root - along) } else { (along + root, q) }
+        };
+        (numerator < denominator * length).then(|| numerator / denominator)
     }
 
     #[inline]

@@ -157,7 +157,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
 
     #[cold]
     fn separate(&mut self, zeta: f64, shift: V) {
-        self.stack.clear();
+        self.stack.truncate(0);
         (self.zeta, self.shift, self.regime) = (zeta, shift, Regime::Separated);
         self.force = V::default();
     }
@@ -204,51 +204,53 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     fn cut(&mut self, zeta: f64, shift: V) {
         let (mut end, mut anchor) = (self.zeta, self.shift);
         let mut rings = 0_u32;
-        loop {
-            let top = *self.stack.get(self.stack.len() - 1);
-            if top.depth < zeta {
+        for i in (0..self.stack.len()).rev() {
+            let segment = self.stack.get(i);
+            if segment.depth < zeta {
                 let beyond = zeta - end;
-                let d = shift.minus(anchor).minus(top.slope.times(beyond));
-                if d == V::default() && (beyond <= 0.0 || top.is_slip()) {
-                    self.recede(zeta, top.is_slip());
+                let d = shift.minus(anchor).minus(segment.slope.times(beyond));
+                if d == V::default() && (beyond <= 0.0 || segment.is_slip()) {
+                    self.recede(zeta, i);
                     return;
                 }
-                let reach = V::reach(d, top.slope, top.curb).max(beyond);
-                if reach < zeta - top.depth {
-                    self.lay_slip(zeta, &top, d, reach, rings);
+                let length = zeta - segment.depth;
+                if let Some(reach) = V::reach(d, segment.slope, segment.curb, length) {
+                    self.lay_slip(zeta, i, d, reach.max(beyond), rings);
                     return;
                 }
-                rings += u32::from(top.is_slip());
+                rings += u32::from(segment.is_slip());
             }
-            if self.stack.len() == 1 {
-                self.slide(zeta, shift, &top);
-                return;
-            }
-            (end, anchor) = (top.depth, top.anchor);
-            self.stack.pop();
+            (end, anchor) = (segment.depth, segment.anchor);
         }
+        self.slide(zeta, shift);
     }
 
-    /// Nothing slips: the point stays on the polyline, or on its last slip segment produced.
-    fn recede(&mut self, zeta: f64, in_ring: bool) {
+    /// Nothing slips: the point stays on segment i, or on a slip segment i produced.
+    fn recede(&mut self, zeta: f64, i: usize) {
+        self.stack.truncate(i + 1);
         if zeta != self.zeta {
+            let in_ring = self.stack.get(i).is_slip();
             self.finish(zeta, if in_ring { Regime::Slip } else { Regime::Release });
         }
     }
 
+    /// The slip ring that ends on segment i, `reach` deep.
     #[inline]
-    fn lay_slip(&mut self, zeta: f64, below: &Vertex<V>, d: V, reach: f64, rings: u32) {
+    fn lay_slip(&mut self, zeta: f64, i: usize, d: V, reach: f64, rings: u32) {
+        let below = self.stack.get(i);
         let depth = zeta - reach;
         let slope = V::slip_slope(d, below.slope, reach);
         let force = below.force_at(depth, &self.profile);
         let anchor = below.anchor_at(depth);
+        let reversed = rings == 0 && below.is_slip();
+        self.stack.truncate(i + 1);
         self.stack.push(
             Vertex { depth, anchor, slope, force_slope: slope, force, curb: 0.0 },
             &self.profile,
         );
         self.force = force.plus(slope.times(self.profile.growth(depth, reach)));
         self.regime = match rings {
-            0 if below.is_slip() => Regime::Reversal,
+            0 if reversed => Regime::Reversal,
             0 | 1 => Regime::Slip,
             _ => Regime::Overlay,
         };
@@ -256,7 +258,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
 
     /// Gross sliding: the whole polyline is one segment of slope 1 whose foot is dragged along.
     #[cold]
-    fn slide(&mut self, zeta: f64, shift: V, base: &Vertex<V>) {
+    fn slide(&mut self, zeta: f64, shift: V) {
+        let base = *self.stack.get(0);
         let dx = shift.minus(self.shift);
         let dz = zeta - self.zeta;
         let offset = self.shift.minus(base.anchor);
@@ -265,7 +268,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         let from = self.zeta + onset * dz;
         let before = V::slip_slope(arm, base.slope, 0.0);
         let slope = V::dragged(before, dx.times(1.0 - onset), from, zeta);
-        self.stack.clear();
+        self.stack.truncate(0);
         self.stack.push(
             Vertex {
                 depth: 0.0,

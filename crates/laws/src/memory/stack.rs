@@ -68,14 +68,11 @@ pub trait VertexStack<V: Lateral>: Clone + Default {
     /// The vertex at a position, to be changed.
     fn get_mut(&mut self, index: usize) -> &mut Vertex<V>;
 
-    /// Takes the last vertex away; nothing if there is none.
-    fn pop(&mut self);
+    /// Takes away all vertices but the lowest `len`; `len` is not above [`VertexStack::len`].
+    fn truncate(&mut self, len: usize);
 
     /// Puts a vertex on top.
     fn push<P: NormalProfile>(&mut self, vertex: Vertex<V>, profile: &P);
-
-    /// Takes all vertices away.
-    fn clear(&mut self);
 
     /// How many times two segments were merged for want of room.
     fn merges(&self) -> u32;
@@ -115,11 +112,11 @@ impl<V: Lateral> VertexStack<V> for Growing<V> {
     }
 
     #[inline]
-    fn pop(&mut self) {
+    fn truncate(&mut self, len: usize) {
         if self.len > IN_LINE {
-            self.heap.pop();
+            self.heap.truncate(len.saturating_sub(IN_LINE));
         }
-        self.len = self.len.saturating_sub(1);
+        self.len = len;
     }
 
     #[inline]
@@ -129,11 +126,6 @@ impl<V: Lateral> VertexStack<V> for Growing<V> {
             None => self.heap.push(vertex),
         }
         self.len += 1;
-    }
-
-    fn clear(&mut self) {
-        self.len = 0;
-        self.heap.clear();
     }
 
     fn merges(&self) -> u32 {
@@ -227,8 +219,8 @@ impl<V: Lateral, const N: usize> VertexStack<V> for Fixed<V, N> {
     }
 
     #[inline]
-    fn pop(&mut self) {
-        self.len = self.len.saturating_sub(1);
+    fn truncate(&mut self, len: usize) {
+        self.len = len as u32;
     }
 
     #[inline]
@@ -238,10 +230,6 @@ impl<V: Lateral, const N: usize> VertexStack<V> for Fixed<V, N> {
         }
         self.vertices[self.len as usize] = vertex;
         self.len += 1;
-    }
-
-    fn clear(&mut self) {
-        self.len = 0;
     }
 
     #[inline]

@@ -1,0 +1,105 @@
+//! Cost of a contact step: 10 000 contacts times 200 steps, one thread.
+//!
+//! Each law runs contact by contact (all steps of one contact, then the next) and step by step
+//! (one step of every contact, then the next), on smooth paths and with a reversal at every other
+//! step. The throughput counts contact steps.
+
+use std::hint::black_box;
+use std::time::Duration;
+
+use carom_laws::memory::{Fixed, Growing, Lateral, Memory, VertexStack};
+use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+
+const CONTACTS: usize = 10_000;
+const STEPS: usize = 200;
+/// Different paths, shared by the contacts.
+const PATHS: usize = 97;
+
+type Path<V> = Vec<(f64, V)>;
+
+fn smooth(path: usize) -> Path<[f64; 2]> {
+    let phase = path as f64;
+    (0..STEPS)
+        .map(|step| {
+            let t = 0.08 * step as f64;
+            let zeta = 1.0 + 0.3 * (t + phase).sin();
+            let x = 0.55 * (0.7 * t + 2.0 * phase).sin() + 0.2 * (1.9 * t + phase).cos();
+            let y = 0.45 * (0.6 * t + 3.0 * phase).cos() + 0.2 * (1.7 * t + phase).sin();
+            (zeta, [x, y])
+        })
+        .collect()
+}
+
+fn reversing(path: usize) -> Path<[f64; 2]> {
+    let mut path = smooth(path);
+    for (step, (_, x)) in path.iter_mut().enumerate() {
+        let kick = if step / 2 % 2 == 0 { 0.06 } else { -0.06 };
+        *x = [x[0] + kick, x[1] - 0.5 * kick];
+    }
+    path
+}
+
+fn paths<V: Lateral>(make: fn(usize) -> Path<[f64; 2]>) -> Vec<Path<V>> {
+    (0..PATHS)
+        .map(|i| make(i).into_iter().map(|(z, x)| (z, V::from_components(x))).collect())
+        .collect()
+}
+
+fn contact_by_contact<V: Lateral, S: VertexStack<V>>(paths: &[Path<V>]) -> V {
+    let mut sum = V::default();
+    for contact in 0..CONTACTS {
+        let mut memory = Memory::<V, S>::new();
+        for &(zeta, x) in &paths[contact % PATHS] {
+            if let Ok(force) = memory.advance(zeta, x) {
+                sum = sum.plus(force);
+            }
+        }
+    }
+    sum
+}
+
+fn step_by_step<V: Lateral, S: VertexStack<V>>(
+    memories: &mut [Memory<V, S>],
+    paths: &[Path<V>],
+) -> V {
+    let mut sum = V::default();
+    for step in 0..STEPS {
+        for (contact, memory) in memories.iter_mut().enumerate() {
+            let (zeta, x) = paths[contact % PATHS][step];
+            if let Ok(force) = memory.advance(zeta, x) {
+                sum = sum.plus(force);
+            }
+        }
+    }
+    sum
+}
+
+fn law<V: Lateral, S: VertexStack<V>>(c: &mut Criterion, name: &str) {
+    let mut group = c.benchmark_group(name);
+    group
+        .throughput(Throughput::Elements((CONTACTS * STEPS) as u64))
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_secs(1));
+    for (kind, make) in [("smooth", smooth as fn(usize) -> _), ("reversing", reversing)] {
+        let paths = paths::<V>(make);
+        group.bench_function(format!("{kind}/contact by contact"), |b| {
+            b.iter(|| contact_by_contact::<V, S>(black_box(&paths)));
+        });
+        let mut memories = vec![Memory::<V, S>::new(); CONTACTS];
+        group.bench_function(format!("{kind}/step by step"), |b| {
+            b.iter(|| step_by_step(&mut memories, black_box(&paths)));
+        });
+    }
+    group.finish();
+}
+
+fn benches(c: &mut Criterion) {
+    law::<f64, Growing<f64>>(c, "scalar, exact");
+    law::<f64, Fixed<f64, 16>>(c, "scalar, 16 vertices");
+    law::<[f64; 2], Growing<[f64; 2]>>(c, "vector, exact");
+    law::<[f64; 2], Fixed<[f64; 2], 16>>(c, "vector, 16 vertices");
+}
+
+criterion_group!(group, benches);
+criterion_main!(group);
