@@ -1,1 +1,58 @@
-//! Verification.
+#![forbid(unsafe_code)]
+//! Every table and figure of the thesis, computed by carom, with claims that could fail.
+//!
+//! # How to add a figure
+//!
+//! 1. Write a function `fn figure_5_3() -> FigureResult` in `src/figures/ch05.rs` (or a file
+//!    of its own below `src/figures/ch05/`). It fills a [`Figure`]: its inputs, each
+//!    [`stated`](Figure::stated), [`derived`](Figure::derived) or [`assumed`](Figure::assumed);
+//!    one or more [`Panel`]s of [`Series`]; [`Table`]s; [`Claim`]s; and the
+//!    [`deviation`](Figure::deviation)s from what the thesis prints. Any error leaves with `?`.
+//! 2. Hang it on its line in the same file: `Entry::figure("5.3", "…").by(figure_5_3)`; with
+//!    `slowly_by` if it takes more than about a second, so that quick runs leave it out.
+//! 3. `cargo xtask verify --figure 5.3 --update` computes it, checks the claims, writes SVG,
+//!    CSV and report under `target/verification/` and its snapshot under
+//!    `verification/snapshots/`. Look at the picture and at the snapshot, then commit both.
+//!
+//! A claim must be able to fail, and must rest on something other than the code that it
+//! checks: a closed form, quadrature, reference values, the thesis's text. The snapshot guards
+//! against change, the claims against error.
+//!
+//! ```
+//! use carom_verification::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
+//! use carom_verification::linspace;
+//!
+//! fn figure_0_1() -> FigureResult {
+//!     let mut figure = Figure::new();
+//!     figure.stated("x", "0 to 2");
+//!     let curve: Vec<(f64, f64)> =
+//!         linspace(0.0, 2.0, 101).into_iter().map(|x| (x, x * x)).collect();
+//!     figure.claim(
+//!         Claim::close("y(2) is 4", curve[100].1, 4.0, Tolerance::Absolute(1e-12))
+//!             .source("closed form"),
+//!     );
+//!     let mut panel = Panel::new(Axis::linear("x"), Axis::linear("y"));
+//!     panel.add(Series::line("y = x²", curve));
+//!     figure.panel(panel);
+//!     Ok(figure)
+//! }
+//! # figure_0_1().unwrap();
+//! ```
+
+pub mod catalogue;
+pub mod claim;
+pub mod data;
+pub mod figure;
+mod figures;
+pub mod files;
+pub mod report;
+pub mod run;
+pub mod selection;
+pub mod snapshot;
+pub mod statistics;
+pub mod terminal;
+
+pub use carom_plot::{Arrow, Marker, Point, Series, linspace, logspace};
+pub use catalogue::{Entry, FigureResult, catalogue};
+pub use claim::{Check, Claim, Pair, Tolerance};
+pub use figure::{Axis, Cell, Figure, Panel, Table};

@@ -1,2 +1,36 @@
-//! Tasks.
-fn main() {}
+#![forbid(unsafe_code)]
+//! Tasks of the workspace: `cargo xtask verify`, `test`, `ci`, `bench`.
+//!
+//! Knows only how to call cargo: whatever computes lives in the crates it calls, so that this
+//! one builds in seconds.
+
+mod cargo;
+mod ci;
+mod flags;
+mod test;
+
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let flags = flags::Xtask::from_env_or_exit();
+    match run(flags) {
+        Ok(code) => code,
+        Err(error) => {
+            eprintln!("error: {error:#}");
+            ExitCode::FAILURE
+        }
+    }
+}
+
+fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
+    match flags.subcommand {
+        flags::XtaskCmd::Verify(verify) => {
+            let code = cargo::verify(&verify.arguments())?;
+            return Ok(ExitCode::from(code));
+        }
+        flags::XtaskCmd::Test(_) => test::run()?,
+        flags::XtaskCmd::Ci(_) => ci::run()?,
+        flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
+    }
+    Ok(ExitCode::SUCCESS)
+}

@@ -1,6 +1,31 @@
 //! Floor 2 of carom: the elastic half-space (chapter 4).
+//!
+//! | module | what it gives |
+//! |---|---|
+//! | [`Material`], [`MaterialPair`] | elastic constants of a body and of two in contact (4.7) |
+//! | [`PointLoad`] | displacement and stress of Boussinesq and Cerruti (4.1)-(4.5) |
+//! | [`Rectangle`], [`RectangleInfluence`] | the nine coefficients of a loaded cell (4.14), (4.29) |
+//! | [`Grid`], [`operator`] | products of whole fields by fast convolution (4.13) |
+//!
+//! z points into the body; tractions are those that act on it, pressures are positive in
+//! compression; lengths, forces and moduli are in any consistent units.
 #![forbid(unsafe_code)]
 
+mod difference;
+mod gauss;
+mod grid;
+mod influence;
 mod material;
+pub mod operator;
+mod point_load;
+mod rectangle;
+mod stress;
+mod vector;
 
+pub use grid::Grid;
+pub use influence::{Coefficients, RectangleInfluence};
 pub use material::{Material, MaterialPair};
+pub use point_load::PointLoad;
+pub use rectangle::{Offset, Rectangle, RectangleIntegrals};
+pub use stress::{PrincipalStresses, Stress};
+pub use vector::{Displacement, Force, Point, Traction};

@@ -2,10 +2,14 @@
 #![forbid(unsafe_code)]
 
 pub mod elliptic;
+pub mod gamma;
+pub mod hypergeometric;
+pub mod ode;
+pub mod quadrature;
+pub mod roots;
 
 mod axis_ratio;
 mod error;
-pub mod ode;
 
 pub use axis_ratio::AxisRatio;
 pub use error::RangeError;

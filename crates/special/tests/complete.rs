@@ -9,7 +9,8 @@ use common::{Errors, Table};
 #[test]
 fn within_four_eps_of_the_reference() {
     let table = Table::read("complete.csv");
-    let functions: [(&str, fn(AxisRatio) -> f64); 9] = [
+    type Function = fn(AxisRatio) -> f64;
+    let functions: [(&str, Function); 9] = [
         ("K", complete::k),
         ("E", complete::e),
         ("D", complete::d),

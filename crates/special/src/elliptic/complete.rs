@@ -229,7 +229,8 @@ mod tests {
 
     #[test]
     fn both_series_agree_at_their_border() {
-        let pairs: [(fn(f64) -> f64, fn(f64) -> f64); 5] = [
+        type Function = fn(f64) -> f64;
+        let pairs: [(Function, Function); 5] = [
             (corner::k, landen::k),
             (corner::e, landen::e),
             (corner::d, landen::d),

@@ -5,4 +5,8 @@
 //! forming it costs all digits at both ends of the range. Any positive `k'` is valid: `k' > 1`
 //! is an ellipse with a > b, that is, a negative parameter `m = k^2`.
 
+mod amplitude;
 pub mod complete;
+pub mod incomplete;
+
+pub use amplitude::Amplitude;

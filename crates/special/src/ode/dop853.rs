@@ -159,8 +159,8 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
     fn weighted(&self, weights: &[(usize, f64)]) -> [f64; N] {
         let mut sum = [0.0; N];
         for &(stage, weight) in weights {
-            for n in 0..N {
-                sum[n] += weight * self.stages[stage][n];
+            for (sum, slope) in sum.iter_mut().zip(&self.stages[stage]) {
+                *sum += weight * slope;
             }
         }
         sum

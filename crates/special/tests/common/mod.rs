@@ -4,6 +4,7 @@ use std::path::Path;
 
 /// A reference table: the names of its columns and its rows of numbers.
 pub(crate) struct Table {
+    #[allow(dead_code)] // Not every test looks columns up by name.
     names: Vec<String>,
     rows: Vec<Vec<f64>>,
 }
@@ -26,6 +27,7 @@ impl Table {
         self.rows.iter().map(Vec::as_slice)
     }
 
+    #[allow(dead_code)] // As above.
     /// The position of the column `name`.
     pub(crate) fn column(&self, name: &str) -> usize {
         self.names.iter().position(|n| n == name).expect("column")

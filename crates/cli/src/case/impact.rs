@@ -1,0 +1,120 @@
+//! The case file of `carom impact`.
+//!
+//! SI units. z points into body 1, so that body 1 above a plane falls with velocity
+//! `[vx, vy, -vz]`.
+
+use super::body::{BodyCase, Mass, Motion, Shape};
+use super::error::CaseError;
+use super::range::Range;
+use super::section::{Section, line_at};
+use carom_halfspace::MaterialPair;
+use toml::de::DeTable;
+
+const FIELDS: &[&str] = &["body_1", "body_2", "contact", "approach"];
+
+/// An impact, or a sweep of impacts over the angle of incidence.
+#[derive(Debug, Clone, PartialEq)]
+pub struct ImpactCase {
+    /// The body into which z points.
+    pub body_1: BodyCase,
+    /// The other body.
+    pub body_2: BodyCase,
+    /// Coefficient of friction; infinite for no slip.
+    pub friction: f64,
+    /// How body 1 comes, if not by its velocity.
+    pub approach: Option<Approach>,
+}
+
+/// Body 1 coming at a speed under one or more angles.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Approach {
+    /// Speed, m/s.
+    pub speed: f64,
+    /// Angles from the normal, degrees; the tangential velocity is along +x.
+    pub angles: Angles,
+}
+
+/// Angles of incidence, degrees from the normal.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Angles {
+    /// One impact.
+    One(f64),
+    /// A sweep.
+    Sweep(Vec<f64>),
+}
+
+impl Approach {
+    /// The velocity under `angle` degrees from the normal.
+    #[must_use]
+    pub fn velocity(&self, angle: f64) -> [f64; 3] {
+        // The ends are exact: straight down, and grazing.
+        let (sin, cos) = match angle {
+            90.0 => (1.0, 0.0),
+            _ => (libm::sin(angle.to_radians()), libm::cos(angle.to_radians())),
+        };
+        [self.speed * sin, 0.0, -self.speed * cos]
+    }
+}
+
+impl ImpactCase {
+    /// Reads a case from the text of its file.
+    ///
+    /// # Errors
+    /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
+    /// with another.
+    pub fn parse(source: &str) -> Result<Self, CaseError> {
+        let table = DeTable::parse(source).map_err(|error| CaseError::Syntax {
+            line: line_at(source, error.span().map_or(0, |span| span.start)),
+            message: error.message().to_owned(),
+        })?;
+        let case = Section::root(source, table.get_ref(), FIELDS)?;
+        let motion = if case.has("approach") { Motion::Approach } else { Motion::Velocity };
+        let body_1 = BodyCase::read(&case, "body_1", motion)?;
+        let body_2 = BodyCase::read(&case, "body_2", Motion::Velocity)?;
+        check_pair(&case, &body_1, &body_2)?;
+        let contact = case.section("contact", &["friction"])?;
+        let friction = contact.number("friction", Range::NonNegativeOrInfinite)?;
+        let approach = match motion {
+            Motion::Velocity => None,
+            Motion::Approach => Some(read_approach(&case)?),
+        };
+        Ok(Self { body_1, body_2, friction, approach })
+    }
+}
+
+/// What two bodies cannot both be.
+fn check_pair(case: &Section<'_>, body_1: &BodyCase, body_2: &BodyCase) -> Result<(), CaseError> {
+    if body_1.shape == Shape::Plane && body_2.shape == Shape::Plane {
+        let reason = "two planes do not meet in a point; one body must be a sphere";
+        return Err(case.conflict("body_2.shape", "body_1.shape", reason));
+    }
+    if body_1.mass.is_infinite() && body_2.mass.is_infinite() {
+        let name = if body_2.mass == Mass::Fixed { "body_2.fixed" } else { "body_2.mass" };
+        let allowed = "a finite mass for at least one of the two bodies";
+        return Err(case.out_of_range(name, f64::INFINITY, allowed));
+    }
+    MaterialPair::new(body_1.material, body_2.material)
+        .map(|_| ())
+        .map_err(|error| case.out_of_range("body_2.material", error.value, error.allowed))
+}
+
+fn read_approach(case: &Section<'_>) -> Result<Approach, CaseError> {
+    let approach = case.section("approach", &["speed", "angle"])?;
+    let speed = approach.number("speed", Range::NonNegative)?;
+    let angles = if approach.is_list("angle") {
+        Angles::Sweep(approach.list("angle", Range::Incidence)?)
+    } else if approach.is_table("angle") {
+        Angles::Sweep(read_range(&approach)?)
+    } else {
+        Angles::One(approach.number("angle", Range::Incidence)?)
+    };
+    Ok(Approach { speed, angles })
+}
+
+fn read_range(approach: &Section<'_>) -> Result<Vec<f64>, CaseError> {
+    let range = approach.section("angle", &["start", "stop", "count"])?;
+    let start = range.number("start", Range::Incidence)?;
+    let stop = range.number("stop", Range::Incidence)?;
+    let count = range.number("count", Range::Count)?;
+    Ok(carom_plot::linspace(start, stop, count as usize))
+}

@@ -1,0 +1,302 @@
+//! A table of a case file, read field by field; every error names the field by its full path.
+
+use super::error::CaseError;
+use super::range::Range;
+use toml::Spanned;
+use toml::de::{DeTable, DeValue};
+
+/// A table of a case file.
+#[derive(Debug, Clone)]
+pub struct Section<'a> {
+    source: &'a str,
+    path: String,
+    table: &'a DeTable<'a>,
+}
+
+impl<'a> Section<'a> {
+    /// The whole file, which takes these fields and no others.
+    ///
+    /// # Errors
+    /// If there is a field of another name.
+    pub fn root(
+        source: &'a str,
+        table: &'a DeTable<'a>,
+        valid: &[&'static str],
+    ) -> Result<Self, CaseError> {
+        Self::new(source, String::new(), table, valid)
+    }
+
+    fn new(
+        source: &'a str,
+        path: String,
+        table: &'a DeTable<'a>,
+        valid: &[&'static str],
+    ) -> Result<Self, CaseError> {
+        let section = Self { source, path, table };
+        for (name, _) in table.iter() {
+            if !valid.contains(&name.get_ref().as_ref()) {
+                return Err(section.unknown(name.get_ref(), name.span().start, valid));
+            }
+        }
+        Ok(section)
+    }
+
+    fn unknown(&self, name: &str, at: usize, valid: &[&'static str]) -> CaseError {
+        CaseError::Unknown {
+            field: self.full(name),
+            line: line_at(self.source, at),
+            table: match self.path.as_str() {
+                "" => "a case".to_owned(),
+                path => format!("`{path}`"),
+            },
+            nearest: nearest(name, valid),
+            valid: valid.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
+        }
+    }
+
+    /// The path of a field of this table.
+    #[must_use]
+    pub fn full(&self, name: &str) -> String {
+        if self.path.is_empty() { name.to_owned() } else { format!("{}.{name}", self.path) }
+    }
+
+    /// Whether the field is there.
+    #[must_use]
+    pub fn has(&self, name: &str) -> bool {
+        self.find(name).is_some()
+    }
+
+    /// The line of the field, or 0 if it is not there.
+    #[must_use]
+    pub fn line(&self, name: &str) -> usize {
+        self.find(name).map_or(0, |value| line_at(self.source, value.span().start))
+    }
+
+    /// A table in this one, which takes these fields and no others.
+    ///
+    /// # Errors
+    /// If it is missing, no table, or has a field of another name.
+    pub fn section(&self, name: &str, valid: &[&'static str]) -> Result<Self, CaseError> {
+        let value = self.find(name).ok_or_else(|| self.missing(name, "a table"))?;
+        match value.get_ref() {
+            DeValue::Table(table) => Self::new(self.source, self.full(name), table, valid),
+            _ => Err(self.kind(name, value, "a table")),
+        }
+    }
+
+    /// A number in `range`.
+    ///
+    /// # Errors
+    /// If it is missing, no number, or out of range.
+    pub fn number(&self, name: &str, range: Range) -> Result<f64, CaseError> {
+        let value = self.find(name).ok_or_else(|| self.missing(name, range.allowed()))?;
+        self.as_number(name, value, range)
+    }
+
+    /// Three numbers in `range`.
+    ///
+    /// # Errors
+    /// If they are missing, not three numbers, or one is out of range.
+    pub fn vector(&self, name: &str, range: Range) -> Result<[f64; 3], CaseError> {
+        let allowed = "three numbers [x, y, z]";
+        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
+        let DeValue::Array(items) = value.get_ref() else {
+            return Err(self.kind(name, value, allowed));
+        };
+        let [x, y, z] = items.as_ref() as &[Spanned<DeValue<'_>>] else {
+            return Err(self.kind(name, value, allowed));
+        };
+        let component = |axis: &str, item| self.as_number(&format!("{name}.{axis}"), item, range);
+        Ok([component("x", x)?, component("y", y)?, component("z", z)?])
+    }
+
+    /// A list of numbers in `range`, at least one.
+    ///
+    /// # Errors
+    /// If it is missing, no such list, or a number is out of range.
+    pub fn list(&self, name: &str, range: Range) -> Result<Vec<f64>, CaseError> {
+        let allowed = "a list with at least one number";
+        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
+        match value.get_ref() {
+            DeValue::Array(items) if items.iter().next().is_some() => {
+                items.iter().map(|item| self.as_number(name, item, range)).collect()
+            }
+            _ => Err(self.kind(name, value, allowed)),
+        }
+    }
+
+    /// One of these words.
+    ///
+    /// # Errors
+    /// If it is missing or another word.
+    pub fn word(&self, name: &str, words: Words) -> Result<&'a str, CaseError> {
+        let value = self.find(name).ok_or_else(|| self.missing(name, words.allowed))?;
+        match value.get_ref() {
+            DeValue::String(word) if words.words.contains(&word.as_ref()) => Ok(word),
+            _ => Err(self.kind(name, value, words.allowed)),
+        }
+    }
+
+    /// True or false; false if it is missing.
+    ///
+    /// # Errors
+    /// If it is neither.
+    pub fn switch(&self, name: &str) -> Result<bool, CaseError> {
+        match self.find(name) {
+            None => Ok(false),
+            Some(value) => match value.get_ref() {
+                DeValue::Boolean(value) => Ok(*value),
+                _ => Err(self.kind(name, value, "true or false")),
+            },
+        }
+    }
+
+    /// Whether the field is there and a list.
+    #[must_use]
+    pub fn is_list(&self, name: &str) -> bool {
+        self.find(name).is_some_and(|value| value.get_ref().is_array())
+    }
+
+    /// Whether the field is there and a table.
+    #[must_use]
+    pub fn is_table(&self, name: &str) -> bool {
+        self.find(name).is_some_and(|value| value.get_ref().is_table())
+    }
+
+    /// The error that `name` is missing.
+    #[must_use]
+    pub fn missing(&self, name: &str, allowed: &'static str) -> CaseError {
+        CaseError::Missing { field: self.full(name), allowed }
+    }
+
+    /// The error that a value found elsewhere to be bad stands at field `name`.
+    #[must_use]
+    pub fn out_of_range(&self, name: &str, value: f64, allowed: &str) -> CaseError {
+        CaseError::Range {
+            field: self.full(name),
+            line: self.line(name),
+            value,
+            allowed: allowed.to_owned(),
+        }
+    }
+
+    /// The error that `name` excludes `other`.
+    #[must_use]
+    pub fn conflict(&self, name: &str, other: &str, reason: &'static str) -> CaseError {
+        CaseError::Conflict {
+            field: self.full(name),
+            line: self.line(name),
+            other: self.full(other),
+            reason,
+        }
+    }
+
+    /// The value at `name`, which may be a path with dots.
+    fn find(&self, name: &str) -> Option<&'a Spanned<DeValue<'a>>> {
+        name.split('.').try_fold(None, |found: Option<&'a Spanned<DeValue<'a>>>, part| {
+            let table = match found {
+                None => self.table,
+                Some(value) => value.get_ref().as_table()?,
+            };
+            table.iter().find(|(key, _)| key.get_ref() == part).map(|(_, value)| Some(value))
+        })?
+    }
+
+    fn as_number(
+        &self,
+        name: &str,
+        value: &Spanned<DeValue<'_>>,
+        range: Range,
+    ) -> Result<f64, CaseError> {
+        let Some(number) = number(value.get_ref()) else {
+            return Err(self.kind(name, value, &format!("a number, {}", range.allowed())));
+        };
+        if range.holds(number) {
+            return Ok(number);
+        }
+        Err(CaseError::Range {
+            field: self.full(name),
+            line: line_at(self.source, value.span().start),
+            value: number,
+            allowed: range.allowed().to_owned(),
+        })
+    }
+
+    fn kind(&self, name: &str, value: &Spanned<DeValue<'_>>, allowed: &str) -> CaseError {
+        let span = value.span();
+        CaseError::Kind {
+            field: self.full(name),
+            line: line_at(self.source, span.start),
+            found: self.source.get(span).unwrap_or("?").trim().to_owned(),
+            allowed: allowed.to_owned(),
+        }
+    }
+}
+
+/// Words among which a field chooses.
+#[derive(Debug, Clone, Copy)]
+pub struct Words {
+    /// The words.
+    pub words: &'static [&'static str],
+    /// The same, for a message.
+    pub allowed: &'static str,
+}
+
+fn number(value: &DeValue<'_>) -> Option<f64> {
+    match value {
+        DeValue::Float(float) => float.as_str().parse().ok(),
+        DeValue::Integer(integer) if integer.radix() == 10 => integer.as_str().parse().ok(),
+        DeValue::Integer(integer) => {
+            i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|value| value as f64)
+        }
+        _ => None,
+    }
+}
+
+/// The line, from 1, of the byte at `offset`.
+pub(super) fn line_at(source: &str, offset: usize) -> usize {
+    1 + source.bytes().take(offset).filter(|byte| *byte == b'\n').count()
+}
+
+/// The valid name most like `name`, if it is like it at all.
+fn nearest(name: &str, valid: &[&'static str]) -> Option<&'static str> {
+    let scored = valid.iter().map(|candidate| (distance(name, candidate), *candidate));
+    let (distance, candidate) = scored.min()?;
+    (distance <= 1 + candidate.len() / 3).then_some(candidate)
+}
+
+/// How many letters must be put in, taken out or changed (Levenshtein).
+fn distance(one: &str, other: &str) -> usize {
+    let other: Vec<char> = other.chars().collect();
+    let mut row: Vec<usize> = (0..=other.len()).collect();
+    for (i, letter) in one.chars().enumerate() {
+        let mut diagonal = row[0];
+        row[0] = i + 1;
+        for (j, candidate) in other.iter().enumerate() {
+            let changed = diagonal + usize::from(letter != *candidate);
+            diagonal = row[j + 1];
+            row[j + 1] = changed.min(row[j] + 1).min(diagonal + 1);
+        }
+    }
+    row[other.len()]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_nearest_name_is_found() {
+        let valid = ["radius", "density", "material", "mass"];
+        assert_eq!(nearest("radus", &valid), Some("radius"));
+        assert_eq!(nearest("Density", &valid), Some("density"));
+        assert_eq!(nearest("temperature", &valid), None);
+        assert_eq!(distance("kitten", "sitting"), 3);
+    }
+
+    #[test]
+    fn lines_count_from_one() {
+        assert_eq!(line_at("a\nb\nc", 0), 1);
+        assert_eq!(line_at("a\nb\nc", 4), 3);
+    }
+}

@@ -1,0 +1,10 @@
+#![forbid(unsafe_code)]
+//! The parts of the command `carom`: case files, option values, output.
+//!
+//! Parse, make the library's validated types, run, render: nothing is written before all of
+//! that has succeeded. Exit code 2 means bad input, 1 a file that cannot be read or written.
+
+pub mod case;
+pub mod error;
+pub mod output;
+pub mod range;

@@ -1,0 +1,200 @@
+//! Bad case files: every error names the field, its value and what is allowed.
+
+use carom_cli::case::{Angles, CaseError, ImpactCase, Mass, Shape};
+
+const CASE: &str = "\
+[body_1]
+shape = \"sphere\"
+radius = 0.0025
+material = { young_modulus = 380e9, poisson = 0.23 }
+density = 4000.0
+velocity = [1.0, 0.0, -3.9]
+spin = [0.0, 10.0, 0.0]
+
+[body_2]
+shape = \"plane\"
+material = { rigid = true }
+mass = 2.5
+velocity = [0.0, 0.0, 0.0]
+spin = [0.0, 0.0, 0.0]
+
+[contact]
+friction = 0.092
+";
+
+/// The case with `old` replaced, which must be there.
+fn changed(old: &str, new: &str) -> String {
+    assert!(CASE.contains(old), "{old}");
+    CASE.replacen(old, new, 1)
+}
+
+fn error(source: &str) -> String {
+    ImpactCase::parse(source).unwrap_err().to_string()
+}
+
+#[test]
+fn a_good_case_is_read() {
+    let case = ImpactCase::parse(CASE).unwrap();
+    assert_eq!(case.body_1.shape, Shape::Sphere { radius: 0.0025 });
+    assert_eq!(case.body_1.mass, Mass::Density(4000.0));
+    assert_eq!(case.body_1.velocity, Some([1.0, 0.0, -3.9]));
+    assert_eq!(case.body_1.spin, [0.0, 10.0, 0.0]);
+    assert!(case.body_2.material.is_rigid());
+    assert_eq!(case.body_2.mass, Mass::Mass(2.5));
+    assert_eq!(case.friction, 0.092);
+    assert_eq!(case.approach, None);
+}
+
+#[test]
+fn limits_are_valid() {
+    for (old, new) in [
+        ("friction = 0.092", "friction = 0"),
+        ("friction = 0.092", "friction = inf"),
+        ("mass = 2.5", "mass = inf"),
+        ("poisson = 0.23", "poisson = 0.5"),
+        ("poisson = 0.23", "poisson = -0.5"),
+        ("velocity = [1.0, 0.0, -3.9]", "velocity = [1, 0, 3.9]"),
+        ("young_modulus", "shear_modulus"),
+        ("density = 4000.0", "mass = 1e-3"),
+        ("mass = 2.5\nvelocity = [0.0, 0.0, 0.0]\nspin = [0.0, 0.0, 0.0]", "fixed = true"),
+    ] {
+        assert!(ImpactCase::parse(&changed(old, new)).is_ok(), "{new}");
+    }
+}
+
+#[test]
+fn every_missing_field_is_named() {
+    for (line, field) in [
+        ("shape = \"sphere\"", "body_1.shape"),
+        ("radius = 0.0025", "body_1.radius"),
+        ("material = { young_modulus = 380e9, poisson = 0.23 }", "body_1.material"),
+        ("young_modulus = 380e9, ", "body_1.material.young_modulus"),
+        (", poisson = 0.23", "body_1.material.poisson"),
+        ("density = 4000.0", "body_1.mass"),
+        ("velocity = [1.0, 0.0, -3.9]", "body_1.velocity"),
+        ("spin = [0.0, 10.0, 0.0]", "body_1.spin"),
+        ("shape = \"plane\"", "body_2.shape"),
+        ("material = { rigid = true }", "body_2.material"),
+        ("mass = 2.5", "body_2.mass"),
+        ("friction = 0.092", "contact.friction"),
+        ("[contact]\nfriction = 0.092", "contact"),
+    ] {
+        let message = error(&changed(line, ""));
+        assert!(message.starts_with(&format!("`{field}` is missing: must be ")), "{message}");
+    }
+}
+
+#[test]
+fn every_misspelt_field_is_named_with_its_line_and_the_nearest_name() {
+    for (name, line) in [
+        ("shape", 2),
+        ("radius", 3),
+        ("material", 4),
+        ("young_modulus", 4),
+        ("poisson", 4),
+        ("density", 5),
+        ("velocity", 6),
+        ("spin", 7),
+        ("rigid", 11),
+        ("mass", 12),
+        ("contact", 16),
+        ("friction", 17),
+    ] {
+        let message = error(&changed(name, &format!("{name}e")));
+        assert!(message.starts_with(&format!("line {line}: unknown field")), "{message}");
+        assert!(message.contains(&format!("did you mean `{name}`?")), "{message}");
+    }
+    insta::assert_snapshot!(error(&changed("radius", "radus")), @"line 3: unknown field `body_1.radus`, did you mean `radius`?; `body_1` takes `shape`, `radius`, `material`, `density`, `mass`, `fixed`, `velocity`, `spin`");
+}
+
+#[test]
+fn every_bad_value_is_named_with_its_range() {
+    for (field, old, bad, allowed) in [
+        ("body_1.radius", "0.0025", &["nan", "inf", "-1.0", "0"][..], "finite and > 0"),
+        ("body_1.material.young_modulus", "380e9", &["nan", "inf", "-1", "0"], "finite and > 0"),
+        ("body_1.material.poisson", "0.23", &["nan", "inf", "-1", "0.51"], "in (-1, 0.5]"),
+        ("body_1.density", "4000.0", &["nan", "inf", "-1", "0"], "finite and > 0"),
+        ("body_1.velocity.z", "-3.9", &["nan", "inf", "-inf"], "finite"),
+        ("body_1.spin.y", "10.0", &["nan", "inf", "-inf"], "finite"),
+        ("body_2.mass", "2.5", &["nan", "-1", "0", "-inf"], "> 0 (inf is allowed)"),
+        ("contact.friction", "0.092", &["nan", "-1", "-inf"], ">= 0 (inf is allowed)"),
+    ] {
+        for value in bad {
+            let message = error(&changed(old, value));
+            let number: f64 = value.parse().unwrap();
+            let expected = format!("`{field}` = {number} is out of range: must be {allowed}");
+            assert!(message.starts_with("line ") && message.ends_with(&expected), "{message}");
+        }
+    }
+}
+
+#[test]
+fn values_of_the_wrong_kind_are_named() {
+    insta::assert_snapshot!(error(&changed("0.0025", "\"big\"")), @r#"line 3: `body_1.radius` = "big" is out of range: must be a number, finite and > 0"#);
+    insta::assert_snapshot!(error(&changed("[1.0, 0.0, -3.9]", "[1.0, -3.9]")), @"line 6: `body_1.velocity` = [1.0, -3.9] is out of range: must be three numbers [x, y, z]");
+    insta::assert_snapshot!(error(&changed("\"sphere\"", "\"cube\"")), @r#"line 2: `body_1.shape` = "cube" is out of range: must be "sphere" or "plane""#);
+    insta::assert_snapshot!(error(&changed("rigid = true", "rigid = 1")), @"line 11: `body_2.material.rigid` = 1 is out of range: must be true or false");
+    insta::assert_snapshot!(error("contact = 3"), @"`body_1` is missing: must be a table");
+}
+
+#[test]
+fn conflicts_name_both_fields() {
+    insta::assert_snapshot!(error(&changed("density = 4000.0", "density = 4000.0\nmass = 1.0")), @"line 5: `body_1.density` cannot stand beside `body_1.mass`: give one of them");
+    insta::assert_snapshot!(error(&changed("mass = 2.5", "fixed = true")), @"line 13: `body_2.velocity` cannot stand beside `body_2.fixed`: a fixed body is at rest; a moving one of infinite mass has `mass = inf`");
+    insta::assert_snapshot!(error(&changed("rigid = true", "rigid = true, poisson = 0.3")), @"line 11: `body_2.material.poisson` cannot stand beside `body_2.material.rigid`: a rigid body has no elastic constants");
+    insta::assert_snapshot!(error(&changed("young_modulus = 380e9, poisson = 0.23", "rigid = true")), @"line 11: `body_2.material` = inf is out of range: must be finite for at least one of the two bodies (both are rigid)");
+    let heavy = changed("density = 4000.0", "mass = inf").replace("mass = 2.5", "mass = inf");
+    insta::assert_snapshot!(error(&heavy), @"line 12: `body_2.mass` = inf is out of range: must be a finite mass for at least one of the two bodies");
+    let planes = changed("shape = \"sphere\"\nradius = 0.0025", "shape = \"plane\"")
+        .replace("density = 4000.0", "mass = 1.0");
+    insta::assert_snapshot!(error(&planes), @"line 9: `body_2.shape` cannot stand beside `body_1.shape`: two planes do not meet in a point; one body must be a sphere");
+}
+
+#[test]
+fn what_is_not_toml_is_shown_with_its_line() {
+    let source = changed("radius = 0.0025", "radius 0.0025");
+    assert!(matches!(ImpactCase::parse(&source), Err(CaseError::Syntax { line: 3, .. })));
+}
+
+/// The case with an approach instead of a velocity.
+fn approach(fields: &str) -> String {
+    changed("velocity = [1.0, 0.0, -3.9]\n", "") + "\n[approach]\n" + fields
+}
+
+#[test]
+fn an_approach_gives_one_angle_or_a_sweep() {
+    let angles = |fields: &str| {
+        let case = ImpactCase::parse(&approach(fields)).unwrap();
+        case.approach.unwrap().angles
+    };
+    assert_eq!(angles("speed = 3.9\nangle = 45"), Angles::One(45.0));
+    assert_eq!(angles("speed = 3.9\nangle = [5, 85.0]"), Angles::Sweep(vec![5.0, 85.0]));
+    assert_eq!(
+        angles("speed = 3.9\nangle = { start = 0, stop = 90, count = 4 }"),
+        Angles::Sweep(vec![0.0, 30.0, 60.0, 90.0])
+    );
+    let case = ImpactCase::parse(&approach("speed = 2\nangle = 0")).unwrap();
+    let approach = case.approach.unwrap();
+    assert_eq!(approach.velocity(0.0), [0.0, 0.0, -2.0]);
+    assert_eq!(approach.velocity(90.0), [2.0, 0.0, -0.0]);
+}
+
+#[test]
+fn a_bad_approach_is_named() {
+    for (fields, expected) in [
+        ("speed = -1\nangle = 5", "`approach.speed` = -1 is out of range: must be finite and >= 0"),
+        ("angle = 5", "`approach.speed` is missing: must be finite and >= 0"),
+        ("speed = 1", "`approach.angle` is missing: must be in [0, 90]"),
+        ("speed = 1\nangle = 91", "`approach.angle` = 91 is out of range: must be in [0, 90]"),
+        ("speed = 1\nangle = []", "must be a list with at least one number"),
+        ("speed = 1\nangle = [1, nan]", "`approach.angle` = NaN is out of range"),
+        ("speed = 1\nangle = { start = 0, stop = 9 }", "`approach.angle.count` is missing"),
+        ("speed = 1\nangle = { start = 0, stop = 9, count = 1.5 }", "a whole number from 2"),
+        ("speed = 1\nangles = 5", "did you mean `angle`?"),
+    ] {
+        let message = error(&approach(fields));
+        assert!(message.contains(expected), "{message}");
+    }
+    let both = CASE.to_owned() + "\n[approach]\nspeed = 1\nangle = 5";
+    assert!(error(&both).contains("[approach] gives the velocity of body 1"));
+}

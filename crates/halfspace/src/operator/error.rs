@@ -1,0 +1,72 @@
+//! What can be wrong with an operator and its fields.
+
+use carom_special::RangeError;
+
+/// An operator that cannot be built, or a product that cannot be formed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+#[non_exhaustive]
+pub enum OperatorError {
+    /// A length, modulus or count out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// The operator would not fit into memory; nothing was allocated.
+    #[error("the grid needs {needed} bytes, {available} are available")]
+    TooLarge {
+        /// Bytes that the operator and one workspace need.
+        needed: u128,
+        /// Bytes that may be used.
+        available: u128,
+    },
+    /// A field has another number of values than the grid has cells.
+    #[error("{field} has {found} values, the grid has {expected} cells")]
+    Length {
+        /// The field.
+        field: &'static str,
+        /// Its number of values.
+        found: usize,
+        /// Number of cells.
+        expected: usize,
+    },
+    /// A traction is infinite or not a number.
+    #[error("{field} is {value} in cell {index}: must be finite")]
+    NotFinite {
+        /// The field.
+        field: &'static str,
+        /// Index of the first such cell.
+        index: usize,
+        /// Its value.
+        value: f64,
+    },
+    /// The operator was built without a block that the product needs.
+    #[error("the operator was built without the influence of {by} on {of}")]
+    Missing {
+        /// The displacement asked for.
+        of: &'static str,
+        /// The traction given.
+        by: &'static str,
+    },
+    /// A line of a table of coefficients cannot be read.
+    #[error("line {line} of the table: {reason}")]
+    Table {
+        /// Line number, from 1.
+        line: usize,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A table of coefficients has no entry for an offset that the grid needs.
+    #[error("the table has no entry for {columns} columns and {rows} rows")]
+    Absent {
+        /// Columns from receiver to source.
+        columns: i32,
+        /// Rows from receiver to source.
+        rows: i32,
+    },
+    /// A kernel returned a coefficient that is not finite.
+    #[error("the kernel is not finite at {columns} columns and {rows} rows")]
+    Kernel {
+        /// Columns from receiver to source.
+        columns: i32,
+        /// Rows from receiver to source.
+        rows: i32,
+    },
+}

@@ -1,0 +1,61 @@
+//! Translation-invariant influence on a grid: every cell acts on every other by their offset.
+//!
+//! [`SurfaceOperator`] has two faces: `apply`, the product with all cells by zero-padded
+//! Fourier transforms (exact to rounding, no period is felt), and `coefficients`, one entry for
+//! dense and Gauss-Seidel solvers. [`HalfSpaceOperator`] is the elastic half-space of (4.14);
+//! [`TabulatedKernel`] a measured or computed point response of another body (section 16.2).
+
+mod error;
+mod field;
+mod length;
+mod memory;
+mod plan;
+mod product;
+mod spectrum;
+mod table;
+mod tabulated;
+mod toeplitz;
+mod workspace;
+
+pub use error::OperatorError;
+pub use field::{Axis, DisplacementField, TractionField};
+pub use length::transform_length;
+pub use plan::Threads;
+pub use table::{Blocks, CoefficientTable};
+pub use tabulated::{KernelOperator, TabulatedKernel};
+pub use toeplitz::HalfSpaceOperator;
+pub use workspace::Workspace;
+
+use crate::{Coefficients, Grid};
+
+/// A translation-invariant influence of tractions on displacements on one grid.
+pub trait SurfaceOperator: Send + Sync {
+    /// The grid.
+    fn grid(&self) -> Grid;
+
+    /// Whether normal tractions displace tangentially and the converse.
+    fn is_coupled(&self) -> bool;
+
+    /// The nine coefficients of a source `columns` cells along x and `rows` cells along y from
+    /// the receiver, n - k and m - j in (4.23); zero beyond the extent of the grid.
+    fn coefficients(&self, columns: i32, rows: i32) -> Coefficients;
+
+    /// The working memory of repeated products.
+    fn workspace(&self) -> Workspace;
+
+    /// The displacements of all cells by the tractions on all cells.
+    ///
+    /// Tractions that are `None` are zero and displacements that are `None` are not computed;
+    /// neither costs time. After the first call nothing is allocated.
+    ///
+    /// # Errors
+    /// [`OperatorError`] for fields of another size than the grid, tractions that are not
+    /// finite and blocks of the matrix that the operator does not hold. Displacements are
+    /// written only on success.
+    fn apply(
+        &self,
+        tractions: TractionField<'_>,
+        displacements: DisplacementField<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), OperatorError>;
+}

@@ -1,0 +1,217 @@
+//! The transform of one scalar kernel on the padded grid.
+
+use rustfft::num_complex::Complex64;
+
+use super::plan::{BLOCK, Plan};
+use super::workspace::{Lane, each};
+
+/// Symmetry of a kernel in one coordinate.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Parity {
+    Even,
+    Odd,
+}
+
+impl Parity {
+    const fn sign(self) -> f64 {
+        match self {
+            Self::Even => 1.0,
+            Self::Odd => -1.0,
+        }
+    }
+}
+
+/// A transform, divided by the number of points, by columns.
+///
+/// A kernel that is even or odd in both coordinates has a transform that is real or imaginary
+/// and again even or odd: half of the columns of one real number a point are kept.
+#[derive(Debug, Clone)]
+pub(crate) enum Spectrum {
+    Symmetric { values: Vec<f64>, half: usize, imaginary: bool, row_parity: Parity },
+    General { values: Vec<Complex64>, length: usize },
+}
+
+impl Spectrum {
+    /// From the values at offsets `0..nx` by `0..ny` (source minus receiver) and the parities.
+    pub(crate) fn symmetric(plan: &Plan, table: &[f64], parity: [Parity; 2]) -> Self {
+        let [x, y] = parity;
+        let mut lanes = vec![Lane::default(); plan.threads.count()];
+        for lane in &mut lanes {
+            lane.prepare(plan, 0);
+        }
+        let rows = symmetric_rows(plan, table, x, &mut lanes);
+        let imaginary = x != y;
+        // A kernel of the offset receiver minus source is the table mirrored; the transform of
+        // an odd sequence carries a factor i, which squares to -1 if both are odd.
+        let sign = if (x, y) == (Parity::Even, Parity::Even) { 1.0 } else { -1.0 };
+        let scale = sign / (plan.sizes.px as f64 * plan.sizes.py as f64);
+        let half = plan.sizes.py / 2 + 1;
+        let values = symmetric_columns(plan, &rows, y, scale, &mut lanes);
+        Self::Symmetric { values, half, imaginary, row_parity: y }
+    }
+
+    /// From `kernel(columns, rows)` at any offset, source minus receiver.
+    pub(crate) fn general(plan: &Plan, kernel: impl Fn(i32, i32) -> f64) -> Self {
+        let (columns, py) = (plan.sizes.columns(), plan.sizes.py);
+        let mut values = vec![Complex64::ZERO; columns * py];
+        let mut lane = Lane::default();
+        lane.prepare(plan, 0);
+        let mut spectrum = vec![Complex64::ZERO; columns];
+        let (nx, ny) = (plan.sizes.nx as i32, plan.sizes.ny as i32);
+        for row in 1 - ny..ny {
+            lane.row.fill(0.0);
+            for column in 1 - nx..nx {
+                let at = column.rem_euclid(plan.sizes.px as i32) as usize;
+                lane.row[at] = kernel(-column, -row);
+            }
+            plan.row_forward(&mut lane, &mut spectrum);
+            let at = row.rem_euclid(py as i32) as usize;
+            for (column, value) in spectrum.iter().enumerate() {
+                values[column * py + at] = *value;
+            }
+        }
+        let scale = 1.0 / (plan.sizes.px as f64 * py as f64);
+        for column in values.chunks_exact_mut(py) {
+            plan.column_forward.process_with_scratch(column, &mut lane.scratch);
+            for value in column {
+                *value *= scale;
+            }
+        }
+        Self::General { values, length: py }
+    }
+
+    /// `sum = sign * spectrum * values` in one column, or added to it unless `fresh`.
+    pub(crate) fn multiply(
+        &self,
+        column: usize,
+        sign: f64,
+        values: &[Complex64],
+        sum: &mut [Complex64],
+        fresh: bool,
+    ) {
+        match self {
+            Self::Symmetric { values: all, half, imaginary, row_parity } => {
+                let own = &all[column * half..][..*half];
+                let mirror = sign * row_parity.sign();
+                match (imaginary, fresh) {
+                    (false, true) => mirrored(own, sign, mirror, values, sum, |f, z, _| z * f),
+                    (false, false) => mirrored(own, sign, mirror, values, sum, |f, z, s| s + z * f),
+                    (true, true) => mirrored(own, sign, mirror, values, sum, |f, z, _| turn(z, f)),
+                    (true, false) => {
+                        mirrored(own, sign, mirror, values, sum, |f, z, s| s + turn(z, f));
+                    }
+                }
+            }
+            Self::General { values: all, length } => {
+                let own = &all[column * length..][..*length];
+                for ((factor, value), sum) in own.iter().zip(values).zip(sum) {
+                    let product = factor * value * sign;
+                    *sum = if fresh { product } else { *sum + product };
+                }
+            }
+        }
+    }
+}
+
+/// i f z.
+fn turn(z: Complex64, f: f64) -> Complex64 {
+    Complex64::new(-f * z.im, f * z.re)
+}
+
+/// Runs over the kept half of a column and its mirror image.
+#[inline(always)]
+fn mirrored(
+    own: &[f64],
+    sign: f64,
+    mirror: f64,
+    values: &[Complex64],
+    sum: &mut [Complex64],
+    combine: impl Fn(f64, Complex64, Complex64) -> Complex64,
+) {
+    let (low, high) = values.split_at(own.len());
+    let (low_sum, high_sum) = sum.split_at_mut(own.len());
+    for ((factor, value), sum) in own.iter().zip(low).zip(low_sum) {
+        *sum = combine(sign * factor, *value, *sum);
+    }
+    let image = own[1..own.len() - 1].iter().rev();
+    for ((factor, value), sum) in image.zip(high).zip(high_sum) {
+        *sum = combine(mirror * factor, *value, *sum);
+    }
+}
+
+/// Transforms the rows: real (even) or imaginary (odd) parts, by row.
+fn symmetric_rows(plan: &Plan, table: &[f64], parity: Parity, lanes: &mut [Lane]) -> Vec<f64> {
+    let columns = plan.sizes.columns();
+    let mut rows = vec![0.0; plan.sizes.ny * columns];
+    let share = plan.sizes.ny.div_ceil(lanes.len());
+    each(plan.threads, lanes, &mut rows, share * columns, |part, lane, share_rows| {
+        let mut spectrum = std::mem::take(&mut lane.spectra);
+        for (row, result) in share_rows.chunks_exact_mut(columns).enumerate() {
+            let values = &table[(part * share + row) * plan.sizes.nx..][..plan.sizes.nx];
+            lane.row.fill(0.0);
+            lane.row[..plan.sizes.nx].copy_from_slice(values);
+            if parity == Parity::Odd {
+                lane.row[0] = 0.0;
+            }
+            for (column, value) in values.iter().enumerate().skip(1) {
+                lane.row[plan.sizes.px - column] = parity.sign() * value;
+            }
+            plan.row_forward(lane, &mut spectrum[..columns]);
+            for (value, transformed) in result.iter_mut().zip(&spectrum) {
+                *value = match parity {
+                    Parity::Even => transformed.re,
+                    Parity::Odd => transformed.im,
+                };
+            }
+        }
+        lane.spectra = spectrum;
+    });
+    rows
+}
+
+/// Transforms the columns, two real ones in each complex transform.
+fn symmetric_columns(
+    plan: &Plan,
+    rows: &[f64],
+    parity: Parity,
+    scale: f64,
+    lanes: &mut [Lane],
+) -> Vec<f64> {
+    let (columns, py, half) = (plan.sizes.columns(), plan.sizes.py, plan.sizes.py / 2 + 1);
+    let mut values = vec![0.0; columns * half];
+    let share = columns.div_ceil(lanes.len()).next_multiple_of(2 * BLOCK);
+    each(plan.threads, lanes, &mut values, share * half, |part, lane, results| {
+        for (block, results) in results.chunks_mut(2 * BLOCK * half).enumerate() {
+            let first = part * share + block * 2 * BLOCK;
+            let width = results.len() / half;
+            let pairs = width.div_ceil(2);
+            let sum = &mut lane.sum[..pairs * py];
+            sum.fill(Complex64::ZERO);
+            for row in 0..plan.sizes.ny {
+                let own = &rows[row * columns + first..][..width];
+                for (pair, both) in own.chunks(2).enumerate() {
+                    let z = Complex64::new(both[0], both.get(1).copied().unwrap_or(0.0));
+                    if row == 0 {
+                        sum[pair * py] = if parity == Parity::Odd { Complex64::ZERO } else { z };
+                    } else {
+                        sum[pair * py + row] = z;
+                        sum[pair * py + py - row] = z * parity.sign();
+                    }
+                }
+            }
+            plan.column_forward.process_with_scratch(sum, &mut lane.scratch);
+            for (column, result) in results.chunks_exact_mut(half).enumerate() {
+                let transformed = &sum[column / 2 * py..][..half];
+                for (value, z) in result.iter_mut().zip(transformed) {
+                    *value = scale
+                        * match (parity, column % 2) {
+                            (Parity::Even, 0) => z.re,
+                            (Parity::Odd, 1) => -z.re,
+                            _ => z.im,
+                        };
+                }
+            }
+        }
+    });
+    values
+}

@@ -1,0 +1,172 @@
+//! The table of coefficients of a grid: offsets 0..nx by 0..ny, the rest by parity (4.23).
+
+use super::memory;
+use super::spectrum::Parity;
+use super::{OperatorError, Threads};
+use crate::influence::Independent;
+use crate::{Coefficients, Grid, MaterialPair, Offset, RectangleInfluence};
+use rayon::prelude::*;
+
+/// The independent coefficients of (4.14), in the order of the table's blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Entry {
+    Xx,
+    Yy,
+    Zz,
+    Xy,
+    Xz,
+    Yz,
+}
+
+impl Entry {
+    pub(crate) const ALL: [Self; 6] = [Self::Xx, Self::Yy, Self::Zz, Self::Xy, Self::Xz, Self::Yz];
+
+    /// Parities along x and y, (4.23).
+    pub(crate) const fn parity(self) -> [Parity; 2] {
+        match self {
+            Self::Xx | Self::Yy | Self::Zz => [Parity::Even, Parity::Even],
+            Self::Xy => [Parity::Odd, Parity::Odd],
+            Self::Xz => [Parity::Odd, Parity::Even],
+            Self::Yz => [Parity::Even, Parity::Odd],
+        }
+    }
+
+    const fn of(self, all: &Independent) -> f64 {
+        match self {
+            Self::Xx => all.xx,
+            Self::Yy => all.yy,
+            Self::Zz => all.zz,
+            Self::Xy => all.xy,
+            Self::Xz => all.xz,
+            Self::Yz => all.yz,
+        }
+    }
+}
+
+/// Which influences an operator holds.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Blocks {
+    /// All: three spectra and one for similar bodies, six when normal and tangential couple.
+    #[default]
+    All,
+    /// Of the pressure on the normal displacement only: one spectrum.
+    Normal,
+    /// Of tangential tractions on tangential displacements only: three spectra.
+    Tangential,
+}
+
+impl Blocks {
+    pub(crate) fn holds(self, entry: Entry, pair: &MaterialPair) -> bool {
+        match entry {
+            Entry::Xx | Entry::Yy => self != Self::Normal,
+            Entry::Xy => self != Self::Normal && pair.poisson() != 0.0,
+            Entry::Zz => self != Self::Tangential,
+            Entry::Xz | Entry::Yz => self == Self::All && !pair.is_uncoupled(),
+        }
+    }
+}
+
+/// The coefficients (4.14) of every offset of a grid, kept for offsets >= 0 only.
+///
+/// The thesis counts three tractions and three displacements, nine numbers an offset (28 800
+/// bytes for 20 x 20 cells); by (4.23) six are independent, and four for similar bodies.
+#[derive(Debug, Clone)]
+pub struct CoefficientTable {
+    influence: RectangleInfluence,
+    grid: Grid,
+    blocks: [Vec<f64>; 6],
+}
+
+impl CoefficientTable {
+    /// The table of `pair` on `grid`, with all blocks, on one thread.
+    ///
+    /// # Errors
+    /// [`OperatorError::TooLarge`] if it would not fit into memory.
+    pub fn new(pair: MaterialPair, grid: Grid) -> Result<Self, OperatorError> {
+        memory::check(Self::bytes(&pair, grid, Blocks::All))?;
+        Ok(Self::build(pair, grid, Blocks::All, Threads::One))
+    }
+
+    /// Bytes of a table.
+    pub(crate) fn bytes(pair: &MaterialPair, grid: Grid, blocks: Blocks) -> u128 {
+        let held = Entry::ALL.iter().filter(|&&entry| blocks.holds(entry, pair)).count();
+        8 * held as u128 * grid.nx() as u128 * grid.ny() as u128
+    }
+
+    pub(crate) fn build(pair: MaterialPair, grid: Grid, held: Blocks, threads: Threads) -> Self {
+        let influence = RectangleInfluence::new(pair, grid.cell());
+        let mut blocks = Entry::ALL
+            .map(|entry| vec![0.0; if held.holds(entry, &pair) { grid.cells() } else { 0 }]);
+        let rows = split_rows(&mut blocks, grid);
+        let fill = |(iy, mut row): (usize, [&mut [f64]; 6])| {
+            let y = iy as f64 * grid.dy();
+            for ix in 0..grid.nx() {
+                let all = influence.independent(Offset { x: ix as f64 * grid.dx(), y });
+                for (entry, values) in Entry::ALL.into_iter().zip(&mut row) {
+                    if let Some(value) = values.get_mut(ix) {
+                        *value = entry.of(&all);
+                    }
+                }
+            }
+        };
+        match threads {
+            Threads::One => rows.into_iter().enumerate().for_each(fill),
+            Threads::Pool => rows.into_par_iter().enumerate().for_each(fill),
+        }
+        Self { influence, grid, blocks }
+    }
+
+    /// The grid.
+    #[must_use]
+    pub const fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    /// The materials.
+    #[must_use]
+    pub const fn pair(&self) -> MaterialPair {
+        self.influence.pair()
+    }
+
+    /// Bytes of memory the coefficients take.
+    #[must_use]
+    pub fn size_in_bytes(&self) -> usize {
+        self.blocks.iter().map(|block| 8 * block.len()).sum()
+    }
+
+    /// The nine coefficients of a source `columns` and `rows` cells from the receiver, by (4.23);
+    /// zero beyond the grid. Blocks that are not held are computed.
+    #[must_use]
+    pub fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
+        let (n, m) = (columns.unsigned_abs() as usize, rows.unsigned_abs() as usize);
+        if n >= self.grid.nx() || m >= self.grid.ny() {
+            return Coefficients::default();
+        }
+        let (sx, sy) = (f64::from(columns.signum()), f64::from(rows.signum()));
+        let at = self.grid.index(n, m);
+        let value = |entry: Entry| self.value(entry, at, [n, m]);
+        let (xx, yy, zz) = (value(Entry::Xx), value(Entry::Yy), value(Entry::Zz));
+        let xy = sx * sy * value(Entry::Xy);
+        let (xz, yz) = (sx * value(Entry::Xz), sy * value(Entry::Yz));
+        Coefficients { rows: [[xx, xy, xz], [xy, yy, yz], [-xz, -yz, zz]] }
+    }
+
+    fn value(&self, entry: Entry, at: usize, [n, m]: [usize; 2]) -> f64 {
+        let block = self.block(entry);
+        block.get(at).copied().unwrap_or_else(|| {
+            let offset = Offset { x: n as f64 * self.grid.dx(), y: m as f64 * self.grid.dy() };
+            entry.of(&self.influence.independent(offset))
+        })
+    }
+
+    /// The values of one coefficient at offsets `0..nx` by `0..ny`; empty if not held.
+    pub(crate) fn block(&self, entry: Entry) -> &[f64] {
+        &self.blocks[entry as usize]
+    }
+}
+
+/// The rows of the six blocks; empty slices of blocks that are not held.
+fn split_rows(blocks: &mut [Vec<f64>; 6], grid: Grid) -> Vec<[&mut [f64]; 6]> {
+    let mut parts = blocks.each_mut().map(|block| block.chunks_mut(grid.nx()));
+    (0..grid.ny()).map(|_| parts.each_mut().map(|part| part.next().unwrap_or_default())).collect()
+}

@@ -1,0 +1,157 @@
+//! The operator of two elastic half-spaces (4.13), (4.14).
+
+use super::length::Sizes;
+use super::memory;
+use super::plan::Plan;
+use super::product::{Term, apply};
+use super::spectrum::Spectrum;
+use super::table::Entry;
+use super::{
+    Axis, Blocks, CoefficientTable, DisplacementField, OperatorError, SurfaceOperator, Threads,
+    TractionField, Workspace,
+};
+use crate::{Coefficients, Grid, MaterialPair};
+
+/// The operator (4.13) of two elastic half-spaces on a grid.
+///
+/// ```
+/// use carom_halfspace::operator::{
+///     DisplacementField, HalfSpaceOperator, SurfaceOperator, TractionField,
+/// };
+/// use carom_halfspace::{Grid, Material, MaterialPair};
+/// let steel = Material::from_young(208e3, 0.3)?;
+/// let pair = MaterialPair::new(steel, steel)?;
+/// let operator = HalfSpaceOperator::new(pair, Grid::new(32, 32, 0.1, 0.1)?)?;
+/// let mut workspace = operator.workspace();
+/// let pressure = vec![100.0; 32 * 32];
+/// let mut w = vec![0.0; 32 * 32];
+/// let fields = (TractionField::normal(&pressure), DisplacementField::normal(&mut w));
+/// operator.apply(fields.0, fields.1, &mut workspace)?;
+/// assert!(w[16 * 33] > w[0]);
+/// # Ok::<(), carom_halfspace::operator::OperatorError>(())
+/// ```
+#[derive(Clone)]
+pub struct HalfSpaceOperator {
+    blocks: Blocks,
+    table: CoefficientTable,
+    plan: Plan,
+    spectra: [Option<Spectrum>; 6],
+}
+
+impl HalfSpaceOperator {
+    /// The operator with all blocks, on one thread.
+    ///
+    /// # Errors
+    /// [`OperatorError::TooLarge`] before anything is allocated.
+    pub fn new(pair: MaterialPair, grid: Grid) -> Result<Self, OperatorError> {
+        Self::with_blocks(pair, grid, Blocks::All, Threads::One)
+    }
+
+    /// The operator with the given blocks, its tables and products computed on `threads`.
+    ///
+    /// # Errors
+    /// [`OperatorError::TooLarge`] before anything is allocated.
+    pub fn with_blocks(
+        pair: MaterialPair,
+        grid: Grid,
+        blocks: Blocks,
+        threads: Threads,
+    ) -> Result<Self, OperatorError> {
+        memory::check(Self::bytes(&pair, grid, blocks, threads))?;
+        let plan = Plan::new(grid, threads);
+        let table = CoefficientTable::build(pair, grid, blocks, threads);
+        let spectra = Entry::ALL.map(|entry| {
+            let held = blocks.holds(entry, &pair);
+            held.then(|| Spectrum::symmetric(&plan, table.block(entry), entry.parity()))
+        });
+        Ok(Self { blocks, table, plan, spectra })
+    }
+
+    /// Bytes of the operator and one workspace.
+    fn bytes(pair: &MaterialPair, grid: Grid, blocks: Blocks, threads: Threads) -> u128 {
+        let held = Entry::ALL.iter().filter(|&&entry| blocks.holds(entry, pair)).count() as u128;
+        let fields = match blocks {
+            Blocks::All => 3,
+            Blocks::Normal => 1,
+            Blocks::Tangential => 2,
+        };
+        let sizes = Sizes::of(grid);
+        CoefficientTable::bytes(pair, grid, blocks)
+            + held * sizes.symmetric_spectrum()
+            + sizes.workspace(fields, threads)
+    }
+
+    /// The materials.
+    #[must_use]
+    pub const fn pair(&self) -> MaterialPair {
+        self.table.pair()
+    }
+
+    /// The table of coefficients.
+    #[must_use]
+    pub const fn table(&self) -> &CoefficientTable {
+        &self.table
+    }
+
+    /// The term of one pair of components, (4.23); nothing if it is zero.
+    fn term(&self, of: Axis, by: Axis) -> Result<Option<Term<'_>>, OperatorError> {
+        let (entry, sign) = entry(of, by);
+        let pair = self.pair();
+        if !self.blocks.holds(entry, &pair) && Blocks::All.holds(entry, &pair) {
+            let (of, by) = (of.displacement_name(), by.traction_name());
+            return Err(OperatorError::Missing { of, by });
+        }
+        Ok(self.spectra[entry as usize].as_ref().map(|spectrum| Term { spectrum, sign }))
+    }
+}
+
+/// The independent coefficient of a pair of components and its sign in (4.23).
+const fn entry(of: Axis, by: Axis) -> (Entry, f64) {
+    match (of, by) {
+        (Axis::X, Axis::X) => (Entry::Xx, 1.0),
+        (Axis::Y, Axis::Y) => (Entry::Yy, 1.0),
+        (Axis::Normal, Axis::Normal) => (Entry::Zz, 1.0),
+        (Axis::X, Axis::Y) | (Axis::Y, Axis::X) => (Entry::Xy, 1.0),
+        (Axis::X, Axis::Normal) => (Entry::Xz, 1.0),
+        (Axis::Normal, Axis::X) => (Entry::Xz, -1.0),
+        (Axis::Y, Axis::Normal) => (Entry::Yz, 1.0),
+        (Axis::Normal, Axis::Y) => (Entry::Yz, -1.0),
+    }
+}
+
+impl SurfaceOperator for HalfSpaceOperator {
+    fn grid(&self) -> Grid {
+        self.table.grid()
+    }
+
+    fn is_coupled(&self) -> bool {
+        !self.pair().is_uncoupled()
+    }
+
+    fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
+        self.table.coefficients(columns, rows)
+    }
+
+    fn workspace(&self) -> Workspace {
+        Workspace::default()
+    }
+
+    fn apply(
+        &self,
+        tractions: TractionField<'_>,
+        displacements: DisplacementField<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), OperatorError> {
+        apply(&self.plan, |of, by| self.term(of, by), tractions, displacements, workspace)
+    }
+}
+
+impl std::fmt::Debug for HalfSpaceOperator {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("HalfSpaceOperator")
+            .field("pair", &self.pair())
+            .field("grid", &self.table.grid())
+            .field("padded", &(self.plan.sizes.px, self.plan.sizes.py))
+            .finish_non_exhaustive()
+    }
+}

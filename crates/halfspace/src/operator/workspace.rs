@@ -1,0 +1,88 @@
+//! The working memory of a product, kept between products.
+
+use rayon::prelude::*;
+use rustfft::num_complex::Complex64;
+
+use super::Threads;
+use super::plan::{BLOCK, Plan};
+
+/// Buffers of a product; made by [`SurfaceOperator::workspace`](super::SurfaceOperator::workspace).
+///
+/// It may serve any operator: buffers grow when they are too small, and are never given back.
+#[derive(Debug, Clone, Default)]
+pub struct Workspace {
+    /// Row spectra of the tractions, by row, traction, column.
+    pub(crate) rows: Vec<Complex64>,
+    /// Column results of the displacements, by column, displacement, row.
+    pub(crate) columns: Vec<Complex64>,
+    pub(crate) lanes: Vec<Lane>,
+}
+
+/// Buffers of one thread.
+#[derive(Debug, Clone, Default)]
+pub(crate) struct Lane {
+    /// One padded row.
+    pub(crate) row: Vec<f64>,
+    /// A block of columns of each input.
+    pub(crate) blocks: Vec<Complex64>,
+    /// A block of columns of one output.
+    pub(crate) sum: Vec<Complex64>,
+    /// A block of rows of one output.
+    pub(crate) spectra: Vec<Complex64>,
+    pub(crate) scratch: Vec<Complex64>,
+}
+
+impl Workspace {
+    /// Makes all buffers at least as long as a product needs.
+    pub(crate) fn prepare(&mut self, plan: &Plan, inputs: usize, outputs: usize) {
+        let field = plan.sizes.columns() * plan.sizes.ny;
+        grow(&mut self.rows, inputs * field);
+        grow(&mut self.columns, outputs * field);
+        let lanes = plan.threads.count();
+        if self.lanes.len() != lanes {
+            self.lanes.resize(lanes, Lane::default());
+        }
+        for lane in &mut self.lanes {
+            lane.prepare(plan, inputs);
+        }
+    }
+}
+
+impl Lane {
+    pub(crate) fn prepare(&mut self, plan: &Plan, inputs: usize) {
+        // The transforms want these two at their exact, or at least their own, length.
+        self.row.resize(plan.sizes.px, 0.0);
+        grow(&mut self.scratch, plan.scratch());
+        grow(&mut self.blocks, inputs * BLOCK * plan.sizes.py);
+        grow(&mut self.sum, BLOCK * plan.sizes.py);
+        grow(&mut self.spectra, BLOCK * plan.sizes.columns());
+    }
+}
+
+fn grow(buffer: &mut Vec<Complex64>, length: usize) {
+    if buffer.len() < length {
+        buffer.resize(length, Complex64::ZERO);
+    }
+}
+
+/// Runs `work(part, lane, share)` for the shares of `data` of length `share`, one a lane.
+pub(crate) fn each<T: Send>(
+    threads: Threads,
+    lanes: &mut [Lane],
+    data: &mut [T],
+    share: usize,
+    work: impl Fn(usize, &mut Lane, &mut [T]) + Sync + Send,
+) {
+    match threads {
+        Threads::One => {
+            for (part, (lane, share)) in lanes.iter_mut().zip(data.chunks_mut(share)).enumerate() {
+                work(part, lane, share);
+            }
+        }
+        Threads::Pool => lanes
+            .par_iter_mut()
+            .zip(data.par_chunks_mut(share))
+            .enumerate()
+            .for_each(|(part, (lane, share))| work(part, lane, share)),
+    }
+}

@@ -1,0 +1,16 @@
+//! Oblique impact whose normal and tangential motions are uncoupled, solved exactly through
+//! adhesion, partial slip, sliding and their re-entry (sections 8.3 to 8.5 and 9.2 to 9.4).
+//!
+//! Two numbers govern it: `chi = D_xx c_x / (D_zz c_z)` and `psi = c_x |xi'| / (f c_z zeta')`.
+//! Spheres: chi = 7/(2 kappa), psi = lambda/kappa.
+
+mod adhesion;
+mod engine;
+mod groups;
+mod memory;
+mod slip;
+mod trace;
+
+pub use engine::{Event, ObliqueError, ObliqueImpact, Phase, Regime};
+pub use groups::Groups;
+pub use trace::TracePoint;

@@ -1,0 +1,150 @@
+//! What an impact leaves behind: motions, impulse, extremes, energy, log, history, warnings.
+
+use nalgebra::Vector3;
+
+use crate::body::Motion;
+use crate::oblique::{Event, Regime};
+
+/// The outcome of two bodies meeting.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Outcome {
+    /// They do not approach each other at the contact point: nothing happens.
+    NoImpact {
+        /// The motions, unchanged.
+        motions: [Motion; 2],
+    },
+    /// They collide and part.
+    Rebound(Box<Rebound>),
+}
+
+impl Outcome {
+    /// The motions afterwards, of body 1 and body 2.
+    #[must_use]
+    pub fn motions(&self) -> [Motion; 2] {
+        match self {
+            Self::NoImpact { motions } => *motions,
+            Self::Rebound(rebound) => rebound.motions,
+        }
+    }
+
+    /// The rebound, if there was an impact.
+    #[must_use]
+    pub fn rebound(&self) -> Option<&Rebound> {
+        match self {
+            Self::NoImpact { .. } => None,
+            Self::Rebound(rebound) => Some(rebound),
+        }
+    }
+}
+
+/// An impact from touch to separation. Velocities of the contact are of body 2 against body 1.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Rebound {
+    /// Motions afterwards, of body 1 and body 2.
+    pub motions: [Motion; 2],
+    /// The impulse that body 2 gave body 1.
+    pub impulse: Vector3<f64>,
+    /// Relative velocity of the contact points before.
+    pub velocity_before: Vector3<f64>,
+    /// Relative velocity of the contact points after.
+    pub velocity_after: Vector3<f64>,
+    /// R_x: tangential velocity after over before, reversed in sign.
+    pub tangential_restitution: f64,
+    /// Duration from touch to separation.
+    pub duration: f64,
+    /// The greatest normal force.
+    pub maximal_force: f64,
+    /// The greatest approach zeta_max.
+    pub maximal_approach: f64,
+    /// The greatest contact radius.
+    pub maximal_radius: f64,
+    /// Kinetic energies and what friction took.
+    pub energy: EnergyBudget,
+    /// The regimes in order with the times they began.
+    pub log: Vec<LogEntry>,
+    /// What limits the validity of this outcome.
+    pub warnings: Vec<Warning>,
+}
+
+/// Kinetic energy of both bodies (translation and rotation), bodies held fast left out.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct EnergyBudget {
+    /// Before the impact.
+    pub before: f64,
+    /// After the impact.
+    pub after: f64,
+    /// Turned into heat by slip and released by the receding edge, (9.59).
+    pub dissipated: f64,
+}
+
+/// A regime and when it began.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct LogEntry {
+    /// Time since touch.
+    pub time: f64,
+    /// What happened.
+    pub event: Event,
+    /// The regime from then on.
+    pub regime: Regime,
+}
+
+/// One instant of an impact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct HistoryPoint {
+    /// Time since touch.
+    pub time: f64,
+    /// Approach zeta.
+    pub approach: f64,
+    /// Velocity of approach.
+    pub approach_velocity: f64,
+    /// Normal force.
+    pub normal_force: f64,
+    /// Contact radius.
+    pub contact_radius: f64,
+    /// Tangential shift of body 2 against body 1 since touch, along the initial slip direction.
+    pub shift: f64,
+    /// Its velocity.
+    pub shift_velocity: f64,
+    /// Tangential force on body 1 along that direction.
+    pub tangential_force: f64,
+    /// Radius of the stick area.
+    pub stick_radius: f64,
+    /// Regime.
+    pub regime: Regime,
+}
+
+/// A limit of validity that an outcome touches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Warning {
+    /// The materials couple normal and tangential displacements (epsilon of (5.20) is not zero),
+    /// which the analytic law neglects. Below f/gamma of about 1 it matters (section 15.2).
+    Coupling {
+        /// gamma of (15.2).
+        gamma: f64,
+        /// f/|gamma|.
+        friction_over_gamma: f64,
+    },
+    /// The contact is not small against the bodies: Hertz's theory asks for a/R below 0.1.
+    LargeContact {
+        /// Maximal contact radius over the smallest radius of curvature.
+        ratio: f64,
+    },
+}
+
+impl std::fmt::Display for Warning {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Coupling { gamma, friction_over_gamma } => {
+                let verdict = if *friction_over_gamma < 1.0 { "matters" } else { "is small" };
+                write!(
+                    f,
+                    "dissimilar materials: gamma = {gamma:.4}, f/|gamma| = {friction_over_gamma:.3}; \
+                     the coupling of normal and tangential displacements is neglected and {verdict}"
+                )
+            }
+            Self::LargeContact { ratio } => {
+                write!(f, "large contact: a/R = {ratio:.3} exceeds 0.1, beyond Hertz's theory")
+            }
+        }
+    }
+}

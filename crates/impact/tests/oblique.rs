@@ -1,0 +1,129 @@
+//! The exact oblique impact against independent reference values.
+
+use carom_impact::normal;
+use carom_impact::oblique::{Groups, ObliqueImpact};
+use serde_json::Value;
+
+fn reference() -> Value {
+    serde_json::from_str(include_str!("data/impact.json")).unwrap()
+}
+
+fn table<'a>(data: &'a Value, start: &str) -> &'a Vec<Value> {
+    let public = data["public"].as_object().unwrap();
+    let (_, rows) = public.iter().find(|(key, _)| key.starts_with(start)).unwrap();
+    rows.as_array().unwrap()
+}
+
+fn number(row: &Value, key: &str) -> f64 {
+    row[key].as_f64().unwrap_or_else(|| row[key].as_str().unwrap().parse().unwrap())
+}
+
+/// Phases of the table: events and remarks removed, names as carom's. A ring that closes where
+/// the memory is all slip of the new sign leaves the whole contact sliding, which the table
+/// calls slip up to its END.
+fn table_regimes(row: &Value) -> Vec<String> {
+    let mut names = Vec::new();
+    for entry in row["regimes"].as_array().unwrap() {
+        let name = entry.as_str().unwrap();
+        if name.starts_with('E') || name.starts_with('(') {
+            continue;
+        }
+        let name = match name {
+            "adh" => "adhesion".to_owned(),
+            _ => name.replace('1', ""),
+        };
+        if names.last() != Some(&name) {
+            names.push(name);
+        }
+    }
+    if row["regimes"].as_array().unwrap().last().unwrap() == "END+1" {
+        names.pop();
+        names.push("slide+".to_owned());
+    }
+    names
+}
+
+/// Own regimes; a last phase shorter than 1e-3 of the duration is dropped with its partner.
+fn own_regimes(impact: &ObliqueImpact) -> (Vec<String>, bool) {
+    let names = impact.regimes().map(|regime| regime.name().to_owned()).collect();
+    let last = impact.phases().last().unwrap().start;
+    (names, normal::DURATION - normal::time(last) < 1e-3 * normal::DURATION)
+}
+
+fn check_table(name: &str, tolerance: f64) {
+    let data = reference();
+    let mut worst: f64 = 0.0;
+    for row in table(&data, name) {
+        let (chi, psi) = (number(row, "chi"), number(row, "psi1"));
+        let impact = ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap();
+        let error = (impact.restitution() - number(row, "Rx")).abs();
+        worst = worst.max(error);
+        // This row's own integration stops before separation (END at t = 2.94294 < T): its R_x is
+        // off by 7.9e-10, more than its stated 5e-11; tightening ours changes it by 1e-13 only.
+        let truncated = row["regimes"].as_array().unwrap().last().unwrap() == "END-1";
+        let tolerance = if truncated { 1e-9 } else { tolerance };
+        assert!(error < tolerance, "chi {chi} psi {psi}: error {error:e}");
+        let (mut own, short) = own_regimes(&impact);
+        let mut theirs = table_regimes(row);
+        if short && own.len() != theirs.len() {
+            own.truncate(theirs.len());
+            theirs.truncate(own.len());
+        }
+        if short && own != theirs {
+            own.pop();
+            theirs.pop();
+        }
+        assert_eq!(own, theirs, "chi {chi} psi {psi} {:?}", impact.phases());
+    }
+    println!("{name}: worst error {worst:e}");
+}
+
+#[test]
+fn spheres_table() {
+    check_table("Rx_table_spheres", 1e-10);
+}
+
+#[test]
+fn generic_table() {
+    check_table("Rx_table_generic", 6e-10);
+}
+
+#[test]
+fn tiny_velocities_tend_to_the_adhesion_limit() {
+    for row in table(&reference(), "Rx_adhesion_limit") {
+        let chi = number(row, "chi");
+        let impact = ObliqueImpact::new(Groups::new(chi, 1e-9).unwrap()).unwrap();
+        let error = (impact.restitution() - number(row, "Rx")).abs();
+        println!("{chi} {error:e} {:?}", impact.phases().len());
+        assert!(error < 1e-8, "chi {chi}: {error:e}");
+    }
+}
+
+#[test]
+fn histories() {
+    for row in table(&reference(), "histories") {
+        let groups = Groups::new(number(row, "chi"), number(row, "psi1")).unwrap();
+        let points = row["points"].as_array().unwrap();
+        let w: Vec<f64> = points.iter().map(|point| number(point, "w")).collect();
+        let trace = ObliqueImpact::trace(groups, &w).unwrap();
+        assert_eq!(trace.len(), w.len());
+        for (own, point) in trace.iter().zip(points) {
+            let check = |name: &str, own: f64, factor: f64| {
+                let error = (own - factor * number(point, name)).abs();
+                assert!(
+                    error < 1e-9,
+                    "{} w {} {name}: {error:e}",
+                    row["label"],
+                    number(point, "w")
+                );
+            };
+            check("t", own.time, 1.0);
+            check("zeta", own.compression, 1.0);
+            check("e", groups.psi() * own.shift, 1.0);
+            check("e_dot", groups.psi() * own.velocity, 1.0);
+            check("Phi", groups.psi() * own.force, 1.5);
+            check("Fx_over_fFz", own.friction_used, 1.0);
+            check("s_stick", own.stick_depth, 1.0);
+        }
+    }
+}

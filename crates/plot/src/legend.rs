@@ -1,0 +1,77 @@
+//! The legend: where there is room inside the axes, else beside them.
+
+use crate::draw;
+use crate::panel::Panel;
+use crate::series::Series;
+use crate::svg::{Anchor, Frame, Pixel, Svg, text_width};
+
+const LINE: f64 = 18.0;
+const SAMPLE: f64 = 26.0;
+const PAD: f64 = 8.0;
+const FONT: f64 = 12.5;
+
+/// The series of a panel that carry a label, with their colours.
+#[derive(Debug)]
+pub(crate) struct Legend<'a> {
+    entries: Vec<(&'a Series, &'static str)>,
+}
+
+impl<'a> Legend<'a> {
+    /// The legend of `panel`; a label that comes again with the same look is shown once.
+    pub(crate) fn of(panel: &'a Panel) -> Self {
+        let mut entries: Vec<(&Series, &'static str)> = Vec::new();
+        for (index, series) in panel.series.iter().enumerate() {
+            let colour = draw::colour(series, index);
+            let is_known = entries.iter().any(|(known, shade)| {
+                known.label == series.label && known.style == series.style && *shade == colour
+            });
+            if !series.label.is_empty() && !is_known {
+                entries.push((series, colour));
+            }
+        }
+        Self { entries }
+    }
+
+    /// Width of the legend in pixels; none if it is empty.
+    pub(crate) fn width(&self) -> Option<f64> {
+        let widest = self.entries.iter().map(|(series, _)| text_width(&series.label, FONT));
+        widest.reduce(f64::max).map(|text| text + SAMPLE + 3.0 * PAD)
+    }
+
+    fn height(&self) -> f64 {
+        self.entries.len() as f64 * LINE + PAD
+    }
+
+    /// The first corner of `frame` that none of `pixels` enters.
+    pub(crate) fn free_corner(&self, frame: Frame, pixels: &[Pixel]) -> Option<Frame> {
+        let (width, height) = (self.width()?, self.height());
+        if width > 0.6 * frame.width || height > 0.6 * frame.height {
+            return None;
+        }
+        let (left, top) = (frame.x + PAD, frame.y + PAD);
+        let right = frame.x + frame.width - width - PAD;
+        let bottom = frame.y + frame.height - height - PAD;
+        [(right, top), (left, top), (right, bottom), (left, bottom)]
+            .map(|(x, y)| Frame { x, y, width, height })
+            .into_iter()
+            .find(|corner| !pixels.iter().any(|pixel| corner.holds(*pixel)))
+    }
+
+    /// Draws it with its upper left corner at that of `frame`.
+    pub(crate) fn draw(&self, svg: &mut Svg, frame: Frame) {
+        svg.rect(frame, "fill=\"#fff\" fill-opacity=\"0.85\" stroke=\"#ccc\"");
+        for (i, (series, colour)) in self.entries.iter().enumerate() {
+            let y = frame.y + 0.5 * PAD + i as f64 * LINE;
+            let x = frame.x + PAD;
+            draw::sample(svg, series, colour, Frame { x, y, width: SAMPLE, height: LINE });
+            let at = Pixel { x: x + SAMPLE + PAD, y: y + 0.5 * LINE + 4.5 };
+            svg.text(at, Anchor::Start, &series.label, &format!("font-size=\"{FONT}\""));
+        }
+    }
+
+    /// A place for it beside `frame`.
+    pub(crate) fn beside(&self, frame: Frame) -> Option<Frame> {
+        let width = self.width()?;
+        Some(Frame { x: frame.x + frame.width + 12.0, y: frame.y, width, height: self.height() })
+    }
+}

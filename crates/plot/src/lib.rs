@@ -1,0 +1,30 @@
+#![forbid(unsafe_code)]
+//! Line plots as SVG: panels of axes with lines, markers, arrows and areas.
+//!
+//! Knows no mechanics and needs no fonts or system libraries. The SVG has clip paths, true
+//! dash patterns and text, on a light ground, in colours that colour-blind readers tell apart. In labels,
+//! `F_x` and `M_{zS}` carry subscripts.
+//!
+//! ```
+//! use carom_plot::{Axis, Panel, Series, linspace, render};
+//!
+//! let mut panel = Panel::new(Axis::linear("x"), Axis::linear("x²"));
+//! panel.add(Series::line("parabola", linspace(0.0, 2.0, 101).into_iter().map(|x| (x, x * x))));
+//! let svg = render("A parabola", &[panel])?;
+//! assert!(svg.starts_with("<svg"));
+//! # Ok::<(), carom_plot::PlotError>(())
+//! ```
+
+mod draw;
+mod error;
+mod legend;
+mod panel;
+mod render;
+mod series;
+mod span;
+mod svg;
+
+pub use error::PlotError;
+pub use panel::{Aspect, Axis, Limits, Panel, Scale};
+pub use render::render;
+pub use series::{Arrow, Marker, Point, Series, Stroke, Style, linspace, logspace};

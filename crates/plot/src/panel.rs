@@ -1,0 +1,105 @@
+//! A panel: axes and what is drawn between them.
+
+use crate::series::Series;
+
+/// One pair of axes with its series.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Panel {
+    /// Shown above the axes; empty for none.
+    pub title: String,
+    /// Horizontal axis.
+    pub x: Axis,
+    /// Vertical axis.
+    pub y: Axis,
+    /// Whether a unit has the same length on both axes.
+    pub aspect: Aspect,
+    /// What is drawn, later ones on top.
+    pub series: Vec<Series>,
+}
+
+impl Panel {
+    /// Empty axes.
+    #[must_use]
+    pub const fn new(x: Axis, y: Axis) -> Self {
+        Self { title: String::new(), x, y, aspect: Aspect::Free, series: Vec::new() }
+    }
+
+    /// With a title.
+    #[must_use]
+    pub fn titled(mut self, title: impl Into<String>) -> Self {
+        self.title = title.into();
+        self
+    }
+
+    /// With the same unit length on both axes, as a map or sketch needs.
+    #[must_use]
+    pub const fn equal_aspect(mut self) -> Self {
+        self.aspect = Aspect::Equal;
+        self
+    }
+
+    /// Adds a series.
+    pub fn add(&mut self, series: Series) {
+        self.series.push(series);
+    }
+}
+
+/// Ratio of the unit lengths of the two axes.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum Aspect {
+    /// As the panel's shape gives.
+    #[default]
+    Free,
+    /// One to one.
+    Equal,
+}
+
+/// An axis: label, scale and, if wanted, its limits.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Axis {
+    /// Quantity and unit.
+    pub label: String,
+    /// Linear or logarithmic.
+    pub scale: Scale,
+    /// Limits; from the data if none are set.
+    pub limits: Option<Limits>,
+}
+
+impl Axis {
+    /// A linear axis.
+    #[must_use]
+    pub fn linear(label: impl Into<String>) -> Self {
+        Self { label: label.into(), scale: Scale::Linear, limits: None }
+    }
+
+    /// A logarithmic axis.
+    #[must_use]
+    pub fn log(label: impl Into<String>) -> Self {
+        Self { label: label.into(), scale: Scale::Log, limits: None }
+    }
+
+    /// With fixed limits.
+    #[must_use]
+    pub const fn between(mut self, low: f64, high: f64) -> Self {
+        self.limits = Some(Limits { low, high });
+        self
+    }
+}
+
+/// Scale of an axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Scale {
+    /// Equal steps.
+    Linear,
+    /// Equal ratios.
+    Log,
+}
+
+/// Ends of an axis.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    /// Lower end.
+    pub low: f64,
+    /// Upper end.
+    pub high: f64,
+}

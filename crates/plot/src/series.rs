@@ -1,0 +1,196 @@
+//! What is drawn in a panel: lines, markers, arrows and areas.
+
+/// A labelled set of points with the way to draw it.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Series {
+    /// Name in the legend; empty for none.
+    pub label: String,
+    /// How the points are drawn.
+    pub style: Style,
+    /// Place in the palette; by order in the panel if none is set.
+    pub colour: Option<usize>,
+    /// The points. Arrows take two each: tail, head.
+    pub points: Vec<Point>,
+}
+
+impl Series {
+    /// A full line.
+    #[must_use]
+    pub fn line<P: Into<Point>>(
+        label: impl Into<String>,
+        points: impl IntoIterator<Item = P>,
+    ) -> Self {
+        Self::new(label, Style::Line(Stroke::Solid), points)
+    }
+
+    /// A broken line.
+    #[must_use]
+    pub fn dashed<P: Into<Point>>(
+        label: impl Into<String>,
+        points: impl IntoIterator<Item = P>,
+    ) -> Self {
+        Self::new(label, Style::Line(Stroke::Dashed), points)
+    }
+
+    /// A dotted line.
+    #[must_use]
+    pub fn dotted<P: Into<Point>>(
+        label: impl Into<String>,
+        points: impl IntoIterator<Item = P>,
+    ) -> Self {
+        Self::new(label, Style::Line(Stroke::Dotted), points)
+    }
+
+    /// Markers.
+    #[must_use]
+    pub fn markers<P: Into<Point>>(
+        label: impl Into<String>,
+        marker: Marker,
+        points: impl IntoIterator<Item = P>,
+    ) -> Self {
+        Self::new(label, Style::Markers(marker), points)
+    }
+
+    /// Arrows, as for a vector field.
+    #[must_use]
+    pub fn arrows(label: impl Into<String>, arrows: impl IntoIterator<Item = Arrow>) -> Self {
+        Self::new(label, Style::Arrows, arrows.into_iter().flat_map(|a| [a.tail, a.head]))
+    }
+
+    /// A translucent area inside a closed polygon.
+    #[must_use]
+    pub fn area<P: Into<Point>>(
+        label: impl Into<String>,
+        outline: impl IntoIterator<Item = P>,
+    ) -> Self {
+        Self::new(label, Style::Area, outline)
+    }
+
+    fn new<P: Into<Point>>(
+        label: impl Into<String>,
+        style: Style,
+        points: impl IntoIterator<Item = P>,
+    ) -> Self {
+        Self {
+            label: label.into(),
+            style,
+            colour: None,
+            points: points.into_iter().map(Into::into).collect(),
+        }
+    }
+
+    /// In the palette's colour `index`, to pair markers with their line.
+    #[must_use]
+    pub const fn coloured(mut self, index: usize) -> Self {
+        self.colour = Some(index);
+        self
+    }
+}
+
+/// A point in the coordinates of a panel.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Point {
+    /// Along the horizontal axis.
+    pub x: f64,
+    /// Along the vertical axis.
+    pub y: f64,
+}
+
+impl Point {
+    /// The point (x, y).
+    #[must_use]
+    pub const fn new(x: f64, y: f64) -> Self {
+        Self { x, y }
+    }
+}
+
+impl From<(f64, f64)> for Point {
+    fn from((x, y): (f64, f64)) -> Self {
+        Self { x, y }
+    }
+}
+
+/// An arrow from `tail` to `head`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arrow {
+    /// Where it starts.
+    pub tail: Point,
+    /// Where it points.
+    pub head: Point,
+}
+
+/// How a series is drawn.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Style {
+    /// Points joined by a line.
+    Line(Stroke),
+    /// One marker a point.
+    Markers(Marker),
+    /// Two points an arrow.
+    Arrows,
+    /// The inside of a polygon.
+    Area,
+}
+
+/// Pattern of a line.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Stroke {
+    /// Full.
+    Solid,
+    /// Broken.
+    Dashed,
+    /// Dotted.
+    Dotted,
+}
+
+/// Shape of a marker.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Marker {
+    /// Filled circle.
+    Dot,
+    /// Open circle.
+    Circle,
+    /// Open square.
+    Square,
+    /// Filled triangle.
+    Triangle,
+    /// Diagonal cross.
+    Cross,
+    /// Cross and plus.
+    Star,
+}
+
+/// `count` values from `start` to `stop`, both included, equally spaced.
+#[must_use]
+pub fn linspace(start: f64, stop: f64, count: usize) -> Vec<f64> {
+    let last = count.saturating_sub(1).max(1) as f64;
+    (0..count).map(|i| start + (stop - start) * (i as f64 / last)).collect()
+}
+
+/// `count` values from `start` to `stop`, both included and positive, equally spaced in ratio.
+#[must_use]
+pub fn logspace(start: f64, stop: f64, count: usize) -> Vec<f64> {
+    let mut values: Vec<f64> =
+        linspace(libm::log(start), libm::log(stop), count).into_iter().map(libm::exp).collect();
+    if let (Some(first), true) = (values.first_mut(), count > 0) {
+        *first = start;
+    }
+    if let (Some(last), true) = (values.last_mut(), count > 1) {
+        *last = stop;
+    }
+    values
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_of_grids_are_exact() {
+        for grid in [linspace(0.1, 0.7, 13), logspace(0.1, 0.7, 13)] {
+            assert_eq!((grid[0], grid[12], grid.len()), (0.1, 0.7, 13));
+            assert!(grid.windows(2).all(|w| w[0] < w[1]));
+        }
+        assert_eq!(linspace(2.0, 5.0, 1), [2.0]);
+    }
+}

@@ -1,0 +1,101 @@
+//! Integrals over a finite interval: fixed Gauss-Legendre, adaptive Gauss-Kronrod, tanh-sinh.
+//!
+//! | rule | use |
+//! |---|---|
+//! | [`GaussLegendre`] | smooth integrand, known order; nothing allocated while integrating |
+//! | [`adaptive`] | smooth in pieces, unknown difficulty; with an error estimate |
+//! | [`tanh_sinh`] | algebraic or logarithmic singularities at the ends |
+//!
+//! The last two return a typed error that still carries value and estimate when the tolerance is
+//! not met.
+
+mod gauss_kronrod;
+mod gauss_legendre;
+mod tanh_sinh;
+
+pub use gauss_kronrod::adaptive;
+pub use gauss_legendre::{GaussLegendre, Node};
+pub use tanh_sinh::{Abscissa, tanh_sinh};
+
+use crate::RangeError;
+
+/// What an integral must reach: the estimated error at most the larger of both.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Tolerance {
+    absolute: f64,
+    relative: f64,
+}
+
+impl Tolerance {
+    /// An absolute and a relative tolerance.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless both are finite and not negative and one is positive.
+    pub fn new(absolute: f64, relative: f64) -> Result<Self, RangeError> {
+        RangeError::non_negative("absolute_tolerance", absolute)?;
+        RangeError::non_negative("relative_tolerance", relative)?;
+        let holds = absolute > 0.0 || relative > 0.0;
+        RangeError::check("relative_tolerance", relative, holds, "> 0 where the absolute is 0")?;
+        Ok(Self { absolute, relative })
+    }
+
+    /// A relative tolerance alone.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it is finite and positive.
+    pub fn relative(relative: f64) -> Result<Self, RangeError> {
+        RangeError::positive("relative_tolerance", relative)?;
+        Self::new(0.0, relative)
+    }
+
+    fn allows(self, integral: Integral) -> bool {
+        integral.error <= self.absolute.max(self.relative * integral.value.abs())
+    }
+}
+
+/// The value of an integral with what is known of it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Integral {
+    /// The value.
+    pub value: f64,
+    /// The estimated absolute error.
+    pub error: f64,
+    /// How often the integrand was evaluated.
+    pub evaluations: usize,
+}
+
+/// Why an integral is not given.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum QuadratureError {
+    /// A bound is not finite.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// The integrand is infinite or not a number.
+    #[error("the integrand is not finite at {position}")]
+    Undefined {
+        /// Where it is not finite.
+        position: f64,
+    },
+    /// The tolerance is not met.
+    #[error(
+        "no convergence after {} evaluations: {} with an estimated error of {}",
+        integral.evaluations, integral.value, integral.error
+    )]
+    NotConverged {
+        /// The best value and its estimate.
+        integral: Integral,
+    },
+}
+
+/// The value, or an error if it is not finite.
+fn finite(value: f64, position: f64) -> Result<f64, QuadratureError> {
+    if value.is_finite() { Ok(value) } else { Err(QuadratureError::Undefined { position }) }
+}
+
+/// The bounds, checked.
+fn check_bounds(lower: f64, upper: f64) -> Result<(), RangeError> {
+    RangeError::finite("lower", lower)?;
+    let holds = upper.is_finite() && (upper - lower).is_finite();
+    RangeError::check("upper", upper, holds, "finite, and so its distance to lower")?;
+    Ok(())
+}

@@ -1,0 +1,154 @@
+//! The list of the thesis's tables and figures, and who computes each.
+
+use crate::figure::Figure;
+
+/// What a figure's function returns; any error type converts with `?`.
+pub type FigureResult = Result<Figure, Box<dyn std::error::Error + Send + Sync>>;
+
+/// A table or figure of the thesis and the function that computes it, if there is one.
+#[derive(Debug, Clone, Copy)]
+pub struct Entry {
+    /// Number in the thesis, as `5.3` or `table-13.1`.
+    pub id: &'static str,
+    /// What it shows, in short.
+    pub title: &'static str,
+    /// Figure or table.
+    pub kind: Kind,
+    /// The function that computes it, if there is one.
+    pub source: Source,
+}
+
+/// Figure or table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A figure.
+    Figure,
+    /// A table.
+    Table,
+}
+
+/// Who computes an entry.
+#[derive(Debug, Clone, Copy)]
+pub enum Source {
+    /// Nobody yet.
+    Missing,
+    /// A function that takes well under a second.
+    Fast(fn() -> FigureResult),
+    /// A function that takes longer; left out of quick runs.
+    Slow(fn() -> FigureResult),
+}
+
+impl Entry {
+    /// A figure that is not computed yet.
+    #[must_use]
+    pub const fn figure(id: &'static str, title: &'static str) -> Self {
+        Self { id, title, kind: Kind::Figure, source: Source::Missing }
+    }
+
+    /// A table that is not computed yet.
+    #[must_use]
+    pub const fn table(id: &'static str, title: &'static str) -> Self {
+        Self { id, title, kind: Kind::Table, source: Source::Missing }
+    }
+
+    /// Computed by `function`, in well under a second.
+    #[must_use]
+    pub const fn by(mut self, function: fn() -> FigureResult) -> Self {
+        self.source = Source::Fast(function);
+        self
+    }
+
+    /// Computed by `function`, which takes longer: quick runs leave it out.
+    #[must_use]
+    pub const fn slowly_by(mut self, function: fn() -> FigureResult) -> Self {
+        self.source = Source::Slow(function);
+        self
+    }
+
+    /// The chapter it stands in.
+    #[must_use]
+    pub fn chapter(&self) -> &'static str {
+        let number = self.id.strip_prefix("table-").unwrap_or(self.id);
+        number.split_once('.').map_or(number, |(chapter, _)| chapter)
+    }
+
+    /// Whether some function computes it.
+    #[must_use]
+    pub const fn is_done(&self) -> bool {
+        !matches!(self.source, Source::Missing)
+    }
+
+    /// Whether quick runs leave it out.
+    #[must_use]
+    pub const fn is_slow(&self) -> bool {
+        matches!(self.source, Source::Slow(_))
+    }
+
+    /// `Fig. 5.3` or `Table 13.1`.
+    #[must_use]
+    pub fn name(&self) -> String {
+        match self.kind {
+            Kind::Figure => format!("Fig. {}", self.id),
+            Kind::Table => {
+                format!("Table {}", self.id.strip_prefix("table-").unwrap_or(self.id))
+            }
+        }
+    }
+
+    /// Computes the figure, with id and title set; `None` if nobody does.
+    #[must_use]
+    pub fn draw(&self) -> Option<FigureResult> {
+        let function = match self.source {
+            Source::Missing => return None,
+            Source::Fast(function) | Source::Slow(function) => function,
+        };
+        Some(function().map(|figure| Figure {
+            id: self.id.to_owned(),
+            title: self.title.to_owned(),
+            ..figure
+        }))
+    }
+}
+
+/// Every table and figure of the thesis, in order.
+#[must_use]
+pub fn catalogue() -> Vec<Entry> {
+    crate::figures::CHAPTERS.concat()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::collections::BTreeSet;
+
+    #[test]
+    fn the_catalogue_is_complete_and_named_once() {
+        let entries = catalogue();
+        let ids: BTreeSet<_> = entries.iter().map(|entry| entry.id).collect();
+        assert_eq!(ids.len(), entries.len());
+        let tables = entries.iter().filter(|entry| entry.kind == Kind::Table).count();
+        assert_eq!((entries.len() - tables, tables), (101, 2));
+    }
+
+    #[test]
+    fn figures_are_numbered_without_gaps() {
+        let entries = catalogue();
+        let figures = entries.iter().filter(|entry| entry.kind == Kind::Figure);
+        let mut last = ("", 0);
+        for entry in figures {
+            let (chapter, number) = entry.id.split_once('.').unwrap();
+            let expected = if chapter == last.0 { last.1 + 1 } else { 1 };
+            assert_eq!(number.parse::<u32>().unwrap(), expected, "{}", entry.id);
+            last = (chapter, expected);
+        }
+    }
+
+    #[test]
+    fn names_and_chapters() {
+        let entry = Entry::table("table-13.1", "");
+        assert_eq!((entry.name().as_str(), entry.chapter()), ("Table 13.1", "13"));
+        let entry = Entry::figure("5.3", "");
+        assert_eq!((entry.name().as_str(), entry.chapter()), ("Fig. 5.3", "5"));
+        assert!(!entry.is_done() && entry.draw().is_none());
+    }
+}

@@ -1,0 +1,401 @@
+//! Claims: statements that a measurement can refute.
+
+use std::fmt;
+
+/// A statement about a figure with the measurement that decides it.
+///
+/// A claim that cannot fail (an infinite tolerance, an empty list) counts as failed.
+///
+/// ```
+/// use carom_verification::{Claim, Tolerance};
+/// let claim = Claim::close("slope at 0 is 16/3", 5.3333, 16.0 / 3.0, Tolerance::Relative(1e-4));
+/// assert!(claim.passes());
+/// assert!(claim.ratio() < 0.1);
+/// assert!(!Claim::at_most("below 3 %", 0.0335, 0.03).passes());
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Claim {
+    /// The statement, in words.
+    pub statement: String,
+    /// Where the expectation comes from: the thesis's text, a closed form, reference values.
+    pub source: String,
+    /// The measurement and what it is held against.
+    pub check: Check,
+}
+
+/// A measurement and what it is held against.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Check {
+    /// A number and its expected value.
+    Close {
+        /// Measured value.
+        measured: f64,
+        /// Expected value.
+        expected: f64,
+        /// Allowed difference.
+        tolerance: Tolerance,
+    },
+    /// Many numbers, each with its expected value; the worst decides.
+    AllClose {
+        /// Measured and expected values.
+        pairs: Vec<Pair>,
+        /// Allowed difference.
+        tolerance: Tolerance,
+    },
+    /// A number and the bound it must respect.
+    Bound {
+        /// Measured value.
+        measured: f64,
+        /// The bound, itself allowed.
+        bound: f64,
+        /// Which side is allowed.
+        side: Side,
+    },
+    /// Numbers in an order.
+    Ordered {
+        /// The values in the order stated.
+        values: Vec<f64>,
+        /// The order.
+        order: Order,
+    },
+    /// A yes or no, with the number behind it.
+    Holds {
+        /// The answer.
+        holds: bool,
+        /// The number behind the answer.
+        measured: f64,
+    },
+}
+
+/// A measured value beside its expected one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Pair {
+    /// Measured value.
+    pub measured: f64,
+    /// Expected value.
+    pub expected: f64,
+}
+
+impl From<(f64, f64)> for Pair {
+    /// (measured, expected)
+    fn from((measured, expected): (f64, f64)) -> Self {
+        Self { measured, expected }
+    }
+}
+
+/// Allowed difference from an expected value.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Tolerance {
+    /// |measured - expected| at most this.
+    Absolute(f64),
+    /// |measured - expected| at most this times |expected|.
+    Relative(f64),
+}
+
+impl Tolerance {
+    fn ratio(self, pair: Pair) -> f64 {
+        let allowed = match self {
+            Self::Absolute(tolerance) => tolerance,
+            Self::Relative(tolerance) => tolerance * pair.expected.abs(),
+        };
+        let difference = (pair.measured - pair.expected).abs();
+        if !(allowed.is_finite() && allowed >= 0.0 && difference.is_finite()) {
+            f64::INFINITY
+        } else if difference == 0.0 {
+            0.0
+        } else {
+            difference / allowed // infinite for a zero tolerance
+        }
+    }
+}
+
+impl fmt::Display for Tolerance {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Absolute(tolerance) => write!(f, "± {tolerance:e}"),
+            Self::Relative(tolerance) => write!(f, "± {tolerance:e} relative"),
+        }
+    }
+}
+
+/// The allowed side of a bound.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Side {
+    /// At most the bound.
+    Below,
+    /// At least the bound.
+    Above,
+}
+
+/// An order of values.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Order {
+    /// Each larger than the one before.
+    Increasing,
+    /// Each smaller than the one before.
+    Decreasing,
+}
+
+impl Claim {
+    /// `measured` is `expected` within `tolerance`.
+    #[must_use]
+    pub fn close(
+        statement: impl Into<String>,
+        measured: f64,
+        expected: f64,
+        tolerance: Tolerance,
+    ) -> Self {
+        Self::new(statement, Check::Close { measured, expected, tolerance })
+    }
+
+    /// Every (measured, expected) pair agrees within `tolerance`.
+    #[must_use]
+    pub fn all_close<P: Into<Pair>>(
+        statement: impl Into<String>,
+        pairs: impl IntoIterator<Item = P>,
+        tolerance: Tolerance,
+    ) -> Self {
+        let pairs = pairs.into_iter().map(Into::into).collect();
+        Self::new(statement, Check::AllClose { pairs, tolerance })
+    }
+
+    /// `measured` is at most `bound`.
+    #[must_use]
+    pub fn at_most(statement: impl Into<String>, measured: f64, bound: f64) -> Self {
+        Self::new(statement, Check::Bound { measured, bound, side: Side::Below })
+    }
+
+    /// `measured` is at least `bound`.
+    #[must_use]
+    pub fn at_least(statement: impl Into<String>, measured: f64, bound: f64) -> Self {
+        Self::new(statement, Check::Bound { measured, bound, side: Side::Above })
+    }
+
+    /// Each value is larger than the one before.
+    #[must_use]
+    pub fn increasing(statement: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
+        let values = values.into_iter().collect();
+        Self::new(statement, Check::Ordered { values, order: Order::Increasing })
+    }
+
+    /// Each value is smaller than the one before.
+    #[must_use]
+    pub fn decreasing(statement: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
+        let values = values.into_iter().collect();
+        Self::new(statement, Check::Ordered { values, order: Order::Decreasing })
+    }
+
+    /// Something is so; `measured` is the number that shows it.
+    #[must_use]
+    pub fn holds(statement: impl Into<String>, holds: bool, measured: f64) -> Self {
+        Self::new(statement, Check::Holds { holds, measured })
+    }
+
+    fn new(statement: impl Into<String>, check: Check) -> Self {
+        Self { statement: statement.into(), source: String::new(), check }
+    }
+
+    /// Says where the expectation comes from.
+    #[must_use]
+    pub fn source(mut self, source: impl Into<String>) -> Self {
+        self.source = source.into();
+        self
+    }
+
+    /// Whether the measurement bears the statement out.
+    #[must_use]
+    pub fn passes(&self) -> bool {
+        self.ratio() <= 1.0
+    }
+
+    /// Deviation over tolerance: at most 1 if the claim passes, infinite if it cannot be
+    /// measured so. For a bound, how much of it is used; for an order or a yes-or-no, 0 or
+    /// infinity.
+    #[must_use]
+    pub fn ratio(&self) -> f64 {
+        match &self.check {
+            Check::Close { measured, expected, tolerance } => {
+                tolerance.ratio(Pair { measured: *measured, expected: *expected })
+            }
+            Check::AllClose { .. } => {
+                self.worst().map_or(f64::INFINITY, |(pair, tolerance)| tolerance.ratio(pair))
+            }
+            Check::Bound { measured, bound, side: Side::Below } => part_used(*measured, *bound),
+            Check::Bound { measured, bound, side: Side::Above } => part_used(-measured, -bound),
+            Check::Ordered { values, order } => decided(is_ordered(values, *order)),
+            Check::Holds { holds, measured } => decided(*holds && !measured.is_nan()),
+        }
+    }
+
+    /// The worst pair of an all-close check.
+    #[must_use]
+    fn worst(&self) -> Option<(Pair, Tolerance)> {
+        let Check::AllClose { pairs, tolerance } = &self.check else { return None };
+        pairs
+            .iter()
+            .max_by(|a, b| tolerance.ratio(**a).total_cmp(&tolerance.ratio(**b)))
+            .map(|pair| (*pair, *tolerance))
+    }
+
+    /// What was measured, in words and numbers.
+    #[must_use]
+    pub fn measured(&self) -> String {
+        match &self.check {
+            Check::Close { measured, .. }
+            | Check::Bound { measured, .. }
+            | Check::Holds { measured, .. } => number(*measured),
+            Check::AllClose { pairs, .. } => match self.worst() {
+                Some((pair, _)) => {
+                    format!("worst of {}: {}", pairs.len(), number(pair.measured))
+                }
+                None => "nothing".to_owned(),
+            },
+            Check::Ordered { values, .. } => match (values.first(), values.last()) {
+                (Some(first), Some(last)) => {
+                    format!("{} values, {} to {}", values.len(), number(*first), number(*last))
+                }
+                _ => "nothing".to_owned(),
+            },
+        }
+    }
+
+    /// What was expected, in words and numbers.
+    #[must_use]
+    pub fn expected(&self) -> String {
+        match &self.check {
+            Check::Close { expected, tolerance, .. } => {
+                format!("{} {tolerance}", number(*expected))
+            }
+            Check::AllClose { tolerance, .. } => match self.worst() {
+                Some((pair, _)) => format!("{} {tolerance}", number(pair.expected)),
+                None => tolerance.to_string(),
+            },
+            Check::Bound { bound, side: Side::Below, .. } => format!("≤ {}", number(*bound)),
+            Check::Bound { bound, side: Side::Above, .. } => format!("≥ {}", number(*bound)),
+            Check::Ordered { order: Order::Increasing, .. } => "increasing".to_owned(),
+            Check::Ordered { order: Order::Decreasing, .. } => "decreasing".to_owned(),
+            Check::Holds { .. } => "true".to_owned(),
+        }
+    }
+}
+
+/// A number with up to ten significant digits, no trailing zeros.
+#[must_use]
+pub fn number(value: f64) -> String {
+    let rounded: f64 = format!("{value:.9e}").parse().unwrap_or(value);
+    match rounded.abs() {
+        0.0 => "0".to_owned(),
+        size if (1e-4..1e7).contains(&size) => rounded.to_string(),
+        _ => format!("{rounded:e}"),
+    }
+}
+
+/// How much of an upper bound a value uses: at most 1 if the value respects it.
+fn part_used(measured: f64, bound: f64) -> f64 {
+    if !bound.is_finite() || measured.is_nan() {
+        f64::INFINITY
+    } else if measured <= bound {
+        let used = if bound > 0.0 { measured / bound } else { bound / measured };
+        if used.is_finite() { used.clamp(0.0, 1.0) } else { 0.0 }
+    } else if bound > 0.0 {
+        measured / bound
+    } else if measured < 0.0 {
+        bound / measured
+    } else {
+        f64::INFINITY
+    }
+}
+
+const fn decided(holds: bool) -> f64 {
+    if holds { 0.0 } else { f64::INFINITY }
+}
+
+fn is_ordered(values: &[f64], order: Order) -> bool {
+    values.len() > 1
+        && values.windows(2).all(|pair| match order {
+            Order::Increasing => pair[0] < pair[1],
+            Order::Decreasing => pair[0] > pair[1],
+        })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ratio_is_deviation_over_tolerance() {
+        let claim = Claim::close("", 1.5, 1.0, Tolerance::Absolute(2.0));
+        assert_eq!(claim.ratio(), 0.25);
+        let claim = Claim::close("", -3.0, -2.0, Tolerance::Relative(0.25));
+        assert_eq!(claim.ratio(), 2.0);
+        assert!(!claim.passes());
+    }
+
+    #[test]
+    fn the_worst_pair_decides() {
+        let pairs = [(1.0, 1.0), (2.0, 2.5), (3.0, 3.1)];
+        let claim = Claim::all_close("", pairs, Tolerance::Absolute(0.4));
+        assert_eq!(claim.ratio(), 0.5 / 0.4);
+        assert_eq!(claim.measured(), "worst of 3: 2");
+        assert_eq!(claim.expected(), "2.5 ± 4e-1");
+    }
+
+    #[test]
+    fn bounds_use_up_to_all_of_themselves() {
+        for (measured, bound, ratio) in [
+            (1.0, 2.0, 0.5),
+            (2.0, 2.0, 1.0),
+            (3.0, 2.0, 1.5),
+            (-1.0, 2.0, 0.0),
+            (-2.0, -1.0, 0.5),
+            (-0.5, -1.0, 2.0),
+            (0.0, -1.0, f64::INFINITY),
+            (0.0, 0.0, 0.0),
+            (1e-9, 0.0, f64::INFINITY),
+        ] {
+            assert_eq!(Claim::at_most("", measured, bound).ratio(), ratio, "{measured} {bound}");
+            assert_eq!(Claim::at_least("", -measured, -bound).ratio(), ratio);
+        }
+    }
+
+    #[test]
+    fn orders_are_strict() {
+        assert!(Claim::increasing("", [1.0, 2.0, 3.0]).passes());
+        assert!(!Claim::increasing("", [1.0, 2.0, 2.0]).passes());
+        assert!(Claim::decreasing("", [3.0, 2.0]).passes());
+        assert!(!Claim::decreasing("", [3.0, f64::NAN]).passes());
+    }
+
+    #[test]
+    fn what_cannot_fail_counts_as_failed() {
+        let nothing: [(f64, f64); 0] = [];
+        for claim in [
+            Claim::close("", 1.0, 1.0, Tolerance::Absolute(f64::INFINITY)),
+            Claim::close("", f64::NAN, 1.0, Tolerance::Absolute(1.0)),
+            Claim::close("", f64::INFINITY, f64::INFINITY, Tolerance::Absolute(1.0)),
+            Claim::all_close("", nothing, Tolerance::Absolute(1.0)),
+            Claim::at_most("", 1.0, f64::INFINITY),
+            Claim::at_most("", f64::NAN, 1.0),
+            Claim::increasing("", [1.0]),
+            Claim::holds("", true, f64::NAN),
+            Claim::holds("", false, 1.0),
+        ] {
+            assert!(!claim.passes(), "{claim:?}");
+            assert_eq!(claim.ratio(), f64::INFINITY, "{claim:?}");
+        }
+    }
+
+    #[test]
+    fn numbers_are_short() {
+        for (value, text) in [
+            (0.1 + 0.2, "0.3"),
+            (16.0 / 3.0, "5.333333333"),
+            (1.5e-7, "1.5e-7"),
+            (-2e9, "-2e9"),
+            (f64::NAN, "NaN"),
+            (0.0, "0"),
+        ] {
+            assert_eq!(number(value), text);
+        }
+    }
+}

@@ -1,0 +1,218 @@
+//! A figure as data: inputs, panels of series, tables, claims and deviations from the thesis.
+//!
+//! How it looks is decided in `carom_plot`; where it stands in the thesis, by its
+//! [`crate::catalogue::Entry`].
+
+use crate::claim::Claim;
+pub use carom_plot::{Aspect, Axis, Limits, Panel, Scale};
+
+/// A table or figure of the thesis, computed: data and the claims that check them.
+///
+/// ```
+/// use carom_verification::{Axis, Claim, Figure, Panel, Series, Tolerance};
+///
+/// let mut figure = Figure::new();
+/// figure.assumed("x", "0 to 1");
+/// let mut panel = Panel::new(Axis::linear("x"), Axis::linear("x²"));
+/// panel.add(Series::line("parabola", [0.0, 0.5, 1.0].map(|x| (x, x * x))));
+/// figure.panel(panel);
+/// figure.claim(Claim::close("the end is 1", 1.0, 1.0, Tolerance::Absolute(1e-12)));
+/// assert!(figure.claims.iter().all(Claim::passes));
+/// ```
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Figure {
+    /// Number in the thesis; set by the catalogue.
+    pub id: String,
+    /// What it shows; set by the catalogue.
+    pub title: String,
+    /// The inputs, each with its origin.
+    pub inputs: Vec<Input>,
+    /// The panels, in reading order.
+    pub panels: Vec<Panel>,
+    /// The tables.
+    pub tables: Vec<Table>,
+    /// The claims, each of which could fail.
+    pub claims: Vec<Claim>,
+    /// Where the thesis prints something else.
+    pub deviations: Vec<Deviation>,
+    /// Precision of the snapshot.
+    pub precision: Precision,
+}
+
+impl Figure {
+    /// An empty figure.
+    #[must_use]
+    pub fn new() -> Self {
+        Self::default()
+    }
+
+    /// Adds an input that the thesis states.
+    pub fn stated(&mut self, name: impl Into<String>, value: impl Into<String>) {
+        self.input(name, value, Origin::Stated);
+    }
+
+    /// Adds an input that follows from what the thesis states.
+    pub fn derived(&mut self, name: impl Into<String>, value: impl Into<String>) {
+        self.input(name, value, Origin::Derived);
+    }
+
+    /// Adds an input that the thesis does not give: our choice.
+    pub fn assumed(&mut self, name: impl Into<String>, value: impl Into<String>) {
+        self.input(name, value, Origin::Assumed);
+    }
+
+    fn input(&mut self, name: impl Into<String>, value: impl Into<String>, origin: Origin) {
+        self.inputs.push(Input { name: name.into(), value: value.into(), origin });
+    }
+
+    /// Adds a panel.
+    pub fn panel(&mut self, panel: Panel) {
+        self.panels.push(panel);
+    }
+
+    /// Adds a table.
+    pub fn table(&mut self, table: Table) {
+        self.tables.push(table);
+    }
+
+    /// Adds a claim.
+    pub fn claim(&mut self, claim: Claim) {
+        self.claims.push(claim);
+    }
+
+    /// Records that the thesis prints something else, and why.
+    pub fn deviation(
+        &mut self,
+        printed: impl Into<String>,
+        corrected: impl Into<String>,
+        cause: impl Into<String>,
+    ) {
+        self.deviations.push(Deviation {
+            printed: printed.into(),
+            corrected: corrected.into(),
+            cause: cause.into(),
+        });
+    }
+
+    /// Sets the significant digits that the snapshot keeps (6 unless said); iterative results
+    /// need fewer than their own accuracy.
+    pub fn snapshot_digits(&mut self, digits: u8) {
+        self.precision = Precision { digits };
+    }
+}
+
+/// A named input of a figure.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Input {
+    /// Symbol or name, in the thesis's words.
+    pub name: String,
+    /// The value with its unit, or the range.
+    pub value: String,
+    /// Where it comes from.
+    pub origin: Origin,
+}
+
+/// Where an input comes from.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Origin {
+    /// The text or caption gives it.
+    Stated,
+    /// It follows from what is stated.
+    Derived,
+    /// Our choice: the thesis does not give it.
+    Assumed,
+}
+
+impl Origin {
+    /// The word for it.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Stated => "stated",
+            Self::Derived => "derived",
+            Self::Assumed => "assumed",
+        }
+    }
+}
+
+/// A table of numbers and words.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Table {
+    /// Shown above it.
+    pub title: String,
+    /// Heads of the columns.
+    pub columns: Vec<String>,
+    /// The rows, each as long as `columns`.
+    pub rows: Vec<Vec<Cell>>,
+}
+
+impl Table {
+    /// An empty table with these columns.
+    #[must_use]
+    pub fn new<S: Into<String>>(
+        title: impl Into<String>,
+        columns: impl IntoIterator<Item = S>,
+    ) -> Self {
+        Self {
+            title: title.into(),
+            columns: columns.into_iter().map(Into::into).collect(),
+            rows: Vec::new(),
+        }
+    }
+
+    /// Adds a row of cells or numbers.
+    pub fn row<C: Into<Cell>>(&mut self, cells: impl IntoIterator<Item = C>) {
+        self.rows.push(cells.into_iter().map(Into::into).collect());
+    }
+}
+
+/// A cell of a table.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Cell {
+    /// A number; goes into the snapshot.
+    Number(f64),
+    /// Words.
+    Text(String),
+}
+
+impl From<f64> for Cell {
+    fn from(value: f64) -> Self {
+        Self::Number(value)
+    }
+}
+
+impl From<&str> for Cell {
+    fn from(text: &str) -> Self {
+        Self::Text(text.to_owned())
+    }
+}
+
+impl From<String> for Cell {
+    fn from(text: String) -> Self {
+        Self::Text(text)
+    }
+}
+
+/// Something the thesis prints otherwise, with the correct value and the reason.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Deviation {
+    /// What the thesis prints or says.
+    pub printed: String,
+    /// What is right.
+    pub corrected: String,
+    /// Why they differ.
+    pub cause: String,
+}
+
+/// How many digits the snapshot of a figure keeps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Precision {
+    /// Significant digits, relative to the largest value of each series or column.
+    pub digits: u8,
+}
+
+impl Default for Precision {
+    fn default() -> Self {
+        Self { digits: 6 }
+    }
+}

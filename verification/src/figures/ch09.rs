@@ -1,0 +1,9 @@
+//! Chapter 9: impact without torsion.
+
+use crate::catalogue::Entry;
+
+/// The tables and figures of the chapter, in order.
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry::figure("9.1", "Compression against time and its sine approximation"),
+    Entry::figure("9.2", "Tangential restitution for complete adhesion"),
+];

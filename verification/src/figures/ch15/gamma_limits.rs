@@ -1,0 +1,78 @@
+//! Fig. 15.1: which gamma and kappa two materials can make together.
+
+use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use carom_halfspace::{Material, MaterialPair};
+use carom_special::RangeError;
+
+/// The pair with G2/G1 = `stiffness` and these Poisson's ratios.
+fn pair(stiffness: f64, nu_1: f64, nu_2: f64) -> Result<MaterialPair, RangeError> {
+    MaterialPair::new(Material::from_shear(1.0, nu_1)?, Material::from_shear(stiffness, nu_2)?)
+}
+
+/// kappa and gamma at the corners 0 and 1/2 of both Poisson's ratios, in turn.
+fn corners(stiffness: f64) -> Result<Vec<(f64, f64)>, RangeError> {
+    let ratios = [(0.0, 0.0), (0.0, 0.5), (0.5, 0.5), (0.5, 0.0)];
+    let points = ratios.map(|(nu_1, nu_2)| {
+        let pair = pair(stiffness, nu_1, nu_2)?;
+        Ok((pair.kappa(), pair.gamma()))
+    });
+    points.into_iter().collect()
+}
+
+/// How far the pair lies outside the polygon (kappa, gamma) whose edges turn to the right.
+fn outside(polygon: &[(f64, f64)], pair: &MaterialPair) -> f64 {
+    let ends = polygon.iter().zip(polygon.iter().cycle().skip(1));
+    let distances = ends.map(|((x0, y0), (x1, y1))| {
+        let (dx, dy) = (x1 - x0, y1 - y0);
+        (dx * (pair.gamma() - y0) - dy * (pair.kappa() - x0)) / libm::hypot(dx, dy)
+    });
+    distances.fold(f64::NEG_INFINITY, f64::max)
+}
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.stated("δ = G₂/G₁", "1 and 10");
+    figure.assumed("ν₁, ν₂", "0 to 1/2, so that the region has four corners");
+    let mut panel = Panel::new(Axis::linear("κ"), Axis::linear("γ"));
+    let printed = [
+        (1.0, [(1.0, 0.0), (7.0 / 6.0, 1.0 / 3.0), (1.5, 0.0), (7.0 / 6.0, -1.0 / 3.0)]),
+        (
+            10.0,
+            [(1.0, 9.0 / 22.0), (43.0 / 42.0, 10.0 / 21.0), (1.5, 0.0), (17.0 / 12.0, -1.0 / 12.0)],
+        ),
+    ];
+    for (stiffness, expected) in printed {
+        let polygon = corners(stiffness)?;
+        let values = polygon.iter().zip(&expected);
+        let pairs = values.flat_map(|(p, e)| [(p.0, e.0), (p.1, e.1)]);
+        figure.claim(
+            Claim::all_close(
+                format!("corners of the region, δ = {stiffness}"),
+                pairs,
+                Tolerance::Absolute(1e-14),
+            )
+            .source("fractions worked out from (15.1), (15.2)"),
+        );
+        let mut farthest = f64::NEG_INFINITY;
+        for nu_1 in linspace(0.0, 0.5, 21) {
+            for nu_2 in linspace(0.0, 0.5, 21) {
+                farthest = farthest.max(outside(&polygon, &pair(stiffness, nu_1, nu_2)?));
+            }
+        }
+        let statement = format!("all ν₁, ν₂ from 0 to 1/2 lie inside the corners, δ = {stiffness}");
+        figure.claim(Claim::at_most(statement, farthest, 1e-14).source("the map is projective"));
+        panel.add(Series::area(format!("δ = {stiffness}"), polygon));
+    }
+    let largest = pair(1e9, 0.0, 0.0)?.gamma();
+    figure.claim(
+        Claim::close(
+            "γ tends to 1/2 as body 2 stiffens, ν = 0",
+            largest,
+            0.5,
+            Tolerance::Absolute(2e-9),
+        )
+        .source("closed form (δ - 1)/(2(δ + 1)) at κ = 1"),
+    );
+    figure.panel(panel);
+    Ok(figure)
+}

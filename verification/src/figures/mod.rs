@@ -1,0 +1,34 @@
+//! The figures, chapter by chapter; each file lists its own in `ENTRIES`.
+
+use crate::catalogue::Entry;
+
+mod ch03;
+mod ch04;
+mod ch05;
+mod ch06;
+mod ch07;
+mod ch08;
+mod ch09;
+mod ch10;
+mod ch11;
+mod ch12;
+mod ch13;
+mod ch14;
+mod ch15;
+
+/// The chapters in order.
+pub(crate) const CHAPTERS: &[&[Entry]] = &[
+    ch03::ENTRIES,
+    ch04::ENTRIES,
+    ch05::ENTRIES,
+    ch06::ENTRIES,
+    ch07::ENTRIES,
+    ch08::ENTRIES,
+    ch09::ENTRIES,
+    ch10::ENTRIES,
+    ch11::ENTRIES,
+    ch12::ENTRIES,
+    ch13::ENTRIES,
+    ch14::ENTRIES,
+    ch15::ENTRIES,
+];

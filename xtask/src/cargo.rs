@@ -1,0 +1,57 @@
+//! Calling cargo.
+
+use anyhow::{Context as _, bail};
+use std::process::{Command, Stdio};
+
+/// The cargo that runs this task, at the root of the workspace.
+pub(crate) fn command(arguments: &[&str]) -> Command {
+    let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
+    let mut command = Command::new(cargo);
+    command.args(arguments).current_dir(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+    command
+}
+
+/// Calls cargo; an exit code other than 0 is an error.
+pub(crate) fn run(arguments: &[&str]) -> anyhow::Result<()> {
+    finish(&mut command(arguments), arguments)
+}
+
+/// Calls cargo with one more environment variable.
+pub(crate) fn run_with(arguments: &[&str], name: &str, value: &str) -> anyhow::Result<()> {
+    finish(command(arguments).env(name, value), arguments)
+}
+
+fn finish(command: &mut Command, arguments: &[&str]) -> anyhow::Result<()> {
+    let shown = format!("cargo {}", arguments.join(" "));
+    let status = command.status().with_context(|| format!("cannot start `{shown}`"))?;
+    if !status.success() {
+        bail!("`{shown}` failed ({status})");
+    }
+    Ok(())
+}
+
+/// Runs carom-verify with these arguments; returns its exit code.
+pub(crate) fn verify(arguments: &[String]) -> anyhow::Result<u8> {
+    let mut command = command(&["run", "--release", "--package", "carom-verification"]);
+    command.args(["--bin", "carom-verify", "--"]).args(arguments);
+    let status = command.status().context("cannot start cargo")?;
+    Ok(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1))
+}
+
+/// Runs the benchmarks whose name contains `filter`.
+pub(crate) fn bench(filter: Option<&str>) -> anyhow::Result<()> {
+    let mut arguments = vec!["bench", "--package", "carom-benches"];
+    if let Some(filter) = filter {
+        arguments.extend(["--", filter]);
+    }
+    run(&arguments)
+}
+
+/// Whether `cargo <tool>` can be called.
+pub(crate) fn has(tool: &str) -> bool {
+    command(&[tool, "--version"])
+        .stdout(Stdio::null())
+        .stderr(Stdio::null())
+        .status()
+        .is_ok_and(|status| status.success())
+}
