@@ -9,7 +9,7 @@ use crate::statistics::spread;
 use std::fmt::Write as _;
 
 const STYLE: &str = "
-body{font:15px/1.5 Helvetica,Arial,sans-serif;color:#222;background:#fff;max-width:1100px;\
+body{font:15px/1.5 Helvetica,Arial,sans-serif;color:#222;background:#fff;max-width:1300px;\
 margin:2em auto;padding:0 1em}
 h1{font-size:1.6em}h2{font-size:1.25em;margin-top:2.2em;border-top:1px solid #ddd;padding-top:1em}
 h3{font-size:1em;margin-bottom:.3em}
