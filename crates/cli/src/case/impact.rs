@@ -57,6 +57,13 @@ impl Approach {
 }
 
 impl ImpactCase {
+    /// Whether it asks for several impacts.
+    #[must_use]
+    pub fn is_sweep(&self) -> bool {
+        let angles = self.approach.as_ref().map(|approach| &approach.angles);
+        matches!(angles, Some(Angles::Sweep(_)))
+    }
+
     /// Reads a case from the text of its file.
     ///
     /// # Errors

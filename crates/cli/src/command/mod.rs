@@ -1,0 +1,35 @@
+//! The commands, one a file. Each works out an [`Answer`] and writes nothing itself.
+
+mod impact;
+mod restitution;
+
+use crate::error::CliError;
+use crate::output::Answer;
+
+/// Elastic impact with friction.
+///
+/// Results go to standard output, everything else to standard error. Exit code 2 means bad
+/// input, 1 a file that cannot be read or written.
+#[derive(Debug, clap::Parser)]
+#[command(name = "carom", version)]
+pub struct Carom {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Command {
+    Impact(impact::Arguments),
+    Restitution(restitution::Arguments),
+}
+
+/// Works out what the command asks for.
+///
+/// # Errors
+/// If its input is bad, or a file cannot be read.
+pub fn run(arguments: &Carom) -> Result<Answer, CliError> {
+    match &arguments.command {
+        Command::Impact(arguments) => impact::run(arguments),
+        Command::Restitution(arguments) => restitution::run(arguments),
+    }
+}
