@@ -156,7 +156,7 @@ fn with_subscripts(text: &str) -> String {
         };
         let _ = write!(
             marked,
-            "<tspan dy=\"0.28em\" font-size=\"75%\">{lowered}</tspan>\
+            "<tspan dy=\"0.28em\" font-size=\"10\">{lowered}</tspan>\
              <tspan dy=\"-0.21em\">&#8203;</tspan>{rest}"
         );
     }

@@ -1,5 +1,7 @@
 //! Chapter 3: survey of the theories.
 
+mod ball_under_book;
+
 use crate::catalogue::Entry;
 
 /// The tables and figures of the chapter, in order.
@@ -10,5 +12,5 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::figure("3.4", "Displacements under a semispherical tangential traction, ν = 0.5"),
     Entry::figure("3.5", "Tangential force for a diagonal shift of a slender contact, ν = 0.5"),
     Entry::figure("3.6", "Normal, tangential and torsional impact"),
-    Entry::figure("3.7", "A rubber ball between table and book"),
+    Entry::figure("3.7", "A rubber ball between table and book").by(ball_under_book::draw),
 ];

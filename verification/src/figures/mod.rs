@@ -2,6 +2,7 @@
 
 use crate::catalogue::Entry;
 
+mod accuracy;
 mod ch03;
 mod ch04;
 mod ch05;
@@ -31,4 +32,5 @@ pub(crate) const CHAPTERS: &[&[Entry]] = &[
     ch13::ENTRIES,
     ch14::ENTRIES,
     ch15::ENTRIES,
+    accuracy::ENTRIES,
 ];

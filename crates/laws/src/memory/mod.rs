@@ -227,11 +227,12 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
 
     /// Nothing slips: the point stays on segment i, or on a slip segment i produced.
     fn recede(&mut self, zeta: f64, i: usize) {
-        self.stack.truncate(i + 1);
-        if zeta != self.zeta {
-            let in_ring = self.stack.get(i).is_slip();
-            self.finish(zeta, if in_ring { Regime::Slip } else { Regime::Release });
+        if zeta == self.zeta && i + 1 == self.stack.len() {
+            return; // not a step at all
         }
+        self.stack.truncate(i + 1);
+        let in_ring = self.stack.get(i).is_slip();
+        self.finish(zeta, if in_ring { Regime::Slip } else { Regime::Release });
     }
 
     /// The slip ring that ends on segment i, `reach` deep.
