@@ -42,6 +42,16 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
+    /// The frame with a margin around it.
+    pub(crate) fn grown(self, margin: f64) -> Self {
+        Self {
+            x: self.x - margin,
+            y: self.y - margin,
+            width: self.width + 2.0 * margin,
+            height: self.height + 2.0 * margin,
+        }
+    }
+
     /// Whether the pixel lies inside.
     pub(crate) fn holds(&self, pixel: Pixel) -> bool {
         (self.x..=self.x + self.width).contains(&pixel.x)
