@@ -9,3 +9,8 @@ pub mod command;
 pub mod error;
 pub mod output;
 pub mod range;
+
+/// The examples of the README, run as documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

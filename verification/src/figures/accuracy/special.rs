@@ -137,7 +137,7 @@ fn gamma_function(table: &mut ErrorTable) -> Done {
             logarithms.add(ln_gamma(x), row[2], place);
         }
     }
-    table.add(values, 4.0);
+    table.add(values, 5.0);
     table.add(logarithms, 4.0);
     Ok(())
 }
