@@ -7,8 +7,7 @@ mod operation_count;
 
 /// The propositions, by number.
 pub(super) const ENTRIES: &[Entry] = &[
-    Entry::check("proposition-6", "Displacement of the half-space by Fourier transforms")
-        .by(fourier::draw),
+    Entry::check("proposition-6", "The half-space by Fourier transforms").by(fourier::draw),
     Entry::check("proposition-8", "Operations of elimination and of fast products")
         .by(operation_count::draw),
 ];

@@ -22,14 +22,13 @@ pub(super) fn draw() -> FigureResult {
     let right = linspace(0.02, 1.0, 197);
     let left: Vec<f64> = right.iter().rev().map(|x| -x).collect();
     let mut panel = Panel::new(Axis::linear("x"), Axis::linear("displacement"));
-    for (side, at) in [("x < 0", &left), ("x > 0", &right)] {
+    for (labels, at) in [(["u", "w"], &left), (["", ""], &right)] {
         let found = surface(POISSON, at)?;
         let points = |pick: fn(&Displacement) -> f64| {
             at.iter().copied().zip(found.iter().map(pick)).collect::<Vec<(f64, f64)>>()
         };
-        let label = |name: &str| format!("{name}, {side}");
-        panel.add(Series::line(label("u"), points(|d| d.u)).coloured(0));
-        panel.add(Series::dashed(label("w"), points(|d| d.w)).coloured(1));
+        panel.add(Series::line(labels[0], points(|d| d.u)).coloured(0));
+        panel.add(Series::dashed(labels[1], points(|d| d.w)).coloured(1));
     }
     let found = surface(POISSON, &right)?;
     let shrink = 1.0 - 2.0 * POISSON;

@@ -118,15 +118,17 @@ pub(super) fn draw() -> FigureResult {
     }
     claims(&mut figure, &integrated, &sampled, &periodic)?;
     let mut panel = Panel::new(Axis::log("cells along 2a"), Axis::log("largest error of w / w(0)"));
-    for (name, marker, points) in [
+    let curves = [
         ("integrated coefficients (4.29)", Marker::Circle, integrated),
         ("1/r at the centres", Marker::Square, sampled),
         ("(4.29), period not doubled", Marker::Triangle, periodic),
-    ] {
-        panel.add(Series::line(name, points.clone()));
-        panel.add(Series::markers("", marker, points));
+    ];
+    for (colour, (name, marker, points)) in curves.into_iter().enumerate() {
+        panel.add(Series::line(name, points.clone()).coloured(colour));
+        panel.add(Series::markers("", marker, points).coloured(colour));
     }
     figure.panel(panel);
+    waves(&mut figure)?;
     counts(&mut figure);
     figure.deviation(
         "a large number of points is necessary, as 1/r is hard to model by Fourier series",
@@ -179,6 +181,63 @@ fn claims(
         Claim::at_least("without twice the period the error stays", last(periodic), 0.1)
             .source("images of the load"),
     );
+    Ok(())
+}
+
+/// Wave number times width of the load's envelope.
+const WAVES: f64 = 10.0;
+
+/// w at the middle of p = cos(x) exp(-r^2/(2 s^2)), s = `WAVES`: the mean of 1/|k| over the
+/// load's spectrum, a normal distribution about k = 1, by powers of the Laplacian.
+fn wave_exact() -> f64 {
+    let half_variance = 0.5 / (WAVES * WAVES);
+    let (mut term, mut sum) = (1.0, 1.0);
+    for k in 1..6 {
+        let odd = 2.0 * f64::from(k) - 1.0;
+        term *= odd * odd * half_variance / f64::from(k);
+        sum += term;
+    }
+    sum
+}
+
+/// The relative error there with `cells` cells in a wavelength.
+fn wave_error(cells: usize) -> Result<f64, Failure> {
+    let width = 2.0 * PI / cells as f64;
+    let count = 2 * (6.0 * WAVES / width).ceil() as usize + 1;
+    let grid = Grid::new(count, count, width, width)?;
+    let height = |i: usize| {
+        let (x, y) = (grid.centred_x(i % count), grid.centred_y(i / count));
+        libm::cos(x) * libm::exp(-0.5 * (x * x + y * y) / (WAVES * WAVES))
+    };
+    let load = Hertz { grid, pressure: (0..grid.cells()).map(height).collect() };
+    let w = load.displacement(&load.rectangles()?)?;
+    Ok((w[grid.cells() / 2] / wave_exact() - 1.0).abs())
+}
+
+/// How well a single Fourier mode is carried.
+fn waves(figure: &mut Figure) -> Result<(), Failure> {
+    let mut points = Vec::new();
+    for cells in [2, 4, 8, 16, 32] {
+        points.push((cells as f64, wave_error(cells)?));
+    }
+    let order = libm::log(points[2].1 / points[4].1) / libm::log(4.0);
+    figure.claim(
+        Claim::close(
+            "a Fourier mode converges with order 2",
+            order,
+            2.0,
+            Tolerance::Absolute(0.05),
+        )
+        .source("symbol 1/|k| of the half-space, envelope by its moments"),
+    );
+    figure.claim(
+        Claim::at_most("16 cells in a wavelength carry it to 1 %", points[3].1, 0.01)
+            .source("symbol 1/|k| of the half-space, envelope by its moments"),
+    );
+    let axes = (Axis::log("cells in a wavelength"), Axis::log("error of w"));
+    let mut panel = Panel::new(axes.0, axes.1).titled("One Fourier mode");
+    panel.add(Series::line("(4.29)", points));
+    figure.panel(panel);
     Ok(())
 }
 
