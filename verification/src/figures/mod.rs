@@ -2,6 +2,9 @@
 
 use crate::catalogue::Entry;
 
+/// What a part of a figure fails with.
+type Failure = Box<dyn std::error::Error + Send + Sync>;
+
 mod accuracy;
 mod ch03;
 mod ch04;
@@ -16,6 +19,8 @@ mod ch12;
 mod ch13;
 mod ch14;
 mod ch15;
+mod numbers;
+mod propositions;
 
 /// The chapters in order.
 pub(crate) const CHAPTERS: &[&[Entry]] = &[
@@ -32,5 +37,6 @@ pub(crate) const CHAPTERS: &[&[Entry]] = &[
     ch13::ENTRIES,
     ch14::ENTRIES,
     ch15::ENTRIES,
+    propositions::ENTRIES,
     accuracy::ENTRIES,
 ];
