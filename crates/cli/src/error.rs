@@ -1,6 +1,7 @@
 //! What can go wrong in a command, and the exit code for it.
 
 use crate::case::CaseError;
+use crate::command::StepsError;
 use carom_impact::CollisionError;
 use carom_impact::oblique::ObliqueError;
 use carom_plot::PlotError;
@@ -25,6 +26,22 @@ pub enum CliError {
         path: PathBuf,
         /// Why.
         source: CollisionError,
+    },
+    /// A law refuses a value of a case.
+    #[error("{}: {source}", path.display())]
+    Law {
+        /// The case file.
+        path: PathBuf,
+        /// Which value, and what is allowed.
+        source: RangeError,
+    },
+    /// A file of steps says something that cannot be.
+    #[error("{}: {source}", path.display())]
+    Steps {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: StepsError,
     },
     /// The impact could not be followed to its end.
     #[error(transparent)]
@@ -59,7 +76,12 @@ impl CliError {
     pub const fn exit_code(&self) -> u8 {
         match self {
             Self::Collision { source: CollisionError::Oblique(_), .. } => 1,
-            Self::Case { .. } | Self::Collision { .. } | Self::Option(_) | Self::Options(_) => 2,
+            Self::Case { .. }
+            | Self::Collision { .. }
+            | Self::Law { .. }
+            | Self::Steps { .. }
+            | Self::Option(_)
+            | Self::Options(_) => 2,
             Self::Impact(_) | Self::Io { .. } | Self::Format(_) | Self::Plot(_) => 1,
         }
     }

@@ -1,6 +1,6 @@
 //! Bad case files: every error names the field, its value and what is allowed.
 
-use carom_cli::case::{Angles, CaseError, ImpactCase, Mass, Shape};
+use carom_cli::case::{CaseError, ImpactCase, Mass, Numbers, Shape};
 
 const CASE: &str = "\
 [body_1]
@@ -169,11 +169,11 @@ fn an_approach_gives_one_angle_or_a_sweep() {
         let case = ImpactCase::parse(&approach(fields)).unwrap();
         case.approach.unwrap().angles
     };
-    assert_eq!(angles("speed = 3.9\nangle = 45"), Angles::One(45.0));
-    assert_eq!(angles("speed = 3.9\nangle = [5, 85.0]"), Angles::Sweep(vec![5.0, 85.0]));
+    assert_eq!(angles("speed = 3.9\nangle = 45"), Numbers::One(45.0));
+    assert_eq!(angles("speed = 3.9\nangle = [5, 85.0]"), Numbers::Sweep(vec![5.0, 85.0]));
     assert_eq!(
         angles("speed = 3.9\nangle = { start = 0, stop = 90, count = 4 }"),
-        Angles::Sweep(vec![0.0, 30.0, 60.0, 90.0])
+        Numbers::Sweep(vec![0.0, 30.0, 60.0, 90.0])
     );
     let case = ImpactCase::parse(&approach("speed = 2\nangle = 0")).unwrap();
     let approach = case.approach.unwrap();

@@ -138,14 +138,19 @@ fn every_example_runs_in_every_format_and_draws() {
         let path = entry.unwrap().path();
         let plot = fresh(&format!("{}.svg", path.file_stem().unwrap().to_str().unwrap()));
         let case = path.to_str().unwrap();
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let command = match name.split_once('_') {
+            Some((command @ ("hertz" | "history"), _)) => command,
+            _ => "impact",
+        };
         for format in ["table", "json", "csv"] {
-            let arguments = ["impact", case, "--format", format, "--plot", plot.to_str().unwrap()];
+            let arguments = [command, case, "--format", format, "--plot", plot.to_str().unwrap()];
             assert!(!stdout(&arguments).is_empty());
         }
         assert!(std::fs::read_to_string(&plot).unwrap().starts_with("<svg"));
         count += 1;
     }
-    assert!(count >= 4);
+    assert!(count >= 6);
 }
 
 #[test]
@@ -234,4 +239,111 @@ fn files_that_cannot_be_read_or_written_end_with_code_1() {
     let output = carom(&arguments);
     assert_eq!(output.status.code(), Some(1));
     assert!(output.stdout.is_empty());
+}
+
+const SPHERE: &str = "\
+[body_1]
+radii = 0.01
+material = { shear_modulus = 80e9, poisson = 0.25 }
+
+[body_2]
+radii = [inf, inf]
+material = { shear_modulus = 80e9, poisson = 0.25 }
+
+[contact]
+angle = 0
+";
+
+#[test]
+fn hertz_gives_the_circle_of_a_sphere() {
+    let text = SPHERE.to_owned() + "[load]\nforce = { start = 1, stop = 100, count = 3 }\n";
+    let report = json(&["hertz", &case("sphere.toml", &text)]);
+    close(&report["axis_ratio"], 1.0, 1e-15);
+    for load in report["loads"].as_array().unwrap() {
+        let number = |name: &str| load[name].as_f64().unwrap();
+        // a^3 = 3 F R (1 - nu)/(8 G) with the combined G = 40 GPa, a^2 = R zeta.
+        let (force, a) = (number("force"), number("semi_axis_a"));
+        let cube = 3.0 * force * 0.01 * 0.75 / (8.0 * 40e9);
+        assert!((a.powi(3) / cube - 1.0).abs() < 1e-13);
+        assert!((a * a / (0.01 * number("approach")) - 1.0).abs() < 1e-13);
+        let peak = 1.5 * force / (std::f64::consts::PI * a * a);
+        assert!((number("peak_pressure") / peak - 1.0).abs() < 1e-13);
+    }
+}
+
+fn history(name: &str, friction: &str, steps: &str) -> String {
+    let contact = format!("angle = 0\nfriction = {friction}\n[history]\n{steps}\n");
+    case(name, &SPHERE.replace("angle = 0\n", &contact))
+}
+
+#[test]
+fn a_history_slides_at_the_friction_limit_and_remembers() {
+    let steps = "steps = [[1e-6, 0, 0], [1e-6, 1e-5, 0], [1e-6, 9.9e-6, 0], [-1e-6, 0, 0]]";
+    let case = history("slide.toml", "0.3", steps);
+    let rows = json(&["history", &case, "--tractions", "11"]);
+    let number = |row: usize, name: &str| rows[row][name].as_f64().unwrap();
+    assert_eq!(rows[1]["regime"], "sliding");
+    assert!((number(1, "F_x") / (0.3 * number(1, "F_z")) - 1.0).abs() < 1e-14);
+    assert!(number(2, "F_x") < number(1, "F_x") && number(2, "stick_semi_axis_a") > 0.0);
+    assert_eq!(rows[3]["regime"], "separated");
+    assert_eq!(number(3, "F_x"), 0.0);
+    // In gross sliding the traction is f times the pressure.
+    let a = number(1, "semi_axis_a");
+    let peak = 1.5 * number(1, "F_z") / (std::f64::consts::PI * a * a);
+    let centre = rows[1]["tractions"][0]["t_x"].as_f64().unwrap();
+    assert!((centre / (0.3 * peak) - 1.0).abs() < 1e-13);
+}
+
+#[test]
+fn steps_inline_and_in_a_file_are_the_same() {
+    let inline = history("inline.toml", "0.3", "steps = [[1e-6, 0, 0], [2e-6, 1e-7, 3e-7]]");
+    case("steps.csv", "eta,xi,zeta\n0,0,1e-6\n3e-7,1e-7,2e-6\n");
+    let file = history("file.toml", "0.3", "file = \"steps.csv\"");
+    assert_eq!(json(&["history", &inline]), json(&["history", &file]));
+}
+
+#[test]
+fn bad_contacts_end_with_code_2() {
+    for (command, text, expected) in [
+        ("hertz", SPHERE.to_owned(), "`load` is missing"),
+        (
+            "hertz",
+            SPHERE.to_owned() + "[load]\nforce = -1\n",
+            "`load.force` = -1 is out of range: must be finite and > 0",
+        ),
+        (
+            "hertz",
+            SPHERE.to_owned() + "[load]\nforce = 1\napproach = 1e-6\n",
+            "`load.approach` cannot stand beside `load.force`",
+        ),
+        (
+            "hertz",
+            SPHERE.replace("0.01", "0") + "[load]\nforce = 1\n",
+            "`body_1.radii` = 0 is out of range: must be nonzero",
+        ),
+        (
+            "hertz",
+            SPHERE.replace("0.01", "[0.01, inf]") + "[load]\nforce = 1\n",
+            "touch along a line",
+        ),
+        (
+            "history",
+            SPHERE.to_owned() + "friction = 0.3\n[history]\nsteps = [[1, nan, 0]]\n",
+            "`history.steps[0]` = NaN is out of range: must be finite",
+        ),
+        (
+            "history",
+            SPHERE.to_owned() + "friction = 0.3\n[history]\nsteps = [[1, 0]]\n",
+            "must be three numbers",
+        ),
+        ("history", SPHERE.to_owned() + "friction = 0.3\n[history]\n", "`history.file` is missing"),
+    ] {
+        let case = case("bad-contact.toml", &text);
+        let plot = fresh("bad-contact.svg");
+        let output = carom(&[command, &case, "--plot", plot.to_str().unwrap()]);
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{stderr}");
+        assert!(stderr.contains(expected), "{stderr}");
+        assert!(output.stdout.is_empty() && !plot.exists());
+    }
 }

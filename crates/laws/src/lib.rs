@@ -11,6 +11,8 @@ pub mod hertz;
 pub mod law;
 pub mod memory;
 pub mod profile;
+pub mod rigid_slip;
 pub mod shift;
 pub mod shift_law;
 pub mod stiffness;
+pub mod torsion;

@@ -98,7 +98,7 @@ fn read_shape(body: &Section<'_>) -> Result<Shape, CaseError> {
     }
 }
 
-fn read_material(body: &Section<'_>) -> Result<Material, CaseError> {
+pub(super) fn read_material(body: &Section<'_>) -> Result<Material, CaseError> {
     let material = body.section("material", MATERIAL_FIELDS)?;
     if material.switch("rigid")? {
         let others = ["young_modulus", "shear_modulus", "poisson"];

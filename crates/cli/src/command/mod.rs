@@ -1,7 +1,11 @@
 //! The commands, one a file. Each works out an [`Answer`] and writes nothing itself.
 
+mod hertz;
+mod history;
 mod impact;
 mod restitution;
+
+pub use history::StepsError;
 
 use crate::error::CliError;
 use crate::output::Answer;
@@ -21,6 +25,8 @@ pub struct Carom {
 enum Command {
     Impact(impact::Arguments),
     Restitution(restitution::Arguments),
+    Hertz(hertz::Arguments),
+    History(history::Arguments),
 }
 
 /// Works out what the command asks for.
@@ -31,5 +37,7 @@ pub fn run(arguments: &Carom) -> Result<Answer, CliError> {
     match &arguments.command {
         Command::Impact(arguments) => impact::run(arguments),
         Command::Restitution(arguments) => restitution::run(arguments),
+        Command::Hertz(arguments) => hertz::run(arguments),
+        Command::History(arguments) => history::run(arguments),
     }
 }

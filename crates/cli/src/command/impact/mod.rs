@@ -7,7 +7,7 @@ mod view;
 
 use crate::case::ImpactCase;
 use crate::error::CliError;
-use crate::output::{Answer, Format, PlotFile, csv, json};
+use crate::output::{Answer, Format, PlotFile, csv, json, read_case};
 use carom_impact::CollisionError;
 use model::Shot;
 use std::path::PathBuf;
@@ -33,7 +33,7 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let case = read(arguments)?;
+    let case = read_case(&arguments.case, ImpactCase::parse)?;
     let at_fault = |source| CliError::Collision { path: arguments.case.clone(), source };
     let shots = model::shots(&case).map_err(at_fault)?;
     let is_sweep = case.is_sweep();
@@ -62,13 +62,6 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     }
     let plot = arguments.plot.clone().zip(svg).map(|(path, svg)| PlotFile { path, svg });
     Ok(Answer { text, warnings, plot })
-}
-
-fn read(arguments: &Arguments) -> Result<ImpactCase, CliError> {
-    let path = &arguments.case;
-    let source =
-        std::fs::read_to_string(path).map_err(|error| CliError::io("read", path, error))?;
-    ImpactCase::parse(&source).map_err(|source| CliError::Case { path: path.clone(), source })
 }
 
 fn comma_separated(records: &[Record]) -> Result<String, CliError> {

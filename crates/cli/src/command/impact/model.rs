@@ -1,6 +1,6 @@
 //! From a case to the collisions of the library.
 
-use crate::case::{Angles, BodyCase, ImpactCase, Mass, Shape};
+use crate::case::{BodyCase, ImpactCase, Mass, Shape};
 use carom_impact::{Body, Collision, CollisionError, Inertia, Motion};
 use carom_laws::friction::Friction;
 use carom_special::RangeError;
@@ -29,10 +29,11 @@ pub(super) fn shots(case: &ImpactCase) -> Result<Vec<Shot>, CollisionError> {
         let collision = Collision::new(body_1, body_2, friction)?;
         Ok(Shot { angle, before: [body_1.motion(), body_2.motion()], collision })
     };
-    match case.approach.as_ref().map(|approach| &approach.angles) {
+    match &case.approach {
         None => Ok(vec![shot(None)?]),
-        Some(Angles::One(angle)) => Ok(vec![shot(Some(*angle))?]),
-        Some(Angles::Sweep(angles)) => angles.iter().map(|angle| shot(Some(*angle))).collect(),
+        Some(approach) => {
+            approach.angles.as_slice().iter().map(|angle| shot(Some(*angle))).collect()
+        }
     }
 }
 
