@@ -92,9 +92,8 @@ impl LoadedRectangle {
             }
             Piece::Node { x, y, weight } => {
                 let (inverse, direction) = direction(x, y, z);
-                let stress = |force| direction.stress(nu, force);
                 let scale = weight * inverse * inverse / (2.0 * PI);
-                add(&mut sum, UNIT_FORCES.map(stress), scale);
+                add(&mut sum, direction.unit_stresses(nu), scale);
             }
         });
         sum
