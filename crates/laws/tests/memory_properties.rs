@@ -134,7 +134,7 @@ fn bounds<V: Lateral>() {
         let limit = memory.normal_force() * (1.0 + 1e-14);
         assert!(length(memory.force()) <= limit);
         if step % 7 == 0 && zeta > 0.0 {
-            for q in [0.0, 0.3, 0.7, 0.95, 0.999] {
+            for q in [0.0_f64, 0.3, 0.7, 0.95, 0.999] {
                 let bound = (1.0 - q).sqrt() * (1.0 + 1e-12);
                 assert!(length(memory.traction(q)) <= bound, "at {q}");
             }
