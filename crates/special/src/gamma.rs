@@ -9,7 +9,7 @@ use special::Gamma;
 /// ```
 ///
 /// Any real `x`: not a number at negative integers (poles of changing sign), infinite with the sign of
-/// `x` at +-0, overflow above 171.6, 0 far below 0. Within 4 units of 2.2e-16. Source: DLMF 5.2.1.
+/// `x` at +-0, overflow above 171.6, 0 far below 0. Within 5 units of 2.2e-16. Source: DLMF 5.2.1.
 ///
 /// ```
 /// use carom_special::gamma::gamma;

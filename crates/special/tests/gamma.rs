@@ -16,7 +16,7 @@ fn within_a_few_eps_of_the_reference() {
         errors[sign].push(ln_gamma(x), logarithm, 1.0, || x.to_string());
     }
     let names = ["gamma", "1/gamma", "ln gamma, x > 0", "ln gamma, x < 0"];
-    for ((errors, name), bound) in errors.into_iter().zip(names).zip([4.0, 5.0, 4.0, 20.0]) {
+    for ((errors, name), bound) in errors.into_iter().zip(names).zip([5.0, 5.0, 4.0, 20.0]) {
         assert!(errors.report(name) <= bound, "{name}");
     }
 }

@@ -211,7 +211,9 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
             if segment.depth < zeta {
                 let beyond = zeta - end;
                 let d = shift.minus(anchor).minus(segment.slope.times(beyond));
-                if d == V::default() && (beyond <= 0.0 || segment.is_slip()) {
+                // On the segment's line. Beyond its end by round-off only, or in slip: a true
+                // growth along an adhering one is adhesion, not a cut.
+                if d == V::default() {
                     self.recede(zeta, i);
                     return;
                 }
