@@ -3,12 +3,13 @@
 mod ball_under_book;
 mod point_force;
 mod semisphere;
+mod surfaces;
 
 use crate::catalogue::Entry;
 
 /// The tables and figures of the chapter, in order.
 pub(super) const ENTRIES: &[Entry] = &[
-    Entry::figure("3.1", "Surfaces of the two bodies near the contact point"),
+    Entry::figure("3.1", "Surfaces of the two bodies near the contact point").by(surfaces::draw),
     Entry::figure("3.2", "Surface displacements under a normal point force").by(point_force::draw),
     Entry::figure("3.3", "Tangential stress of Cattaneo and Mindlin for several shifts"),
     Entry::figure("3.4", "Displacements under a semispherical tangential traction, ν = 0.5")
