@@ -17,12 +17,14 @@
 //! one-dimensional law on straight paths.
 
 mod adhesion;
+mod batch;
 mod energy;
 mod lateral;
 mod report;
 mod stack;
 
 pub use adhesion::AdhesionMemory;
+pub use batch::{Batch, BatchError};
 pub use lateral::Lateral;
 pub use report::{Segment, Tangent};
 pub use stack::{Fixed, Growing, Vertex, VertexStack};

@@ -20,6 +20,9 @@ use super::rings;
 /// is left and the stack alone is used again.
 const RINGS_END: f64 = 2.5;
 
+/// The part of the radius that a receding step leaves at least while old rings lie outside it.
+const SHORTEST_STEP: f64 = 0.96;
+
 static RULE: LazyLock<GaussLegendre> =
     LazyLock::new(|| GaussLegendre::new(16).unwrap_or_else(|_| unreachable!("16 is an order")));
 
@@ -152,14 +155,30 @@ impl TwistHistory {
             *self = Self { twist, ring_steps: self.ring_steps, ..Self::default() };
             return Ok(0.0);
         }
+        // A long step back passes old rings one after the other.
+        while radius < self.stick && radius < SHORTEST_STEP * self.radius {
+            let part = (1.0 - SHORTEST_STEP) * self.radius / (self.radius - radius);
+            let between = self.twist + part * (twist - self.twist);
+            self.straight_to(SHORTEST_STEP * self.radius, between);
+        }
+        self.straight_to(radius, twist);
+        Ok(self.torque)
+    }
+
+    fn straight_to(&mut self, radius: f64, twist: f64) {
         let (grown, turned) = (radius - self.radius, twist - self.twist);
         if grown > 0.0 && turned.abs() <= grown {
             self.adhere(radius, turned / grown);
         } else if grown != 0.0 || turned != 0.0 {
+            let before = (grown < 0.0 && self.segments.len() > 2).then(|| self.clone());
             self.slip(radius, twist);
+            if let Some(mut before) = before.filter(|_| !self.is_admissible(radius))
+                && before.by_rings(radius, twist)
+            {
+                *self = before;
+            }
         }
         (self.radius, self.twist) = (radius, twist);
-        Ok(self.torque)
     }
 
     /// New area laid down in complete adhesion.
@@ -204,6 +223,13 @@ impl TwistHistory {
             return;
         }
         self.cut(radius, twist, 1.0_f64.copysign(rest), shared);
+    }
+
+    /// Whether torque and rim of a solution at the given radius stay within friction.
+    fn is_admissible(&self, radius: f64) -> bool {
+        let rim = self.segments.last().map_or(0.0, |last| last.density.at(radius));
+        let sticks = self.stick >= radius;
+        self.torque.abs() <= sliding_limit(radius) && !(sticks && rim.abs() > 1.0)
     }
 
     /// The sign of the outermost slip ring, if the contact slips there.

@@ -7,5 +7,6 @@
 pub mod adhesion;
 pub mod ellipse;
 pub mod history;
+pub mod law;
 pub mod lubkin;
 mod rings;
