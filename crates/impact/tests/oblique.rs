@@ -127,3 +127,25 @@ fn histories() {
         }
     }
 }
+
+#[test]
+fn a_short_stop_of_the_slip_is_not_overlooked() {
+    // The slip velocity dips below zero for a moment only: R_x from integrations with a
+    // tolerance of 1e-14 and steps too short to miss it.
+    for (chi, psi) in [(5.4, 1.94), (5.4, 1.95), (5.4, 1.97)] {
+        let impact = ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap();
+        let names: Vec<_> = impact.regimes().map(|regime| regime.name()).collect();
+        assert_eq!(names, ["slide+", "adhesion", "slip-", "slip+", "slip-", "slide+"], "{psi}");
+    }
+}
+
+#[test]
+fn narrow_rings_near_the_neutral_impact() {
+    // chi = 1 is reversible: 1 - R_x is of second order in chi - 1 there and psi has no say.
+    for (chi, psi) in [(1.003071113, 0.3327691), (1.0182472949653802, 0.00450514232668449)] {
+        let impact = ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap();
+        let adhesion = carom_impact::closed_form::restitution_without_slip(chi);
+        let loss = 1.0 - impact.restitution();
+        assert!(loss > 0.0 && loss < 2.0 * (1.0 - adhesion), "{loss:e}");
+    }
+}
