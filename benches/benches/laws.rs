@@ -58,6 +58,7 @@ fn contact_by_contact<V: Lateral, S: VertexStack<V>>(paths: &[Path<V>]) -> V {
     sum
 }
 
+#[expect(clippy::needless_range_loop, reason = "every contact takes a step before the next")]
 fn step_by_step<V: Lateral, S: VertexStack<V>>(
     memories: &mut [Memory<V, S>],
     paths: &[Path<V>],

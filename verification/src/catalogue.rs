@@ -25,6 +25,8 @@ pub enum Kind {
     Figure,
     /// A table.
     Table,
+    /// Not in the thesis: a check of carom itself.
+    Check,
 }
 
 /// Who computes an entry.
@@ -49,6 +51,18 @@ impl Entry {
     #[must_use]
     pub const fn table(id: &'static str, title: &'static str) -> Self {
         Self { id, title, kind: Kind::Table, source: Source::Missing }
+    }
+
+    /// A check of carom itself, beside what the thesis has.
+    #[must_use]
+    pub const fn check(id: &'static str, title: &'static str) -> Self {
+        Self { id, title, kind: Kind::Check, source: Source::Missing }
+    }
+
+    /// Whether the thesis has it.
+    #[must_use]
+    pub const fn is_in_thesis(&self) -> bool {
+        !matches!(self.kind, Kind::Check)
     }
 
     /// Computed by `function`, in well under a second.
@@ -84,11 +98,12 @@ impl Entry {
         matches!(self.source, Source::Slow(_))
     }
 
-    /// `Fig. 5.3` or `Table 13.1`.
+    /// `Fig. 5.3`, `Table 13.1` or `Check accuracy.special`.
     #[must_use]
     pub fn name(&self) -> String {
         match self.kind {
             Kind::Figure => format!("Fig. {}", self.id),
+            Kind::Check => format!("Check {}", self.id),
             Kind::Table => {
                 format!("Table {}", self.id.strip_prefix("table-").unwrap_or(self.id))
             }
@@ -110,7 +125,7 @@ impl Entry {
     }
 }
 
-/// Every table and figure of the thesis, in order.
+/// Every table and figure of the thesis, in order, and the checks of carom itself.
 #[must_use]
 pub fn catalogue() -> Vec<Entry> {
     crate::figures::CHAPTERS.concat()
@@ -126,8 +141,8 @@ mod tests {
         let entries = catalogue();
         let ids: BTreeSet<_> = entries.iter().map(|entry| entry.id).collect();
         assert_eq!(ids.len(), entries.len());
-        let tables = entries.iter().filter(|entry| entry.kind == Kind::Table).count();
-        assert_eq!((entries.len() - tables, tables), (101, 2));
+        let count = |kind| entries.iter().filter(|entry| entry.kind == kind).count();
+        assert_eq!((count(Kind::Figure), count(Kind::Table)), (101, 2));
     }
 
     #[test]

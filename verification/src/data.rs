@@ -32,7 +32,7 @@ pub fn table_csv(table: &Table) -> Result<String, csv::Error> {
     for row in &table.rows {
         writer.write_record(row.iter().map(|cell| match cell {
             Cell::Number(value) => value.to_string(),
-            Cell::Text(text) => text.clone(),
+            Cell::Text(text) | Cell::Remark(text) => text.clone(),
         }))?;
     }
     finish(writer)

@@ -173,6 +173,9 @@ pub enum Cell {
     Number(f64),
     /// Words.
     Text(String),
+    /// Words that the snapshot leaves out, as rounding errors or times, which differ between
+    /// machines.
+    Remark(String),
 }
 
 impl From<f64> for Cell {

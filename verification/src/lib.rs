@@ -45,6 +45,7 @@ pub mod data;
 pub mod figure;
 mod figures;
 pub mod files;
+mod reference;
 pub mod report;
 pub mod run;
 pub mod selection;

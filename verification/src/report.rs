@@ -9,7 +9,7 @@ use crate::statistics::spread;
 use std::fmt::Write as _;
 
 const STYLE: &str = "
-body{font:15px/1.5 Helvetica,Arial,sans-serif;color:#222;background:#fff;max-width:1100px;\
+body{font:15px/1.5 Helvetica,Arial,sans-serif;color:#222;background:#fff;max-width:1300px;\
 margin:2em auto;padding:0 1em}
 h1{font-size:1.6em}h2{font-size:1.25em;margin-top:2.2em;border-top:1px solid #ddd;padding-top:1em}
 h3{font-size:1em;margin-bottom:.3em}
@@ -41,7 +41,8 @@ pub fn html(catalogue: &[Entry], outcomes: &[Outcome]) -> String {
 }
 
 fn summary(page: &mut String, catalogue: &[Entry], outcomes: &[Outcome]) {
-    let done = catalogue.iter().filter(|entry| entry.is_done()).count();
+    let of_thesis = || catalogue.iter().filter(|entry| entry.is_in_thesis());
+    let done = of_thesis().filter(|entry| entry.is_done()).count();
     let passed = outcomes.iter().filter(|outcome| outcome.passes()).count();
     let claims: usize = outcomes.iter().map(|outcome| outcome.score().total).sum();
     let held: usize = outcomes.iter().map(|outcome| outcome.score().passed).sum();
@@ -53,7 +54,7 @@ fn summary(page: &mut String, catalogue: &[Entry], outcomes: &[Outcome]) {
          follow from what it gives) or <em>assumed</em> (our choice). A claim's deviation is \
          given over its tolerance: up to 1 it holds. For a bound it is the part used.</p>",
         outcomes.len(),
-        catalogue.len(),
+        of_thesis().count(),
     );
 }
 
@@ -155,7 +156,7 @@ fn data_table(page: &mut String, table: &Table) {
                 Cell::Number(value) => {
                     write!(page, "<td class=\"number\">{}</td>", number(*value))
                 }
-                Cell::Text(text) => write!(page, "<td>{}</td>", escape(text)),
+                Cell::Text(text) | Cell::Remark(text) => write!(page, "<td>{}</td>", escape(text)),
             };
         }
         page.push_str("</tr>\n");

@@ -162,6 +162,7 @@ fn push_table(lines: &mut Vec<Line>, table: &Table, digits: u8) {
                 Kept::Number { value: *value, step: Step::of(std::iter::once(*value), digits) }
             }
             Cell::Text(text) => Kept::Word(text.clone()),
+            Cell::Remark(_) => Kept::Word("-".to_owned()),
         });
         lines.push(Line::Numbers(cells.collect()));
     }

@@ -89,12 +89,13 @@ fn snapshot(text: &mut String, entry: Entry, comparison: &Comparison) {
 pub fn list(catalogue: &[Entry]) -> String {
     let mut text = String::new();
     let width = catalogue.iter().map(|entry| entry.title.chars().count()).max().unwrap_or(0);
-    for entry in catalogue {
+    let entries = || catalogue.iter().filter(|entry| entry.is_in_thesis());
+    for entry in entries() {
         let state = if entry.is_done() { "done" } else { "missing" };
         let _ = writeln!(text, "{:<12}  {:<width$}  {state}", entry.name(), entry.title);
     }
-    let done = catalogue.iter().filter(|entry| entry.is_done()).count();
-    let _ = writeln!(text, "{done} of {} tables and figures", catalogue.len());
+    let done = entries().filter(|entry| entry.is_done()).count();
+    let _ = writeln!(text, "{done} of {} tables and figures", entries().count());
     text
 }
 

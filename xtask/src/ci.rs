@@ -37,7 +37,7 @@ fn lints() -> anyhow::Result<()> {
 }
 
 fn documentation() -> anyhow::Result<()> {
-    let doc = ["doc", "--workspace", "--no-deps", "--document-private-items", "--release"];
+    let doc = ["doc", "--workspace", "--no-deps", "--release"];
     cargo::run_with(&doc, "RUSTDOCFLAGS", "-D warnings")
 }
 

@@ -8,23 +8,28 @@ use anyhow::{Context as _, bail};
 use std::io::{BufRead as _, BufReader};
 use std::process::Stdio;
 
-/// Runs all tests, then the documentation examples; prints their counts.
+/// Runs all tests and the documentation examples, and prints their counts; the examples run
+/// even if a test fails.
 pub(crate) fn run() -> anyhow::Result<()> {
-    if cargo::has("nextest") {
+    let tests = if cargo::has("nextest") {
         // Prints its own count.
-        cargo::run(&["nextest", "run", "--workspace", "--release"])?;
+        cargo::run(&["nextest", "run", "--workspace", "--release"])
     } else {
         println!("cargo-nextest is not installed: using cargo test");
-        let tests = counted(&["test", "--workspace", "--release", "--lib", "--bins", "--tests"])?;
-        println!("tests: {tests} passed");
-    }
-    let examples = counted(&["test", "--workspace", "--release", "--doc"])?;
-    println!("documentation examples: {examples} passed");
-    Ok(())
+        counted(
+            "tests",
+            &["test", "--workspace", "--release", "--no-fail-fast", "--lib", "--bins", "--tests"],
+        )
+    };
+    let examples = counted(
+        "documentation examples",
+        &["test", "--workspace", "--release", "--no-fail-fast", "--doc"],
+    );
+    tests.and(examples)
 }
 
-/// Calls cargo, passing its output on, and adds up how many tests passed.
-fn counted(arguments: &[&str]) -> anyhow::Result<u64> {
+/// Calls cargo, passing its output on, and prints how many tests passed.
+fn counted(name: &str, arguments: &[&str]) -> anyhow::Result<()> {
     let mut child =
         cargo::command(arguments).stdout(Stdio::piped()).spawn().context("cannot start cargo")?;
     let stdout = child.stdout.take().context("no output of cargo")?;
@@ -35,10 +40,11 @@ fn counted(arguments: &[&str]) -> anyhow::Result<u64> {
         passed += passed_in(&line).unwrap_or(0);
     }
     let status = child.wait()?;
+    println!("{name}: {passed} passed");
     if !status.success() {
         bail!("`cargo {}` failed ({status})", arguments.join(" "));
     }
-    Ok(passed)
+    Ok(())
 }
 
 /// The count in `test result: ok. 3 passed; ...`.

@@ -1,1 +1,49 @@
-//! carom: carom.
+//! **carom**: elastic impact with friction.
+//!
+//! What happens when two elastic bodies touch, slip, stick, twist and rebound, after
+//! J. Jaeger, *Elastic Impact with Friction* (TU Delft, 1992). This crate re-exports the floors,
+//! each of which uses only those below it:
+//!
+//! | floor | module | thesis |
+//! |---|---|---|
+//! | motion | [`impact`] | ch. 8, 9, 10, 15 |
+//! | numbers | [`solver`] | ch. 11-14 |
+//! | laws | [`laws`] | ch. 5-7, 10.5 |
+//! | half-space | [`halfspace`] | ch. 4 |
+//! | special functions | [`special`] | |
+//!
+//! ```
+//! use carom::prelude::*;
+//!
+//! // An alumina ball of 5 mm meets a plate of the same material at 45 degrees with 3.9 m/s.
+//! let alumina = Material::from_young(380e9, 0.23)?;
+//! let ball = Body::sphere(2.5e-3, alumina, 2.618e-4)?
+//!     .moving(Motion::new([2.758, 0.0, -2.758], [0.0; 3])?);
+//! let collision = Collision::new(ball, Body::plane(alumina), Friction::new(0.092)?)?;
+//! let outcome = collision.solve()?;
+//! let rebound = outcome.rebound().ok_or("the bodies approach each other")?;
+//! // Friction slows the ball and spins it up; here it slides throughout.
+//! assert!(rebound.motions[0].velocity.x < 2.758 && rebound.motions[0].spin.y > 0.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
+#![forbid(unsafe_code)]
+
+pub use carom_halfspace as halfspace;
+pub use carom_impact as impact;
+pub use carom_laws as laws;
+pub use carom_solver as solver;
+pub use carom_special as special;
+
+/// The names most programs need.
+pub mod prelude {
+    pub use carom_halfspace::{Material, MaterialPair};
+    pub use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
+    pub use carom_impact::{Body, Collision, Inertia, Motion, Outcome, Rebound, Shape};
+    pub use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
+    pub use carom_laws::ellipse::ContactEllipse;
+    pub use carom_laws::friction::Friction;
+    pub use carom_laws::hertz::Hertz;
+    pub use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+    pub use carom_laws::stiffness::ContactStiffness;
+    pub use carom_special::{AxisRatio, RangeError};
+}

@@ -1,6 +1,9 @@
 //! What can go wrong in a command, and the exit code for it.
 
 use crate::case::CaseError;
+use crate::command::StepsError;
+use carom_impact::CollisionError;
+use carom_impact::oblique::ObliqueError;
 use carom_plot::PlotError;
 use carom_special::RangeError;
 use std::path::{Path, PathBuf};
@@ -16,9 +19,39 @@ pub enum CliError {
         /// What is wrong with it.
         source: CaseError,
     },
+    /// The bodies of a case cannot collide.
+    #[error("{}: {source}", path.display())]
+    Collision {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: CollisionError,
+    },
+    /// A law refuses a value of a case.
+    #[error("{}: {source}", path.display())]
+    Law {
+        /// The case file.
+        path: PathBuf,
+        /// Which value, and what is allowed.
+        source: RangeError,
+    },
+    /// A file of steps says something that cannot be.
+    #[error("{}: {source}", path.display())]
+    Steps {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        source: StepsError,
+    },
+    /// The impact could not be followed to its end.
+    #[error(transparent)]
+    Impact(#[from] ObliqueError),
     /// An option has a value that cannot be.
     #[error("--{0}")]
     Option(#[from] RangeError),
+    /// Options that exclude each other, or the case.
+    #[error("{0}")]
+    Options(&'static str),
     /// A file could not be read or written.
     #[error("cannot {action} {}: {source}", path.display())]
     Io {
@@ -42,8 +75,14 @@ impl CliError {
     #[must_use]
     pub const fn exit_code(&self) -> u8 {
         match self {
-            Self::Case { .. } | Self::Option(_) => 2,
-            Self::Io { .. } | Self::Format(_) | Self::Plot(_) => 1,
+            Self::Collision { source: CollisionError::Oblique(_), .. } => 1,
+            Self::Case { .. }
+            | Self::Collision { .. }
+            | Self::Law { .. }
+            | Self::Steps { .. }
+            | Self::Option(_)
+            | Self::Options(_) => 2,
+            Self::Impact(_) | Self::Io { .. } | Self::Format(_) | Self::Plot(_) => 1,
         }
     }
 

@@ -5,6 +5,12 @@
 //! that has succeeded. Exit code 2 means bad input, 1 a file that cannot be read or written.
 
 pub mod case;
+pub mod command;
 pub mod error;
 pub mod output;
 pub mod range;
+
+/// The examples of the README, run as documentation tests.
+#[cfg(doctest)]
+#[doc = include_str!("../../../README.md")]
+struct Readme;

@@ -3,6 +3,7 @@
 //! A command works out everything first and hands it over as an [`Answer`]; nothing is written
 //! before it has succeeded.
 
+use crate::case::CaseError;
 use crate::error::CliError;
 use comfy_table::{CellAlignment, Table, presets::UTF8_FULL_CONDENSED};
 use serde::Serialize;
@@ -62,6 +63,19 @@ impl Answer {
             }
         }
     }
+}
+
+/// Reads and parses the case file at `path`.
+///
+/// # Errors
+/// If it cannot be read, or says something that cannot be.
+pub fn read_case<T>(
+    path: &Path,
+    parse: impl Fn(&str) -> Result<T, CaseError>,
+) -> Result<T, CliError> {
+    let source =
+        std::fs::read_to_string(path).map_err(|error| CliError::io("read", path, error))?;
+    parse(&source).map_err(|source| CliError::Case { path: path.to_owned(), source })
 }
 
 /// `results` as JSON.

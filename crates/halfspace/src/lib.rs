@@ -5,6 +5,7 @@
 //! | [`Material`], [`MaterialPair`] | elastic constants of a body and of two in contact (4.7) |
 //! | [`PointLoad`] | displacement and stress of Boussinesq and Cerruti (4.1)-(4.5) |
 //! | [`Rectangle`], [`RectangleInfluence`] | the nine coefficients of a loaded cell (4.14), (4.29) |
+//! | [`LoadedRectangle`], [`Stress`] | displacement and stress inside the body under a cell |
 //! | [`Grid`], [`operator`] | products of whole fields by fast convolution (4.13) |
 //!
 //! z points into the body; tractions are those that act on it, pressures are positive in
@@ -15,6 +16,7 @@ mod difference;
 mod gauss;
 mod grid;
 mod influence;
+mod interior;
 mod material;
 pub mod operator;
 mod point_load;
@@ -24,6 +26,7 @@ mod vector;
 
 pub use grid::Grid;
 pub use influence::{Coefficients, RectangleInfluence};
+pub use interior::LoadedRectangle;
 pub use material::{Material, MaterialPair};
 pub use point_load::PointLoad;
 pub use rectangle::{Offset, Rectangle, RectangleIntegrals};

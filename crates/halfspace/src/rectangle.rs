@@ -111,8 +111,7 @@ impl Rectangle {
     /// [`Rectangle::integrals`] of an offset known to be finite.
     pub(crate) fn trusted_integrals(&self, offset: Offset) -> RectangleIntegrals {
         let positive = self.in_first_quadrant(offset.x.abs(), offset.y.abs());
-        let sign_x = 1f64.copysign(offset.x);
-        let sign_y = 1f64.copysign(offset.y);
+        let (sign_x, sign_y) = (sign(offset.x), sign(offset.y));
         RectangleIntegrals {
             xy: sign_x * sign_y * positive.xy,
             log_x: sign_x * positive.log_x,
@@ -159,6 +158,11 @@ impl Rectangle {
             log_y: value * b,
         }
     }
+}
+
+/// The sign of an offset, 0 at 0: there an odd integral vanishes exactly.
+fn sign(offset: f64) -> f64 {
+    if offset == 0.0 { 0.0 } else { 1f64.copysign(offset) }
 }
 
 impl RectangleIntegrals {

@@ -65,6 +65,15 @@ pub struct Traction {
     pub normal: f64,
 }
 
+impl Traction {
+    pub(crate) fn checked(self) -> Result<Self, RangeError> {
+        RangeError::finite("traction x", self.x)?;
+        RangeError::finite("traction y", self.y)?;
+        RangeError::finite("pressure", self.normal)?;
+        Ok(self)
+    }
+}
+
 /// A displacement; `w` is positive into the body.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Displacement {

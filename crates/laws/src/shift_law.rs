@@ -298,7 +298,7 @@ mod tests {
             let (_, tangent, regime) = end(zeta, xi, eta);
             let difference =
                 |i: usize, plus: [f64; 3], minus: [f64; 3]| (plus[i] - minus[i]) / (2.0 * h);
-            for i in 0..3 {
+            for (i, row) in tangent.iter().enumerate() {
                 let numeric = [
                     difference(i, end(zeta, xi + h, eta).0, end(zeta, xi - h, eta).0),
                     difference(i, end(zeta, xi, eta + h).0, end(zeta, xi, eta - h).0),
@@ -306,7 +306,7 @@ mod tests {
                 ];
                 // Sliding reports the tangent of the last instant, not of the whole step.
                 if regime != Regime::Sliding {
-                    for (got, want) in tangent[i].iter().zip(numeric) {
+                    for (got, want) in row.iter().zip(numeric) {
                         assert!((got - want).abs() < 1e-6, "{regime:?} row {i}: {got} {want}");
                     }
                 }

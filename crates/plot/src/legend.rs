@@ -54,7 +54,10 @@ impl<'a> Legend<'a> {
         [(right, top), (left, top), (right, bottom), (left, bottom)]
             .map(|(x, y)| Frame { x, y, width, height })
             .into_iter()
-            .find(|corner| !pixels.iter().any(|pixel| corner.holds(*pixel)))
+            .find(|corner| {
+                let clear = corner.grown(0.5 * PAD);
+                !pixels.iter().any(|pixel| clear.holds(*pixel))
+            })
     }
 
     /// Draws it with its upper left corner at that of `frame`.

@@ -3,7 +3,7 @@
 //!
 //! Knows no mechanics and needs no fonts or system libraries. The SVG has clip paths, true
 //! dash patterns and text, on a light ground, in colours that colour-blind readers tell apart. In labels,
-//! `F_x` and `M_{zS}` carry subscripts.
+//! `F_x` and `F_max` carry subscripts.
 //!
 //! ```
 //! use carom_plot::{Axis, Panel, Series, linspace, render};

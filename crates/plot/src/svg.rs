@@ -42,6 +42,16 @@ pub(crate) struct Frame {
 }
 
 impl Frame {
+    /// The frame with a margin around it.
+    pub(crate) fn grown(self, margin: f64) -> Self {
+        Self {
+            x: self.x - margin,
+            y: self.y - margin,
+            width: self.width + 2.0 * margin,
+            height: self.height + 2.0 * margin,
+        }
+    }
+
     /// Whether the pixel lies inside.
     pub(crate) fn holds(&self, pixel: Pixel) -> bool {
         (self.x..=self.x + self.width).contains(&pixel.x)
@@ -109,7 +119,7 @@ impl Svg {
         let _ = writeln!(self.body, "\" {attributes}/>");
     }
 
-    /// A text, its baseline at the point; `_x` and `_{xy}` are set as subscripts.
+    /// A text, its baseline at the point; `_x` and `_max` are set as subscripts.
     pub(crate) fn text(&mut self, at: Pixel, anchor: Anchor, text: &str, attributes: &str) {
         if text.is_empty() {
             return;
@@ -145,15 +155,13 @@ pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// `F_x` and `M_{zS}` with their subscripts lowered.
+/// `F_x` and `F_max` with their subscripts lowered: a word up to the next sign.
 fn with_subscripts(text: &str) -> String {
     let mut parts = text.split('_');
     let mut marked = parts.next().unwrap_or_default().to_owned();
     for part in parts {
-        let (lowered, rest) = match part.strip_prefix('{').and_then(|part| part.split_once('}')) {
-            Some(split) => split,
-            None => part.split_at(part.chars().next().map_or(0, char::len_utf8)),
-        };
+        let end = part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len());
+        let (lowered, rest) = part.split_at(end);
         let _ = write!(
             marked,
             "<tspan dy=\"0.28em\" font-size=\"75%\">{lowered}</tspan>\

@@ -29,6 +29,38 @@ impl AxisRatio {
         RangeError::positive("axis_ratio", ratio).map(Self)
     }
 
+    /// The axis ratio of the modulus `k = sqrt(1 - (a/b)^2)`, for tables and formulas given by it.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless `modulus` is from 0 to below 1.
+    ///
+    /// ```
+    /// use carom_special::AxisRatio;
+    /// assert_eq!(AxisRatio::from_modulus(0.6)?.get(), 0.8);
+    /// # Ok::<(), carom_special::RangeError>(())
+    /// ```
+    pub fn from_modulus(modulus: f64) -> Result<Self, RangeError> {
+        let holds = (0.0..1.0).contains(&modulus);
+        RangeError::check("modulus", modulus, holds, "from 0 to below 1")?;
+        Ok(Self(((1.0 - modulus) * (1.0 + modulus)).sqrt()))
+    }
+
+    /// The axis ratio of the parameter `m = 1 - (a/b)^2`, negative for a > b.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless `parameter` is finite and below 1.
+    ///
+    /// ```
+    /// use carom_special::AxisRatio;
+    /// assert_eq!(AxisRatio::from_parameter(-3.0)?.get(), 2.0);
+    /// # Ok::<(), carom_special::RangeError>(())
+    /// ```
+    pub fn from_parameter(parameter: f64) -> Result<Self, RangeError> {
+        let holds = parameter.is_finite() && parameter < 1.0;
+        RangeError::check("parameter", parameter, holds, "finite and below 1")?;
+        Ok(Self((1.0 - parameter).sqrt()))
+    }
+
     /// The ratio k' = a/b.
     #[must_use]
     pub const fn get(self) -> f64 {

@@ -9,7 +9,7 @@ use special::Gamma;
 /// ```
 ///
 /// Any real `x`: not a number at negative integers (poles of changing sign), infinite with the sign of
-/// `x` at +-0, overflow above 171.6, 0 far below 0. Within 4 units of 2.2e-16. Source: DLMF 5.2.1.
+/// `x` at +-0, overflow above 171.6, 0 far below 0. Within 5 units of 2.2e-16. Source: DLMF 5.2.1.
 ///
 /// ```
 /// use carom_special::gamma::gamma;
@@ -23,7 +23,7 @@ pub fn gamma(x: f64) -> f64 {
 
 /// 1/gamma(x), an entire function: 0 at 0, -1, -2, ...
 ///
-/// Any real `x` above -170; 0 once gamma overflows. Source: DLMF 5.2.1.
+/// Any real `x` above -170; 0 once gamma overflows. Within 5 units of 2.2e-16. Source: DLMF 5.2.1.
 ///
 /// ```
 /// use carom_special::gamma::reciprocal;
@@ -37,7 +37,8 @@ pub fn reciprocal(x: f64) -> f64 {
 
 /// ln |gamma(x)|.
 ///
-/// Any real `x`; infinite at the poles. Source: DLMF 5.2.1.
+/// Any real `x`; infinite at the poles. Within 4 units of 2.2e-16 for x > 0 and 20 next to the poles,
+/// absolute where it is below 1. Source: DLMF 5.2.1.
 ///
 /// ```
 /// use carom_special::gamma::ln_gamma;

@@ -1,4 +1,17 @@
 //! Floor 1 of carom: special functions and numerical tools. It knows no mechanics.
+//!
+//! | module | what |
+//! |---|---|
+//! | [`elliptic`] | complete K, E, D, B, C and incomplete F, E, D of the axis ratio |
+//! | [`hypergeometric`] | 2F1 and 3F2(s, a, b; s + 1, c) on the unit interval |
+//! | [`gamma`] | gamma, its reciprocal and its logarithm |
+//! | [`quadrature`] | Gauss-Legendre, adaptive Gauss-Kronrod, tanh-sinh |
+//! | [`roots`] | Brent's method in a bracket |
+//! | [`ode`] | ordinary differential equations with dense output |
+//!
+//! Arguments are types that keep full accuracy at both ends of their range: [`AxisRatio`] instead of
+//! the modulus, [`elliptic::Amplitude`] instead of the angle, [`hypergeometric::UnitArgument`], which
+//! knows x and 1 - x. Transcendental functions come from `libm`: the same digits on every machine.
 #![forbid(unsafe_code)]
 
 pub mod elliptic;
@@ -12,4 +25,4 @@ mod axis_ratio;
 mod error;
 
 pub use axis_ratio::AxisRatio;
-pub use error::RangeError;
+pub use error::{RangeError, Readable};

@@ -31,3 +31,25 @@ fn within_four_eps_of_the_reference() {
         assert!(errors.report(name) <= 4.0, "{name}");
     }
 }
+
+/// References given by axis ratio (kind 0), modulus (1) and negative parameter (2).
+#[test]
+fn the_argument_may_be_a_modulus_or_a_parameter() {
+    type Function = fn(AxisRatio) -> f64;
+    let functions: [Function; 5] =
+        [complete::k, complete::e, complete::d, complete::b, complete::c];
+    let mut errors = Errors::default();
+    for row in Table::read("complete_by_argument.csv").rows() {
+        let constructors = [AxisRatio::new, AxisRatio::from_modulus, AxisRatio::from_parameter];
+        let ratio = constructors[row[0] as usize](row[1]);
+        if row[2].is_infinite() {
+            assert!(ratio.is_err());
+            continue;
+        }
+        let ratio = ratio.expect("in range");
+        for (function, reference) in functions.into_iter().zip(&row[2..]) {
+            errors.push(function(ratio), *reference, 0.0, || format!("{row:?}"));
+        }
+    }
+    assert!(errors.report("by argument") <= 4.0);
+}

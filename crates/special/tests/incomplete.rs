@@ -28,3 +28,16 @@ fn within_eight_eps_of_the_reference() {
         assert!(errors.report(name) <= 8.0, "{name}");
     }
 }
+
+#[test]
+fn the_arguments_may_be_an_angle_and_a_modulus() {
+    let mut errors = Errors::default();
+    for row in Table::read("incomplete_by_modulus.csv").rows() {
+        let &[phi, modulus, f, e] = row else { panic!("four columns") };
+        let amplitude = Amplitude::from_angle(phi).expect("in range");
+        let ratio = AxisRatio::from_modulus(modulus).expect("in range");
+        errors.push(incomplete::f(ratio, amplitude), f, 0.0, || format!("F {row:?}"));
+        errors.push(incomplete::e(ratio, amplitude), e, 0.0, || format!("E {row:?}"));
+    }
+    assert!(errors.report("by angle and modulus") <= 8.0);
+}

@@ -1,14 +1,19 @@
 //! Chapter 3: survey of the theories.
 
+mod ball_under_book;
+mod point_force;
+mod semisphere;
+
 use crate::catalogue::Entry;
 
 /// The tables and figures of the chapter, in order.
 pub(super) const ENTRIES: &[Entry] = &[
     Entry::figure("3.1", "Surfaces of the two bodies near the contact point"),
-    Entry::figure("3.2", "Surface displacements under a normal point force"),
+    Entry::figure("3.2", "Surface displacements under a normal point force").by(point_force::draw),
     Entry::figure("3.3", "Tangential stress of Cattaneo and Mindlin for several shifts"),
-    Entry::figure("3.4", "Displacements under a semispherical tangential traction, ν = 0.5"),
+    Entry::figure("3.4", "Displacements under a semispherical tangential traction, ν = 0.5")
+        .by(semisphere::draw),
     Entry::figure("3.5", "Tangential force for a diagonal shift of a slender contact, ν = 0.5"),
     Entry::figure("3.6", "Normal, tangential and torsional impact"),
-    Entry::figure("3.7", "A rubber ball between table and book"),
+    Entry::figure("3.7", "A rubber ball between table and book").by(ball_under_book::draw),
 ];

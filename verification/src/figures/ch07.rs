@@ -1,11 +1,14 @@
 //! Chapter 7: load histories with varying direction.
 
+mod ellipsoid_traction;
+mod oblique_impact;
+
 use crate::catalogue::Entry;
 
 /// The tables and figures of the chapter, in order.
 pub(super) const ENTRIES: &[Entry] = &[
-    Entry::figure("7.1", "Shifts against time for the oblique impact"),
-    Entry::figure("7.2", "Functions Γ, Φ, Ψ, Θ of the ellipse"),
+    Entry::figure("7.1", "Shifts against time for the oblique impact").by(oblique_impact::draw),
+    Entry::figure("7.2", "Functions Γ, Φ, Ψ, Θ of the ellipse").by(ellipsoid_traction::draw),
     Entry::figure("7.3", "Stress distribution of two shifts with different directions"),
     Entry::figure("7.4", "Circle of instantaneous adhesion"),
     Entry::figure("7.5", "Reflection of the slip direction"),

@@ -2,6 +2,10 @@
 
 use crate::catalogue::Entry;
 
+/// What a part of a figure fails with.
+type Failure = Box<dyn std::error::Error + Send + Sync>;
+
+mod accuracy;
 mod ch03;
 mod ch04;
 mod ch05;
@@ -15,6 +19,8 @@ mod ch12;
 mod ch13;
 mod ch14;
 mod ch15;
+mod numbers;
+mod propositions;
 
 /// The chapters in order.
 pub(crate) const CHAPTERS: &[&[Entry]] = &[
@@ -31,4 +37,6 @@ pub(crate) const CHAPTERS: &[&[Entry]] = &[
     ch13::ENTRIES,
     ch14::ENTRIES,
     ch15::ENTRIES,
+    propositions::ENTRIES,
+    accuracy::ENTRIES,
 ];

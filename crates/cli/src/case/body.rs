@@ -5,6 +5,7 @@ use super::range::Range;
 use super::section::{Section, Words};
 use carom_halfspace::Material;
 use carom_special::RangeError;
+use std::f64::consts::PI;
 
 const FIELDS: &[&str] =
     &["shape", "radius", "material", "density", "mass", "fixed", "velocity", "spin"];
@@ -43,9 +44,7 @@ pub enum Shape {
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Mass {
     /// In kg; may be infinite.
-    Mass(f64),
-    /// From the density of a solid sphere, kg/m3.
-    Density(f64),
+    Given(f64),
     /// Infinitely heavy and at rest.
     Fixed,
 }
@@ -55,8 +54,7 @@ impl Mass {
     #[must_use]
     pub fn is_infinite(self) -> bool {
         match self {
-            Self::Mass(mass) => mass.is_infinite(),
-            Self::Density(_) => false,
+            Self::Given(mass) => mass.is_infinite(),
             Self::Fixed => true,
         }
     }
@@ -100,7 +98,7 @@ fn read_shape(body: &Section<'_>) -> Result<Shape, CaseError> {
     }
 }
 
-fn read_material(body: &Section<'_>) -> Result<Material, CaseError> {
+pub(super) fn read_material(body: &Section<'_>) -> Result<Material, CaseError> {
     let material = body.section("material", MATERIAL_FIELDS)?;
     if material.switch("rigid")? {
         let others = ["young_modulus", "shear_modulus", "poisson"];
@@ -137,14 +135,24 @@ fn read_mass(body: &Section<'_>, shape: Shape) -> Result<Mass, CaseError> {
     match given.as_slice() {
         [] => Err(body.missing("mass", MASS)),
         [one, other, ..] => Err(body.conflict(other, one, "give one of them")),
-        ["density"] if shape == Shape::Plane => {
-            Err(body.conflict("density", "shape", "a plane has no volume; give its `mass`"))
-        }
-        ["density"] => Ok(Mass::Density(body.number("density", Range::Positive)?)),
-        ["mass"] => Ok(Mass::Mass(body.number("mass", Range::PositiveOrInfinite)?)),
+        ["density"] => read_density(body, shape),
+        ["mass"] => Ok(Mass::Given(body.number("mass", Range::PositiveOrInfinite)?)),
         _ if body.switch("fixed")? => Ok(Mass::Fixed),
         _ => Err(body.missing("mass", MASS)),
     }
+}
+
+fn read_density(body: &Section<'_>, shape: Shape) -> Result<Mass, CaseError> {
+    let density = body.number("density", Range::Positive)?;
+    let Shape::Sphere { radius } = shape else {
+        return Err(body.conflict("density", "shape", "a plane has no volume; give its `mass`"));
+    };
+    let mass = density * (4.0 / 3.0 * PI * radius * radius * radius);
+    if !(mass.is_finite() && mass > 0.0) {
+        let allowed = "such that the mass of the sphere is finite and > 0";
+        return Err(body.out_of_range("density", density, allowed));
+    }
+    Ok(Mass::Given(mass))
 }
 
 fn read_velocity(

@@ -1,5 +1,7 @@
 //! What can be wrong with a case file. Each message names the field and what is allowed.
 
+use carom_laws::curvature::CurvatureError;
+
 /// What is wrong with a case file.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum CaseError {
@@ -46,7 +48,7 @@ pub enum CaseError {
         allowed: String,
     },
     /// A number out of its range.
-    #[error("line {line}: `{field}` = {value} is out of range: must be {allowed}")]
+    #[error("line {line}: `{field}` = {} is out of range: must be {allowed}", carom_special::Readable(*value))]
     Range {
         /// The field with its path.
         field: String,
@@ -69,4 +71,7 @@ pub enum CaseError {
         /// Why.
         reason: &'static str,
     },
+    /// The surfaces make no elliptical contact.
+    #[error("`body_1.radii`, `body_2.radii`: {0}")]
+    Curvature(CurvatureError),
 }

@@ -6,9 +6,8 @@
 use super::body::{BodyCase, Mass, Motion, Shape};
 use super::error::CaseError;
 use super::range::Range;
-use super::section::{Section, line_at};
+use super::section::{Numbers, Section, parse};
 use carom_halfspace::MaterialPair;
-use toml::de::DeTable;
 
 const FIELDS: &[&str] = &["body_1", "body_2", "contact", "approach"];
 
@@ -31,16 +30,7 @@ pub struct Approach {
     /// Speed, m/s.
     pub speed: f64,
     /// Angles from the normal, degrees; the tangential velocity is along +x.
-    pub angles: Angles,
-}
-
-/// Angles of incidence, degrees from the normal.
-#[derive(Debug, Clone, PartialEq)]
-pub enum Angles {
-    /// One impact.
-    One(f64),
-    /// A sweep.
-    Sweep(Vec<f64>),
+    pub angles: Numbers,
 }
 
 impl Approach {
@@ -57,16 +47,20 @@ impl Approach {
 }
 
 impl ImpactCase {
+    /// Whether it asks for several impacts.
+    #[must_use]
+    pub fn is_sweep(&self) -> bool {
+        let angles = self.approach.as_ref().map(|approach| &approach.angles);
+        matches!(angles, Some(Numbers::Sweep(_)))
+    }
+
     /// Reads a case from the text of its file.
     ///
     /// # Errors
     /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
     /// with another.
     pub fn parse(source: &str) -> Result<Self, CaseError> {
-        let table = DeTable::parse(source).map_err(|error| CaseError::Syntax {
-            line: line_at(source, error.span().map_or(0, |span| span.start)),
-            message: error.message().to_owned(),
-        })?;
+        let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let motion = if case.has("approach") { Motion::Approach } else { Motion::Velocity };
         let body_1 = BodyCase::read(&case, "body_1", motion)?;
@@ -101,20 +95,6 @@ fn check_pair(case: &Section<'_>, body_1: &BodyCase, body_2: &BodyCase) -> Resul
 fn read_approach(case: &Section<'_>) -> Result<Approach, CaseError> {
     let approach = case.section("approach", &["speed", "angle"])?;
     let speed = approach.number("speed", Range::NonNegative)?;
-    let angles = if approach.is_list("angle") {
-        Angles::Sweep(approach.list("angle", Range::Incidence)?)
-    } else if approach.is_table("angle") {
-        Angles::Sweep(read_range(&approach)?)
-    } else {
-        Angles::One(approach.number("angle", Range::Incidence)?)
-    };
+    let angles = approach.numbers("angle", Range::Incidence)?;
     Ok(Approach { speed, angles })
-}
-
-fn read_range(approach: &Section<'_>) -> Result<Vec<f64>, CaseError> {
-    let range = approach.section("angle", &["start", "stop", "count"])?;
-    let start = range.number("start", Range::Incidence)?;
-    let stop = range.number("stop", Range::Incidence)?;
-    let count = range.number("count", Range::Count)?;
-    Ok(carom_plot::linspace(start, stop, count as usize))
 }

@@ -3,11 +3,17 @@
 
 mod body;
 mod error;
+mod hertz;
+mod history;
 mod impact;
+mod pair;
 mod range;
 mod section;
 
 pub use body::{BodyCase, Mass, Shape};
 pub use error::CaseError;
-pub use impact::{Angles, Approach, ImpactCase};
+pub use hertz::{Given, HertzCase};
+pub use history::{HistoryCase, Steps};
+pub use impact::{Approach, ImpactCase};
 pub use range::Range;
+pub use section::Numbers;

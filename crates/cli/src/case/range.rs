@@ -15,6 +15,8 @@ pub enum Range {
     NonNegativeOrInfinite,
     /// A Poisson's ratio.
     Poisson,
+    /// A principal radius.
+    Radius,
     /// Degrees from the normal.
     Incidence,
     /// A number of values.
@@ -35,6 +37,7 @@ impl Range {
             Self::NonNegative => value.is_finite() && value >= 0.0,
             Self::NonNegativeOrInfinite => value >= 0.0,
             Self::Poisson => value > -1.0 && value <= 0.5,
+            Self::Radius => value != 0.0 && !value.is_nan(),
             Self::Incidence => (0.0..=90.0).contains(&value),
             Self::Count => (2.0..=MOST).contains(&value) && value.fract() == 0.0,
         }
@@ -50,6 +53,7 @@ impl Range {
             Self::NonNegative => "finite and >= 0",
             Self::NonNegativeOrInfinite => ">= 0 (inf is allowed)",
             Self::Poisson => "in (-1, 0.5]",
+            Self::Radius => "nonzero (inf: straight, negative: hollow)",
             Self::Incidence => "in [0, 90], degrees from the normal",
             Self::Count => "a whole number from 2 to 1000000",
         }

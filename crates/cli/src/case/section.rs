@@ -151,16 +151,72 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// Whether the field is there and a list.
-    #[must_use]
-    pub fn is_list(&self, name: &str) -> bool {
-        self.find(name).is_some_and(|value| value.get_ref().is_array())
+    /// One number in `range`, a list of them, or `{ start, stop, count }`.
+    ///
+    /// # Errors
+    /// If it is missing, of another kind, or a number is out of range.
+    pub fn numbers(&self, name: &str, range: Range) -> Result<Numbers, CaseError> {
+        match self.find(name).map(Spanned::get_ref) {
+            Some(DeValue::Array(_)) => self.list(name, range).map(Numbers::Sweep),
+            Some(DeValue::Table(_)) => self.spaced(name, range).map(Numbers::Sweep),
+            _ => self.number(name, range).map(Numbers::One),
+        }
     }
 
-    /// Whether the field is there and a table.
-    #[must_use]
-    pub fn is_table(&self, name: &str) -> bool {
-        self.find(name).is_some_and(|value| value.get_ref().is_table())
+    fn spaced(&self, name: &str, range: Range) -> Result<Vec<f64>, CaseError> {
+        let table = self.section(name, &["start", "stop", "count"])?;
+        let start = table.number("start", range)?;
+        let stop = table.number("stop", range)?;
+        let count = table.number("count", Range::Count)?;
+        Ok(carom_plot::linspace(start, stop, count as usize))
+    }
+
+    /// Rows of three numbers in `range`, at least one row.
+    ///
+    /// # Errors
+    /// If they are missing, of another kind, or a number is out of range.
+    pub fn rows(&self, name: &str, range: Range) -> Result<Vec<[f64; 3]>, CaseError> {
+        let allowed = "a list of rows, each of three numbers";
+        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
+        match value.get_ref() {
+            DeValue::Array(rows) if rows.iter().next().is_some() => rows
+                .iter()
+                .enumerate()
+                .map(|(i, row)| self.triple(&format!("{name}[{i}]"), row, range))
+                .collect(),
+            _ => Err(self.kind(name, value, allowed)),
+        }
+    }
+
+    fn triple(
+        &self,
+        name: &str,
+        value: &Spanned<DeValue<'_>>,
+        range: Range,
+    ) -> Result<[f64; 3], CaseError> {
+        match value.get_ref() {
+            DeValue::Array(items) => match items.iter().collect::<Vec<_>>().as_slice() {
+                [a, b, c] => Ok([
+                    self.as_number(name, a, range)?,
+                    self.as_number(name, b, range)?,
+                    self.as_number(name, c, range)?,
+                ]),
+                _ => Err(self.kind(name, value, "three numbers")),
+            },
+            _ => Err(self.kind(name, value, "three numbers")),
+        }
+    }
+
+    /// A text.
+    ///
+    /// # Errors
+    /// If it is missing or no text.
+    pub fn text(&self, name: &str, allowed: &'static str) -> Result<&'a str, CaseError> {
+        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
+        match value.get_ref() {
+            DeValue::String(text) => Ok(text),
+            _ => Err(self.kind(name, value, allowed)),
+        }
     }
 
     /// The error that `name` is missing.
@@ -233,6 +289,37 @@ impl<'a> Section<'a> {
     }
 }
 
+/// The text of a case file as TOML.
+///
+/// # Errors
+/// If it is not.
+pub(super) fn parse(source: &str) -> Result<Spanned<DeTable<'_>>, CaseError> {
+    DeTable::parse(source).map_err(|error| CaseError::Syntax {
+        line: line_at(source, error.span().map_or(0, |span| span.start)),
+        message: error.message().to_owned(),
+    })
+}
+
+/// One number, or those of a sweep.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Numbers {
+    /// One.
+    One(f64),
+    /// A sweep.
+    Sweep(Vec<f64>),
+}
+
+impl Numbers {
+    /// The numbers in order.
+    #[must_use]
+    pub fn as_slice(&self) -> &[f64] {
+        match self {
+            Self::One(number) => std::slice::from_ref(number),
+            Self::Sweep(numbers) => numbers,
+        }
+    }
+}
+
 /// Words among which a field chooses.
 #[derive(Debug, Clone, Copy)]
 pub struct Words {
@@ -254,7 +341,7 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
 }
 
 /// The line, from 1, of the byte at `offset`.
-pub(super) fn line_at(source: &str, offset: usize) -> usize {
+fn line_at(source: &str, offset: usize) -> usize {
     1 + source.bytes().take(offset).filter(|byte| *byte == b'\n').count()
 }
 

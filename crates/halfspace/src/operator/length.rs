@@ -33,11 +33,11 @@ pub fn transform_length(cells: usize) -> usize {
     best.0
 }
 
-/// Relative time of a transform: points times the weighted sum of the factors.
+/// Relative time of a transform: points times the weighted sum of the factors, measured.
 fn cost(length: usize) -> f64 {
     let mut rest = length;
     let mut weight = 0.0;
-    for (prime, factor_cost) in [(2, 1.0), (3, 1.7), (5, 3.0), (7, 4.2)] {
+    for (prime, factor_cost) in [(2, 1.0), (3, 1.9), (5, 4.0), (7, 4.5)] {
         while rest.is_multiple_of(prime) {
             rest /= prime;
             weight += factor_cost;
@@ -47,7 +47,7 @@ fn cost(length: usize) -> f64 {
 }
 
 /// Work a point outside the transform (copies, transposition, product) in units of a factor 2.
-const OVERHEAD: f64 = 6.0;
+const OVERHEAD: f64 = 4.0;
 
 /// The lengths of a grid and of its padded transforms.
 #[derive(Debug, Clone, Copy)]

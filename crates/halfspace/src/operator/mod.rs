@@ -7,6 +7,7 @@
 
 mod error;
 mod field;
+mod interior;
 mod length;
 mod memory;
 mod plan;
@@ -19,6 +20,7 @@ mod workspace;
 
 pub use error::OperatorError;
 pub use field::{Axis, DisplacementField, TractionField};
+pub use interior::{InteriorStress, StressField};
 pub use length::transform_length;
 pub use plan::Threads;
 pub use table::{Blocks, CoefficientTable};

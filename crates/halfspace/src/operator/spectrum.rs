@@ -13,6 +13,10 @@ pub(crate) enum Parity {
 }
 
 impl Parity {
+    pub(crate) const fn odd_if(odd: bool) -> Self {
+        if odd { Self::Odd } else { Self::Even }
+    }
+
     const fn sign(self) -> f64 {
         match self {
             Self::Even => 1.0,

@@ -145,7 +145,7 @@ impl ObliqueImpact {
     ) -> Result<Self, ObliqueError> {
         let mut walk = Walk::new(groups, recorder);
         let velocity = walk.run()?;
-        Ok(Self { groups, restitution: -velocity, phases: walk.phases })
+        Ok(Self { groups, restitution: 0.0 - velocity, phases: walk.phases })
     }
 
     /// The groups it was made with.

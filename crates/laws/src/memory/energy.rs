@@ -56,7 +56,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         for i in (0..self.stack.len()).rev() {
             let base = self.stack.get(i);
             if path.start < 1.0 {
-                let line = Line { end, anchor, slope: base.slope, curb: base.curb };
+                let line =
+                    Line { base: base.depth, end, anchor, slope: base.slope, curb: base.curb };
                 let exit = path.exit(base.depth, base.anchor);
                 sum = sum.plus(path.integrate(exit, &self.profile, |path, t| path.ring(t, &line)));
                 path.start = exit;
@@ -102,6 +103,7 @@ struct Path<V> {
 
 /// A segment seen from its upper end.
 struct Line<V> {
+    base: f64,
     end: f64,
     anchor: V,
     slope: V,
@@ -133,12 +135,12 @@ impl<V: Lateral> Path<V> {
     /// The ring that cuts a segment.
     fn ring(&self, t: f64, line: &Line<V>) -> Ring<V> {
         let zeta = self.depth(t);
-        let beyond = zeta - line.end;
+        let (length, beyond) = (zeta - line.base, zeta - line.end);
         let d = self.at(t).minus(line.anchor).minus(line.slope.times(beyond));
         let reach = if d == V::default() {
             beyond.max(0.0)
         } else {
-            V::reach(d, line.slope, line.curb, zeta).unwrap_or(zeta).max(beyond)
+            V::reach(d, line.slope, line.curb, length).unwrap_or(length).max(beyond)
         };
         let slope = V::slip_slope(d, line.slope, reach);
         let closing = 1.0 - slope.dot(line.slope);

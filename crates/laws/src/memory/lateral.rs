@@ -126,8 +126,8 @@ impl Lateral for f64 {
     }
 
     #[inline]
-    fn slip_slope(d: Self, _m: Self, _r: f64) -> Self {
-        1.0_f64.copysign(d)
+    fn slip_slope(d: Self, m: Self, r: f64) -> Self {
+        1.0_f64.copysign(d + m * r)
     }
 
     #[inline]

@@ -17,12 +17,14 @@
 //! one-dimensional law on straight paths.
 
 mod adhesion;
+mod batch;
 mod energy;
 mod lateral;
 mod report;
 mod stack;
 
 pub use adhesion::AdhesionMemory;
+pub use batch::{Batch, BatchError};
 pub use lateral::Lateral;
 pub use report::{Segment, Tangent};
 pub use stack::{Fixed, Growing, Vertex, VertexStack};
@@ -209,7 +211,9 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
             if segment.depth < zeta {
                 let beyond = zeta - end;
                 let d = shift.minus(anchor).minus(segment.slope.times(beyond));
-                if d == V::default() && (beyond <= 0.0 || segment.is_slip()) {
+                // On the segment's line. Beyond its end by round-off only, or in slip: a true
+                // growth along an adhering one is adhesion, not a cut.
+                if d == V::default() {
                     self.recede(zeta, i);
                     return;
                 }
@@ -227,11 +231,12 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
 
     /// Nothing slips: the point stays on segment i, or on a slip segment i produced.
     fn recede(&mut self, zeta: f64, i: usize) {
-        self.stack.truncate(i + 1);
-        if zeta != self.zeta {
-            let in_ring = self.stack.get(i).is_slip();
-            self.finish(zeta, if in_ring { Regime::Slip } else { Regime::Release });
+        if zeta == self.zeta && i + 1 == self.stack.len() {
+            return; // not a step at all
         }
+        self.stack.truncate(i + 1);
+        let in_ring = self.stack.get(i).is_slip();
+        self.finish(zeta, if in_ring { Regime::Slip } else { Regime::Release });
     }
 
     /// The slip ring that ends on segment i, `reach` deep.

@@ -65,7 +65,10 @@ impl Gauss {
     /// # Errors
     /// [`RangeError`] unless all are finite, from -5 to 5, and `c` is not 0, -1, -2, ...
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self, HypergeometricError> {
-        let excess = check(a, b, c)?;
+        check(a, b, c)?;
+        // The function is symmetric in a and b, and so are its digits.
+        let (a, b) = (a.min(b), a.max(b));
+        let excess = c - a - b;
         let end = if is_pole(a) || is_pole(b) {
             End::Polynomial
         } else if (excess - libm::round(excess)).abs() < NEAR_INTEGER {
@@ -195,13 +198,13 @@ pub fn gauss(a: f64, b: f64, c: f64, argument: UnitArgument) -> Result<f64, Hype
     Gauss::new(a, b, c)?.at(argument)
 }
 
-/// `c - a - b` of parameters in range.
-fn check(a: f64, b: f64, c: f64) -> Result<f64, RangeError> {
+/// Whether the parameters are in range.
+fn check(a: f64, b: f64, c: f64) -> Result<(), RangeError> {
     for (field, value) in [("a", a), ("b", b), ("c", c)] {
         RangeError::check(field, value, value.abs() <= LARGEST_PARAMETER, "from -5 to 5")?;
     }
     RangeError::check("c", c, !is_pole(c), "no pole: not 0, -1, -2, ...")?;
-    Ok(c - a - b)
+    Ok(())
 }
 
 /// `x - y` rounded, and what rounding took from it.

@@ -292,8 +292,8 @@ mod tests {
                 worst = worst.max((energy + 0.5).abs());
             }
         }
-        for n in 0..4 {
-            assert!((walk.y()[n] - start[n]).abs() < 3e-11, "{:?}", walk.y());
+        for (end, begin) in walk.y().iter().zip(start) {
+            assert!((end - begin).abs() < 3e-11, "{:?}", walk.y());
         }
         assert!(worst < 1e-10, "{worst}");
     }

@@ -1,0 +1,63 @@
+//! The case file of `carom history`.
+
+use super::error::CaseError;
+use super::pair;
+use super::range::Range;
+use super::section::{Section, parse};
+use carom_laws::hertz::Hertz;
+use carom_laws::law::Shift;
+use std::path::PathBuf;
+
+const FIELDS: &[&str] = &["body_1", "body_2", "contact", "history"];
+const FILE: &str = "the name of a CSV file with the columns zeta, xi, eta (or give `steps`)";
+
+/// A contact and the shifts it goes through.
+#[derive(Debug, Clone, PartialEq)]
+pub struct HistoryCase {
+    /// The contact.
+    pub hertz: Hertz,
+    /// Coefficient of friction; infinite for no slip.
+    pub friction: f64,
+    /// The shifts.
+    pub steps: Steps,
+}
+
+/// Where the shifts are given.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Steps {
+    /// In the case file.
+    Inline(Vec<Shift>),
+    /// In a CSV file, relative to the case file.
+    File(PathBuf),
+}
+
+impl HistoryCase {
+    /// Reads a case from the text of its file.
+    ///
+    /// # Errors
+    /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
+    /// with another.
+    pub fn parse(source: &str) -> Result<Self, CaseError> {
+        let table = parse(source)?;
+        let case = Section::root(source, table.get_ref(), FIELDS)?;
+        let contact = case.section("contact", &["angle", "friction"])?;
+        let hertz = pair::read(&case, &contact)?;
+        let friction = contact.number("friction", Range::NonNegativeOrInfinite)?;
+        let history = case.section("history", &["steps", "file"])?;
+        let steps = if history.has("steps") {
+            if history.has("file") {
+                return Err(history.conflict("file", "steps", "give one of them"));
+            }
+            let rows = history.rows("steps", Range::Finite)?;
+            Steps::Inline(rows.into_iter().map(shift).collect())
+        } else {
+            Steps::File(history.text("file", FILE)?.into())
+        };
+        Ok(Self { hertz, friction, steps })
+    }
+}
+
+/// The shift of a row zeta, xi, eta.
+fn shift([zeta, xi, eta]: [f64; 3]) -> Shift {
+    Shift { zeta, xi, eta, omega: 0.0 }
+}

@@ -1,0 +1,110 @@
+//! `carom history`: loads of a contact along a history of shifts.
+
+mod plot;
+mod steps;
+mod view;
+
+pub use steps::StepsError;
+
+use crate::case::{HistoryCase, Steps};
+use crate::error::CliError;
+use crate::output::{Answer, Format, PlotFile, csv, json, read_case, short, table};
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw as _, Shift};
+use carom_laws::shift_law::ShiftLaw;
+use carom_laws::stiffness::ContactStiffness;
+use std::path::{Path, PathBuf};
+use view::Step;
+
+/// Loads of a contact along a history of shifts, with memory.
+///
+/// The file is TOML in SI units, its steps inline or in a CSV file; see examples/history_*.toml.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// The case file.
+    #[arg(value_name = "CASE.toml")]
+    case: PathBuf,
+    /// Format of the results.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// Draw loads and stick area into this file, as SVG.
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// Give the tangential traction after each step at this many radii, from the centre to the
+    /// edge.
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    tractions: Option<u32>,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+    let path = &arguments.case;
+    let case = read_case(path, HistoryCase::parse)?;
+    let shifts = match &case.steps {
+        Steps::Inline(shifts) => shifts.clone(),
+        Steps::File(name) => steps::read(&path.parent().unwrap_or(Path::new("")).join(name))?,
+    };
+    let history = follow(&case, &shifts, arguments)?;
+    let text = match arguments.format {
+        Format::Json => json(&history)?,
+        Format::Csv if arguments.tractions.is_some() => {
+            csv(&view::TRACTION_HEADS, &view::traction_cells(&history, |value| value.to_string()))?
+        }
+        Format::Csv => csv(&view::HEADS, &view::cells(&history, |value| value.to_string()))?,
+        Format::Table => {
+            let mut text = table(&view::HEADS, &view::cells(&history, short));
+            if arguments.tractions.is_some() {
+                text += &table(&view::TRACTION_HEADS, &view::traction_cells(&history, short));
+            }
+            text
+        }
+    };
+    let plot = match &arguments.plot {
+        Some(file) => Some(PlotFile { path: file.clone(), svg: plot::draw(&history)? }),
+        None => None,
+    };
+    Ok(Answer { text, warnings: warnings(&case), plot })
+}
+
+fn follow(
+    case: &HistoryCase,
+    shifts: &[Shift],
+    arguments: &Arguments,
+) -> Result<Vec<Step>, CliError> {
+    let at_fault = |source| CliError::Law { path: arguments.case.clone(), source };
+    let friction = Friction::new(case.friction).map_err(at_fault)?;
+    if arguments.tractions.is_some() && friction.coefficient().is_none() {
+        return Err(CliError::Options("--tractions takes a case with finite friction"));
+    }
+    let mut law = ShiftLaw::<[f64; 2]>::new(case.hertz.stiffness(), friction);
+    let count = arguments.tractions.map_or(0, |count| count as usize);
+    shifts
+        .iter()
+        .enumerate()
+        .map(|(i, shift)| {
+            law.advance(*shift).map_err(at_fault)?;
+            view::step(i + 1, &case.hertz, &law, friction, count).map_err(at_fault)
+        })
+        .collect()
+}
+
+/// What the law neglects in this case.
+fn warnings(case: &HistoryCase) -> Vec<String> {
+    let mut warnings = Vec::new();
+    let materials = case.hertz.materials();
+    if !materials.is_uncoupled() {
+        let gamma = materials.gamma();
+        warnings.push(format!(
+            "dissimilar materials: gamma = {gamma:.4}, f/|gamma| = {:.3}; the coupling of normal \
+             and tangential displacements is neglected",
+            case.friction / gamma.abs()
+        ));
+    }
+    let ContactStiffness { c_x, c_y, .. } = case.hertz.stiffness();
+    if (c_x - c_y).abs() > 1e-12 * c_x {
+        warnings.push(format!(
+            "c_y/c_x = {:.4}: where the direction of the shift turns, the law is an approximation",
+            c_y / c_x
+        ));
+    }
+    warnings
+}

@@ -1,0 +1,100 @@
+//! The steps of a history from a CSV file.
+
+use crate::error::CliError;
+use carom_laws::law::Shift;
+use std::path::Path;
+
+const COLUMNS: [&str; 3] = ["zeta", "xi", "eta"];
+
+/// What is wrong with a CSV file of steps.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+pub enum StepsError {
+    /// It is no table.
+    #[error("{0}")]
+    Csv(String),
+    /// A column is missing.
+    #[error("column `{0}` is missing: the columns must be zeta, xi, eta, in any order")]
+    Missing(&'static str),
+    /// A column that means nothing.
+    #[error("unknown column `{0}`: the columns must be zeta, xi, eta, in any order")]
+    Unknown(String),
+    /// A value that is no finite number.
+    #[error("line {line}: `{column}` = {found} is out of range: must be a finite number")]
+    Value {
+        /// Line, from 1.
+        line: u64,
+        /// Its column.
+        column: &'static str,
+        /// What stands there.
+        found: String,
+    },
+    /// No row at all.
+    #[error("there is no step: at least one row must follow the heads")]
+    Empty,
+}
+
+/// Reads the steps in the file.
+///
+/// # Errors
+/// If it cannot be read, lacks a column or has another one, or a value is no finite number.
+pub(super) fn read(path: &Path) -> Result<Vec<Shift>, CliError> {
+    let text = std::fs::read_to_string(path).map_err(|error| CliError::io("read", path, error))?;
+    parse(&text).map_err(|source| CliError::Steps { path: path.to_owned(), source })
+}
+
+fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {
+    let broken = |error: csv::Error| StepsError::Csv(error.to_string());
+    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
+    let heads = reader.headers().map_err(broken)?.clone();
+    if let Some(unknown) = heads.iter().find(|head| !COLUMNS.contains(head)) {
+        return Err(StepsError::Unknown(unknown.to_owned()));
+    }
+    let mut places = [0; 3];
+    for (place, column) in places.iter_mut().zip(COLUMNS) {
+        *place = heads.iter().position(|head| head == column).ok_or(StepsError::Missing(column))?;
+    }
+    let mut shifts = Vec::new();
+    for record in reader.records() {
+        let record = record.map_err(broken)?;
+        let line = record.position().map_or(0, csv::Position::line);
+        let mut values = [0.0; 3];
+        for ((value, place), column) in values.iter_mut().zip(places).zip(COLUMNS) {
+            let found = record.get(place).unwrap_or_default();
+            *value = found
+                .parse()
+                .ok()
+                .filter(|value: &f64| value.is_finite())
+                .ok_or_else(|| StepsError::Value { line, column, found: found.to_owned() })?;
+        }
+        let [zeta, xi, eta] = values;
+        shifts.push(Shift { zeta, xi, eta, omega: 0.0 });
+    }
+    if shifts.is_empty() { Err(StepsError::Empty) } else { Ok(shifts) }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn columns_stand_in_any_order() {
+        let shifts = parse("xi, zeta, eta\n1e-6, 2e-6, 0\n-1,2,3\n").unwrap();
+        assert_eq!(shifts[0], Shift { zeta: 2e-6, xi: 1e-6, ..Shift::default() });
+        assert_eq!(shifts[1].xi, -1.0);
+    }
+
+    #[test]
+    fn bad_files_are_explained() {
+        for (text, message) in [
+            ("zeta,xi\n1,2\n", "column `eta` is missing"),
+            ("zeta,xi,eta,theta\n", "unknown column `theta`"),
+            ("zeta,xi,eta\n", "there is no step"),
+            ("zeta,xi,eta\n1,nan,0\n", "line 2: `xi` = nan is out of range"),
+            ("zeta,xi,eta\n1,2,3\n1,2,x\n", "line 3: `eta` = x is out of range"),
+            ("zeta,xi,eta\n1,2\n", "CSV error"),
+        ] {
+            let error = parse(text).unwrap_err().to_string();
+            assert!(error.starts_with(message), "{error}");
+        }
+    }
+}

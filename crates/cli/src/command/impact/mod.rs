@@ -1,0 +1,108 @@
+//! `carom impact`: one impact, or a sweep over the angle of incidence, from a case file.
+
+mod model;
+mod plot;
+mod table;
+mod view;
+
+use crate::case::ImpactCase;
+use crate::error::CliError;
+use crate::output::{Answer, Format, PlotFile, csv, json, read_case};
+use carom_impact::CollisionError;
+use model::Shot;
+use std::path::PathBuf;
+use view::Record;
+
+/// Impact of two spheres, or of a sphere and a plane, from a case file.
+///
+/// The file is TOML in SI units; see the cases under examples/. z points into body 1.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// The case file.
+    #[arg(value_name = "CASE.toml")]
+    case: PathBuf,
+    /// Format of the results.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+    /// Draw the course of the impact, or the sweep, into this file, as SVG.
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+    /// Give the course of the impact at this many instants too; not for a sweep.
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
+    history: Option<u32>,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+    let case = read_case(&arguments.case, ImpactCase::parse)?;
+    let at_fault = |source| CliError::Collision { path: arguments.case.clone(), source };
+    let shots = model::shots(&case).map_err(at_fault)?;
+    let is_sweep = case.is_sweep();
+    if is_sweep && arguments.history.is_some() {
+        return Err(CliError::Options("--history takes a case with one impact, not a sweep"));
+    }
+    let mut records = view::records(&shots).map_err(at_fault)?;
+    if let (Some(count), [shot], [record]) =
+        (arguments.history, shots.as_slice(), records.as_mut_slice())
+    {
+        record.history = Some(view::history(shot, count as usize).map_err(at_fault)?);
+    }
+    let text = match arguments.format {
+        Format::Json if is_sweep => json(&records)?,
+        Format::Json => json(&records.first())?,
+        Format::Csv => comma_separated(&records)?,
+        Format::Table => table::render(&records, is_sweep),
+    };
+    let mut warnings = warnings(&records);
+    let svg = match &arguments.plot {
+        Some(_) => draw(&shots, &records, is_sweep, at_fault)?,
+        None => None,
+    };
+    if arguments.plot.is_some() && svg.is_none() {
+        warnings.push("no impact: there is nothing to draw".to_owned());
+    }
+    let plot = arguments.plot.clone().zip(svg).map(|(path, svg)| PlotFile { path, svg });
+    Ok(Answer { text, warnings, plot })
+}
+
+fn comma_separated(records: &[Record]) -> Result<String, CliError> {
+    match records {
+        [Record { history: Some(history), .. }] => {
+            let rows: Vec<_> = history.iter().map(view::history_cells).collect();
+            csv(&view::HISTORY_HEADS, &rows)
+        }
+        _ => {
+            let rows: Vec<_> = records.iter().map(view::cells).collect();
+            csv(&view::HEADS, &rows)
+        }
+    }
+}
+
+/// The picture; none if no impact happens.
+fn draw(
+    shots: &[Shot],
+    records: &[Record],
+    is_sweep: bool,
+    at_fault: impl Fn(CollisionError) -> CliError,
+) -> Result<Option<String>, CliError> {
+    if records.iter().all(|record| record.rebound.is_none()) {
+        return Ok(None);
+    }
+    match shots {
+        [shot] if !is_sweep => {
+            let history = view::history(shot, plot::INSTANTS).map_err(at_fault)?;
+            plot::course(&history).map(Some)
+        }
+        _ => plot::sweep(records).map(Some),
+    }
+}
+
+/// Every warning once, in the order it first came.
+fn warnings(records: &[Record]) -> Vec<String> {
+    let mut warnings: Vec<String> = Vec::new();
+    for warning in records.iter().flat_map(|record| &record.warnings) {
+        if !warnings.contains(warning) {
+            warnings.push(warning.clone());
+        }
+    }
+    warnings
+}

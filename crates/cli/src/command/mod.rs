@@ -1,0 +1,43 @@
+//! The commands, one a file. Each works out an [`Answer`] and writes nothing itself.
+
+mod hertz;
+mod history;
+mod impact;
+mod restitution;
+
+pub use history::StepsError;
+
+use crate::error::CliError;
+use crate::output::Answer;
+
+/// Elastic impact with friction.
+///
+/// Results go to standard output, everything else to standard error. Exit code 2 means bad
+/// input, 1 a file that cannot be read or written.
+#[derive(Debug, clap::Parser)]
+#[command(name = "carom", version)]
+pub struct Carom {
+    #[command(subcommand)]
+    command: Command,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Command {
+    Impact(impact::Arguments),
+    Restitution(restitution::Arguments),
+    Hertz(hertz::Arguments),
+    History(history::Arguments),
+}
+
+/// Works out what the command asks for.
+///
+/// # Errors
+/// If its input is bad, or a file cannot be read.
+pub fn run(arguments: &Carom) -> Result<Answer, CliError> {
+    match &arguments.command {
+        Command::Impact(arguments) => impact::run(arguments),
+        Command::Restitution(arguments) => restitution::run(arguments),
+        Command::Hertz(arguments) => hertz::run(arguments),
+        Command::History(arguments) => history::run(arguments),
+    }
+}

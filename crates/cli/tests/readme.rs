@@ -1,0 +1,29 @@
+//! The commands of the README run.
+
+use std::path::Path;
+use std::process::Command;
+
+#[test]
+fn the_commands_of_the_readme_run() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("../..");
+    let readme = std::fs::read_to_string(root.join("README.md")).unwrap();
+    let commands: Vec<&str> = readme
+        .lines()
+        .filter_map(|line| line.strip_prefix("cargo run --release -p carom-cli -- "))
+        .collect();
+    assert!(commands.len() >= 3);
+    for command in commands {
+        let arguments =
+            command.split_whitespace().map(|argument| match argument.strip_prefix("examples/") {
+                Some(name) => root.join("examples").join(name).to_str().unwrap().to_owned(),
+                None => argument.to_owned(),
+            });
+        let output = Command::new(env!("CARGO_BIN_EXE_carom"))
+            .args(arguments)
+            .current_dir(env!("CARGO_TARGET_TMPDIR"))
+            .output()
+            .unwrap();
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success() && !output.stdout.is_empty(), "{command}: {stderr}");
+    }
+}

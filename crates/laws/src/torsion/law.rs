@@ -1,0 +1,339 @@
+//! The contact laws of a twist, alone and together with a shift.
+
+use std::f64::consts::PI;
+
+use carom_special::RangeError;
+
+use super::adhesion::{AdhesiveTorsion, sliding_torque_arm};
+use super::history::TwistHistory;
+use crate::friction::Friction;
+use crate::hertz::Hertz;
+use crate::law::{ContactLaw, ContactLoad, Shift};
+use crate::memory::AdhesionMemory;
+use crate::profile::PowerLaw;
+use crate::shift_law::ShiftLaw;
+
+/// Gauss's nodes and weights on (0, 1), five points.
+const GAUSS: [(f64, f64); 5] = [
+    (0.046_910_077_030_668, 0.118_463_442_528_094_54),
+    (0.230_765_344_947_158_45, 0.239_314_335_249_683_24),
+    (0.5, 0.284_444_444_444_444_44),
+    (0.769_234_655_052_841_5, 0.239_314_335_249_683_24),
+    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
+];
+
+/// The law of normal load and twist about the normal.
+///
+/// On a circular contact it is Lubkin's law with memory ([`TwistHistory`]). On an ellipse the same
+/// law is scaled to the ellipse's initial stiffness (5.35) and sliding torque (7.65): both ends of
+/// the torque curve are right, what lies between is approximate. Shifts xi and eta are carried along
+/// without effect.
+///
+/// ```
+/// use carom_halfspace::{Material, MaterialPair};
+/// use carom_laws::curvature::RelativeCurvature;
+/// use carom_laws::friction::Friction;
+/// use carom_laws::hertz::Hertz;
+/// use carom_laws::law::{ContactLaw, Shift};
+/// use carom_laws::torsion::law::TorsionLaw;
+/// let body = Material::from_shear(2.0, 0.3)?;
+/// let gap = RelativeCurvature::from_coefficients(0.5, 0.5)?;
+/// let hertz = Hertz::new(gap, MaterialPair::new(body, body)?)?;
+/// let mut law = TorsionLaw::new(&hertz, Friction::new(0.3)?)?;
+/// law.advance(Shift { zeta: 0.01, ..Shift::default() })?;
+/// let load = law.advance(Shift { zeta: 0.01, omega: 9.0, ..Shift::default() })?;
+/// let a = hertz.ellipse(0.01)?.semi_axis_a();
+/// let sliding = 3.0 * std::f64::consts::PI / 16.0 * 0.3 * load.f_z * a;
+/// assert!((load.m_z / sliding - 1.0).abs() < 1e-12);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct TorsionLaw {
+    c_z: f64,
+    /// bh = Omega times this, M_z = mu times that.
+    per_twist: f64,
+    per_torque: f64,
+    state: State,
+    shift: Shift,
+    dissipated: f64,
+}
+
+#[derive(Debug, Clone, PartialEq)]
+enum State {
+    Free,
+    Rubbing(TwistHistory),
+    Stuck(Box<AdhesionMemory<f64, PowerLaw>>),
+}
+
+impl TorsionLaw {
+    /// A law at rest, the bodies just touching and untwisted.
+    ///
+    /// # Errors
+    /// [`RangeError`] if a stiffness over- or underflows.
+    pub fn new(hertz: &Hertz, friction: Friction) -> Result<Self, RangeError> {
+        // At unit approach; radii are counted in roots of the approach.
+        let ellipse = hertz.ellipse(1.0)?;
+        let stiffness = AdhesiveTorsion::new(ellipse, hertz.materials()).stiffness();
+        RangeError::positive("torsional stiffness", stiffness)?;
+        let c_z = hertz.stiffness().c_z;
+        let (state, per_twist, per_torque) = match friction.coefficient() {
+            Some(0.0) => (State::Free, 0.0, 0.0),
+            Some(f) => {
+                let sliding = f * 2.0 / 3.0 * c_z * sliding_torque_arm(&ellipse);
+                let per_torque = sliding * 32.0 / (3.0 * PI);
+                (State::Rubbing(TwistHistory::new()), stiffness / per_torque, per_torque)
+            }
+            None => {
+                // Discs of depth z carry zeta^(3/2): a force zeta^(5/2), of which the derivative
+                // has the factor 5/2.
+                let profile = PowerLaw::of_shape(2.0 / 3.0)?;
+                let memory = Box::new(AdhesionMemory::with_profile(profile));
+                (State::Stuck(memory), 1.0, stiffness / 2.5)
+            }
+        };
+        let shift = Shift::default();
+        Ok(Self { c_z, per_twist, per_torque, state, shift, dissipated: 0.0 })
+    }
+
+    /// The twist's history, if the friction is neither zero nor infinite.
+    #[must_use]
+    pub fn history(&self) -> Option<&TwistHistory> {
+        match &self.state {
+            State::Rubbing(history) => Some(history),
+            _ => None,
+        }
+    }
+
+    /// a*/a, the size of the stick area, from 0 to 1.
+    #[must_use]
+    pub fn stick_radius(&self) -> f64 {
+        match &self.state {
+            _ if self.shift.zeta <= 0.0 => 0.0,
+            State::Free => 0.0,
+            State::Rubbing(history) => history.stick_radius() / history.radius(),
+            State::Stuck(_) => 1.0,
+        }
+    }
+
+    /// The elastic energy of the twist alone.
+    #[must_use]
+    pub fn twist_energy(&self) -> f64 {
+        match &self.state {
+            State::Free => 0.0,
+            State::Rubbing(history) => history.stored_energy() * self.per_torque / self.per_twist,
+            State::Stuck(memory) => memory.stored_energy() * self.per_torque,
+        }
+    }
+
+    /// The torque in the law's units.
+    fn torque(&self) -> f64 {
+        match &self.state {
+            State::Free => 0.0,
+            State::Rubbing(history) => history.torque(),
+            State::Stuck(memory) => memory.force(),
+        }
+    }
+}
+
+/// The work of the torque on the straight way to a new radius and twist, by Gauss.
+fn work_to(history: &TwistHistory, radius: f64, twist: f64) -> Result<f64, RangeError> {
+    let (radius_0, twist_0) = (history.radius(), history.twist());
+    let mut probe = history.clone();
+    let mut mean = 0.0;
+    for (node, weight) in GAUSS {
+        // Radii are roots of the approach, which is what goes straight.
+        let square = radius_0 * radius_0 + node * (radius * radius - radius_0 * radius_0);
+        let at = square.max(0.0).sqrt();
+        mean += weight * probe.advance(at, twist_0 + node * (twist - twist_0))?;
+    }
+    Ok(mean * (twist - twist_0))
+}
+
+impl ContactLaw for TorsionLaw {
+    type Error = RangeError;
+
+    fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
+        shift.check_finite()?;
+        let twist = shift.omega * self.per_twist;
+        RangeError::finite("omega", twist)?;
+        let before = self.twist_energy();
+        let heat = match &mut self.state {
+            State::Free => 0.0,
+            State::Rubbing(history) => {
+                let mut next = history.clone();
+                if self.shift.zeta < 0.0 && shift.zeta > 0.0 {
+                    let part = self.shift.zeta / (self.shift.zeta - shift.zeta);
+                    let from = self.shift.omega * self.per_twist;
+                    next.advance(0.0, from + part * (twist - from))?;
+                }
+                let radius = shift.zeta.max(0.0).sqrt();
+                let work = work_to(&next, radius, twist)?;
+                next.advance(radius, twist)?;
+                let scale = self.per_torque / self.per_twist;
+                let heat = work * scale - (next.stored_energy() * scale - before);
+                *history = next;
+                heat.max(0.0)
+            }
+            State::Stuck(memory) => {
+                let heat = memory.dissipation(shift.zeta, twist) * self.per_torque;
+                memory.advance(shift.zeta, twist)?;
+                heat
+            }
+        };
+        self.dissipated += heat;
+        self.shift = shift;
+        Ok(self.load())
+    }
+
+    fn shift(&self) -> Shift {
+        self.shift
+    }
+
+    fn load(&self) -> ContactLoad {
+        let zeta = self.shift.zeta.max(0.0);
+        let f_z = 2.0 / 3.0 * self.c_z * (zeta * zeta.sqrt());
+        ContactLoad { f_z, m_z: self.torque() * self.per_torque, ..ContactLoad::default() }
+    }
+
+    fn stored_energy(&self) -> f64 {
+        let zeta = self.shift.zeta.max(0.0);
+        4.0 / 15.0 * self.c_z * (zeta * zeta * zeta.sqrt()) + self.twist_energy()
+    }
+
+    fn dissipated(&self) -> f64 {
+        self.dissipated
+    }
+}
+
+/// Shift and twist together, each by its own law as if the other were absent.
+///
+/// An approximation: both draw on the same friction. It is right as long as at least one of them is
+/// small; where both approach their limits the true load is smaller, up to the limit surface of
+/// [`crate::rigid_slip`].
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShiftTwistLaw {
+    tangential: ShiftLaw<[f64; 2]>,
+    torsion: TorsionLaw,
+}
+
+impl ShiftTwistLaw {
+    /// A law at rest, the bodies just touching.
+    ///
+    /// # Errors
+    /// As [`TorsionLaw::new`].
+    pub fn new(hertz: &Hertz, friction: Friction) -> Result<Self, RangeError> {
+        let torsion = TorsionLaw::new(hertz, friction)?;
+        Ok(Self { tangential: ShiftLaw::new(hertz.stiffness(), friction), torsion })
+    }
+
+    /// The law of the shift.
+    #[must_use]
+    pub fn tangential(&self) -> &ShiftLaw<[f64; 2]> {
+        &self.tangential
+    }
+
+    /// The law of the twist.
+    #[must_use]
+    pub fn torsion(&self) -> &TorsionLaw {
+        &self.torsion
+    }
+}
+
+impl ContactLaw for ShiftTwistLaw {
+    type Error = RangeError;
+
+    fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
+        let mut torsion = self.torsion.clone();
+        torsion.advance(shift)?;
+        self.tangential.advance(shift)?;
+        self.torsion = torsion;
+        Ok(self.load())
+    }
+
+    fn shift(&self) -> Shift {
+        self.tangential.shift()
+    }
+
+    fn load(&self) -> ContactLoad {
+        ContactLoad { m_z: self.torsion.load().m_z, ..self.tangential.load() }
+    }
+
+    fn stored_energy(&self) -> f64 {
+        self.tangential.stored_energy() + self.torsion.twist_energy()
+    }
+
+    fn dissipated(&self) -> f64 {
+        self.tangential.dissipated() + self.torsion.dissipated()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::curvature::RelativeCurvature;
+    use approx::assert_relative_eq;
+    use carom_halfspace::{Material, MaterialPair};
+
+    fn hertz(a: f64, b: f64) -> Hertz {
+        let body = Material::from_shear(2.0, 0.3).unwrap();
+        let gap = RelativeCurvature::from_coefficients(a, b).unwrap();
+        Hertz::new(gap, MaterialPair::new(body, body).unwrap()).unwrap()
+    }
+
+    #[test]
+    fn energy_is_balanced() {
+        for friction in [0.0, 0.3, f64::INFINITY] {
+            let mut law =
+                ShiftTwistLaw::new(&hertz(1.0, 0.3), Friction::new(friction).unwrap()).unwrap();
+            let path = [
+                (0.01, 0.0, 0.0),
+                (0.01, 0.002, 0.03),
+                (0.012, 0.0, 0.0),
+                (0.008, -0.002, -0.02),
+                (0.004, 0.001, -0.03),
+            ];
+            let mut work = 0.0;
+            for (zeta, xi, omega) in path {
+                let from = law.shift();
+                let n = 400;
+                for i in 1..=n {
+                    let t = f64::from(i) / f64::from(n);
+                    let mix = |a: f64, b: f64| a + t * (b - a);
+                    let to = Shift {
+                        zeta: mix(from.zeta, zeta),
+                        xi: mix(from.xi, xi),
+                        eta: 0.0,
+                        omega: mix(from.omega, omega),
+                    };
+                    let (p, s) = (law.load(), law.shift());
+                    let q = law.advance(to).unwrap();
+                    work += 0.5
+                        * ((p.f_x + q.f_x) * (to.xi - s.xi)
+                            + (p.f_z + q.f_z) * (to.zeta - s.zeta)
+                            + (p.m_z + q.m_z) * (to.omega - s.omega));
+                }
+            }
+            let balance = law.stored_energy() + law.dissipated();
+            assert_relative_eq!(work, balance, max_relative = 1e-4);
+            assert_eq!(law.dissipated() > 0.0, friction > 0.0);
+        }
+    }
+
+    #[test]
+    fn limits_on_an_ellipse() {
+        let hertz = hertz(1.0, 0.2);
+        let mut law = TorsionLaw::new(&hertz, Friction::new(0.4).unwrap()).unwrap();
+        let at = |omega| Shift { zeta: 0.01, omega, ..Shift::default() };
+        law.advance(at(0.0)).unwrap();
+        let small = law.advance(at(1e-9)).unwrap().m_z / 1e-9;
+        let ellipse = hertz.ellipse(0.01).unwrap();
+        let stiffness = AdhesiveTorsion::new(ellipse, hertz.materials()).stiffness();
+        assert_relative_eq!(small, stiffness, max_relative = 1e-6);
+        let large = law.advance(at(10.0)).unwrap();
+        let limit = 0.4 * large.f_z * sliding_torque_arm(&ellipse);
+        assert_relative_eq!(large.m_z, limit, max_relative = 1e-12);
+        let before = law.clone();
+        assert_eq!(law.advance(at(f64::NAN)).unwrap_err().field, "omega");
+        assert_eq!(law, before);
+    }
+}

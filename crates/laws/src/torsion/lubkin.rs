@@ -1,0 +1,279 @@
+//! Partial slip of a twisted circular contact, by Lubkin (5.36)-(5.42).
+
+use std::f64::consts::PI;
+use std::sync::LazyLock;
+
+use carom_special::elliptic::{Amplitude, complete, incomplete};
+use carom_special::quadrature::GaussLegendre;
+use carom_special::{AxisRatio, RangeError};
+
+/// The normalised torque of complete sliding, `M_z/(f F_z a) = 3 pi/16`.
+pub const SLIDING_TORQUE: f64 = 3.0 * PI / 16.0;
+
+/// Below this stick radius the torque is found from what it lacks to sliding.
+const SMALL_STICK: f64 = 0.4;
+
+static RULE: LazyLock<GaussLegendre> =
+    LazyLock::new(|| GaussLegendre::new(16).unwrap_or_else(|_| unreachable!("16 is an order")));
+static FINE: LazyLock<GaussLegendre> =
+    LazyLock::new(|| GaussLegendre::new(48).unwrap_or_else(|_| unreachable!("48 is an order")));
+
+/// A circular contact under constant normal load, twisted once from rest.
+///
+/// Normalised by the contact: twist `G a^2 beta/(f F_z)`, torque `M_z/(f F_z a)`, traction
+/// `sigma a^2/(f F_z)`, radii by a.
+///
+/// ```
+/// use carom_laws::torsion::lubkin::{Lubkin, SLIDING_TORQUE};
+/// let state = Lubkin::at_twist(0.1)?;
+/// assert!((state.torque() - 0.361_861_948_0).abs() < 1e-10);
+/// let back = Lubkin::at_torque(state.torque())?;
+/// assert!((back.twist() - 0.1).abs() < 1e-15);
+/// assert!(Lubkin::at_torque(SLIDING_TORQUE).is_err()); // sliding: any twist
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Lubkin {
+    /// k' = a*/a.
+    stick: AxisRatio,
+    /// k^2 = 1 - k'^2, kept apart for its digits.
+    parameter: f64,
+}
+
+impl Lubkin {
+    /// The state of a given stick radius a*/a in (0, 1].
+    ///
+    /// # Errors
+    /// [`RangeError`] for a ratio outside that range.
+    pub fn at_stick_radius(stick: f64) -> Result<Self, RangeError> {
+        RangeError::check("stick_radius", stick, stick > 0.0 && stick <= 1.0, "in (0, 1]")?;
+        let stick = AxisRatio::new(stick)?;
+        Ok(Self { stick, parameter: stick.parameter() })
+    }
+
+    /// The state of a given modulus k = sqrt(1 - (a*/a)^2) in [0, 1).
+    ///
+    /// # Errors
+    /// [`RangeError`] for a modulus outside that range.
+    pub fn at_modulus(k: f64) -> Result<Self, RangeError> {
+        RangeError::check("modulus", k, (0.0..1.0).contains(&k), "in [0, 1)")?;
+        let stick = AxisRatio::new(((1.0 - k) * (1.0 + k)).sqrt())?;
+        Ok(Self { stick, parameter: k * k })
+    }
+
+    /// The state under a given twist >= 0, the inverse of (5.39).
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the twist is finite, not negative, and below about 160, where the
+    /// stick radius underflows.
+    pub fn at_twist(twist: f64) -> Result<Self, RangeError> {
+        let holds = (0.0..160.0).contains(&twist);
+        RangeError::check("twist", twist, holds, "in [0, 160)")?;
+        Ok(Self::at_depth(depth_of_twist(4.0 * PI / 3.0 * twist)))
+    }
+
+    /// The state under a given torque from 0 to below [`SLIDING_TORQUE`].
+    ///
+    /// # Errors
+    /// [`RangeError`] for a torque outside that range.
+    pub fn at_torque(torque: f64) -> Result<Self, RangeError> {
+        let holds = (0.0..SLIDING_TORQUE).contains(&torque);
+        RangeError::check("torque", torque, holds, "in [0, 3 pi/16)")?;
+        // With v = -ln k': dM/dv = (4/pi) k'^3 E. Near sliding the logarithm of the deficit is
+        // nearly linear in v, elsewhere M itself; both are concave, and Newton's steps from the
+        // left do not overshoot.
+        let deficit = SLIDING_TORQUE - torque;
+        let mut v = 0.0;
+        for _ in 0..60 {
+            let state = Self::at_depth(v);
+            let kc = state.stick.get();
+            let slope = 4.0 / PI * kc * kc * kc * complete::e(state.stick);
+            let step = if deficit < 0.5 * SLIDING_TORQUE {
+                let left = state.deficit();
+                libm::log(left / deficit) * left / slope
+            } else {
+                (torque - state.torque()) / slope
+            };
+            v += step;
+            if step.abs() <= 1e-16 * v {
+                break;
+            }
+        }
+        Ok(Self::at_depth(v.max(0.0)))
+    }
+
+    /// The state with -ln(a*/a) = v.
+    fn at_depth(v: f64) -> Self {
+        let kc = libm::exp(-v).clamp(f64::MIN_POSITIVE, 1.0);
+        // In (0, 1], so that the ratio is valid.
+        let stick = AxisRatio::new(kc).unwrap_or(AxisRatio::CIRCLE);
+        Self { stick, parameter: -libm::expm1(-2.0 * v) }
+    }
+
+    /// The stick radius a*/a = k'.
+    #[must_use]
+    pub const fn stick_radius(&self) -> f64 {
+        self.stick.get()
+    }
+
+    /// The twist `G a^2 beta/(f F_z) = (3/(4 pi)) (K - E)` (5.39).
+    #[must_use]
+    pub fn twist(&self) -> f64 {
+        0.75 / PI * self.parameter * complete::d(self.stick)
+    }
+
+    /// The torque `M_z/(f F_z a)`, (5.41) in the form `(4/pi) int_k'^1 t^2 E dt`.
+    #[must_use]
+    pub fn torque(&self) -> f64 {
+        let kc = self.stick.get();
+        if kc < SMALL_STICK {
+            return SLIDING_TORQUE - self.deficit();
+        }
+        moment_above(kc, self.parameter)
+    }
+
+    /// What the torque lacks to sliding, `3 pi/16 - M_z/(f F_z a)`, with its own digits.
+    #[must_use]
+    pub fn deficit(&self) -> f64 {
+        let kc = self.stick.get();
+        if kc < SMALL_STICK { moment_below(kc) } else { SLIDING_TORQUE - self.torque() }
+    }
+
+    /// The torque's tangent `dM/dtwist = (16/3) k'^3`.
+    #[must_use]
+    pub fn stiffness(&self) -> f64 {
+        let kc = self.stick.get();
+        16.0 / 3.0 * (kc * kc * kc)
+    }
+
+    /// The traction `sigma a^2/(f F_z)` at the radius rho/a (5.36), (5.37); it resists the twist.
+    #[must_use]
+    pub fn traction(&self, rho: f64) -> f64 {
+        let kc = self.stick.get();
+        if !(0.0..1.0).contains(&rho) {
+            return 0.0;
+        }
+        let slip = 1.5 / PI * ((1.0 - rho) * (1.0 + rho)).sqrt();
+        if rho >= kc {
+            slip
+        } else if kc >= SMALL_STICK {
+            self.traction_of_large_stick(rho)
+        } else if rho < 0.5 * kc {
+            self.inner_traction(rho)
+        } else {
+            slip * self.bracket(rho)
+        }
+    }
+
+    /// `(2/pi) [pi/2 + k^2 D F(k', theta_1) - K E(k', theta_1)]` of (5.37).
+    fn bracket(&self, rho: f64) -> f64 {
+        let kc = self.stick.get();
+        let k = self.parameter.sqrt();
+        // tan theta_1 = sqrt((k'^2 - rho^2)/(k^2 rho^2)) from (5.38).
+        let opposite = ((kc - rho) * (kc + rho)).sqrt();
+        let Ok(theta) = Amplitude::from_legs(opposite, k * rho) else { return 0.0 };
+        let Ok(turned) = AxisRatio::new(k) else { return 0.0 };
+        let difference = self.parameter * complete::d(self.stick);
+        let bracket = difference * incomplete::f(turned, theta)
+            - complete::k(self.stick) * incomplete::e(turned, theta);
+        1.0 + 2.0 / PI * bracket
+    }
+
+    /// While little slips the traction is small and the bracket cancels. With s^2 = rho^2 + w^2
+    /// the superposition of adhesive twists is smooth: `rho int (2/pi) E/s^2 dw`.
+    fn traction_of_large_stick(&self, rho: f64) -> f64 {
+        let kc = self.stick.get();
+        let lower = ((kc - rho) * (kc + rho)).sqrt();
+        let upper = ((1.0 - rho) * (1.0 + rho)).sqrt();
+        let length = self.parameter / (upper + lower);
+        let sum: f64 = FINE
+            .nodes()
+            .iter()
+            .map(|node| {
+                let w = upper - 0.5 * length * (1.0 - node.position);
+                let square = rho * rho + w * w;
+                node.weight * AxisRatio::new(square.sqrt()).map_or(1.0, complete::e) / square
+            })
+            .sum();
+        1.5 / PI * rho * (2.0 / PI) * 0.5 * length * sum
+    }
+
+    /// Well inside a small stick area the bracket cancels; the superposition of adhesive twists,
+    /// `rho int bF ds/sqrt(s^2 - rho^2)` with `bF = (2/pi) E/s`, does not.
+    fn inner_traction(&self, rho: f64) -> f64 {
+        let lower = libm::log(self.stick.get());
+        // In ln s the integrand falls as 1/s: panels of a few e-folds keep Gauss exact.
+        let panels = (-lower / 4.0).ceil().max(1.0);
+        let mut sum = 0.0;
+        for panel in 0..panels as usize {
+            let at = |i: usize| lower * (1.0 - i as f64 / panels);
+            sum += FINE.integrate(at(panel), at(panel + 1), |u| {
+                let s = libm::exp(u).min(1.0);
+                let e = AxisRatio::new(s).map_or(1.0, complete::e);
+                e / ((s - rho) * (s + rho)).sqrt()
+            });
+        }
+        1.5 / PI * rho * (2.0 / PI) * sum
+    }
+}
+
+/// The approximation (5.42), `(3 pi/16) [1 - exp(-256 beta/(9 pi))]`: at most 2.76 % of the
+/// sliding torque, or 3.35 % of the torque itself, below Lubkin's.
+#[must_use]
+pub fn approximate_torque(twist: f64) -> f64 {
+    -SLIDING_TORQUE * libm::expm1(-256.0 / (9.0 * PI) * twist)
+}
+
+/// v = -ln k' at which K - E has a given value: d(K - E)/dv = E, so that Newton's steps from the
+/// left stay there.
+pub(crate) fn depth_of_twist(target: f64) -> f64 {
+    // K - E < (pi/2) v, and for large v it is v + ln 4 - 1.
+    let mut v = (target / (PI / 2.0)).max(target + 1.0 - 4.0_f64.ln());
+    for _ in 0..40 {
+        let state = Lubkin::at_depth(v);
+        let value = state.parameter * complete::d(state.stick);
+        let step = (target - value) / complete::e(state.stick);
+        v += step;
+        if step.abs() <= 4e-16 * v {
+            break;
+        }
+    }
+    v.max(0.0)
+}
+
+/// `(4/pi) int_k'^1 t^2 E(t) dt`, with the length of the interval from k^2.
+fn moment_above(kc: f64, parameter: f64) -> f64 {
+    let length = parameter / (1.0 + kc);
+    let sum: f64 = RULE
+        .nodes()
+        .iter()
+        .map(|node| {
+            let t = 1.0 - 0.5 * length * (1.0 - node.position);
+            node.weight * t * t * AxisRatio::new(t).map_or(0.0, complete::e)
+        })
+        .sum();
+    2.0 / PI * length * sum
+}
+
+/// `(4/pi) int_0^k' t^2 E(t) dt`, smoothed at the end t = 0 by t = k' w^2.
+fn moment_below(kc: f64) -> f64 {
+    let sum: f64 = RULE
+        .nodes()
+        .iter()
+        .map(|node| {
+            let w = 0.5 * (1.0 + node.position);
+            let t = kc * w * w;
+            node.weight * w.powi(5) * AxisRatio::new(t).map_or(1.0, complete::e)
+        })
+        .sum();
+    4.0 / PI * kc * kc * kc * sum
+}
+
+/// The normalised torque `m(k')` of [`Lubkin::torque`] for histories.
+pub(crate) fn torque_of_stick(kc: f64) -> f64 {
+    if kc < SMALL_STICK {
+        SLIDING_TORQUE - moment_below(kc)
+    } else {
+        moment_above(kc, (1.0 - kc) * (1.0 + kc))
+    }
+}

@@ -1,0 +1,15 @@
+//! Errors of carom's functions against references of many digits: not in the thesis.
+
+use crate::catalogue::Entry;
+
+mod error_table;
+mod half_space;
+mod special;
+
+/// The error tables, a floor each.
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry::check("accuracy.special", "Errors of the special functions, in units of 2.2e-16")
+        .by(special::draw),
+    Entry::check("accuracy.half-space", "Errors of the half-space, in units of 2.2e-16")
+        .by(half_space::draw),
+];

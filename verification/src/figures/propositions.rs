@@ -1,0 +1,13 @@
+//! Propositions (Stellingen) of the thesis that a computation can check.
+
+use crate::catalogue::Entry;
+
+mod fourier;
+mod operation_count;
+
+/// The propositions, by number.
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry::check("proposition-6", "The half-space by Fourier transforms").by(fourier::draw),
+    Entry::check("proposition-8", "Operations of elimination and of fast products")
+        .by(operation_count::draw),
+];
