@@ -46,6 +46,7 @@ fn spring_solutions_of_the_incremental_law() {
         assert!(ratio(outcome.maximal_approach, "zeta_max").abs() < 1e-5, "{name}");
         assert!(ratio(outcome.maximal_force, "F_max").abs() < 1e-5, "{name}");
         assert_eq!(outcome.compressions, 1);
+        assert!(outcome.error_estimate <= 1e-5);
     }
 }
 

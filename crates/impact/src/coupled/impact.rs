@@ -7,6 +7,7 @@ use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
+use super::line::Line;
 use super::refine::{Failure, Problem, Settled};
 use super::{CoulombRings, Passage, Point, Stage, Staged};
 use crate::mobility::Mobility;
@@ -14,8 +15,10 @@ use crate::normal::{self, NormalImpact};
 use crate::oblique::{Event, Groups, ObliqueError, ObliqueImpact, Regime};
 use crate::outcome::LogEntry;
 
-/// Default change between refinements, over |v_A|, at which the outcome counts as settled.
-const TOLERANCE: f64 = 1e-5;
+/// Default changes between refinements, over |v_A|, at which the outcome counts as settled: the
+/// law of one direction is exact and cheap, the rings are not.
+const PLANAR: f64 = 1e-8;
+const SPATIAL: f64 = 1e-5;
 
 /// Why a coupled impact cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -69,7 +72,7 @@ pub struct CoupledImpact {
     friction: Friction,
     velocity: Vector3<f64>,
     normal: NormalImpact,
-    tolerance: f64,
+    tolerance: Option<f64>,
 }
 
 /// Where an impact leads.
@@ -130,18 +133,27 @@ impl CoupledImpact {
         RangeError::finite("velocity", velocity.x)?;
         RangeError::finite("velocity", velocity.y)?;
         let normal = NormalImpact::new(mobility.matrix().m33, stiffness.c_z, velocity.z)?;
-        Ok(Self { mobility, stiffness, friction, velocity, normal, tolerance: TOLERANCE })
+        Ok(Self { mobility, stiffness, friction, velocity, normal, tolerance: None })
     }
 
-    /// The same impact, settled to another tolerance: the outcome counts when refinement changes
-    /// its velocity by less than this times |v_A|. The true error is mostly a few times smaller.
-    /// At most 2048 steps and 1024 rings are used, which reaches about 1e-8.
+    /// The same impact, settled to another tolerance than the default (1e-8 in a plane, 1e-5 in
+    /// space): the outcome counts when refinement changes its velocity by less than this times
+    /// |v_A|. The true error is mostly a few times smaller. At most 2048 steps and 1024 rings are
+    /// used; [`CoupledOutcome::error_estimate`] says what they reached.
     ///
     /// # Errors
     /// [`RangeError`] unless it is finite and positive.
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         RangeError::positive("tolerance", tolerance)?;
-        Ok(Self { tolerance, ..self })
+        Ok(Self { tolerance: Some(tolerance), ..self })
+    }
+
+    fn tolerance(&self) -> f64 {
+        let default = match self.passage() {
+            Passage::Planar { .. } => PLANAR,
+            _ => SPATIAL,
+        };
+        self.tolerance.unwrap_or(default)
     }
 
     /// How this impact is solved.
@@ -194,7 +206,7 @@ impl CoupledImpact {
             peak: self.normal.maximal_approach(),
         };
         let settled = problem
-            .settle(self.tolerance, |_, resolution| make(resolution))
+            .settle(self.tolerance(), |_, resolution| make(resolution))
             .map_err(|failure| self.failed(&failure))?;
         let units = Units { time: 1.0, length: 1.0, speed: 1.0, force: 1.0 };
         Ok(self.outcome_in(&settled, &units))
@@ -290,7 +302,7 @@ impl CoupledImpact {
     fn settled(&self, law: VectorLaw) -> Result<Settled, CoupledError> {
         let problem = self.problem();
         problem
-            .settle(self.tolerance, |peak, rings| self.law(law, peak, rings))
+            .settle(self.tolerance(), |peak, rings| self.law(law, peak, rings))
             .map_err(|failure| self.failed(&failure))
     }
 
@@ -389,7 +401,7 @@ impl CoupledImpact {
             (Passage::Planar { direction }, _) => {
                 let along = c_x * direction.x * direction.x + c_y * direction.y * direction.y;
                 let line = ContactStiffness { c_x: scaled(along), ..plane };
-                AnyLaw::Line(Box::new(ShiftLaw::new(line, friction)))
+                AnyLaw::Line(Box::new(Line::new(line, friction)))
             }
             (_, VectorLaw::Coulomb) => {
                 let spacing = (peak * 1.0001).sqrt() / rings as f64;
@@ -445,7 +457,7 @@ impl CoupledImpact {
 /// One of the laws at hand.
 #[derive(Debug, Clone)]
 enum AnyLaw {
-    Line(Box<ShiftLaw<f64>>),
+    Line(Box<Line>),
     Plane(Box<ShiftLaw<[f64; 2]>>),
     Rings(CoulombRings),
 }

@@ -7,6 +7,7 @@
 
 mod course;
 mod impact;
+mod line;
 mod passage;
 mod refine;
 mod rings;

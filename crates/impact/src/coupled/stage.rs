@@ -1,6 +1,6 @@
 //! What the contact does: stick, slip at the edge, slide.
 
-use carom_laws::memory::{Lateral, Regime as Memory, VertexStack};
+use carom_laws::memory::{Lateral, VertexStack};
 use carom_laws::shift_law::ShiftLaw;
 
 use super::CoulombRings;
@@ -35,11 +35,7 @@ impl Staged for CoulombRings {
 
 impl<V: Lateral, S: VertexStack<V>> Staged for ShiftLaw<V, S> {
     fn stage(&self) -> Stage {
-        match self.regime() {
-            Memory::Separated | Memory::Adhesion | Memory::Release => Stage::Adhesion,
-            Memory::Slip | Memory::Reversal | Memory::Overlay => Stage::Slip,
-            Memory::Sliding => Stage::Slide,
-        }
+        self.regime().into()
     }
 }
 
