@@ -1,7 +1,9 @@
 //! Floor 5 of carom: impact of elastic bodies with friction (chapters 8, 9, 10 and 15).
 //!
-//! [`Collision`] takes two bodies with their motions and gives an [`Outcome`]; [`oblique`] is the
-//! same in two dimensionless groups, [`restitution`] its one number, [`closed_form`] its limits.
+//! [`Encounter`] takes two bodies of any smooth shape, finds where they touch and gives an
+//! [`Outcome`]; [`coupled`] is the same by its matrices. [`Collision`] takes two spheres, or a
+//! sphere and a plane; [`oblique`] is the same in two dimensionless groups, [`restitution`] its
+//! one number, [`closed_form`] its limits.
 #![forbid(unsafe_code)]
 
 mod attitude;

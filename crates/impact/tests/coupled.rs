@@ -190,6 +190,26 @@ proptest! {
     }
 
     #[test]
+    fn every_impact_ends(
+        a in prop::array::uniform6(-0.95..3.0f64),
+        c in prop::array::uniform2(-1.0..1.0f64),
+        f in -6.0..3.0f64,
+        speed in prop::array::uniform2((prop::bool::ANY, -6.0..6.0f64)),
+    ) {
+        let power = |x: f64| 10.0_f64.powf(x);
+        let v = speed.map(|(back, x)| if back { -power(x) } else { power(x) });
+        let impact = impact(a, c.map(power), power(f), v);
+        for law in [VectorLaw::Coulomb, VectorLaw::FixedDirection] {
+            let outcome = impact.solve(law).unwrap();
+            prop_assert!(outcome.velocity.z <= 0.0, "{outcome:?}");
+            let (before, after) =
+                (matrix(a).energy(&impact.velocity()), matrix(a).energy(&outcome.velocity));
+            prop_assert!(after <= before * (1.0 + 1e-12), "{before:e} {after:e} {outcome:?}");
+            prop_assert!(outcome.duration.is_finite() && outcome.maximal_approach > 0.0);
+        }
+    }
+
+    #[test]
     fn speed_only_scales((a, c, f, v) in random(), speed in 1e-6..1e6f64) {
         let one = impact(a, c, f, v);
         let stiffness = ContactStiffness::new(c[0], c[1], 1.0).unwrap();
@@ -230,4 +250,40 @@ proptest! {
         let plain = other(Matrix3::identity(), round);
         prop_assert!((other(turn, round) - turn * plain).norm() <= 1e-10 * scale);
     }
+}
+
+/// A turning path with growing and receding contact: forces settle, energies balance.
+#[test]
+fn rings_converge_with_the_square_of_their_distance() {
+    use carom_impact::coupled::CoulombRings;
+    use carom_laws::law::{ContactLaw, Shift};
+    let stiffness = ContactStiffness::new(0.9, 0.6, 1.0).unwrap();
+    let run = |rings: usize| {
+        let mut law = CoulombRings::new(stiffness, 0.3, 1.3_f64.sqrt() / rings as f64).unwrap();
+        let steps = 4 * rings;
+        let (mut work, mut before) = (0.0, (law.load(), law.shift()));
+        for i in 1..=steps {
+            let t = 3.0 * i as f64 / steps as f64;
+            let shift = Shift {
+                zeta: 1.3 * (t * 1.2).sin().abs().max(0.2 * t.min(1.0)),
+                xi: 0.5 * (2.0 * t).sin(),
+                eta: 0.3 * (1.0 - (1.5 * t).cos()),
+                omega: 0.0,
+            };
+            let load = law.advance(shift).unwrap();
+            assert!(load.f_x.hypot(load.f_y) <= 0.3 * load.f_z * (1.0 + 1e-14));
+            let (p, s) = before;
+            work += 0.5 * (p.f_x + load.f_x) * (shift.xi - s.xi)
+                + 0.5 * (p.f_y + load.f_y) * (shift.eta - s.eta)
+                + 0.5 * (p.f_z + load.f_z) * (shift.zeta - s.zeta);
+            before = (load, shift);
+        }
+        let balance = work - law.stored_energy() - law.dissipated();
+        (Vector3::new(law.load().f_x, law.load().f_y, 0.0), balance, law.dissipated())
+    };
+    let (coarse, middle, fine) = (run(100), run(200), run(400));
+    let (first, second) = ((coarse.0 - middle.0).norm(), (middle.0 - fine.0).norm());
+    println!("{first:e} {second:e} balance {:e} {:e}", middle.1, fine.1);
+    assert!(second < 0.4 * first && second < 1e-5);
+    assert!(fine.2 > 0.05 && fine.1.abs() < 1e-4 * fine.2);
 }

@@ -18,7 +18,7 @@ use crate::outcome::LogEntry;
 /// Default changes between refinements, over |v_A|, at which the outcome counts as settled: the
 /// law of one direction is exact and cheap, the rings are not.
 const PLANAR: f64 = 1e-8;
-const SPATIAL: f64 = 1e-5;
+const SPATIAL: f64 = 5e-6;
 
 /// Why a coupled impact cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -136,7 +136,7 @@ impl CoupledImpact {
         Ok(Self { mobility, stiffness, friction, velocity, normal, tolerance: None })
     }
 
-    /// The same impact, settled to another tolerance than the default (1e-8 in a plane, 1e-5 in
+    /// The same impact, settled to another tolerance than the default (1e-8 in a plane, 5e-6 in
     /// space): the outcome counts when refinement changes its velocity by less than this times
     /// |v_A|. The true error is mostly a few times smaller. At most 2048 steps and 1024 rings are
     /// used; [`CoupledOutcome::error_estimate`] says what they reached.

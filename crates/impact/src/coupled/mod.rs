@@ -16,5 +16,5 @@ mod stage;
 pub use course::{Course, Point};
 pub use impact::{CoupledError, CoupledImpact, CoupledOutcome, Sample, VectorLaw};
 pub use passage::Passage;
-pub use rings::CoulombRings;
+pub use rings::{CoulombRings, sliding_direction};
 pub use stage::{Stage, Staged};

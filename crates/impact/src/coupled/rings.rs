@@ -9,6 +9,7 @@
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
+use nalgebra::Vector3;
 
 /// The vector law of Coulomb friction on rings at equal distances.
 ///
@@ -197,6 +198,45 @@ impl ContactLaw for CoulombRings {
     fn dissipated(&self) -> f64 {
         self.dissipated
     }
+}
+
+/// The direction of the traction on body 1 when the impact begins with sliding: the root of
+/// `y' cos - x' sin + f z' sin cos (c_z/c_x - c_z/c_y) = 0` (8.58), corrected, with the velocity
+/// (x', y', z') of body 2 against body 1 at touch. None if it begins with adhesion (8.50).
+///
+/// ```
+/// use carom_impact::coupled::sliding_direction;
+/// use carom_laws::stiffness::ContactStiffness;
+/// use nalgebra::Vector3;
+/// let stiffness = ContactStiffness::new(0.9, 0.7, 1.0)?;
+/// let velocity = Vector3::new(0.8, 0.5, 1.0);
+/// let [cos, sin] = sliding_direction(&stiffness, 0.3, &velocity).expect("slides");
+/// let residue = 0.5 * cos - 0.8 * sin + 0.3 * sin * cos * (1.0 / 0.9 - 1.0 / 0.7);
+/// assert!(residue.abs() < 1e-15);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[must_use]
+pub fn sliding_direction(
+    stiffness: &ContactStiffness,
+    friction: f64,
+    velocity: &Vector3<f64>,
+) -> Option<[f64; 2]> {
+    let pull = [stiffness.c_x * velocity.x, stiffness.c_y * velocity.y];
+    let limit = friction * stiffness.c_z;
+    let bound = limit * velocity.z;
+    if bound.is_nan() || bound <= 0.0 || libm::hypot(pull[0], pull[1]) <= bound {
+        return None;
+    }
+    let step = Step {
+        from: 0.0,
+        to: velocity.z,
+        pull,
+        shift: [velocity.x, velocity.y],
+        stiffness: [stiffness.c_x, stiffness.c_y],
+        limit,
+    };
+    let [x, y] = step.touched_on_the_way(1.0, bound);
+    Some([x / bound, y / bound])
 }
 
 impl Step {
