@@ -149,3 +149,26 @@ fn narrow_rings_near_the_neutral_impact() {
         assert!(loss > 0.0 && loss < 2.0 * (1.0 - adhesion), "{loss:e}");
     }
 }
+
+#[test]
+fn edges_of_the_regimes_are_continuous() {
+    let restitution = |chi: f64, psi: f64| {
+        ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap().restitution()
+    };
+    for chi in [0.1, 0.5, 0.7, 0.99, 1.0, 1.01, 2.0, 5.05, 60.0] {
+        let at = restitution(chi, 1.0);
+        for k in 4..=16 {
+            let gap = 10.0_f64.powi(-k);
+            for psi in [1.0 - gap, 1.0 + gap] {
+                let difference = (restitution(chi, psi) - at).abs();
+                assert!(difference <= 30.0 * chi * gap + 3e-10, "{chi} {psi} {difference:e}");
+            }
+        }
+    }
+    assert_eq!(restitution(0.5, 1.0), 0.0);
+    for chi in [1.0 + 1e-9, 1.0 - 1e-9, 1.0 + 1e-10, 1.0 + 1e-8, 1.0 - 3e-7] {
+        for psi in [0.01, 0.5, 0.9] {
+            assert!((restitution(chi, psi) - 1.0).abs() < 1e-11, "{chi} {psi}");
+        }
+    }
+}

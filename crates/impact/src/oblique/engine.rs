@@ -22,8 +22,12 @@ const BRISK: f64 = 0.03;
 const SLOW: f64 = 0.25;
 /// Below this psi nothing distinguishes the impact from one without slip.
 pub(super) const PSI_MIN: f64 = 1e-14;
-/// Tangential velocity at maximal compression below which the impact counts as reversible.
-const NEUTRAL: f64 = 1e-12;
+/// Tangential velocity u at maximal compression below which the impact counts as reversible:
+/// R_x = 1 - 2 u^2 to leading order, so this changes nothing in double precision.
+const NEUTRAL: f64 = 1e-8;
+/// A first sliding (chi > 1) or sticking (chi < 1) that ends within this share of the impact is
+/// passed over: its end could not be told from touch.
+const MOMENT: f64 = 1e-9;
 /// Steps of one slip phase and phases of one impact after which the walk gives up.
 const MAX_STEPS: usize = 20_000;
 const MAX_PHASES: usize = 200;
@@ -241,16 +245,14 @@ impl<'r, R: Recorder> Walk<'r, R> {
 
     /// The final tangential velocity in units of the initial one.
     fn run(&mut self) -> Result<f64, ObliqueError> {
-        let slides = self.scale > 1.0 || (self.scale == 1.0 && self.chi < 1.0);
+        let moment = MOMENT * (self.chi - 1.0);
+        let slides = self.scale > 1.0 + moment;
         let mut next = if slides {
             Next::Slide { sign: 1.0, event: Event::Touch }
         } else {
             self.adhere_from_touch()
         };
-        loop {
-            if self.phases.len() > MAX_PHASES {
-                return Err(ObliqueError::TooManyPhases { phases: MAX_PHASES, w: self.state.w });
-            }
+        for _ in 0..MAX_PHASES {
             next = match next {
                 Next::Adhere => self.adhere(),
                 Next::Slip { sign, ring, event } => {
@@ -270,6 +272,7 @@ impl<'r, R: Recorder> Walk<'r, R> {
                 }
             };
         }
+        Err(ObliqueError::TooManyPhases { phases: MAX_PHASES, w: self.state.w })
     }
 
     fn enter(&mut self, regime: Regime, began_by: Event) {
@@ -487,8 +490,8 @@ impl<'r, R: Recorder> Walk<'r, R> {
         let State { w, velocity, .. } = self.state;
         let pull = sign * self.chi / self.scale;
         let at = |now: f64| velocity + pull * (now - w);
-        // zero of u - s w, both in units of zeta_dot_A
-        let stop = if self.chi == 1.0 {
+        // Zero of u - s w, both in units of zeta_dot_A; for chi <= 1 the sliding only accelerates.
+        let stop = if self.chi <= 1.0 {
             f64::NEG_INFINITY
         } else {
             (self.chi * w - sign * self.scale * velocity) / (self.chi - 1.0)
