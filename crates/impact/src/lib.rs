@@ -21,6 +21,7 @@ pub mod coupled;
 pub mod normal;
 pub mod oblique;
 pub mod restitution;
+pub mod scene;
 
 pub use attitude::{Attitude, angle_matrix};
 pub use body::{Body, Inertia, Motion, Shape, kinetic_energy};
