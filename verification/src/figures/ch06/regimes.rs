@@ -231,7 +231,7 @@ pub(super) fn nth() -> FigureResult {
     let end = f64::NAN;
     for (title, (step, shift), most, borders) in [
         (
-            "a) Δζ_N > 0, Δζ_N-1 > 0",
+            "a) Δζ > 0 in both steps",
             (0.1, -0.3),
             1.68,
             vec![
@@ -243,7 +243,7 @@ pub(super) fn nth() -> FigureResult {
             ],
         ),
         (
-            "b) Δζ_N < 0, Δζ_N-1 < 0",
+            "b) Δζ < 0 in both steps",
             (-0.1, -0.1),
             1.28,
             vec![
