@@ -72,12 +72,13 @@ fn add_case(
         )
         .source("(6.39)"),
     );
-    let breaks: Vec<f64> = memory.instantaneous_adhesions().collect();
-    let found = [breaks.first().copied().unwrap_or(f64::NAN), memory.stick_depth()];
+    let inner = memory.segments().find(|segment| segment.is_slip).map(|segment| segment.from);
+    let outer: Vec<f64> = memory.instantaneous_adhesions().collect();
+    let found = [inner.unwrap_or(f64::NAN), outer.first().copied().unwrap_or(f64::NAN)];
     figure.claim(
         Claim::all_close(
             format!("{}: breaks at a₁* and a₂*", case.title),
-            [(found[1], depth(last)), (found[0], depth(last))],
+            [(found[0], 0.5), (found[1], depth(last)), (memory.stick_depth(), depth(last))],
             Tolerance::Absolute(1e-14),
         )
         .source("(6.40)"),
