@@ -95,6 +95,42 @@ impl Direction {
         }
     }
 
+    /// 2 pi r^2 times the stresses by unit forces along x, y and z.
+    pub(crate) fn unit_stresses(self, poisson: f64) -> [Stress; 3] {
+        let Self { a, b, c } = self;
+        let (shrink, q) = (1.0 - 2.0 * poisson, 1.0 / (1.0 + c));
+        let inner = shrink * q * q;
+        let tangential = inner * q * (3.0 + c) - 3.0;
+        let normal = inner * (2.0 + c) - 3.0 * c;
+        let even = -shrink * q * (1.0 - c - c * c);
+        let (aa, bb, cc, ab) = (a * a, b * b, c * c, a * b);
+        let x = Stress {
+            xx: a * (tangential * aa + shrink - 3.0 * inner),
+            yy: a * (tangential * bb + shrink - inner),
+            zz: -3.0 * a * cc,
+            xy: b * (tangential * aa - inner),
+            yz: -3.0 * ab * c,
+            zx: -3.0 * aa * c,
+        };
+        let y = Stress {
+            xx: b * (tangential * aa + shrink - inner),
+            yy: b * (tangential * bb + shrink - 3.0 * inner),
+            zz: -3.0 * b * cc,
+            xy: a * (tangential * bb - inner),
+            yz: -3.0 * bb * c,
+            zx: -3.0 * ab * c,
+        };
+        let z = Stress {
+            xx: normal * aa + even,
+            yy: normal * bb + even,
+            zz: -3.0 * c * cc,
+            xy: normal * ab,
+            yz: -3.0 * b * cc,
+            zx: -3.0 * a * cc,
+        };
+        [x, y, z]
+    }
+
     /// 2 pi r^2 times the stress (4.2), (4.3).
     pub(crate) fn stress(self, poisson: f64, force: Force) -> Stress {
         let Self { a, b, c } = self;

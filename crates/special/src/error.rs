@@ -8,7 +8,7 @@
 /// assert_eq!(error.to_string(), "radius = -1 is out of range: must be finite and > 0");
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("{field} = {value} is out of range: must be {allowed}")]
+#[error("{field} = {} is out of range: must be {allowed}", Readable(*value))]
 pub struct RangeError {
     /// Name of the offending field or argument.
     pub field: &'static str,
@@ -16,6 +16,22 @@ pub struct RangeError {
     pub value: f64,
     /// The allowed range, in words.
     pub allowed: &'static str,
+}
+
+/// A number as a person reads it: very large and very small ones with an exponent.
+///
+/// ```
+/// use carom_special::Readable;
+/// assert_eq!(format!("{} {} {}", Readable(-1.0), Readable(1e300), Readable(f64::NAN)), "-1 1e300 NaN");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Readable(pub f64);
+
+impl std::fmt::Display for Readable {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let plain = !self.0.is_finite() || self.0 == 0.0 || (1e-5..1e16).contains(&self.0.abs());
+        if plain { write!(f, "{}", self.0) } else { write!(f, "{:e}", self.0) }
+    }
 }
 
 impl RangeError {

@@ -25,4 +25,4 @@ mod axis_ratio;
 mod error;
 
 pub use axis_ratio::AxisRatio;
-pub use error::RangeError;
+pub use error::{RangeError, Readable};

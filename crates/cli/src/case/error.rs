@@ -48,7 +48,7 @@ pub enum CaseError {
         allowed: String,
     },
     /// A number out of its range.
-    #[error("line {line}: `{field}` = {value} is out of range: must be {allowed}")]
+    #[error("line {line}: `{field}` = {} is out of range: must be {allowed}", carom_special::Readable(*value))]
     Range {
         /// The field with its path.
         field: String,

@@ -3,7 +3,8 @@
 use super::error_table::{ErrorTable, Errors, Reference};
 use crate::{Figure, FigureResult};
 use carom_halfspace::{
-    Force, Material, MaterialPair, Offset, Point, PointLoad, Rectangle, RectangleInfluence,
+    Force, LoadedRectangle, Material, MaterialPair, Offset, Point, PointLoad, Rectangle,
+    RectangleInfluence, Traction,
 };
 use carom_special::RangeError;
 
@@ -19,6 +20,7 @@ pub(super) fn draw() -> FigureResult {
     point_load(&mut table)?;
     integrals(&mut table)?;
     coefficients(&mut table)?;
+    interior(&mut table)?;
     table.finish(&mut figure);
     Ok(figure)
 }
@@ -82,6 +84,32 @@ fn coefficients(table: &mut ErrorTable) -> Done {
         let found = cell.coefficients(offset)?.rows;
         let place = format!("{} columns, {} rows", row[0], row[1]);
         add(&mut errors, found.as_flattened(), &row[8..17], &place);
+    }
+    table.add(errors, COEFFICIENTS);
+    Ok(())
+}
+
+fn interior(table: &mut ErrorTable) -> Done {
+    let reference = Reference::parse(include_str!("../../../data/halfspace/interior.csv"))?;
+    let mut errors = Errors::of("stress under a rectangle, sides to 1000 : 1", 1.0);
+    let loads = [
+        Traction { x: 1.0, ..Traction::default() },
+        Traction { y: 1.0, ..Traction::default() },
+        Traction { normal: 1.0, ..Traction::default() },
+    ];
+    for row in reference.rows() {
+        let cell = Rectangle::new(row[0], row[1])?;
+        let loaded = LoadedRectangle::new(Material::from_shear(1.0, row[5])?, cell)?;
+        let at = Point { x: row[2], y: row[3], z: row[4] };
+        let place =
+            format!("{:e} by {:e} at ({:.3e}, {:.3e}, {:.3e})", row[0], row[1], at.x, at.y, at.z);
+        let mut found = Vec::new();
+        for load in loads {
+            let s = loaded.stress(load, at)?;
+            found.extend([s.xx, s.yy, s.zz, s.xy, s.yz, s.zx]);
+        }
+        // All loads together: on the axis the stress by one of them nearly vanishes.
+        add(&mut errors, &found, &row[6..24], &place);
     }
     table.add(errors, COEFFICIENTS);
     Ok(())
