@@ -48,7 +48,8 @@ pub struct Rebound {
     pub velocity_before: Vector3<f64>,
     /// Relative velocity of the contact points after.
     pub velocity_after: Vector3<f64>,
-    /// R_x: tangential velocity after over before, reversed in sign.
+    /// R_x: tangential velocity after, along that before, over it, reversed in sign. In an
+    /// [`crate::Encounter`] 0 if there was none before.
     pub tangential_restitution: f64,
     /// Duration from touch to separation.
     pub duration: f64,
@@ -56,7 +57,7 @@ pub struct Rebound {
     pub maximal_force: f64,
     /// The greatest approach zeta_max.
     pub maximal_approach: f64,
-    /// The greatest contact radius.
+    /// The greatest contact radius; of an ellipse the larger semi-axis b.
     pub maximal_radius: f64,
     /// Kinetic energies and what friction took.
     pub energy: EnergyBudget,
