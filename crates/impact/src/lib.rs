@@ -13,6 +13,7 @@ pub mod closed_form;
 pub mod normal;
 pub mod oblique;
 pub mod restitution;
+pub mod torsional;
 
 pub use body::{Body, Inertia, Motion, Shape, kinetic_energy};
 pub use collision::{Collision, CollisionError};
