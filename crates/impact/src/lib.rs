@@ -22,6 +22,7 @@ pub mod normal;
 pub mod oblique;
 pub mod restitution;
 pub mod scene;
+pub mod torsional;
 
 pub use attitude::{Attitude, angle_matrix};
 pub use body::{Body, Inertia, Motion, Shape, kinetic_energy};
