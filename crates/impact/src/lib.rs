@@ -14,6 +14,7 @@ pub mod normal;
 pub mod oblique;
 pub mod restitution;
 pub mod scene;
+pub mod uncertain;
 
 pub use body::{Body, Inertia, Motion, Shape, kinetic_energy};
 pub use collision::{Collision, CollisionError};
