@@ -62,7 +62,7 @@ fn ending(case: &SceneCase, ending: Ending) -> String {
     match ending {
         Ending::Time => "the time is over".to_owned(),
         Ending::Bounces => "the last bounce is done".to_owned(),
-        Ending::Rest { wall } => format!("it comes to rest on {}", case.names[wall]),
+        Ending::Rest { wall } => format!("it stays on {}", case.names[wall]),
         Ending::Edge { wall } => format!("it meets an edge of {}", case.names[wall]),
     }
 }
