@@ -86,6 +86,12 @@ impl Collision {
         Ok(Self { normal: vector / length, ..self })
     }
 
+    /// The common normal, from body 2 into body 1, of length 1.
+    #[must_use]
+    pub const fn normal(&self) -> Vector3<f64> {
+        self.normal
+    }
+
     /// The Hertz contact of the two bodies.
     #[must_use]
     pub fn hertz(&self) -> Hertz {

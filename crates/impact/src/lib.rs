@@ -23,6 +23,7 @@ pub mod oblique;
 pub mod restitution;
 pub mod scene;
 pub mod torsional;
+pub mod uncertain;
 
 pub use attitude::{Attitude, angle_matrix};
 pub use body::{Body, Inertia, Motion, Shape, kinetic_energy};

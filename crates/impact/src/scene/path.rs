@@ -124,7 +124,7 @@ pub enum Ending {
     Time,
     /// The last bounce is done.
     Bounces,
-    /// The ball rests, or rises too little, on this wall.
+    /// The ball stays on this wall: it lies, slides or rolls there, or rises too little.
     Rest {
         /// Which wall.
         wall: usize,
