@@ -2,6 +2,32 @@
 //!
 //! Curvatures and materials make a [`hertz::Hertz`] contact; a law turns a history of rigid
 //! shifts into loads. The code is unit-free: any consistent set of units will do.
+//!
+//! - Statics: [`curvature`], [`ellipse`], [`stiffness`], [`hertz`], [`shift`], [`field`].
+//! - Memory: [`memory`] is the law of load histories, exact and of fixed capacity, for one contact
+//!   or many; [`history`] holds the thesis's own formulas beside it, [`sliders`] the incremental
+//!   law for turning directions, [`profile`] other indenters.
+//! - Twist: [`torsion`] and, for sliding as a whole, [`rigid_slip`].
+//! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
+//!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`].
+//!
+//! ```
+//! use carom_halfspace::{Material, MaterialPair};
+//! use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
+//! use carom_laws::friction::Friction;
+//! use carom_laws::hertz::Hertz;
+//! use carom_laws::law::{ContactLaw, Shift};
+//! use carom_laws::shift_law::ShiftLaw;
+//! let steel = Material::from_young(208e9, 0.3)?;
+//! let ball = PrincipalRadii::sphere(0.01)?;
+//! let gap = RelativeCurvature::new(ball, ball, 0.0)?;
+//! let hertz = Hertz::new(gap, MaterialPair::new(steel, steel)?)?;
+//! let mut law = ShiftLaw::<[f64; 2]>::new(hertz.stiffness(), Friction::new(0.3)?);
+//! law.advance(Shift { zeta: 1e-6, ..Shift::default() })?;
+//! let load = law.advance(Shift { zeta: 1e-6, xi: 1e-7, ..Shift::default() })?;
+//! assert!(load.f_x > 0.0 && load.f_x < 0.3 * load.f_z);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 #![forbid(unsafe_code)]
 
 pub mod curvature;

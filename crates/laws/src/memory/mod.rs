@@ -10,11 +10,12 @@
 //! Shifts are normalised so that the friction cone has the slope 1:
 //! `X = (c_x xi, c_y eta)/(f c_z)` (chapter 7), which for two equal spheres and the one-sphere
 //! displacements of chapter 6 is `xi/(f kappa)`; the force comes out as Phi, with
-//! `F = (2/3) f c_z Phi`, `|Phi| <= zeta^(3/2)`. The trait laws do the scaling.
+//! `F = (2/3) f c_z Phi`, `|Phi| <= zeta^(3/2)`. [`crate::shift_law`] does the scaling.
 //!
 //! In one direction the law is exact within Cattaneo's and Mindlin's assumptions. In two it
 //! is chapter 7's approximation (one direction of traction in each slip ring), which is the exact
-//! one-dimensional law on straight paths.
+//! one-dimensional law on straight paths. For turning paths compare
+//! [`crate::sliders`].
 
 mod adhesion;
 mod batch;
