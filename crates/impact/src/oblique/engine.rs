@@ -396,7 +396,8 @@ impl<'r, R: Recorder> Walk<'r, R> {
         let second = 0.5 * sign * self.scale * segment.curvature(self.chi, w);
         // zeta^(-3/2) = (1 - w^2)^(-3/5): its logarithmic derivative is (6/5) w/(1 - w^2)
         let a = -2.0 / 3.0 * (second / first + 1.2 * w / one_minus);
-        let x = (ONSET * (1.0 - w)).min(0.03 / a.abs());
+        // The mirror image must stay within the adhesion it mirrors.
+        let x = (ONSET * (1.0 - w)).min(0.03 / a.abs()).min(0.5 * (segment.high - w));
         let sum = a * x * x * (1.0 + a * x); // x* - x, both measured from the onset
         let (w_now, apart) = (w - x, 2.0 * x + sum);
         // S - S* = (w* - w)(w* + w)
