@@ -48,7 +48,7 @@ fn fifth_root_near_one(x: f64) -> f64 {
 
 // x^(1/5) for x in [0, 1]: a guess from the exponent bits, then Halley's iteration, which
 // triples the digits: 6 %, 3e-4, 6e-11, exact. Cheaper than `pow` and the same on every machine.
-fn fifth_root(x: f64) -> f64 {
+pub(crate) fn fifth_root(x: f64) -> f64 {
     if x < f64::MIN_POSITIVE {
         return if x == 0.0 { 0.0 } else { libm::pow(x, 0.2) };
     }

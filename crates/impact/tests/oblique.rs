@@ -172,3 +172,16 @@ fn edges_of_the_regimes_are_continuous() {
         }
     }
 }
+
+#[test]
+fn sliding_that_just_stops_is_continuous() {
+    // psi = chi: the sliding stops at maximal compression; below, a short adhesion follows.
+    for chi in [1.2, 2.0786, 3.5, 6.4] {
+        let restitution =
+            |psi: f64| ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap().restitution();
+        for gap in [1e-6, 1e-8, 1e-10] {
+            let jump = (restitution(chi - gap) - restitution(chi + gap)).abs();
+            assert!(jump < 3.0 * chi * gap + 1e-10, "{chi} {gap:e}: {jump:e}");
+        }
+    }
+}

@@ -397,7 +397,8 @@ impl<'r, R: Recorder> Walk<'r, R> {
         let second = 0.5 * sign * self.scale * segment.curvature(self.chi, w);
         // zeta^(-3/2) = (1 - w^2)^(-3/5): its logarithmic derivative is (6/5) w/(1 - w^2)
         let a = -2.0 / 3.0 * (second / first + 1.2 * w / one_minus);
-        let x = (ONSET * (1.0 - w)).min(0.03 / a.abs());
+        // The mirror image must stay within the adhesion it mirrors.
+        let x = (ONSET * (1.0 - w)).min(0.03 / a.abs()).min(0.5 * (segment.high - w));
         let sum = a * x * x * (1.0 + a * x); // x* - x, both measured from the onset
         let (w_now, apart) = (w - x, 2.0 * x + sum);
         // S - S* = (w* - w)(w* + w)
@@ -581,7 +582,11 @@ impl<R: Recorder> Journey<'_, R> {
                 }
             }
             let checkpoint = walk.clone();
-            walk.step(limit)?;
+            if let Err(error) = walk.step(limit) {
+                // Stuck at the very event: it is reached.
+                let reached = self.nearly_passed(&now).ok_or(error)?;
+                return Ok(Leg::Arrived(self.arrive(reached, from)));
+            }
             let y = with_coordinate(walk.x(), walk.y());
             let next = slip.instant(&y);
             let mut crossing = self.passed(&next);
@@ -644,6 +649,20 @@ impl<R: Recorder> Journey<'_, R> {
 
     fn arrive(&self, crossing: Crossing, y: Unknowns) -> Arrival {
         Arrival { crossing, y, now: self.slip.instant(&y) }
+    }
+
+    // The event whose quantity has vanished but for the tolerance.
+    fn nearly_passed(&self, now: &Instant) -> Option<Crossing> {
+        const NEAR: f64 = 1e-9;
+        if now.slip_velocity < NEAR {
+            Some(Crossing::SlipStop)
+        } else if now.ring < NEAR && now.w < 0.0 {
+            Some(Crossing::RingClosed)
+        } else if now.stick - self.slip.stretch.low < NEAR {
+            Some(Crossing::StretchEnd)
+        } else {
+            None
+        }
     }
 
     fn passed(&self, now: &Instant) -> Option<Crossing> {

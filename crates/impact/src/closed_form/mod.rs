@@ -4,6 +4,14 @@ use carom_special::RangeError;
 
 use crate::normal::DURATION;
 
+mod adhesion;
+mod energy;
+mod wave_loss;
+
+pub use adhesion::{AdhesiveCompression, compression_time};
+pub use energy::{normal_energy_loss, tangential_energy_loss};
+pub use wave_loss::{NOTICEABLE, PRINTED_COEFFICIENT, wave_loss, wave_loss_coefficient};
+
 /// phi = sqrt(1 + 120 chi) of (9.15), the parameter of the adhesion solutions.
 #[must_use]
 pub fn phi(chi: f64) -> f64 {

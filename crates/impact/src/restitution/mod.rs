@@ -4,6 +4,14 @@ use carom_special::RangeError;
 
 use crate::oblique::{Groups, ObliqueError, ObliqueImpact};
 
+mod map;
+mod table;
+mod tensor;
+
+pub use map::restitution_map;
+pub use table::RestitutionTable;
+pub use tensor::RestitutionTensor;
+
 /// Why a coefficient of restitution cannot be given.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum RestitutionError {
@@ -36,4 +44,28 @@ pub fn of_spheres(kappa: f64, lambda: f64) -> Result<f64, RestitutionError> {
 /// [`RestitutionError::Range`] unless chi is in (0, 100] and psi >= 0.
 pub fn of_groups(chi: f64, psi: f64) -> Result<f64, RestitutionError> {
     Ok(ObliqueImpact::new(Groups::new(chi, psi)?)?.restitution())
+}
+
+/// R_x of an impact whose normal restitution is `normal` (e_n) instead of 1: an engineering
+/// input, not a result of the elastic theory.
+///
+/// Assumption: what removes normal energy shrinks the tangential impulse by the same share
+/// (1 + e_n)/2 as the normal one, so R_x = (1 + e_n)(1 + R_x elastic)/2 - 1. That is exact for
+/// impacts that slide throughout, whose tangential impulse is f times the normal one, and an
+/// interpolation for the others.
+///
+/// ```
+/// use carom_impact::{oblique::Groups, restitution::with_normal_restitution};
+/// // Sliding: 1 + R_x = f (1 + e_n) v_z D_xx/(D_zz v_x) = (1 + e_n) chi/psi.
+/// let inelastic = with_normal_restitution(Groups::new(3.0, 8.0)?, 0.5)?;
+/// assert!((inelastic - (1.5 * 3.0 / 8.0 - 1.0)).abs() < 1e-15);
+/// # Ok::<(), carom_impact::restitution::RestitutionError>(())
+/// ```
+///
+/// # Errors
+/// [`RestitutionError::Range`] unless e_n is in [0, 1].
+pub fn with_normal_restitution(groups: Groups, normal: f64) -> Result<f64, RestitutionError> {
+    RangeError::check("normal restitution", normal, (0.0..=1.0).contains(&normal), "in [0, 1]")?;
+    let elastic = ObliqueImpact::new(groups)?.restitution();
+    Ok(0.5 * (1.0 + normal) * (1.0 + elastic) - 1.0)
 }

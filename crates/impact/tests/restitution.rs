@@ -1,0 +1,86 @@
+//! The restitution table and map against the exact impact.
+
+use carom_impact::oblique::{Groups, ObliqueImpact};
+use carom_impact::restitution::{RestitutionTable, restitution_map};
+
+/// A fixed sequence of numbers in [0, 1).
+struct Sequence(u64);
+
+impl Sequence {
+    fn next(&mut self) -> f64 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+}
+
+fn worst(points: usize, range: [f64; 2]) -> (f64, f64) {
+    let table = RestitutionTable::shared();
+    let mut sequence = Sequence(7);
+    let (mut worst, mut covered) = (0.0_f64, 0.0);
+    for _ in 0..points {
+        let chi = range[0] + (range[1] - range[0]) * sequence.next();
+        let psi = 1.02 * (2.0 * chi - 1.0_f64).max(1.0) * sequence.next();
+        let groups = Groups::new(chi, psi).unwrap();
+        if !table.covers(groups) {
+            continue;
+        }
+        covered += 1.0 / points as f64;
+        let exact = ObliqueImpact::new(groups).unwrap().restitution();
+        let error = (table.restitution(groups).unwrap() - exact).abs();
+        if error > worst {
+            println!("chi {chi} psi {psi}: {error:e}");
+            worst = error;
+        }
+    }
+    (worst, covered)
+}
+
+#[test]
+fn table_is_within_1e_8() {
+    let start = std::time::Instant::now();
+    let table = RestitutionTable::shared();
+    println!("built in {:?}, {} bytes", start.elapsed(), table.size());
+    assert!(table.size() < 1_000_000);
+    for range in [[0.5, 1.0], [1.0, 2.3], [2.3, 3.6], [3.6, 6.5]] {
+        let (worst, covered) = worst(10_000, range);
+        println!("chi {range:?}: worst {worst:e}, {covered:.4} of the points from the table");
+        assert!(worst < 1e-8, "chi {range:?}: {worst:e}");
+        assert!(covered > 0.9, "{covered}");
+    }
+}
+
+#[test]
+fn table_follows_the_edges() {
+    let table = RestitutionTable::shared();
+    for chi in [0.5_f64, 0.8, 1.0, 1.000_001, 2.0, 3.5, 6.5] {
+        for psi in [0.0, 1e-9, 1.0, chi, (2.0 * chi - 1.0).max(0.0), 100.0, f64::INFINITY] {
+            let groups = Groups::new(chi, psi).unwrap();
+            let exact = ObliqueImpact::new(groups).unwrap().restitution();
+            let error = (table.restitution(groups).unwrap() - exact).abs();
+            assert!(error < 1e-8, "chi {chi} psi {psi}: {error:e}");
+        }
+    }
+    let outside = Groups::new(30.0, 3.0).unwrap();
+    assert!(!table.covers(outside));
+    assert_eq!(table.restitution(outside), Ok(ObliqueImpact::new(outside).unwrap().restitution()));
+}
+
+#[test]
+fn map_is_the_exact_impact_with_progress() {
+    let rows = std::sync::atomic::AtomicUsize::new(0);
+    let chi = [0.6, 2.0, 3.5];
+    let psi = [0.1, 1.2, 2.5, 7.0];
+    let map = restitution_map(&chi, &psi, |_| {
+        rows.fetch_add(1, std::sync::atomic::Ordering::Relaxed);
+    })
+    .unwrap();
+    assert_eq!(rows.into_inner(), 4);
+    for (row, &psi) in map.iter().zip(&psi) {
+        for (value, &chi) in row.iter().zip(&chi) {
+            let exact = ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap();
+            assert_eq!(*value, exact.restitution());
+        }
+    }
+    assert!(restitution_map(&[-1.0], &[1.0], |_| ()).is_err());
+}
