@@ -295,7 +295,7 @@ struct Mobility {
     tangential: f64,
 }
 
-fn log(normal: &NormalImpact, oblique: &ObliqueImpact) -> Vec<LogEntry> {
+pub(crate) fn log(normal: &NormalImpact, oblique: &ObliqueImpact) -> Vec<LogEntry> {
     let unit = normal.time_unit();
     oblique
         .phases()

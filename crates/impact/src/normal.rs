@@ -18,8 +18,32 @@ pub const DURATION: f64 = 2.943_275_184_324_704_7;
 /// ```
 #[must_use]
 pub fn compression(w: f64) -> f64 {
-    let radius = fifth_root(((1.0 - w) * (1.0 + w)).max(0.0));
+    let radius = radius(w);
     radius * radius
+}
+
+/// Contact radius over its maximum at the velocity `w`: the root of the compression.
+pub(crate) fn radius(w: f64) -> f64 {
+    let s = ((1.0 - w) * (1.0 + w)).max(0.0);
+    if s > 0.5 { fifth_root_near_one(s) } else { fifth_root(s) }
+}
+
+// x^(1/5) for x in [1/2, 1]: a polynomial within 2e-6, then one of Halley's iterations.
+fn fifth_root_near_one(x: f64) -> f64 {
+    const C: [f64; 6] = [
+        0.9440865773,
+        0.06293942682,
+        -0.00837515125,
+        0.001673729924,
+        -0.0004351296935,
+        0.000111278727,
+    ];
+    let t = 4.0 * x - 3.0;
+    let t2 = t * t;
+    let y = (C[0] + C[1] * t) + t2 * ((C[2] + C[3] * t) + t2 * (C[4] + C[5] * t));
+    let squared = y * y;
+    let power = squared * squared * y;
+    y + y * ((x - power) / (3.0 * power + 2.0 * x))
 }
 
 // x^(1/5) for x in [0, 1]: a guess from the exponent bits, then Halley's iteration, which
@@ -212,6 +236,12 @@ mod tests {
             assert!((root.powi(5) - x).abs() <= 16.0 * f64::EPSILON * x, "{x}");
         }
         assert_eq!((fifth_root(0.0), fifth_root(1.0)), (0.0, 1.0));
+        for i in 0..=5000 {
+            let x = 0.5 + 1e-4 * f64::from(i);
+            let root = fifth_root_near_one(x);
+            assert!((root.powi(5) - x).abs() <= 16.0 * f64::EPSILON * x, "{x}");
+        }
+        assert_eq!(fifth_root_near_one(1.0), 1.0);
     }
 
     #[test]

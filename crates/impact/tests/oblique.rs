@@ -127,3 +127,48 @@ fn histories() {
         }
     }
 }
+
+#[test]
+fn a_short_stop_of_the_slip_is_not_overlooked() {
+    // The slip velocity dips below zero for a moment only: R_x from integrations with a
+    // tolerance of 1e-14 and steps too short to miss it.
+    for (chi, psi) in [(5.4, 1.94), (5.4, 1.95), (5.4, 1.97)] {
+        let impact = ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap();
+        let names: Vec<_> = impact.regimes().map(|regime| regime.name()).collect();
+        assert_eq!(names, ["slide+", "adhesion", "slip-", "slip+", "slip-", "slide+"], "{psi}");
+    }
+}
+
+#[test]
+fn narrow_rings_near_the_neutral_impact() {
+    // chi = 1 is reversible: 1 - R_x is of second order in chi - 1 there and psi has no say.
+    for (chi, psi) in [(1.003071113, 0.3327691), (1.0182472949653802, 0.00450514232668449)] {
+        let impact = ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap();
+        let adhesion = carom_impact::closed_form::restitution_without_slip(chi);
+        let loss = 1.0 - impact.restitution();
+        assert!(loss > 0.0 && loss < 2.0 * (1.0 - adhesion), "{loss:e}");
+    }
+}
+
+#[test]
+fn edges_of_the_regimes_are_continuous() {
+    let restitution = |chi: f64, psi: f64| {
+        ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap().restitution()
+    };
+    for chi in [0.1, 0.5, 0.7, 0.99, 1.0, 1.01, 2.0, 5.05, 60.0] {
+        let at = restitution(chi, 1.0);
+        for k in 4..=16 {
+            let gap = 10.0_f64.powi(-k);
+            for psi in [1.0 - gap, 1.0 + gap] {
+                let difference = (restitution(chi, psi) - at).abs();
+                assert!(difference <= 30.0 * chi * gap + 3e-10, "{chi} {psi} {difference:e}");
+            }
+        }
+    }
+    assert_eq!(restitution(0.5, 1.0), 0.0);
+    for chi in [1.0 + 1e-9, 1.0 - 1e-9, 1.0 + 1e-10, 1.0 + 1e-8, 1.0 - 3e-7] {
+        for psi in [0.01, 0.5, 0.9] {
+            assert!((restitution(chi, psi) - 1.0).abs() < 1e-11, "{chi} {psi}");
+        }
+    }
+}

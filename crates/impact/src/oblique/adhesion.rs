@@ -17,75 +17,74 @@ pub(super) struct Tangential {
     pub(super) gradient: f64,
 }
 
-/// The solution on `low <= w <= high` as a power series about `center`.
+/// The solution on `low <= w <= high` as a power series in t = x/(a + b x), x = w - center.
 #[derive(Debug, Clone)]
 pub(super) struct Segment {
     center: f64,
     pub(super) low: f64,
     pub(super) high: f64,
+    /// The numbers a and b of the argument.
+    map: [f64; 2],
     blocks: usize,
-    velocity: [[f64; 4]; MAX_TERMS / 4],
-    gradient: [[f64; 4]; MAX_TERMS / 4],
+    velocity: Rows,
+    gradient: Rows,
 }
+
+/// Coefficients, eight a row.
+type Rows = [[f64; 8]; MAX_TERMS / 8];
 
 impl Segment {
     /// Adhesion from first touch (w = 1) with velocity 1: regular there, so one series serves.
     pub(super) fn from_touch(chi: f64) -> Self {
-        let center = 0.5;
-        Self::expand(chi, center, regular_at_touch(chi, center), 0.0, 1.0)
+        // t = (w + 1 - c)/(w + 1 + c), c = sqrt 2, puts the singular points w = -1 and infinity
+        // at t = -1 and 1 and the interval at |t| <= 0.172: half the terms of a series in w.
+        const C: f64 = std::f64::consts::SQRT_2;
+        const REACH: f64 = 0.171_572_875_253_809_9;
+        let center = C - 1.0;
+        let now = regular_at_touch(chi, center);
+        // d/dt = 2 c d/dw at t = 0
+        let series = Series::new(now.velocity, 2.0 * C * now.gradient, REACH, |k, a| {
+            next_from_touch(chi, k, a)
+        });
+        Self::of(&series, center, [0.0, 1.0], [2.0 * C, 1.0])
     }
 
     /// Adhesion that begins at `w` in (0, 1) with the state `now`; covers part of the way to 0.
     pub(super) fn from_state(chi: f64, w: f64, now: Tangential) -> Self {
         let low = (w - REACH * (1.0 - w)).max(0.0);
-        Self::expand(chi, w, now, low, w)
+        let inverse = 1.0 / ((1.0 - w) * (1.0 + w));
+        let series = Series::new(now.velocity, now.gradient, w - low, |k, c| {
+            let n = k as f64;
+            // (1 - w^2)(k+1)(k+2) c_{k+2} = w (k+1)(2k + 6/5) c_{k+1} + (k (k - 1 + 6/5) - 6/5 chi) c_k
+            let next =
+                w * (n + 1.0) * (2.0 * n + 1.2) * c[k + 1] + (n * (n + 0.2) - 1.2 * chi) * c[k];
+            next * inverse / ((n + 1.0) * (n + 2.0))
+        });
+        Self::of(&series, w, [low, w], [1.0, 0.0])
     }
 
-    fn expand(chi: f64, center: f64, now: Tangential, low: f64, high: f64) -> Self {
-        let reach = (center - low).max(high - center);
-        let mut c = [0.0; MAX_TERMS];
-        (c[0], c[1]) = (now.velocity, now.gradient);
-        let inverse = 1.0 / ((1.0 - center) * (1.0 + center));
-        let (mut power, mut largest) = (reach, c[0].abs().max(c[1].abs() * reach));
-        let mut terms = MAX_TERMS;
-        for k in 0..MAX_TERMS - 2 {
-            let n = k as f64;
-            // (1 - c^2)(k+1)(k+2) c_{k+2} = c (k+1)(2k + 6/5) c_{k+1} + (k (k - 1 + 6/5) - 6/5 chi) c_k
-            let next = center * (n + 1.0) * (2.0 * n + 1.2) * c[k + 1]
-                + (n * (n + 0.2) - 1.2 * chi) * c[k];
-            c[k + 2] = next * inverse / ((n + 1.0) * (n + 2.0));
-            power *= reach;
-            let size = (n + 2.0) * (c[k + 2].abs() + c[k + 1].abs() / reach) * power;
-            largest = largest.max(c[k + 2].abs() * power);
-            if size < 1e-17 * largest {
-                terms = k + 3;
-                break;
-            }
-        }
-        let mut velocity = [[0.0; 4]; MAX_TERMS / 4];
+    fn of(series: &Series, center: f64, [low, high]: [f64; 2], map: [f64; 2]) -> Self {
+        let mut velocity = [[0.0; 8]; MAX_TERMS / 8];
         let mut gradient = velocity;
-        for k in 0..terms.min(MAX_TERMS - 1) {
-            velocity[k / 4][k % 4] = c[k];
-            gradient[k / 4][k % 4] = (k as f64 + 1.0) * c[k + 1];
+        for k in 0..series.terms.min(MAX_TERMS - 1) {
+            velocity[k / 8][k % 8] = series.c[k];
+            gradient[k / 8][k % 8] = (k as f64 + 1.0) * series.c[k + 1];
         }
-        Self { center, low, high, blocks: terms.div_ceil(4), velocity, gradient }
+        let blocks = series.terms.div_ceil(8);
+        Self { center, low, high, map, blocks, velocity, gradient }
     }
 
     /// Velocity and gradient at `w`.
+    #[inline]
     pub(super) fn at(&self, w: f64) -> Tangential {
-        // Four interleaved series in x^4: a short chain of dependent operations.
         let x = w - self.center;
-        let squared = x * x;
-        let fourth = squared * squared;
-        let (mut velocity, mut gradient) = ([0.0; 4], [0.0; 4]);
-        for (c, g) in self.velocity[..self.blocks].iter().zip(&self.gradient[..self.blocks]).rev() {
-            for lane in 0..4 {
-                velocity[lane] = velocity[lane] * fourth + c[lane];
-                gradient[lane] = gradient[lane] * fourth + g[lane];
-            }
-        }
-        let join = |v: [f64; 4]| (v[0] + v[1] * x) + (v[2] + v[3] * x) * squared;
-        Tangential { velocity: join(velocity), gradient: join(gradient) }
+        let [a, b] = self.map;
+        let inverse = 1.0 / (a + b * x);
+        let t = x * inverse;
+        let velocity = sum(&self.velocity[..self.blocks], t);
+        let gradient = sum(&self.gradient[..self.blocks], t);
+        // dt/dw = a/(a + b x)^2
+        Tangential { velocity, gradient: gradient * (a * inverse * inverse) }
     }
 
     /// The second derivative by w, from the differential equation.
@@ -93,6 +92,81 @@ impl Segment {
         let now = self.at(w);
         (1.2 * w * now.gradient - 1.2 * chi * now.velocity) / ((1.0 - w) * (1.0 + w))
     }
+}
+
+// Eight interleaved series in t^8: a short chain of dependent operations.
+#[inline]
+fn sum(rows: &[[f64; 8]], t: f64) -> f64 {
+    let squared = t * t;
+    let fourth = squared * squared;
+    let eighth = fourth * fourth;
+    let mut s = [0.0; 8];
+    for row in rows.iter().rev() {
+        for lane in 0..8 {
+            s[lane] = s[lane] * eighth + row[lane];
+        }
+    }
+    let low = (s[0] + s[1] * t) + (s[2] + s[3] * t) * squared;
+    let high = (s[4] + s[5] * t) + (s[6] + s[7] * t) * squared;
+    low + high * fourth
+}
+
+/// A power series and how many of its terms count.
+struct Series {
+    c: [f64; MAX_TERMS],
+    terms: usize,
+}
+
+impl Series {
+    // From the first two coefficients and the rule for the one after k + 1, for |t| <= reach.
+    fn new(
+        first: f64,
+        second: f64,
+        reach: f64,
+        next: impl Fn(usize, &[f64; MAX_TERMS]) -> f64,
+    ) -> Self {
+        let mut c = [0.0; MAX_TERMS];
+        (c[0], c[1]) = (first, second);
+        let (mut power, mut largest) = (reach, c[0].abs().max(c[1].abs() * reach));
+        let inverse_reach = 1.0 / reach;
+        for k in 0..MAX_TERMS - 2 {
+            c[k + 2] = next(k, &c);
+            power *= reach;
+            let size = (k as f64 + 2.0) * (c[k + 2].abs() + c[k + 1].abs() * inverse_reach) * power;
+            largest = largest.max(c[k + 2].abs() * power);
+            if size < 1e-17 * largest {
+                return Self { c, terms: k + 3 };
+            }
+        }
+        Self { c, terms: MAX_TERMS }
+    }
+}
+
+// The recurrence of Gegenbauer's equation in t = (w + 1 - c)/(w + 1 + c), c = sqrt 2:
+// (1 + t)(1 - t)^2 P U'' - (1 - t) [2 (1 + t) P + (12/5) Q] U' + (24/5) c chi U = 0,
+// P = 2 - c - (2 + c) t, Q = c - 1 + (c + 1) t.
+fn next_from_touch(chi: f64, k: usize, a: &[f64; MAX_TERMS]) -> f64 {
+    const C: f64 = std::f64::consts::SQRT_2;
+    const P: [f64; 2] = [2.0 - C, -2.0 - C];
+    const Q: [f64; 2] = [C - 1.0, C + 1.0];
+    const SECOND: [f64; 5] = [P[0], P[1] - P[0], -P[1] - P[0], P[0] - P[1], P[1]];
+    const FIRST: [f64; 4] = [
+        -2.0 * P[0] - 2.4 * Q[0],
+        -2.0 * P[1] - 2.4 * (Q[1] - Q[0]),
+        2.0 * P[0] + 2.4 * Q[1],
+        2.0 * P[1],
+    ];
+    let n = k as f64;
+    let mut sum = 4.8 * C * chi * a[k];
+    for j in 0..=k.min(3) {
+        let m = n - j as f64;
+        sum += FIRST[j] * (m + 1.0) * a[k + 1 - j];
+    }
+    for j in 1..=(k + 1).min(4) {
+        let m = n - j as f64;
+        sum += SECOND[j] * (m + 2.0) * (m + 1.0) * a[k + 2 - j];
+    }
+    -sum / (SECOND[0] * (n + 2.0) * (n + 1.0))
 }
 
 // u = F(-n, n + 1/5; 3/5; z), z = (1 - w)/2, n (n + 1/5) = 6 chi/5: the regular solution with u(1) = 1.

@@ -10,13 +10,24 @@ use super::trace::{Recorder, Silent};
 use crate::closed_form;
 use crate::normal::compression;
 
-const TOLERANCE: Tolerance = Tolerance { absolute: 1e-12, relative: 1e-12 };
+const TOLERANCE: Tolerance = Tolerance { absolute: 2e-12, relative: 2e-12 };
 /// Half-width of the neighbourhood of the onset of slip that a series covers.
 const ONSET: f64 = 1e-3;
+/// Step of the stick radius in terms of the contact radius: its distance to the singular point
+/// zeta = 0, which lies at an imaginary stick radius and which no error estimate sees beforehand.
+const REACH: f64 = 0.5;
+/// Slip velocity above which the stick radius may be the clock, and below which it is given up
+/// again when the slip slows down.
+const BRISK: f64 = 0.03;
+const SLOW: f64 = 0.25;
 /// Below this psi nothing distinguishes the impact from one without slip.
 pub(super) const PSI_MIN: f64 = 1e-14;
-/// Tangential velocity at maximal compression below which the impact counts as reversible.
-const NEUTRAL: f64 = 1e-12;
+/// Tangential velocity u at maximal compression below which the impact counts as reversible:
+/// R_x = 1 - 2 u^2 to leading order, so this changes nothing in double precision.
+const NEUTRAL: f64 = 1e-8;
+/// A first sliding (chi > 1) or sticking (chi < 1) that ends within this share of the impact is
+/// passed over: its end could not be told from touch.
+const MOMENT: f64 = 1e-9;
 /// Steps of one slip phase and phases of one impact after which the walk gives up.
 const MAX_STEPS: usize = 20_000;
 const MAX_PHASES: usize = 200;
@@ -234,16 +245,14 @@ impl<'r, R: Recorder> Walk<'r, R> {
 
     /// The final tangential velocity in units of the initial one.
     fn run(&mut self) -> Result<f64, ObliqueError> {
-        let slides = self.scale > 1.0 || (self.scale == 1.0 && self.chi < 1.0);
+        let moment = MOMENT * (self.chi - 1.0);
+        let slides = self.scale > 1.0 + moment;
         let mut next = if slides {
             Next::Slide { sign: 1.0, event: Event::Touch }
         } else {
             self.adhere_from_touch()
         };
-        loop {
-            if self.phases.len() > MAX_PHASES {
-                return Err(ObliqueError::TooManyPhases { phases: MAX_PHASES, w: self.state.w });
-            }
+        for _ in 0..MAX_PHASES {
             next = match next {
                 Next::Adhere => self.adhere(),
                 Next::Slip { sign, ring, event } => {
@@ -263,6 +272,7 @@ impl<'r, R: Recorder> Walk<'r, R> {
                 }
             };
         }
+        Err(ObliqueError::TooManyPhases { phases: MAX_PHASES, w: self.state.w })
     }
 
     fn enter(&mut self, regime: Regime, began_by: Event) {
@@ -412,8 +422,8 @@ impl<'r, R: Recorder> Walk<'r, R> {
             let Some(top) = self.memory.last() else {
                 return Ok(Next::Slide { sign, event: Event::StickEnd });
             };
-            if let Shape::Slip { sign: frozen, .. } = top.shape
-                && frozen == sign
+            if let Shape::Slip(frozen) = &top.shape
+                && frozen.sign == sign
             {
                 // Stresses frozen by slip of the same sign join the ring at once.
                 ring += (stick - top.low) / self.scale;
@@ -444,11 +454,10 @@ impl<'r, R: Recorder> Walk<'r, R> {
         let stick = zeta - scale * ring;
         let mut traction = 0.0;
         if let Some(top) = self.memory.last_mut() {
-            traction = top.at(stick, self.chi, scale).traction;
+            traction = top.at(stick, stick.sqrt(), self.chi).traction;
             top.high = stick;
         }
-        let shape = Shape::Slip { sign, traction };
-        self.memory.push(Stretch { low: stick, high: zeta, shape });
+        self.memory.push(Stretch::slip(stick, zeta, sign, traction, scale));
         self.after_stop(sign, Event::SlipStop)
     }
 
@@ -481,8 +490,8 @@ impl<'r, R: Recorder> Walk<'r, R> {
         let State { w, velocity, .. } = self.state;
         let pull = sign * self.chi / self.scale;
         let at = |now: f64| velocity + pull * (now - w);
-        // zero of u - s w, both in units of zeta_dot_A
-        let stop = if self.chi == 1.0 {
+        // Zero of u - s w, both in units of zeta_dot_A; for chi <= 1 the sliding only accelerates.
+        let stop = if self.chi <= 1.0 {
             f64::NEG_INFINITY
         } else {
             (self.chi * w - sign * self.scale * velocity) / (self.chi - 1.0)
@@ -499,8 +508,7 @@ impl<'r, R: Recorder> Walk<'r, R> {
         if !stops {
             return Next::Separate;
         }
-        let shape = Shape::Slip { sign, traction: 0.0 };
-        self.memory.push(Stretch { low: 0.0, high: self.state.zeta, shape });
+        self.memory.push(Stretch::slip(0.0, self.state.zeta, sign, 0.0, self.scale));
         self.after_stop(sign, Event::SlideStop)
     }
 }
@@ -521,6 +529,16 @@ struct Arrival {
     now: Instant,
 }
 
+/// How an integration with one clock ended.
+enum Leg {
+    Arrived(Arrival),
+    /// The slip slows down at these unknowns in this chart.
+    Slowed {
+        chart: Chart,
+        y: Unknowns,
+    },
+}
+
 /// One integration of partial slip over one stretch of memory in one chart.
 struct Journey<'a, R> {
     slip: Slip<'a>,
@@ -529,40 +547,66 @@ struct Journey<'a, R> {
 
 impl<R: Recorder> Journey<'_, R> {
     fn run(&mut self, start: Unknowns) -> Result<Arrival, OdeError> {
+        let mut leg = self.by_coordinate(start, BRISK)?;
+        loop {
+            match leg {
+                Leg::Arrived(arrival) => return Ok(arrival),
+                // The stick radius slows down with the slip: back to the coordinate.
+                Leg::Slowed { chart, y } => {
+                    self.slip = Slip { weight: Weight::One, chart, ..self.slip };
+                    leg = self.by_coordinate(y, f64::INFINITY)?;
+                }
+            }
+        }
+    }
+
+    // `brisk`: the slip velocity from which the stick radius may take over as clock.
+    fn by_coordinate(&mut self, start: Unknowns, brisk: f64) -> Result<Leg, OdeError> {
         let slip = self.slip;
         let end = slip.chart.end();
-        let room = (end - start[0]).abs().min(4.0 * slip.instant(&start).slip_velocity.abs());
+        let mut now = slip.instant(&start);
+        let room = (end - start[0]).abs().min(4.0 * now.slip_velocity.abs());
         let first = (0.1 * room).max(1e-9) * (end - start[0]).signum();
         let slope = |x: f64, y: &Unknowns| slip.slope(Clock::Coordinate, x, y);
         let mut walk = Stepper::new(start[0], start, first, TOLERANCE, slope)?;
         let mut limit = end;
-        let mut by_stick_radius = true;
+        let mut brisk = brisk;
         for _ in 0..MAX_STEPS {
             let from = with_coordinate(walk.x(), walk.y());
-            if by_stick_radius && self.suits_stick_radius(&from) {
+            if now.slip_velocity > brisk && self.suits_stick_radius(&now) {
                 match self.by_stick_radius(&from) {
-                    Ok(arrival) => return Ok(arrival),
-                    Err(_) => by_stick_radius = false,
+                    Ok(leg) => return Ok(leg),
+                    Err(_) => brisk = f64::INFINITY,
                 }
             }
             let checkpoint = walk.clone();
             walk.step(limit)?;
             let y = with_coordinate(walk.x(), walk.y());
-            if let Some(crossing) = self.passed(&y) {
-                if let Some(arrival) = self.land(crossing, &from) {
-                    return Ok(arrival);
+            let next = slip.instant(&y);
+            let mut crossing = self.passed(&next);
+            let mut middle = 0.5 * (from[0] + y[0]);
+            if crossing.is_none()
+                && let Some(x) = self.dip(&now, &next, &mut walk)
+            {
+                (crossing, middle) = (Some(Crossing::SlipStop), x);
+            }
+            if let Some(crossing) = crossing {
+                let seen = next.slip_velocity <= 0.0 || crossing != Crossing::SlipStop;
+                if seen && let Some(leg) = self.land(crossing, &from) {
+                    return Ok(leg);
                 }
                 // Close in on the event by shorter steps.
                 if (y[0] - from[0]).abs() < 1e-13 {
-                    return Ok(self.arrive(crossing, from));
+                    return Ok(Leg::Arrived(self.arrive(crossing, from)));
                 }
-                limit = 0.5 * (from[0] + y[0]);
+                limit = middle;
                 walk = checkpoint;
                 continue;
             }
+            now = next;
             self.recorder.slip(&slip, Clock::Coordinate, &mut walk);
             if walk.x() == end {
-                return Ok(self.arrive(Crossing::ChartEnd, y));
+                return Ok(Leg::Arrived(self.arrive(Crossing::ChartEnd, y)));
             }
             if walk.x() == limit {
                 limit = end;
@@ -571,12 +615,37 @@ impl<R: Recorder> Journey<'_, R> {
         Err(OdeError::StepTooSmall { x: walk.x(), step: 0.0 })
     }
 
+    // Where within the last step the slip velocity falls to zero and recovers, unseen at its ends.
+    fn dip<F: FnMut(f64, &Unknowns) -> Unknowns>(
+        &self,
+        before: &Instant,
+        after: &Instant,
+        walk: &mut Stepper<4, F>,
+    ) -> Option<f64> {
+        const DEEP: f64 = 0.5;
+        let slip = &self.slip;
+        let turns = slip.slip_rate(before) < 0.0 && slip.slip_rate(after) > 0.0;
+        if !turns || before.slip_velocity.min(after.slip_velocity) > DEEP {
+            return None;
+        }
+        let dense = walk.dense();
+        let (mut early, mut late) = (dense.start(), dense.end());
+        for _ in 0..40 {
+            let middle = 0.5 * (early + late);
+            let now = slip.at_clock(Clock::Coordinate, middle, &dense.at(middle));
+            if now.slip_velocity <= 0.0 {
+                return Some(middle);
+            }
+            if slip.slip_rate(&now) < 0.0 { early = middle } else { late = middle }
+        }
+        None
+    }
+
     fn arrive(&self, crossing: Crossing, y: Unknowns) -> Arrival {
         Arrival { crossing, y, now: self.slip.instant(&y) }
     }
 
-    fn passed(&self, y: &Unknowns) -> Option<Crossing> {
-        let now = self.slip.instant(y);
+    fn passed(&self, now: &Instant) -> Option<Crossing> {
         if now.slip_velocity <= 0.0 {
             Some(Crossing::SlipStop)
         } else if now.ring <= 0.0 && now.w < 0.0 {
@@ -589,10 +658,15 @@ impl<R: Recorder> Journey<'_, R> {
     }
 
     // Land exactly on an event with the vanishing quantity as clock (Henon's device).
-    fn land(&mut self, crossing: Crossing, from: &Unknowns) -> Option<Arrival> {
+    fn land(&mut self, crossing: Crossing, from: &Unknowns) -> Option<Leg> {
         match crossing {
-            Crossing::StretchEnd => self.by_stick_radius(from).ok(),
-            Crossing::SlipStop | Crossing::RingClosed => self.until_zero(self.slip, crossing, from),
+            Crossing::StretchEnd => match self.by_stick_radius(from) {
+                Ok(leg @ Leg::Arrived(_)) => Some(leg),
+                _ => None,
+            },
+            Crossing::SlipStop | Crossing::RingClosed => {
+                self.until_zero(self.slip, crossing, from).map(Leg::Arrived)
+            }
             Crossing::ChartEnd => None,
         }
     }
@@ -632,26 +706,25 @@ impl<R: Recorder> Journey<'_, R> {
 
     // The stick radius is the better clock where it moves briskly and either nears the end of
     // its stretch or would soon feel the singular point z* = 0.
-    fn suits_stick_radius(&self, y: &Unknowns) -> bool {
-        let now = self.slip.instant(y);
+    fn suits_stick_radius(&self, now: &Instant) -> bool {
         let low = self.slip.stretch.low;
         let near = now.stick - low < 0.35 * (now.zeta - low);
-        now.slip_velocity > 0.03 && (near || self.slip.chart == Chart::RadiusOut)
+        near || self.slip.chart == Chart::RadiusOut
     }
 
-    fn by_stick_radius(&mut self, from: &Unknowns) -> Result<Arrival, OdeError> {
+    fn by_stick_radius(&mut self, from: &Unknowns) -> Result<Leg, OdeError> {
         let mut slip = Slip { weight: Weight::One, ..self.slip };
         let target = slip.stretch.low.sqrt();
-        let start = self.slip.instant(from);
-        let mut radius = start.stick.sqrt();
-        let mut y = [from[0], from[1], start.ring, from[3]];
+        let mut last = self.slip.instant(from);
+        let mut radius = last.stick.sqrt();
+        let mut y = [from[0], from[1], last.ring, from[3]];
         let mut trial = 0.3 * (target - radius);
         loop {
             let slope = |x: f64, y: &Unknowns| slip.slope(Clock::StickRadius, x, y);
             let mut walk = Stepper::new(radius, y, trial, TOLERANCE, slope)?;
             loop {
                 let before = y;
-                walk.step(target)?;
+                walk.step(target.max(radius - REACH * last.radius))?;
                 radius = walk.x();
                 let now;
                 (y, now) = slip.settle(radius, walk.y());
@@ -659,13 +732,22 @@ impl<R: Recorder> Journey<'_, R> {
                     let crossing =
                         if now.ring <= 0.0 { Crossing::RingClosed } else { Crossing::SlipStop };
                     let failed = OdeError::NotFinite { x: radius };
-                    return self.until_zero(slip, crossing, &before).ok_or(failed);
+                    return self
+                        .until_zero(slip, crossing, &before)
+                        .map(Leg::Arrived)
+                        .ok_or(failed);
                 }
                 self.recorder.slip(&slip, Clock::StickRadius, &mut walk);
                 if radius == target {
-                    return Ok(Arrival { crossing: Crossing::StretchEnd, y, now });
+                    let crossing = Crossing::StretchEnd;
+                    return Ok(Leg::Arrived(Arrival { crossing, y, now }));
                 }
                 let chart = Chart::onward(now.w, now.zeta);
+                if now.slip_velocity < SLOW.min(0.9 * last.slip_velocity) {
+                    y[0] = chart.coordinate(now.w, now.zeta);
+                    return Ok(Leg::Slowed { chart, y });
+                }
+                last = now;
                 if chart != slip.chart {
                     trial = walk.trial_step();
                     y[0] = chart.coordinate(now.w, now.zeta);

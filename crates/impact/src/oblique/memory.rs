@@ -20,8 +20,19 @@ pub(super) struct Old {
 pub(super) enum Shape {
     /// In complete adhesion while the contact grew.
     Adhesion(Box<Segment>),
-    /// In slip: slope `sign`, with the traction at the lower end.
-    Slip { sign: f64, traction: f64 },
+    /// In slip: slope `sign`.
+    Slip(Frozen),
+}
+
+/// The stresses that slip of one sign left behind, frozen.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Frozen {
+    pub(super) sign: f64,
+    /// The sign over `scale`: the path's velocity in the unit of u.
+    velocity: f64,
+    /// Traction at the lower end and low^(3/2).
+    traction: f64,
+    base: f64,
 }
 
 /// A stretch of depths `low..high` of the memory.
@@ -38,9 +49,18 @@ impl Stretch {
         Self { low, high, shape: Shape::Adhesion(Box::new(segment)) }
     }
 
-    /// The stored state at depth `z`; `scale` is the unit of u in units of zeta_dot_A.
-    pub(super) fn at(&self, z: f64, chi: f64, scale: f64) -> Old {
-        let z_three_halves = z * z.sqrt();
+    /// Slip of this sign over `low..high`, with the traction at `low`; `scale` is the unit of u
+    /// in units of zeta_dot_A.
+    pub(super) fn slip(low: f64, high: f64, sign: f64, traction: f64, scale: f64) -> Self {
+        let base = low * low.sqrt();
+        let frozen = Frozen { sign, velocity: sign / scale, traction, base };
+        Self { low, high, shape: Shape::Slip(frozen) }
+    }
+
+    /// The stored state at depth `z`, whose square root is `radius`.
+    #[inline]
+    pub(super) fn at(&self, z: f64, radius: f64, chi: f64) -> Old {
+        let z_three_halves = z * radius;
         match &self.shape {
             Shape::Adhesion(segment) => {
                 let speed = (1.0 - z * z_three_halves).max(0.0).sqrt();
@@ -48,10 +68,10 @@ impl Stretch {
                 let traction = z_three_halves * state.gradient / chi;
                 Old { velocity: state.velocity, speed, traction }
             }
-            Shape::Slip { sign, traction } => {
-                let rise = z_three_halves - self.low * self.low.sqrt();
-                let traction = traction + sign * rise / scale;
-                Old { velocity: sign / scale, speed: 1.0, traction }
+            Shape::Slip(frozen) => {
+                let rise = z_three_halves - frozen.base;
+                let traction = frozen.traction + frozen.velocity * rise;
+                Old { velocity: frozen.velocity, speed: 1.0, traction }
             }
         }
     }

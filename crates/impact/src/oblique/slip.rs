@@ -50,12 +50,13 @@ impl Chart {
         }
     }
 
-    /// Velocity and compression at a coordinate.
-    pub(super) fn normal(self, coordinate: f64) -> (f64, f64) {
+    /// Velocity and contact radius at a coordinate.
+    #[inline]
+    fn normal(self, coordinate: f64) -> (f64, f64) {
         match self {
-            Self::Velocity => (coordinate, crate::normal::compression(coordinate)),
-            Self::RadiusIn => (speed(coordinate), coordinate * coordinate),
-            Self::RadiusOut => (-speed(coordinate), coordinate * coordinate),
+            Self::Velocity => (coordinate, crate::normal::radius(coordinate)),
+            Self::RadiusIn => (speed(coordinate), coordinate),
+            Self::RadiusOut => (-speed(coordinate), coordinate),
         }
     }
 
@@ -68,10 +69,11 @@ impl Chart {
         }
     }
 
-    fn rate(self, w: f64, zeta: f64) -> f64 {
+    #[inline]
+    fn rate(self, w: f64, radius: f64) -> f64 {
         match self {
-            Self::Velocity => -1.25 * zeta * zeta.sqrt(),
-            Self::RadiusIn | Self::RadiusOut => 0.5 * w / zeta.sqrt(),
+            Self::Velocity => -1.25 * (radius * radius * radius),
+            Self::RadiusIn | Self::RadiusOut => 0.5 * w / radius,
         }
     }
 }
@@ -142,6 +144,8 @@ pub(super) struct Slip<'a> {
 pub(super) struct Instant {
     pub(super) w: f64,
     pub(super) zeta: f64,
+    /// Contact radius.
+    pub(super) radius: f64,
     pub(super) stick: f64,
     /// Width of the slip ring in the unit of u.
     pub(super) ring: f64,
@@ -155,35 +159,51 @@ pub(super) struct Instant {
 
 impl Slip<'_> {
     // The instant at given unknowns.
+    #[inline]
     fn resolve(&self, y: &Unknowns) -> Instant {
-        let (w, zeta) = self.chart.normal(y[0]);
-        let ring = y[2] / self.weight.at(w);
-        self.describe(y[1], w, zeta, ring, (zeta - self.scale * ring).max(0.0))
+        let (w, radius) = self.chart.normal(y[0]);
+        let ring = match self.weight {
+            Weight::One => y[2],
+            Weight::FromOnset(onset) => y[2] / (onset - w),
+        };
+        let stick = (radius * radius - self.scale * ring).max(0.0);
+        self.describe(y[1], w, radius, ring, stick, stick.sqrt())
     }
 
     // The instant with the stick radius as clock: near separation the compression follows from
     // z* and r, so that no resolution is lost. Its weight is one.
-    fn resolve_by_stick(&self, y: &Unknowns, radius: f64) -> Instant {
-        let stick = radius * radius;
-        let (w, zeta) = match self.chart {
+    #[inline]
+    fn resolve_by_stick(&self, y: &Unknowns, stick_radius: f64) -> Instant {
+        let stick = stick_radius * stick_radius;
+        let (w, radius) = match self.chart {
             Chart::Velocity => self.chart.normal(y[0]),
             Chart::RadiusIn | Chart::RadiusOut => {
                 self.chart.normal((stick + self.scale * y[2]).max(0.0).sqrt())
             }
         };
-        self.describe(y[1], w, zeta, y[2], stick)
+        self.describe(y[1], w, radius, y[2], stick, stick_radius)
     }
 
-    fn describe(&self, velocity: f64, w: f64, zeta: f64, ring: f64, stick: f64) -> Instant {
-        let old = self.stretch.at(stick, self.chi, self.scale);
+    #[inline]
+    fn describe(
+        &self,
+        velocity: f64,
+        w: f64,
+        radius: f64,
+        ring: f64,
+        stick: f64,
+        stick_radius: f64,
+    ) -> Instant {
+        let old = self.stretch.at(stick, stick_radius, self.chi);
         // zeta^1.5 - z*^1.5 = scale r Q without cancellation
-        let zeta_three_halves = zeta * zeta.sqrt();
-        let halves = zeta_three_halves + stick * stick.sqrt();
+        let zeta = radius * radius;
+        let zeta_three_halves = zeta * radius;
+        let halves = zeta_three_halves + stick * stick_radius;
         let squares = zeta * zeta + zeta * stick + stick * stick;
         let q = if halves > 0.0 { squares / halves } else { 0.0 };
         let traction = old.traction + self.sign * ring * q;
-        let slip_velocity = self.sign * (self.scale * velocity - self.sign * w);
-        Instant { w, zeta, stick, ring, old, zeta_three_halves, traction, slip_velocity }
+        let slip_velocity = self.sign * self.scale * velocity - w;
+        Instant { w, zeta, radius, stick, ring, old, zeta_three_halves, traction, slip_velocity }
     }
 
     /// The instant described by unknowns of which all are current.
@@ -211,7 +231,7 @@ impl Slip<'_> {
         let now = self.at_clock(clock, x, y);
         let widening = self.widening(y[1], &now) / self.lag(&now);
         let rates = [
-            self.chart.rate(now.w, now.zeta),
+            self.chart.rate(now.w, now.radius),
             -1.25 * self.chi * now.traction,
             self.weight.at(now.w) * widening + self.weight.rate(now.zeta_three_halves) * now.ring,
             y[1],
@@ -219,11 +239,7 @@ impl Slip<'_> {
         let clock_rate = match clock {
             Clock::Coordinate => rates[0],
             Clock::RingWidth => rates[2],
-            // d (s u - w)/dt = -(5/4) (s chi Phi - zeta^1.5)
-            _ => {
-                let force = self.chi * self.scale * now.traction * self.sign;
-                -1.25 * (force - now.zeta_three_halves)
-            }
+            _ => self.slip_rate(&now),
         };
         let per_clock = 1.0 / clock_rate;
         rates.map(|rate| rate * per_clock)
@@ -236,7 +252,7 @@ impl Slip<'_> {
         let step = 2.0 * radius / (now.old.speed * self.sign * now.slip_velocity);
         let time = step * self.lag(&now);
         let coordinate = match self.chart {
-            Chart::Velocity => self.chart.rate(now.w, now.zeta) * time,
+            Chart::Velocity => self.chart.rate(now.w, now.radius) * time,
             Chart::RadiusIn | Chart::RadiusOut => 0.0, // follows from z* and r
         };
         [
@@ -245,6 +261,12 @@ impl Slip<'_> {
             self.widening(y[1], &now) * step,
             y[1] * time,
         ]
+    }
+
+    /// d (s u - w)/dt = -(5/4) (s chi Phi - zeta^1.5)
+    pub(super) fn slip_rate(&self, now: &Instant) -> f64 {
+        let force = self.chi * self.scale * now.traction * self.sign;
+        -1.25 * (force - now.zeta_three_halves)
     }
 
     // u* - s w* in units of zeta_dot_A

@@ -1,6 +1,8 @@
 //! The Dormand-Prince method of order 8(5,3) for small systems of fixed size, without allocation.
 
-use super::tableau::{A, B, C, D, E3, E5};
+use super::tableau::{
+    A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, A13, A14, A15, B, C, D, E3, E5,
+};
 
 /// Absolute and relative tolerance of one step, the same for every component.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -125,7 +127,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
             let (y, error) = self.attempt(step);
             if error <= 1.0 {
                 self.accept(step, y, if lands { limit } else { self.x + step });
-                let factor = if error == 0.0 { 10.0 } else { 0.9 * libm::pow(error, -0.125) };
+                let factor = if error == 0.0 { 10.0 } else { 0.9 * growth(error) };
                 let factor = factor.clamp(0.333, if rejected { 1.0 } else { 6.0 });
                 // A step cut by the limit says nothing against the longer trial.
                 self.trial = (step * factor).abs().max(if lands && !rejected {
@@ -136,27 +138,42 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
                 return Ok(());
             }
             rejected = true;
-            let factor = if error.is_finite() { 0.9 * libm::pow(error, -0.125) } else { 0.1 };
+            let factor = if error.is_finite() { 0.9 * growth(error) } else { 0.1 };
             step *= factor.clamp(0.1, 0.9);
         }
     }
 
     fn attempt(&mut self, step: f64) -> ([f64; N], f64) {
-        for i in 1..12 {
-            let y = self.combine(step, A[i]);
-            self.stages[i] = (self.slope)(self.x + C[i] * step, &y);
-        }
-        let y = self.combine(step, B);
+        // Spelled out so that the compiler knows every index.
+        self.stage::<1, _>(step, &A1);
+        self.stage::<2, _>(step, &A2);
+        self.stage::<3, _>(step, &A3);
+        self.stage::<4, _>(step, &A4);
+        self.stage::<5, _>(step, &A5);
+        self.stage::<6, _>(step, &A6);
+        self.stage::<7, _>(step, &A7);
+        self.stage::<8, _>(step, &A8);
+        self.stage::<9, _>(step, &A9);
+        self.stage::<10, _>(step, &A10);
+        self.stage::<11, _>(step, &A11);
+        let y = self.combine(step, &B);
         (y, self.error_norm(step, &y))
     }
 
-    fn combine(&self, step: f64, weights: &[(usize, f64)]) -> [f64; N] {
+    #[inline(always)]
+    fn stage<const I: usize, const M: usize>(&mut self, step: f64, weights: &[(usize, f64); M]) {
+        let y = self.combine(step, weights);
+        self.stages[I] = (self.slope)(self.x + C[I] * step, &y);
+    }
+
+    #[inline(always)]
+    fn combine<const M: usize>(&self, step: f64, weights: &[(usize, f64); M]) -> [f64; N] {
         let sum = self.weighted(weights);
         std::array::from_fn(|n| self.y[n] + step * sum[n])
     }
 
-    #[inline]
-    fn weighted(&self, weights: &[(usize, f64)]) -> [f64; N] {
+    #[inline(always)]
+    fn weighted<const M: usize>(&self, weights: &[(usize, f64); M]) -> [f64; N] {
         let mut sum = [0.0; N];
         for &(stage, weight) in weights {
             for (sum, slope) in sum.iter_mut().zip(&self.stages[stage]) {
@@ -167,7 +184,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
     }
 
     fn error_norm(&self, step: f64, y: &[f64; N]) -> f64 {
-        let (e3, e5) = (self.weighted(E3), self.weighted(E5));
+        let (e3, e5) = (self.weighted(&E3), self.weighted(&E5));
         let (mut sum3, mut sum5) = (0.0, 0.0);
         for n in 0..N {
             let size = self.y[n].abs().max(y[n].abs());
@@ -201,13 +218,14 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
     /// The dense output over the last accepted step: three more evaluations of the slope.
     pub fn dense(&mut self) -> DenseStep<N> {
         let (start, step) = (self.x - self.last, self.last);
+        let reached = self.x;
         self.swap_slopes();
         let end = std::mem::replace(&mut self.y, self.previous);
-        for i in 13..16 {
-            let y = self.combine(step, A[i]);
-            self.stages[i] = (self.slope)(start + C[i] * step, &y);
-        }
-        self.y = end;
+        self.x = start;
+        self.stage::<13, _>(step, &A13);
+        self.stage::<14, _>(step, &A14);
+        self.stage::<15, _>(step, &A15);
+        (self.x, self.y) = (reached, end);
         let delta: [f64; N] = std::array::from_fn(|n| self.y[n] - self.previous[n]);
         let mut terms = [[0.0; N]; 7];
         for n in 0..N {
@@ -259,6 +277,11 @@ impl<const N: usize> DenseStep<N> {
         }
         std::array::from_fn(|n| y[n] + self.origin[n])
     }
+}
+
+// error^(-1/8)
+fn growth(error: f64) -> f64 {
+    1.0 / error.sqrt().sqrt().sqrt()
 }
 
 fn all_finite<const N: usize>(y: &[f64; N]) -> bool {
