@@ -1,0 +1,131 @@
+//! Fig. 10.2: the spin after an impact against that before it, and its asymptotes.
+
+use std::f64::consts::PI;
+
+use carom_halfspace::{Material, MaterialPair};
+use carom_impact::torsional::{SpinCollision, Spinner, limits};
+use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
+use carom_laws::friction::Friction;
+use carom_laws::hertz::Hertz;
+
+use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+
+type Failure = Box<dyn std::error::Error + Send + Sync>;
+
+struct Sphere {
+    name: &'static str,
+    shear_modulus: f64,
+    poisson: f64,
+    density: f64,
+    radius: f64,
+    friction: f64,
+    /// epsilon, small-spin ratio corrected and printed, d corrected and printed.
+    expected: [f64; 5],
+}
+
+const SPHERES: [Sphere; 2] = [
+    Sphere {
+        name: "steel",
+        shear_modulus: 82e9,
+        poisson: 0.3,
+        density: 7850.0,
+        radius: 0.01,
+        friction: 0.3,
+        expected: [0.007_738_4, 0.988_345, 0.991_258, 3.3278, 4.6589],
+    },
+    Sphere {
+        name: "rubber",
+        shear_modulus: 1e6,
+        poisson: 0.5,
+        density: 1100.0,
+        radius: 0.02,
+        friction: 0.8,
+        expected: [0.203_33, 0.709_168, 0.781_613, 26.911, 37.676],
+    },
+];
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.assumed("steel", "G = 82 GPa, ν = 0.3, ρ = 7850 kg/m³, R = 10 mm, f = 0.3");
+    figure.assumed("rubber", "G = 1 MPa, ν = 0.5, ρ = 1100 kg/m³, R = 20 mm, f = 0.8");
+    figure.assumed("both", "solid, against a rigid plane at 1 m/s");
+    for sphere in &SPHERES {
+        draw_sphere(&mut figure, sphere)?;
+    }
+    figure.deviation(
+        "(10.40), (10.63): [1 - 5/2 δ(T - 2)] [1 - 5 δ(T - 2)]",
+        "2 y_1² - 1, to first order 1 - 10 δ(T - 2)",
+        "the mirrored velocity in (10.38) is not constant",
+    );
+    figure.deviation("(10.52), (10.64): 21", "15", "factor 7/2 used for 5/2");
+    figure.deviation("at (10.64): complete adhesion", "complete sliding", "slip of the text");
+    Ok(figure)
+}
+
+fn draw_sphere(figure: &mut Figure, sphere: &Sphere) -> Result<(), Failure> {
+    let name = sphere.name;
+    let at_rest = sphere.collision(0.0)?;
+    let epsilon = at_rest.groups()?.map_or(f64::NAN, |groups| groups.epsilon());
+    let delta = at_rest.normal().maximal_approach() / sphere.radius;
+    let [low, low_printed] = [limits::no_slip(epsilon)?, limits::no_slip_as_printed(epsilon)];
+    let d = sphere.friction / sphere.radius * delta.sqrt() * limits::SLIDING_LOSS;
+    let shift = d / (1.0 - low); // the asymptotes meet here
+    let mut points = Vec::new();
+    let mut above = f64::INFINITY;
+    for before in linspace(0.0, 2.5 * shift, 101) {
+        let after = sphere.collision(before)?.solve()?.spins[0];
+        points.push((before, after));
+        above = above.min(after - (low * before).max(before - d));
+    }
+    let mut panel =
+        Panel::new(Axis::linear("β'(0), rad/s"), Axis::linear("β'(T), rad/s")).titled(name);
+    panel.add(Series::line("computed", points.clone()));
+    panel.add(Series::dashed("(10.63) corrected", vec![(0.0, 0.0), (shift, shift - d)]));
+    panel.add(Series::dashed("(10.64) corrected", vec![(d, 0.0), (2.5 * shift, 2.5 * shift - d)]));
+    figure.panel(panel);
+    let mut panel =
+        Panel::new(Axis::linear("β'(0), rad/s"), Axis::linear("lost spin β'(0) - β'(T), rad/s"))
+            .titled(format!("{name}: loss"));
+    let lost = |(x, y): (f64, f64)| (x, x - y);
+    panel.add(Series::line("computed", points.iter().copied().map(lost).collect::<Vec<_>>()));
+    let ends = |slope: f64, most: f64| vec![(0.0, 0.0), (most / slope, most)];
+    panel.add(Series::dashed("(10.63) corrected", ends(1.0 - low, d)));
+    panel.add(Series::dashed("(10.64) corrected", vec![(0.0, d), (2.5 * shift, d)]));
+    panel.add(Series::dotted("(10.63) printed", ends(1.0 - low_printed, 1.4 * d)));
+    panel.add(Series::dotted("(10.64) printed", vec![(0.0, 1.4 * d), (2.5 * shift, 1.4 * d)]));
+    figure.panel(panel);
+
+    let measured = [epsilon, low, low_printed, d, 1.4 * d];
+    figure.claim(
+        Claim::all_close(
+            format!("{name}: ε, small-spin ratio (corrected, printed), d (corrected, printed)"),
+            measured.into_iter().zip(sphere.expected),
+            Tolerance::Relative(4e-5),
+        )
+        .source("independent program"),
+    );
+    figure.claim(
+        Claim::at_least(format!("{name}: spin above both asymptotes"), above, -1e-9 * d)
+            .source("the text at fig. 10.2"),
+    );
+    let fast = 1e4 * shift;
+    let lost = fast - sphere.collision(fast)?.solve()?.spins[0];
+    figure.claim(
+        Claim::close(format!("{name}: spin lost in sliding"), lost, d, Tolerance::Relative(1e-8))
+            .source("(10.64), corrected"),
+    );
+    Ok(())
+}
+
+impl Sphere {
+    fn collision(&self, spin: f64) -> Result<SpinCollision, Failure> {
+        let material = Material::from_shear(self.shear_modulus, self.poisson)?;
+        let sphere = PrincipalRadii::sphere(self.radius)?;
+        let gap = RelativeCurvature::new(sphere, PrincipalRadii::PLANE, 0.0)?;
+        let hertz = Hertz::new(gap, MaterialPair::new(material, Material::RIGID)?)?;
+        let mass = 4.0 / 3.0 * PI * self.radius.powi(3) * self.density;
+        let ball = Spinner::solid_sphere(mass, self.radius)?.spinning(spin)?;
+        let friction = Friction::new(self.friction)?;
+        Ok(SpinCollision::new(&hertz, friction, [ball, Spinner::held_fast()], 1.0)?)
+    }
+}

@@ -1,0 +1,70 @@
+//! Fig. 10.1: the rotation, and the mirror image of its adhesive part.
+
+use carom_impact::normal::DURATION;
+use carom_impact::torsional::{TorsionalGroups, TorsionalImpact, TorsionalPoint, limits};
+
+use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.assumed("ε, Ω", "0.5, 0.1: strong torsion, so that the rebound shows");
+    let course = course(0.5, 0.1)?;
+    let mut panel =
+        Panel::new(Axis::linear("time, normalised (9.4)"), Axis::linear("rotation, normalised"));
+    let points: Vec<(f64, f64)> = course.iter().map(|p| (p.time, p.twist)).collect();
+    panel.add(Series::line("β", points));
+    let compression = |p: &&TorsionalPoint| p.normal_velocity >= 0.0;
+    let mirrored: Vec<(f64, f64)> =
+        course.iter().filter(compression).map(|p| (DURATION - p.time, p.twist)).collect();
+    panel.add(Series::dashed("mirror image of the compression", mirrored));
+    figure.panel(panel);
+    let mut panel =
+        Panel::new(Axis::linear("time, normalised (9.4)"), Axis::linear("radius, by its maximum"));
+    let radius: Vec<(f64, f64)> = course.iter().map(|p| (p.time, p.radius)).collect();
+    panel.add(Series::line("contact radius", radius));
+    let stick: Vec<(f64, f64)> = course.iter().map(|p| (p.time, p.stick_radius)).collect();
+    panel.add(Series::dashed("stick radius", stick));
+    figure.panel(panel);
+
+    let twist = course.iter().fold(0.0_f64, |most, p| most.max(p.twist.abs()));
+    figure.claim(Claim::at_most("greatest rotation, bound T", twist, DURATION).source("(10.1)"));
+    let end = course.last().map_or(f64::NAN, |p| p.spin);
+    figure.claim(
+        Claim::close("spin at the end", end, 0.404_980_700_744, Tolerance::Absolute(2e-11))
+            .source("independent program"),
+    );
+    let falling = course.iter().filter(|p| p.time > 1.5).map(|p| p.stick_radius);
+    figure.claim(Claim::decreasing("stick radius in restitution", falling).source("section 10.2"));
+    figure.claim(reversal()?);
+    figure.deviation(
+        "(10.7): slip where the torques' increments meet, 3π/16",
+        "1/2 in place of 3π/16: slip begins at the rim by the local traction",
+        "17.8 % late; agrees with a solution by rings",
+    );
+    figure.deviation(
+        "after (10.24): the impact starts with partial slip",
+        "it starts with adhesion; slip begins at the end of compression",
+        "as the text after (10.7) says itself",
+    );
+    Ok(figure)
+}
+
+fn course(
+    epsilon: f64,
+    omega: f64,
+) -> Result<Vec<TorsionalPoint>, Box<dyn std::error::Error + Send + Sync>> {
+    let angle = |i: u32| std::f64::consts::PI * f64::from(i) / 300.0;
+    let velocities: Vec<f64> = (0..=300).map(|i| libm::cos(angle(i))).collect();
+    Ok(TorsionalImpact::trace(TorsionalGroups::new(epsilon, omega)?, &velocities)?)
+}
+
+/// Without slip, the rotation's excess over the mirror image runs as 2 y_1 times the odd solution.
+fn reversal() -> Result<Claim, Box<dyn std::error::Error + Send + Sync>> {
+    let course = course(0.5, 0.0)?;
+    let end = course.last().map_or(f64::NAN, |p| p.spin);
+    let y_1 = course[150].spin;
+    let limit = limits::no_slip(0.5)?;
+    let pairs = [(end, limit), (2.0 * y_1 * y_1 - 1.0, limit)];
+    Ok(Claim::all_close("small spin: 2 y_1² - 1", pairs, Tolerance::Absolute(2e-6))
+        .source("Wronskian of the two halves"))
+}
