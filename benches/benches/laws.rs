@@ -8,6 +8,7 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use carom_laws::memory::{Fixed, Growing, Lateral, Memory, VertexStack};
+use carom_laws::torsion::history::TwistHistory;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
 const CONTACTS: usize = 10_000;
@@ -95,7 +96,29 @@ fn law<V: Lateral, S: VertexStack<V>>(c: &mut Criterion, name: &str) {
     group.finish();
 }
 
+/// A twist that swings at constant load, and with the load.
+fn twist(c: &mut Criterion) {
+    let mut group = c.benchmark_group("twist");
+    group.throughput(Throughput::Elements(STEPS as u64)).sample_size(20);
+    for (name, depth) in [("constant load", 0.0), ("swinging load", 0.2)] {
+        group.bench_function(name, |b| {
+            b.iter(|| {
+                let mut history = TwistHistory::new();
+                let mut sum = 0.0;
+                for step in 0..STEPS {
+                    let t = 0.08 * step as f64;
+                    let radius = 1.0 + depth * (0.3 * t).sin();
+                    sum += history.advance(radius, 0.7 * black_box(t).sin()).unwrap_or(0.0);
+                }
+                sum
+            });
+        });
+    }
+    group.finish();
+}
+
 fn benches(c: &mut Criterion) {
+    twist(c);
     law::<f64, Growing<f64>>(c, "scalar, exact");
     law::<f64, Fixed<f64, 16>>(c, "scalar, 16 vertices");
     law::<[f64; 2], Growing<[f64; 2]>>(c, "vector, exact");

@@ -4,6 +4,8 @@ use crate::case::CaseError;
 use crate::command::StepsError;
 use carom_impact::CollisionError;
 use carom_impact::oblique::ObliqueError;
+use carom_impact::scene::SceneError;
+use carom_impact::uncertain::UncertainError;
 use carom_plot::PlotError;
 use carom_special::RangeError;
 use std::path::{Path, PathBuf};
@@ -26,6 +28,22 @@ pub enum CliError {
         path: PathBuf,
         /// Why.
         source: CollisionError,
+    },
+    /// The scene of a case cannot be run.
+    #[error("{}: {source}", path.display())]
+    Scene {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: SceneError,
+    },
+    /// No sample of an uncertain case gives an outcome.
+    #[error("{}: {source}", path.display())]
+    Uncertain {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: UncertainError,
     },
     /// A law refuses a value of a case.
     #[error("{}: {source}", path.display())]
@@ -76,7 +94,17 @@ impl CliError {
     pub const fn exit_code(&self) -> u8 {
         match self {
             Self::Collision { source: CollisionError::Oblique(_), .. } => 1,
+            Self::Scene {
+                source: SceneError::Collision { source: CollisionError::Oblique(_), .. },
+                ..
+            } => 1,
+            Self::Uncertain {
+                source: UncertainError::Collision { source: CollisionError::Oblique(_), .. },
+                ..
+            } => 1,
             Self::Case { .. }
+            | Self::Uncertain { .. }
+            | Self::Scene { .. }
             | Self::Collision { .. }
             | Self::Law { .. }
             | Self::Steps { .. }

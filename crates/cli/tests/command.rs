@@ -140,7 +140,7 @@ fn every_example_runs_in_every_format_and_draws() {
         let case = path.to_str().unwrap();
         let name = path.file_name().unwrap().to_str().unwrap();
         let command = match name.split_once('_') {
-            Some((command @ ("hertz" | "history"), _)) => command,
+            Some((command @ ("hertz" | "history" | "scene"), _)) => command,
             _ => "impact",
         };
         for format in ["table", "json", "csv"] {
@@ -346,4 +346,16 @@ fn bad_contacts_end_with_code_2() {
         assert!(stderr.contains(expected), "{stderr}");
         assert!(output.stdout.is_empty() && !plot.exists());
     }
+}
+
+#[test]
+fn restitution_by_groups_of_any_bodies() {
+    // Sliding throughout: R_x = -1 + 2 chi/psi; spheres are chi = 7/(2 kappa), psi = lambda/kappa.
+    let rows = json(&["restitution", "--chi", "2,3", "--psi", "8"]);
+    assert_eq!(rows[0]["R_x"], -0.5);
+    assert_eq!((&rows[1]["chi"], &rows[1]["psi"]), (&3.0.into(), &8.0.into()));
+    let spheres = json(&["restitution", "--kappa", "1.25", "--lambda", "2"]);
+    let groups = json(&["restitution", "--chi", "2.8", "--psi", "1.6"]);
+    assert_eq!(spheres[0]["regimes"], groups[0]["regimes"]);
+    assert_eq!(spheres[0]["R_x"], groups[0]["R_x"]);
 }

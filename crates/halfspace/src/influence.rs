@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use carom_special::RangeError;
 
-use crate::{Displacement, MaterialPair, Offset, Rectangle, Traction};
+use crate::{Displacement, MaterialPair, Offset, Rectangle, RectangleIntegrals, Traction};
 
 /// The displacements of a point due to unit tractions on one rectangle, A of (4.14).
 ///
@@ -49,6 +49,55 @@ pub struct RectangleInfluence {
     rectangle: Rectangle,
 }
 
+/// The influence of a point load on the surfaces of two elastic bodies: the integrands of (4.14).
+///
+/// What a rectangle's coefficients are at a distance, divided by its area; per unit force.
+///
+/// ```
+/// use carom_halfspace::{Material, MaterialPair, Offset, PointInfluence};
+/// let body = Material::from_shear(1.0, 0.25)?;
+/// let pair = MaterialPair::new(body, Material::RIGID)?;
+/// let here = PointInfluence::new(pair).coefficients(Offset { x: 3.0, y: 4.0 })?;
+/// let expected = (1.0 - 0.25) / (2.0 * std::f64::consts::PI * 5.0); // (4.5c)
+/// assert!((here.rows[2][2] - expected).abs() < 1e-17);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PointInfluence {
+    pair: MaterialPair,
+}
+
+impl PointInfluence {
+    /// The influence of a point load on the bodies `pair`.
+    #[must_use]
+    pub const fn new(pair: MaterialPair) -> Self {
+        Self { pair }
+    }
+
+    /// The displacements (4.8), (4.9) by unit forces at `offset`, source minus receiver.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the offset is finite and not 0, where they are infinite.
+    pub fn coefficients(&self, offset: Offset) -> Result<Coefficients, RangeError> {
+        let Offset { x, y } = offset;
+        RangeError::finite("offset x", x)?;
+        RangeError::finite("offset y", y)?;
+        let r = libm::hypot(x, y);
+        let singular = "> 0: a point load is singular where it acts";
+        RangeError::check("r", r, r > 0.0 && (1.0 / r).is_finite(), singular)?;
+        let (a, b) = (x / r, y / r);
+        let integrands = RectangleIntegrals {
+            inverse_distance: 1.0 / r,
+            xx: b * b / r,
+            yy: a * a / r,
+            xy: -a * b / r,
+            log_x: a / r,
+            log_y: b / r,
+        };
+        Ok(Independent::of(&self.pair, &integrands).nine())
+    }
+}
+
 /// The six independent values of (4.14): the other three follow from (4.23).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Independent {
@@ -86,17 +135,22 @@ impl RectangleInfluence {
     pub fn coefficients(&self, offset: Offset) -> Result<Coefficients, RangeError> {
         RangeError::finite("offset x", offset.x)?;
         RangeError::finite("offset y", offset.y)?;
-        let Independent { xx, yy, zz, xy, xz, yz } = self.independent(offset);
-        Ok(Coefficients { rows: [[xx, xy, xz], [xy, yy, yz], [-xz, -yz, zz]] })
+        Ok(self.independent(offset).nine())
     }
 
     /// The coefficients (4.14) at an offset known to be finite.
     pub(crate) fn independent(&self, offset: Offset) -> Independent {
-        let integrals = self.rectangle.trusted_integrals(offset);
-        let nu = self.pair.poisson();
-        let direct = 1.0 / (2.0 * PI * self.pair.shear_modulus());
-        let coupling = self.pair.epsilon() / (2.0 * PI); // (4.14) with (5.20)
-        Independent {
+        Independent::of(&self.pair, &self.rectangle.trusted_integrals(offset))
+    }
+}
+
+impl Independent {
+    /// (4.14) from the integrals (4.29).
+    fn of(pair: &MaterialPair, integrals: &RectangleIntegrals) -> Self {
+        let nu = pair.poisson();
+        let direct = 1.0 / (2.0 * PI * pair.shear_modulus());
+        let coupling = pair.epsilon() / (2.0 * PI); // (4.14) with (5.20)
+        Self {
             // I0 - nu d2r/dx2, written as a sum of positive terms
             xx: direct * (integrals.yy + (1.0 - nu) * integrals.xx),
             yy: direct * (integrals.xx + (1.0 - nu) * integrals.yy),
@@ -105,5 +159,11 @@ impl RectangleInfluence {
             xz: coupling * integrals.log_x,
             yz: coupling * integrals.log_y,
         }
+    }
+
+    /// All nine, the others by (4.23).
+    fn nine(self) -> Coefficients {
+        let Self { xx, yy, zz, xy, xz, yz } = self;
+        Coefficients { rows: [[xx, xy, xz], [xy, yy, yz], [-xz, -yz, zz]] }
     }
 }

@@ -17,8 +17,8 @@ use crate::{Displacement, Force, Material, Point, Rectangle, Stress, Traction};
 
 /// A rectangle of constant traction on the surface of one elastic half-space.
 ///
-/// Points are relative to the centre of the rectangle. For the upper body of a pair, turn z and
-/// the tangential tractions around.
+/// Points are relative to the centre of the rectangle. For body 2 of a pair count z into it and
+/// turn the tangential tractions around.
 ///
 /// ```
 /// use carom_halfspace::{LoadedRectangle, Material, Point, Rectangle, Traction};

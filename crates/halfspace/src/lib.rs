@@ -4,6 +4,7 @@
 //! |---|---|
 //! | [`Material`], [`MaterialPair`] | elastic constants of a body and of two in contact (4.7) |
 //! | [`PointLoad`] | displacement and stress of Boussinesq and Cerruti (4.1)-(4.5) |
+//! | [`PointInfluence`] | the same on the surfaces of two bodies (4.8) |
 //! | [`Rectangle`], [`RectangleInfluence`] | the nine coefficients of a loaded cell (4.14), (4.29) |
 //! | [`LoadedRectangle`], [`Stress`] | displacement and stress inside the body under a cell |
 //! | [`Grid`], [`operator`] | products of whole fields by fast convolution (4.13) |
@@ -25,7 +26,7 @@ mod stress;
 mod vector;
 
 pub use grid::Grid;
-pub use influence::{Coefficients, RectangleInfluence};
+pub use influence::{Coefficients, PointInfluence, RectangleInfluence};
 pub use interior::LoadedRectangle;
 pub use material::{Material, MaterialPair};
 pub use point_load::PointLoad;

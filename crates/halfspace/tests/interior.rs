@@ -263,3 +263,15 @@ fn hertz_circle_on_the_axis() {
     assert_abs_diff_eq!(shear(0.4809), 0.3100, epsilon = 5e-5);
     assert!(shear(0.4809) > shear(0.4809 - 1e-3) && shear(0.4809) > shear(0.4809 + 1e-3));
 }
+
+#[test]
+fn hertz_ellipse_on_the_axis() {
+    for (a, b) in [(1.0, 2.0), (1.0, 5.0), (3.0, 1.0)] {
+        for z in [0.3, 1.0, 4.0] {
+            let found = hertz_axis(0.3, a, b, z);
+            let zz = -1.0 / ((1.0 + z * z / (a * a)) * (1.0 + z * z / (b * b))).sqrt();
+            assert_abs_diff_eq!(found.zz, zz, epsilon = 1e-11);
+            assert_abs_diff_eq!(found.xy, 0.0, epsilon = 1e-13);
+        }
+    }
+}

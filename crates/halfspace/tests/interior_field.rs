@@ -100,3 +100,24 @@ fn hertz_pressure_on_a_grid_has_its_greatest_shear_below_the_surface() {
     assert!((greatest[1] - 0.3100).abs() < 2e-4, "{}", greatest[1]);
     assert!(greatest[1] > greatest[0] && greatest[1] > greatest[2]);
 }
+
+#[test]
+fn hertz_ellipse_on_a_grid_has_the_axis_stress_of_the_closed_form() {
+    // sigma_zz on the axis: -1/sqrt((1 + z^2/a^2)(1 + z^2/b^2)) p0.
+    let (a, b, n) = (0.5, 1.5, 161usize);
+    let grid = Grid::new(n, n, 2.0 * a / n as f64, 2.0 * b / n as f64).unwrap();
+    let pressure: Vec<f64> = (0..grid.cells())
+        .map(|i| {
+            let (s, t) = (grid.centred_x(i % n) / a, grid.centred_y(i / n) / b);
+            (1.0 - s * s - t * t).max(0.0).sqrt()
+        })
+        .collect();
+    let body = Material::from_shear(1.0, 0.3).unwrap();
+    let interior = InteriorStress::new(body, grid, Threads::One).unwrap();
+    for z in [0.1, 0.4, 2.0] {
+        let field = interior.at_depth(z, TractionField::normal(&pressure)).unwrap();
+        let found = field.stress(grid.cells() / 2).zz;
+        let expected = -1.0 / ((1.0 + z * z / (a * a)) * (1.0 + z * z / (b * b))).sqrt();
+        assert!((found - expected).abs() < 2e-4, "{z}: {found} {expected}");
+    }
+}

@@ -2,7 +2,8 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use carom_halfspace::{
-    Coefficients, Material, MaterialPair, Offset, Rectangle, RectangleInfluence, RectangleIntegrals,
+    Coefficients, Displacement, Force, Material, MaterialPair, Offset, Point, PointInfluence,
+    PointLoad, Rectangle, RectangleInfluence, RectangleIntegrals, Traction,
 };
 use proptest::prelude::*;
 use serde_json::Value;
@@ -119,6 +120,35 @@ fn extreme_sizes_neither_overflow_nor_vanish() {
     }
     let far = Rectangle::new(1e-300, 1e-300).unwrap().integrals(Offset { x: 1e300, y: 1e300 });
     assert!(listed(far.unwrap()).iter().all(|value| value.is_finite()));
+}
+
+#[test]
+fn point_influence_is_the_load_on_both_bodies() {
+    // u = u1 - u2 of (4.6): body 2 carries the opposite tangential force, z into it.
+    let (one, two) = (material(1.3, 0.2), material(0.7, 0.45));
+    let pair = MaterialPair::new(one, two).unwrap();
+    let (x, y) = (0.8, -0.3);
+    let force = Force { x: 0.4, y: -1.1, z: 0.6 };
+    let found = PointInfluence::new(pair).coefficients(Offset { x: -x, y: -y }).unwrap();
+    let found = found.displacement(Traction { x: force.x, y: force.y, normal: force.z });
+    let at = Point::on_surface(x, y);
+    let on_one = PointLoad::new(one, force).unwrap().displacement(at).unwrap();
+    let opposite = Force { x: -force.x, y: -force.y, z: force.z };
+    let on_two = PointLoad::new(two, opposite).unwrap().displacement(at).unwrap();
+    let expected =
+        Displacement { u: on_one.u - on_two.u, v: on_one.v - on_two.v, w: on_one.w + on_two.w };
+    assert_abs_diff_eq!(found.u, expected.u, epsilon = 1e-15);
+    assert_abs_diff_eq!(found.v, expected.v, epsilon = 1e-15);
+    assert_abs_diff_eq!(found.w, expected.w, epsilon = 1e-15);
+    // A small rectangle acts as a point.
+    let cell = RectangleInfluence::new(pair, Rectangle::new(1e-9, 1e-9).unwrap());
+    let cell = cell.coefficients(Offset { x: -x, y: -y }).unwrap();
+    let point = PointInfluence::new(pair).coefficients(Offset { x: -x, y: -y }).unwrap();
+    for (c, p) in cell.rows.iter().flatten().zip(point.rows.iter().flatten()) {
+        assert_abs_diff_eq!(c / 1e-18, *p, epsilon = 1e-15);
+    }
+    let here = PointInfluence::new(pair).coefficients(Offset::default());
+    assert_eq!(here.unwrap_err().field, "r");
 }
 
 proptest! {

@@ -8,6 +8,7 @@ use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::body::{Body, Motion, Shape, kinetic_energy};
+use crate::closed_form::{NOTICEABLE, wave_loss};
 use crate::mobility::{point_velocity, share};
 use crate::normal::{self, NormalImpact};
 use crate::oblique::{Groups, ObliqueError, ObliqueImpact};
@@ -84,6 +85,12 @@ impl Collision {
         let length = vector.norm();
         RangeError::positive("normal", length)?;
         Ok(Self { normal: vector / length, ..self })
+    }
+
+    /// The common normal, from body 2 into body 1, of length 1.
+    #[must_use]
+    pub const fn normal(&self) -> Vector3<f64> {
+        self.normal
     }
 
     /// The Hertz contact of the two bodies.
@@ -239,7 +246,7 @@ impl Collision {
             maximal_radius,
             energy,
             log: log(normal, oblique),
-            warnings: self.warnings(maximal_radius),
+            warnings: self.warnings(maximal_radius, normal.velocity()),
         })
     }
 
@@ -257,7 +264,7 @@ impl Collision {
         })
     }
 
-    fn warnings(&self, maximal_radius: f64) -> Vec<Warning> {
+    fn warnings(&self, maximal_radius: f64, velocity: f64) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if !self.materials.is_uncoupled() {
             let gamma = self.materials.gamma();
@@ -275,8 +282,22 @@ impl Collision {
         if ratio > 0.1 {
             warnings.push(Warning::LargeContact { ratio });
         }
+        let share = self.bodies.iter().filter_map(|body| wave_loss_of(body, velocity));
+        let share = share.fold(0.0, f64::max);
+        if share > NOTICEABLE {
+            warnings.push(Warning::WaveLoss { share });
+        }
         warnings
     }
+}
+
+// The share of energy a solid sphere loses to waves; nothing for rigid and infinitely heavy ones.
+fn wave_loss_of(body: &Body, velocity: f64) -> Option<f64> {
+    let Shape::Sphere(radius) = body.shape() else { return None };
+    let (mass, material) = (body.inertia().mass(), body.material());
+    let density = mass / (4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius);
+    let rod_speed = (material.young_modulus() / density).sqrt();
+    wave_loss(material.poisson(), velocity, rod_speed).ok()
 }
 
 /// The state at first touch.
@@ -295,7 +316,7 @@ struct Mobility {
     tangential: f64,
 }
 
-fn log(normal: &NormalImpact, oblique: &ObliqueImpact) -> Vec<LogEntry> {
+pub(crate) fn log(normal: &NormalImpact, oblique: &ObliqueImpact) -> Vec<LogEntry> {
     let unit = normal.time_unit();
     oblique
         .phases()

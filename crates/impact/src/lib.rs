@@ -1,19 +1,36 @@
 //! Floor 5 of carom: impact of elastic bodies with friction (chapters 8, 9, 10 and 15).
 //!
-//! [`Collision`] takes two bodies with their motions and gives an [`Outcome`]; [`oblique`] is the
-//! same in two dimensionless groups, [`restitution`] its one number, [`closed_form`] its limits.
+//! [`Encounter`] takes two bodies of any smooth shape, finds where they touch and gives an
+//! [`Outcome`]; [`coupled`] is the same by its matrices. [`Collision`] takes two spheres, or a
+//! sphere and a plane; [`oblique`] is the same in two dimensionless groups, [`restitution`] its
+//! one number, [`closed_form`] its limits.
 #![forbid(unsafe_code)]
 
+mod attitude;
 mod body;
 mod collision;
+mod contact_point;
+mod encounter;
+mod frame;
 mod mobility;
 mod outcome;
+mod surface;
 
 pub mod closed_form;
+pub mod coupled;
 pub mod normal;
 pub mod oblique;
 pub mod restitution;
+pub mod scene;
+pub mod torsional;
+pub mod uncertain;
 
+pub use attitude::{Attitude, angle_matrix};
 pub use body::{Body, Inertia, Motion, Shape, kinetic_energy};
 pub use collision::{Collision, CollisionError};
+pub use contact_point::{SearchError, TOUCH_TOLERANCE};
+pub use encounter::{Encounter, EncounterError, PlacedBody};
+pub use frame::{ContactFrame, FrameError};
+pub use mobility::{Lever, Mobility};
 pub use outcome::{EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Warning};
+pub use surface::{Height, Jet, LocalSurface, Side, Surface, SurfaceError};

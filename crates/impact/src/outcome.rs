@@ -48,7 +48,8 @@ pub struct Rebound {
     pub velocity_before: Vector3<f64>,
     /// Relative velocity of the contact points after.
     pub velocity_after: Vector3<f64>,
-    /// R_x: tangential velocity after over before, reversed in sign.
+    /// R_x: tangential velocity after, along that before, over it, reversed in sign. In an
+    /// [`crate::Encounter`] 0 if there was none before.
     pub tangential_restitution: f64,
     /// Duration from touch to separation.
     pub duration: f64,
@@ -56,7 +57,7 @@ pub struct Rebound {
     pub maximal_force: f64,
     /// The greatest approach zeta_max.
     pub maximal_approach: f64,
-    /// The greatest contact radius.
+    /// The greatest contact radius; of an ellipse the larger semi-axis b.
     pub maximal_radius: f64,
     /// Kinetic energies and what friction took.
     pub energy: EnergyBudget,
@@ -129,6 +130,11 @@ pub enum Warning {
         /// Maximal contact radius over the smallest radius of curvature.
         ratio: f64,
     },
+    /// Elastic waves would carry away more than 1 % of the normal energy, (3.2).
+    WaveLoss {
+        /// The share, estimated for the body's material throughout.
+        share: f64,
+    },
 }
 
 impl std::fmt::Display for Warning {
@@ -141,6 +147,10 @@ impl std::fmt::Display for Warning {
                     "dissimilar materials: gamma = {gamma:.4}, f/|gamma| = {friction_over_gamma:.3}; \
                      the coupling of normal and tangential displacements is neglected and {verdict}"
                 )
+            }
+            Self::WaveLoss { share } => {
+                let percent = 100.0 * share;
+                write!(f, "elastic waves carry away about {percent:.2} % of the normal energy")
             }
             Self::LargeContact { ratio } => {
                 write!(f, "large contact: a/R = {ratio:.3} exceeds 0.1, beyond Hertz's theory")

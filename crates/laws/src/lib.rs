@@ -6,6 +6,7 @@
 
 pub mod curvature;
 pub mod ellipse;
+pub mod field;
 pub mod friction;
 pub mod hertz;
 pub mod history;

@@ -1,5 +1,7 @@
 //! Chapter 14: numerical load histories.
 
+mod creepage;
+
 use crate::catalogue::Entry;
 
 /// The tables and figures of the chapter, in order.
@@ -33,7 +35,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::figure("14.27", "Stick contours of shift along x with torsion"),
     Entry::figure("14.28", "Shift along y with torsion, steps 2 and 11"),
     Entry::figure("14.29", "Stick contours of shift along y with torsion"),
-    Entry::figure("14.30", "Force and moment for large creepage"),
+    Entry::figure("14.30", "Force and moment for large creepage").by(creepage::draw),
     Entry::figure("14.31", "Normalised torque for torsion with shift"),
     Entry::figure("14.32", "Forces for torsion with shift"),
     Entry::figure("14.33", "Stick and slip under a square and a triangular punch"),

@@ -20,7 +20,9 @@ mod ch13;
 mod ch14;
 mod ch15;
 mod numbers;
+mod paraboloid;
 mod propositions;
+mod sphere_traction;
 
 /// The chapters in order.
 pub(crate) const CHAPTERS: &[&[Entry]] = &[

@@ -9,7 +9,8 @@ use super::range::Range;
 use super::section::{Numbers, Section, parse};
 use carom_halfspace::MaterialPair;
 
-const FIELDS: &[&str] = &["body_1", "body_2", "contact", "approach"];
+/// The tables of a case; `[uncertainty]` is read by [`UncertainCase`](super::UncertainCase).
+pub(super) const FIELDS: &[&str] = &["body_1", "body_2", "contact", "approach", "uncertainty"];
 
 /// An impact, or a sweep of impacts over the angle of incidence.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,7 +8,9 @@ mod history;
 mod impact;
 mod pair;
 mod range;
+mod scene;
 mod section;
+mod uncertainty;
 
 pub use body::{BodyCase, Mass, Shape};
 pub use error::CaseError;
@@ -16,4 +18,6 @@ pub use hertz::{Given, HertzCase};
 pub use history::{HistoryCase, Steps};
 pub use impact::{Approach, ImpactCase};
 pub use range::Range;
+pub use scene::SceneCase;
 pub use section::Numbers;
+pub use uncertainty::UncertainCase;

@@ -21,6 +21,8 @@ pub enum Range {
     Incidence,
     /// A number of values.
     Count,
+    /// A number of things, at least one.
+    Whole,
 }
 
 /// Values that a sweep may have at most.
@@ -40,6 +42,7 @@ impl Range {
             Self::Radius => value != 0.0 && !value.is_nan(),
             Self::Incidence => (0.0..=90.0).contains(&value),
             Self::Count => (2.0..=MOST).contains(&value) && value.fract() == 0.0,
+            Self::Whole => (1.0..=MOST).contains(&value) && value.fract() == 0.0,
         }
     }
 
@@ -56,6 +59,7 @@ impl Range {
             Self::Radius => "nonzero (inf: straight, negative: hollow)",
             Self::Incidence => "in [0, 90], degrees from the normal",
             Self::Count => "a whole number from 2 to 1000000",
+            Self::Whole => "a whole number from 1 to 1000000",
         }
     }
 }

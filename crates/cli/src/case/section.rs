@@ -26,7 +26,8 @@ impl<'a> Section<'a> {
         Self::new(source, String::new(), table, valid)
     }
 
-    fn new(
+    /// The table at `path`, which takes these fields and no others.
+    pub(super) fn new(
         source: &'a str,
         path: String,
         table: &'a DeTable<'a>,
@@ -82,6 +83,25 @@ impl<'a> Section<'a> {
             DeValue::Table(table) => Self::new(self.source, self.full(name), table, valid),
             _ => Err(self.kind(name, value, "a table")),
         }
+    }
+
+    /// The tables `[[name]]`, at least one, which take these fields and no others.
+    ///
+    /// # Errors
+    /// If there is none, or one has a field of another name.
+    pub fn sections(&self, name: &str, valid: &[&'static str]) -> Result<Vec<Self>, CaseError> {
+        let allowed = "at least one table, headed by the name in double brackets";
+        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
+        let DeValue::Array(items) = value.get_ref() else {
+            return Err(self.kind(name, value, allowed));
+        };
+        let sections = items.iter().enumerate().map(|(i, item)| match item.get_ref() {
+            DeValue::Table(table) => {
+                Self::new(self.source, self.full(&format!("{name}[{i}]")), table, valid)
+            }
+            _ => Err(self.kind(name, value, allowed)),
+        });
+        sections.collect()
     }
 
     /// A number in `range`.

@@ -4,6 +4,7 @@ mod hertz;
 mod history;
 mod impact;
 mod restitution;
+mod scene;
 
 pub use history::StepsError;
 
@@ -27,6 +28,7 @@ enum Command {
     Restitution(restitution::Arguments),
     Hertz(hertz::Arguments),
     History(history::Arguments),
+    Scene(scene::Arguments),
 }
 
 /// Works out what the command asks for.
@@ -39,5 +41,6 @@ pub fn run(arguments: &Carom) -> Result<Answer, CliError> {
         Command::Restitution(arguments) => restitution::run(arguments),
         Command::Hertz(arguments) => hertz::run(arguments),
         Command::History(arguments) => history::run(arguments),
+        Command::Scene(arguments) => scene::run(arguments),
     }
 }

@@ -81,14 +81,10 @@ impl Sizes {
     }
 
     /// Bytes of the workspace of a product of `fields` tractions and displacements.
-    pub(crate) const fn workspace(&self, fields: usize, threads: Threads) -> u128 {
+    pub(crate) fn workspace(&self, fields: usize, threads: Threads) -> u128 {
         let field = self.columns() as u128 * self.ny as u128;
         let block = BLOCK * (fields + 1) * self.py + BLOCK * self.columns() + self.px;
-        let lanes = match threads {
-            Threads::One => 1,
-            Threads::Pool => 64,
-        };
-        16 * (2 * fields as u128 * field + block as u128 * lanes)
+        16 * (2 * fields as u128 * field + block as u128 * threads.count() as u128)
     }
 }
 

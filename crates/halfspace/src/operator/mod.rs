@@ -48,7 +48,8 @@ pub trait SurfaceOperator: Send + Sync {
     /// The displacements of all cells by the tractions on all cells.
     ///
     /// Tractions that are `None` are zero and displacements that are `None` are not computed;
-    /// neither costs time. After the first call nothing is allocated.
+    /// neither costs time. After the first call nothing is allocated (a thread pool may, for
+    /// its own queues).
     ///
     /// # Errors
     /// [`OperatorError`] for fields of another size than the grid, tractions that are not

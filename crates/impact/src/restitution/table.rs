@@ -18,9 +18,11 @@ const ORDER: usize = 8;
 /// Largest error seen at the test points of a cell that becomes a leaf.
 const TOLERANCE: f64 = 2e-9;
 /// Halvings after which a rough cell keeps the exact impact.
-const MAX_HALVINGS: usize = 9;
+const MAX_HALVINGS: usize = 8;
 /// The range of chi in the table.
 const CHI: [f64; 2] = [0.5, 6.5];
+/// Sum of the last coefficients beyond which testing a cell is a waste.
+const HOPELESS: f64 = 1e-5;
 /// Test points of a cell, in each direction.
 const TESTS: [f64; 4] = [-0.97, -0.35, 0.3, 0.95];
 
@@ -347,6 +349,18 @@ impl Cell {
         let Some(leaf) = self.interpolate() else {
             return Fit::Rough { across_chi: true };
         };
+        // The direction in which the last coefficients are larger.
+        let tail = |chi: bool| -> f64 {
+            (ORDER - 2..ORDER)
+                .flat_map(|i| (0..ORDER).map(move |j| if chi { (j, i) } else { (i, j) }))
+                .map(|(row, column)| leaf.0[row][column].abs())
+                .sum()
+        };
+        let (tail_chi, tail_across) = (tail(true), tail(false));
+        let rough = Fit::Rough { across_chi: tail_chi > tail_across };
+        if tail_chi.max(tail_across) > HOPELESS {
+            return rough;
+        }
         let smooth = TESTS.iter().all(|&x| {
             TESTS.iter().all(|&y| {
                 self.exact(x, y).is_some_and(|exact| (leaf.at(x, y) - exact).abs() <= TOLERANCE)
@@ -355,14 +369,7 @@ impl Cell {
         if smooth {
             return Fit::Smooth(Box::new(leaf));
         }
-        // The direction in which the last coefficients are larger.
-        let tail = |range: std::ops::Range<usize>, chi: bool| -> f64 {
-            range
-                .flat_map(|i| (0..ORDER).map(move |j| if chi { (j, i) } else { (i, j) }))
-                .map(|(row, column)| leaf.0[row][column].abs())
-                .sum()
-        };
-        Fit::Rough { across_chi: tail(ORDER - 2..ORDER, true) > tail(ORDER - 2..ORDER, false) }
+        rough
     }
 
     // Interpolation at the Chebyshev points.

@@ -20,6 +20,9 @@ use super::rings;
 /// is left and the stack alone is used again.
 const RINGS_END: f64 = 2.5;
 
+/// [`threshold`] stays below this.
+const GREATEST_THRESHOLD: f64 = 1.103;
+
 /// The part of the radius that a receding step leaves at least while old rings lie outside it.
 const SHORTEST_STEP: f64 = 0.96;
 
@@ -39,7 +42,8 @@ enum Density {
 struct Segment {
     from: f64,
     density: Density,
-    /// Twist and torque of all that lies below `from`.
+    /// Twist and torque of all that lies below `from`; on a slip segment with the sliding ones
+    /// outside `from` added, from which those outside another radius are taken.
     twist: f64,
     torque: f64,
 }
@@ -202,7 +206,8 @@ impl TwistHistory {
         let receding = self.radius - radius;
         if let (true, Some(sign)) = (receding > 0.0, self.slip_sign()) {
             let back = -sign * (twist - self.twist) / receding;
-            let limit = if back <= 1.0 { 1.0 } else { threshold(self.stick / self.radius) };
+            let near = back > 1.0 && back < GREATEST_THRESHOLD;
+            let limit = if near { threshold(self.stick / self.radius) } else { 1.0 };
             let highest = shared.min(self.stick);
             let excess =
                 sign * (twist - self.twist_below(highest)) - sliding_twist(highest, radius);
@@ -251,7 +256,8 @@ impl TwistHistory {
             i -= 1;
             let segment = self.segments[i];
             if segment.from < upper {
-                let excess = sign * (twist - segment.twist) - sliding_twist(segment.from, radius);
+                let excess = sign * (twist - segment.twist_to(segment.from))
+                    - sliding_twist(segment.from, radius);
                 if excess <= 0.0 || i == 0 {
                     break (segment, segment.stick_radius(radius, twist, sign, upper));
                 }
@@ -259,13 +265,11 @@ impl TwistHistory {
             }
         };
         self.segments.truncate(i + 1);
-        let below = segment.torque_to(stick);
-        self.torque = below + sign * sliding_torque(stick, radius);
+        let torque = segment.torque_to(stick) + sign * sliding_torque(stick, radius);
+        self.torque = torque;
         self.stick = stick;
         if stick < radius {
             let density = Density::Slip { sign, radius };
-            let twist = segment.twist_to(stick);
-            let torque = below;
             if stick <= segment.from && i > 0 {
                 self.segments.truncate(i);
             }
@@ -338,28 +342,21 @@ impl Density {
 impl Segment {
     /// Twist of all that lies below a radius in this segment.
     fn twist_to(&self, s: f64) -> f64 {
-        self.twist
-            + match self.density {
-                Density::Stick(density) => density * (s - self.from),
-                Density::Slip { sign, radius } => {
-                    sign * (sliding_twist(self.from, radius) - sliding_twist(s, radius))
-                }
-            }
+        match self.density {
+            Density::Stick(density) => self.twist + density * (s - self.from),
+            Density::Slip { sign, radius } => self.twist - sign * sliding_twist(s, radius),
+        }
     }
 
     /// Torque of all that lies below a radius in this segment.
     fn torque_to(&self, s: f64) -> f64 {
-        let from = self.from;
-        self.torque
-            + match self.density {
-                Density::Stick(density) => {
-                    let (a, b) = (s * s, from * from);
-                    0.25 * density * (a - b) * (a + b)
-                }
-                Density::Slip { sign, radius } => {
-                    sign * (sliding_torque(from, radius) - sliding_torque(s, radius))
-                }
+        match self.density {
+            Density::Stick(density) => {
+                let (a, b) = (s * s, self.from * self.from);
+                self.torque + 0.25 * density * (a - b) * (a + b)
             }
+            Density::Slip { sign, radius } => self.torque - sign * sliding_torque(s, radius),
+        }
     }
 
     /// The root c of `sign (bh - twist_to(c)) = B(c; radius)` between `from` and `upper`, by

@@ -3,9 +3,10 @@
 mod model;
 mod plot;
 mod table;
+mod uncertain;
 mod view;
 
-use crate::case::ImpactCase;
+use crate::case::{ImpactCase, UncertainCase};
 use crate::error::CliError;
 use crate::output::{Answer, Format, PlotFile, csv, json, read_case};
 use carom_impact::CollisionError;
@@ -15,7 +16,9 @@ use view::Record;
 
 /// Impact of two spheres, or of a sphere and a plane, from a case file.
 ///
-/// The file is TOML in SI units; see the cases under examples/. z points into body 1.
+/// The file is TOML in SI units; see the cases under examples/. z points into body 1. A
+/// distribution in the place of a number, as in glass_scatter.toml, gives the scatter of the
+/// outcome.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// The case file.
@@ -33,6 +36,9 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+    if let Some(case) = read_case(&arguments.case, UncertainCase::parse)? {
+        return scatter(arguments, &case);
+    }
     let case = read_case(&arguments.case, ImpactCase::parse)?;
     let at_fault = |source| CliError::Collision { path: arguments.case.clone(), source };
     let shots = model::shots(&case).map_err(at_fault)?;
@@ -62,6 +68,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     }
     let plot = arguments.plot.clone().zip(svg).map(|(path, svg)| PlotFile { path, svg });
     Ok(Answer { text, warnings, plot })
+}
+
+fn scatter(arguments: &Arguments, case: &UncertainCase) -> Result<Answer, CliError> {
+    if arguments.history.is_some() {
+        return Err(CliError::Options("--history takes a case with one impact, not [uncertainty]"));
+    }
+    let study = uncertain::study(case)
+        .map_err(|source| CliError::Uncertain { path: arguments.case.clone(), source })?;
+    let report = uncertain::report(case, &study)?;
+    let plot = match &arguments.plot {
+        Some(path) => Some(PlotFile { path: path.clone(), svg: uncertain::draw(&report)? }),
+        None => None,
+    };
+    let text = uncertain::render_text(&report, arguments.format)?;
+    Ok(Answer { text, warnings: uncertain::warnings(&report), plot })
 }
 
 fn comma_separated(records: &[Record]) -> Result<String, CliError> {

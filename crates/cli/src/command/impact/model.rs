@@ -37,6 +37,13 @@ pub(super) fn shots(case: &ImpactCase) -> Result<Vec<Shot>, CollisionError> {
     }
 }
 
+/// The one collision of a case that is no sweep: the first of a sweep.
+pub(super) fn collision(case: &ImpactCase) -> Result<Collision, CollisionError> {
+    let shot = shots(case)?.into_iter().next().map(|shot| shot.collision);
+    // Every case has at least one angle.
+    shot.ok_or_else(|| RangeError::new("angle", f64::NAN, "given").into())
+}
+
 fn body(case: &BodyCase) -> Result<Body, RangeError> {
     let mass = match case.mass {
         Mass::Given(mass) => mass,

@@ -1,0 +1,47 @@
+//! Cost of coupled oblique impacts, from the velocities before to those after, one thread.
+//!
+//! Planar: an ellipsoid in a plane of symmetry on a plane, law of one direction, settled to 1e-8
+//! of |v_A| (the default) and to 1e-5. Spatial: the same upright with a turning direction,
+//! Coulomb's vector law settled to 5e-6 (the default) and to 1e-4.
+
+use std::hint::black_box;
+
+use carom_impact::Mobility;
+use carom_impact::coupled::{CoupledImpact, VectorLaw};
+use carom_laws::friction::Friction;
+use carom_laws::stiffness::ContactStiffness;
+use criterion::{Criterion, criterion_group, criterion_main};
+use nalgebra::{Matrix3, Vector3};
+
+fn impact(d: Matrix3<f64>, c: [f64; 3], friction: f64, velocity: [f64; 3]) -> CoupledImpact {
+    let stiffness = ContactStiffness::new(c[0], c[1], c[2]).expect("positive");
+    let mobility = Mobility::from_matrix(d).expect("positive definite");
+    let friction = Friction::new(friction).expect("positive");
+    CoupledImpact::new(mobility, stiffness, friction, velocity.into()).expect("approaching")
+}
+
+fn planar() -> CoupledImpact {
+    let d = Matrix3::new(12.67, 0.0, 0.0, 0.0, 9.292, 4.39, 0.0, 4.39, 6.637);
+    impact(d, [28.7e9, 28.3e9, 34.6e9], 0.2, [0.0, 0.5, 2.0])
+}
+
+fn spatial() -> CoupledImpact {
+    let d = Matrix3::from_diagonal(&Vector3::new(9.461, 6.758, 3.379));
+    impact(d, [39.1e9, 37.3e9, 46.3e9], 0.5, [0.6, 0.4, 2.0])
+}
+
+fn bench(criterion: &mut Criterion) {
+    let mut group = criterion.benchmark_group("coupled impact");
+    let mut run = |name: &str, impact: CoupledImpact| {
+        group.bench_function(name, |bencher| {
+            bencher.iter(|| black_box(impact).solve(VectorLaw::Coulomb).expect("separates"));
+        });
+    };
+    run("planar, 1e-8", planar());
+    run("planar, 1e-5", planar().within(1e-5).expect("positive"));
+    run("spatial, 5e-6", spatial());
+    run("spatial, 1e-4", spatial().within(1e-4).expect("positive"));
+}
+
+criterion_group!(benches, bench);
+criterion_main!(benches);

@@ -1,0 +1,98 @@
+//! Walls, path and bounces as SVG, seen along the axis on which least happens.
+
+use crate::case::SceneCase;
+use crate::error::CliError;
+use carom_impact::scene::{Bounce, Path, Wall};
+use carom_plot::{Axis, Marker, Panel, Series, render};
+use std::f64::consts::TAU;
+
+/// Instants drawn of every flight.
+const INSTANTS: usize = 41;
+/// Balls drawn at most: more would hide the path.
+const MOST_BALLS: usize = 12;
+const AXES: [&str; 3] = ["x / m", "y / m", "z / m"];
+
+/// The two axes of the picture and its limits.
+struct View {
+    axes: [usize; 2],
+    low: [f64; 2],
+    high: [f64; 2],
+}
+
+pub(super) fn draw(case: &SceneCase, path: &Path) -> Result<String, CliError> {
+    let centres: Vec<[f64; 3]> =
+        path.points(INSTANTS)?.iter().map(|point| point.position.into()).collect();
+    let start = [case.ball.position().into()];
+    let radius = case.ball.radius();
+    let view = view(if centres.is_empty() { &start } else { &centres }, 1.5 * radius);
+    let flat = |place: [f64; 3]| (place[view.axes[0]], place[view.axes[1]]);
+    let axis = |i: usize| Axis::linear(AXES[view.axes[i]]).between(view.low[i], view.high[i]);
+    let mut panel = Panel::new(axis(0), axis(1)).equal_aspect();
+    for (index, (wall, name)) in case.scene.walls().iter().zip(&case.names).enumerate() {
+        if let Some(points) = wall_line(wall, &view) {
+            panel.add(Series::line(name, points).coloured(index + 2));
+        }
+    }
+    let balls = std::iter::once(case.ball.position())
+        .chain(path.bounces().iter().map(|bounce| bounce.position))
+        .take(MOST_BALLS);
+    for centre in balls {
+        panel.add(Series::area("", circle(flat(centre.into()), radius)).coloured(0));
+    }
+    panel.add(Series::line("centre of the ball", centres.into_iter().map(flat)).coloured(0));
+    let contact = |bounce: &Bounce| flat((bounce.position - radius * bounce.normal).into());
+    let contacts: Vec<(f64, f64)> = path.bounces().iter().map(contact).collect();
+    if !contacts.is_empty() {
+        panel.add(Series::markers("bounces", Marker::Dot, contacts).coloured(1));
+    }
+    Ok(render("Path of the ball", &[panel])?)
+}
+
+/// The two axes along which the ball goes farthest; x and z if it goes nowhere.
+fn view(centres: &[[f64; 3]], margin: f64) -> View {
+    let bound = |axis: usize, pick: fn(f64, f64) -> f64| {
+        centres.iter().map(|centre| centre[axis]).reduce(pick).unwrap_or(0.0)
+    };
+    let low = [0, 1, 2].map(|axis| bound(axis, f64::min) - margin);
+    let high = [0, 1, 2].map(|axis| bound(axis, f64::max) + margin);
+    let length = |axis: usize| high[axis] - low[axis];
+    let hidden = [1, 0, 2].into_iter().reduce(|a, b| if length(b) < length(a) { b } else { a });
+    let axes = match hidden {
+        Some(0) => [1, 2],
+        Some(2) => [0, 1],
+        _ => [0, 2],
+    };
+    View { axes, low: axes.map(|axis| low[axis]), high: axes.map(|axis| high[axis]) }
+}
+
+/// A wall seen edge on as a line, a tilted rectangle as its outline; none for an infinite wall
+/// that fills the picture.
+fn wall_line(wall: &Wall, view: &View) -> Option<Vec<(f64, f64)>> {
+    let [i, j] = view.axes;
+    if let Some(corners) = wall.corners() {
+        let outline = corners.iter().chain(&corners[..1]).map(|corner| (corner[i], corner[j]));
+        return Some(outline.collect());
+    }
+    let (n, m) = (wall.normal()[i], wall.normal()[j]);
+    let size = n.hypot(m);
+    if size < 0.1 {
+        return None;
+    }
+    // The trace of the plane in the picture's plane through the wall's point.
+    let (n, m) = (n / size, m / size);
+    let centre = [0, 1].map(|axis| 0.5 * (view.low[axis] + view.high[axis]));
+    let reach = (view.high[0] - view.low[0]) + (view.high[1] - view.low[1]);
+    let off = (centre[0] - wall.point()[i]) * n + (centre[1] - wall.point()[j]) * m;
+    let foot = (centre[0] - off * n, centre[1] - off * m);
+    let end = |s: f64| (foot.0 - s * reach * m, foot.1 + s * reach * n);
+    Some(vec![end(-1.0), end(1.0)])
+}
+
+fn circle(centre: (f64, f64), radius: f64) -> Vec<(f64, f64)> {
+    (0..48)
+        .map(|i| {
+            let angle = TAU * f64::from(i) / 48.0;
+            (centre.0 + radius * libm::cos(angle), centre.1 + radius * libm::sin(angle))
+        })
+        .collect()
+}

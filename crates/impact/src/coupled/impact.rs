@@ -1,0 +1,531 @@
+//! The oblique impact of a full mobility matrix, from the velocities before to those after.
+
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use carom_laws::shift_law::ShiftLaw;
+use carom_laws::stiffness::ContactStiffness;
+use carom_special::RangeError;
+use nalgebra::{Matrix3, Vector3};
+
+use super::line::Line;
+use super::refine::{Failure, Problem, Settled};
+use super::{CoulombRings, Passage, Point, Stage, Staged};
+use crate::mobility::Mobility;
+use crate::normal::{self, NormalImpact};
+use crate::oblique::{Event, Groups, ObliqueError, ObliqueImpact, Regime};
+use crate::outcome::LogEntry;
+
+/// Default changes between refinements, over |v_A|, at which the outcome counts as settled: the
+/// law of one direction is exact and cheap, the rings are not.
+const PLANAR: f64 = 1e-8;
+const SPATIAL: f64 = 5e-6;
+
+/// Why a coupled impact cannot be computed.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum CoupledError {
+    /// A value out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// The exact walk of an uncoupled impact failed.
+    #[error(transparent)]
+    Oblique(#[from] ObliqueError),
+    /// The bodies stay together: they were followed for 200 times the expected duration.
+    #[error("the bodies do not separate within 200 expected durations of {duration:e}")]
+    NoSeparation {
+        /// The expected duration.
+        duration: f64,
+    },
+}
+
+/// The friction law where the direction of the tangential motion turns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum VectorLaw {
+    /// Coulomb: every ring slips along its traction in the physical plane.
+    #[default]
+    Coulomb,
+    /// The thesis (8.51): every slip ring keeps the direction in which it formed, measured with
+    /// c_x xi and c_y eta. Within about 1 % of |v_A| of the former.
+    FixedDirection,
+}
+
+/// An impact by its matrices: mobility D, stiffness, friction, velocity of approach.
+///
+/// ```
+/// use carom_impact::Mobility;
+/// use carom_impact::coupled::{CoupledImpact, VectorLaw};
+/// use carom_laws::friction::Friction;
+/// use carom_laws::stiffness::ContactStiffness;
+/// use nalgebra::{Matrix3, Vector3};
+/// let d = Mobility::from_matrix(Matrix3::new(3.0, 0.0, 0.2, 0.0, 2.5, 0.4, 0.2, 0.4, 1.5))?;
+/// let stiffness = ContactStiffness::new(0.9, 0.8, 1.1)?;
+/// let velocity = Vector3::new(0.3, 0.5, 1.0);
+/// let impact = CoupledImpact::new(d, stiffness, Friction::new(0.2)?, velocity)?;
+/// let outcome = impact.solve(VectorLaw::Coulomb)?;
+/// assert!(outcome.velocity.z < 0.0);
+/// assert!(d.energy(&outcome.velocity) < d.energy(&velocity));
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct CoupledImpact {
+    mobility: Mobility,
+    stiffness: ContactStiffness,
+    friction: Friction,
+    velocity: Vector3<f64>,
+    normal: NormalImpact,
+    tolerance: Option<f64>,
+}
+
+/// Where an impact leads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CoupledOutcome {
+    /// Velocity of body 2 against body 1 after the impact, contact axes.
+    pub velocity: Vector3<f64>,
+    /// Duration from touch to separation.
+    pub duration: f64,
+    /// The greatest approach.
+    pub maximal_approach: f64,
+    /// The greatest normal force.
+    pub maximal_force: f64,
+    /// How often the approach grew: 2 or more if the bodies were pressed together again.
+    pub compressions: u32,
+    /// How it was solved.
+    pub passage: Passage,
+    /// Last change of the velocity under refinement over |v_A|; 0 for exact passages.
+    pub error_estimate: f64,
+}
+
+/// One instant of the impact, contact axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// Time since touch.
+    pub time: f64,
+    /// Shift of body 2 against body 1 since touch: xi, eta, zeta.
+    pub shift: Vector3<f64>,
+    /// Its rate.
+    pub velocity: Vector3<f64>,
+    /// Force on body 1.
+    pub force: Vector3<f64>,
+    /// What slips.
+    pub stage: Stage,
+}
+
+/// Units in which the law's numbers are of order one.
+#[derive(Debug, Clone, Copy)]
+struct Units {
+    time: f64,
+    length: f64,
+    speed: f64,
+    force: f64,
+}
+
+impl CoupledImpact {
+    /// An impact with the velocity of body 2 against body 1 at the contact point, contact axes.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the velocity is finite and its z component, the speed of approach,
+    /// positive.
+    pub fn new(
+        mobility: Mobility,
+        stiffness: ContactStiffness,
+        friction: Friction,
+        velocity: Vector3<f64>,
+    ) -> Result<Self, RangeError> {
+        RangeError::finite("velocity", velocity.x)?;
+        RangeError::finite("velocity", velocity.y)?;
+        let normal = NormalImpact::new(mobility.matrix().m33, stiffness.c_z, velocity.z)?;
+        Ok(Self { mobility, stiffness, friction, velocity, normal, tolerance: None })
+    }
+
+    /// The same impact, settled to another tolerance than the default (1e-8 in a plane, 5e-6 in
+    /// space): the outcome counts when refinement changes its velocity by less than this times
+    /// |v_A|. The true error is mostly a few times smaller. At most 2048 steps and 1024 rings are
+    /// used; [`CoupledOutcome::error_estimate`] says what they reached.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it is finite and positive.
+    pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
+        RangeError::positive("tolerance", tolerance)?;
+        Ok(Self { tolerance: Some(tolerance), ..self })
+    }
+
+    fn tolerance(&self) -> f64 {
+        let default = match self.passage() {
+            Passage::Planar { .. } => PLANAR,
+            _ => SPATIAL,
+        };
+        self.tolerance.unwrap_or(default)
+    }
+
+    /// How this impact is solved.
+    #[must_use]
+    pub fn passage(&self) -> Passage {
+        if self.friction.get() == 0.0 {
+            return Passage::Frictionless;
+        }
+        Passage::of(self.mobility.matrix(), &self.stiffness, &self.velocity)
+    }
+
+    /// The velocity before the impact.
+    #[must_use]
+    pub const fn velocity(&self) -> Vector3<f64> {
+        self.velocity
+    }
+
+    /// Follows the impact to separation; the vector law matters for [`Passage::Spatial`] only.
+    ///
+    /// # Errors
+    /// [`CoupledError`] if the walk fails.
+    pub fn solve(&self, law: VectorLaw) -> Result<CoupledOutcome, CoupledError> {
+        match self.passage() {
+            Passage::Frictionless => Ok(self.frictionless()),
+            Passage::Uncoupled { direction } => {
+                let oblique = ObliqueImpact::new(self.groups(&direction)?)?;
+                Ok(self.exact(self.reversed(&oblique)))
+            }
+            _ => {
+                let settled = self.settled(law)?;
+                Ok(self.outcome(&settled))
+            }
+        }
+    }
+
+    /// The same with any contact law, in the units of the data. `make` gives a fresh law; it is
+    /// told a resolution that doubles from run to run, 32, 64, .., for laws that have one.
+    ///
+    /// # Errors
+    /// [`CoupledError::NoSeparation`]; a failing step of the law ends the impact with
+    /// [`RangeError`] `law step`.
+    pub fn solve_with<L: ContactLaw>(
+        &self,
+        make: impl Fn(usize) -> L,
+    ) -> Result<CoupledOutcome, CoupledError> {
+        let problem = Problem {
+            mobility: *self.mobility.matrix(),
+            velocity: self.velocity,
+            duration: self.normal.duration(),
+            peak: self.normal.maximal_approach(),
+        };
+        let settled = problem
+            .settle(self.tolerance(), |_, resolution| make(resolution))
+            .map_err(|failure| self.failed(&failure))?;
+        let units = Units { time: 1.0, length: 1.0, speed: 1.0, force: 1.0 };
+        Ok(self.outcome_in(&settled, &units))
+    }
+
+    /// The outcome, and the regimes in order with the times at which they began, to within a step
+    /// of the finest run. The sign of a regime is that of the traction on body 1 along the
+    /// initial slip.
+    ///
+    /// # Errors
+    /// As [`CoupledImpact::solve`].
+    pub fn solve_with_log(
+        &self,
+        law: VectorLaw,
+    ) -> Result<(CoupledOutcome, Vec<LogEntry>), CoupledError> {
+        match self.passage() {
+            Passage::Frictionless => {
+                let regime = Regime::SlideForward;
+                let log = vec![LogEntry { time: 0.0, event: Event::Touch, regime }];
+                Ok((self.frictionless(), log))
+            }
+            Passage::Uncoupled { direction } => {
+                let oblique = ObliqueImpact::new(self.groups(&direction)?)?;
+                let log = crate::collision::log(&self.normal, &oblique);
+                Ok((self.exact(self.reversed(&oblique)), log))
+            }
+            _ => {
+                let settled = self.settled(law)?;
+                let mut log = Log::default();
+                self.replay(&settled, law, |sample| log.see(&sample, &self.velocity))?;
+                Ok((self.outcome(&settled), log.entries))
+            }
+        }
+    }
+
+    /// Every instant of the finest run in order, touch and separation included. Between two of
+    /// them the law's path is straight. An uncoupled impact gives 201 instants of the exact walk.
+    ///
+    /// # Errors
+    /// As [`CoupledImpact::solve`].
+    pub fn history(&self, law: VectorLaw) -> Result<Vec<Sample>, CoupledError> {
+        if let Passage::Uncoupled { direction } = self.passage() {
+            return self.traced(&direction);
+        }
+        let mut samples = Vec::new();
+        let settled = self.settled(law)?;
+        self.replay(&settled, law, |sample| samples.push(sample))?;
+        Ok(samples)
+    }
+}
+
+impl CoupledImpact {
+    fn groups(&self, direction: &Vector3<f64>) -> Result<Groups, RangeError> {
+        let ContactStiffness { c_x, c_y, c_z } = self.stiffness;
+        let along = c_x * direction.x * direction.x + c_y * direction.y * direction.y;
+        let tangential = direction.dot(&(self.mobility.matrix() * direction));
+        let chi = tangential / self.mobility.matrix().m33 * along / c_z;
+        let slip = self.tangential().norm();
+        let ratio = along / c_z * (slip / self.velocity.z);
+        let psi = if slip == 0.0 { 0.0 } else { ratio / self.friction.get() };
+        Groups::new(chi, psi)
+    }
+
+    fn tangential(&self) -> Vector3<f64> {
+        Vector3::new(self.velocity.x, self.velocity.y, 0.0)
+    }
+
+    fn reversed(&self, oblique: &ObliqueImpact) -> Vector3<f64> {
+        let tangential = self.tangential() * -oblique.restitution();
+        Vector3::new(tangential.x, tangential.y, -self.velocity.z)
+    }
+
+    fn frictionless(&self) -> CoupledOutcome {
+        let d = self.mobility.matrix();
+        let impulse = 2.0 * self.velocity.z / d.m33;
+        let mut velocity = self.velocity - d.column(2) * impulse;
+        velocity.z = -self.velocity.z;
+        self.exact(velocity)
+    }
+
+    fn exact(&self, velocity: Vector3<f64>) -> CoupledOutcome {
+        CoupledOutcome {
+            velocity,
+            duration: self.normal.duration(),
+            maximal_approach: self.normal.maximal_approach(),
+            maximal_force: self.normal.maximal_force(),
+            compressions: 1,
+            passage: self.passage(),
+            error_estimate: 0.0,
+        }
+    }
+
+    fn settled(&self, law: VectorLaw) -> Result<Settled, CoupledError> {
+        let problem = self.problem();
+        problem
+            .settle(self.tolerance(), |peak, rings| self.law(law, peak, rings))
+            .map_err(|failure| self.failed(&failure))
+    }
+
+    fn replay(
+        &self,
+        settled: &Settled,
+        law: VectorLaw,
+        mut observe: impl FnMut(Sample),
+    ) -> Result<(), CoupledError> {
+        let (units, frame) = (self.units(), self.frame());
+        let make = |peak: f64, rings: usize| self.law(law, peak, rings);
+        let see = |point: &Point, law: &AnyLaw| {
+            observe(Sample {
+                time: point.time * units.time,
+                shift: frame * point.shift * units.length,
+                velocity: frame * point.velocity * units.speed,
+                force: frame * point.force * units.force,
+                stage: law.stage(),
+            });
+        };
+        match self.problem().replay(settled, make, see) {
+            Ok(_) => Ok(()),
+            Err(failure) => Err(self.failed(&failure)),
+        }
+    }
+
+    fn traced(&self, direction: &Vector3<f64>) -> Result<Vec<Sample>, CoupledError> {
+        const COUNT: usize = 200;
+        let step = normal::DURATION / COUNT as f64;
+        let states: Vec<_> = (0..=COUNT).map(|i| normal::state_at(step * i as f64)).collect();
+        let velocities: Vec<f64> = states.iter().map(|state| state.velocity).collect();
+        let trace = ObliqueImpact::trace(self.groups(direction)?, &velocities)?;
+        let (units, slip) = (self.units(), self.tangential().norm());
+        let along = direction.component_mul(direction);
+        let stiffness = self.stiffness.c_x * along.x + self.stiffness.c_y * along.y;
+        let tangential = units.force * stiffness / self.stiffness.c_z * slip / units.speed;
+        let samples = trace.iter().zip(&states).enumerate().map(|(i, (point, state))| {
+            let zeta = state.compression;
+            let drag = if slip > 0.0 { tangential * point.force } else { 0.0 };
+            Sample {
+                time: units.time * step * i as f64,
+                shift: direction * (slip * units.time * point.shift)
+                    + Vector3::z() * (units.length * zeta),
+                velocity: direction * (slip * point.velocity)
+                    + Vector3::z() * (units.speed * state.velocity),
+                force: direction * drag + Vector3::z() * (units.force * zeta * zeta.sqrt()),
+                stage: Stage::of(point.regime),
+            }
+        });
+        Ok(samples.collect())
+    }
+
+    fn units(&self) -> Units {
+        Units {
+            time: self.normal.time_unit(),
+            length: self.normal.maximal_approach(),
+            speed: self.velocity.z,
+            force: self.normal.maximal_force(),
+        }
+    }
+
+    // Columns: the tangent of a planar motion, the one across it, the normal.
+    fn frame(&self) -> Matrix3<f64> {
+        match self.passage() {
+            Passage::Planar { direction } => {
+                Matrix3::from_columns(&[direction, Vector3::z().cross(&direction), Vector3::z()])
+            }
+            _ => Matrix3::identity(),
+        }
+    }
+
+    // In units of the uncoupled normal impact: dv/dt = -(5/4) D/D_zz F, F_z = zeta^(3/2).
+    fn problem(&self) -> Problem {
+        let frame = self.frame();
+        let d = self.mobility.matrix();
+        let mut mobility = frame.transpose() * (d * (1.25 / d.m33)) * frame;
+        if matches!(self.passage(), Passage::Planar { .. }) {
+            // What couples across the plane is round-off.
+            for (i, j) in [(0, 1), (1, 2)] {
+                (mobility[(i, j)], mobility[(j, i)]) = (0.0, 0.0);
+            }
+        }
+        let mut velocity = frame.tr_mul(&(self.velocity / self.velocity.z));
+        if matches!(self.passage(), Passage::Planar { .. }) {
+            velocity.y = 0.0;
+        }
+        Problem { mobility, velocity, duration: normal::DURATION, peak: 1.0 }
+    }
+
+    fn law(&self, law: VectorLaw, peak: f64, rings: usize) -> AnyLaw {
+        let ContactStiffness { c_x, c_y, c_z } = self.stiffness;
+        let scaled = |c: f64| 1.5 * c / c_z;
+        let plane = ContactStiffness { c_x: scaled(c_x), c_y: scaled(c_y), c_z: 1.5 };
+        let friction = self.friction;
+        match (self.passage(), law) {
+            (Passage::Planar { direction }, _) => {
+                let along = c_x * direction.x * direction.x + c_y * direction.y * direction.y;
+                let line = ContactStiffness { c_x: scaled(along), ..plane };
+                AnyLaw::Line(Box::new(Line::new(line, friction)))
+            }
+            (_, VectorLaw::Coulomb) => {
+                let spacing = (peak * 1.0001).sqrt() / rings as f64;
+                // Without a limit every direction is on its own, and without friction none acts.
+                CoulombRings::new(plane, friction.get(), spacing).map_or_else(
+                    |_| AnyLaw::Plane(Box::new(ShiftLaw::new(plane, friction))),
+                    AnyLaw::Rings,
+                )
+            }
+            (_, VectorLaw::FixedDirection) => {
+                AnyLaw::Plane(Box::new(ShiftLaw::new(plane, friction)))
+            }
+        }
+    }
+
+    fn outcome(&self, settled: &Settled) -> CoupledOutcome {
+        let mut outcome = self.outcome_in(settled, &self.units());
+        outcome.velocity = self.frame() * outcome.velocity;
+        if outcome.passage == (Passage::Spatial { coupled: false }) {
+            // The normal motion is known in closed form.
+            outcome.velocity.z = -self.velocity.z;
+            outcome.duration = self.normal.duration();
+            outcome.maximal_approach = self.normal.maximal_approach();
+            outcome.maximal_force = self.normal.maximal_force();
+        }
+        outcome
+    }
+
+    fn outcome_in(&self, settled: &Settled, units: &Units) -> CoupledOutcome {
+        let run = &settled.run;
+        let peak = run.peak * units.length;
+        CoupledOutcome {
+            velocity: run.velocity * units.speed,
+            duration: run.duration * units.time,
+            maximal_approach: peak,
+            maximal_force: 2.0 / 3.0 * self.stiffness.c_z * (peak * peak.sqrt()),
+            compressions: run.compressions,
+            passage: self.passage(),
+            error_estimate: settled.error,
+        }
+    }
+
+    fn failed<E: std::error::Error>(&self, failure: &Failure<E>) -> CoupledError {
+        match failure {
+            Failure::NoSeparation => {
+                CoupledError::NoSeparation { duration: self.normal.duration() }
+            }
+            Failure::Law(_) => RangeError::new("law step", f64::NAN, "possible").into(),
+        }
+    }
+}
+
+/// One of the laws at hand.
+#[derive(Debug, Clone)]
+enum AnyLaw {
+    Line(Box<Line>),
+    Plane(Box<ShiftLaw<[f64; 2]>>),
+    Rings(CoulombRings),
+}
+
+macro_rules! each {
+    ($any:expr, $law:ident => $call:expr) => {
+        match $any {
+            AnyLaw::Line($law) => $call,
+            AnyLaw::Plane($law) => $call,
+            AnyLaw::Rings($law) => $call,
+        }
+    };
+}
+
+impl ContactLaw for AnyLaw {
+    type Error = RangeError;
+
+    fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
+        each!(self, law => law.advance(shift))
+    }
+
+    fn shift(&self) -> Shift {
+        each!(self, law => law.shift())
+    }
+
+    fn load(&self) -> ContactLoad {
+        each!(self, law => law.load())
+    }
+
+    fn stored_energy(&self) -> f64 {
+        each!(self, law => law.stored_energy())
+    }
+
+    fn dissipated(&self) -> f64 {
+        each!(self, law => law.dissipated())
+    }
+}
+
+impl Staged for AnyLaw {
+    fn stage(&self) -> Stage {
+        each!(self, law => law.stage())
+    }
+}
+
+/// Writes down each change of stage.
+#[derive(Debug, Default)]
+struct Log {
+    entries: Vec<LogEntry>,
+    stage: Option<(Stage, bool)>,
+}
+
+impl Log {
+    fn see(&mut self, sample: &Sample, initial: &Vector3<f64>) {
+        if sample.shift.z <= 0.0 {
+            return;
+        }
+        let forward = sample.force.x * initial.x + sample.force.y * initial.y >= 0.0;
+        // The sign matters where a ring slips.
+        let forward = forward || sample.stage == Stage::Adhesion;
+        let now = (sample.stage, forward);
+        let event = match self.stage {
+            None => Event::Touch,
+            Some(before) if before == now => return,
+            Some((Stage::Slide, _)) if now.0 == Stage::Slide => return,
+            Some((before, _)) => Stage::event(before, now.0),
+        };
+        let time = if self.stage.is_none() { 0.0 } else { sample.time };
+        self.entries.push(LogEntry { time, event, regime: now.0.regime(now.1) });
+        self.stage = Some(now);
+    }
+}

@@ -1,0 +1,71 @@
+//! Which way an impact is solved: in closed form, exactly, in a plane, or in space.
+
+use carom_laws::stiffness::ContactStiffness;
+use nalgebra::{Matrix3, Vector3};
+
+/// Couplings below this part of the largest entry are round-off.
+const UNCOUPLED: f64 = 1e-13;
+
+/// How an impact passes, by what its matrices couple.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Passage {
+    /// No friction: the impulse is 2 v_z/D_zz along the normal, in closed form.
+    Frictionless,
+    /// Normal and tangential motion apart, the tangential one along this direction: the exact
+    /// walk of [`crate::oblique`].
+    Uncoupled {
+        /// Unit vector of the tangential motion, contact axes.
+        direction: Vector3<f64>,
+    },
+    /// Motion in the plane of the normal and this direction: the exact memory of one direction.
+    Planar {
+        /// Unit tangent of that plane, contact axes.
+        direction: Vector3<f64>,
+    },
+    /// Motion in space: a vector law.
+    Spatial {
+        /// Whether the normal motion is coupled to the tangential one.
+        coupled: bool,
+    },
+}
+
+impl Passage {
+    pub(super) fn of(
+        mobility: &Matrix3<f64>,
+        stiffness: &ContactStiffness,
+        velocity: &Vector3<f64>,
+    ) -> Self {
+        let small = UNCOUPLED * mobility.amax();
+        let pull = Vector3::new(mobility.m13, mobility.m23, 0.0);
+        let coupled = pull.amax() > small;
+        let slip = Vector3::new(velocity.x, velocity.y, 0.0);
+        let direction = if slip.norm() > 0.0 {
+            slip.normalize()
+        } else if coupled {
+            pull.normalize()
+        } else {
+            Vector3::x()
+        };
+        let across = Vector3::z().cross(&direction);
+        let stays = (mobility * direction).dot(&across).abs() <= small
+            && (!coupled || pull.dot(&across).abs() <= small);
+        let twist = (stiffness.c_y - stiffness.c_x) * direction.x * direction.y;
+        let straight = stays && twist.abs() <= UNCOUPLED * stiffness.c_x.max(stiffness.c_y);
+        match (coupled, straight || (slip.norm() == 0.0 && !coupled)) {
+            (false, true) => Self::Uncoupled { direction },
+            (true, true) => Self::Planar { direction },
+            (coupled, false) => Self::Spatial { coupled },
+        }
+    }
+
+    /// A word for it.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        match self {
+            Self::Frictionless => "frictionless",
+            Self::Uncoupled { .. } => "uncoupled",
+            Self::Planar { .. } => "planar",
+            Self::Spatial { .. } => "spatial",
+        }
+    }
+}

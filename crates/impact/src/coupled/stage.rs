@@ -1,0 +1,74 @@
+//! What the contact does: stick, slip at the edge, slide.
+
+use carom_laws::memory::{Lateral, VertexStack};
+use carom_laws::shift_law::ShiftLaw;
+
+use super::CoulombRings;
+use crate::oblique::{Event, Regime};
+
+/// How much of the contact slips.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Stage {
+    /// Nothing.
+    Adhesion,
+    /// A part of it.
+    Slip,
+    /// All of it.
+    Slide,
+}
+
+/// A contact law that says what its last step did.
+pub trait Staged {
+    /// What slipped in the last step.
+    fn stage(&self) -> Stage;
+}
+
+impl Staged for CoulombRings {
+    fn stage(&self) -> Stage {
+        match self.slipping() {
+            0 => Stage::Adhesion,
+            n if n == self.touching() => Stage::Slide,
+            _ => Stage::Slip,
+        }
+    }
+}
+
+impl<V: Lateral, S: VertexStack<V>> Staged for ShiftLaw<V, S> {
+    fn stage(&self) -> Stage {
+        self.regime().into()
+    }
+}
+
+impl Stage {
+    /// The stage of a regime.
+    pub(super) const fn of(regime: Regime) -> Self {
+        match regime {
+            Regime::Adhesion => Self::Adhesion,
+            Regime::SlipForward | Regime::SlipBackward => Self::Slip,
+            Regime::SlideForward | Regime::SlideBackward => Self::Slide,
+        }
+    }
+
+    /// The regime of this stage whose traction on body 1 points along the initial slip direction
+    /// (`forward`) or against it.
+    pub(super) const fn regime(self, forward: bool) -> Regime {
+        match (self, forward) {
+            (Self::Adhesion, _) => Regime::Adhesion,
+            (Self::Slip, true) => Regime::SlipForward,
+            (Self::Slip, false) => Regime::SlipBackward,
+            (Self::Slide, true) => Regime::SlideForward,
+            (Self::Slide, false) => Regime::SlideBackward,
+        }
+    }
+
+    /// The event that leads from one stage to another.
+    pub(super) const fn event(from: Self, to: Self) -> Event {
+        match (from, to) {
+            (Self::Slide, _) => Event::SlideStop,
+            (_, Self::Slide) => Event::StickEnd,
+            (Self::Slip, Self::Adhesion) => Event::SlipStop,
+            (Self::Slip, Self::Slip) => Event::RingClosed,
+            (Self::Adhesion, _) => Event::SlipStart,
+        }
+    }
+}

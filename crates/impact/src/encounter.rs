@@ -1,0 +1,463 @@
+//! Two bodies of any smooth shape, anywhere, in any motion: where they touch and how they part.
+
+use carom_halfspace::{Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_laws::hertz::Hertz;
+use carom_special::RangeError;
+use nalgebra::Vector3;
+
+use crate::attitude::Attitude;
+use crate::body::{Inertia, Motion, kinetic_energy};
+use crate::contact_point::{Placed, SearchError, TOUCH_TOLERANCE, nearest};
+use crate::coupled::{CoupledError, CoupledImpact, CoupledOutcome, Sample, VectorLaw};
+use crate::frame::{ContactFrame, FrameError};
+use crate::mobility::{Lever, Mobility};
+use crate::outcome::{EnergyBudget, Outcome, Rebound, Warning};
+use crate::surface::{Kind, LocalSurface, Surface, SurfaceError};
+
+/// A body with its surface, place, attitude and motion.
+///
+/// ```
+/// use carom_halfspace::Material;
+/// use carom_impact::{Attitude, Motion, PlacedBody, Surface};
+/// let steel = Material::from_shear(80e9, 0.3)?;
+/// let egg = Surface::ellipsoid([0.03, 0.02, 0.015])?;
+/// let inertia = egg.solid(0.296)?;
+/// let body = PlacedBody::new(egg, steel, inertia)
+///     .at([0.0, 0.0, 0.015])?
+///     .turned(Attitude::from_angles(0.0, 0.0, 0.5)?)
+///     .moving(Motion::new([0.6, 0.4, -2.0], [0.0; 3])?);
+/// assert_eq!(body.centre().z, 0.015);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct PlacedBody {
+    surface: Surface,
+    material: Material,
+    inertia: Inertia,
+    centre: Vector3<f64>,
+    attitude: Attitude,
+    motion: Motion,
+}
+
+impl PlacedBody {
+    /// A body at rest at the origin, its axes along those of space.
+    #[must_use]
+    pub fn new(surface: Surface, material: Material, inertia: Inertia) -> Self {
+        let centre = Vector3::zeros();
+        let (attitude, motion) = (Attitude::ALIGNED, Motion::default());
+        Self { surface, material, inertia, centre, attitude, motion }
+    }
+
+    /// A plane through the origin, held fast, with the half-space z < 0 behind it.
+    #[must_use]
+    pub fn plane(material: Material) -> Self {
+        Self::new(Surface::plane(), material, Inertia::FIXED)
+    }
+
+    /// The same body with its centre of mass there; for a plane, any of its points.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the components are finite.
+    pub fn at(self, centre: [f64; 3]) -> Result<Self, RangeError> {
+        for value in centre {
+            RangeError::finite("centre", value)?;
+        }
+        Ok(Self { centre: centre.into(), ..self })
+    }
+
+    /// The same body in this attitude.
+    #[must_use]
+    pub fn turned(self, attitude: Attitude) -> Self {
+        Self { attitude, ..self }
+    }
+
+    /// The same body with this motion, in space axes.
+    #[must_use]
+    pub fn moving(self, motion: Motion) -> Self {
+        Self { motion, ..self }
+    }
+
+    /// Its surface, in its own axes.
+    #[must_use]
+    pub const fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    /// Its material.
+    #[must_use]
+    pub const fn material(&self) -> Material {
+        self.material
+    }
+
+    /// Its inertia.
+    #[must_use]
+    pub const fn inertia(&self) -> Inertia {
+        self.inertia
+    }
+
+    /// Its centre of mass.
+    #[must_use]
+    pub const fn centre(&self) -> Vector3<f64> {
+        self.centre
+    }
+
+    /// Its attitude.
+    #[must_use]
+    pub const fn attitude(&self) -> Attitude {
+        self.attitude
+    }
+
+    /// Its motion.
+    #[must_use]
+    pub const fn motion(&self) -> Motion {
+        self.motion
+    }
+
+    fn placed(&self) -> Placed<'_> {
+        Placed { surface: &self.surface, centre: self.centre, attitude: self.attitude }
+    }
+
+    fn local_at(&self, in_space: &Vector3<f64>) -> Result<LocalSurface, SurfaceError> {
+        let in_body = self.attitude.to_body(&(in_space - self.centre));
+        Ok(self.surface.local(&in_body)?.placed(&self.centre, &self.attitude))
+    }
+
+    // The motion of a plane is given at the contact point.
+    fn arm(&self, from_centre: Vector3<f64>) -> Vector3<f64> {
+        match self.surface.kind() {
+            Kind::Plane => Vector3::zeros(),
+            _ => from_centre,
+        }
+    }
+
+    fn kinetic_energy(&self, motion: &Motion) -> f64 {
+        // The moments belong to the body's axes.
+        let spin = self.attitude.to_body(&motion.spin);
+        kinetic_energy(&self.inertia, &Motion { velocity: motion.velocity, spin })
+    }
+}
+
+/// Why two bodies have no impact that can be computed.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum EncounterError {
+    /// A value out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// No contact point.
+    #[error(transparent)]
+    Search(#[from] SearchError),
+    /// The surfaces do not make a point contact.
+    #[error(transparent)]
+    Frame(#[from] FrameError),
+    /// Neither body can move.
+    #[error("both bodies are infinitely heavy: mass = inf must be finite for at least one")]
+    BothHeldFast,
+    /// The impact could not be followed.
+    #[error(transparent)]
+    Coupled(#[from] CoupledError),
+}
+
+/// Two bodies that touch.
+///
+/// ```
+/// use carom_halfspace::Material;
+/// use carom_impact::{Encounter, Motion, PlacedBody, Surface};
+/// use carom_laws::friction::Friction;
+/// let steel = Material::from_shear(80e9, 0.3)?;
+/// let egg = Surface::ellipsoid([0.03, 0.02, 0.015])?;
+/// let inertia = egg.solid(0.296)?;
+/// let body = PlacedBody::new(egg, steel, inertia)
+///     .at([0.0, 0.0, 0.015])?
+///     .moving(Motion::new([-0.6, -0.4, -2.0], [0.0; 3])?);
+/// let encounter = Encounter::find(body, PlacedBody::plane(steel), Friction::new(0.5)?)?;
+/// let outcome = encounter.solve()?;
+/// assert!((outcome.motions()[0].velocity.z - 2.0).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Encounter {
+    bodies: [PlacedBody; 2],
+    friction: Friction,
+    law: VectorLaw,
+    point: Vector3<f64>,
+    frame: ContactFrame,
+    materials: MaterialPair,
+    hertz: Hertz,
+    levers: [Lever; 2],
+    mobility: Mobility,
+    smallest_radius: f64,
+}
+
+impl Encounter {
+    /// Two bodies whose contact point is searched for. z will point from body 2 into body 1.
+    ///
+    /// # Errors
+    /// [`EncounterError::Search`] if the bodies do not touch, if they touch with an edge, or if
+    /// no search is known for the pair; else as [`Encounter::at`].
+    pub fn find(
+        body_1: PlacedBody,
+        body_2: PlacedBody,
+        friction: Friction,
+    ) -> Result<Self, EncounterError> {
+        let found = nearest(&body_1.placed(), &body_2.placed())?;
+        let sizes = [body_1.surface.size(), body_2.surface.size()];
+        let size = sizes.into_iter().filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min);
+        let allowed = TOUCH_TOLERANCE * size;
+        if found.gap.is_nan() || found.gap.abs() > allowed {
+            return Err(SearchError::NotTouching { gap: found.gap, allowed }.into());
+        }
+        let bodies = [body_1, body_2];
+        let local = |i: usize| named(i, bodies[i].local_at(&found.points[i]));
+        let locals = [local(0)?, local(1)?];
+        let point = 0.5 * (found.points[0] + found.points[1]);
+        let arms = [point - bodies[0].centre, point - bodies[1].centre];
+        Self::build(bodies, friction, locals, point, arms)
+    }
+
+    /// Two bodies that touch at a given point of space.
+    ///
+    /// # Errors
+    /// [`SearchError::Surface`] if the point does not lie on both surfaces or one has no tangent
+    /// plane there, [`EncounterError::Frame`] if the normals are not opposite or the surfaces
+    /// conform or touch along a line, [`EncounterError::BothHeldFast`],
+    /// [`EncounterError::Range`] if both materials are rigid.
+    pub fn at(
+        body_1: PlacedBody,
+        body_2: PlacedBody,
+        point: [f64; 3],
+        friction: Friction,
+    ) -> Result<Self, EncounterError> {
+        let point = Vector3::from(point);
+        let bodies = [body_1, body_2];
+        let local = |i: usize| named(i, bodies[i].local_at(&point));
+        let locals = [local(0)?, local(1)?];
+        let arms = [point - bodies[0].centre, point - bodies[1].centre];
+        Self::build(bodies, friction, locals, point, arms)
+    }
+
+    /// Two bodies that touch with given points of their surfaces, each in its body's axes. Their
+    /// centres need not be known; body 2 keeps its place and body 1 follows.
+    ///
+    /// # Errors
+    /// As [`Encounter::at`].
+    pub fn at_own_points(
+        body_1: PlacedBody,
+        point_1: [f64; 3],
+        body_2: PlacedBody,
+        point_2: [f64; 3],
+        friction: Friction,
+    ) -> Result<Self, EncounterError> {
+        let arms =
+            [body_1.attitude.to_space(&point_1.into()), body_2.attitude.to_space(&point_2.into())];
+        let point = body_2.centre + arms[1];
+        let body_1 = PlacedBody { centre: point - arms[0], ..body_1 };
+        let local = |i: usize, body: &PlacedBody, in_body: [f64; 3]| {
+            let local = named(i, body.surface.local(&in_body.into()))?;
+            Ok::<_, EncounterError>(local.placed(&body.centre, &body.attitude))
+        };
+        let locals = [local(0, &body_1, point_1)?, local(1, &body_2, point_2)?];
+        Self::build([body_1, body_2], friction, locals, point, arms)
+    }
+
+    fn build(
+        bodies: [PlacedBody; 2],
+        friction: Friction,
+        locals: [LocalSurface; 2],
+        point: Vector3<f64>,
+        arms: [Vector3<f64>; 2],
+    ) -> Result<Self, EncounterError> {
+        let frame = ContactFrame::new(&locals[0], &locals[1])?;
+        let materials = MaterialPair::new(bodies[0].material, bodies[1].material)?;
+        let hertz = Hertz::new(frame.relative_curvature(), materials)?;
+        let lever = |i: usize| {
+            let body = &bodies[i];
+            Lever::new(body.inertia, &body.attitude, body.arm(arms[i]))
+        };
+        let levers = [lever(0)?, lever(1)?];
+        if (levers[0].mobility() + levers[1].mobility()).amax() == 0.0 {
+            return Err(EncounterError::BothHeldFast);
+        }
+        let mobility = Mobility::new(&levers, frame.axes())?;
+        let sharpest = locals.iter().flat_map(LocalSurface::curvatures_abs).fold(0.0, f64::max);
+        Ok(Self {
+            bodies,
+            friction,
+            law: VectorLaw::default(),
+            point,
+            frame,
+            materials,
+            hertz,
+            levers,
+            mobility,
+            smallest_radius: 1.0 / sharpest,
+        })
+    }
+
+    /// The same encounter with another law for turning directions.
+    #[must_use]
+    pub fn with_law(self, law: VectorLaw) -> Self {
+        Self { law, ..self }
+    }
+
+    /// The bodies.
+    #[must_use]
+    pub const fn bodies(&self) -> &[PlacedBody; 2] {
+        &self.bodies
+    }
+
+    /// The contact point.
+    #[must_use]
+    pub const fn point(&self) -> Vector3<f64> {
+        self.point
+    }
+
+    /// The contact axes.
+    #[must_use]
+    pub const fn frame(&self) -> &ContactFrame {
+        &self.frame
+    }
+
+    /// The Hertz contact.
+    #[must_use]
+    pub const fn hertz(&self) -> &Hertz {
+        &self.hertz
+    }
+
+    /// What of each body resists the impulse.
+    #[must_use]
+    pub const fn levers(&self) -> &[Lever; 2] {
+        &self.levers
+    }
+
+    /// The mobility D in contact axes.
+    #[must_use]
+    pub const fn mobility(&self) -> &Mobility {
+        &self.mobility
+    }
+
+    /// Velocity of body 2 against body 1 at the contact point, in space axes (8.27).
+    #[must_use]
+    pub fn relative_velocity(&self) -> Vector3<f64> {
+        let of = |i: usize| {
+            let motion = &self.bodies[i].motion;
+            self.levers[i].point_velocity(&motion.velocity, &motion.spin)
+        };
+        of(1) - of(0)
+    }
+
+    /// The impact in contact axes; none if the bodies do not approach each other.
+    ///
+    /// # Errors
+    /// [`RangeError`] if a derived quantity over- or underflows.
+    pub fn impact(&self) -> Result<Option<CoupledImpact>, EncounterError> {
+        let velocity = self.frame.to_contact(&self.relative_velocity());
+        if velocity.z <= 0.0 {
+            return Ok(None);
+        }
+        let stiffness = self.hertz.stiffness();
+        Ok(Some(CoupledImpact::new(self.mobility, stiffness, self.friction, velocity)?))
+    }
+
+    /// Follows the encounter to separation. Torsion about the normal is neglected.
+    ///
+    /// # Errors
+    /// [`EncounterError::Coupled`] if the impact could not be followed.
+    pub fn solve(&self) -> Result<Outcome, EncounterError> {
+        let Some(impact) = self.impact()? else {
+            let motions = [self.bodies[0].motion, self.bodies[1].motion];
+            return Ok(Outcome::NoImpact { motions });
+        };
+        let (coupled, log) = impact.solve_with_log(self.law)?;
+        let mut rebound = self.rebound(&impact, &coupled)?;
+        rebound.log = log;
+        Ok(Outcome::Rebound(Box::new(rebound)))
+    }
+
+    /// Instants of the impact in contact axes; empty without an impact.
+    ///
+    /// # Errors
+    /// As [`Encounter::solve`].
+    pub fn history(&self) -> Result<Vec<Sample>, EncounterError> {
+        match self.impact()? {
+            None => Ok(Vec::new()),
+            Some(impact) => Ok(impact.history(self.law)?),
+        }
+    }
+
+    fn rebound(
+        &self,
+        impact: &CoupledImpact,
+        outcome: &CoupledOutcome,
+    ) -> Result<Rebound, EncounterError> {
+        let (before, after) = (impact.velocity(), outcome.velocity);
+        let impulse = self.mobility.impulse(&before, &after);
+        let motions = self.after(&self.frame.to_space(&impulse));
+        let kinetic = |motions: [Motion; 2]| {
+            self.bodies[0].kinetic_energy(&motions[0]) + self.bodies[1].kinetic_energy(&motions[1])
+        };
+        let energy = EnergyBudget {
+            before: kinetic([self.bodies[0].motion, self.bodies[1].motion]),
+            after: kinetic(motions),
+            // E_A - E_E of the relative motion, without its cancellation.
+            dissipated: 0.5 * impulse.dot(&(before + after)),
+        };
+        let maximal_radius = self.hertz.ellipse(outcome.maximal_approach)?.semi_axis_b();
+        Ok(Rebound {
+            motions,
+            impulse: self.frame.to_space(&impulse),
+            velocity_before: self.frame.to_space(&before),
+            velocity_after: self.frame.to_space(&after),
+            tangential_restitution: tangential_restitution(&before, &after),
+            duration: outcome.duration,
+            maximal_force: outcome.maximal_force,
+            maximal_approach: outcome.maximal_approach,
+            maximal_radius,
+            energy,
+            log: Vec::new(),
+            warnings: self.warnings(maximal_radius),
+        })
+    }
+
+    fn after(&self, impulse: &Vector3<f64>) -> [Motion; 2] {
+        [0, 1].map(|i| {
+            let push = if i == 0 { *impulse } else { -impulse };
+            let (body, lever) = (&self.bodies[i], &self.levers[i]);
+            Motion {
+                velocity: body.motion.velocity + push * body.inertia.inverse_mass(),
+                spin: body.motion.spin + lever.inverse_tensor() * lever.arm().cross(&push),
+            }
+        })
+    }
+
+    fn warnings(&self, maximal_radius: f64) -> Vec<Warning> {
+        let mut warnings = Vec::new();
+        if !self.materials.is_uncoupled() {
+            let gamma = self.materials.gamma();
+            let friction_over_gamma = self.friction.get() / gamma.abs();
+            warnings.push(Warning::Coupling { gamma, friction_over_gamma });
+        }
+        let ratio = maximal_radius / self.smallest_radius;
+        if ratio > 0.1 {
+            warnings.push(Warning::LargeContact { ratio });
+        }
+        warnings
+    }
+}
+
+fn named(
+    i: usize,
+    local: Result<LocalSurface, SurfaceError>,
+) -> Result<LocalSurface, EncounterError> {
+    let body = if i == 0 { 1 } else { 2 };
+    local.map_err(|source| SearchError::Surface { body, source }.into())
+}
+
+// Along the tangential motion before; 0 where there was none.
+fn tangential_restitution(before: &Vector3<f64>, after: &Vector3<f64>) -> f64 {
+    let squared = before.x * before.x + before.y * before.y;
+    if squared == 0.0 {
+        return 0.0;
+    }
+    -(after.x * before.x + after.y * before.y) / squared
+}

@@ -1,0 +1,32 @@
+//! Why a scene cannot be run.
+
+use carom_special::{RangeError, Readable};
+
+use crate::collision::CollisionError;
+
+/// Why a scene cannot be built or run. Walls count from 0 in the order they were added.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum SceneError {
+    /// A value out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// The body that should fly is no sphere.
+    #[error("the ball must be a sphere")]
+    NotASphere,
+    /// The ball reaches into a wall at the start.
+    #[error("the ball starts inside wall {wall}: the gap between them is {} and must be >= 0", Readable(*gap))]
+    Inside {
+        /// Which wall.
+        wall: usize,
+        /// Distance of the ball's surface from the wall; negative.
+        gap: f64,
+    },
+    /// The ball and a wall cannot collide.
+    #[error("wall {wall}: {source}")]
+    Collision {
+        /// Which wall.
+        wall: usize,
+        /// Why.
+        source: CollisionError,
+    },
+}

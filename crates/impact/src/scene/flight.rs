@@ -1,0 +1,87 @@
+//! Free flight: the centre on a parabola.
+
+use nalgebra::Vector3;
+
+/// Motion of a centre from its start under constant acceleration.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Flight {
+    pub(super) position: Vector3<f64>,
+    pub(super) velocity: Vector3<f64>,
+    pub(super) gravity: Vector3<f64>,
+}
+
+impl Flight {
+    pub(super) fn position_after(&self, time: f64) -> Vector3<f64> {
+        self.position + time * (self.velocity + 0.5 * time * self.gravity)
+    }
+
+    pub(super) fn velocity_after(&self, time: f64) -> Vector3<f64> {
+        self.velocity + time * self.gravity
+    }
+
+    /// When a gap of `gap` now, along `normal`, closes: the root of
+    /// gap + v_n t + g_n t^2/2 at which it falls. None if it never does.
+    pub(super) fn closing(&self, gap: f64, normal: &Vector3<f64>) -> Option<f64> {
+        let (v, g) = (self.velocity.dot(normal), self.gravity.dot(normal));
+        let discriminant = v * v - 2.0 * g * gap;
+        if discriminant <= 0.0 {
+            return None;
+        }
+        let speed = discriminant.sqrt();
+        // The falling root is -(v + speed)/g; in the form that does not cancel.
+        let time = match (v > 0.0, g == 0.0) {
+            (true, true) => return None,
+            (true, false) => -(v + speed) / g,
+            (false, _) => 2.0 * gap / (speed - v),
+        };
+        (time >= 0.0 && time.is_finite()).then_some(time)
+    }
+
+    /// |c(t) - origin|^2 - radius^2 by powers of t, of the parts across `axis` if there is one.
+    pub(super) fn distance_polynomial(
+        &self,
+        origin: &Vector3<f64>,
+        axis: Option<&Vector3<f64>>,
+        radius: f64,
+    ) -> [f64; 5] {
+        let across = |vector: Vector3<f64>| match axis {
+            Some(axis) => vector - vector.dot(axis) * axis,
+            None => vector,
+        };
+        let w = across(self.position - origin);
+        let (v, h) = (across(self.velocity), across(0.5 * self.gravity));
+        let distance = w.norm();
+        [
+            (distance - radius) * (distance + radius),
+            2.0 * w.dot(&v),
+            v.norm_squared() + 2.0 * w.dot(&h),
+            2.0 * v.dot(&h),
+            h.norm_squared(),
+        ]
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn flight(velocity: f64, gravity: f64) -> Flight {
+        let (position, z) = (Vector3::zeros(), Vector3::z());
+        Flight { position, velocity: velocity * z, gravity: gravity * z }
+    }
+
+    #[test]
+    fn gaps_close_when_they_should() {
+        let closing =
+            |gap, velocity, gravity| flight(velocity, gravity).closing(gap, &Vector3::z());
+        assert_eq!(closing(5.0, 0.0, -10.0), Some(1.0));
+        assert_eq!(closing(2.0, -4.0, 0.0), Some(0.5));
+        assert_eq!(closing(0.0, 5.0, -10.0), Some(1.0));
+        assert_eq!(closing(0.0, -1.0, -10.0), Some(0.0));
+        // Thrown at a ceiling: too slow, or fast enough.
+        assert_eq!(closing(1.0, -1.0, 10.0), None);
+        assert_eq!(closing(0.5, -3.5, 12.0), Some(1.0 / 4.0));
+        assert_eq!(closing(1.0, 1.0, 0.0), None);
+        assert_eq!(closing(0.0, 0.0, -10.0), None);
+    }
+}

@@ -1,0 +1,187 @@
+//! What a scene leaves behind: legs of flight, bounces and the end.
+
+use carom_special::RangeError;
+use nalgebra::Vector3;
+
+use super::flight::Flight;
+use crate::body::Motion;
+use crate::outcome::Rebound;
+
+/// When to stop.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Limits {
+    time: f64,
+    bounces: usize,
+    rebound_height: f64,
+}
+
+impl Limits {
+    /// Up to `time`, and `bounces` bounces at most.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the time is finite and positive and there is at least one bounce.
+    pub fn new(time: f64, bounces: usize) -> Result<Self, RangeError> {
+        RangeError::positive("time", time)?;
+        RangeError::check("bounces", bounces as f64, bounces >= 1, ">= 1")?;
+        Ok(Self { time, bounces, rebound_height: 0.0 })
+    }
+
+    /// Stop, too, when the ball will rise less than this above the wall it has just left.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the height is finite and not negative.
+    pub fn at_rest_below(self, height: f64) -> Result<Self, RangeError> {
+        Ok(Self { rebound_height: RangeError::non_negative("rebound height", height)?, ..self })
+    }
+
+    /// The last time.
+    #[must_use]
+    pub const fn time(&self) -> f64 {
+        self.time
+    }
+
+    /// The most bounces.
+    #[must_use]
+    pub const fn bounces(&self) -> usize {
+        self.bounces
+    }
+
+    /// The least height of a rebound.
+    #[must_use]
+    pub const fn rebound_height(&self) -> f64 {
+        self.rebound_height
+    }
+}
+
+/// A flight from a start or a bounce to the next event.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Leg {
+    pub(super) start: f64,
+    pub(super) duration: f64,
+    pub(super) flight: Flight,
+    pub(super) spin: Vector3<f64>,
+}
+
+impl Leg {
+    /// When it starts.
+    #[must_use]
+    pub const fn start(&self) -> f64 {
+        self.start
+    }
+
+    /// How long it takes.
+    #[must_use]
+    pub const fn duration(&self) -> f64 {
+        self.duration
+    }
+
+    /// The ball at `time` after the start of the leg.
+    #[must_use]
+    pub fn after(&self, time: f64) -> PathPoint {
+        let velocity = self.flight.velocity_after(time);
+        PathPoint {
+            time: self.start + time,
+            position: self.flight.position_after(time),
+            motion: Motion { velocity, spin: self.spin },
+        }
+    }
+}
+
+/// The ball at one instant.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct PathPoint {
+    /// Time since the start.
+    pub time: f64,
+    /// Where the centre is.
+    pub position: Vector3<f64>,
+    /// How the ball moves.
+    pub motion: Motion,
+}
+
+/// A bounce off a wall.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Bounce {
+    /// Time since the start.
+    pub time: f64,
+    /// Which wall, from 0 in the order they were added.
+    pub wall: usize,
+    /// Where the centre is.
+    pub position: Vector3<f64>,
+    /// Unit normal of the wall, into the ball.
+    pub normal: Vector3<f64>,
+    /// Motion of the ball before.
+    pub before: Motion,
+    /// Motion of the ball after.
+    pub after: Motion,
+    /// The impact in full: R_x, regimes, impulse, energy, warnings. The ball is body 1.
+    pub rebound: Rebound,
+}
+
+/// Why a path ends.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Ending {
+    /// The last time is reached.
+    Time,
+    /// The last bounce is done.
+    Bounces,
+    /// The ball stays on this wall: it lies, slides or rolls there, or rises too little.
+    Rest {
+        /// Which wall.
+        wall: usize,
+    },
+    /// The ball meets an edge of this wall: a sharp edge makes no Hertz contact.
+    Edge {
+        /// Which wall.
+        wall: usize,
+    },
+}
+
+/// The path of the ball.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Path {
+    pub(super) legs: Vec<Leg>,
+    pub(super) bounces: Vec<Bounce>,
+    pub(super) ending: Ending,
+    pub(super) last: PathPoint,
+}
+
+impl Path {
+    /// The flights in order, one more than bounces or as many.
+    #[must_use]
+    pub fn legs(&self) -> &[Leg] {
+        &self.legs
+    }
+
+    /// The bounces in order.
+    #[must_use]
+    pub fn bounces(&self) -> &[Bounce] {
+        &self.bounces
+    }
+
+    /// Why it ends.
+    #[must_use]
+    pub const fn ending(&self) -> Ending {
+        self.ending
+    }
+
+    /// The ball at the end.
+    #[must_use]
+    pub const fn last(&self) -> PathPoint {
+        self.last
+    }
+
+    /// The ball at `count` instants of every leg, equally spaced in time, both ends included: at
+    /// a bounce one point before and one after it.
+    ///
+    /// # Errors
+    /// [`RangeError`] for fewer than two instants.
+    pub fn points(&self, count: usize) -> Result<Vec<PathPoint>, RangeError> {
+        RangeError::check("points", count as f64, count >= 2, ">= 2")?;
+        let last = (count - 1) as f64;
+        let of = |leg: &Leg| {
+            let leg = *leg;
+            (0..count).map(move |i| leg.after(leg.duration * (i as f64 / last)))
+        };
+        Ok(self.legs.iter().flat_map(of).collect())
+    }
+}

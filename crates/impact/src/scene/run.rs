@@ -1,0 +1,233 @@
+//! A scene and its run from event to event.
+
+use carom_special::RangeError;
+use nalgebra::Vector3;
+
+use super::ball::Ball;
+use super::error::SceneError;
+use super::flight::Flight;
+use super::path::{Bounce, Ending, Leg, Limits, Path, PathPoint};
+use super::wall::{Meeting, Wall};
+use crate::body::Body;
+use crate::collision::Collision;
+use crate::outcome::Outcome;
+
+/// Walls and gravity.
+///
+/// If the ball meets two walls at the same instant, as in a corner, it bounces off the one added
+/// first, then off the other.
+///
+/// ```
+/// use carom_halfspace::Material;
+/// use carom_impact::scene::{Ball, Ending, Limits, Scene, Wall};
+/// use carom_impact::{Body, Motion};
+/// use carom_laws::friction::Friction;
+/// let rubber = Material::from_young(20e6, 0.5)?;
+/// let floor = Wall::new([0.0; 3], [0.0, 0.0, 1.0], Material::RIGID, Friction::new(0.3)?)?;
+/// let scene = Scene::new([0.0, 0.0, -10.0])?.with(floor);
+/// // Dropped from 5 m without spin: elastic bounces 2 s apart, the first after 1 s.
+/// let ball = Ball::new(Body::sphere(0.02, rubber, 0.03)?, [0.0, 0.0, 5.02])?;
+/// let path = scene.run(&ball, Limits::new(6.0, 100)?)?;
+/// let times: Vec<f64> = path.bounces().iter().map(|bounce| bounce.time).collect();
+/// assert_eq!(times.len(), 3);
+/// assert!((times[2] - 5.0).abs() < 1e-12);
+/// assert_eq!(path.ending(), Ending::Time);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Scene {
+    gravity: Vector3<f64>,
+    walls: Vec<Wall>,
+}
+
+impl Scene {
+    /// Without walls; gravity is an acceleration, and may be zero.
+    ///
+    /// # Errors
+    /// [`RangeError`] if gravity is not finite.
+    pub fn new(gravity: [f64; 3]) -> Result<Self, RangeError> {
+        for value in gravity {
+            RangeError::finite("gravity", value)?;
+        }
+        Ok(Self { gravity: gravity.into(), walls: Vec::new() })
+    }
+
+    /// With one wall more.
+    #[must_use]
+    pub fn with(mut self, wall: Wall) -> Self {
+        self.walls.push(wall);
+        self
+    }
+
+    /// The walls, in the order they were added.
+    #[must_use]
+    pub fn walls(&self) -> &[Wall] {
+        &self.walls
+    }
+
+    /// The acceleration of free fall.
+    #[must_use]
+    pub const fn gravity(&self) -> Vector3<f64> {
+        self.gravity
+    }
+
+    /// Follows the ball until a limit, rest or an edge.
+    ///
+    /// # Errors
+    /// [`SceneError::Inside`] if the ball reaches into a wall at the start,
+    /// [`SceneError::Collision`] if it and a wall cannot collide, as two rigid bodies, or an
+    /// impact fails; [`SceneError::Range`] if the ball flies beyond the largest number.
+    pub fn run(&self, ball: &Ball, limits: Limits) -> Result<Path, SceneError> {
+        self.check(ball)?;
+        Run::new(self, ball, limits).follow()
+    }
+
+    fn check(&self, ball: &Ball) -> Result<(), SceneError> {
+        for (index, wall) in self.walls.iter().enumerate() {
+            let gap = wall.gap(&ball.position(), ball.radius());
+            if gap < -wall.tolerance(&ball.position(), ball.radius()) {
+                return Err(SceneError::Inside { wall: index, gap });
+            }
+            self.collision(index, ball.body(), &wall.normal())?;
+        }
+        Ok(())
+    }
+
+    fn collision(
+        &self,
+        index: usize,
+        body: Body,
+        normal: &Vector3<f64>,
+    ) -> Result<Collision, SceneError> {
+        let wall = &self.walls[index];
+        Collision::new(body, Body::plane(wall.material()), wall.friction())
+            .and_then(|collision| collision.along((*normal).into()))
+            .map_err(|source| SceneError::Collision { wall: index, source })
+    }
+}
+
+/// The state between two events.
+struct Run<'a> {
+    scene: &'a Scene,
+    body: Body,
+    radius: f64,
+    limits: Limits,
+    now: PathPoint,
+    legs: Vec<Leg>,
+    bounces: Vec<Bounce>,
+}
+
+impl<'a> Run<'a> {
+    fn new(scene: &'a Scene, ball: &Ball, limits: Limits) -> Self {
+        let motion = ball.body().motion();
+        Self {
+            scene,
+            body: ball.body(),
+            radius: ball.radius(),
+            limits,
+            now: PathPoint { time: 0.0, position: ball.position(), motion },
+            legs: Vec::new(),
+            bounces: Vec::new(),
+        }
+    }
+
+    fn follow(mut self) -> Result<Path, SceneError> {
+        let ending = loop {
+            if let Some(ending) = self.step()? {
+                break ending;
+            }
+        };
+        Ok(Path { legs: self.legs, bounces: self.bounces, ending, last: self.now })
+    }
+
+    /// To the next event; the ending if it is the last.
+    fn step(&mut self) -> Result<Option<Ending>, SceneError> {
+        let flight = self.flight();
+        let walls = || self.scene.walls.iter().enumerate();
+        if let Some((wall, _)) = walls().find(|(_, w)| w.pressed(&flight, self.radius).is_some()) {
+            return Ok(Some(Ending::Rest { wall }));
+        }
+        let left = self.limits.time() - self.now.time;
+        let mut first: Option<(usize, Meeting)> = None;
+        for (index, wall) in walls() {
+            let end = first.map_or(left, |(_, meeting)| meeting.time());
+            match wall.meeting(&flight, self.radius, end) {
+                Some(met) if first.is_none_or(|(_, m)| met.time() < m.time()) => {
+                    first = Some((index, met));
+                }
+                _ => {}
+            }
+        }
+        match first {
+            None => {
+                self.fly(left)?;
+                self.now.time = self.limits.time();
+                Ok(Some(Ending::Time))
+            }
+            Some((wall, Meeting::Edge { time })) => {
+                self.fly(time)?;
+                Ok(Some(Ending::Edge { wall }))
+            }
+            Some((wall, Meeting::Face { time, normal })) => {
+                self.fly(time)?;
+                self.bounce(wall, normal)
+            }
+        }
+    }
+
+    fn flight(&self) -> Flight {
+        let PathPoint { position, motion, .. } = self.now;
+        Flight { position, velocity: motion.velocity, gravity: self.scene.gravity }
+    }
+
+    fn fly(&mut self, duration: f64) -> Result<(), SceneError> {
+        let (start, spin) = (self.now.time, self.now.motion.spin);
+        let leg = Leg { start, duration, flight: self.flight(), spin };
+        let next = leg.after(duration);
+        RangeError::finite("position", next.position.sum())?;
+        RangeError::finite("velocity", next.motion.velocity.sum())?;
+        self.legs.push(leg);
+        self.now = next;
+        Ok(())
+    }
+
+    fn bounce(&mut self, wall: usize, normal: Vector3<f64>) -> Result<Option<Ending>, SceneError> {
+        self.settle(wall, &normal);
+        let before = self.now.motion;
+        let collision = self.scene.collision(wall, self.body.moving(before), &normal)?;
+        let outcome = collision.solve().map_err(|source| SceneError::Collision { wall, source })?;
+        let pull = -self.scene.gravity.dot(&normal);
+        let Outcome::Rebound(rebound) = outcome else {
+            // A touch without approach: it rests, or gravity takes it away.
+            return Ok((pull >= 0.0).then_some(Ending::Rest { wall }));
+        };
+        let [after, _] = rebound.motions;
+        self.record(Bounce {
+            time: self.now.time,
+            wall,
+            position: self.now.position,
+            normal,
+            before,
+            after,
+            rebound: *rebound,
+        });
+        let speed = after.velocity.dot(&normal);
+        // v^2/(2 g) is how high it rises.
+        if pull > 0.0 && speed * speed < 2.0 * pull * self.limits.rebound_height() {
+            return Ok(Some(Ending::Rest { wall }));
+        }
+        Ok((self.bounces.len() >= self.limits.bounces()).then_some(Ending::Bounces))
+    }
+
+    fn record(&mut self, bounce: Bounce) {
+        self.now.motion = bounce.after;
+        self.bounces.push(bounce);
+    }
+
+    // Puts the centre at one radius from the wall: round-off of the flight does not build up.
+    fn settle(&mut self, wall: usize, normal: &Vector3<f64>) {
+        let wall = &self.scene.walls[wall];
+        let height = (self.now.position - wall.point()).dot(normal);
+        self.now.position += (self.radius - height) * normal;
+    }
+}

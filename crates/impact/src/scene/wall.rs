@@ -1,0 +1,252 @@
+//! A wall: a plane held fast, whole or a rectangle of it.
+
+use carom_halfspace::Material;
+use carom_laws::friction::Friction;
+use carom_special::RangeError;
+use nalgebra::Vector3;
+
+use super::flight::Flight;
+use super::roots::falls;
+
+/// A plane held fast: a half-space that fills the side against the normal, or a thin rectangular
+/// plate that is hit from both sides.
+///
+/// ```
+/// use carom_halfspace::Material;
+/// use carom_impact::scene::Wall;
+/// use carom_laws::friction::Friction;
+/// let (steel, f) = (Material::from_shear(80e9, 0.3)?, Friction::new(0.2)?);
+/// let table = Wall::new([0.0; 3], [0.0, 0.0, 1.0], steel, f)?;
+/// let book = Wall::new([0.3, 0.0, 0.1], [0.0, 0.0, -1.0], steel, f)?
+///     .rectangle([1.0, 0.0, 0.0], [0.15, 0.1])?;
+/// assert_eq!(book.corners().map(|corners| corners[0].x), Some(0.15));
+/// assert_eq!(table.corners(), None);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Wall {
+    point: Vector3<f64>,
+    normal: Vector3<f64>,
+    extent: Extent,
+    material: Material,
+    friction: Friction,
+}
+
+/// How far a wall reaches.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Extent {
+    /// Without end.
+    Infinite,
+    /// A rectangle about the wall's point.
+    Rectangle {
+        /// Unit vectors along its sides.
+        axes: [Vector3<f64>; 2],
+        /// Half its lengths along them.
+        half_lengths: [f64; 2],
+    },
+}
+
+/// What of a wall a ball meets first, and when.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Meeting {
+    /// A face, with the normal into the ball.
+    Face { time: f64, normal: Vector3<f64> },
+    /// An edge or a corner of a rectangle.
+    Edge { time: f64 },
+}
+
+impl Meeting {
+    pub(super) const fn time(&self) -> f64 {
+        match self {
+            Self::Face { time, .. } | Self::Edge { time } => *time,
+        }
+    }
+}
+
+impl Wall {
+    /// The half-space below the plane through `point` with this normal, which points to the free
+    /// side and need not have length 1.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a point that is not finite, or a normal that is zero or not finite.
+    pub fn new(
+        point: [f64; 3],
+        normal: [f64; 3],
+        material: Material,
+        friction: Friction,
+    ) -> Result<Self, RangeError> {
+        for value in point {
+            RangeError::finite("point", value)?;
+        }
+        let normal = unit("normal", normal)?;
+        Ok(Self { point: point.into(), normal, extent: Extent::Infinite, material, friction })
+    }
+
+    /// Only a rectangle about the point, thin and hit from both sides: one pair of its sides
+    /// lies along `along` (made perpendicular to the normal), of lengths twice `half_lengths`.
+    ///
+    /// # Errors
+    /// [`RangeError`] if `along` is not finite, zero or parallel to the normal, or a half length
+    /// is not finite and positive.
+    pub fn rectangle(self, along: [f64; 3], half_lengths: [f64; 2]) -> Result<Self, RangeError> {
+        let along = unit("along", along)?;
+        let inside = along - along.dot(&self.normal) * self.normal;
+        let length = inside.norm();
+        RangeError::check("along", length, length > 1e-8, "not parallel to the normal")?;
+        for value in half_lengths {
+            RangeError::positive("half length", value)?;
+        }
+        let first = inside / length;
+        let axes = [first, self.normal.cross(&first)];
+        Ok(Self { extent: Extent::Rectangle { axes, half_lengths }, ..self })
+    }
+
+    /// A point of the plane; the centre of a rectangle.
+    #[must_use]
+    pub const fn point(&self) -> Vector3<f64> {
+        self.point
+    }
+
+    /// The unit normal.
+    #[must_use]
+    pub const fn normal(&self) -> Vector3<f64> {
+        self.normal
+    }
+
+    /// How far it reaches.
+    #[must_use]
+    pub const fn extent(&self) -> Extent {
+        self.extent
+    }
+
+    /// What it is made of.
+    #[must_use]
+    pub const fn material(&self) -> Material {
+        self.material
+    }
+
+    /// Friction between it and the ball.
+    #[must_use]
+    pub const fn friction(&self) -> Friction {
+        self.friction
+    }
+
+    /// The corners of a rectangle, in order around it; none of an infinite plane.
+    #[must_use]
+    pub fn corners(&self) -> Option<[Vector3<f64>; 4]> {
+        let Extent::Rectangle { axes: [u, v], half_lengths: [a, b] } = self.extent else {
+            return None;
+        };
+        let corner = |s: f64, t: f64| self.point + s * a * u + t * b * v;
+        Some([corner(-1.0, -1.0), corner(1.0, -1.0), corner(1.0, 1.0), corner(-1.0, 1.0)])
+    }
+
+    /// Distance of a ball's surface from the wall; negative inside.
+    #[must_use]
+    pub fn gap(&self, centre: &Vector3<f64>, radius: f64) -> f64 {
+        let offset = centre - self.point;
+        let height = offset.dot(&self.normal);
+        match self.extent {
+            Extent::Infinite => height - radius,
+            Extent::Rectangle { axes, half_lengths } => {
+                let beyond = |i: usize| (offset.dot(&axes[i]).abs() - half_lengths[i]).max(0.0);
+                Vector3::new(height, beyond(0), beyond(1)).norm() - radius
+            }
+        }
+    }
+
+    // Round-off of a gap.
+    pub(super) fn tolerance(&self, centre: &Vector3<f64>, radius: f64) -> f64 {
+        1e-12 * (radius + centre.amax() + self.point.amax())
+    }
+
+    fn holds(&self, place: &Vector3<f64>) -> bool {
+        let Extent::Rectangle { axes, half_lengths } = self.extent else {
+            return true;
+        };
+        let offset = place - self.point;
+        (0..2).all(|i| offset.dot(&axes[i]).abs() <= half_lengths[i])
+    }
+
+    /// The normal into a ball that touches a face and lies still against it, pressed on by
+    /// gravity.
+    pub(super) fn pressed(&self, flight: &Flight, radius: f64) -> Option<Vector3<f64>> {
+        let height = (flight.position - self.point).dot(&self.normal);
+        let normal = self.side(height) * self.normal;
+        let touches = self.gap(&flight.position, radius)
+            <= self.tolerance(&flight.position, radius)
+            && self.holds(&flight.position);
+        let still = flight.velocity.dot(&normal) == 0.0 && flight.gravity.dot(&normal) < 0.0;
+        (touches && still).then_some(normal)
+    }
+
+    fn side(&self, height: f64) -> f64 {
+        if self.extent == Extent::Infinite || height >= 0.0 { 1.0 } else { -1.0 }
+    }
+
+    /// What a flying ball meets first of the wall, up to the time `end`.
+    pub(super) fn meeting(&self, flight: &Flight, radius: f64, end: f64) -> Option<Meeting> {
+        let height = (flight.position - self.point).dot(&self.normal);
+        let slack = self.tolerance(&flight.position, radius);
+        let face = |sign: f64| {
+            let normal = sign * self.normal;
+            let gap = sign * height - radius;
+            let whole = self.extent == Extent::Infinite;
+            let gap = if gap.abs() <= slack || (whole && gap < 0.0) { 0.0 } else { gap };
+            let time = flight.closing(gap, &normal)?;
+            let foot = flight.position_after(time);
+            (time <= end && self.holds(&foot)).then_some(Meeting::Face { time, normal })
+        };
+        let above = face(1.0);
+        if self.extent == Extent::Infinite {
+            return above;
+        }
+        let first = earlier(above, face(-1.0));
+        let end = first.map_or(end, |meeting| meeting.time());
+        earlier(first, self.edge(flight, radius, end).map(|time| Meeting::Edge { time }))
+    }
+
+    // When the ball first meets an edge or a corner, if before `end`: the face comes first.
+    fn edge(&self, flight: &Flight, radius: f64, end: f64) -> Option<f64> {
+        let corners = self.corners()?;
+        let mut first: Option<f64> = None;
+        let mut take = |time: f64| {
+            if time < first.unwrap_or(end) {
+                first = Some(time);
+            }
+        };
+        for (i, corner) in corners.iter().enumerate() {
+            falls(&flight.distance_polynomial(corner, None, radius), end, &mut take);
+            let edge = corners[(i + 1) % 4] - corner;
+            let length = edge.norm();
+            let axis = edge / length;
+            falls(&flight.distance_polynomial(corner, Some(&axis), radius), end, |time| {
+                let along = (flight.position_after(time) - corner).dot(&axis);
+                if (0.0..=length).contains(&along) {
+                    take(time);
+                }
+            });
+        }
+        first
+    }
+}
+
+// The first of two meetings; the first named if they come together.
+fn earlier(one: Option<Meeting>, other: Option<Meeting>) -> Option<Meeting> {
+    match (one, other) {
+        (Some(a), Some(b)) => Some(if b.time() < a.time() { b } else { a }),
+        (a, b) => a.or(b),
+    }
+}
+
+fn unit(field: &'static str, vector: [f64; 3]) -> Result<Vector3<f64>, RangeError> {
+    for value in vector {
+        RangeError::finite(field, value)?;
+    }
+    let vector = Vector3::from(vector);
+    let largest = vector.amax();
+    RangeError::check(field, largest, largest > 0.0, "not the zero vector")?;
+    // Scaled first: no overflow.
+    let scaled = vector / largest;
+    Ok(scaled / scaled.norm())
+}

@@ -1,0 +1,45 @@
+//! Why a surface makes no contact at a point.
+
+use carom_special::RangeError;
+
+/// Why a surface has no normal and curvature at a point.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum SurfaceError {
+    /// A value out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// The point does not lie on the surface.
+    #[error(
+        "the point ({}, {}, {}) lies {distance:e} off the surface, more than {allowed:e}",
+        point[0], point[1], point[2]
+    )]
+    OffSurface {
+        /// The point in the body's axes.
+        point: [f64; 3],
+        /// Signed distance, positive outside the body (to first order).
+        distance: f64,
+        /// The distance allowed.
+        allowed: f64,
+    },
+    /// The point lies on an edge, where there is no tangent plane.
+    #[error("the point lies on {part}: no tangent plane there, so no elliptical contact")]
+    Edge {
+        /// Which part of the surface.
+        part: &'static str,
+    },
+    /// The curvature jumps at the point.
+    #[error("the curvature jumps at {part}: the contact there is no ellipse")]
+    Seam {
+        /// Which part of the surface.
+        part: &'static str,
+    },
+    /// The gradient of an implicit surface vanishes at the point.
+    #[error("the gradient vanishes at ({}, {}, {}): no normal there", point[0], point[1], point[2])]
+    Singular {
+        /// The point in the body's axes.
+        point: [f64; 3],
+    },
+    /// The shape does not say what lies inside it.
+    #[error("this shape has no inertia of its own: give mass and moments")]
+    NoInertia,
+}

@@ -1,0 +1,89 @@
+//! Functions of position with their first and second derivatives.
+
+use nalgebra::{Matrix3, Vector3};
+use std::fmt;
+use std::sync::Arc;
+
+/// Value, gradient and Hessian of f(a, b, c).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Jet {
+    /// f.
+    pub value: f64,
+    /// Its first derivatives.
+    pub gradient: Vector3<f64>,
+    /// Its second derivatives.
+    pub hessian: Matrix3<f64>,
+}
+
+/// Value and derivatives of an explicit surface c(a, b), the five numbers of (8.14)-(8.16).
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Height {
+    /// c.
+    pub c: f64,
+    /// dc/da.
+    pub c_a: f64,
+    /// dc/db.
+    pub c_b: f64,
+    /// The second derivative by a.
+    pub c_aa: f64,
+    /// The second derivative by b.
+    pub c_bb: f64,
+    /// The mixed second derivative.
+    pub c_ab: f64,
+}
+
+/// A function with derivatives that a surface owns.
+#[derive(Clone)]
+pub(crate) struct Field<A, J>(Arc<dyn Fn(&A) -> J + Send + Sync>);
+
+impl<A, J> Field<A, J> {
+    pub(super) fn new(function: impl Fn(&A) -> J + Send + Sync + 'static) -> Self {
+        Self(Arc::new(function))
+    }
+
+    pub(super) fn at(&self, point: &A) -> J {
+        (self.0)(point)
+    }
+}
+
+impl<A, J> fmt::Debug for Field<A, J> {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("Field")
+    }
+}
+
+/// Step of the differences over the size of the body: eps^(1/6) balances their h^4 against the
+/// rounding eps/h^2 of the second derivatives.
+const STEP: f64 = 2.5e-3;
+
+// Weights of the five-point differences, error h^4.
+const FIRST: [(f64, f64); 4] =
+    [(-2.0, 1.0 / 12.0), (-1.0, -2.0 / 3.0), (1.0, 2.0 / 3.0), (2.0, -1.0 / 12.0)];
+const SECOND: [(f64, f64); 4] =
+    [(-2.0, -1.0 / 12.0), (-1.0, 4.0 / 3.0), (1.0, 4.0 / 3.0), (2.0, -1.0 / 12.0)];
+
+/// Derivatives of f by five-point differences, relative accuracy about 1e-10.
+pub(super) fn differences(f: &dyn Fn(&Vector3<f64>) -> f64, at: &Vector3<f64>, size: f64) -> Jet {
+    let h = STEP * size;
+    let value = f(at);
+    let mut gradient = Vector3::zeros();
+    let mut hessian = Matrix3::zeros();
+    for i in 0..3 {
+        let one = Vector3::ith(i, h);
+        gradient[i] = FIRST.iter().map(|(n, w)| w * f(&(at + one * *n))).sum::<f64>() / h;
+        let sum = SECOND.iter().map(|(n, w)| w * f(&(at + one * *n))).sum::<f64>();
+        hessian[(i, i)] = (sum - 2.5 * value) / (h * h);
+        for j in 0..i {
+            let two = Vector3::ith(j, h);
+            let mut mixed = 0.0;
+            for (n, w) in FIRST {
+                for (m, v) in FIRST {
+                    mixed += w * v * f(&(at + one * n + two * m));
+                }
+            }
+            hessian[(i, j)] = mixed / (h * h);
+            hessian[(j, i)] = hessian[(i, j)];
+        }
+    }
+    Jet { value, gradient, hessian }
+}

@@ -1,0 +1,227 @@
+//! Many impacts with drawn inputs.
+
+use carom_special::{RangeError, Readable};
+use nalgebra::Vector3;
+use rayon::prelude::*;
+
+use super::distribution::Distribution;
+use super::draw::uniform;
+use super::quantity::Quantity;
+use super::summary::Summary;
+use crate::collision::{Collision, CollisionError};
+use crate::outcome::{Outcome, Rebound};
+
+/// Samples that one study may have at most.
+const MOST_SAMPLES: usize = 1_000_000;
+
+/// Why a study gives no answer.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum UncertainError {
+    /// A value of the study itself is out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// An impact cannot be computed for a reason other than a drawn value out of range.
+    #[error("sample {sample}: {source}")]
+    Collision {
+        /// Which sample, from 0.
+        sample: usize,
+        /// Why.
+        source: CollisionError,
+    },
+    /// No sample is left: all are out of range, or make no impact.
+    #[error("none of {samples} samples makes an impact: {out_of_range} are out of range{}", first.map_or_else(String::new, |e| format!(", the first with {} = {} (must be {})", e.field, Readable(e.value), e.allowed)))]
+    NothingLeft {
+        /// How many were drawn.
+        samples: usize,
+        /// How many of them are out of range.
+        out_of_range: usize,
+        /// The first of those.
+        first: Option<RangeError>,
+    },
+}
+
+/// How many samples, and from which seed.
+///
+/// ```
+/// use carom_halfspace::Material;
+/// use carom_impact::uncertain::{Distribution, Quantity, Sampling};
+/// use carom_impact::{Body, Collision, Motion};
+/// use carom_laws::friction::Friction;
+/// let alumina = Material::from_young(380e9, 0.23)?;
+/// let plane = Body::plane(Material::RIGID);
+/// let ball = Body::sphere(0.0025, alumina, 2.6e-4)?
+///     .moving(Motion::new([2.0, 0.0, -3.0], [0.0; 3])?);
+/// let friction = Distribution::normal(0.09, 0.01)?;
+/// let study = Sampling::new(1000, 1)?.run(&[friction], |values| {
+///     Collision::new(ball, plane, Friction::new(values[0])?)
+/// })?;
+/// let restitution = study.summary(Quantity::Restitution);
+/// assert!(restitution.deviation() > 0.0);
+/// assert_eq!(restitution.count(), 1000);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Sampling {
+    samples: usize,
+    seed: u64,
+}
+
+impl Sampling {
+    /// `samples` draws, the same for the same seed on any machine and number of threads.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless there are 2 to 1000000 samples.
+    pub fn new(samples: usize, seed: u64) -> Result<Self, RangeError> {
+        let holds = (2..=MOST_SAMPLES).contains(&samples);
+        RangeError::check("samples", samples as f64, holds, "a whole number from 2 to 1000000")?;
+        Ok(Self { samples, seed })
+    }
+
+    /// Draws the inputs, makes of them the collision by `build`, and follows it; in parallel.
+    ///
+    /// A [`RangeError`] of `build` says that the drawn values lie outside what physics allows:
+    /// the sample is counted under the field it names.
+    ///
+    /// # Errors
+    /// [`UncertainError::Collision`] for any other error, of the first sample that has one;
+    /// [`UncertainError::NothingLeft`] if no sample makes an impact.
+    pub fn run(
+        &self,
+        inputs: &[Distribution],
+        build: impl Fn(&[f64]) -> Result<Collision, CollisionError> + Sync,
+    ) -> Result<Study, UncertainError> {
+        let fates: Vec<Fate> = (0..self.samples)
+            .into_par_iter()
+            .map_init(
+                || vec![0.0; inputs.len()],
+                |values, sample| {
+                    self.draw(inputs, sample, values);
+                    fate(build(values))
+                },
+            )
+            .collect();
+        Study::from_fates(fates, inputs, self)
+    }
+
+    fn draw(&self, inputs: &[Distribution], sample: usize, values: &mut [f64]) {
+        for (index, (value, input)) in values.iter_mut().zip(inputs).enumerate() {
+            *value = input.inverse(uniform(self.seed, sample as u64, index as u64));
+        }
+    }
+}
+
+/// What becomes of a sample.
+enum Fate {
+    Rebound([f64; Quantity::ALL.len()]),
+    NoImpact,
+    OutOfRange(RangeError),
+    Failed(CollisionError),
+}
+
+fn fate(collision: Result<Collision, CollisionError>) -> Fate {
+    let followed = collision.and_then(|c| Ok((c.normal(), c.solve()?)));
+    match followed {
+        Ok((normal, Outcome::Rebound(rebound))) => Fate::Rebound(numbers(&rebound, &normal)),
+        Ok((_, Outcome::NoImpact { .. })) => Fate::NoImpact,
+        Err(CollisionError::Range(error)) => Fate::OutOfRange(error),
+        Err(error) => Fate::Failed(error),
+    }
+}
+
+fn numbers(rebound: &Rebound, normal: &Vector3<f64>) -> [f64; Quantity::ALL.len()] {
+    Quantity::ALL.map(|quantity| quantity.of(rebound, normal))
+}
+
+/// Samples of which a field is out of range.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct OutOfRange {
+    /// The error of the first of them.
+    pub first: RangeError,
+    /// How many there are with this field.
+    pub count: usize,
+}
+
+/// What came of all samples.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Study {
+    samples: usize,
+    no_impact: usize,
+    out_of_range: Vec<OutOfRange>,
+    inputs: Vec<Summary>,
+    summaries: Vec<Summary>,
+}
+
+impl Study {
+    // In the order of the samples, whichever thread did them.
+    fn from_fates(
+        fates: Vec<Fate>,
+        inputs: &[Distribution],
+        sampling: &Sampling,
+    ) -> Result<Self, UncertainError> {
+        let samples = fates.len();
+        let (mut no_impact, mut out_of_range) = (0, Vec::<OutOfRange>::new());
+        let mut columns = vec![Vec::with_capacity(samples); Quantity::ALL.len()];
+        for (sample, fate) in fates.into_iter().enumerate() {
+            match fate {
+                Fate::Failed(source) => return Err(UncertainError::Collision { sample, source }),
+                Fate::NoImpact => no_impact += 1,
+                Fate::OutOfRange(first) => {
+                    match out_of_range.iter_mut().find(|seen| seen.first.field == first.field) {
+                        Some(seen) => seen.count += 1,
+                        None => out_of_range.push(OutOfRange { first, count: 1 }),
+                    }
+                }
+                Fate::Rebound(numbers) => {
+                    columns.iter_mut().zip(numbers).for_each(|(column, n)| column.push(n));
+                }
+            }
+        }
+        let nothing_left = || UncertainError::NothingLeft {
+            samples,
+            out_of_range: out_of_range.iter().map(|seen| seen.count).sum(),
+            first: out_of_range.first().map(|seen| seen.first),
+        };
+        let summaries: Option<Vec<Summary>> = columns.into_iter().map(Summary::new).collect();
+        let summaries = summaries.ok_or_else(nothing_left)?;
+        let drawn = |index: usize| {
+            let at = |sample| uniform(sampling.seed, sample as u64, index as u64);
+            (0..samples).map(|sample| inputs[index].inverse(at(sample))).collect()
+        };
+        let drawn: Option<Vec<Summary>> =
+            (0..inputs.len()).map(|index| Summary::new(drawn(index))).collect();
+        let inputs = drawn.ok_or_else(nothing_left)?;
+        Ok(Self { samples, no_impact, out_of_range, inputs, summaries })
+    }
+
+    /// How many samples were drawn.
+    #[must_use]
+    pub const fn samples(&self) -> usize {
+        self.samples
+    }
+
+    /// How many of them make no impact.
+    #[must_use]
+    pub const fn no_impact(&self) -> usize {
+        self.no_impact
+    }
+
+    /// Those out of range, by the field that is, in the order the fields first occur.
+    #[must_use]
+    pub fn out_of_range(&self) -> &[OutOfRange] {
+        &self.out_of_range
+    }
+
+    /// The drawn inputs, all samples, in their order.
+    #[must_use]
+    pub fn inputs(&self) -> &[Summary] {
+        &self.inputs
+    }
+
+    /// A quantity of the rebounds; samples out of range or without impact do not count.
+    #[must_use]
+    pub fn summary(&self, quantity: Quantity) -> &Summary {
+        // Quantity::ALL holds every quantity; indices beyond a body's or an axis's are its last.
+        let index = Quantity::ALL.iter().position(|q| q.name() == quantity.name()).unwrap_or(0);
+        &self.summaries[index]
+    }
+}

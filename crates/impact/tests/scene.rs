@@ -1,0 +1,210 @@
+//! Scenes: known kinematics, invariants and typed errors.
+
+use approx::assert_relative_eq;
+use carom_halfspace::Material;
+use carom_impact::scene::{Ball, Ending, Limits, Path, Scene, SceneError, Wall};
+use carom_impact::{Body, Motion, kinetic_energy};
+use carom_laws::friction::Friction;
+use proptest::prelude::*;
+
+const UP: [f64; 3] = [0.0, 0.0, 1.0];
+const DOWN: [f64; 3] = [0.0, 0.0, -1.0];
+const RADIUS: f64 = 0.022;
+const MASS: f64 = 0.0446;
+
+fn rubber() -> Material {
+    Material::from_young(20e6, 0.5).unwrap()
+}
+
+fn rigid_wall(point: [f64; 3], normal: [f64; 3], friction: f64) -> Wall {
+    Wall::new(point, normal, Material::RIGID, Friction::new(friction).unwrap()).unwrap()
+}
+
+fn ball(position: [f64; 3], velocity: [f64; 3], spin: [f64; 3]) -> Ball {
+    let body = Body::sphere(RADIUS, rubber(), MASS).unwrap();
+    Ball::new(body.moving(Motion::new(velocity, spin).unwrap()), position).unwrap()
+}
+
+fn limits(time: f64, bounces: usize) -> Limits {
+    Limits::new(time, bounces).unwrap()
+}
+
+/// A ball thrown at 45 degrees between a table and a book above it, without gravity.
+fn under_the_book(book: Wall) -> Path {
+    let scene = Scene::new([0.0; 3]).unwrap().with(rigid_wall([0.0; 3], UP, 0.3)).with(book);
+    scene.run(&ball([-0.1, 0.0, 0.1], [1.0, 0.0, -1.0], [0.0; 3]), limits(10.0, 3)).unwrap()
+}
+
+#[test]
+fn the_ball_comes_back_from_under_the_book() {
+    let path = under_the_book(rigid_wall([0.0, 0.0, 0.2], DOWN, 0.3));
+    assert_eq!(path.ending(), Ending::Bounces);
+    let v: Vec<f64> = path.bounces().iter().map(|b| b.after.velocity.x).collect();
+    for (value, expected) in v.iter().zip([0.54829, -0.05171, -0.17442]) {
+        assert!((value - expected).abs() < 1e-5, "{value} is not {expected}");
+    }
+    let walls: Vec<usize> = path.bounces().iter().map(|bounce| bounce.wall).collect();
+    assert_eq!(walls, [0, 1, 0]);
+    // The first bounce after 0.078 m of fall at 1 m/s, the others 0.156 m apart.
+    for (bounce, time) in path.bounces().iter().zip([0.078, 0.234, 0.39]) {
+        assert_relative_eq!(bounce.time, time, max_relative = 1e-14);
+    }
+}
+
+#[test]
+fn the_edge_of_the_book_counts() {
+    let book = |half: f64| {
+        rigid_wall([0.2, 0.0, 0.2], DOWN, 0.3).rectangle([1.0, 0.0, 0.0], [half, 1.0]).unwrap()
+    };
+    // The second bounce is at x = -0.1 + 0.078 + 0.156 * 0.548286 = 0.06353: under the book, or
+    // beside it, or so that its edge is met.
+    assert_eq!(under_the_book(book(0.15)).bounces()[1].wall, 1);
+    let past = under_the_book(book(0.09));
+    assert_eq!((past.bounces().len(), past.ending()), (1, Ending::Time));
+    let edge = under_the_book(book(0.13));
+    assert_eq!((edge.bounces().len(), edge.ending()), (1, Ending::Edge { wall: 1 }));
+    // There the centre is one radius from the edge at x = 0.07, z = 0.2.
+    let centre = edge.last().position;
+    assert_relative_eq!((centre.x - 0.07).hypot(centre.z - 0.2), RADIUS, max_relative = 1e-12);
+}
+
+#[test]
+fn a_corner_is_an_edge_and_a_plate_has_two_sides() {
+    let plate = rigid_wall([0.0; 3], UP, 0.3).rectangle([1.0, 1.0, 0.0], [0.1, 0.1]).unwrap();
+    let scene = Scene::new([0.0, 0.0, -10.0]).unwrap().with(plate);
+    let reach = 0.1 * 2f64.sqrt() + 0.5 * RADIUS;
+    let corner = ball([reach, 0.0, 1.0], [0.0; 3], [0.0; 3]);
+    let path = scene.run(&corner, limits(1.0, 9)).unwrap();
+    assert_eq!(path.ending(), Ending::Edge { wall: 0 });
+    let expected = (RADIUS * RADIUS * 0.75).sqrt();
+    assert_relative_eq!(path.last().position.z, expected, max_relative = 1e-12);
+    let below = ball([0.0, 0.0, -0.2], [0.0, 0.0, 3.0], [0.0; 3]);
+    let path = scene.run(&below, limits(1.0, 9)).unwrap();
+    assert_eq!(path.bounces().len(), 1);
+    assert_eq!(path.bounces()[0].normal.z, -1.0);
+}
+
+#[test]
+fn a_frictionless_ball_keeps_its_tangential_motion() {
+    let scene = Scene::new([0.0, 0.0, -9.81]).unwrap().with(rigid_wall([0.0; 3], UP, 0.0));
+    let start = ball([0.0, 0.0, 1.0 + RADIUS], [0.7, -0.2, 0.0], [3.0, 4.0, 5.0]);
+    let path = scene.run(&start, limits(20.0, 10)).unwrap();
+    let fall = (2.0 / 9.81f64).sqrt();
+    for (i, bounce) in path.bounces().iter().enumerate() {
+        assert_relative_eq!(bounce.time, (2 * i + 1) as f64 * fall, max_relative = 1e-13);
+        assert_eq!((bounce.after.velocity.x, bounce.after.velocity.y), (0.7, -0.2));
+        assert_eq!(bounce.after.spin, start.body().motion().spin);
+        assert_relative_eq!(bounce.after.velocity.z, (2.0 * 9.81f64).sqrt(), max_relative = 1e-13);
+    }
+    assert_eq!(path.bounces().len(), 10);
+}
+
+#[test]
+fn a_ball_at_rest_on_the_floor_rests() {
+    let scene = Scene::new([0.0, 0.0, -9.81]).unwrap().with(rigid_wall([0.0; 3], UP, 0.3));
+    let path = scene.run(&ball([0.0, 0.0, RADIUS], [1.0, 0.0, 0.0], [0.0; 3]), limits(1.0, 9));
+    assert_eq!(path.unwrap().ending(), Ending::Rest { wall: 0 });
+    // It rises 1 mm: too little for a limit of 2 mm, enough for 0.5 mm.
+    for (height, bounces) in [(2e-3, 1), (0.5e-3, 9)] {
+        let limits = limits(10.0, 9).at_rest_below(height).unwrap();
+        let low = ball([0.0, 0.0, RADIUS + 1e-3], [0.0; 3], [0.0; 3]);
+        assert_eq!(scene.run(&low, limits).unwrap().bounces().len(), bounces);
+    }
+}
+
+#[test]
+fn points_join_and_lie_on_parabolas() {
+    let path = under_the_book(rigid_wall([0.0, 0.0, 0.2], DOWN, 0.3));
+    let points = path.points(5).unwrap();
+    assert_eq!(points.len(), 15);
+    for pair in points.chunks(5).collect::<Vec<_>>().windows(2) {
+        assert_eq!(pair[0][4].time, pair[1][0].time);
+        assert!((pair[0][4].position - pair[1][0].position).norm() < 1e-15);
+    }
+    assert!(path.points(1).is_err());
+}
+
+#[test]
+fn impossible_scenes_are_refused() {
+    let scene = Scene::new([0.0, 0.0, -9.81]).unwrap().with(rigid_wall([0.0; 3], UP, 0.3));
+    let start = |z: f64| ball([0.0, 0.0, z], [0.0; 3], [0.0; 3]);
+    let inside = scene.run(&start(0.02), limits(1.0, 1)).unwrap_err();
+    let SceneError::Inside { wall: 0, gap } = inside else { panic!("{inside}") };
+    assert_relative_eq!(gap, -0.002, max_relative = 1e-12);
+    assert_eq!(Scene::new([0.0, f64::NAN, 0.0]).unwrap_err().field, "gravity");
+    assert_eq!(Limits::new(f64::INFINITY, 1).unwrap_err().field, "time");
+    assert_eq!(Limits::new(1.0, 0).unwrap_err().field, "bounces");
+    assert!(limits(1.0, 1).at_rest_below(-1.0).is_err());
+    let f = Friction::NONE;
+    for (point, normal) in [([f64::NAN, 0.0, 0.0], UP), ([0.0; 3], [0.0; 3])] {
+        assert!(Wall::new(point, normal, rubber(), f).is_err());
+    }
+    let plane = rigid_wall([0.0; 3], UP, 0.1);
+    assert_eq!(plane.rectangle(UP, [1.0, 1.0]).unwrap_err().field, "along");
+    assert_eq!(plane.rectangle([1.0, 0.0, 0.0], [1.0, 0.0]).unwrap_err().field, "half length");
+    let rigid = Body::sphere(RADIUS, Material::RIGID, MASS).unwrap();
+    let rigid = Ball::new(rigid, [0.0, 0.0, 1.0]).unwrap();
+    let refused = scene.run(&rigid, limits(1.0, 1)).unwrap_err();
+    assert!(matches!(refused, SceneError::Collision { wall: 0, .. }), "{refused}");
+    assert_eq!(Ball::new(Body::plane(rubber()), [0.0; 3]).unwrap_err(), SceneError::NotASphere);
+    let heavy = Body::sphere(RADIUS, rubber(), f64::INFINITY).unwrap();
+    assert!(matches!(Ball::new(heavy, [0.0; 3]), Err(SceneError::Range(_))));
+}
+
+/// A box of six infinite walls with tilted floor: everything can be met.
+fn cell(friction: f64, gravity: [f64; 3]) -> Scene {
+    let walls = [
+        ([0.0, 0.0, -1.0], [0.2, 0.1, 1.0]),
+        ([0.0, 0.0, 1.0], DOWN),
+        ([-1.0, 0.0, 0.0], [1.0, 0.0, 0.0]),
+        ([1.0, 0.0, 0.0], [-1.0, 0.1, 0.0]),
+        ([0.0, -1.0, 0.0], [0.0, 1.0, 0.0]),
+        ([0.0, 1.0, 0.0], [0.0, -1.0, 0.3]),
+    ];
+    walls.into_iter().fold(Scene::new(gravity).unwrap(), |scene, (point, normal)| {
+        scene.with(rigid_wall(point, normal, friction))
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(300))]
+
+    #[test]
+    fn energy_never_grows_and_no_wall_is_passed(
+        friction in prop_oneof![Just(0.0), 0.01..2.0f64],
+        velocity in proptest::array::uniform3(-5.0..5.0f64),
+        spin in proptest::array::uniform3(-200.0..200.0f64),
+        down in 0.0..20.0f64,
+        aside in -5.0..5.0f64,
+    ) {
+        let gravity = [aside, 0.0, -down];
+        let scene = cell(friction, gravity);
+        let start = ball([0.0; 3], velocity, spin);
+        let path = scene.run(&start, limits(20.0, 60)).unwrap();
+        let inertia = start.body().inertia();
+        let energy = |point: &carom_impact::scene::PathPoint| {
+            kinetic_energy(&inertia, &point.motion) - MASS * scene.gravity().dot(&point.position)
+        };
+        let points = path.points(4).unwrap();
+        let scale = energy(&points[0]).abs() + MASS * scene.gravity().norm();
+        for pair in points.windows(2) {
+            prop_assert!(energy(&pair[1]) <= energy(&pair[0]) + 1e-12 * scale);
+            if friction == 0.0 {
+                prop_assert!((energy(&pair[1]) - energy(&pair[0])).abs() <= 1e-12 * scale);
+            }
+        }
+        for point in &points {
+            for wall in scene.walls() {
+                prop_assert!(wall.gap(&point.position, RADIUS) >= -1e-12);
+            }
+        }
+        for bounce in path.bounces() {
+            // The impulse lies in the friction cone.
+            let normal = bounce.rebound.impulse.dot(&bounce.normal);
+            let tangential = (bounce.rebound.impulse - normal * bounce.normal).norm();
+            prop_assert!(tangential <= friction * normal * (1.0 + 1e-9) + 1e-15);
+            prop_assert!((bounce.after.velocity.dot(&bounce.normal)
+                + bounce.before.velocity.dot(&bounce.normal)).abs() < 1e-13);
+        }
+    }
+}

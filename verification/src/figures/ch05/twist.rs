@@ -1,0 +1,179 @@
+//! Fig. 5.6: the twisting moment of a circle with slip, exact and approximate.
+
+use std::f64::consts::{PI, TAU};
+
+use carom_laws::torsion::lubkin::{Lubkin, SLIDING_TORQUE, approximate_torque};
+use carom_special::RangeError;
+use carom_special::quadrature::{Tolerance as Within, adaptive, tanh_sinh};
+
+use super::super::Failure;
+use crate::reference::rows;
+use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace};
+
+fn exact(twist: f64) -> Result<f64, RangeError> {
+    Ok(Lubkin::at_twist(twist)?.torque())
+}
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.derived("abscissa", "G a² β/(f F_z), from (5.42)");
+    figure.assumed("range", "0 to 0.5");
+    let twists = linspace(0.0, 0.5, 501);
+    let curve: Vec<f64> = twists.iter().map(|&twist| exact(twist)).collect::<Result<_, _>>()?;
+    let table = rows::<4>(include_str!("../../../data/laws/lubkin.csv"))?;
+    let mut panel = Panel::new(Axis::linear("G a² β / (f F_z)"), Axis::linear("M_z / (f F_z a)"))
+        .titled("Torsion of a circle");
+    panel.add(Series::line("exact (5.41)", twists.iter().copied().zip(curve.iter().copied())));
+    panel.add(Series::dashed(
+        "approximate (5.42)",
+        twists.iter().map(|&twist| (twist, approximate_torque(twist))),
+    ));
+    let inside = table.iter().filter(|row| row[1] <= 0.5);
+    panel.add(Series::markers(
+        "independent values",
+        Marker::Circle,
+        inside.map(|row| (row[1], row[2])),
+    ));
+    panel.add(Series::dotted("sliding, 3π/16", [(0.0, SLIDING_TORQUE), (0.5, SLIDING_TORQUE)]));
+    figure.panel(panel);
+
+    table_claims(&mut figure, &table)?;
+    error_claims(&mut figure)?;
+    traction_claims(&mut figure)?;
+    figure.claim(Claim::increasing("the torque rises", curve));
+    figure.deviation(
+        "k'²/(4π) before the bracket of (5.41)",
+        "k'k²/(4π)",
+        "misprint; (10.27) has it right",
+    );
+    figure.deviation(
+        "maximal error 3 % of (5.42)",
+        "2.76 % of the sliding moment, 3.35 % of the moment itself",
+        "true for the first reading only",
+    );
+    Ok(figure)
+}
+
+fn table_claims(figure: &mut Figure, table: &[[f64; 4]]) -> Result<(), Failure> {
+    let (mut torques, mut twists, mut approximate) = (Vec::new(), Vec::new(), Vec::new());
+    for &[stick, twist, torque, rough] in table {
+        let state = Lubkin::at_stick_radius(stick)?;
+        torques.push((state.torque(), torque));
+        twists.push((state.twist(), twist));
+        approximate.push((approximate_torque(twist), rough));
+    }
+    let source = "integration of (5.37) in 25 digits by an independent program";
+    for (name, pairs) in
+        [("torque", torques), ("twist", twists), ("approximate torque", approximate)]
+    {
+        figure.claim(
+            Claim::all_close(
+                format!("{name} at 17 stick radii"),
+                pairs,
+                Tolerance::Relative(1e-13),
+            )
+            .source(source),
+        );
+    }
+    let slopes = [exact(1e-7)? / 1e-7, approximate_torque(1e-7) / 1e-7];
+    figure.claim(
+        Claim::all_close(
+            "both begin with the slope 16/3",
+            slopes.map(|slope| (slope, 16.0 / 3.0)),
+            Tolerance::Relative(1e-5),
+        )
+        .source("(5.35) for the circle"),
+    );
+    let ends = [exact(10.0)?, approximate_torque(10.0)];
+    figure.claim(
+        Claim::all_close(
+            "both end at 3π/16",
+            ends.map(|end| (end, 3.0 * PI / 16.0)),
+            Tolerance::Absolute(1e-12),
+        )
+        .source("∫ρ f p_z dS"),
+    );
+    Ok(())
+}
+
+/// The claim of the text, "the maximal error is 3 %", in its two readings.
+fn error_claims(figure: &mut Figure) -> Result<(), Failure> {
+    let mut errors = Vec::new();
+    for twist in linspace(1e-4, 2.0, 20_000) {
+        let torque = exact(twist)?;
+        let lack = torque - approximate_torque(twist);
+        errors.push((twist, lack / SLIDING_TORQUE, lack / torque));
+    }
+    let none = (0.0, f64::NEG_INFINITY, f64::NEG_INFINITY);
+    let (at, of_sliding, _) =
+        errors.iter().copied().fold(none, |m, e| if e.1 > m.1 { e } else { m });
+    let (at_own, _, of_itself) =
+        errors.iter().copied().fold(none, |m, e| if e.2 > m.2 { e } else { m });
+    let least = errors.iter().map(|e| e.1).fold(f64::INFINITY, f64::min);
+    figure.claim(
+        Claim::at_most("error of (5.42) over the sliding moment", of_sliding, 0.03)
+            .source("text: maximal error 3 %"),
+    );
+    figure.claim(Claim::close("exactly", of_sliding, 0.027_560, Tolerance::Absolute(1e-6)));
+    figure.claim(Claim::close("at", at, 0.195_29, Tolerance::Absolute(1e-4)));
+    figure.claim(
+        Claim::close(
+            "error over the moment itself",
+            of_itself,
+            0.033_465,
+            Tolerance::Absolute(1e-6),
+        )
+        .source("independent program; the 3 % of the text do not hold for it"),
+    );
+    figure.claim(Claim::close("at", at_own, 0.153_79, Tolerance::Absolute(1e-4)));
+    figure.claim(Claim::at_least("(5.42) lies below (5.41) everywhere", least, 0.0));
+    Ok(())
+}
+
+fn traction_claims(figure: &mut Figure) -> Result<(), Failure> {
+    let within = Within::relative(1e-11)?;
+    let (mut moments, mut printed, mut slopes) = (Vec::new(), Vec::new(), Vec::new());
+    for stick in [0.2_f64, 0.5, 0.8, 0.95] {
+        let state = Lubkin::at_stick_radius(stick)?;
+        let mut moment = 0.0;
+        for (low, high) in [(0.0, stick), (stick, 1.0)] {
+            moment += TAU
+                * tanh_sinh(low, high, within, |at| {
+                    at.position * at.position * state.traction(at.position)
+                })?
+                .value;
+        }
+        moments.push((moment, state.torque()));
+        printed.push((formula(stick)?, state.torque()));
+        let step = 1e-5;
+        let slope = (exact(state.twist() + step)? - exact(state.twist() - step)?) / (2.0 * step);
+        slopes.push((slope, 16.0 / 3.0 * stick * stick * stick));
+    }
+    figure.claim(
+        Claim::all_close("moment of the traction (5.37)", moments, Tolerance::Relative(1e-9))
+            .source("quadrature over the contact area"),
+    );
+    figure.claim(
+        Claim::all_close("(5.41) with k'k²/(4π)", printed, Tolerance::Relative(1e-9))
+            .source("(5.41) corrected, every integral by quadrature"),
+    );
+    figure.claim(
+        Claim::all_close("dM_z/dβ = (16/3) G a*³", slopes, Tolerance::Relative(1e-6))
+            .source("a further slip ring twists the stick area as a rigid disc"),
+    );
+    Ok(())
+}
+
+/// (5.41), corrected, from the integrals that define it.
+fn formula(stick: f64) -> Result<f64, Failure> {
+    let within = Within::relative(1e-12)?;
+    let m = 1.0 - stick * stick;
+    let delta = |t: f64| (1.0 - m * libm::sin(t) * libm::sin(t)).sqrt();
+    let d = adaptive(0.0, PI / 2.0, within, |t| libm::sin(t) * libm::sin(t) / delta(t))?.value;
+    let e = adaptive(0.0, PI / 2.0, within, delta)?.value;
+    let end = libm::acos(stick);
+    let arc =
+        tanh_sinh(0.0, end, within, |at| libm::acos((stick / libm::cos(at.position)).min(1.0)))?
+            .value;
+    Ok(stick * m / (4.0 * PI) * (d * (1.0 + 2.0 * m) + 6.0 * e) + 3.0 / (4.0 * PI) * arc)
+}

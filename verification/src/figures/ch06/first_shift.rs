@@ -1,0 +1,265 @@
+//! Figs. 6.1 to 6.3: the Cattaneo-Mindlin function and the first shift.
+
+use std::f64::consts::{PI, TAU};
+
+use carom_halfspace::{Material, MaterialPair};
+use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
+use carom_laws::friction::Friction;
+use carom_laws::hertz::Hertz;
+use carom_laws::law::{ContactLaw, Shift};
+use carom_laws::shift_law::ShiftLaw;
+use carom_special::quadrature::{Tolerance as Within, tanh_sinh};
+
+use super::super::{Failure, sphere_traction};
+use super::history::{
+    add_terms, follow, force_panel, profile, reference_claim, sigma, springs_claim, stress,
+    stress_claims, stress_panel, virgin,
+};
+use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+
+fn circle(radius: f64) -> Vec<(f64, f64)> {
+    linspace(0.0, TAU, 145)
+        .into_iter()
+        .map(|t| (radius * libm::cos(t), radius * libm::sin(t)))
+        .collect()
+}
+
+/// Fig. 6.1.
+pub(super) fn regions() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.assumed("a_k/a_i", "0.6");
+    let (outer, inner) = (1.0, 0.36);
+    let mut map = Panel::new(Axis::linear("x/a_i"), Axis::linear("y/a_i"))
+        .titled("Stick circle A_k and slip ring S_i")
+        .equal_aspect();
+    map.add(Series::area("S_i", circle(1.0)).coloured(0));
+    map.add(Series::area("A_k", circle(0.6)).coloured(2));
+    map.add(Series::line("edge of A_i", circle(1.0)).coloured(0));
+    map.add(Series::line("edge of A_k", circle(0.6)).coloured(2));
+    figure.panel(map);
+    let mut panel = Panel::new(Axis::linear("ρ/a_i"), Axis::linear("σ_CM / (μ a_i)"))
+        .titled("Function σ_CM(a_i, a_k)");
+    panel.add(Series::line("σ_CM", profile(&[outer, inner], |rho| sigma(outer, inner, rho))));
+    panel.add(Series::dashed("f p_z", profile(&[outer], |rho| sigma(outer, 0.0, rho))));
+    figure.panel(panel);
+
+    let memory = follow(&[(1.0, 0.0), (1.0, 1.0 - inner)])?;
+    let radii = linspace(0.0, 0.999, 101);
+    let pairs = radii.iter().map(|&rho| (stress(&memory, rho), sigma(outer, inner, rho)));
+    figure.claim(
+        Claim::all_close("σ_CM is the stress after a shift", pairs, Tolerance::Absolute(1e-14))
+            .source("(6.3)"),
+    );
+    let within = Within::relative(1e-12)?;
+    let mut force = 0.0;
+    for (low, high) in [(0.0, 0.6), (0.6, 1.0)] {
+        force += TAU
+            * tanh_sinh(low, high, within, |at| at.position * stress(&memory, at.position))?.value;
+    }
+    figure.claim(
+        Claim::close("force", force, TAU / 3.0 * (1.0 - 0.216), Tolerance::Relative(1e-9))
+            .source("(6.5): (2πμ/3)(a_i³ - a_k³)"),
+    );
+    let displacement = |rho: f64| {
+        sphere_traction::along(1.0, rho, 0.3) - 0.6 * sphere_traction::along(0.6, rho, 0.3)
+    };
+    let stuck =
+        linspace(0.0, 0.6, 13).into_iter().map(|rho| (displacement(rho), displacement(0.0)));
+    figure.claim(
+        Claim::all_close("A_k is displaced as a rigid body", stuck, Tolerance::Relative(1e-14))
+            .source("displacement (6.6), ν = 0.3"),
+    );
+    let ratio = displacement(0.0) / (sphere_traction::normal(1.0, 0.0) * 0.7);
+    figure.claim(
+        Claim::close(
+            "by κ (ζ_i - ζ_k)/ζ_i",
+            ratio,
+            1.7 / 1.4 * (1.0 - inner),
+            Tolerance::Relative(1e-14),
+        )
+        .source("(6.5): tangential over normal displacement at the centre"),
+    );
+    figure.deviation(
+        "regions A_p, A_k; force integrated over A_k",
+        "A_i, A_k; over A_i",
+        "misprint in (6.5)",
+    );
+    Ok(figure)
+}
+
+/// Fig. 6.2.
+pub(super) fn stress_after_shift() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.assumed("ξ₁/(f κ ζ₁)", "0.5: ζ₁*/ζ₁ = 0.5, a₁*/a₁ = 0.7071");
+    let history = [(1.0, 0.0), (1.0, 0.5)];
+    let terms = [(1.0, 1.0, 0.5)];
+    let mut panel = stress_panel("After the first shift (6.10)");
+    add_terms(&mut panel, &[], &terms, "σ_zx1 = σ_CM(a₁, a₁*)");
+    panel.add(Series::dashed("f p_z", profile(&[1.0], |rho| sigma(1.0, 0.0, rho))));
+    figure.panel(panel);
+    stress_claims(&mut figure, "X = 0.5", &history, &terms, "(6.10)")?;
+
+    let memory = follow(&history)?;
+    let stick = memory.stick_radius();
+    figure.claim(
+        Claim::close("a₁*/a₁", stick, 0.5_f64.sqrt(), Tolerance::Absolute(1e-15)).source("(6.13)"),
+    );
+    let slope = |rho: f64| (stress(&memory, rho) - stress(&memory, rho - 1e-7)) / 1e-7;
+    figure.claim(Claim::at_least("slope just inside the break", slope(stick), 500.0));
+    figure.claim(Claim::at_most("and just outside", slope(stick + 2e-7), 0.0));
+    slip_claims(&mut figure);
+    figure.deviation(
+        "(6.11) without μ; v of (6.6) for ρ > a without ν",
+        "s = μ π(2 - ν)/(8G) […]; v = ν/(8G) […] sin 2θ",
+        "misprints",
+    );
+    figure.deviation(
+        "the terms in cos 2θ and sin 2θ are smaller than 5 % of the stick displacement",
+        "up to 4.7 % for ν = 0.3 but 8.9 % for ν = 0.5",
+        "true for ν ≤ 0.314 only",
+    );
+    Ok(figure)
+}
+
+/// Displacement along the shift under σ_CM(1, stick).
+fn displacement(stick: f64, rho: f64, nu: f64) -> f64 {
+    sphere_traction::along(1.0, rho, nu) - stick * sphere_traction::along(stick, rho, nu)
+}
+
+/// The part of it that varies as cos 2θ.
+fn twofold(stick: f64, rho: f64, nu: f64) -> f64 {
+    displacement(stick, rho, nu) - 0.5 * (2.0 - nu) * displacement(stick, rho, 0.0)
+}
+
+fn slip_claims(figure: &mut Figure) {
+    let stick = 0.5_f64.sqrt();
+    let slip = linspace(stick, 1.0, 21)
+        .into_iter()
+        .map(|rho| displacement(stick, rho, 0.3) - displacement(stick, 0.0, 0.3));
+    figure.claim(
+        Claim::decreasing("the slip is negative and grows to the edge", slip)
+            .source("(6.11) by the displacement (6.6)"),
+    );
+    for (nu, expected) in [(0.3, 0.047_34), (0.5, 0.089_42)] {
+        let mut most = 0.0_f64;
+        for stick in linspace(0.01, 0.99, 99) {
+            let whole = displacement(stick, 0.0, nu);
+            for rho in linspace(stick, 1.0, 201) {
+                most = most.max(twofold(stick, rho, nu).abs() / whole);
+            }
+        }
+        figure.claim(
+            Claim::close(
+                format!("ν = {nu}: largest term in cos 2θ over the stick displacement"),
+                most,
+                expected,
+                Tolerance::Absolute(2e-5),
+            )
+            .source("independent program; the text says below 5 %"),
+        );
+    }
+}
+
+/// Fig. 6.3.
+pub(super) fn virgin_curve() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.derived("axes", "ξ/(f κ ζ₁), F_x/(f F_z1)");
+    let start = follow(&[(1.0, 0.0)])?;
+    let mut curve = super::history::path(&start, (1.0, 1.0))?;
+    curve.push((1.25, start.clone().advance(1.0, 1.25)?));
+    let mut panel = force_panel("First loading (6.14)");
+    panel.add(Series::line("F_x", curve.iter().copied()));
+    panel.add(Series::dashed("initial slope 3/2", [(0.0, 0.0), (2.0 / 3.0, 1.0)]));
+    figure.panel(panel);
+
+    let pairs = curve.iter().take(101).zip(virgin(1.0)).map(|(here, there)| (here.1, there.1));
+    figure.claim(
+        Claim::all_close("F_x = f F_z [1 - (1 - X)^(3/2)]", pairs, Tolerance::Absolute(1e-15))
+            .source("(6.14), corrected"),
+    );
+    let slopes = [0.1, 0.3, 0.5, 0.7, 0.9].map(|shift: f64| {
+        let force = |shift| follow(&[(1.0, 0.0), (1.0, shift)]).map(|memory| memory.force());
+        let step = 1e-5;
+        let slope = force(shift + step)
+            .and_then(|above| force(shift - step).map(|below| (above - below) / (2.0 * step)));
+        (slope.unwrap_or(f64::NAN), 1.5 * (1.0 - shift).sqrt())
+    });
+    figure.claim(
+        Claim::all_close("slope (3/2) sqrt(1 - X) = (3/2) a*/a", slopes, Tolerance::Absolute(1e-8))
+            .source("(6.15)"),
+    );
+    let last = &curve[99..];
+    figure.claim(Claim::close(
+        "horizontal at (1, 1): 1 - F at 0.99",
+        1.0 - last[0].1,
+        1e-3,
+        Tolerance::Absolute(1e-12),
+    ));
+    figure.claim(Claim::close("constant in sliding", last[2].1, 1.0, Tolerance::Absolute(1e-15)));
+    springs_claim(
+        &mut figure,
+        "first loading",
+        &[(1.0, 0.0), (1.0, 0.25), (1.0, 0.5), (1.0, 0.9)],
+    )?;
+    reference_claim(
+        &mut figure,
+        "first loading and more",
+        include_str!("../../../data/laws/history_growing.csv"),
+    )?;
+    sphere_claims(&mut figure)?;
+    figure.claim(Claim::close(
+        "at X = 0.5",
+        curve[50].1,
+        1.0 - 0.125_f64.sqrt(),
+        Tolerance::Absolute(1e-15),
+    ));
+    figure.deviation(
+        "ξ, ζ of one sphere, but G of one sphere in (6.4) and of the pair in (4.7)",
+        "relative shift 2ξ and approach 2ζ go with the combined G",
+        "mixed conventions of chapters 5 and 6",
+    );
+    Ok(figure)
+}
+
+/// Two spheres in their own units: shifts of the pair are twice those of one sphere.
+fn sphere_claims(figure: &mut Figure) -> Result<(), Failure> {
+    let (radius, modulus, nu, zeta, xi) = (0.05, 82_000.0, 0.3, 0.01, 0.001_517_857_142_86);
+    let body = Material::from_shear(modulus, nu)?;
+    let sphere = PrincipalRadii::sphere(radius)?;
+    let hertz =
+        Hertz::new(RelativeCurvature::new(sphere, sphere, 0.0)?, MaterialPair::new(body, body)?)?;
+    let mut law = ShiftLaw::<f64>::new(hertz.stiffness(), Friction::new(0.25)?);
+    let pressed = law.advance(Shift { zeta: 2.0 * zeta, ..Shift::default() })?;
+    let a = (radius * zeta).sqrt();
+    let little = Shift { zeta: 2.0 * zeta, xi: 2e-9, ..Shift::default() };
+    let slope = law.clone().advance(little)?.f_x / 1e-9;
+    let loaded = law.advance(Shift { zeta: 2.0 * zeta, xi: 2.0 * xi, ..Shift::default() })?;
+    figure.claim(
+        Claim::close(
+            "initial slope of two spheres",
+            slope,
+            8.0 * modulus * a / (2.0 - nu),
+            Tolerance::Relative(1e-6),
+        )
+        .source("(6.15): 8Ga/(2 - ν) for ξ of one sphere"),
+    );
+    figure.claim(
+        Claim::all_close(
+            "F_z and F_x of two spheres",
+            [(pressed.f_z, 69.850_504_439_993_43), (loaded.f_x, 11.288_655_440_163_24)],
+            Tolerance::Relative(1e-11),
+        )
+        .source("40-digit program, R = 0.05, G = 82 000, ν = 0.3, f = 0.25, ζ = 0.01"),
+    );
+    let mu = 4.0 * 0.25 * modulus / (PI * radius * (1.0 - nu));
+    figure.claim(
+        Claim::close(
+            "f F_z = (2πμ/3) a³",
+            0.25 * pressed.f_z,
+            TAU * mu / 3.0 * (a * a * a),
+            Tolerance::Relative(1e-13),
+        )
+        .source("(6.4), (6.5)"),
+    );
+    Ok(())
+}

@@ -1,0 +1,338 @@
+//! Figs. 6.13 and 6.14: which regime follows which increment.
+
+use carom_laws::memory::{Regime, ScalarMemory};
+use carom_special::RangeError;
+
+use super::super::Failure;
+use super::history::{Place, follow};
+use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+
+/// What a step leads to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    /// Complete adhesion.
+    Adhesion,
+    /// The n-th decrease of the stick area, with the sign of the traction in its ring.
+    Decrease(usize, i8),
+    /// The whole contact slides.
+    Sliding,
+}
+
+fn kind(memory: &ScalarMemory) -> Kind {
+    match (memory.regime(), memory.slip_direction()) {
+        (Regime::Sliding, _) => Kind::Sliding,
+        (Regime::Adhesion, _) => Kind::Adhesion,
+        (_, Some(sign)) => Kind::Decrease(memory.decrease(), if sign > 0.0 { 1 } else { -1 }),
+        // A receding edge without slip: the running decrease stays.
+        (_, None) => Kind::Decrease(memory.decrease(), 0),
+    }
+}
+
+fn after(memory: &ScalarMemory, zeta: f64, shift: f64) -> Result<Kind, RangeError> {
+    let mut memory = memory.clone();
+    memory.advance(zeta, shift)?;
+    Ok(kind(&memory))
+}
+
+/// One bar: the shifts that lead to each regime, at a new approach.
+struct Bar {
+    memory: ScalarMemory,
+    zeta: f64,
+    /// Range of the abscissa, which is shift - origin.
+    range: (f64, f64),
+    origin: f64,
+}
+
+impl Bar {
+    fn kind(&self, at: f64) -> Result<Kind, RangeError> {
+        after(&self.memory, self.zeta, self.origin + at)
+    }
+
+    /// The regimes from left to right with the ends of each, located by bisection.
+    fn pieces(&self) -> Result<Vec<(Kind, f64, f64)>, RangeError> {
+        let places = linspace(self.range.0, self.range.1, 400);
+        let mut pieces = Vec::new();
+        let mut start = places[0];
+        let mut running = self.kind(start)?;
+        for pair in places.windows(2) {
+            let next = self.kind(pair[1])?;
+            if next != running {
+                let (mut low, mut high) = (pair[0], pair[1]);
+                for _ in 0..50 {
+                    let middle = 0.5 * (low + high);
+                    if self.kind(middle)? == running { low = middle } else { high = middle }
+                }
+                pieces.push((running, start, low));
+                (running, start) = (next, high);
+            }
+        }
+        pieces.push((running, start, self.range.1));
+        Ok(pieces)
+    }
+
+    /// Draws the bar; `name` says what each regime is called.
+    fn panel(
+        &self,
+        title: &str,
+        axis: &str,
+        name: impl Fn(Kind) -> &'static str,
+    ) -> Result<Panel, RangeError> {
+        let mut panel =
+            Panel::new(Axis::linear(axis), Axis::linear("").between(0.0, 1.5)).titled(title);
+        let mut seen: Vec<&'static str> = Vec::new();
+        for (kind, low, high) in self.pieces()? {
+            let name = name(kind);
+            let known = seen.iter().position(|other| *other == name);
+            let colour = known.unwrap_or(seen.len());
+            if known.is_none() {
+                seen.push(name);
+            }
+            let label = if known.is_none() { name } else { "" };
+            let corners = [(low, 0.2), (high, 0.2), (high, 0.8), (low, 0.8), (low, 0.2)];
+            panel.add(Series::area(label, corners).coloured(colour));
+            panel.add(Series::line("", corners).coloured(colour));
+        }
+        Ok(panel)
+    }
+
+    /// The inner ends of the pieces, beside those expected.
+    fn claim(
+        &self,
+        name: &str,
+        expected: &[(Kind, f64)],
+        source: &str,
+    ) -> Result<[Claim; 2], RangeError> {
+        let pieces = self.pieces()?;
+        let ends = pieces.iter().map(|piece| piece.2);
+        let pairs: Vec<(f64, f64)> =
+            ends.zip(expected.iter().map(|end| end.1)).take(expected.len() - 1).collect();
+        let found = pieces.iter().map(|piece| piece.0);
+        let matches = found.zip(expected).filter(|(found, expected)| *found == expected.0).count();
+        let same = matches == expected.len() && pieces.len() == expected.len();
+        Ok([
+            Claim::holds(format!("{name}: regimes in this order"), same, matches as f64)
+                .source(source),
+            Claim::all_close(format!("{name}: borders"), pairs, Tolerance::Absolute(1e-9))
+                .source(source),
+        ])
+    }
+}
+
+/// Fig. 6.13.
+pub(super) fn second() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.assumed("P₁", "ζ₁ = 1, ξ₁/(f κ) = 0.5; Δζ₂ = 0.1 and -0.1");
+    let name = |kind| match kind {
+        Kind::Adhesion => "complete adhesion",
+        Kind::Decrease(2, _) => "P₁ and second decrease",
+        Kind::Decrease(_, -1) => "first decrease, opposite",
+        Kind::Decrease(..) => "first decrease goes on",
+        Kind::Sliding => "sliding",
+    };
+    let memory = follow(&[(1.0, 0.0), (1.0, 0.5)])?;
+    let end = f64::NAN;
+    for (title, step, borders) in [
+        (
+            "a) Δζ₂ > 0",
+            0.1,
+            vec![
+                (Kind::Sliding, -1.1),
+                (Kind::Decrease(1, -1), -0.6),
+                (Kind::Decrease(2, -1), 0.4),
+                (Kind::Adhesion, 0.6),
+                (Kind::Decrease(1, 1), 1.1),
+                (Kind::Sliding, end),
+            ],
+        ),
+        (
+            "b) Δζ₂ < 0",
+            -0.1,
+            vec![
+                (Kind::Sliding, -0.9),
+                (Kind::Decrease(1, -1), -0.4),
+                (Kind::Decrease(2, -1), 0.4),
+                (Kind::Decrease(1, 1), 0.9),
+                (Kind::Sliding, end),
+            ],
+        ),
+    ] {
+        let bar =
+            Bar { memory: memory.clone(), zeta: 1.0 + step, range: (-1.29, 1.28), origin: 0.0 };
+        figure.panel(bar.panel(title, "ξ₂ / (f κ ζ₁)", name)?);
+        let source = "(6.44), (6.45), (6.47): A at -ξ₁ - Δζ₂, P₁ at ξ₁ - |Δζ₂|; sliding at ±ζ₂";
+        for claim in bar.claim(title, &borders, source)? {
+            figure.claim(claim);
+        }
+    }
+    figure.claim(random_second()?.source("(6.43) to (6.47), and the receding edge"));
+    figure.deviation(
+        "(6.44) and (6.47) for every Δζ₂ < 0",
+        "if ζ₂ < ζ₁* the first decrease follows in the sense of ξ₂",
+        "gap of the text: the edge recedes behind a₁* and takes the first ring with it",
+    );
+    figure.deviation("P₁ in 12b) (text after (6.47))", "fig. 6.13b", "slip of the text");
+    Ok(figure)
+}
+
+/// A reproducible sequence in (0, 1).
+struct Sequence(u64);
+
+impl Sequence {
+    fn next(&mut self, low: f64, high: f64) -> f64 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        low + (high - low) * ((self.0 >> 11) as f64 / (1_u64 << 53) as f64)
+    }
+}
+
+/// How many of 5000 random second steps contradict the conditions of the thesis.
+fn random_second() -> Result<Claim, RangeError> {
+    let mut sequence = Sequence(613);
+    let mut wrong = 0.0;
+    for _ in 0..5000 {
+        let first = sequence.next(0.05, 0.95);
+        let (zeta, shift) = (sequence.next(0.4, 1.6), sequence.next(-1.5, 1.5));
+        let (grown, change) = (zeta - 1.0, shift - first);
+        let expected = if shift.abs() >= zeta {
+            Kind::Sliding
+        } else if change.abs() < grown {
+            Kind::Adhesion
+        } else if zeta < 1.0 - first {
+            // The edge recedes behind a_1*: nothing of the first ring is left.
+            Kind::Decrease(1, if shift > 0.0 { 1 } else { -1 })
+        } else if change >= -grown.abs() {
+            Kind::Decrease(1, 1)
+        } else if shift > -first - grown {
+            Kind::Decrease(2, -1)
+        } else {
+            Kind::Decrease(1, -1)
+        };
+        let memory = follow(&[(1.0, 0.0), (1.0, first)])?;
+        if after(&memory, zeta, shift)? != expected {
+            wrong += 1.0;
+        }
+    }
+    Ok(Claim::at_most("of 5000 random steps another regime follows in", wrong, 0.0))
+}
+
+/// Fig. 6.14, with N = 3.
+pub(super) fn nth() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.assumed("N", "3: P₁ = (ζ, ξ/(f κ)) = (1, 0.6)");
+    figure.assumed("a)", "P₂ = (1.1, -0.3), Δζ₃ = 0.1");
+    figure.assumed("b)", "P₂ = (0.9, -0.1), Δζ₃ = -0.1");
+    let name = |kind| match kind {
+        Kind::Adhesion => "complete adhesion",
+        Kind::Decrease(3, _) => "N-th decrease",
+        Kind::Decrease(2, _) => "(N-1)-th goes on",
+        Kind::Decrease(..) => "(N-2)-th decrease",
+        Kind::Sliding => "sliding",
+    };
+    let end = f64::NAN;
+    for (title, (step, shift), most, borders) in [
+        (
+            "a) Δζ > 0 in both steps",
+            (0.1, -0.3),
+            1.68,
+            vec![
+                (Kind::Decrease(2, -1), -0.1),
+                (Kind::Adhesion, 0.1),
+                (Kind::Decrease(3, 1), 0.9 + 0.1 + 0.1),
+                (Kind::Decrease(1, 1), 1.2 + 0.3),
+                (Kind::Sliding, end),
+            ],
+        ),
+        (
+            "b) Δζ < 0 in both steps",
+            (-0.1, -0.1),
+            1.28,
+            vec![
+                (Kind::Decrease(2, -1), 0.1),
+                (Kind::Decrease(3, 1), 0.7 - 0.1 - 0.1),
+                (Kind::Decrease(1, 1), 0.8 + 0.1),
+                (Kind::Sliding, end),
+            ],
+        ),
+    ] {
+        let history: [Place; 3] = [(1.0, 0.0), (1.0, 0.6), (1.0 + step, shift)];
+        let bar = Bar {
+            memory: follow(&history)?,
+            zeta: 1.0 + 2.0 * step,
+            range: (-0.29, most),
+            origin: shift,
+        };
+        figure.panel(bar.panel(title, "Δξ_N / (f κ ζ₁)", name)?);
+        let source = "(6.51): f κ |Δζ_N| and A = |Δξ_N-1| + f κ (Δζ_N-1 + Δζ_N)";
+        for claim in bar.claim(title, &borders, source)? {
+            figure.claim(claim);
+        }
+    }
+    nth_claims(&mut figure)?;
+    figure.deviation(
+        "N > 2 for (6.48)",
+        "N ≥ 2; with N = 2 the right side of (6.51) is 2|ξ₁| + f κ Δζ₂",
+        "(6.39) is the case N = 2",
+    );
+    figure.deviation(
+        "for Δζ_N < 0 and |Δξ_N| < f κ |Δζ_N| the running decrease goes on",
+        "unless the edge recedes behind ζ_N*: then P_N-1 is erased",
+        "gap of the text; with it the force of the springs is met",
+    );
+    Ok(figure)
+}
+
+/// (6.51) at random, and the receding edge that the thesis leaves out.
+fn nth_claims(figure: &mut Figure) -> Result<(), Failure> {
+    let mut sequence = Sequence(614);
+    let (mut wrong, mut tried) = (0.0, 0.0);
+    while tried < 5000.0 {
+        let (second, third) = (sequence.next(0.6, 1.4), sequence.next(0.5, 1.6));
+        let history: [Place; 3] =
+            [(1.0, 0.0), (1.0, sequence.next(0.2, 0.95)), (second, sequence.next(-0.9, 0.9))];
+        let memory = follow(&history)?;
+        let shift = sequence.next(-1.5, 1.5);
+        let (last, change) = (history[2].1 - history[1].1, shift - history[2].1);
+        let (grown_last, grown) = (second - 1.0, third - second);
+        if kind(&memory) != Kind::Decrease(2, -1) || change.abs() < -grown || change < grown {
+            continue; // not the situation of the figure, which has change > |grown|, or adhesion
+        }
+        tried += 1.0;
+        let expected = if shift.abs() >= third {
+            Kind::Sliding
+        } else if change < last.abs() + grown_last + grown {
+            Kind::Decrease(3, 1)
+        } else {
+            Kind::Decrease(1, 1)
+        };
+        if after(&memory, third, shift)? != expected {
+            wrong += 1.0;
+        }
+    }
+    figure.claim(
+        Claim::at_most("of 5000 random steps another regime follows in", wrong, 0.0)
+            .source("(6.51)"),
+    );
+    // The edge recedes behind zeta_2* = 0.95 with little shift: P_1 is erased.
+    let receding: [Place; 4] = [(1.0, 0.0), (1.0, 0.6), (1.0, 0.5), (0.7, 0.48)];
+    let memory = follow(&receding)?;
+    figure.claim(
+        Claim::close(
+            "slip rings after the edge recedes behind ζ₂*",
+            memory.decrease() as f64,
+            1.0,
+            Tolerance::Absolute(0.0),
+        )
+        .source("the second ring has left the contact"),
+    );
+    super::history::springs_claim(figure, "receding edge", &receding)?;
+    super::history::springs_claim(
+        figure,
+        "N = 3 and wipe-out",
+        &[(1.0, 0.0), (1.0, 0.6), (1.1, -0.3), (1.2, 0.4), (1.2, 0.9)],
+    )?;
+    super::history::reference_claim(
+        figure,
+        "N up to 6",
+        include_str!("../../../data/laws/history_fifth_decrease.csv"),
+    )
+}

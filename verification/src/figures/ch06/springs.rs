@@ -1,0 +1,64 @@
+//! A bed of independent springs with friction: the same problem without memory of its own.
+//!
+//! The spring at depth s touches when the approach exceeds s. Its deflection is limited by friction
+//! to `zeta - s`; beyond that it slides. With the density `(3/4) s^(-1/2)` the bed carries the
+//! normal force `zeta^(3/2)` and the stiffness of a Hertz contact, and it follows any path by small
+//! steps, knowing nothing of stick areas and points of instantaneous adhesion.
+
+const SPRINGS: usize = 2000;
+const STEPS: usize = 1000;
+
+/// Approach and shift, in units of f kappa zeta_1.
+pub(super) type Place = (f64, f64);
+
+pub(super) struct Springs {
+    depths: Vec<f64>,
+    anchors: Vec<f64>,
+    spacing: f64,
+    place: Place,
+}
+
+impl Springs {
+    /// A bed for approaches up to `deepest`.
+    pub(super) fn new(deepest: f64) -> Self {
+        let spacing = deepest.sqrt() / SPRINGS as f64;
+        let depth = |i: usize| {
+            let root = (i as f64 + 0.5) * spacing;
+            root * root
+        };
+        Self {
+            depths: (0..SPRINGS).map(depth).collect(),
+            anchors: vec![0.0; SPRINGS],
+            spacing,
+            place: (0.0, 0.0),
+        }
+    }
+
+    /// Goes straight to a new place and returns the tangential force.
+    pub(super) fn advance(&mut self, (zeta, shift): Place) -> f64 {
+        let (from_zeta, from_shift) = self.place;
+        for step in 1..=STEPS {
+            let part = step as f64 / STEPS as f64;
+            let here =
+                (from_zeta + part * (zeta - from_zeta), from_shift + part * (shift - from_shift));
+            self.relax(here);
+        }
+        self.place = (zeta, shift);
+        self.force()
+    }
+
+    fn relax(&mut self, (zeta, shift): Place) {
+        for (&depth, anchor) in self.depths.iter().zip(&mut self.anchors) {
+            let reach = (zeta - depth).max(0.0);
+            *anchor = anchor.clamp(shift - reach, shift + reach);
+        }
+        self.place = (zeta, shift);
+    }
+
+    /// `int (3/4) u s^(-1/2) ds`, by the midpoint rule in sqrt(s).
+    fn force(&self) -> f64 {
+        let (zeta, shift) = self.place;
+        let touching = self.depths.iter().zip(&self.anchors).filter(|(depth, _)| **depth < zeta);
+        1.5 * self.spacing * touching.map(|(_, anchor)| shift - anchor).sum::<f64>()
+    }
+}

@@ -1,0 +1,207 @@
+//! Figs. 7.12 to 7.15: three histories of turning shifts.
+
+use super::led::{distance, polar};
+use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use carom_laws::memory::{Lateral, Regime, VectorMemory};
+use carom_laws::sliders::SliderLaw;
+
+/// A path of the thesis: so many steps to e_1, then so many of the second direction.
+struct Example {
+    first: [f64; 2],
+    second: [f64; 2],
+    steps: usize,
+    /// End of the closed theory and of a half-space of rings.
+    theory: [f64; 2],
+    rings: [f64; 2],
+}
+
+impl Example {
+    fn new(number: usize) -> Self {
+        match number {
+            1 => Self {
+                first: [0.5, 0.0],
+                second: polar(0.5_f64.sqrt(), 135.0),
+                steps: 5,
+                theory: [0.0, 1.0 - 0.5_f64.powf(1.5)],
+                rings: [-0.037_01, 0.635_93],
+            },
+            2 => Self {
+                first: [1.0, 0.0],
+                second: polar(2.0_f64.sqrt(), 135.0),
+                steps: 10,
+                theory: [0.0, 1.0],
+                rings: [-0.205_22, 0.939_30],
+            },
+            _ => Self {
+                first: [1.0, 0.0],
+                second: polar(2.0 * 15.0_f64.to_radians().cos(), 165.0),
+                steps: 10,
+                theory: [-0.75_f64.sqrt(), 0.5],
+                rings: [-0.899_92, 0.423_15],
+            },
+        }
+    }
+
+    /// All points e, the first being the compression.
+    fn path(&self) -> Vec<[f64; 2]> {
+        let n = self.steps;
+        let part = |i: usize| i as f64 / n as f64;
+        let first = (0..=n).map(|i| self.first.times(part(i)));
+        let second = (1..=n).map(|i| self.first.plus(self.second.times(part(i))));
+        first.chain(second).collect()
+    }
+}
+
+fn draw(number: usize) -> FigureResult {
+    let example = Example::new(number);
+    let mut figure = Figure::new();
+    figure.stated("contact", "spheres, ν = 0, equal G, f = 1, ζ constant");
+    figure.derived("e₁", format!("({}, 0) ζ in {} steps", example.first[0], example.steps));
+    figure.derived("end", "in as many steps along 135° (examples 1, 2) or 165° (3)");
+    figure.assumed("numerical markers", "the incremental law of sliders instead of 100 elements");
+    let (mut memory, mut sliders) = (VectorMemory::new(), SliderLaw::new(400, 1.0, 1.0)?);
+    let mut curves: [Vec<(f64, f64)>; 5] = Default::default();
+    let mut markers: [Vec<(f64, f64)>; 2] = Default::default();
+    let mut reversal = None;
+    for (i, e) in example.path().into_iter().enumerate() {
+        let step = (i + 1) as f64;
+        let force = memory.advance(1.0, e)?;
+        let other = sliders.advance(1.0, e)?;
+        for k in 0..2 {
+            curves[k].push((step, force[k]));
+            curves[2 + k].push((step, e[k]));
+            markers[k].push((step, other[k]));
+        }
+        curves[4].push((step, memory.stick_depth()));
+        if memory.regime() == Regime::Reversal && reversal.is_none() {
+            reversal = Some((step, memory.stick_depth()));
+        }
+    }
+    let mut forces = Panel::new(Axis::linear("step"), Axis::linear("F/(f F_z)"));
+    for k in 0..2 {
+        forces.add(Series::line(["F_x", "F_y"][k], curves[k].clone()));
+        forces.add(Series::markers(
+            ["F_x, sliders", "F_y, sliders"][k],
+            Marker::Circle,
+            markers[k].clone(),
+        ));
+    }
+    figure.panel(forces);
+    let mut shifts = Panel::new(Axis::linear("step"), Axis::linear("e, ζ*/ζ"));
+    for (k, name) in ["e_x", "e_y", "ζ*/ζ"].into_iter().enumerate() {
+        shifts.add(Series::line(name, curves[2 + k].clone()));
+    }
+    figure.panel(shifts);
+    let end = memory.force();
+    figure.claim(
+        Claim::at_most(
+            "the theory ends where the thesis says",
+            distance(end, example.theory),
+            1e-6,
+        )
+        .source("closed form at the end of the path"),
+    );
+    let first = example.steps as f64 + 2.0;
+    figure.claim(
+        Claim::close(
+            "P₁ appears in the step after the turn",
+            reversal.map_or(0.0, |r| r.0),
+            first,
+            Tolerance::Absolute(0.0),
+        )
+        .source("text of 7.7"),
+    );
+    if number == 1 {
+        let depths: Vec<(f64, f64)> =
+            curves[4][6..11].iter().map(|p| p.1).zip([0.9, 0.8, 0.7, 0.6, 0.5]).collect();
+        figure.claim(
+            Claim::all_close("ζ*/ζ in steps 7 to 11", depths, Tolerance::Absolute(1e-12))
+                .source("(7.20)"),
+        );
+    }
+    let other = sliders.force();
+    let (closed, incremental) = (distance(end, example.rings), distance(other, example.rings));
+    figure.claim(
+        Claim::at_most("sliders end within 0.013 of a half-space of rings", incremental, 0.013)
+            .source("200 rings, 4 substeps a step"),
+    );
+    let bound = [0.045, 0.22, 0.09][number - 1];
+    figure.claim(
+        Claim::at_most("the closed law's distance from it", closed, bound)
+            .source("200 rings, 4 substeps a step"),
+    );
+    let caption = format!("text names fig. 7.{}", 12 + number);
+    figure.deviation(caption, format!("fig. 7.{}", 11 + number), "numbers of figures in 7.7");
+    Ok(figure)
+}
+
+pub(super) fn draw_first() -> FigureResult {
+    draw(1)
+}
+
+pub(super) fn draw_second() -> FigureResult {
+    draw(2)
+}
+
+pub(super) fn draw_third() -> FigureResult {
+    draw(3)
+}
+
+pub(super) fn draw_directions() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.stated("history", "example 3, step 21");
+    figure.assumed("slip of the markers", "of the sliders, by the depth at which they touch");
+    let path = Example::new(3).path();
+    let mut memory = VectorMemory::new();
+    for &e in &path {
+        memory.advance(1.0, e)?;
+    }
+    let theory = memory.slip_direction().unwrap_or_default().times(-1.0);
+    let angle = |v: [f64; 2]| v[1].atan2(v[0]).to_degrees();
+    // Directions of the traction, from the pointwise stress of both laws.
+    let radii: Vec<f64> = (0..40).map(|i| 0.0125 + 0.025 * f64::from(i)).collect();
+    let mut panel = Panel::new(Axis::linear("ρ/a"), Axis::linear("angle of slip, degrees"));
+    let closed: Vec<(f64, f64)> =
+        radii.iter().map(|&rho| (rho, angle(memory.traction(rho * rho).times(-1.0)))).collect();
+    panel.add(Series::line("closed law", closed.clone()));
+    // A half-space of rings, nu = 0: radius and slip angle in the last substep.
+    let rings = [
+        (0.997, -18.82),
+        (0.903, -19.21),
+        (0.750, -20.56),
+        (0.503, -25.81),
+        (0.250, -35.63),
+        (0.143, -39.29),
+        (0.103, -40.15),
+        (0.003, -41.30),
+    ];
+    panel.add(Series::markers("half-space of rings", Marker::Circle, rings));
+    figure.panel(panel);
+    figure.claim(
+        Claim::close(
+            "the closed law slips at −30° everywhere",
+            angle(theory),
+            -30.0,
+            Tolerance::Absolute(1e-4),
+        )
+        .source("text of 7.7"),
+    );
+    figure.claim(
+        Claim::all_close(
+            "its traction is opposite",
+            closed[1..].iter().map(|p| (p.1, -30.0)),
+            Tolerance::Absolute(1e-3),
+        )
+        .source("(7.16)"),
+    );
+    figure.claim(
+        Claim::decreasing("the true slip turns from the edge to the centre", rings.map(|r| r.1))
+            .source("200 rings, 4 substeps a step; the thesis's −15° to −35°"),
+    );
+    let mean = rings.iter().map(|r| r.1).sum::<f64>() / 8.0;
+    figure.claim(
+        Claim::close("and is −30° on the way", mean, -30.0, Tolerance::Absolute(2.0))
+            .source("mean over eight radii"),
+    );
+    Ok(figure)
+}

@@ -1,0 +1,266 @@
+//! Figs. 7.3 to 7.8: two directions of slip and the circles of their conditions.
+
+use super::led::{circle, distance, led, polar};
+use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance, linspace};
+use carom_laws::memory::{Lateral, Regime, VectorMemory};
+
+fn e_plane() -> Panel {
+    Panel::new(Axis::linear("e_x"), Axis::linear("e_y")).equal_aspect()
+}
+
+pub(super) fn draw_stress() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.assumed("e", "(0.5, 0), then 0.4 more at 120°, ζ = 1");
+    let step = polar(0.4, 120.0);
+    let memory = led(1.0, &[(1.0, [0.5, 0.0]), (1.0, [0.5 + step[0], step[1]])])?;
+    let radii = linspace(0.0, 0.999, 300);
+    let mut panel = Panel::new(Axis::linear("ρ/a"), Axis::linear("σ/(f σ_z0)"));
+    for (i, name) in ["σ_zx", "σ_zy"].into_iter().enumerate() {
+        panel.add(Series::line(name, radii.iter().map(|&r| (r, memory.traction(r * r)[i]))));
+    }
+    panel.add(Series::dotted("f p", radii.iter().map(|&r| (r, (1.0 - r * r).sqrt()))));
+    figure.panel(panel);
+    // zeta_2* of (7.20), corrected, and the turned direction of (7.29).
+    let star = 1.0 + step.dot(step) / (2.0 * step[0]);
+    figure.claim(
+        Claim::close("ζ₂*", memory.stick_depth(), star, Tolerance::Absolute(1e-15))
+            .source("(7.20), corrected"),
+    );
+    let excess = radii.iter().map(|&r| memory.traction(r * r).length() - (1.0 - r * r).sqrt());
+    figure.claim(
+        Claim::at_most("|σ| does not exceed f p", excess.fold(f64::NEG_INFINITY, f64::max), 1e-14)
+            .source("Coulomb's law"),
+    );
+    let ring = linspace(star.sqrt() + 1e-6, 0.999, 100)
+        .into_iter()
+        .map(|r| (memory.traction(r * r).length(), (1.0 - r * r).sqrt()));
+    figure.claim(
+        Claim::all_close("|σ| = f p in the whole ring", ring, Tolerance::Absolute(1e-14))
+            .source("|p₁ + p₂| = 1 (7.16)"),
+    );
+    figure.deviation(
+        "ζ₂* = ζ₂ + |e₁||de₂|²/(e₁·de₂)",
+        "ζ₂* = ζ₂ + |e₁||de₂|²/(2 e₁·de₂)",
+        "factor in (7.20)",
+    );
+    Ok(figure)
+}
+
+/// A step from a state: its regime.
+fn regime(
+    state: &VectorMemory,
+    zeta: f64,
+    e: [f64; 2],
+) -> Result<Regime, carom_special::RangeError> {
+    let mut memory = state.clone();
+    memory.advance(zeta, e)?;
+    Ok(memory.regime())
+}
+
+/// Counts the steps on a grid about a state whose regime is not the expected one; None is not
+/// tested.
+fn disagreements(
+    state: &VectorMemory,
+    zeta: f64,
+    reach: f64,
+    expected: impl Fn([f64; 2]) -> Option<Regime>,
+) -> Result<(u32, u32), carom_special::RangeError> {
+    let (mut wrong, mut tested) = (0, 0);
+    for dx in linspace(-reach, reach, 61) {
+        for dy in linspace(-reach, reach, 61) {
+            let e = state.shift().plus([dx + 1e-5, dy + 2e-5]);
+            if let Some(want) = expected([dx + 1e-5, dy + 2e-5]) {
+                tested += 1;
+                wrong += u32::from(regime(state, zeta, e)? != want);
+            }
+        }
+    }
+    Ok((wrong, tested))
+}
+
+fn agreement(statement: &str, (wrong, tested): (u32, u32)) -> Claim {
+    Claim::holds(
+        format!("{statement} ({tested} steps)"),
+        wrong == 0 && tested > 1000,
+        f64::from(wrong),
+    )
+}
+
+pub(super) fn draw_circle() -> FigureResult {
+    let mut figure = Figure::new();
+    let e_1 = [0.5, 0.0];
+    figure.assumed("e₁, ζ", "(0.5, 0), 1");
+    let mut panel = e_plane();
+    // |e_2| < |e_1|: a new point of instantaneous adhesion (7.23).
+    panel.add(Series::area("P₁", circle([0.0, 0.0], 0.5)));
+    panel.add(Series::line("|e₂| = |e₁|", circle([0.0, 0.0], 0.5)));
+    panel.add(Series::arrows(
+        "e₁",
+        [Arrow { tail: Point::from((0.0, 0.0)), head: Point::from((0.5, 0.0)) }],
+    ));
+    figure.panel(panel);
+    let state = led(1.0, &[(1.0, e_1)])?;
+    let found = disagreements(&state, 1.0, 1.2, |d| {
+        let size = e_1.plus(d).length();
+        if (size - 0.5).abs() < 1e-3 || size > 0.999 {
+            None
+        } else {
+            Some(if size < 0.5 { Regime::Reversal } else { Regime::Slip })
+        }
+    })?;
+    figure.claim(agreement("P₁ appears exactly inside the circle", found).source("(7.23)"));
+    Ok(figure)
+}
+
+pub(super) fn draw_reflection() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.assumed("e₁", "0.5 at 20°");
+    figure.assumed("de₂", "0.05 to 0.3 at 170°");
+    let first = polar(0.5, 20.0);
+    let mut pairs = Vec::new();
+    let mut arrows = Vec::new();
+    for size in linspace(0.05, 0.3, 6) {
+        let memory = led(1.0, &[(1.0, first), (1.0, first.plus(polar(size, 170.0)))])?;
+        let Some(m) = memory.slip_direction() else { return Err("no slip".into()) };
+        // Slip directions are opposite to tractions: beta_2 = 2 alpha_2 + 180 - beta_1, with
+        // beta_1 = 200 degrees and alpha_2 = 170 degrees.
+        let slip = polar(1.0, 2.0 * 170.0 + 180.0 - 200.0);
+        pairs.push((distance(m, slip.times(-1.0)), 0.0));
+        let tail = first.plus(polar(size, 170.0));
+        let head = tail.plus(slip.times(0.1));
+        arrows.push(Arrow {
+            tail: Point::from((tail[0], tail[1])),
+            head: Point::from((head[0], head[1])),
+        });
+    }
+    let mut panel = e_plane();
+    panel.add(Series::line("path", [(0.0, 0.0), (first[0], first[1])]));
+    panel.add(Series::arrows("slip direction", arrows));
+    figure.panel(panel);
+    figure.claim(
+        Claim::all_close("β₂ = 2 α₂ + π − β₁, whatever |de₂|", pairs, Tolerance::Absolute(1e-13))
+            .source("(7.29), a reflection"),
+    );
+    Ok(figure)
+}
+
+pub(super) fn draw_condition() -> FigureResult {
+    let mut figure = Figure::new();
+    let path = [[0.6, 0.0], [0.4, 0.15], [0.45, 0.05]];
+    figure.assumed("e₁, e₂, e₃", "(0.6, 0), (0.4, 0.15), (0.45, 0.05), ζ = 1");
+    let mut panel = e_plane();
+    let mut nested = Vec::new();
+    for n in 1..=path.len() {
+        let steps: Vec<(f64, [f64; 2])> = path[..n].iter().map(|&e| (1.0, e)).collect();
+        let state = led(1.0, &steps)?;
+        let Some(m) = state.slip_direction() else { return Err("no slip".into()) };
+        // The points from which zeta_{N+1}* stays above zeta_N*: a ball that touches e.
+        let radius = 1.0 - state.stick_depth();
+        let centre = state.shift().minus(m.times(radius));
+        panel.add(Series::line(format!("N = {}", n + 1), circle(centre, radius)));
+        nested.push((centre, radius));
+        let found = disagreements(&state, 1.0, 0.5, |d| {
+            let size = distance(state.shift().plus(d), centre);
+            ((size - radius).abs() > 1e-3 && size < radius).then_some(Regime::Reversal)
+        })?;
+        if n == 1 {
+            figure.claim(agreement("a new point appears inside", found).source("(7.40)"));
+        } else {
+            let statement = format!("N = {}: a new point appears inside", n + 1);
+            figure.claim(Claim::at_most(statement, f64::from(found.0), 0.0).source("(7.40)"));
+        }
+    }
+    figure.panel(panel);
+    let outside = nested.windows(2).map(|pair| {
+        let ((outer, big), (inner, small)) = (pair[0], pair[1]);
+        distance(outer, inner) + small - big
+    });
+    figure.claim(
+        Claim::at_most(
+            "each circle lies inside the one before",
+            outside.fold(f64::NEG_INFINITY, f64::max),
+            1e-12,
+        )
+        .source("text below (7.40)"),
+    );
+    Ok(figure)
+}
+
+pub(super) fn draw_varying() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.assumed("e₁, dζ", "(0.5, 0) at ζ = 1; ± 0.1");
+    let e_1 = [0.5, 0.0];
+    for (dz, title) in [(0.1, "dζ > 0"), (-0.1, "dζ < 0")] {
+        let state = led(1.0, &[(1.0, e_1)])?;
+        let outer = 0.5 + dz;
+        let mut panel = e_plane().titled(title);
+        panel.add(Series::line("(7.51)", circle([0.0, 0.0], outer)));
+        if dz > 0.0 {
+            panel.add(Series::line("(7.53)", circle(e_1, dz)));
+        }
+        figure.panel(panel);
+        let found = disagreements(&state, 1.0 + dz, 1.1, |d| {
+            let (size, step) = (e_1.plus(d).length(), d.length());
+            let border = (size - outer).abs() < 1e-3 || (step - dz.abs()).abs() < 1e-3;
+            if border || size > 0.998 + dz || (dz < 0.0 && step < -dz) {
+                None
+            } else if step < dz {
+                Some(Regime::Adhesion)
+            } else if size < outer {
+                Some(Regime::Reversal)
+            } else {
+                Some(Regime::Slip)
+            }
+        })?;
+        figure.claim(
+            agreement(&format!("{title}: regimes as the circles say"), found)
+                .source("(7.51), (7.53)"),
+        );
+    }
+    Ok(figure)
+}
+
+pub(super) fn draw_equal_radii() -> FigureResult {
+    let mut figure = Figure::new();
+    let path = [(1.0, [0.6, 0.0]), (1.0, [0.4, 0.2])];
+    figure.assumed("path (ζ, e)", "(1, (0.6, 0)), (1, (0.4, 0.2)); then dζ = ± 0.05");
+    for (dz, title) in [(0.05, "dζ > 0"), (-0.05, "dζ < 0")] {
+        let state = led(1.0, &path)?;
+        let Some(m) = state.slip_direction() else { return Err("no slip".into()) };
+        let depth = 1.0 - state.stick_depth();
+        let centre = state.shift().minus(m.times(depth));
+        let mut panel = e_plane().titled(title);
+        let radius = depth + dz;
+        panel.add(Series::line("ζ₃* = ζ₂*", circle(centre, radius)));
+        if dz > 0.0 {
+            panel.add(Series::dashed("adhesion", circle(state.shift(), dz)));
+        }
+        figure.panel(panel);
+        // On the circle the new ring is exactly as deep as the old one.
+        let mut pairs = Vec::new();
+        let old = state.stick_depth();
+        for degrees in (0..360).step_by(10) {
+            let inside = centre.plus(polar(radius * (1.0 - 1e-9), f64::from(degrees)));
+            let step = distance(inside, state.shift());
+            if step > dz.abs() + 1e-3 {
+                let mut memory = state.clone();
+                memory.advance(1.0 + dz, inside)?;
+                pairs.push((memory.stick_depth(), old));
+            }
+        }
+        figure.claim(
+            Claim::all_close(
+                format!("{title}: ζ₃* = ζ₂* on the circle"),
+                pairs,
+                Tolerance::Absolute(1e-6),
+            )
+            .source("(7.64)"),
+        );
+    }
+    figure.deviation(
+        "denominator of (7.60) with s_N",
+        "ζ_N* = ζ_N − |de''|²/(2 de''·s_{N−1}), de'' = de_N + s_{N−1} dζ_N",
+        "index in (7.60)",
+    );
+    Ok(figure)
+}

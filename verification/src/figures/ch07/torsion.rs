@@ -1,0 +1,179 @@
+//! Figs. 7.9 to 7.11: torsion of an ellipse by the exponential law.
+
+use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace, logspace};
+use carom_halfspace::{Material, MaterialPair};
+use carom_laws::ellipse::ContactEllipse;
+use carom_laws::torsion::adhesion::{AdhesiveTorsion, sliding_torque_arm};
+use carom_laws::torsion::ellipse::EllipseTorsion;
+use carom_laws::torsion::lubkin::{Lubkin, SLIDING_TORQUE};
+use carom_special::elliptic::complete;
+use std::f64::consts::PI;
+
+fn pair(nu: f64) -> Result<MaterialPair, carom_special::RangeError> {
+    MaterialPair::new(Material::from_shear(1.0, nu)?, Material::RIGID)
+}
+
+/// delta_T of (7.65): M_zA' = (3/8) G b^3 E delta_T, b the larger semi-axis.
+fn delta(ratio: f64, nu: f64) -> Result<f64, carom_special::RangeError> {
+    let ellipse = ContactEllipse::new(ratio, 1.0)?;
+    let stiffness = AdhesiveTorsion::new(ellipse, pair(nu)?).stiffness();
+    Ok(stiffness / (0.375 * complete::e(ellipse.axis_ratio())))
+}
+
+/// a/b, nu, delta_T to 15 digits, by 40-digit arithmetic.
+const DELTA: [[f64; 3]; 5] = [
+    [1.0, 0.3, 9.054_147_873_672_268],
+    [0.5, 0.0, 4.945_209_787_844_932],
+    [0.5, 0.3, 5.156_093_954_721_647],
+    [0.1, 0.3, 2.546_983_452_061_335],
+    [0.1, 0.5, 3.004_681_323_044_792],
+];
+
+pub(super) fn draw_stiffness() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.assumed("ν", "0, 0.25, 0.5");
+    let mut panel = Panel::new(Axis::log("a/b"), Axis::linear("δ_T"));
+    for nu in [0.0, 0.25, 0.5] {
+        let curve: Result<Vec<_>, _> = logspace(0.05, 1.0, 61)
+            .into_iter()
+            .map(|ratio| delta(ratio, nu).map(|value| (ratio, value)))
+            .collect();
+        panel.add(Series::line(format!("ν = {nu}"), curve?));
+    }
+    figure.panel(panel);
+    let mut pairs = Vec::new();
+    for [ratio, nu, want] in DELTA {
+        pairs.push((delta(ratio, nu)?, want));
+    }
+    figure.claim(
+        Claim::all_close("δ_T at five ellipses", pairs, Tolerance::Relative(1e-14))
+            .source("40-digit arithmetic"),
+    );
+    let mut circle = Vec::new();
+    for nu in [0.0, 0.2, 0.5] {
+        circle.push((delta(1.0, nu)?, 256.0 / (9.0 * PI)));
+    }
+    figure.claim(
+        Claim::all_close("256/(9π) for the circle, whatever ν", circle, Tolerance::Relative(1e-14))
+            .source("Mindlin's 16 G a³/3"),
+    );
+    Ok(figure)
+}
+
+/// The law of an ellipse with f F_z = 1 and the larger semi-axis 1.
+fn law(ratio: f64, nu: f64) -> Result<EllipseTorsion, carom_special::RangeError> {
+    EllipseTorsion::of_contact(ContactEllipse::new(ratio, 1.0)?, pair(nu)?, 1.0)
+}
+
+pub(super) fn draw_loading() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.stated("a/b", "1 and 10");
+    figure.assumed("G b²/(f F_z)", "1, ν = 0; torque over f F_z b");
+    figure.assumed(
+        "numerical markers",
+        "Lubkin's exact law for the circle; the ellipse's come with the solver",
+    );
+    let mut panel = Panel::new(Axis::linear("G b² β/(f F_z)"), Axis::linear("M_z/(f F_z b)"));
+    for ratio in [1.0, 0.1] {
+        let mut torsion = law(ratio, 0.0)?;
+        let mut curve = Vec::new();
+        for twist in linspace(0.0, 1.0, 101) {
+            torsion.advance(twist)?;
+            curve.push((twist, torsion.torque()));
+        }
+        panel.add(Series::line(format!("(7.65), ratio {}", 1.0 / ratio), curve));
+    }
+    let exact: Result<Vec<_>, _> = linspace(0.0, 1.0, 26)
+        .into_iter()
+        .map(|twist| Lubkin::at_twist(twist).map(|state| (twist, state.torque())))
+        .collect();
+    let exact = exact?;
+    panel.add(Series::markers("Lubkin, circle", crate::Marker::Circle, exact.clone()));
+    figure.panel(panel);
+    let mut worst = 0.0_f64;
+    for (twist, want) in exact {
+        let mut torsion = law(1.0, 0.0)?;
+        torsion.advance(twist)?;
+        worst = worst.max((torsion.torque() - want).abs() / SLIDING_TORQUE);
+    }
+    figure.claim(
+        Claim::at_most("on the circle (7.65) is within 2.76 % of sliding", worst, 0.0276)
+            .source("Lubkin (5.39), (5.41)"),
+    );
+    let slender = ContactEllipse::new(0.1, 1.0)?;
+    let sliding = law(0.1, 0.0)?.sliding_torque();
+    figure.claim(
+        Claim::close(
+            "sliding torque, ratio 10",
+            sliding,
+            0.380_997_579_384_459,
+            Tolerance::Relative(1e-14),
+        )
+        .source("(10.57), 40-digit arithmetic"),
+    );
+    figure.claim(
+        Claim::close(
+            "the same with the axes exchanged",
+            sliding_torque_arm(&slender.exchanged()),
+            sliding,
+            Tolerance::Relative(1e-14),
+        )
+        .source("symmetry"),
+    );
+    Ok(figure)
+}
+
+pub(super) fn draw_reversals() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.stated("a/b, ν", "1/10, 0");
+    figure.assumed(
+        "turning points",
+        "β = ± 0.5, with an inner loop at 0.1 and 0.3; G b²/(f F_z) = 1",
+    );
+    let mut torsion = law(0.1, 0.0)?;
+    let mut curve = vec![(0.0, 0.0)];
+    let mut at = Vec::new();
+    for to in [0.5, 0.1, 0.3, 0.1, -0.5, 0.5] {
+        let from = torsion.twist();
+        for t in linspace(0.0, 1.0, 41).into_iter().skip(1) {
+            torsion.advance(from + t * (to - from))?;
+            curve.push((torsion.twist(), torsion.torque()));
+        }
+        at.push(torsion.torque());
+    }
+    let mut panel = Panel::new(Axis::linear("G b² β/(f F_z)"), Axis::linear("M_z/(f F_z b)"));
+    panel.add(Series::line("(7.66)", curve));
+    figure.panel(panel);
+    figure.claim(
+        Claim::close("M(−β₁) = −M₁", at[4], -at[0], Tolerance::Absolute(1e-15))
+            .source("(7.66), exponent corrected"),
+    );
+    figure.claim(
+        Claim::close("the inner loop closes", at[3], at[1], Tolerance::Absolute(1e-15))
+            .source("Madelung's rule"),
+    );
+    figure.claim(
+        Claim::close("the outer loop closes", at[5], at[0], Tolerance::Absolute(1e-15))
+            .source("Madelung's rule"),
+    );
+    let mut unload = law(0.1, 0.0)?;
+    unload.advance(0.5)?;
+    let first = unload.torque();
+    unload.advance(0.5 - 1e-7)?;
+    let slope = (first - unload.torque()) / 1e-7;
+    figure.claim(
+        Claim::close(
+            "unloading starts with M_zA'",
+            slope,
+            unload.initial_stiffness(),
+            Tolerance::Relative(1e-5),
+        )
+        .source("Masing's rule"),
+    );
+    figure.deviation(
+        "exp[+M_zA'(β₁ − β)/(2 M_zS)] in (7.66)",
+        "exp[−M_zA'(β₁ − β)/(2 M_zS)]",
+        "sign of the exponent",
+    );
+    Ok(figure)
+}
