@@ -245,14 +245,16 @@ impl Grid {
     // The first cell at a point and the position in it, from -1 to 1.
     #[inline]
     fn locate(&self, chi: f64, y: f64) -> (usize, f64, f64) {
-        let [low, high] = self.region.chi_range();
-        let columns = self.columns() as f64;
-        let x = (chi - low) * (columns / (high - low));
-        let y = y * Self::ROWS as f64;
-        let column = x.floor().clamp(0.0, columns - 1.0);
-        let row = y.floor().clamp(0.0, Self::ROWS as f64 - 1.0);
+        // The widths of the columns as constants; truncation, as floor is a call on plain x86-64.
+        let (low, per_chi) = match self.region {
+            Region::StickLow => (CHI[0], 2.0 / (1.0 - CHI[0])),
+            _ => (1.0, 6.0 / (CHI[1] - 1.0)),
+        };
+        let (x, y) = ((chi - low) * per_chi, y * Self::ROWS as f64);
+        let column = (x as u32).min(self.columns() as u32 - 1);
+        let row = (y as u32).min(Self::ROWS as u32 - 1);
         let index = self.first + column as usize * Self::ROWS + row as usize;
-        (index, 2.0 * (x - column) - 1.0, 2.0 * (y - row) - 1.0)
+        (index, 2.0 * (x - f64::from(column)) - 1.0, 2.0 * (y - f64::from(row)) - 1.0)
     }
 
     fn cells(self, first: usize) -> impl Iterator<Item = Cell> {
