@@ -88,6 +88,9 @@ impl Inertia {
     }
 }
 
+/// Largest component of a velocity or spin: beyond it energies overflow.
+const FASTEST: f64 = 1e100;
+
 /// Velocity of the centre of mass and spin, in the frame of the impact.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Motion {
@@ -101,13 +104,16 @@ impl Motion {
     /// From velocity and spin.
     ///
     /// # Errors
-    /// [`RangeError`] that names the first component that is not finite.
+    /// [`RangeError`] that names the first component not within +-1e100.
     pub fn new(velocity: [f64; 3], spin: [f64; 3]) -> Result<Self, RangeError> {
+        let check = |field, value: f64| {
+            RangeError::check(field, value, value.abs() <= FASTEST, "within +-1e100")
+        };
         for value in velocity {
-            RangeError::finite("velocity", value)?;
+            check("velocity", value)?;
         }
         for value in spin {
-            RangeError::finite("spin", value)?;
+            check("spin", value)?;
         }
         Ok(Self { velocity: velocity.into(), spin: spin.into() })
     }

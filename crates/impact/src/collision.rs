@@ -8,6 +8,7 @@ use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::body::{Body, Motion, Shape, kinetic_energy};
+use crate::closed_form::{NOTICEABLE, wave_loss};
 use crate::mobility::{point_velocity, share};
 use crate::normal::{self, NormalImpact};
 use crate::oblique::{Groups, ObliqueError, ObliqueImpact};
@@ -245,7 +246,7 @@ impl Collision {
             maximal_radius,
             energy,
             log: log(normal, oblique),
-            warnings: self.warnings(maximal_radius),
+            warnings: self.warnings(maximal_radius, normal.velocity()),
         })
     }
 
@@ -263,7 +264,7 @@ impl Collision {
         })
     }
 
-    fn warnings(&self, maximal_radius: f64) -> Vec<Warning> {
+    fn warnings(&self, maximal_radius: f64, velocity: f64) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if !self.materials.is_uncoupled() {
             let gamma = self.materials.gamma();
@@ -281,8 +282,22 @@ impl Collision {
         if ratio > 0.1 {
             warnings.push(Warning::LargeContact { ratio });
         }
+        let share = self.bodies.iter().filter_map(|body| wave_loss_of(body, velocity));
+        let share = share.fold(0.0, f64::max);
+        if share > NOTICEABLE {
+            warnings.push(Warning::WaveLoss { share });
+        }
         warnings
     }
+}
+
+// The share of energy a solid sphere loses to waves; nothing for rigid and infinitely heavy ones.
+fn wave_loss_of(body: &Body, velocity: f64) -> Option<f64> {
+    let Shape::Sphere(radius) = body.shape() else { return None };
+    let (mass, material) = (body.inertia().mass(), body.material());
+    let density = mass / (4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius);
+    let rod_speed = (material.young_modulus() / density).sqrt();
+    wave_loss(material.poisson(), velocity, rod_speed).ok()
 }
 
 /// The state at first touch.

@@ -130,6 +130,11 @@ pub enum Warning {
         /// Maximal contact radius over the smallest radius of curvature.
         ratio: f64,
     },
+    /// Elastic waves would carry away more than 1 % of the normal energy, (3.2).
+    WaveLoss {
+        /// The share, estimated for the body's material throughout.
+        share: f64,
+    },
 }
 
 impl std::fmt::Display for Warning {
@@ -142,6 +147,10 @@ impl std::fmt::Display for Warning {
                     "dissimilar materials: gamma = {gamma:.4}, f/|gamma| = {friction_over_gamma:.3}; \
                      the coupling of normal and tangential displacements is neglected and {verdict}"
                 )
+            }
+            Self::WaveLoss { share } => {
+                let percent = 100.0 * share;
+                write!(f, "elastic waves carry away about {percent:.2} % of the normal energy")
             }
             Self::LargeContact { ratio } => {
                 write!(f, "large contact: a/R = {ratio:.3} exceeds 0.1, beyond Hertz's theory")

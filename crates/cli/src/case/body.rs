@@ -82,7 +82,7 @@ impl BodyCase {
         let velocity = read_velocity(&body, mass, motion)?;
         let spin = match mass {
             Mass::Fixed => [0.0; 3],
-            _ => body.vector("spin", Range::Finite)?,
+            _ => body.vector("spin", Range::Speed)?,
         };
         Ok(Self { shape, material, mass, velocity, spin })
     }
@@ -172,7 +172,7 @@ fn read_velocity(
         };
     }
     match motion {
-        Motion::Velocity => body.vector("velocity", Range::Finite).map(Some),
+        Motion::Velocity => body.vector("velocity", Range::Speed).map(Some),
         Motion::Approach if body.has("velocity") => {
             let reason = "[approach] gives the velocity of body 1";
             Err(body.conflict("velocity", "approach", reason))

@@ -5,6 +5,8 @@
 pub enum Range {
     /// Finite.
     Finite,
+    /// A component of a velocity or spin.
+    Speed,
     /// Finite and > 0.
     Positive,
     /// > 0; infinity is allowed.
@@ -34,6 +36,7 @@ impl Range {
     pub fn holds(self, value: f64) -> bool {
         match self {
             Self::Finite => value.is_finite(),
+            Self::Speed => value.abs() <= 1e100,
             Self::Positive => value.is_finite() && value > 0.0,
             Self::PositiveOrInfinite => value > 0.0,
             Self::NonNegative => value.is_finite() && value >= 0.0,
@@ -51,6 +54,7 @@ impl Range {
     pub const fn allowed(self) -> &'static str {
         match self {
             Self::Finite => "finite",
+            Self::Speed => "finite, within +-1e100",
             Self::Positive => "finite and > 0",
             Self::PositiveOrInfinite => "> 0 (inf is allowed)",
             Self::NonNegative => "finite and >= 0",

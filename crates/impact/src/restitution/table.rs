@@ -18,9 +18,11 @@ const ORDER: usize = 8;
 /// Largest error seen at the test points of a cell that becomes a leaf.
 const TOLERANCE: f64 = 2e-9;
 /// Halvings after which a rough cell keeps the exact impact.
-const MAX_HALVINGS: usize = 9;
+const MAX_HALVINGS: usize = 8;
 /// The range of chi in the table.
 const CHI: [f64; 2] = [0.5, 6.5];
+/// Sum of the last coefficients beyond which testing a cell is a waste.
+const HOPELESS: f64 = 1e-5;
 /// Test points of a cell, in each direction.
 const TESTS: [f64; 4] = [-0.97, -0.35, 0.3, 0.95];
 
@@ -243,14 +245,16 @@ impl Grid {
     // The first cell at a point and the position in it, from -1 to 1.
     #[inline]
     fn locate(&self, chi: f64, y: f64) -> (usize, f64, f64) {
-        let [low, high] = self.region.chi_range();
-        let columns = self.columns() as f64;
-        let x = (chi - low) * (columns / (high - low));
-        let y = y * Self::ROWS as f64;
-        let column = x.floor().clamp(0.0, columns - 1.0);
-        let row = y.floor().clamp(0.0, Self::ROWS as f64 - 1.0);
+        // The widths of the columns as constants; truncation, as floor is a call on plain x86-64.
+        let (low, per_chi) = match self.region {
+            Region::StickLow => (CHI[0], 2.0 / (1.0 - CHI[0])),
+            _ => (1.0, 6.0 / (CHI[1] - 1.0)),
+        };
+        let (x, y) = ((chi - low) * per_chi, y * Self::ROWS as f64);
+        let column = (x as u32).min(self.columns() as u32 - 1);
+        let row = (y as u32).min(Self::ROWS as u32 - 1);
         let index = self.first + column as usize * Self::ROWS + row as usize;
-        (index, 2.0 * (x - column) - 1.0, 2.0 * (y - row) - 1.0)
+        (index, 2.0 * (x - f64::from(column)) - 1.0, 2.0 * (y - f64::from(row)) - 1.0)
     }
 
     fn cells(self, first: usize) -> impl Iterator<Item = Cell> {
@@ -347,6 +351,18 @@ impl Cell {
         let Some(leaf) = self.interpolate() else {
             return Fit::Rough { across_chi: true };
         };
+        // The direction in which the last coefficients are larger.
+        let tail = |chi: bool| -> f64 {
+            (ORDER - 2..ORDER)
+                .flat_map(|i| (0..ORDER).map(move |j| if chi { (j, i) } else { (i, j) }))
+                .map(|(row, column)| leaf.0[row][column].abs())
+                .sum()
+        };
+        let (tail_chi, tail_across) = (tail(true), tail(false));
+        let rough = Fit::Rough { across_chi: tail_chi > tail_across };
+        if tail_chi.max(tail_across) > HOPELESS {
+            return rough;
+        }
         let smooth = TESTS.iter().all(|&x| {
             TESTS.iter().all(|&y| {
                 self.exact(x, y).is_some_and(|exact| (leaf.at(x, y) - exact).abs() <= TOLERANCE)
@@ -355,14 +371,7 @@ impl Cell {
         if smooth {
             return Fit::Smooth(Box::new(leaf));
         }
-        // The direction in which the last coefficients are larger.
-        let tail = |range: std::ops::Range<usize>, chi: bool| -> f64 {
-            range
-                .flat_map(|i| (0..ORDER).map(move |j| if chi { (j, i) } else { (i, j) }))
-                .map(|(row, column)| leaf.0[row][column].abs())
-                .sum()
-        };
-        Fit::Rough { across_chi: tail(ORDER - 2..ORDER, true) > tail(ORDER - 2..ORDER, false) }
+        rough
     }
 
     // Interpolation at the Chebyshev points.
