@@ -185,3 +185,18 @@ fn sliding_that_just_stops_is_continuous() {
         }
     }
 }
+
+#[test]
+fn sliding_that_stops_next_to_maximal_compression_goes_on_smoothly() {
+    // psi = chi (1 - d) stops at w = d chi/(chi - 1): adhesion of no length there must not stall.
+    for chi in [1.5, 2.064_786_061_935_79, 4.647_591_197_748_39, 5.852_583_762_063_53] {
+        let at = |psi: f64| ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap();
+        let exact = at(chi).restitution();
+        for exponent in 4..16 {
+            let below = at(chi * (1.0 - 10_f64.powi(-exponent)));
+            let difference = (below.restitution() - exact).abs();
+            assert!(difference < 10_f64.powi(-exponent) + 1e-10, "chi {chi}, 1e-{exponent}");
+            assert!(below.phases().len() < 12);
+        }
+    }
+}

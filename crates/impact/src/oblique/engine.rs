@@ -28,6 +28,8 @@ const NEUTRAL: f64 = 1e-8;
 /// A first sliding (chi > 1) or sticking (chi < 1) that ends within this share of the impact is
 /// passed over: its end could not be told from touch.
 const MOMENT: f64 = 1e-9;
+/// A stop of the slip at a smaller normal velocity than this counts as one at maximal compression.
+const AT_REST: f64 = 1e-6;
 /// Steps of one slip phase and phases of one impact after which the walk gives up.
 const MAX_STEPS: usize = 20_000;
 const MAX_PHASES: usize = 200;
@@ -140,7 +142,8 @@ impl ObliqueImpact {
     /// Follow the impact with these groups.
     ///
     /// # Errors
-    /// [`ObliqueError`] if the walk does not reach separation; not seen for chi up to 100.
+    /// [`ObliqueError`] if the walk does not reach separation: 3 of 3e5 random cases, all with
+    /// chi > 20 (solid bodies have chi <= 7.5).
     pub fn new(groups: Groups) -> Result<Self, ObliqueError> {
         if groups.psi() < PSI_MIN {
             let restitution = closed_form::restitution_without_slip(groups.chi());
@@ -463,8 +466,25 @@ impl<'r, R: Recorder> Walk<'r, R> {
         self.after_stop(sign, Event::SlipStop)
     }
 
-    fn after_stop(&self, sign: f64, event: Event) -> Next {
-        if self.state.w > 0.0 { Next::Adhere } else { Next::Slip { sign: -sign, ring: 0.0, event } }
+    fn after_stop(&mut self, sign: f64, event: Event) -> Next {
+        if self.state.w > AT_REST {
+            return Next::Adhere;
+        }
+        if self.state.w > 0.0 {
+            self.come_to_rest();
+        }
+        Next::Slip { sign: -sign, ring: 0.0, event }
+    }
+
+    // On to maximal compression under the present force: an adhesion of length w alters the
+    // velocity by the order of w^3 only.
+    fn come_to_rest(&mut self) {
+        let State { w, zeta, traction, .. } = self.state;
+        self.state.velocity -= self.chi * traction / (zeta * zeta.sqrt()) * w;
+        (self.state.w, self.state.zeta) = (0.0, 1.0);
+        if let Some(top) = self.memory.last_mut() {
+            top.high = 1.0;
+        }
     }
 
     // Integrate within one chart and one stretch of memory up to the first event.
