@@ -7,10 +7,13 @@
 mod adhesion;
 mod engine;
 mod groups;
+mod journey;
 mod memory;
+mod regime;
 mod slip;
 mod trace;
 
-pub use engine::{Event, ObliqueError, ObliqueImpact, Phase, Regime};
+pub use engine::ObliqueImpact;
 pub use groups::Groups;
+pub use regime::{Event, ObliqueError, Phase, Regime};
 pub use trace::TracePoint;

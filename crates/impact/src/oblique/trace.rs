@@ -3,8 +3,9 @@
 use carom_special::ode::{DenseStep, Stepper, Tolerance};
 
 use super::adhesion::Segment;
-use super::engine::{ObliqueError, ObliqueImpact, PSI_MIN, Regime, State};
+use super::engine::{ObliqueImpact, PSI_MIN, State};
 use super::groups::Groups;
+use super::regime::{ObliqueError, Regime};
 use super::slip::{Clock, Slip, Unknowns};
 use crate::normal::{compression, time};
 
