@@ -23,6 +23,7 @@ mod numbers;
 mod paraboloid;
 mod propositions;
 mod sphere_traction;
+mod spring_impact;
 
 /// The chapters in order.
 pub(crate) const CHAPTERS: &[&[Entry]] = &[
