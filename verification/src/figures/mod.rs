@@ -22,6 +22,7 @@ mod ch15;
 mod numbers;
 mod paraboloid;
 mod propositions;
+mod rebound;
 mod sphere_traction;
 mod spring_impact;
 
@@ -41,5 +42,6 @@ pub(crate) const CHAPTERS: &[&[Entry]] = &[
     ch14::ENTRIES,
     ch15::ENTRIES,
     propositions::ENTRIES,
+    rebound::ENTRIES,
     accuracy::ENTRIES,
 ];

@@ -83,26 +83,44 @@ impl SpringBed {
 const SPRINGS: usize = 400;
 const STEPS: usize = 1600;
 
+/// What a stepped impact leaves.
+#[derive(Clone, Copy)]
+pub(super) struct Stepped {
+    /// R_x, to about 2e-6.
+    pub(super) restitution: f64,
+    /// The tangential force shortly before separation.
+    pub(super) last_force: f64,
+}
+
 /// R_x of the impact of groups chi and psi, to about 2e-6.
+pub(super) fn restitution(chi: f64, psi: f64) -> f64 {
+    impact(chi, psi).restitution
+}
+
+/// The impact of groups chi and psi.
 ///
 /// Units: zeta_max, zeta_max/zeta'_A, and f c_z zeta_max/c_x for the shift; then
 /// F_z = (2/3) zeta^(3/2), zeta'' = -(15/8) F_z and e'' = -(15/8) chi F_t.
-pub(super) fn restitution(chi: f64, psi: f64) -> f64 {
+pub(super) fn impact(chi: f64, psi: f64) -> Stepped {
     let mut bed = SpringBed::new(SPRINGS, 1.001, 1.0, [1.0; 2], 1.0);
     let dt = carom_impact::normal::DURATION / STEPS as f64;
     let (mut zeta, mut e) = (0.0, 0.0);
     let (mut w, mut u) = (1.0, psi);
+    let mut last_force = 0.0;
     // Leapfrog.
     loop {
         zeta += 0.5 * dt * w;
         e += 0.5 * dt * u;
         let load = bed.advance(zeta, e);
+        if load.tangential != 0.0 {
+            last_force = load.tangential;
+        }
         w -= 1.875 * dt * load.normal;
         u -= 1.875 * chi * dt * load.tangential;
         zeta += 0.5 * dt * w;
         e += 0.5 * dt * u;
         if zeta <= 0.0 {
-            return -u / psi;
+            return Stepped { restitution: -u / psi, last_force };
         }
     }
 }
