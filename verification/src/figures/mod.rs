@@ -21,6 +21,7 @@ mod ch14;
 mod ch15;
 mod numbers;
 mod paraboloid;
+mod particles;
 mod propositions;
 mod rebound;
 mod sphere_traction;
@@ -43,5 +44,6 @@ pub(crate) const CHAPTERS: &[&[Entry]] = &[
     ch15::ENTRIES,
     propositions::ENTRIES,
     rebound::ENTRIES,
+    particles::ENTRIES,
     accuracy::ENTRIES,
 ];

@@ -3,8 +3,8 @@
 //!
 //! A spring stands at each distance x from the centre and touches when the approach exceeds
 //! x^2/R. It carries its compression along the normal and up to f times the limit along the
-//! surface; beyond that it slides. Springs of stiffness E* along the normal and 4 G* along the
-//! surface, for a unit of x on both sides, make Hertz's force and Mindlin's stiffness, and by the
+//! surface; beyond that it slides. Springs of stiffness 2 E* along the normal and 8 G* along the
+//! surface, for a unit of x on one side, make Hertz's force and Mindlin's stiffness, and by the
 //! method of dimensionality reduction (Popov and Hess) they follow any path exactly.
 
 /// A bed of springs with sliders.
