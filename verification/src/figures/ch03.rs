@@ -1,6 +1,7 @@
 //! Chapter 3: survey of the theories.
 
 mod ball_under_book;
+mod impacts;
 mod point_force;
 mod semisphere;
 mod shifts;
@@ -17,6 +18,6 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::figure("3.4", "Displacements under a semispherical tangential traction, ν = 0.5")
         .by(semisphere::draw),
     Entry::figure("3.5", "Tangential force for a diagonal shift of a slender contact, ν = 0.5"),
-    Entry::figure("3.6", "Normal, tangential and torsional impact"),
+    Entry::figure("3.6", "Normal, tangential and torsional impact").by(impacts::draw),
     Entry::figure("3.7", "A rubber ball between table and book").by(ball_under_book::draw),
 ];

@@ -1,5 +1,6 @@
 //! Chapter 15: coefficients of restitution.
 
+mod ellipsoid;
 mod gamma_limits;
 mod spheres;
 
@@ -14,5 +15,5 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::figure("15.5", "Stick and slip areas of the impact of fig. 15.4"),
     Entry::figure("15.6", "Tangential restitution for dissimilar materials, κ = 1"),
     Entry::figure("15.7", "Tangential restitution with spin"),
-    Entry::figure("15.8", "Ellipsoid on a plane"),
+    Entry::figure("15.8", "Ellipsoid on a plane").by(ellipsoid::draw),
 ];

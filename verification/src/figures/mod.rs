@@ -21,8 +21,11 @@ mod ch14;
 mod ch15;
 mod numbers;
 mod paraboloid;
+mod particles;
 mod propositions;
+mod rebound;
 mod sphere_traction;
+mod spring_impact;
 
 /// The chapters in order.
 pub(crate) const CHAPTERS: &[&[Entry]] = &[
@@ -40,5 +43,7 @@ pub(crate) const CHAPTERS: &[&[Entry]] = &[
     ch14::ENTRIES,
     ch15::ENTRIES,
     propositions::ENTRIES,
+    rebound::ENTRIES,
+    particles::ENTRIES,
     accuracy::ENTRIES,
 ];

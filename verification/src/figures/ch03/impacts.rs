@@ -1,0 +1,286 @@
+//! Fig. 3.6: the three types of impact, sketched and computed for two steel balls.
+
+use carom_halfspace::Material;
+use carom_impact::torsional::{SpinCollision, Spinner, TorsionalImpact, TorsionalPhase};
+use carom_impact::{Body, Collision, Motion, Rebound, normal};
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw, Shift};
+use carom_laws::torsion::law::TorsionLaw;
+
+use super::super::{Failure, spring_impact};
+use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance, linspace};
+
+const RADIUS: f64 = 0.01;
+const MASS: f64 = 0.0329;
+const YOUNG: f64 = 208e9;
+const POISSON: f64 = 0.3;
+const FRICTION: f64 = 0.15;
+const APPROACH: f64 = 1.0; // m/s, of the centres
+const SLIP: f64 = 0.15; // m/s at the contact point: lambda = 1
+const SPIN: f64 = 100.0; // rad/s, relative, about the normal
+
+fn steel() -> Result<Material, Failure> {
+    Ok(Material::from_young(YOUNG, POISSON)?)
+}
+
+/// Two equal balls that meet with `APPROACH` and slip with `slip` at the contact point.
+fn collision(slip: f64) -> Result<Collision, Failure> {
+    let ball = |side: f64| -> Result<Body, Failure> {
+        let motion = Motion::new([0.5 * side * slip, 0.0, 0.5 * side * APPROACH], [0.0; 3])?;
+        Ok(Body::sphere(RADIUS, steel()?, MASS)?.moving(motion))
+    };
+    Ok(Collision::new(ball(-1.0)?, ball(1.0)?, Friction::new(FRICTION)?)?)
+}
+
+fn rebound(slip: f64) -> Result<Rebound, Failure> {
+    let outcome = collision(slip)?.solve()?;
+    Ok(outcome.rebound().ok_or("the balls approach each other")?.clone())
+}
+
+/// The same balls, spinning against each other about the normal.
+fn spinning(velocity: f64, spin: f64) -> Result<SpinCollision, Failure> {
+    let ball = |side: f64| -> Result<Spinner, Failure> {
+        Ok(Spinner::solid_sphere(MASS, RADIUS)?.spinning(0.5 * side * spin)?)
+    };
+    let hertz = collision(0.0)?.hertz();
+    let friction = Friction::new(FRICTION)?;
+    Ok(SpinCollision::new(&hertz, friction, [ball(1.0)?, ball(-1.0)?], velocity)?)
+}
+
+fn circle(centre: f64) -> Vec<Point> {
+    let point = |angle: f64| Point::new(libm::cos(angle), centre + libm::sin(angle));
+    linspace(0.0, 2.0 * std::f64::consts::PI, 121).into_iter().map(point).collect()
+}
+
+fn arrow(from: (f64, f64), to: (f64, f64)) -> Arrow {
+    Arrow { tail: from.into(), head: to.into() }
+}
+
+/// An arrow round the normal, seen from the side: an ellipse that ends in a head.
+fn turn(height: f64, sense: f64) -> (Vec<Point>, Arrow) {
+    let at =
+        |angle: f64| Point::new(sense * 0.5 * libm::cos(angle), height + 0.16 * libm::sin(angle));
+    let arc: Vec<Point> = linspace(-3.9, 0.5, 60).into_iter().map(at).collect();
+    (arc, Arrow { tail: at(0.3), head: at(1.1) })
+}
+
+fn sketch(title: &str, arrows: Vec<Arrow>) -> Panel {
+    let mut panel =
+        Panel::new(Axis::linear("x/R").between(-2.0, 2.0), Axis::linear("z/R").between(-2.5, 2.5))
+            .titled(title)
+            .equal_aspect();
+    panel.add(Series::line("body 1", circle(1.0)));
+    panel.add(Series::line("body 2", circle(-1.0)));
+    panel.add(Series::dotted("tangential plane", [(-1.8, 0.0), (1.8, 0.0)]));
+    panel.add(Series::arrows("velocities", arrows));
+    panel
+}
+
+fn sketches(figure: &mut Figure) {
+    let towards = [arrow((0.0, 2.0), (0.0, 1.3)), arrow((0.0, -2.0), (0.0, -1.3))];
+    figure.panel(sketch("Normal", towards.to_vec()));
+    let mut oblique = towards.to_vec();
+    oblique.extend([arrow((0.7, 1.0), (-0.3, 1.0)), arrow((-0.7, -1.0), (0.3, -1.0))]);
+    figure.panel(sketch("Tangential", oblique));
+    let (upper, upper_head) = turn(0.75, 1.0);
+    let (lower, lower_head) = turn(-0.75, -1.0);
+    let mut spin = towards.to_vec();
+    spin.extend([upper_head, lower_head]);
+    let mut panel = sketch("Torsional", spin);
+    panel.add(Series::line("spin", upper).coloured(3));
+    panel.add(Series::line("spin", lower).coloured(3));
+    figure.panel(panel);
+}
+
+/// F_z, F_x and M_z in the course of the three impacts, over their greatest possible values.
+fn loads(figure: &mut Figure) -> Result<(), Failure> {
+    let oblique = collision(SLIP)?.history(401)?;
+    let peak = rebound(SLIP)?;
+    let clock = peak.duration;
+    let mut panel = Panel::new(Axis::linear("t/T"), Axis::linear("load over its limit"))
+        .titled("Loads of the three");
+    let over = |scale: f64, value: f64| value / (scale * peak.maximal_force);
+    panel.add(Series::line(
+        "F_z / max F_z",
+        oblique.iter().map(|p| (p.time / clock, over(1.0, p.normal_force))),
+    ));
+    panel.add(Series::line(
+        "F_x / (f max F_z), tangential",
+        oblique.iter().map(|p| (p.time / clock, over(FRICTION, p.tangential_force))),
+    ));
+    let twist = spinning(APPROACH, SPIN)?;
+    let groups = twist.groups()?.ok_or("friction is not zero")?;
+    let times = linspace(0.0, normal::DURATION, 401);
+    let velocities: Vec<f64> = times.iter().map(|&t| normal::state_at(t).velocity).collect();
+    // The torque is M_z (3 pi/32)/(M_sliding Omega) at the greatest sliding torque.
+    let scale = groups.omega() * 32.0 / (3.0 * std::f64::consts::PI);
+    let trace = TorsionalImpact::trace(groups, &velocities)?;
+    panel.add(Series::line(
+        "M_z / max of sliding, torsional",
+        trace.iter().map(|p| (p.time / normal::DURATION, scale * p.torque)),
+    ));
+    figure.panel(panel);
+
+    let shares = trace.iter().map(|p| (scale * p.torque).abs() - p.radius.powi(4));
+    let excess = shares.fold(f64::NEG_INFINITY, f64::max);
+    figure.claim(
+        Claim::at_most(
+            "M_z never exceeds that of sliding, (a/a_max)⁴ of its maximum",
+            excess,
+            1e-9,
+        )
+        .source("Coulomb: 3π/16 f F_z a"),
+    );
+    let starts = trace.iter().map(|p| f64::from(u8::from(p.phase != TorsionalPhase::Adhesion)));
+    let first: Vec<f64> = starts.collect();
+    let changes = first.windows(2).filter(|pair| pair[0] != pair[1]).count();
+    figure.claim(
+        Claim::holds(
+            "the torsional impact too begins in adhesion and goes on in slip",
+            first[0] == 0.0 && first[399] == 1.0 && changes == 1,
+            changes as f64,
+        )
+        .source("text above the figure"),
+    );
+    Ok(())
+}
+
+fn normal_claims(figure: &mut Figure) -> Result<(), Failure> {
+    let straight = rebound(0.0)?;
+    let [one, two] = straight.motions;
+    let kept = (one.velocity.z - 0.5 * APPROACH).abs().max((two.velocity.z + 0.5 * APPROACH).abs());
+    figure.claim(
+        Claim::at_most("the normal impact is reversible: the balls exchange velocities", kept, 0.0)
+            .source("text below the figure"),
+    );
+    // Hertz's formulas with E*, R* and m*.
+    let (modulus, radius, mass) =
+        (YOUNG / (2.0 * (1.0 - POISSON * POISSON)), 0.5 * RADIUS, 0.5 * MASS);
+    let deepest =
+        libm::pow(15.0 * mass * APPROACH * APPROACH / (16.0 * modulus * radius.sqrt()), 0.4);
+    let force = 4.0 / 3.0 * modulus * radius.sqrt() * deepest * deepest.sqrt();
+    figure.claim(
+        Claim::all_close(
+            "greatest approach and force of the normal impact",
+            [(straight.maximal_approach, deepest), (straight.maximal_force, force)],
+            Tolerance::Relative(1e-13),
+        )
+        .source("Hertz's formulas with E*, R*, m*"),
+    );
+    figure.claim(
+        Claim::at_most(
+            "a/R of this impact is below Hertz's 1/10",
+            straight.maximal_radius / RADIUS,
+            0.1,
+        )
+        .source("text below the figure"),
+    );
+    Ok(())
+}
+
+fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
+    let oblique = rebound(SLIP)?;
+    let regimes: Vec<&str> = oblique.log.iter().map(|entry| entry.regime.name()).collect();
+    figure.claim(
+        Claim::holds(
+            format!("the tangential impact goes: {}", regimes.join(", ")),
+            regimes.first() == Some(&"adhesion")
+                && regimes.get(1).is_some_and(|name| name.starts_with("slip"))
+                && regimes.last().is_some_and(|name| name.starts_with("slide")),
+            regimes.len() as f64,
+        )
+        .source("text below the figure: adhesion, partial slip, complete sliding at the end"),
+    );
+    let kappa = (2.0 - POISSON) / (2.0 * (1.0 - POISSON));
+    let stepped = spring_impact::restitution(3.5 / kappa, 1.0 / kappa);
+    figure.claim(
+        Claim::close(
+            "R_x of the tangential impact",
+            oblique.tangential_restitution,
+            stepped,
+            Tolerance::Absolute(5e-6),
+        )
+        .source("springs with sliders, stepped in time"),
+    );
+    let [one, _] = oblique.motions;
+    let turned = one.spin.norm() * oblique.duration;
+    figure.claim(
+        Claim::at_most("the balls turn by little during the impact: ω T", turned, 1e-3)
+            .source("condition T << 1/ω above the figure"),
+    );
+    Ok(())
+}
+
+/// The spin ratio by Newton's equations, stepped in time with the law of the torsion.
+fn stepped_spin(velocity: f64, spin: f64, steps: usize) -> Result<f64, Failure> {
+    let hertz = collision(0.0)?.hertz();
+    let mut law = TorsionLaw::new(&hertz, Friction::new(FRICTION)?)?;
+    let (mass, inertia) = (0.5 * MASS, 0.2 * MASS * RADIUS * RADIUS);
+    let dt = spinning(velocity, spin)?.normal().duration() / steps as f64;
+    let (mut zeta, mut omega) = (0.0, 0.0);
+    let (mut speed, mut rate) = (velocity, spin);
+    for _ in 0..2 * steps {
+        zeta += 0.5 * dt * speed;
+        omega += 0.5 * dt * rate;
+        let load = law.advance(Shift { zeta, omega, ..Shift::default() })?;
+        speed -= dt * load.f_z / mass;
+        rate -= dt * load.m_z / inertia;
+        zeta += 0.5 * dt * speed;
+        omega += 0.5 * dt * rate;
+        if zeta <= 0.0 {
+            return Ok(rate / spin);
+        }
+    }
+    Err("the stepped impact does not end".into())
+}
+
+fn torsional_claims(figure: &mut Figure) -> Result<(), Failure> {
+    let outcome = spinning(APPROACH, SPIN)?.solve()?;
+    figure.claim(
+        Claim::close(
+            "spin after over spin before, torsional impact",
+            outcome.spin_ratio,
+            stepped_spin(APPROACH, SPIN, 2000)?,
+            Tolerance::Absolute(1e-6),
+        )
+        .source("Newton's equations stepped in time with Lubkin's law"),
+    );
+    // Omega, the spin over the velocity times the contact radius, is kept.
+    let base = spinning(APPROACH, SPIN)?;
+    let loss = |velocity: f64| -> Result<(f64, f64), Failure> {
+        let radius = spinning(velocity, SPIN)?.contact_radius();
+        let spin = SPIN * velocity * base.contact_radius() / (APPROACH * radius);
+        let share = radius / RADIUS;
+        Ok(((1.0 - spinning(velocity, spin)?.solve()?.spin_ratio) / (share * share), share))
+    };
+    let (slow, _) = loss(0.001 * APPROACH)?;
+    let shares: Result<Vec<f64>, Failure> =
+        [0.03, 0.3, 1.0].iter().map(|v| Ok(loss(v * APPROACH)?.0)).collect();
+    figure.claim(
+        Claim::all_close(
+            "the loss of spin goes with (a/R)², from 1 mm/s to 1 m/s",
+            shares?.into_iter().map(|share| (share, slow)),
+            Tolerance::Relative(0.02),
+        )
+        .source("text beside the figure"),
+    );
+    Ok(())
+}
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.stated("types", "normal, tangential, torsional");
+    figure.assumed("bodies", "two steel balls: R = 10 mm, E = 208 GPa, ν = 0.3, 32.9 g, f = 0.15");
+    figure.assumed("motion", "1 m/s along the normal; slip 0.15 m/s (λ = 1); spin 100 rad/s");
+    sketches(&mut figure);
+    loads(&mut figure)?;
+    normal_claims(&mut figure)?;
+    tangential_claims(&mut figure)?;
+    torsional_claims(&mut figure)?;
+    figure.deviation(
+        "(a/R)² = ζ_MAX/R",
+        "(a/R)² = ζ_MAX/(2R) for two equal balls, ζ their approach",
+        "as printed for a ball on a plane, or with ζ the displacement of one of two balls",
+    );
+    Ok(figure)
+}

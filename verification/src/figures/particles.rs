@@ -1,0 +1,25 @@
+//! Published tests of particle codes at the impact of one particle (Chung and Ooi 2011); not in the
+//! thesis.
+//!
+//! Points were read off the printed figures; those of Chung and Ooi, and of Kharaz, Gorham and
+//! Salman's measurements as they show them, by the authors of the DEMApplication of Kratos
+//! (BSD licence), who keep them beside its tests. Reading errors are about 1 % of an axis.
+
+use crate::catalogue::Entry;
+
+mod alumina;
+mod dem;
+mod normal;
+mod shear;
+mod spin;
+
+/// The pages.
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry::check("particles.normal", "Particle tests 1 and 2: elastic normal impact")
+        .by(normal::draw),
+    Entry::check("particles.alumina", "Particle test 4: an alumina ball at all angles")
+        .by(alumina::draw),
+    Entry::check("particles.shear", "Particle test 5: one normal velocity, all slips")
+        .by(shear::draw),
+    Entry::check("particles.spin", "Particle tests 6 and 7: impacts with spin").by(spin::draw),
+];

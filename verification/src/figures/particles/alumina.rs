@@ -1,0 +1,256 @@
+//! Test 4: an alumina ball of 5 mm hits a plane at 3.9 m/s and all angles.
+
+use carom_halfspace::Material;
+use carom_impact::oblique::Groups;
+use carom_impact::restitution::with_normal_restitution;
+use carom_impact::{Body, Collision, Motion};
+use carom_laws::friction::Friction;
+
+use super::super::Failure;
+use super::dem::{self, Ball, Contact, Substance};
+use crate::linspace;
+use crate::reference::rows;
+use crate::{Axis, Cell, Claim, Figure, FigureResult, Marker, Panel, Series, Table, Tolerance};
+
+const ALUMINA: Substance = Substance { young: 380e9, poisson: 0.23, density: 4000.0 };
+const RADIUS: f64 = 0.0025;
+const SPEED: f64 = 3.9;
+const FRICTION: f64 = 0.092;
+const MEASURED_RESTITUTION: f64 = 0.98;
+
+/// The ball after the impact: along the surface, along the normal, spin.
+#[derive(Clone, Copy)]
+struct After {
+    tangential: f64,
+    normal: f64,
+    /// In the sense of rolling forward.
+    spin: f64,
+}
+
+impl After {
+    /// Angle of the contact point against the normal, in degrees; forward is positive.
+    fn contact_angle(self) -> f64 {
+        let slip = self.tangential - RADIUS * self.spin;
+        libm::atan2(slip, self.normal).to_degrees()
+    }
+}
+
+/// Speeds along the surface and towards it, at this angle from the normal in degrees.
+fn speeds(angle: f64) -> [f64; 2] {
+    let (sin, cos) = libm::sincos(angle.to_radians());
+    [SPEED * sin, SPEED * cos]
+}
+
+fn exact(angle: f64) -> Result<After, Failure> {
+    let [tangential, normal] = speeds(angle);
+    let material = Material::from_young(ALUMINA.young, ALUMINA.poisson)?;
+    let ball = Body::sphere(RADIUS, material, Ball::solid(RADIUS, ALUMINA).mass)?
+        .moving(Motion::new([tangential, 0.0, -normal], [0.0; 3])?);
+    let plane = Body::plane(Material::RIGID);
+    let outcome = Collision::new(ball, plane, Friction::new(FRICTION)?)?.solve()?;
+    let [ball, _] = outcome.motions();
+    Ok(After { tangential: ball.velocity.x, normal: ball.velocity.z, spin: ball.spin.y })
+}
+
+/// The same with a normal restitution, by its engineering rule.
+fn inelastic(angle: f64) -> Result<After, Failure> {
+    let [tangential, normal] = speeds(angle);
+    let kappa = (2.0 - ALUMINA.poisson) / (2.0 * (1.0 - ALUMINA.poisson));
+    let groups = Groups::of_spheres(kappa, tangential / (FRICTION * normal))?;
+    let restitution = with_normal_restitution(groups, MEASURED_RESTITUTION)?;
+    // The impulse changes the slip by 7/2 of what it changes the velocity.
+    let change = 2.0 / 7.0 * (1.0 + restitution) * tangential;
+    Ok(After {
+        tangential: tangential - change,
+        normal: MEASURED_RESTITUTION * normal,
+        spin: 2.5 * change / RADIUS,
+    })
+}
+
+fn stepped(angle: f64) -> After {
+    let [tangential, normal] = speeds(angle);
+    let ball = Ball::solid(RADIUS, ALUMINA).moving([tangential, -normal], 0.0);
+    let course = dem::collide([ball, Ball::PLANE], Contact::on_rigid(ALUMINA, FRICTION));
+    let [ball, _] = course.balls;
+    After { tangential: ball.velocity[0], normal: ball.velocity[1], spin: ball.spin }
+}
+
+struct Published {
+    measured: Vec<[f64; 2]>,
+    code: Vec<[f64; 2]>,
+    code_restitution: Vec<[f64; 2]>,
+    code_spin: Vec<[f64; 2]>,
+}
+
+impl Published {
+    fn read() -> Result<Self, Failure> {
+        Ok(Self {
+            measured: rows(include_str!("../../../data/particles/alumina_measured.csv"))?,
+            code: rows(include_str!("../../../data/particles/alumina_code.csv"))?,
+            code_restitution: rows(include_str!(
+                "../../../data/particles/alumina_code_restitution.csv"
+            ))?,
+            code_spin: rows(include_str!("../../../data/particles/alumina_code_spin.csv"))?,
+        })
+    }
+}
+
+fn markers(label: &str, marker: Marker, points: &[[f64; 2]]) -> Series {
+    Series::markers(label, marker, points.iter().map(|[x, y]| (*x, *y)))
+}
+
+fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
+    let angles = linspace(1.0, 87.0, 173);
+    let elastic: Result<Vec<After>, Failure> = angles.iter().map(|&a| exact(a)).collect();
+    let damped: Result<Vec<After>, Failure> = angles.iter().map(|&a| inelastic(a)).collect();
+    let (elastic, damped) = (elastic?, damped?);
+    let line = |states: &[After], value: fn(&After) -> f64| -> Vec<(f64, f64)> {
+        angles.iter().copied().zip(states.iter().map(value)).collect()
+    };
+    let incidence = || Axis::linear("angle of incidence / degrees");
+    let mut panel = Panel::new(incidence(), Axis::linear("rebound of the contact point / degrees"))
+        .titled("Angle of rebound");
+    panel.add(Series::line("carom, e = 1", line(&elastic, |a| a.contact_angle())));
+    panel.add(Series::dashed("carom, e = 0.98", line(&damped, |a| a.contact_angle())));
+    panel.add(markers("measured (Kharaz et al.)", Marker::Dot, &published.measured));
+    panel.add(markers("particle code", Marker::Circle, &published.code));
+    figure.panel(panel);
+
+    let mut panel = Panel::new(incidence(), Axis::linear("v_t' / v_t of the centre"))
+        .titled("Tangential restitution of the centre");
+    let ratios =
+        angles.iter().zip(&elastic).map(|(&a, after)| (a, after.tangential / speeds(a)[0]));
+    panel.add(Series::line("carom, e = 1", ratios));
+    panel.add(markers("particle code", Marker::Circle, &published.code_restitution).coloured(3));
+    figure.panel(panel);
+
+    let mut panel = Panel::new(incidence(), Axis::linear("spin / (rad/s)")).titled("Spin after");
+    panel.add(Series::line("carom, e = 1", line(&elastic, |a| a.spin)));
+    let spins = published.code_spin.iter().map(|[x, y]| [*x, -y]).collect::<Vec<_>>();
+    panel.add(markers("particle code", Marker::Circle, &spins).coloured(3));
+    figure.panel(panel);
+    Ok(())
+}
+
+/// Straight between the points; none outside.
+fn interpolated(points: &[[f64; 2]], x: f64) -> Option<f64> {
+    let pair = points.windows(2).find(|pair| pair[0][0] <= x && x <= pair[1][0])?;
+    let part = (x - pair[0][0]) / (pair[1][0] - pair[0][0]);
+    Some(pair[0][1] + part * (pair[1][1] - pair[0][1]))
+}
+
+fn measured_table(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
+    let mut table = Table::new(
+        "Rebound of the contact point at the measured angles, in degrees",
+        ["incidence", "measured", "carom, e = 1", "carom, e = 0.98", "particle code"],
+    );
+    for &[angle, rebound] in &published.measured {
+        let code = interpolated(&published.code, angle);
+        table.row([
+            Cell::from(angle),
+            rebound.into(),
+            exact(angle)?.contact_angle().into(),
+            inelastic(angle)?.contact_angle().into(),
+            code.map_or_else(|| "no point".into(), Cell::from),
+        ]);
+    }
+    figure.table(table);
+    Ok(())
+}
+
+fn published_claims(figure: &mut Figure, published: &Published) {
+    // v_t' = v_t - f (1 + e) v_n, and the spin of the same impulse.
+    let change = |angle: f64| FRICTION * (1.0 + MEASURED_RESTITUTION) * speeds(angle)[1];
+    let restitutions = published.code_restitution.iter().filter(|[angle, _]| *angle > 34.0);
+    let restitutions =
+        restitutions.map(|&[angle, ratio]| (1.0 - change(angle) / speeds(angle)[0], ratio));
+    let spins = published.code_spin.iter().filter(|[angle, _]| *angle > 34.0);
+    let spins = spins.map(|&[angle, spin]| (2.5 * change(angle) / RADIUS / 600.0, -spin / 600.0));
+    figure.claim(
+        Claim::all_close(
+            "published code from 35° on: v_t'/v_t, and spin over 600/s, in complete sliding",
+            restitutions.chain(spins).collect::<Vec<_>>(),
+            Tolerance::Absolute(0.01),
+        )
+        .source("impulse f (1 + e) m v_n; Chung and Ooi 2011, read off the figures"),
+    );
+}
+
+fn exact_claims(figure: &mut Figure) -> Result<(), Failure> {
+    let printed = [
+        (5.0, 0.741_57, 87.84),
+        (10.0, 0.639_95, 243.84),
+        (20.0, 0.593_62, 542.06),
+        (30.0, 0.681_30, 621.46),
+        (40.0, 0.780_72, 549.71),
+        (60.0, 0.893_77, 358.80),
+        (80.0, 0.967_56, 124.61),
+    ];
+    let (mut ratios, mut spins, mut steps) = (Vec::new(), Vec::new(), Vec::new());
+    for (angle, ratio, spin) in printed {
+        let (after, step) = (exact(angle)?, stepped(angle));
+        ratios.push((after.tangential / speeds(angle)[0], ratio));
+        spins.push((after.spin, spin));
+        steps.push((after.tangential / SPEED, step.tangential / SPEED));
+        steps.push((after.normal / SPEED, step.normal / SPEED));
+        steps.push((RADIUS * after.spin / SPEED, RADIUS * step.spin / SPEED));
+    }
+    figure.claim(
+        Claim::all_close("v_t'/v_t at seven angles", ratios, Tolerance::Absolute(5.1e-6))
+            .source("independent program, five decimals"),
+    );
+    figure.claim(
+        Claim::all_close("spin at seven angles", spins, Tolerance::Absolute(5.1e-3))
+            .source("independent program, two decimals"),
+    );
+    figure.claim(
+        Claim::all_close("velocities and spin at seven angles", steps, Tolerance::Absolute(1e-6))
+            .source("particle code of springs, stepped in time"),
+    );
+    let mut sliding = Vec::new();
+    for angle in [32.0, 40.0, 50.0, 65.0, 85.0] {
+        let ([tangential, normal], after) = (speeds(angle), exact(angle)?);
+        let change = 2.0 * FRICTION * normal;
+        sliding.push((after.tangential, tangential - change));
+        sliding.push((RADIUS * after.spin, 2.5 * change));
+    }
+    figure.claim(
+        Claim::all_close("complete sliding from 32° on", sliding, Tolerance::Absolute(1e-13))
+            .source("impulse 2 f m v_n"),
+    );
+    let mut energy = f64::INFINITY;
+    for angle in linspace(1.0, 89.0, 89) {
+        let after = exact(angle)?;
+        let turning = 0.4 * RADIUS * RADIUS * after.spin * after.spin;
+        let kept = after.tangential * after.tangential + after.normal * after.normal + turning;
+        energy = energy.min(1.0 - kept / (SPEED * SPEED));
+    }
+    figure.claim(Claim::at_least("energy lost, the least from 1° to 89°", energy, 0.0));
+    Ok(())
+}
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure
+        .stated("ball", "alumina, R = 2.5 mm, E = 380 GPa, ν = 0.23, 4000 kg/m³, on a rigid plane");
+    figure.stated("motion", "3.9 m/s, no spin, f = 0.092, e = 0.98");
+    figure.assumed("e", "1 where carom is exact; 0.98 by its rule (1 + e)/2 for comparison");
+    let published = Published::read()?;
+    panels(&mut figure, &published)?;
+    exact_claims(&mut figure)?;
+    published_claims(&mut figure, &published);
+    measured_table(&mut figure, &published)?;
+    figure.deviation(
+        "particle code below 25°: v_t'/v_t up to 0.95",
+        "0.74 at 5°, 0.64 at 10°, 0.59 at 20°",
+        "its tangential spring has no partial slip; the difference is all below 30°, where the \
+         contact sticks",
+    );
+    figure.deviation(
+        "measured on thick glass",
+        "computed for a rigid plane, as the test has it; up to 2.7° away, shown without a tolerance",
+        "alumina on glass has another κ and couples normal and tangential displacements; e and f \
+         of single impacts differ",
+    );
+    Ok(figure)
+}

@@ -1,0 +1,13 @@
+//! The oblique impact seen as a whole: its regimes and its angle of rebound; not in the thesis.
+
+use crate::catalogue::Entry;
+
+mod angles;
+mod regimes;
+
+/// The two pages.
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry::check("rebound.regimes", "Which regimes an oblique impact goes through")
+        .by(regimes::draw),
+    Entry::check("rebound.angles", "Angle of rebound against angle of incidence").by(angles::draw),
+];
