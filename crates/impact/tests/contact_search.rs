@@ -1,6 +1,7 @@
 //! The search for the nearest points of two bodies, against walks over both surfaces, closed
 //! forms and rigid motion.
 
+mod random;
 mod shapes;
 
 use carom_impact::{
@@ -10,6 +11,7 @@ use carom_impact::{
 use carom_laws::curvature::{CurvatureError, PrincipalRadii};
 use carom_laws::friction::Friction;
 use nalgebra::Vector3;
+use random::{Numbers, steel};
 use shapes::*;
 
 // Two bodies in any attitude, 0.05 apart.

@@ -1,6 +1,6 @@
 //! Surfaces with their parametrisations, and the distance between two by walking over both.
 
-use carom_halfspace::Material;
+use crate::random::{Numbers, steel};
 use carom_impact::{Attitude, Inertia, PlacedBody, Side, Surface};
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
@@ -132,10 +132,6 @@ pub(crate) fn plane() -> Shape {
     shape("plane", Surface::plane(), |u, v| Vector3::new(12.0 * u - 6.0, 12.0 * v - 6.0, 0.0))
 }
 
-pub(crate) fn steel() -> Material {
-    Material::from_shear(80e9, 0.3).unwrap()
-}
-
 pub(crate) fn placed(shape: &Shape, centre: Vector3<f64>, attitude: Attitude) -> PlacedBody {
     let inertia = Inertia::new(1.0, [1.0, 1.1, 1.2]).unwrap();
     let inertia = if shape.name == "plane" { Inertia::FIXED } else { inertia };
@@ -143,31 +139,6 @@ pub(crate) fn placed(shape: &Shape, centre: Vector3<f64>, attitude: Attitude) ->
         .turned(attitude)
         .at(centre.into())
         .unwrap()
-}
-
-/// Numbers from 0 to 1, the same in every run (splitmix64).
-pub(crate) struct Numbers(pub(crate) u64);
-
-impl Numbers {
-    pub(crate) fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_add(0x9E37_79B9_7F4A_7C15);
-        let mut z = self.0;
-        z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
-        z = (z ^ (z >> 27)).wrapping_mul(0x94D0_49BB_1331_11EB);
-        ((z ^ (z >> 31)) >> 11) as f64 / (1_u64 << 53) as f64
-    }
-
-    pub(crate) fn between(&mut self, low: f64, high: f64) -> f64 {
-        low + (high - low) * self.next()
-    }
-
-    pub(crate) fn direction(&mut self) -> Vector3<f64> {
-        ray(self.next(), self.between(-1.0, 1.0).acos() / PI)
-    }
-
-    pub(crate) fn attitude(&mut self) -> Attitude {
-        Attitude::about(self.direction().into(), self.between(0.0, PI)).unwrap()
-    }
 }
 
 /// The distance of two surfaces that lie apart, by a coarse net over both and a walk with ever
