@@ -283,6 +283,28 @@ fn the_unit_of_length_does_not_matter() {
     }
 }
 
+// Needles and discs, semi-axes apart by factors up to 1e4: they touch at the origin by their
+// supports, so that the gap is none.
+#[test]
+fn thin_ellipsoids_are_not_lost() {
+    let mut numbers = Numbers(11);
+    for _ in 0..1000 {
+        let normal = numbers.direction();
+        let [one, two] = [-normal, normal].map(|outward| {
+            let axes = [(); 3].map(|()| 10_f64.powf(numbers.between(-2.0, 2.0)));
+            let turn = numbers.attitude();
+            let scaled = Vector3::from(axes).component_mul(&turn.to_body(&outward));
+            let support = turn.to_space(&Vector3::from(axes).component_mul(&scaled));
+            let centre = -support / scaled.norm();
+            body(Surface::ellipsoid(axes).unwrap(), centre.into()).turned(turn)
+        });
+        let near = nearest_points(&one, &two).unwrap();
+        let size = one.surface().size().min(two.surface().size());
+        assert!(near.gap.abs() < 1e-10 * size, "{near:?} {one:?} {two:?}");
+        assert!(near.points[0].norm() < 1e-8 * size, "{near:?} {one:?} {two:?}");
+    }
+}
+
 #[test]
 fn cylinders_touch_with_side_lid_and_edge() {
     let rod = |centre| body(Surface::cylinder(0.5, 2.0).unwrap(), centre);

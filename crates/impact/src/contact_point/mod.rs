@@ -179,7 +179,8 @@ pub(crate) fn nearest(one: &Placed<'_>, two: &Placed<'_>) -> Result<Nearest, Sea
     if let (Kind::Ellipsoid { semi_axes: axes_1 }, Kind::Ellipsoid { semi_axes: axes_2 }) =
         (one.surface.kind(), two.surface.kind())
     {
-        return separate::separate((one, axes_1), (two, axes_2));
+        let found = separate::separate((one, axes_1), (two, axes_2));
+        return apart_or_again(found, one, two);
     }
     let (target_1, target_2) = (prepared(one, 1)?, prepared(two, 2)?);
     let found = match (parts::swept(one), parts::swept(two)) {
@@ -192,6 +193,30 @@ pub(crate) fn nearest(one: &Placed<'_>, two: &Placed<'_>) -> Result<Nearest, Sea
     };
     let (one, two) = (one.surface.name(), two.surface.name());
     found.ok_or(SearchError::NothingFound { one, two })
+}
+
+// A separating direction proves itself. Where none was found the ellipsoids overlap, or they are
+// so thin that the search for it was lost: sliding one over the other tells. If they do not
+// overlap there is one place only where they face each other.
+fn apart_or_again(
+    found: Result<Nearest, SearchError>,
+    one: &Placed<'_>,
+    two: &Placed<'_>,
+) -> Result<Nearest, SearchError> {
+    let slack = 1e-12 * one.surface.size().min(two.surface.size());
+    if found.is_ok_and(|near| near.gap >= -slack) {
+        return found;
+    }
+    let (target_1, target_2) = (Target::new(one), Target::new(two));
+    let mut touches = slide::slide(&target_1, &target_2);
+    touches.extend(slide::slide(&target_2, &target_1).into_iter().map(Touch::exchanged));
+    let facing = |near: &Nearest| {
+        let normals = (one.local(&near.points[0])?.normal(), two.local(&near.points[1])?.normal());
+        Some(normals.0.dot(&normals.1) < 0.0)
+    };
+    let near = touches.into_iter().map(|touch| touch.near).filter(|n| facing(n) == Some(true));
+    let best = near.chain(found.ok()).max_by(|a, b| a.gap.total_cmp(&b.gap));
+    best.map_or(found, Ok)
 }
 
 fn searchable(one: &Placed<'_>, two: &Placed<'_>) -> Result<(), SearchError> {

@@ -8,6 +8,9 @@ use crate::surface::{invert_in_plane, support_of_ellipsoid};
 
 const MAX_STEPS: usize = 200;
 
+/// Longest turn of the direction in a step, radians.
+const LONGEST_STEP: f64 = 0.3;
+
 /// A placed ellipsoid by its semi-axes.
 pub(super) type Egg<'a> = (&'a Placed<'a>, &'a Vector3<f64>);
 
@@ -41,7 +44,9 @@ pub(super) fn separate(one: Egg<'_>, two: Egg<'_>) -> Result<Nearest, SearchErro
         }
         let step = invert_in_plane(&turning, now.gap.max(0.0), &normal)
             .map_or(gradient / size, |inverse| inverse * gradient);
-        let mut share = 1.0;
+        // A thin ellipsoid barely turns its supports: Newton's step may go round the sphere.
+        let mut share = (LONGEST_STEP / step.norm()).min(1.0);
+        let smallest = 1e-9 * share;
         let better = loop {
             let next = (normal + step * share).normalize();
             let (trial, trial_turning) = supports(one, two, &next);
@@ -50,7 +55,7 @@ pub(super) fn separate(one: Egg<'_>, two: Egg<'_>) -> Result<Nearest, SearchErro
                 break Some((next, trial, trial_turning));
             }
             share *= 0.5;
-            if share < 1e-9 {
+            if share < smallest {
                 break None;
             }
         };

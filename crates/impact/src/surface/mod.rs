@@ -141,7 +141,8 @@ impl Surface {
     }
 
     /// The surface f(a, b, c) = 0 of a body in which f < 0, with derivatives by five-point
-    /// differences over 1/400 of `size` (relative accuracy about 1e-10).
+    /// differences over 1/400 of `size` (relative accuracy about 1e-10). A search for the contact
+    /// looks for it within four sizes of the origin.
     ///
     /// ```
     /// use carom_impact::Surface;
@@ -178,7 +179,8 @@ impl Surface {
     }
 
     /// The surface c(a, b) of a body on the given side of it, with derivatives by differences as
-    /// in [`Surface::implicit`].
+    /// in [`Surface::implicit`]. Where c is not finite there is no surface. A search for the
+    /// contact begins over |a|, |b| <= 2 sizes and next to the other body.
     ///
     /// # Errors
     /// [`RangeError`] unless the size is finite and positive.
