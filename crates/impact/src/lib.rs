@@ -28,7 +28,7 @@ pub mod uncertain;
 pub use attitude::{Attitude, angle_matrix};
 pub use body::{Body, Inertia, Motion, Shape, kinetic_energy};
 pub use collision::{Collision, CollisionError};
-pub use contact_point::{SearchError, TOUCH_TOLERANCE};
+pub use contact_point::{Certainty, NearestPoints, SearchError, TOUCH_TOLERANCE, nearest_points};
 pub use encounter::{Encounter, EncounterError, PlacedBody};
 pub use frame::{ContactFrame, FrameError};
 pub use mobility::{Lever, Mobility};

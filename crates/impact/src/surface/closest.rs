@@ -2,11 +2,14 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::evaluate::ellipsoid;
+use super::least::Objective;
 use super::{Kind, Surface};
 
 /// Iterations after which a search gives up.
 const MAX_STEPS: usize = 100;
+
+/// How many of the given starts are followed.
+const FOLLOWED: usize = 3;
 
 /// A surface point, the outward normal and the signed distance along it to the point asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,13 +26,22 @@ pub(crate) struct Support {
     pub(crate) turning: Matrix3<f64>,
 }
 
+/// The farthest point of an ellipsoid in the unit direction.
+pub(crate) fn support_of_ellipsoid(semi_axes: &Vector3<f64>, direction: &Vector3<f64>) -> Support {
+    let squared = semi_axes.component_mul(semi_axes);
+    let reach = semi_axes.component_mul(direction).norm();
+    let point = squared.component_mul(direction) / reach;
+    let turning = (Matrix3::from_diagonal(&squared) - point * point.transpose()) / reach;
+    Support { point, turning }
+}
+
 impl Surface {
     /// The surface point closest to `from`; none if the search fails or the surface is known at
-    /// one point only.
-    pub(crate) fn closest(&self, from: &Vector3<f64>) -> Option<Closest> {
+    /// one point only. `starts` are points of an implicit or explicit surface; others need none.
+    pub(crate) fn closest(&self, from: &Vector3<f64>, starts: &[Vector3<f64>]) -> Option<Closest> {
         match self.kind() {
             Kind::Sphere { radius } => Some(around(&Vector3::zeros(), *radius, from)),
-            Kind::Ellipsoid { semi_axes } => closest_on_ellipsoid(semi_axes, from),
+            Kind::Ellipsoid { semi_axes } => Some(closest_on_ellipsoid(semi_axes, from)),
             Kind::Plane => {
                 let point = Vector3::new(from.x, from.y, 0.0);
                 Some(Closest { point, normal: Vector3::z(), distance: from.z })
@@ -51,142 +63,42 @@ impl Surface {
                 Some(around(&(outward * *major), *minor, from))
             }
             Kind::Box { half } => Some(closest_on_box(half, from)),
-            Kind::Implicit { .. } | Kind::Explicit { .. } => self.closest_by_newton(from),
+            Kind::Implicit { .. } | Kind::Explicit { .. } => self.closest_of_some(from, starts),
             Kind::Given { .. } => None,
         }
     }
 
-    /// The farthest point in the unit direction, of smooth convex surfaces and the torus.
-    pub(crate) fn support(&self, direction: &Vector3<f64>) -> Option<Support> {
-        match self.kind() {
-            Kind::Sphere { radius } => {
-                Some(Support { point: direction * *radius, turning: Matrix3::identity() * *radius })
+    // The nearest of the minima of |p - from| that the nearest starts lead to.
+    fn closest_of_some(&self, from: &Vector3<f64>, starts: &[Vector3<f64>]) -> Option<Closest> {
+        let mut nearest = [(f64::INFINITY, Vector3::zeros()); FOLLOWED];
+        let mut consider = |start: &Vector3<f64>| {
+            let mut entry = ((start - from).norm(), *start);
+            for kept in &mut nearest {
+                if entry.0 < kept.0 {
+                    std::mem::swap(&mut entry, kept);
+                }
             }
-            Kind::Ellipsoid { semi_axes } => {
-                let squared = semi_axes.component_mul(semi_axes);
-                let reach = semi_axes.component_mul(direction).norm();
-                let point = squared.component_mul(direction) / reach;
-                let turning =
-                    (Matrix3::from_diagonal(&squared) - point * point.transpose()) / reach;
-                Some(Support { point, turning })
-            }
-            Kind::Torus { major, minor } => {
-                let flat = Vector3::new(direction.x, direction.y, 0.0);
-                let outward = flat.try_normalize(0.0).unwrap_or(Vector3::x());
-                let point = outward * *major + direction * *minor;
-                Some(Support { point, turning: Matrix3::identity() * *minor })
-            }
-            Kind::Implicit { size, .. } => self.support_by_newton(direction, *size),
-            _ => None,
-        }
+        };
+        starts.iter().for_each(&mut consider);
+        self.starts_around(from).iter().for_each(&mut consider);
+        let followed = nearest.iter().filter(|(distance, _)| distance.is_finite());
+        followed
+            .filter_map(|(_, start)| self.closest_from(start, from))
+            .min_by(|one, two| one.distance.abs().total_cmp(&two.distance.abs()))
     }
 
-    /// The straight core segment's half-length and the radius around it, along axis c.
-    pub(crate) fn core(&self) -> Option<(f64, f64)> {
-        match self.kind() {
-            Kind::Sphere { radius } => Some((0.0, *radius)),
-            Kind::Capsule { radius, half_length } | Kind::Cylinder { radius, half_length } => {
-                Some((*half_length, *radius))
-            }
-            _ => None,
-        }
+    fn closest_from(&self, start: &Vector3<f64>, from: &Vector3<f64>) -> Option<Closest> {
+        let scale = self.size() + from.norm();
+        let half_square = |point: &Vector3<f64>| {
+            let off = point - from;
+            let (value, noise) = (0.5 * off.norm_squared(), 1e-15 * scale * scale);
+            Some(Objective { value, gradient: off, hessian: Matrix3::identity(), noise })
+        };
+        let least = self.least(start, 1e-15 * scale, half_square)?;
+        let (point, normal) = (least.local.point(), least.local.normal());
+        let distance = (from - point).dot(&normal);
+        (least.rest <= 1e-8 * scale).then_some(Closest { point, normal, distance })
     }
-
-    // Alternates a step to the tangent plane with one along it, until the normal points at `from`.
-    fn closest_by_newton(&self, from: &Vector3<f64>) -> Option<Closest> {
-        let mut point = self.descend(from)?;
-        let tight = 1e-14 * (self.size() + from.norm());
-        for _ in 0..MAX_STEPS {
-            let local = self.local(&point).ok()?;
-            let normal = local.normal();
-            let off = from - point;
-            let distance = off.dot(&normal);
-            let tangent = off - normal * distance;
-            if tangent.norm() <= tight {
-                return Some(Closest { point, normal, distance });
-            }
-            // d(tangent)/d(point) = -(I + distance * S) in the tangent plane.
-            let step = tangent_solve(&local.shape_operator(), distance, &normal, &tangent)?;
-            let limited = step * (0.3 * self.size() / step.norm()).min(1.0);
-            point = self.descend(&(point + limited))?;
-        }
-        None
-    }
-
-    // Newton's iteration for f = 0 along the gradient.
-    fn descend(&self, from: &Vector3<f64>) -> Option<Vector3<f64>> {
-        let mut point = *from;
-        for _ in 0..MAX_STEPS {
-            let (value, gradient) = self.value_and_gradient(&point)?;
-            let step = gradient * (value / gradient.norm_squared());
-            if !step.norm().is_finite() {
-                return None;
-            }
-            point -= step * (0.5 * self.size() / step.norm().max(f64::MIN_POSITIVE)).min(1.0);
-            if step.norm() <= 1e-14 * self.size() {
-                return Some(point);
-            }
-        }
-        // Rounding may keep the last digits moving.
-        self.local(&point).is_ok().then_some(point)
-    }
-
-    fn value_and_gradient(&self, point: &Vector3<f64>) -> Option<(f64, Vector3<f64>)> {
-        match self.kind() {
-            Kind::Implicit { function, .. } => {
-                let jet = function.at(point);
-                Some((jet.value, jet.gradient))
-            }
-            Kind::Explicit { function, side, .. } => {
-                let height = function.at(&[point.x, point.y]);
-                let sign = if *side == super::Side::Above { 1.0 } else { -1.0 };
-                let gradient = Vector3::new(height.c_a, height.c_b, -1.0);
-                Some((sign * (height.c - point.z), gradient * sign))
-            }
-            Kind::Ellipsoid { semi_axes } => {
-                let jet = ellipsoid(semi_axes, point);
-                Some((jet.value, jet.gradient))
-            }
-            _ => None,
-        }
-    }
-
-    fn support_by_newton(&self, direction: &Vector3<f64>, size: f64) -> Option<Support> {
-        let mut point = self.descend(&(direction * size))?;
-        for _ in 0..MAX_STEPS {
-            let local = self.local(&point).ok()?;
-            let normal = local.normal();
-            let shape = local.shape_operator();
-            let lack = direction - normal * normal.dot(direction);
-            if lack.norm() <= 1e-13 && normal.dot(direction) > 0.0 {
-                let turning = invert_in_plane(&shape, 0.0, &normal)?;
-                return Some(Support { point, turning });
-            }
-            let step = tangent_solve_curved(&shape, &normal, &lack)?;
-            let limited = step * (0.3 * size / step.norm()).min(1.0);
-            point = self.descend(&(point + limited))?;
-        }
-        None
-    }
-}
-
-// (I + distance S)^-1 tangent in the tangent plane.
-fn tangent_solve(
-    shape: &Matrix3<f64>,
-    distance: f64,
-    normal: &Vector3<f64>,
-    tangent: &Vector3<f64>,
-) -> Option<Vector3<f64>> {
-    let matrix = Matrix3::identity() + shape * distance.max(0.0) + normal * normal.transpose();
-    matrix.cholesky().map(|factor| factor.solve(tangent))
-}
-
-fn tangent_solve_curved(
-    shape: &Matrix3<f64>,
-    normal: &Vector3<f64>,
-    lack: &Vector3<f64>,
-) -> Option<Vector3<f64>> {
-    Some(invert_in_plane(shape, 0.0, normal)? * lack)
 }
 
 /// (M + shift I)^-1 in the plane at right angles to the normal, zero along it.
@@ -245,8 +157,9 @@ fn closest_on_box(half: &Vector3<f64>, from: &Vector3<f64>) -> Closest {
 }
 
 // p = M^2 (M^2 + t)^-1 q with sum (A_i q_i/(A_i^2 + t))^2 = 1: convex and falling in t, so that
-// Newton's iteration from below the root rises to it.
-fn closest_on_ellipsoid(semi_axes: &Vector3<f64>, from: &Vector3<f64>) -> Option<Closest> {
+// Newton's iteration from below the root rises to it. Without a root above -min(A_i)^2 the point
+// lies so deep on a plane of symmetry that two surface points are equally near.
+fn closest_on_ellipsoid(semi_axes: &Vector3<f64>, from: &Vector3<f64>) -> Closest {
     let squared = semi_axes.component_mul(semi_axes);
     let sums = |t: f64| {
         let (mut f, mut slope) = (-1.0, 0.0);
@@ -258,21 +171,38 @@ fn closest_on_ellipsoid(semi_axes: &Vector3<f64>, from: &Vector3<f64>) -> Option
         }
         (f, slope)
     };
-    if from.norm() == 0.0 {
-        return None;
-    }
-    let floor = -squared.min() * (1.0 - 1e-12);
-    let mut t = 0.0_f64;
-    for _ in 0..MAX_STEPS {
-        let (f, slope) = sums(t);
-        let next = (t - f / slope).max(0.5 * (t + floor));
-        let step = next - t;
-        t = next;
-        if step.abs() <= 1e-16 * (squared.min() + t.abs()) {
-            break;
+    let shortest = squared.imin();
+    let floor = -squared[shortest] * (1.0 - 1e-12);
+    let point = if sums(floor).0 <= 0.0 {
+        deep_in_ellipsoid(&squared, shortest, from)
+    } else {
+        let mut t = 0.0_f64;
+        for _ in 0..MAX_STEPS {
+            let (f, slope) = sums(t);
+            let next = (t - f / slope).max(0.5 * (t + floor));
+            let step = next - t;
+            t = next;
+            if step.abs() <= 1e-16 * (squared.min() + t.abs()) {
+                break;
+            }
         }
-    }
-    let point = from.zip_map(&squared, |q, s| q * s / (s + t));
+        from.zip_map(&squared, |q, s| q * s / (s + t))
+    };
     let normal = point.component_div(&squared).normalize();
-    Some(Closest { point, normal, distance: (from - point).dot(&normal) })
+    Closest { point, normal, distance: (from - point).dot(&normal) }
+}
+
+// t = -min(A_i)^2: the other components as above, the shortest from the ellipsoid's equation.
+fn deep_in_ellipsoid(squared: &Vector3<f64>, shortest: usize, from: &Vector3<f64>) -> Vector3<f64> {
+    let mut point = Vector3::zeros();
+    let mut rest = 1.0;
+    for i in (0..3).filter(|i| *i != shortest) {
+        let excess = squared[i] - squared[shortest];
+        if excess > 0.0 && from[i] != 0.0 {
+            point[i] = from[i] * squared[i] / excess;
+        }
+        rest -= point[i] * point[i] / squared[i];
+    }
+    point[shortest] = libm::sqrt(squared[shortest] * rest.max(0.0)).copysign(from[shortest]);
+    point
 }

@@ -81,7 +81,7 @@ impl Surface {
                 face(point, &off, ON_SURFACE * self.size())
             }
             Kind::Implicit { function, .. } => {
-                let jet = function.at(point);
+                let jet = function.jet(point);
                 near(jet.value / jet.gradient.norm().max(f64::MIN_POSITIVE))?;
                 of_jet(point, &jet)
             }

@@ -142,6 +142,12 @@ mod tests {
         check(Surface::torus(2.0, 0.7).unwrap(), torus);
         let cylinder = counted([1.0, 1.0, 1.5], |a, b, _| a * a + b * b < 1.0);
         check(Surface::cylinder(1.0, 3.0).unwrap(), cylinder);
+        let egg = counted([1.5, 1.0, 0.6], |a, b, c| {
+            (a / 1.5).powi(2) + (b * b) + (c / 0.6).powi(2) < 1.0
+        });
+        check(Surface::ellipsoid([1.5, 1.0, 0.6]).unwrap(), egg);
+        let brick = counted([1.0, 1.2, 0.7], |a, _, c| a.abs() < 0.8 && c.abs() < 0.5);
+        check(Surface::cuboid([1.6, 2.4, 1.0]).unwrap(), brick);
     }
 
     #[test]
@@ -171,6 +177,11 @@ mod tests {
         check(&|d| {
             let r = 0.7 + d;
             (Surface::torus(2.0, r).unwrap(), r * r)
+        });
+        // The homoeoid: between two similar ellipsoids.
+        check(&|d| {
+            let grow = 1.0 + d;
+            (Surface::ellipsoid([1.5, 1.0, 0.6].map(|x| x * grow)).unwrap(), grow.powi(3))
         });
         check(&|d| {
             let edges = [1.0 + 2.0 * d, 2.0 + 2.0 * d, 0.6 + 2.0 * d];

@@ -52,6 +52,41 @@ impl<A, J> fmt::Debug for Field<A, J> {
     }
 }
 
+/// An implicit function: with its derivatives, or bare with differences for them.
+#[derive(Debug, Clone)]
+pub(crate) enum Source {
+    Exact(Field<Vector3<f64>, Jet>),
+    Bare { function: Field<Vector3<f64>, f64>, size: f64 },
+}
+
+impl Source {
+    pub(super) fn value(&self, at: &Vector3<f64>) -> f64 {
+        match self {
+            Self::Exact(jet) => jet.at(at).value,
+            Self::Bare { function, .. } => function.at(at),
+        }
+    }
+
+    pub(super) fn slope(&self, at: &Vector3<f64>) -> (f64, Vector3<f64>) {
+        match self {
+            Self::Exact(jet) => {
+                let jet = jet.at(at);
+                (jet.value, jet.gradient)
+            }
+            Self::Bare { function, size } => {
+                (function.at(at), gradient(&|p| function.at(p), at, STEP * size))
+            }
+        }
+    }
+
+    pub(super) fn jet(&self, at: &Vector3<f64>) -> Jet {
+        match self {
+            Self::Exact(jet) => jet.at(at),
+            Self::Bare { function, size } => differences(&|p| function.at(p), at, *size),
+        }
+    }
+}
+
 /// Step of the differences over the size of the body: eps^(1/6) balances their h^4 against the
 /// rounding eps/h^2 of the second derivatives.
 const STEP: f64 = 2.5e-3;
@@ -66,11 +101,9 @@ const SECOND: [(f64, f64); 4] =
 pub(super) fn differences(f: &dyn Fn(&Vector3<f64>) -> f64, at: &Vector3<f64>, size: f64) -> Jet {
     let h = STEP * size;
     let value = f(at);
-    let mut gradient = Vector3::zeros();
     let mut hessian = Matrix3::zeros();
     for i in 0..3 {
         let one = Vector3::ith(i, h);
-        gradient[i] = FIRST.iter().map(|(n, w)| w * f(&(at + one * *n))).sum::<f64>() / h;
         let sum = SECOND.iter().map(|(n, w)| w * f(&(at + one * *n))).sum::<f64>();
         hessian[(i, i)] = (sum - 2.5 * value) / (h * h);
         for j in 0..i {
@@ -85,5 +118,12 @@ pub(super) fn differences(f: &dyn Fn(&Vector3<f64>) -> f64, at: &Vector3<f64>, s
             hessian[(j, i)] = hessian[(i, j)];
         }
     }
-    Jet { value, gradient, hessian }
+    Jet { value, gradient: gradient(f, at, h), hessian }
+}
+
+fn gradient(f: &dyn Fn(&Vector3<f64>) -> f64, at: &Vector3<f64>, h: f64) -> Vector3<f64> {
+    Vector3::from_fn(|i, _| {
+        let one = Vector3::ith(i, h);
+        FIRST.iter().map(|(n, w)| w * f(&(at + one * *n))).sum::<f64>() / h
+    })
 }

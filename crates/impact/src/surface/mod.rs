@@ -8,17 +8,20 @@ mod error;
 mod evaluate;
 mod inertia;
 mod jet;
+mod least;
 mod local;
+mod sample;
 
 pub use error::SurfaceError;
 pub use jet::{Height, Jet};
 pub use local::LocalSurface;
 
-pub(crate) use closest::invert_in_plane;
+pub(crate) use closest::{Closest, invert_in_plane, support_of_ellipsoid};
+pub(crate) use least::Objective;
 
 use carom_laws::curvature::PrincipalRadii;
 use carom_special::RangeError;
-use jet::{Field, differences};
+use jet::{Field, Source, differences};
 use nalgebra::Vector3;
 
 /// The surface of a body, in its own axes.
@@ -47,7 +50,7 @@ pub(crate) enum Kind {
     Capsule { radius: f64, half_length: f64 },
     Torus { major: f64, minor: f64 },
     Box { half: Vector3<f64> },
-    Implicit { size: f64, function: Field<Vector3<f64>, Jet> },
+    Implicit { size: f64, function: Source },
     Explicit { size: f64, side: Side, function: Field<[f64; 2], Height> },
     Given { local: LocalSurface },
 }
@@ -138,7 +141,8 @@ impl Surface {
     }
 
     /// The surface f(a, b, c) = 0 of a body in which f < 0, with derivatives by five-point
-    /// differences over 1/400 of `size` (relative accuracy about 1e-10).
+    /// differences over 1/400 of `size` (relative accuracy about 1e-10). A search for the contact
+    /// looks for it within four sizes of the origin.
     ///
     /// ```
     /// use carom_impact::Surface;
@@ -155,7 +159,9 @@ impl Surface {
         size: f64,
         function: impl Fn(&Vector3<f64>) -> f64 + Send + Sync + 'static,
     ) -> Result<Self, RangeError> {
-        Self::implicit_with(size, move |point| differences(&function, point, size))
+        RangeError::positive("size", size)?;
+        let function = Source::Bare { function: Field::new(function), size };
+        Ok(Self::of(Kind::Implicit { size, function }))
     }
 
     /// The surface f(a, b, c) = 0 with its exact derivatives; f < 0 inside. `size` is a length
@@ -168,11 +174,13 @@ impl Surface {
         function: impl Fn(&Vector3<f64>) -> Jet + Send + Sync + 'static,
     ) -> Result<Self, RangeError> {
         RangeError::positive("size", size)?;
-        Ok(Self::of(Kind::Implicit { size, function: Field::new(function) }))
+        let function = Source::Exact(Field::new(function));
+        Ok(Self::of(Kind::Implicit { size, function }))
     }
 
     /// The surface c(a, b) of a body on the given side of it, with derivatives by differences as
-    /// in [`Surface::implicit`].
+    /// in [`Surface::implicit`]. Where c is not finite there is no surface. A search for the
+    /// contact begins over |a|, |b| <= 2 sizes and next to the other body.
     ///
     /// # Errors
     /// [`RangeError`] unless the size is finite and positive.
