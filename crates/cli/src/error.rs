@@ -2,10 +2,10 @@
 
 use crate::case::CaseError;
 use crate::command::StepsError;
-use carom_impact::CollisionError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
+use carom_impact::{CollisionError, EncounterError};
 use carom_plot::PlotError;
 use carom_special::RangeError;
 use std::path::{Path, PathBuf};
@@ -28,6 +28,14 @@ pub enum CliError {
         path: PathBuf,
         /// Why.
         source: CollisionError,
+    },
+    /// The encounter of a case could not be followed.
+    #[error("{}: {source}", path.display())]
+    Encounter {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: Box<EncounterError>,
     },
     /// The scene of a case cannot be run.
     #[error("{}: {source}", path.display())]
@@ -91,7 +99,7 @@ pub enum CliError {
 impl CliError {
     /// The exit code: 2 for bad input, 1 for anything else.
     #[must_use]
-    pub const fn exit_code(&self) -> u8 {
+    pub fn exit_code(&self) -> u8 {
         match self {
             Self::Collision { source: CollisionError::Oblique(_), .. } => 1,
             Self::Scene {
@@ -102,7 +110,9 @@ impl CliError {
                 source: UncertainError::Collision { source: CollisionError::Oblique(_), .. },
                 ..
             } => 1,
+            Self::Encounter { source, .. } if matches!(**source, EncounterError::Coupled(_)) => 1,
             Self::Case { .. }
+            | Self::Encounter { .. }
             | Self::Uncertain { .. }
             | Self::Scene { .. }
             | Self::Collision { .. }

@@ -43,7 +43,7 @@ fn a_good_case_is_read() {
     assert_eq!(case.body_1.spin, [0.0, 10.0, 0.0]);
     assert!(case.body_2.material.is_rigid());
     assert_eq!(case.body_2.mass, Mass::Given(2.5));
-    assert_eq!(case.friction, 0.092);
+    assert_eq!(case.contact.friction, 0.092);
     assert_eq!(case.approach, None);
 }
 
@@ -106,7 +106,7 @@ fn every_misspelt_field_is_named_with_its_line_and_the_nearest_name() {
         assert!(message.starts_with(&format!("line {line}: unknown field")), "{message}");
         assert!(message.contains(&format!("did you mean `{name}`?")), "{message}");
     }
-    insta::assert_snapshot!(error(&changed("radius", "radus")), @"line 3: unknown field `body_1.radus`, did you mean `radius`?; `body_1` takes `shape`, `radius`, `material`, `density`, `mass`, `fixed`, `velocity`, `spin`");
+    insta::assert_snapshot!(error(&changed("radius", "radus")), @"line 3: unknown field `body_1.radus`, did you mean `radius`?; `body_1` takes `shape`, `radius`, `material`, `density`, `mass`, `fixed`, `inertia`, `position`, `quaternion`, `angles`, `velocity`, `spin`");
 }
 
 #[test]
@@ -134,7 +134,7 @@ fn every_bad_value_is_named_with_its_range() {
 fn values_of_the_wrong_kind_are_named() {
     insta::assert_snapshot!(error(&changed("0.0025", "\"big\"")), @r#"line 3: `body_1.radius` = "big" is out of range: must be a number, finite and > 0"#);
     insta::assert_snapshot!(error(&changed("[1.0, 0.0, -3.9]", "[1.0, -3.9]")), @"line 6: `body_1.velocity` = [1.0, -3.9] is out of range: must be three numbers [x, y, z]");
-    insta::assert_snapshot!(error(&changed("\"sphere\"", "\"cube\"")), @r#"line 2: `body_1.shape` = "cube" is out of range: must be "sphere" or "plane""#);
+    insta::assert_snapshot!(error(&changed("\"sphere\"", "\"cube\"")), @r#"line 2: `body_1.shape` = "cube" is out of range: must be "sphere", "ellipsoid", "cylinder", "capsule", "torus", "box", "plane", "half-space" or "given""#);
     insta::assert_snapshot!(error(&changed("rigid = true", "rigid = 1")), @"line 11: `body_2.material.rigid` = 1 is out of range: must be true or false");
     insta::assert_snapshot!(error("contact = 3"), @"`body_1` is missing: must be a table");
 }

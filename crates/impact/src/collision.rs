@@ -8,11 +8,15 @@ use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::body::{Body, Motion, Shape, kinetic_energy};
-use crate::closed_form::{NOTICEABLE, wave_loss};
+use crate::closed_form::NOTICEABLE;
 use crate::mobility::{point_velocity, share};
 use crate::normal::{self, NormalImpact};
+use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
 use crate::oblique::{Groups, ObliqueError, ObliqueImpact};
-use crate::outcome::{EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Warning};
+use crate::outcome::{
+    EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, TorsionMode, Warning,
+};
+use crate::wave_share::wave_share;
 
 /// Why a collision cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -29,14 +33,17 @@ pub enum CollisionError {
     /// The oblique impact could not be followed.
     #[error(transparent)]
     Oblique(#[from] ObliqueError),
+    /// Torsion was asked for and cannot be given.
+    #[error(transparent)]
+    NormalSpin(#[from] NormalSpinError),
 }
 
 /// A collision of two spheres, or of a sphere and a plane, with any motion.
 ///
 /// Rotation symmetry keeps the tangential motion in one direction and uncouples it from the
 /// normal one, so the outcome is exact for materials with epsilon = 0 (5.20); for others it
-/// carries [`Warning::Coupling`]. Torsion about the normal is neglected: it changes the spin by
-/// the order of zeta_max/R (chapter 10).
+/// carries [`Warning::Coupling`]. The spin about the normal is left alone, apart from
+/// [`Collision::with_torsion`].
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -58,6 +65,7 @@ pub struct Collision {
     materials: MaterialPair,
     hertz: Hertz,
     normal: Vector3<f64>,
+    torsion: TorsionMode,
 }
 
 impl Collision {
@@ -73,7 +81,8 @@ impl Collision {
             return Err(CollisionError::BothHeldFast);
         }
         let bodies = [body_1, body_2];
-        Ok(Self { bodies, friction, materials, hertz, normal: Vector3::z() })
+        let torsion = TorsionMode::default();
+        Ok(Self { bodies, friction, materials, hertz, normal: Vector3::z(), torsion })
     }
 
     /// The same collision with another common normal, from body 2 into body 1.
@@ -85,6 +94,30 @@ impl Collision {
         let length = vector.norm();
         RangeError::positive("normal", length)?;
         Ok(Self { normal: vector / length, ..self })
+    }
+
+    /// The same collision with the torsional impact of chapter 10 on the spin about the normal.
+    ///
+    /// Without it that spin is left alone; [`Warning::SpinLeftAlone`] says where that matters, and
+    /// it changes by the order of zeta_max/R. The torsional impact is computed as if there were no
+    /// tangential one: an approximation where both slip, for they share one friction.
+    ///
+    /// ```
+    /// use carom_halfspace::Material;
+    /// use carom_impact::{Body, Collision, Motion};
+    /// use carom_laws::friction::Friction;
+    /// let rubber = Material::from_shear(1e6, 0.5)?;
+    /// let ball = Body::sphere(0.02, rubber, 0.0369)?
+    ///     .moving(Motion::new([0.0, 0.0, -1.0], [0.0, 0.0, 100.0])?);
+    /// let floor = Body::plane(Material::RIGID);
+    /// let outcome = Collision::new(ball, floor, Friction::new(0.8)?)?.with_torsion().solve()?;
+    /// let spin = outcome.motions()[0].spin.z;
+    /// assert!(spin < 100.0 && spin > 70.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub const fn with_torsion(self) -> Self {
+        Self { torsion: TorsionMode::Included, ..self }
     }
 
     /// The common normal, from body 2 into body 1, of length 1.
@@ -103,7 +136,8 @@ impl Collision {
     ///
     /// # Errors
     /// [`CollisionError::Oblique`] if the walk fails, [`CollisionError::Range`] if a derived
-    /// quantity overflows.
+    /// quantity overflows, [`CollisionError::NormalSpin`] if torsion was asked for and cannot be
+    /// given.
     pub fn solve(&self) -> Result<Outcome, CollisionError> {
         let Some(approach) = self.approach()? else {
             return Ok(Outcome::NoImpact { motions: self.bodies.map(|body| body.motion()) });
@@ -220,10 +254,19 @@ impl Collision {
         let normal_impulse = 2.0 * normal.velocity() / mobility.normal;
         let tangential_impulse = (1.0 + restitution) * slip / mobility.tangential;
         let impulse = normal_impulse * self.normal + tangential_impulse * direction;
-        let motions = self.after(&impulse);
+        let mut motions = self.after(&impulse);
         let velocity_after = -restitution * *slip * direction - normal.velocity() * self.normal;
-        let dissipated =
+        let mut dissipated =
             0.5 * slip * slip * (1.0 - restitution) * (1.0 + restitution) / mobility.tangential;
+        let spin = self.normal_spin(approach);
+        let torsion = match self.torsion {
+            TorsionMode::LeftOut => None,
+            TorsionMode::Included => Some(spin.solve()?),
+        };
+        if let Some(torsion) = &torsion {
+            motions.iter_mut().enumerate().for_each(|(i, m)| m.spin += spin.turn(i, torsion));
+            dissipated += torsion.dissipated;
+        }
         let kinetic = |motion: [Motion; 2]| {
             kinetic_energy(&self.bodies[0].inertia(), &motion[0])
                 + kinetic_energy(&self.bodies[1].inertia(), &motion[1])
@@ -245,9 +288,29 @@ impl Collision {
             maximal_approach: normal.maximal_approach(),
             maximal_radius,
             energy,
+            torsion,
+            compressions: 1,
+            error_estimate: 0.0,
             log: log(normal, oblique),
-            warnings: self.warnings(maximal_radius, normal.velocity()),
+            warnings: self.warnings(maximal_radius, approach),
         })
+    }
+
+    fn normal_spin(&self, approach: &Approach) -> NormalSpin<'_> {
+        let arms = self.arms();
+        let pivot = |i: usize| Pivot {
+            arm: arms[i],
+            inverse_tensor: Matrix3::from_diagonal(&self.bodies[i].inertia().inverse_moments()),
+            spin: self.bodies[i].motion().spin,
+        };
+        NormalSpin {
+            hertz: &self.hertz,
+            friction: self.friction,
+            normal: self.normal,
+            pivots: [pivot(0), pivot(1)],
+            normal_mobility: approach.mobility.normal,
+            velocity: approach.normal.velocity(),
+        }
     }
 
     fn after(&self, impulse: &Vector3<f64>) -> [Motion; 2] {
@@ -264,7 +327,7 @@ impl Collision {
         })
     }
 
-    fn warnings(&self, maximal_radius: f64, velocity: f64) -> Vec<Warning> {
+    fn warnings(&self, maximal_radius: f64, approach: &Approach) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if !self.materials.is_uncoupled() {
             let gamma = self.materials.gamma();
@@ -282,22 +345,23 @@ impl Collision {
         if ratio > 0.1 {
             warnings.push(Warning::LargeContact { ratio });
         }
-        let share = self.bodies.iter().filter_map(|body| wave_loss_of(body, velocity));
+        let share = self.bodies.iter().filter_map(|body| wave_loss_of(body, &approach.normal));
         let share = share.fold(0.0, f64::max);
         if share > NOTICEABLE {
             warnings.push(Warning::WaveLoss { share });
+        }
+        if self.torsion == TorsionMode::LeftOut {
+            warnings.extend(self.normal_spin(approach).left_alone());
         }
         warnings
     }
 }
 
 // The share of energy a solid sphere loses to waves; nothing for rigid and infinitely heavy ones.
-fn wave_loss_of(body: &Body, velocity: f64) -> Option<f64> {
+fn wave_loss_of(body: &Body, pulse: &NormalImpact) -> Option<f64> {
     let Shape::Sphere(radius) = body.shape() else { return None };
-    let (mass, material) = (body.inertia().mass(), body.material());
-    let density = mass / (4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius);
-    let rod_speed = (material.young_modulus() / density).sqrt();
-    wave_loss(material.poisson(), velocity, rod_speed).ok()
+    let volume = 4.0 / 3.0 * std::f64::consts::PI * radius * radius * radius;
+    wave_share(body.material(), body.inertia().mass() / volume, pulse)
 }
 
 /// The state at first touch.

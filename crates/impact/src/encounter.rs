@@ -1,142 +1,24 @@
 //! Two bodies of any smooth shape, anywhere, in any motion: where they touch and how they part.
 
-use carom_halfspace::{Material, MaterialPair};
+use carom_halfspace::MaterialPair;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use crate::attitude::Attitude;
-use crate::body::{Inertia, Motion, kinetic_energy};
-use crate::contact_point::{Placed, SearchError, TOUCH_TOLERANCE, nearest};
+use crate::body::Motion;
+use crate::closed_form::NOTICEABLE;
+use crate::contact_point::{SearchError, TOUCH_TOLERANCE, nearest};
 use crate::coupled::{CoupledError, CoupledImpact, CoupledOutcome, Sample, VectorLaw};
 use crate::frame::{ContactFrame, FrameError};
+use crate::meeting::brought_together;
 use crate::mobility::{Lever, Mobility};
-use crate::outcome::{EnergyBudget, Outcome, Rebound, Warning};
-use crate::surface::{Kind, LocalSurface, Surface, SurfaceError};
-
-/// A body with its surface, place, attitude and motion.
-///
-/// ```
-/// use carom_halfspace::Material;
-/// use carom_impact::{Attitude, Motion, PlacedBody, Surface};
-/// let steel = Material::from_shear(80e9, 0.3)?;
-/// let egg = Surface::ellipsoid([0.03, 0.02, 0.015])?;
-/// let inertia = egg.solid(0.296)?;
-/// let body = PlacedBody::new(egg, steel, inertia)
-///     .at([0.0, 0.0, 0.015])?
-///     .turned(Attitude::from_angles(0.0, 0.0, 0.5)?)
-///     .moving(Motion::new([0.6, 0.4, -2.0], [0.0; 3])?);
-/// assert_eq!(body.centre().z, 0.015);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Debug, Clone)]
-pub struct PlacedBody {
-    surface: Surface,
-    material: Material,
-    inertia: Inertia,
-    centre: Vector3<f64>,
-    attitude: Attitude,
-    motion: Motion,
-}
-
-impl PlacedBody {
-    /// A body at rest at the origin, its axes along those of space.
-    #[must_use]
-    pub fn new(surface: Surface, material: Material, inertia: Inertia) -> Self {
-        let centre = Vector3::zeros();
-        let (attitude, motion) = (Attitude::ALIGNED, Motion::default());
-        Self { surface, material, inertia, centre, attitude, motion }
-    }
-
-    /// A plane through the origin, held fast, with the half-space z < 0 behind it.
-    #[must_use]
-    pub fn plane(material: Material) -> Self {
-        Self::new(Surface::plane(), material, Inertia::FIXED)
-    }
-
-    /// The same body with its centre of mass there; for a plane, any of its points.
-    ///
-    /// # Errors
-    /// [`RangeError`] unless the components are finite.
-    pub fn at(self, centre: [f64; 3]) -> Result<Self, RangeError> {
-        for value in centre {
-            RangeError::finite("centre", value)?;
-        }
-        Ok(Self { centre: centre.into(), ..self })
-    }
-
-    /// The same body in this attitude.
-    #[must_use]
-    pub fn turned(self, attitude: Attitude) -> Self {
-        Self { attitude, ..self }
-    }
-
-    /// The same body with this motion, in space axes.
-    #[must_use]
-    pub fn moving(self, motion: Motion) -> Self {
-        Self { motion, ..self }
-    }
-
-    /// Its surface, in its own axes.
-    #[must_use]
-    pub const fn surface(&self) -> &Surface {
-        &self.surface
-    }
-
-    /// Its material.
-    #[must_use]
-    pub const fn material(&self) -> Material {
-        self.material
-    }
-
-    /// Its inertia.
-    #[must_use]
-    pub const fn inertia(&self) -> Inertia {
-        self.inertia
-    }
-
-    /// Its centre of mass.
-    #[must_use]
-    pub const fn centre(&self) -> Vector3<f64> {
-        self.centre
-    }
-
-    /// Its attitude.
-    #[must_use]
-    pub const fn attitude(&self) -> Attitude {
-        self.attitude
-    }
-
-    /// Its motion.
-    #[must_use]
-    pub const fn motion(&self) -> Motion {
-        self.motion
-    }
-
-    fn placed(&self) -> Placed<'_> {
-        Placed { surface: &self.surface, centre: self.centre, attitude: self.attitude }
-    }
-
-    fn local_at(&self, in_space: &Vector3<f64>) -> Result<LocalSurface, SurfaceError> {
-        let in_body = self.attitude.to_body(&(in_space - self.centre));
-        Ok(self.surface.local(&in_body)?.placed(&self.centre, &self.attitude))
-    }
-
-    // The motion of a plane is given at the contact point.
-    fn arm(&self, from_centre: Vector3<f64>) -> Vector3<f64> {
-        match self.surface.kind() {
-            Kind::Plane => Vector3::zeros(),
-            _ => from_centre,
-        }
-    }
-
-    fn kinetic_energy(&self, motion: &Motion) -> f64 {
-        // The moments belong to the body's axes.
-        let spin = self.attitude.to_body(&motion.spin);
-        kinetic_energy(&self.inertia, &Motion { velocity: motion.velocity, spin })
-    }
-}
+use crate::normal::NormalImpact;
+use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
+use crate::outcome::{EnergyBudget, Outcome, Rebound, Torsion, TorsionMode, Warning};
+use crate::placed_body::PlacedBody;
+use crate::surface::{LocalSurface, SurfaceError};
+use crate::wave_share::wave_share;
 
 /// Why two bodies have no impact that can be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -156,6 +38,9 @@ pub enum EncounterError {
     /// The impact could not be followed.
     #[error(transparent)]
     Coupled(#[from] CoupledError),
+    /// Torsion was asked for and cannot be given.
+    #[error(transparent)]
+    NormalSpin(#[from] NormalSpinError),
 }
 
 /// Two bodies that touch.
@@ -180,6 +65,7 @@ pub struct Encounter {
     bodies: [PlacedBody; 2],
     friction: Friction,
     law: VectorLaw,
+    torsion: TorsionMode,
     point: Vector3<f64>,
     frame: ContactFrame,
     materials: MaterialPair,
@@ -201,9 +87,7 @@ impl Encounter {
         friction: Friction,
     ) -> Result<Self, EncounterError> {
         let found = nearest(&body_1.placed(), &body_2.placed())?;
-        let sizes = [body_1.surface.size(), body_2.surface.size()];
-        let size = sizes.into_iter().filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min);
-        let allowed = TOUCH_TOLERANCE * size;
+        let allowed = allowed_gap(&body_1, &body_2);
         if found.gap.is_nan() || found.gap.abs() > allowed {
             return Err(SearchError::NotTouching { gap: found.gap, allowed }.into());
         }
@@ -213,6 +97,22 @@ impl Encounter {
         let point = 0.5 * (found.points[0] + found.points[1]);
         let arms = [point - bodies[0].centre, point - bodies[1].centre];
         Self::build(bodies, friction, locals, point, arms)
+    }
+
+    /// Two bodies that lie apart: body 1 goes on straight, along the velocity of its centre against
+    /// that of body 2, until they touch; neither turns on the way.
+    ///
+    /// # Errors
+    /// [`EncounterError::Search`] if they overlap or pass each other; else as [`Encounter::find`].
+    pub fn meeting(
+        body_1: PlacedBody,
+        body_2: PlacedBody,
+        friction: Friction,
+    ) -> Result<Self, EncounterError> {
+        // The last digits of the way are those of the touch.
+        let allowed = 1e-6 * allowed_gap(&body_1, &body_2);
+        let body_1 = brought_together(body_1, &body_2, allowed)?;
+        Self::find(body_1, body_2, friction)
     }
 
     /// Two bodies that touch at a given point of space.
@@ -284,6 +184,7 @@ impl Encounter {
             bodies,
             friction,
             law: VectorLaw::default(),
+            torsion: TorsionMode::default(),
             point,
             frame,
             materials,
@@ -298,6 +199,18 @@ impl Encounter {
     #[must_use]
     pub fn with_law(self, law: VectorLaw) -> Self {
         Self { law, ..self }
+    }
+
+    /// The same encounter with the torsional impact of chapter 10 on the spin about the normal,
+    /// which is left alone otherwise. It is computed as if there were no tangential impact: an
+    /// approximation where both slip.
+    ///
+    /// [`Encounter::solve`] then refuses bodies whose spin about the normal is coupled to other
+    /// motion; the normal of spheres, planes and bodies that meet at the end of an axis of symmetry
+    /// passes.
+    #[must_use]
+    pub fn with_torsion(self) -> Self {
+        Self { torsion: TorsionMode::Included, ..self }
     }
 
     /// The bodies.
@@ -359,10 +272,12 @@ impl Encounter {
         Ok(Some(CoupledImpact::new(self.mobility, stiffness, self.friction, velocity)?))
     }
 
-    /// Follows the encounter to separation. Torsion about the normal is neglected.
+    /// Follows the encounter to separation. The spin about the normal is left alone, apart from
+    /// [`Encounter::with_torsion`]; [`Warning::SpinLeftAlone`] says where that matters.
     ///
     /// # Errors
-    /// [`EncounterError::Coupled`] if the impact could not be followed.
+    /// [`EncounterError::Coupled`] if the impact could not be followed,
+    /// [`EncounterError::NormalSpin`] if torsion was asked for and cannot be given.
     pub fn solve(&self) -> Result<Outcome, EncounterError> {
         let Some(impact) = self.impact()? else {
             let motions = [self.bodies[0].motion, self.bodies[1].motion];
@@ -392,15 +307,22 @@ impl Encounter {
     ) -> Result<Rebound, EncounterError> {
         let (before, after) = (impact.velocity(), outcome.velocity);
         let impulse = self.mobility.impulse(&before, &after);
-        let motions = self.after(&self.frame.to_space(&impulse));
+        let mut motions = self.after(&self.frame.to_space(&impulse));
+        // E_A - E_E of the relative motion, without its cancellation.
+        let mut dissipated = 0.5 * impulse.dot(&(before + after));
+        let torsion = self.torsion(before.z)?;
+        if let Some(torsion) = &torsion {
+            let spin = self.normal_spin(before.z);
+            motions.iter_mut().enumerate().for_each(|(i, m)| m.spin += spin.turn(i, torsion));
+            dissipated += torsion.dissipated;
+        }
         let kinetic = |motions: [Motion; 2]| {
             self.bodies[0].kinetic_energy(&motions[0]) + self.bodies[1].kinetic_energy(&motions[1])
         };
         let energy = EnergyBudget {
             before: kinetic([self.bodies[0].motion, self.bodies[1].motion]),
             after: kinetic(motions),
-            // E_A - E_E of the relative motion, without its cancellation.
-            dissipated: 0.5 * impulse.dot(&(before + after)),
+            dissipated,
         };
         let maximal_radius = self.hertz.ellipse(outcome.maximal_approach)?.semi_axis_b();
         Ok(Rebound {
@@ -414,9 +336,39 @@ impl Encounter {
             maximal_approach: outcome.maximal_approach,
             maximal_radius,
             energy,
+            torsion,
+            compressions: outcome.compressions,
+            error_estimate: outcome.error_estimate,
             log: Vec::new(),
-            warnings: self.warnings(maximal_radius),
+            warnings: self.warnings(maximal_radius, before.z)?,
         })
+    }
+
+    fn torsion(&self, velocity: f64) -> Result<Option<Torsion>, NormalSpinError> {
+        if self.torsion == TorsionMode::LeftOut {
+            return Ok(None);
+        }
+        let d = self.mobility.matrix();
+        if libm::hypot(d.m13, d.m23) > UNCOUPLED * d.m33 {
+            return Err(NormalSpinError::NormalCoupled);
+        }
+        self.normal_spin(velocity).solve().map(Some)
+    }
+
+    fn normal_spin(&self, velocity: f64) -> NormalSpin<'_> {
+        let pivot = |i: usize| Pivot {
+            arm: self.levers[i].arm(),
+            inverse_tensor: *self.levers[i].inverse_tensor(),
+            spin: self.bodies[i].motion.spin,
+        };
+        NormalSpin {
+            hertz: &self.hertz,
+            friction: self.friction,
+            normal: self.frame.z(),
+            pivots: [pivot(0), pivot(1)],
+            normal_mobility: self.mobility.matrix().m33,
+            velocity,
+        }
     }
 
     fn after(&self, impulse: &Vector3<f64>) -> [Motion; 2] {
@@ -430,7 +382,7 @@ impl Encounter {
         })
     }
 
-    fn warnings(&self, maximal_radius: f64) -> Vec<Warning> {
+    fn warnings(&self, maximal_radius: f64, velocity: f64) -> Result<Vec<Warning>, RangeError> {
         let mut warnings = Vec::new();
         if !self.materials.is_uncoupled() {
             let gamma = self.materials.gamma();
@@ -441,8 +393,31 @@ impl Encounter {
         if ratio > 0.1 {
             warnings.push(Warning::LargeContact { ratio });
         }
-        warnings
+        let d_zz = self.mobility.matrix().m33;
+        let pulse = NormalImpact::new(d_zz, self.hertz.stiffness().c_z, velocity)?;
+        let share = self.bodies.iter().filter_map(|body| {
+            let density = body.inertia.mass() / body.surface.volume()?;
+            wave_share(body.material, density, &pulse)
+        });
+        let share = share.fold(0.0, f64::max);
+        if share > NOTICEABLE {
+            warnings.push(Warning::WaveLoss { share });
+        }
+        if self.torsion == TorsionMode::LeftOut {
+            warnings.extend(self.normal_spin(velocity).left_alone());
+        }
+        Ok(warnings)
     }
+}
+
+/// Couplings of the normal motion below this part of D_zz are round-off.
+const UNCOUPLED: f64 = 1e-9;
+
+// The largest gap or overlap that counts as touch.
+fn allowed_gap(body_1: &PlacedBody, body_2: &PlacedBody) -> f64 {
+    let sizes = [body_1.surface.size(), body_2.surface.size()];
+    let size = sizes.into_iter().filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min);
+    TOUCH_TOLERANCE * size
 }
 
 fn named(

@@ -209,6 +209,12 @@ impl NormalImpact {
         2.0 / 3.0 * self.stiffness * zeta * zeta.sqrt()
     }
 
+    /// The kinetic energy of approach, `zeta_dot_A^2/(2 D_zz)`.
+    #[must_use]
+    pub fn energy(&self) -> f64 {
+        0.5 * self.velocity * self.velocity / self.mobility
+    }
+
     /// The approach velocity zeta_dot_A.
     #[must_use]
     pub fn velocity(&self) -> f64 {

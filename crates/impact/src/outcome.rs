@@ -61,6 +61,12 @@ pub struct Rebound {
     pub maximal_radius: f64,
     /// Kinetic energies and what friction took.
     pub energy: EnergyBudget,
+    /// The torsional impact; none where the spin about the normal was left alone.
+    pub torsion: Option<Torsion>,
+    /// How often the approach grew: 2 or more if the bodies were pressed together again.
+    pub compressions: u32,
+    /// Last change of the velocity under refinement over |v_A|; 0 where the solution is exact.
+    pub error_estimate: f64,
     /// The regimes in order with the times they began.
     pub log: Vec<LogEntry>,
     /// What limits the validity of this outcome.
@@ -75,6 +81,27 @@ pub struct EnergyBudget {
     /// After the impact.
     pub after: f64,
     /// Turned into heat by slip and released by the receding edge, (9.59).
+    pub dissipated: f64,
+}
+
+/// Whether the torsional impact is computed too.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub(crate) enum TorsionMode {
+    /// The spin about the normal is left alone.
+    #[default]
+    LeftOut,
+    /// It is changed by the torsional impact of chapter 10.
+    Included,
+}
+
+/// What the torsional impact did to the spin about the normal.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Torsion {
+    /// Relative spin about the normal afterwards over that before; 1 if there was none.
+    pub spin_ratio: f64,
+    /// Impulse of the torque on body 1, about the normal into it.
+    pub torque_impulse: f64,
+    /// The kinetic energy that friction took of the spin.
     pub dissipated: f64,
 }
 
@@ -135,6 +162,11 @@ pub enum Warning {
         /// The share, estimated for the body's material throughout.
         share: f64,
     },
+    /// Torsion is left out and would take more than 1 % of the relative spin about the normal.
+    SpinLeftAlone {
+        /// About that share, from above.
+        share: f64,
+    },
 }
 
 impl std::fmt::Display for Warning {
@@ -151,6 +183,14 @@ impl std::fmt::Display for Warning {
             Self::WaveLoss { share } => {
                 let percent = 100.0 * share;
                 write!(f, "elastic waves carry away about {percent:.2} % of the normal energy")
+            }
+            Self::SpinLeftAlone { share } => {
+                let percent = 100.0 * share;
+                write!(
+                    f,
+                    "torsion is left out: it would take up to {percent:.2} % of the relative spin \
+                     about the normal"
+                )
             }
             Self::LargeContact { ratio } => {
                 write!(f, "large contact: a/R = {ratio:.3} exceeds 0.1, beyond Hertz's theory")

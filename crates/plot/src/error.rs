@@ -33,6 +33,15 @@ pub enum PlotError {
         /// Upper limit.
         high: f64,
     },
+    /// A field has no grid, or not one finite value for each of its nodes.
+    #[error(
+        "field `{label}`: two or more finite, increasing nodes along each axis and a finite value \
+         for each pair are needed"
+    )]
+    Grid {
+        /// Label of the field.
+        label: String,
+    },
     /// No panel, or one without a point.
     #[error("nothing to plot")]
     Empty,

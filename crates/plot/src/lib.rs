@@ -1,5 +1,5 @@
 #![forbid(unsafe_code)]
-//! Line plots as SVG: panels of axes with lines, markers, arrows and areas.
+//! Plots as SVG: panels of axes with lines, markers, arrows, areas and coloured fields.
 //!
 //! Knows no mechanics and needs no fonts or system libraries. The SVG has clip paths, true
 //! dash patterns and text, on a light ground, in colours that colour-blind readers tell apart. In labels,
@@ -17,6 +17,8 @@
 
 mod draw;
 mod error;
+mod field;
+mod heat;
 mod legend;
 mod panel;
 mod render;
@@ -25,6 +27,7 @@ mod span;
 mod svg;
 
 pub use error::PlotError;
+pub use field::Field;
 pub use panel::{Aspect, Axis, Limits, Panel, Scale};
 pub use render::render;
 pub use series::{Arrow, Marker, Point, Series, Stroke, Style, linspace, logspace};

@@ -1,5 +1,6 @@
 //! A panel: axes and what is drawn between them.
 
+use crate::field::Field;
 use crate::series::Series;
 
 /// One pair of axes with its series.
@@ -13,6 +14,8 @@ pub struct Panel {
     pub y: Axis,
     /// Whether a unit has the same length on both axes.
     pub aspect: Aspect,
+    /// A field below everything else, with a bar beside the axes.
+    pub field: Option<Field>,
     /// What is drawn, later ones on top.
     pub series: Vec<Series>,
 }
@@ -21,7 +24,7 @@ impl Panel {
     /// Empty axes.
     #[must_use]
     pub const fn new(x: Axis, y: Axis) -> Self {
-        Self { title: String::new(), x, y, aspect: Aspect::Free, series: Vec::new() }
+        Self { title: String::new(), x, y, aspect: Aspect::Free, field: None, series: Vec::new() }
     }
 
     /// With a title.
@@ -35,6 +38,13 @@ impl Panel {
     #[must_use]
     pub const fn equal_aspect(mut self) -> Self {
         self.aspect = Aspect::Equal;
+        self
+    }
+
+    /// With a field below everything else.
+    #[must_use]
+    pub fn over(mut self, field: Field) -> Self {
+        self.field = Some(field);
         self
     }
 

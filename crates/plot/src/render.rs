@@ -2,6 +2,7 @@
 
 use crate::draw;
 use crate::error::PlotError;
+use crate::heat::{ASIDE, Heat};
 use crate::legend::Legend;
 use crate::panel::{Aspect, Axis, Panel};
 use crate::series::{Point, Style};
@@ -64,6 +65,7 @@ fn clip_name(title: &str, index: usize) -> String {
 struct Plot<'a> {
     panel: &'a Panel,
     legend: Legend<'a>,
+    heat: Option<Heat<'a>>,
     x: Span,
     y: Span,
 }
@@ -72,17 +74,26 @@ impl<'a> Plot<'a> {
     fn new(panel: &'a Panel) -> Result<Self, PlotError> {
         check_finite(panel)?;
         let points = || panel.series.iter().flat_map(|series| series.points.iter());
-        let x = Span::fit(&panel.x, points().map(|point| point.x))?;
-        let y = Span::fit(&panel.y, points().map(|point| point.y))?;
+        let (x, y) = match &panel.field {
+            Some(field) => (Span::over(&panel.x, field.x())?, Span::over(&panel.y, field.y())?),
+            None => (
+                Span::fit(&panel.x, points().map(|point| point.x))?,
+                Span::fit(&panel.y, points().map(|point| point.y))?,
+            ),
+        };
         let (x, y) = match panel.aspect {
             Aspect::Free => (x, y),
             Aspect::Equal => equalised(x, y),
         };
-        Ok(Self { panel, legend: Legend::of(panel), x, y })
+        let heat = panel.field.as_ref().map(Heat::new).transpose()?;
+        Ok(Self { panel, legend: Legend::of(panel), heat, x, y })
     }
 
-    /// Room needed for a legend beside the axes.
+    /// Room needed for a bar or a legend beside the axes.
     fn aside(&self) -> Option<f64> {
+        if self.heat.is_some() {
+            return Some(ASIDE);
+        }
         let frame = frame_at(Pixel { x: 0.0, y: 0.0 });
         match self.legend.free_corner(frame, &self.inked(frame)) {
             Some(_) => None,
@@ -94,6 +105,11 @@ impl<'a> Plot<'a> {
         let frame = frame_at(corner);
         svg.clip(clip, frame);
         self.draw_axes(svg, frame);
+        if let Some(heat) = &self.heat {
+            heat.draw(svg, clip, &self.x, &self.y, frame);
+            heat.draw_bar(svg, frame);
+            svg.rect(frame, "fill=\"none\" stroke=\"#444\"");
+        }
         for (i, series) in self.panel.series.iter().enumerate() {
             let colour = draw::colour(series, i);
             draw::series(svg, series, colour, clip, frame, |point| self.place(point, frame));
@@ -101,7 +117,9 @@ impl<'a> Plot<'a> {
         let title = Pixel { x: frame.x + 0.5 * frame.width, y: frame.y - 10.0 };
         svg.text(title, Anchor::Middle, &self.panel.title, "font-size=\"14\"");
         let free = self.legend.free_corner(frame, &self.inked(frame));
-        if let Some(place) = free.or_else(|| self.legend.beside(frame)) {
+        // Beside the axes stands the bar of a field.
+        let aside = if self.heat.is_some() { None } else { self.legend.beside(frame) };
+        if let Some(place) = free.or(aside) {
             self.legend.draw(svg, place);
         }
     }
@@ -206,6 +224,7 @@ fn axis_label(axis: &Axis, power: i32) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::field::Field;
     use crate::series::{Arrow, Marker, Series, linspace};
 
     fn panel() -> Panel {
@@ -266,6 +285,30 @@ mod tests {
             ));
         }
         assert!(Plot::new(&dense).unwrap().aside().is_some());
+    }
+
+    #[test]
+    fn a_field_is_drawn_with_its_bar_and_contours() {
+        let nodes = linspace(0.0, 1.0, 5);
+        let values = nodes.iter().flat_map(|y| nodes.iter().map(move |x| x - y)).collect();
+        let field = Field::new("x - y", nodes.clone(), nodes, values).unwrap();
+        let svg = render("", &[panel().over(field)]).unwrap();
+        // The diagonal, where the value is zero, is the bold line.
+        let bold = svg.lines().find(|line| line.contains("stroke-width=\"1.6\"")).unwrap();
+        assert!(bold.contains('M') && !svg.contains("NaN"));
+        assert!(svg.contains("#08519c") && svg.contains("#a63603"));
+        let bare = render("", &[titled()]).unwrap();
+        let width = |svg: &str| {
+            let text = svg.split("width=\"").nth(1).unwrap().split('"').next().unwrap();
+            text.parse::<f64>().unwrap()
+        };
+        assert_eq!(width(&svg) - width(&bare), ASIDE);
+    }
+
+    fn titled() -> Panel {
+        let mut panel = panel();
+        panel.add(Series::line("", [(0.0, 0.0), (1.0, 1.0)]));
+        panel
     }
 
     #[test]

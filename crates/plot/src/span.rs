@@ -51,6 +51,21 @@ impl Span {
         (self.scaled(value) - low) / (high - low)
     }
 
+    /// The value that stands at `part` of a linear axis.
+    pub(crate) fn value(&self, part: f64) -> f64 {
+        self.low + part * (self.high - self.low)
+    }
+
+    /// The span from the first to the last node of a grid, if the axis has no limits of its own.
+    pub(crate) fn over(axis: &Axis, nodes: &[f64]) -> Result<Self, PlotError> {
+        let limits = match nodes {
+            [low, .., high] => Some(Limits { low: *low, high: *high }),
+            _ => None,
+        };
+        let axis = Axis { limits: axis.limits.or(limits), ..axis.clone() };
+        Self::fit(&axis, nodes.iter().copied())
+    }
+
     /// Whether `value` lies between the ends, up to round-off.
     pub(crate) fn holds(&self, value: f64) -> bool {
         (-1e-9..=1.0 + 1e-9).contains(&self.place(value))

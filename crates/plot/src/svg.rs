@@ -119,6 +119,15 @@ impl Svg {
         let _ = writeln!(self.body, "\" {attributes}/>");
     }
 
+    /// Many straight pieces in one.
+    pub(crate) fn pieces(&mut self, pieces: impl Iterator<Item = [Pixel; 2]>, attributes: &str) {
+        let _ = write!(self.body, "<path {attributes} d=\"");
+        for [from, to] in pieces {
+            let _ = write!(self.body, "M{:.2},{:.2}L{:.2},{:.2}", from.x, from.y, to.x, to.y);
+        }
+        self.body.push_str("\"/>\n");
+    }
+
     /// A text, its baseline at the point; `_x` and `_max` are set as subscripts.
     pub(crate) fn text(&mut self, at: Pixel, anchor: Anchor, text: &str, attributes: &str) {
         if text.is_empty() {

@@ -11,7 +11,7 @@ const FIELDS: &[&str] =
     &["shape", "radius", "material", "density", "mass", "fixed", "velocity", "spin"];
 const MATERIAL_FIELDS: &[&str] = &["young_modulus", "shear_modulus", "poisson", "rigid"];
 const SHAPES: Words = Words { words: &["sphere", "plane"], allowed: "\"sphere\" or \"plane\"" };
-const MASS: &str = "given as `mass`, as `density` of a sphere, or as `fixed = true`";
+pub(super) const MASS: &str = "given as `mass`, as `density` of a sphere, or as `fixed = true`";
 
 /// A body as a case file describes it.
 #[derive(Debug, Clone, Copy, PartialEq)]

@@ -1,5 +1,6 @@
 //! What can be wrong with a case file. Each message names the field and what is allowed.
 
+use carom_impact::{EncounterError, NormalSpinError};
 use carom_laws::curvature::CurvatureError;
 
 /// What is wrong with a case file.
@@ -74,4 +75,24 @@ pub enum CaseError {
     /// The surfaces make no elliptical contact.
     #[error("`body_1.radii`, `body_2.radii`: {0}")]
     Curvature(CurvatureError),
+    /// The bodies make no contact that can be computed.
+    #[error("line {line}: `{field}`: {source}{hint}")]
+    Encounter {
+        /// The field to blame with its path.
+        field: &'static str,
+        /// Line, from 1.
+        line: usize,
+        /// Why.
+        source: Box<EncounterError>,
+        /// What may help, or nothing.
+        hint: &'static str,
+    },
+    /// The torsional impact that was asked for cannot be given.
+    #[error("line {line}: `contact.torsion`: {source}")]
+    Torsion {
+        /// Line, from 1.
+        line: usize,
+        /// Why.
+        source: Box<NormalSpinError>,
+    },
 }

@@ -3,11 +3,13 @@
 //! SI units. z points into body 1, so that body 1 above a plane falls with velocity
 //! `[vx, vy, -vz]`.
 
-use super::body::{BodyCase, Mass, Motion, Shape};
+use super::body::{BodyCase, Motion, Shape};
+use super::contact::{self, Contact};
 use super::error::CaseError;
+use super::placed;
 use super::range::Range;
 use super::section::{Numbers, Section, parse};
-use carom_halfspace::MaterialPair;
+use carom_halfspace::{Material, MaterialPair};
 
 /// The tables of a case; `[uncertainty]` is read by [`UncertainCase`](super::UncertainCase).
 pub(super) const FIELDS: &[&str] = &["body_1", "body_2", "contact", "approach", "uncertainty"];
@@ -19,8 +21,9 @@ pub struct ImpactCase {
     pub body_1: BodyCase,
     /// The other body.
     pub body_2: BodyCase,
-    /// Coefficient of friction; infinite for no slip.
-    pub friction: f64,
+    /// Friction and torsion. The law for turning directions is without effect: spheres and planes
+    /// move in one plane.
+    pub contact: Contact,
     /// How body 1 comes, if not by its velocity.
     pub approach: Option<Approach>,
 }
@@ -63,17 +66,18 @@ impl ImpactCase {
     pub fn parse(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
+        placed::check(&case, "body_1")?;
+        placed::check(&case, "body_2")?;
         let motion = if case.has("approach") { Motion::Approach } else { Motion::Velocity };
         let body_1 = BodyCase::read(&case, "body_1", motion)?;
         let body_2 = BodyCase::read(&case, "body_2", Motion::Velocity)?;
         check_pair(&case, &body_1, &body_2)?;
-        let contact = case.section("contact", &["friction"])?;
-        let friction = contact.number("friction", Range::NonNegativeOrInfinite)?;
+        let contact = Contact::read(&case.section("contact", &contact::FIELDS)?)?;
         let approach = match motion {
             Motion::Velocity => None,
             Motion::Approach => Some(read_approach(&case)?),
         };
-        Ok(Self { body_1, body_2, friction, approach })
+        Ok(Self { body_1, body_2, contact, approach })
     }
 }
 
@@ -83,12 +87,26 @@ fn check_pair(case: &Section<'_>, body_1: &BodyCase, body_2: &BodyCase) -> Resul
         let reason = "two planes do not meet in a point; one body must be a sphere";
         return Err(case.conflict("body_2.shape", "body_1.shape", reason));
     }
-    if body_1.mass.is_infinite() && body_2.mass.is_infinite() {
-        let name = if body_2.mass == Mass::Fixed { "body_2.fixed" } else { "body_2.mass" };
-        let allowed = "a finite mass for at least one of the two bodies";
-        return Err(case.out_of_range(name, f64::INFINITY, allowed));
+    check_masses(case, [body_1.mass.is_infinite(), body_2.mass.is_infinite()])?;
+    check_materials(case, [body_1.material, body_2.material])
+}
+
+/// At least one body can move.
+pub(super) fn check_masses(case: &Section<'_>, are_infinite: [bool; 2]) -> Result<(), CaseError> {
+    if are_infinite != [true; 2] {
+        return Ok(());
     }
-    MaterialPair::new(body_1.material, body_2.material)
+    let name = if case.has("body_2.fixed") { "body_2.fixed" } else { "body_2.mass" };
+    let allowed = "a finite mass for at least one of the two bodies";
+    Err(case.out_of_range(name, f64::INFINITY, allowed))
+}
+
+/// At least one body gives way.
+pub(super) fn check_materials(
+    case: &Section<'_>,
+    [one, two]: [Material; 2],
+) -> Result<(), CaseError> {
+    MaterialPair::new(one, two)
         .map(|_| ())
         .map_err(|error| case.out_of_range("body_2.material", error.value, error.allowed))
 }

@@ -2,17 +2,22 @@
 //! names it.
 
 mod body;
+mod contact;
+mod encounter;
 mod error;
 mod hertz;
 mod history;
 mod impact;
 mod pair;
+mod placed;
 mod range;
 mod scene;
 mod section;
 mod uncertainty;
 
 pub use body::{BodyCase, Mass, Shape};
+pub use contact::Contact;
+pub use encounter::EncounterCase;
 pub use error::CaseError;
 pub use hertz::{Given, HertzCase};
 pub use history::{HistoryCase, Steps};

@@ -118,16 +118,36 @@ impl<'a> Section<'a> {
     /// # Errors
     /// If they are missing, not three numbers, or one is out of range.
     pub fn vector(&self, name: &str, range: Range) -> Result<[f64; 3], CaseError> {
-        let allowed = "three numbers [x, y, z]";
+        self.array(name, ["x", "y", "z"], range, "three numbers [x, y, z]")
+    }
+
+    /// As many numbers in `range` as `parts` names; `allowed` says so in words.
+    ///
+    /// # Errors
+    /// If they are missing, more or fewer, or one is out of range.
+    pub fn array<const N: usize>(
+        &self,
+        name: &str,
+        parts: [&str; N],
+        range: Range,
+        allowed: &'static str,
+    ) -> Result<[f64; N], CaseError> {
         let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
-        let DeValue::Array(items) = value.get_ref() else {
-            return Err(self.kind(name, value, allowed));
+        let items = match value.get_ref() {
+            DeValue::Array(items) if items.iter().count() == N => items,
+            _ => return Err(self.kind(name, value, allowed)),
         };
-        let [x, y, z] = items.as_ref() as &[Spanned<DeValue<'_>>] else {
-            return Err(self.kind(name, value, allowed));
-        };
-        let component = |axis: &str, item| self.as_number(&format!("{name}.{axis}"), item, range);
-        Ok([component("x", x)?, component("y", y)?, component("z", z)?])
+        let mut numbers = [0.0; N];
+        for ((number, item), part) in numbers.iter_mut().zip(items.iter()).zip(parts) {
+            *number = self.as_number(&format!("{name}.{part}"), item, range)?;
+        }
+        Ok(numbers)
+    }
+
+    /// Whether the field is there and a list.
+    #[must_use]
+    pub fn is_list(&self, name: &str) -> bool {
+        matches!(self.find(name).map(Spanned::get_ref), Some(DeValue::Array(_)))
     }
 
     /// A list of numbers in `range`, at least one.

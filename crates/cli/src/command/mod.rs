@@ -3,6 +3,7 @@
 mod hertz;
 mod history;
 mod impact;
+mod plot;
 mod restitution;
 mod scene;
 

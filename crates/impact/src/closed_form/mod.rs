@@ -10,6 +10,7 @@ mod wave_loss;
 
 pub use adhesion::{AdhesiveCompression, compression_time};
 pub use energy::{normal_energy_loss, tangential_energy_loss};
+pub(crate) use wave_loss::radiated_energy;
 pub use wave_loss::{NOTICEABLE, PRINTED_COEFFICIENT, wave_loss, wave_loss_coefficient};
 
 /// phi = sqrt(1 + 120 chi) of (9.15), the parameter of the adhesion solutions.

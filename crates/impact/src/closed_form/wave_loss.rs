@@ -5,6 +5,9 @@
 //! waves, shear waves and the Rayleigh pole. With the exact Hertz pulse of a sphere on a
 //! half-space of its own material the share becomes `C(nu) (v/c_0)^(3/5)`, c_0 = sqrt(E/rho).
 
+use std::sync::LazyLock;
+
+use carom_halfspace::Material;
 use carom_special::RangeError;
 use carom_special::quadrature::GaussLegendre;
 
@@ -26,8 +29,7 @@ pub const NOTICEABLE: f64 = 0.01;
 /// [`RangeError`] unless Poisson's ratio is in [0, 1/2].
 pub fn wave_loss_coefficient(poisson: f64) -> Result<f64, RangeError> {
     RangeError::check("poisson", poisson, (0.0..=0.5).contains(&poisson), "in [0, 1/2]")?;
-    // int (d zeta^(3/2)/dt)^2 dt = (9/5) B(4/5, 3/2)
-    let pulse = 1.8 * libm::tgamma(0.8) * libm::tgamma(1.5) / libm::tgamma(2.3);
+    let pulse = pulse_integral();
     let sphere = libm::pow(4.0 * std::f64::consts::PI / 3.0, -0.2)
         * libm::pow(8.0 / (15.0 * (1.0 - poisson * poisson)), 1.2);
     let shear = libm::pow(2.0 * (1.0 + poisson), 1.5);
@@ -46,12 +48,35 @@ pub fn wave_loss(poisson: f64, velocity: f64, rod_speed: f64) -> Result<f64, Ran
     Ok(wave_loss_coefficient(poisson)? * libm::pow(velocity / rod_speed, 0.6))
 }
 
+/// The energy that a Hertz pulse of this maximal force and unit of time zeta_max/v sends into a
+/// half-space: `I/(2 pi rho c_T^3) int F'(t)^2 dt`.
+pub(crate) fn radiated_energy(
+    material: Material,
+    density: f64,
+    maximal_force: f64,
+    time_unit: f64,
+) -> Result<f64, RangeError> {
+    RangeError::positive("density", density)?;
+    let shear_speed = (material.shear_modulus() / density).sqrt();
+    let per_rate = radiation(material.poisson())?
+        / (2.0 * std::f64::consts::PI * density * shear_speed * shear_speed * shear_speed);
+    Ok(per_rate * maximal_force * maximal_force / time_unit * pulse_integral())
+}
+
+// int (d zeta^(3/2)/dt)^2 dt = (9/5) B(4/5, 3/2)
+fn pulse_integral() -> f64 {
+    1.8 * libm::tgamma(0.8) * libm::tgamma(1.5) / libm::tgamma(2.3)
+}
+
+static RULE: LazyLock<GaussLegendre> =
+    LazyLock::new(|| GaussLegendre::new(160).unwrap_or_else(|_| unreachable!("160 is an order")));
+
 // I: minus the imaginary part of int q a/R dq, a = sqrt(q^2 - h^2), b = sqrt(q^2 - 1),
 // R = (2 q^2 - 1)^2 - 4 q^2 a b, q in units of the shear wave number, h = c_T/c_L.
 fn radiation(poisson: f64) -> Result<f64, RangeError> {
     let h2 = (1.0 - 2.0 * poisson) / (2.0 * (1.0 - poisson));
     let h = h2.sqrt();
-    let rule = GaussLegendre::new(160)?;
+    let rule = &*RULE;
     let right = 0.5 * std::f64::consts::PI;
     // q = h sin t and q^2 = h^2 + (1 - h^2) sin^2 t remove the roots at the ends.
     let compressional = rule.integrate(0.0, right, |t| {

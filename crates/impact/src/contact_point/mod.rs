@@ -10,7 +10,7 @@ pub(crate) use placed::Placed;
 
 use nalgebra::Vector3;
 
-use crate::encounter::PlacedBody;
+use crate::placed_body::PlacedBody;
 use crate::surface::{Kind, SurfaceError};
 use parts::Face;
 use placed::Target;

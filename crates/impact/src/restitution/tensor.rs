@@ -35,7 +35,7 @@ impl RestitutionTensor {
     /// [`ObliqueError`] as [`ObliqueImpact::new`].
     pub fn tangent(groups: Groups, velocity_ratio: f64) -> Result<Self, ObliqueError> {
         let restitution = ObliqueImpact::new(groups)?.restitution();
-        let change = groups.psi() * slope(groups)?;
+        let change = change(groups)?;
         // v_xE = -R(psi) v_x, psi ~ v_x/v_z
         let mut tensor = Matrix3::from_diagonal(&[restitution, restitution, 1.0].into());
         tensor[(0, 0)] += change;
@@ -52,11 +52,11 @@ impl RestitutionTensor {
     }
 }
 
-// dR_x/dpsi.
-fn slope(groups: Groups) -> Result<f64, ObliqueError> {
+// psi dR_x/dpsi.
+fn change(groups: Groups) -> Result<f64, ObliqueError> {
     let (chi, psi) = (groups.chi(), groups.psi());
     if crate::closed_form::restitution_in_sliding(chi, psi).is_some() {
-        return Ok(-2.0 * chi / (psi * psi));
+        return Ok(-2.0 * chi / psi);
     }
     let step = 1e-3 * psi;
     if step == 0.0 {
@@ -68,7 +68,7 @@ fn slope(groups: Groups) -> Result<f64, ObliqueError> {
     };
     let near = at(psi + step)? - at(psi - step)?;
     let far = at(psi + 2.0 * step)? - at(psi - 2.0 * step)?;
-    Ok((8.0 * near - far) / (12.0 * step))
+    Ok(psi * (8.0 * near - far) / (12.0 * step))
 }
 
 #[cfg(test)]
@@ -89,6 +89,15 @@ mod tests {
                 assert!((-tensor.matrix() * before - after).norm() < 1e-14);
             }
         }
+    }
+
+    #[test]
+    fn frictionless_bodies_slide_on_in_both_tensors() {
+        let groups = Groups::new(3.0, f64::INFINITY).unwrap();
+        let secant = RestitutionTensor::secant(groups).unwrap();
+        let tangent = RestitutionTensor::tangent(groups, 1.0).unwrap();
+        assert_eq!(tangent.matrix(), secant.matrix());
+        assert_eq!(tangent.matrix()[(0, 0)], -1.0);
     }
 
     #[test]

@@ -1,60 +1,38 @@
 //! A history as SVG.
 
 use super::view::Step;
+use crate::command::plot::{Course, drawn};
 use crate::error::CliError;
-use carom_plot::{Axis, Panel, Series, render};
 
 /// Loads and sizes against the step, and force against shift.
 pub(super) fn draw(history: &[Step]) -> Result<String, CliError> {
-    let by_step = |title: &str, y: &str, lines: Vec<Series>| {
-        panel(Panel::new(Axis::linear("step"), Axis::linear(y)).titled(title), lines)
-    };
-    let line = |label: &str, value: fn(&Step) -> f64| {
-        Series::line(label, history.iter().map(|step| (step.step as f64, value(step))))
-    };
-    let loop_of = |label: &str, x: fn(&Step) -> f64, y: fn(&Step) -> f64| {
-        Series::line(label, history.iter().map(|step| (x(step), y(step))))
-    };
+    let course = Course { records: history, label: "step", at: |step| step.step as f64 };
     let panels = [
-        by_step(
+        course.panel(
             "loads on body 1",
             "force / N",
-            vec![
-                line("F_x", |step| step.f_x),
-                line("F_y", |step| step.f_y),
-                line("F_z", |step| step.f_z),
-            ],
+            &[("F_x", |s| s.f_x), ("F_y", |s| s.f_y), ("F_z", |s| s.f_z)],
         ),
-        panel(
-            Panel::new(Axis::linear("shift / m"), Axis::linear("force / N")).titled("loops"),
-            vec![
-                loop_of("F_x against ξ", |step| step.xi, |step| step.f_x),
-                loop_of("F_y against η", |step| step.eta, |step| step.f_y),
-            ],
+        course.paths(
+            "loops",
+            ["shift / m", "force / N"],
+            &[("F_x against ξ", |s| s.xi, |s| s.f_x), ("F_y against η", |s| s.eta, |s| s.f_y)],
         ),
-        by_step(
+        course.panel(
             "contact and stick ellipse",
             "semi-axis / m",
-            vec![
-                line("a", |step| step.semi_axis_a),
-                line("b", |step| step.semi_axis_b),
-                line("a, stick", |step| step.stick_semi_axis_a),
-                line("b, stick", |step| step.stick_semi_axis_b),
+            &[
+                ("a", |s| s.semi_axis_a),
+                ("b", |s| s.semi_axis_b),
+                ("a, stick", |s| s.stick_semi_axis_a),
+                ("b, stick", |s| s.stick_semi_axis_b),
             ],
         ),
-        by_step(
+        course.panel(
             "energy",
             "energy / J",
-            vec![
-                line("stored", |step| step.stored_energy),
-                line("dissipated", |step| step.dissipated),
-            ],
+            &[("stored", |s| s.stored_energy), ("dissipated", |s| s.dissipated)],
         ),
     ];
-    Ok(render("Load history", &panels)?)
-}
-
-fn panel(mut panel: Panel, lines: Vec<Series>) -> Panel {
-    lines.into_iter().for_each(|line| panel.add(line));
-    panel
+    drawn("Load history", &panels)
 }

@@ -1,12 +1,14 @@
 //! `carom impact`: one impact, or a sweep over the angle of incidence, from a case file.
 
+mod encounter;
 mod model;
 mod plot;
+mod samples;
 mod table;
 mod uncertain;
 mod view;
 
-use crate::case::{ImpactCase, UncertainCase};
+use crate::case::{CaseError, EncounterCase, ImpactCase, UncertainCase};
 use crate::error::CliError;
 use crate::output::{Answer, Format, PlotFile, csv, json, read_case};
 use carom_impact::CollisionError;
@@ -14,11 +16,11 @@ use model::Shot;
 use std::path::PathBuf;
 use view::Record;
 
-/// Impact of two spheres, or of a sphere and a plane, from a case file.
+/// Impact of two bodies from a case file: spheres and planes, or any smooth bodies in any place.
 ///
 /// The file is TOML in SI units; see the cases under examples/. z points into body 1. A
 /// distribution in the place of a number, as in glass_scatter.toml, gives the scatter of the
-/// outcome.
+/// outcome of spheres. The spin about the normal is left alone unless `contact.torsion = true`.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// The case file.
@@ -35,12 +37,17 @@ pub(super) struct Arguments {
     history: Option<u32>,
 }
 
+const NOTHING_TO_DRAW: &str = "no impact: there is nothing to draw";
+
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+    if let Some(case) = read_case(&arguments.case, EncounterCase::parse)? {
+        return encounter::run(arguments, &case);
+    }
     if let Some(case) = read_case(&arguments.case, UncertainCase::parse)? {
         return scatter(arguments, &case);
     }
     let case = read_case(&arguments.case, ImpactCase::parse)?;
-    let at_fault = |source| CliError::Collision { path: arguments.case.clone(), source };
+    let at_fault = |source| blamed(arguments, &case, source);
     let shots = model::shots(&case).map_err(at_fault)?;
     let is_sweep = case.is_sweep();
     if is_sweep && arguments.history.is_some() {
@@ -64,10 +71,21 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         None => None,
     };
     if arguments.plot.is_some() && svg.is_none() {
-        warnings.push("no impact: there is nothing to draw".to_owned());
+        warnings.push(NOTHING_TO_DRAW.to_owned());
     }
     let plot = arguments.plot.clone().zip(svg).map(|(path, svg)| PlotFile { path, svg });
     Ok(Answer { text, warnings, plot })
+}
+
+/// The case is to blame for torsion that cannot be given.
+fn blamed(arguments: &Arguments, case: &ImpactCase, source: CollisionError) -> CliError {
+    let path = arguments.case.clone();
+    match (source, case.contact.torsion) {
+        (CollisionError::NormalSpin(source), Some(line)) => {
+            CliError::Case { path, source: CaseError::Torsion { line, source: Box::new(source) } }
+        }
+        (source, _) => CliError::Collision { path, source },
+    }
 }
 
 fn scatter(arguments: &Arguments, case: &UncertainCase) -> Result<Answer, CliError> {

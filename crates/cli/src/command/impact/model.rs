@@ -18,7 +18,7 @@ pub(super) struct Shot {
 
 /// The collisions of a case: one, or one for each angle of a sweep.
 pub(super) fn shots(case: &ImpactCase) -> Result<Vec<Shot>, CollisionError> {
-    let friction = Friction::new(case.friction)?;
+    let friction = Friction::new(case.contact.friction)?;
     let body_2 = body(&case.body_2)?.moving(motion(&case.body_2, None)?);
     let shot = |angle: Option<f64>| {
         let velocity = match (&case.approach, angle) {
@@ -27,6 +27,10 @@ pub(super) fn shots(case: &ImpactCase) -> Result<Vec<Shot>, CollisionError> {
         };
         let body_1 = body(&case.body_1)?.moving(motion(&case.body_1, velocity)?);
         let collision = Collision::new(body_1, body_2, friction)?;
+        let collision = match case.contact.torsion {
+            Some(_) => collision.with_torsion(),
+            None => collision,
+        };
         Ok(Shot { angle, before: [body_1.motion(), body_2.motion()], collision })
     };
     match &case.approach {

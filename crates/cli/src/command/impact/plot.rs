@@ -1,49 +1,63 @@
 //! The course of an impact, or a sweep, as SVG.
 
+use super::samples::Sample;
 use super::view::{Instant, Record};
+use crate::command::plot::{Course, drawn};
 use crate::error::CliError;
-use carom_plot::{Axis, Marker, Panel, Series, render};
+use carom_plot::{Axis, Marker, Panel, Series};
 
 /// Instants of a drawn course.
 pub(super) const INSTANTS: usize = 401;
 
 /// Forces, displacements and radii against time.
 pub(super) fn course(history: &[Instant]) -> Result<String, CliError> {
-    let line = |label: &str, value: fn(&Instant) -> f64| {
-        Series::line(label, history.iter().map(|instant| (instant.time, value(instant))))
-    };
-    let panel = |title: &str, y: &str, lines: Vec<Series>| {
-        let mut panel = Panel::new(Axis::linear("time / s"), Axis::linear(y)).titled(title);
-        lines.into_iter().for_each(|line| panel.add(line));
-        panel
-    };
+    let course = Course { records: history, label: "time / s", at: |instant| instant.time };
     let panels = [
-        panel(
+        course.panel(
             "forces on body 1",
             "force / N",
-            vec![
-                line("normal", |instant| instant.normal_force),
-                line("tangential", |instant| instant.tangential_force),
-            ],
+            &[("normal", |i| i.normal_force), ("tangential", |i| i.tangential_force)],
         ),
-        panel(
+        course.panel(
             "displacements",
             "displacement / m",
-            vec![
-                line("approach", |instant| instant.approach),
-                line("shift", |instant| instant.shift),
-            ],
+            &[("approach", |i| i.approach), ("shift", |i| i.shift)],
         ),
-        panel(
+        course.panel(
             "areas",
             "radius / m",
-            vec![
-                line("contact", |instant| instant.contact_radius),
-                line("stick", |instant| instant.stick_radius),
-            ],
+            &[("contact", |i| i.contact_radius), ("stick", |i| i.stick_radius)],
         ),
     ];
-    Ok(render("Course of the impact", &panels)?)
+    drawn("Course of the impact", &panels)
+}
+
+/// Forces, displacements, velocities and the contact ellipse of an encounter against time.
+pub(super) fn encounter(samples: &[Sample]) -> Result<String, CliError> {
+    let course = Course { records: samples, label: "time / s", at: |sample| sample.time };
+    let panels = [
+        course.panel(
+            "forces on body 1",
+            "force / N",
+            &[("F_x", |s| s.force[0]), ("F_y", |s| s.force[1]), ("F_z", |s| s.force[2])],
+        ),
+        course.panel(
+            "displacements of body 2 against body 1",
+            "displacement / m",
+            &[("ξ", |s| s.shift[0]), ("η", |s| s.shift[1]), ("ζ", |s| s.shift[2])],
+        ),
+        course.panel(
+            "velocities of body 2 against body 1",
+            "velocity / m/s",
+            &[("v_x", |s| s.velocity[0]), ("v_y", |s| s.velocity[1]), ("v_z", |s| s.velocity[2])],
+        ),
+        course.panel(
+            "contact ellipse",
+            "semi-axis / m",
+            &[("a, along x", |s| s.semi_axes[0]), ("b, along y", |s| s.semi_axes[1])],
+        ),
+    ];
+    drawn("Course of the impact", &panels)
 }
 
 /// Restitution, velocity and spin of body 1 against the angle of incidence.
@@ -60,7 +74,7 @@ pub(super) fn sweep(records: &[Record]) -> Result<String, CliError> {
         panel("v_x of body 1 afterwards / m/s", velocity.collect()),
         panel("spin_y of body 1 afterwards / rad/s", spin.collect()),
     ];
-    Ok(render("Sweep over the angle of incidence", &panels)?)
+    drawn("Sweep over the angle of incidence", &panels)
 }
 
 fn panel(label: &str, points: Vec<(f64, f64)>) -> Panel {

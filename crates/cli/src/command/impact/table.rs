@@ -11,7 +11,8 @@ pub(super) fn render(records: &[Record], is_sweep: bool) -> String {
     }
 }
 
-fn one(record: &Record) -> String {
+/// The motions, what came of the impact, and its regimes.
+pub(super) fn outcome(record: &Record) -> String {
     let mut text = motions(record);
     match &record.rebound {
         None => text.push_str("no impact: the bodies do not approach each other\n"),
@@ -20,6 +21,11 @@ fn one(record: &Record) -> String {
             text.push_str(&events(rebound));
         }
     }
+    text
+}
+
+fn one(record: &Record) -> String {
+    let mut text = outcome(record);
     if let Some(history) = &record.history {
         text.push_str(&course(history));
     }
@@ -43,8 +49,7 @@ fn motions(record: &Record) -> String {
 }
 
 fn quantities(rebound: &ReboundRecord) -> String {
-    let vector = |value: [f64; 3]| value.map(short).join("  ");
-    let rows = [
+    let mut rows = vec![
         ("tangential restitution R_x", short(rebound.restitution), ""),
         ("contact velocity before", vector(rebound.contact_velocity_before), "m/s"),
         ("contact velocity after", vector(rebound.contact_velocity_after), "m/s"),
@@ -57,8 +62,31 @@ fn quantities(rebound: &ReboundRecord) -> String {
         ("kinetic energy after", short(rebound.energy_after), "J"),
         ("energy dissipated", short(rebound.energy_dissipated), "J"),
     ];
-    let rows = rows.map(|(name, value, unit)| vec![name.to_owned(), value, unit.to_owned()]);
+    if let Some(torsion) = &rebound.torsion {
+        rows.extend([
+            ("spin about the normal, after/before", short(torsion.spin_ratio), ""),
+            ("impulse of the torque on body 1", short(torsion.torque_impulse), "N m s"),
+            ("of the energy dissipated, by torsion", short(torsion.energy_dissipated), "J"),
+        ]);
+    }
+    named(&rows)
+}
+
+/// A table of named quantities with their units.
+pub(super) fn named(rows: &[(&str, String, &str)]) -> String {
+    let rows: Vec<Vec<String>> = rows
+        .iter()
+        .map(|(name, value, unit)| vec![(*name).to_owned(), value.clone(), (*unit).to_owned()])
+        .collect();
     table(&["quantity", "value", "unit"], &rows)
+}
+
+/// Three components to read; what is round-off of the largest is zero.
+pub(super) fn vector(value: [f64; 3]) -> String {
+    let largest = value.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
+    value
+        .map(|part| if part.abs() < 1e-15 * largest { "0".to_owned() } else { short(part) })
+        .join("  ")
 }
 
 fn events(rebound: &ReboundRecord) -> String {

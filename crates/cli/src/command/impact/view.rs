@@ -56,8 +56,18 @@ pub(super) struct ReboundRecord {
     pub(super) energy_before: f64,
     pub(super) energy_after: f64,
     pub(super) energy_dissipated: f64,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) torsion: Option<TorsionRecord>,
     pub(super) regimes: Vec<&'static str>,
     pub(super) events: Vec<EventRecord>,
+}
+
+/// What the torsional impact did to the spin about the normal.
+#[derive(Debug, Clone, Copy, Serialize)]
+pub(super) struct TorsionRecord {
+    pub(super) spin_ratio: f64,
+    pub(super) torque_impulse: f64,
+    pub(super) energy_dissipated: f64,
 }
 
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -82,7 +92,10 @@ pub(super) struct Instant {
 
 /// Computes the collisions, in their order.
 pub(super) fn records(shots: &[Shot]) -> Result<Vec<Record>, CollisionError> {
-    shots.par_iter().map(|shot| Ok(record(shot, &shot.collision.solve()?))).collect()
+    shots
+        .par_iter()
+        .map(|shot| Ok(record(shot.angle, &shot.before, &shot.collision.solve()?)))
+        .collect()
 }
 
 /// The course of a collision at `count` instants; empty without an impact.
@@ -90,12 +103,13 @@ pub(super) fn history(shot: &Shot, count: usize) -> Result<Vec<Instant>, Collisi
     Ok(shot.collision.history(count)?.iter().map(instant).collect())
 }
 
-fn record(shot: &Shot, outcome: &Outcome) -> Record {
+/// What came of an impact.
+pub(super) fn record(angle: Option<f64>, before: &[Motion; 2], outcome: &Outcome) -> Record {
     let rebound = outcome.rebound();
     Record {
-        angle: shot.angle,
+        angle,
         outcome: if rebound.is_some() { Kind::Rebound } else { Kind::NoImpact },
-        before: motions(&shot.before),
+        before: motions(before),
         after: motions(&outcome.motions()),
         rebound: rebound.map(rebound_record),
         warnings: rebound
@@ -124,6 +138,11 @@ fn rebound_record(rebound: &Rebound) -> ReboundRecord {
         energy_before: rebound.energy.before,
         energy_after: rebound.energy.after,
         energy_dissipated: rebound.energy.dissipated,
+        torsion: rebound.torsion.map(|torsion| TorsionRecord {
+            spin_ratio: torsion.spin_ratio,
+            torque_impulse: torsion.torque_impulse,
+            energy_dissipated: torsion.dissipated,
+        }),
         regimes: rebound.log.iter().map(|entry| entry.regime.name()).collect(),
         events: rebound
             .log

@@ -1,21 +1,29 @@
 //! `carom restitution`: R_x of spheres by kappa and lambda, of any bodies by chi and psi.
 
+mod plot;
+mod tensor;
+
 use crate::error::CliError;
 use crate::output::{Answer, Format, PlotFile, csv, json, short, table};
 use crate::range::Values;
 use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
-use carom_plot::{Axis, Marker, Panel, Series, render};
 use carom_special::RangeError;
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 use serde::Serialize;
 use serde::ser::SerializeMap;
 use std::path::PathBuf;
+use tensor::{Tensor, TensorRecord};
+
+/// Impacts from which on a bar on standard error, if that is a terminal, shows the progress.
+const MANY: usize = 2000;
 
 /// Tangential restitution R_x of solid spheres (--kappa, --lambda) or of any bodies whose normal
 /// and tangential motions are uncoupled (--chi, --psi).
 ///
 /// R_x is the tangential velocity of the contact points after the impact over that before,
-/// reversed: 1 rebounds elastically, 0 stops, -1 slides on unhindered. Lists give every pair.
+/// reversed: 1 rebounds elastically, 0 stops, -1 slides on unhindered. Lists give every pair; two
+/// ranges can be drawn as a map.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// Ratio of stiffness c_z/c_x, (2 - nu)/(2 (1 - nu)): a value, a list 1,1.2 or
@@ -35,9 +43,20 @@ pub(super) struct Arguments {
     /// Format of the results.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
-    /// Draw the results into this file, as SVG.
+    /// Draw lines over the second number into this file, as SVG.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
+    /// Draw a map over both numbers, colours and contour lines, into this file, as SVG.
+    #[arg(long, value_name = "FILE", conflicts_with = "plot")]
+    map: Option<PathBuf>,
+    /// Give the restitution tensor (3.3) too: `secant` is diag(R_x, R_x, 1), `tangent` is
+    /// -dv_after/dv_before. x is the direction of slip.
+    #[arg(long, value_enum)]
+    tensor: Option<Tensor>,
+    /// Tangential over normal velocity before, which the tangent tensor needs.
+    #[arg(long, value_name = "VALUE", allow_hyphen_values = true)]
+    #[arg(required_if_eq("tensor", "tangent"))]
+    velocity_ratio: Option<f64>,
 }
 
 /// The two numbers that span the results: their names, values and meaning.
@@ -86,11 +105,12 @@ struct Row {
     numbers: [f64; 2],
     restitution: f64,
     regimes: Vec<&'static str>,
+    tensor: Option<TensorRecord>,
 }
 
 impl Serialize for Row {
     fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(4))?;
+        let mut map = serializer.serialize_map(None)?;
         for (name, number) in self.names.iter().zip(self.numbers) {
             // JSON has no infinity: frictionless bodies have the word `inf`.
             if number.is_finite() {
@@ -101,68 +121,80 @@ impl Serialize for Row {
         }
         map.serialize_entry("R_x", &self.restitution)?;
         map.serialize_entry("regimes", &self.regimes)?;
+        if let Some(tensor) = &self.tensor {
+            map.serialize_entry("tensor", tensor)?;
+        }
         map.end()
     }
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let plane = Plane::of(arguments);
-    let heads = [plane.names[0], plane.names[1], "R_x", "regimes"];
-    let inputs = plane.pairs().map(|[a, b]| Ok(([a, b], (plane.groups)(a, b)?)));
-    let rows = inputs
-        .collect::<Result<Vec<_>, RangeError>>()?
-        .into_par_iter()
-        .map(|(numbers, groups)| {
-            let impact = ObliqueImpact::new(groups)?;
-            let regimes = impact.regimes().map(Regime::name).collect();
-            Ok(Row { names: plane.names, numbers, restitution: impact.restitution(), regimes })
-        })
-        .collect::<Result<Vec<Row>, CliError>>()?;
+    if arguments.map.is_some() {
+        plot::check(plane.values)?;
+    }
+    let ratio = arguments.velocity_ratio.map(tensor::velocity_ratio).transpose()?;
+    let rows = rows(&plane, arguments.tensor, ratio.unwrap_or_default())?;
+    let mut heads = vec![plane.names[0], plane.names[1], "R_x", "regimes"];
+    if arguments.tensor.is_some() {
+        heads.extend(tensor::HEADS);
+    }
     let text = match arguments.format {
         Format::Json => json(&rows)?,
         Format::Csv => csv(&heads, &cells(&rows, |value| value.to_string()))?,
         Format::Table => table(&heads, &cells(&rows, short)),
     };
-    let plot = match &arguments.plot {
-        Some(path) => Some(PlotFile { path: path.clone(), svg: plot(&rows, &plane)? }),
-        None => None,
+    let plot = match (&arguments.plot, &arguments.map) {
+        (Some(path), _) => Some(PlotFile { path: path.clone(), svg: plot::lines(&rows, &plane)? }),
+        (_, Some(path)) => Some(PlotFile { path: path.clone(), svg: plot::map(&rows, &plane)? }),
+        _ => None,
     };
     Ok(Answer { text, warnings: Vec::new(), plot })
+}
+
+/// All pairs in their order, in parallel.
+fn rows(plane: &Plane<'_>, tensor: Option<Tensor>, ratio: f64) -> Result<Vec<Row>, CliError> {
+    let inputs = plane
+        .pairs()
+        .map(|[a, b]| Ok(([a, b], (plane.groups)(a, b)?)))
+        .collect::<Result<Vec<_>, RangeError>>()?;
+    let bar = progress(inputs.len());
+    let rows = inputs
+        .into_par_iter()
+        .map(|(numbers, groups)| {
+            let impact = ObliqueImpact::new(groups)?;
+            let regimes = impact.regimes().map(Regime::name).collect();
+            let restitution = impact.restitution();
+            let tensor = tensor.map(|tensor| tensor.record(groups, ratio)).transpose()?;
+            bar.inc(1);
+            Ok(Row { names: plane.names, numbers, restitution, regimes, tensor })
+        })
+        .collect();
+    bar.finish_and_clear();
+    rows
+}
+
+/// A bar for many impacts; it hides where standard error is no terminal.
+fn progress(count: usize) -> ProgressBar {
+    if count < MANY {
+        return ProgressBar::hidden();
+    }
+    let target = ProgressDrawTarget::stderr_with_hz(10);
+    let bar = ProgressBar::with_draw_target(Some(count as u64), target);
+    match ProgressStyle::with_template("{bar:40} {pos}/{len} impacts, {eta} left") {
+        Ok(style) => bar.with_style(style),
+        Err(_) => bar,
+    }
 }
 
 fn cells(rows: &[Row], number: impl Fn(f64) -> String) -> Vec<Vec<String>> {
     let cells = rows.iter().map(|row| {
         let numbers = row.numbers.into_iter().chain([row.restitution]).map(&number);
-        numbers.chain([row.regimes.join(" ")]).collect()
+        let mut cells: Vec<String> = numbers.chain([row.regimes.join(" ")]).collect();
+        if let Some(tensor) = &row.tensor {
+            cells.extend(tensor.cells(&number));
+        }
+        cells
     });
     cells.collect()
-}
-
-/// R_x against the second number, a line for each first one; against the first if there is one
-/// second only.
-fn plot(rows: &[Row], plane: &Plane<'_>) -> Result<String, CliError> {
-    let [first, second] = plane.values;
-    let [symbol, other] = plane.symbols;
-    let (label, lines): (_, Vec<Series>) = if second.len() == 1 && first.len() > 1 {
-        let points = rows.iter().map(|row| (row.numbers[0], row.restitution));
-        (symbol, vec![line(format!("{other} = {}", short(second[0])), points.collect())])
-    } else {
-        let lines = rows.chunks(second.len().max(1)).map(|rows| {
-            let finite = rows.iter().filter(|row| row.numbers[1].is_finite());
-            let points = finite.map(|row| (row.numbers[1], row.restitution));
-            line(format!("{symbol} = {}", short(rows[0].numbers[0])), points.collect())
-        });
-        (other, lines.collect())
-    };
-    let mut panel = Panel::new(Axis::linear(label.to_string()), Axis::linear("R_x"));
-    lines.into_iter().for_each(|line| panel.add(line));
-    Ok(render(plane.title, &[panel])?)
-}
-
-fn line(label: String, points: Vec<(f64, f64)>) -> Series {
-    if points.len() > 1 {
-        Series::line(label, points)
-    } else {
-        Series::markers(label, Marker::Dot, points)
-    }
 }

@@ -1,0 +1,292 @@
+//! A body of any smooth shape with its place: `[body_1]` and `[body_2]` of an encounter.
+
+use super::body::{MASS, read_material};
+use super::error::CaseError;
+use super::range::Range;
+use super::section::{Section, Words};
+use carom_halfspace::Material;
+use carom_impact::{Attitude, Inertia, Motion, PlacedBody, Surface, SurfaceError};
+use carom_laws::curvature::PrincipalRadii;
+use carom_special::RangeError;
+
+/// Fields of every placed body beside its shape.
+const COMMON: [&str; 10] = [
+    "material",
+    "density",
+    "mass",
+    "fixed",
+    "inertia",
+    "position",
+    "quaternion",
+    "angles",
+    "velocity",
+    "spin",
+];
+/// Shapes with their own fields.
+const SHAPES: [(&str, &[&str]); 9] = [
+    ("sphere", &["radius"]),
+    ("ellipsoid", &["semi_axes"]),
+    ("cylinder", &["radius", "length"]),
+    ("capsule", &["radius", "length"]),
+    ("torus", &["radius", "tube_radius"]),
+    ("box", &["edges"]),
+    ("plane", &["normal"]),
+    ("half-space", &["normal"]),
+    ("given", &["radii", "point", "normal", "direction"]),
+];
+/// The same as words.
+pub(super) const WORDS: Words = Words {
+    words: &[
+        "sphere",
+        "ellipsoid",
+        "cylinder",
+        "capsule",
+        "torus",
+        "box",
+        "plane",
+        "half-space",
+        "given",
+    ],
+    allowed: "\"sphere\", \"ellipsoid\", \"cylinder\", \"capsule\", \"torus\", \"box\", \"plane\", \
+              \"half-space\" or \"given\"",
+};
+/// Fields that only placed bodies have: their presence makes a case an encounter.
+pub(super) const MARKS: [&str; 12] = [
+    "inertia",
+    "position",
+    "quaternion",
+    "angles",
+    "semi_axes",
+    "length",
+    "tube_radius",
+    "edges",
+    "radii",
+    "point",
+    "normal",
+    "direction",
+];
+const INERTIA: &str = "\"solid\", \"shell\" or three moments about the body's axes, each > 0 (inf: \
+                       does not turn)";
+const RADII: [&str; 2] = ["first", "second"];
+
+/// A body and where it touches, as far as the file says it.
+#[derive(Debug, Clone)]
+pub(super) struct Placed {
+    pub(super) body: PlacedBody,
+    pub(super) motion: Motion,
+    /// The only point at which its surface is known, in its axes.
+    pub(super) point: Option<[f64; 3]>,
+    pub(super) is_plane: bool,
+    pub(super) has_position: bool,
+}
+
+impl Placed {
+    /// Reads the body in table `name`.
+    pub(super) fn read(case: &Section<'_>, name: &str) -> Result<Self, CaseError> {
+        let body = &section(case, name)?;
+        let shape = body.word("shape", WORDS)?;
+        let is_plane = matches!(shape, "plane" | "half-space");
+        let point = match shape {
+            "given" => Some(body.vector("point", Range::Finite)?),
+            _ => None,
+        };
+        let surface = read_surface(body, shape, point)?;
+        let material = read_material(body)?;
+        let inertia = read_inertia(body, shape, &surface)?;
+        let motion = read_motion(body)?;
+        let has_position = body.has("position");
+        let placed = place(body, is_plane, PlacedBody::new(surface, material, inertia))?;
+        Ok(Self { body: placed.moving(motion), motion, point, is_plane, has_position })
+    }
+
+    pub(super) fn material(&self) -> Material {
+        self.body.material()
+    }
+
+    pub(super) fn is_heavy(&self) -> bool {
+        self.body.inertia().mass().is_infinite()
+    }
+}
+
+/// Whether the body in table `name` has a known shape and known fields only.
+pub(super) fn check(case: &Section<'_>, name: &str) -> Result<(), CaseError> {
+    section(case, name).map(|_| ())
+}
+
+/// The body's table, which takes the fields of its shape; those of all shapes where that is
+/// missing or unknown.
+fn section<'a>(case: &Section<'a>, name: &str) -> Result<Section<'a>, CaseError> {
+    let shape = case.word(&format!("{name}.shape"), WORDS);
+    let own = SHAPES.iter().filter(|(word, _)| shape.as_ref().map_or(true, |shape| word == shape));
+    let mut fields: Vec<&'static str> = vec!["shape"];
+    for field in own.flat_map(|(_, fields)| fields.iter()).chain(&COMMON) {
+        if !fields.contains(field) {
+            fields.push(field);
+        }
+    }
+    let section = case.section(name, &fields)?;
+    shape.map(|_| section)
+}
+
+fn read_surface(
+    body: &Section<'_>,
+    shape: &str,
+    point: Option<[f64; 3]>,
+) -> Result<Surface, CaseError> {
+    let number = |name: &str| body.number(name, Range::Positive);
+    let at = |name: &'static str| {
+        move |error: RangeError| body.out_of_range(name, error.value, error.allowed)
+    };
+    match shape {
+        "sphere" => Surface::sphere(number("radius")?).map_err(at("radius")),
+        "ellipsoid" => {
+            Surface::ellipsoid(body.vector("semi_axes", Range::Positive)?).map_err(at("semi_axes"))
+        }
+        "cylinder" => Surface::cylinder(number("radius")?, number("length")?).map_err(at("length")),
+        "capsule" => Surface::capsule(number("radius")?, number("length")?).map_err(at("length")),
+        "torus" => Surface::torus(number("radius")?, number("tube_radius")?)
+            .map_err(|error| body.out_of_range("tube_radius", error.value, "< `radius`")),
+        "box" => Surface::cuboid(body.vector("edges", Range::Positive)?).map_err(at("edges")),
+        "given" => {
+            let radii = body.array("radii", RADII, Range::Radius, "two principal radii")?;
+            let radii = PrincipalRadii::new(radii[0], radii[1]).map_err(at("radii"))?;
+            let normal = read_direction(body, "normal")?;
+            let direction = read_direction(body, "direction")?;
+            Surface::given(point.unwrap_or_default(), normal, direction, radii)
+                .map_err(at("direction"))
+        }
+        _ => Ok(Surface::plane()),
+    }
+}
+
+fn read_direction(body: &Section<'_>, name: &str) -> Result<[f64; 3], CaseError> {
+    let vector = body.vector(name, Range::Finite)?;
+    let length = vector.iter().map(|x| x * x).sum::<f64>().sqrt();
+    if length.is_finite() && length > 0.0 {
+        return Ok(vector);
+    }
+    Err(body.out_of_range(name, length, "a vector of finite length > 0"))
+}
+
+fn read_inertia(body: &Section<'_>, shape: &str, surface: &Surface) -> Result<Inertia, CaseError> {
+    let given: Vec<&str> =
+        ["mass", "density", "fixed"].into_iter().filter(|name| body.has(name)).collect();
+    if let [one, other, ..] = given.as_slice() {
+        return Err(body.conflict(other, one, "give one of them"));
+    }
+    if body.switch("fixed")? {
+        return match body.has("inertia") {
+            true => Err(body.conflict("inertia", "fixed", "a fixed body does not turn")),
+            false => Ok(Inertia::FIXED),
+        };
+    }
+    let mass = match body.has("density") {
+        true => read_density(body, surface)?,
+        false if body.has("mass") => body.number("mass", Range::PositiveOrInfinite)?,
+        false => return Err(body.missing("mass", MASS)),
+    };
+    let field = if body.has("density") { "density" } else { "mass" };
+    let of_shape = |made: Result<Inertia, SurfaceError>| {
+        made.map_err(|error| match error {
+            SurfaceError::Range(error) => body.out_of_range(field, mass, error.allowed),
+            _ => body.missing("inertia", "three moments: this shape has no inertia of its own"),
+        })
+    };
+    if body.is_list("inertia") {
+        let moments = body.vector("inertia", Range::PositiveOrInfinite)?;
+        return Inertia::new(mass, moments)
+            .map_err(|error| body.out_of_range("inertia", error.value, error.allowed));
+    }
+    let kind = match body.has("inertia") {
+        true => body.word("inertia", Words { words: &["solid", "shell"], allowed: INERTIA })?,
+        false => "solid",
+    };
+    match kind {
+        // A plane is guided: it gives way, but does not turn.
+        "solid" if matches!(shape, "plane" | "half-space") => {
+            of_shape(Inertia::new(mass, [f64::INFINITY; 3]).map_err(Into::into))
+        }
+        "shell" if field == "density" => {
+            Err(body.conflict("density", "inertia", "a thin shell has no thickness; give its mass"))
+        }
+        "shell" => of_shape(surface.shell(mass)),
+        _ => of_shape(surface.solid(mass)),
+    }
+}
+
+fn read_density(body: &Section<'_>, surface: &Surface) -> Result<f64, CaseError> {
+    let density = body.number("density", Range::Positive)?;
+    let Some(volume) = surface.volume() else {
+        return Err(body.conflict("density", "shape", "it has no volume; give its `mass`"));
+    };
+    let mass = density * volume;
+    if mass.is_finite() && mass > 0.0 {
+        return Ok(mass);
+    }
+    Err(body.out_of_range("density", density, "such that the mass is finite and > 0"))
+}
+
+fn read_motion(body: &Section<'_>) -> Result<Motion, CaseError> {
+    if body.switch("fixed")? {
+        let moving = ["velocity", "spin"].into_iter().find(|name| body.has(name));
+        let reason = "a fixed body is at rest; a moving one of infinite mass has `mass = inf`";
+        return match moving {
+            Some(name) => Err(body.conflict(name, "fixed", reason)),
+            None => Ok(Motion::default()),
+        };
+    }
+    let velocity = body.vector("velocity", Range::Speed)?;
+    let spin = body.vector("spin", Range::Speed)?;
+    Motion::new(velocity, spin)
+        .map_err(|error| body.out_of_range(error.field, error.value, error.allowed))
+}
+
+fn place(body: &Section<'_>, is_plane: bool, placed: PlacedBody) -> Result<PlacedBody, CaseError> {
+    let placed = placed.turned(read_attitude(body, is_plane)?);
+    if !body.has("position") {
+        return Ok(placed);
+    }
+    let position = body.vector("position", Range::Finite)?;
+    placed.at(position).map_err(|error| body.out_of_range("position", error.value, error.allowed))
+}
+
+fn read_attitude(body: &Section<'_>, is_plane: bool) -> Result<Attitude, CaseError> {
+    let mut ways = vec!["quaternion", "angles"];
+    if is_plane {
+        ways.push("normal");
+    }
+    let given: Vec<&str> = ways.into_iter().filter(|name| body.has(name)).collect();
+    let at = |name: &'static str| {
+        move |error: RangeError| body.out_of_range(name, error.value, error.allowed)
+    };
+    match given.as_slice() {
+        [] => Ok(Attitude::ALIGNED),
+        ["quaternion"] => {
+            let allowed = "a unit quaternion [w, i, j, k]";
+            let parts = body.array("quaternion", ["w", "i", "j", "k"], Range::Finite, allowed)?;
+            Attitude::from_quaternion(parts).map_err(|error| {
+                body.out_of_range("quaternion", error.value, "of norm 1 to within 1e-6")
+            })
+        }
+        ["angles"] => {
+            let names = ["alpha", "beta", "gamma"];
+            let allowed = "three angles [alpha, beta, gamma] in degrees";
+            let [alpha, beta, gamma] =
+                body.array("angles", names, Range::Finite, allowed)?.map(f64::to_radians);
+            Attitude::from_angles(alpha, beta, gamma).map_err(at("angles"))
+        }
+        ["normal"] => facing(read_direction(body, "normal")?).map_err(at("normal")),
+        [one, other, ..] => Err(body.conflict(other, one, "give one of them")),
+        [_] => Ok(Attitude::ALIGNED),
+    }
+}
+
+/// The attitude in which axis c points along `normal`.
+fn facing(normal: [f64; 3]) -> Result<Attitude, RangeError> {
+    let [x, y, z] = normal;
+    let across = libm::hypot(x, y);
+    let angle = libm::atan2(across, z);
+    // About (0, 0, 1) x normal; any axis across where that vanishes.
+    let axis = if across > 0.0 { [-y, x, 0.0] } else { [1.0, 0.0, 0.0] };
+    Attitude::about(axis, angle)
+}

@@ -1,0 +1,62 @@
+//! Where two bodies meet that still lie apart: body 1 goes on straight towards body 2.
+
+use nalgebra::Vector3;
+
+use crate::contact_point::{Nearest, SearchError, nearest};
+use crate::placed_body::PlacedBody;
+use crate::surface::{Kind, Surface};
+
+const MAX_STEPS: usize = 500;
+
+/// Body 1, moved along the velocity of its centre against that of body 2 until the gap is within
+/// `allowed`. The bodies do not turn on the way.
+///
+/// The gap of convex bodies is a convex function of the way: Newton's steps come from outside and
+/// never pass the touch. For others a step is as long as the gap, which is safe for all.
+pub(crate) fn brought_together(
+    body_1: PlacedBody,
+    body_2: &PlacedBody,
+    allowed: f64,
+) -> Result<PlacedBody, SearchError> {
+    let course = body_1.motion.velocity - body_2.motion.velocity;
+    let is_convex = is_convex(&body_1.surface) && is_convex(&body_2.surface);
+    let start = body_1.centre;
+    let mut moved = body_1;
+    let mut time = 0.0;
+    let mut found = nearest(&moved.placed(), &body_2.placed())?;
+    for _ in 0..MAX_STEPS {
+        if found.gap.abs() <= allowed {
+            return Ok(moved);
+        }
+        let closing = closing_speed(&found, &course);
+        // Apart and not closing in (convex gaps only grow from there), or overlapping.
+        if found.gap.is_nan() || found.gap < 0.0 || (is_convex && closing <= 0.0) {
+            break;
+        }
+        time += found.gap / if is_convex { closing } else { course.norm() };
+        moved.centre = start + course * time;
+        if !moved.centre.iter().all(|x| x.is_finite()) {
+            break;
+        }
+        found = nearest(&moved.placed(), &body_2.placed())?;
+    }
+    Err(SearchError::NotTouching { gap: found.gap, allowed })
+}
+
+// How fast the gap shrinks.
+fn closing_speed(found: &Nearest, course: &Vector3<f64>) -> f64 {
+    let normal = (found.points[0] - found.points[1]) / found.gap;
+    -course.dot(&normal)
+}
+
+fn is_convex(surface: &Surface) -> bool {
+    matches!(
+        surface.kind(),
+        Kind::Sphere { .. }
+            | Kind::Ellipsoid { .. }
+            | Kind::Plane
+            | Kind::Cylinder { .. }
+            | Kind::Capsule { .. }
+            | Kind::Box { .. }
+    )
+}

@@ -1,0 +1,118 @@
+//! The spin about the common normal: left alone by an impact, or changed by its torsion.
+//!
+//! Chapter 10 takes the torsional impact as independent of the tangential one: both draw on the
+//! same friction, yet each is computed as if the other were absent. That is right as long as one of
+//! them is small.
+
+use carom_laws::friction::Friction;
+use carom_laws::hertz::Hertz;
+use nalgebra::{Matrix3, Vector3};
+
+use crate::closed_form::NOTICEABLE;
+use crate::outcome::{Torsion, Warning};
+use crate::torsional::{SpinCollision, Spinner, TorsionalError, limits};
+
+/// Couplings below this part of their greatest possible value are round-off.
+const UNCOUPLED: f64 = 1e-9;
+
+/// Why torsion cannot be taken by itself.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum NormalSpinError {
+    /// A body's spin about the normal goes with its other motion.
+    #[error(
+        "torsion: the spin of body {body} about the normal is coupled to the motion of its contact \
+         point; the normal must pass through the centre of mass along a principal axis of inertia"
+    )]
+    SpinCoupled {
+        /// 1 or 2.
+        body: u8,
+    },
+    /// The normal motion goes with the tangential one.
+    #[error(
+        "torsion: normal and tangential motion are coupled; the normal must pass through both \
+         centres of mass"
+    )]
+    NormalCoupled,
+    /// The torsional impact could not be followed.
+    #[error("torsion: {0}")]
+    Torsional(#[from] TorsionalError),
+}
+
+/// What turns a body about the normal.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Pivot {
+    /// From the centre of mass to the contact point.
+    pub(crate) arm: Vector3<f64>,
+    /// theta^-1 in space.
+    pub(crate) inverse_tensor: Matrix3<f64>,
+    pub(crate) spin: Vector3<f64>,
+}
+
+/// Two bodies that meet and spin about their common normal.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct NormalSpin<'a> {
+    pub(crate) hertz: &'a Hertz,
+    pub(crate) friction: Friction,
+    pub(crate) normal: Vector3<f64>,
+    pub(crate) pivots: [Pivot; 2],
+    /// D_zz.
+    pub(crate) normal_mobility: f64,
+    /// Speed of approach.
+    pub(crate) velocity: f64,
+}
+
+impl NormalSpin<'_> {
+    /// The torsional impact.
+    pub(crate) fn solve(&self) -> Result<Torsion, NormalSpinError> {
+        for (body, pivot) in [1, 2].into_iter().zip(&self.pivots) {
+            let turned = pivot.inverse_tensor * self.normal;
+            let most = pivot.arm.norm() * pivot.inverse_tensor.norm();
+            if pivot.arm.cross(&turned).norm() > UNCOUPLED * most {
+                return Err(NormalSpinError::SpinCoupled { body });
+            }
+        }
+        if self.relative_spin() == 0.0 {
+            return Ok(Torsion { spin_ratio: 1.0, torque_impulse: 0.0, dissipated: 0.0 });
+        }
+        let outcome = self.collision()?.solve()?;
+        Ok(Torsion {
+            spin_ratio: outcome.spin_ratio,
+            torque_impulse: outcome.torque_impulse,
+            dissipated: outcome.energy_loss,
+        })
+    }
+
+    /// The change of a body's spin by the torque impulse on body 1.
+    pub(crate) fn turn(&self, body: usize, torsion: &Torsion) -> Vector3<f64> {
+        let sign = if body == 0 { 1.0 } else { -1.0 };
+        self.pivots[body].inverse_tensor * self.normal * (sign * torsion.torque_impulse)
+    }
+
+    /// What an outcome without torsion should say: that torsion would take a noticeable part of
+    /// the spin, by the lesser of the closed forms of no slip and of sliding.
+    pub(crate) fn left_alone(&self) -> Option<Warning> {
+        if self.relative_spin() == 0.0 {
+            return None;
+        }
+        let groups = self.collision().ok()?.groups().ok()??;
+        let (epsilon, omega) = (groups.epsilon(), groups.omega());
+        let stuck = 1.0 - limits::no_slip_first_order(epsilon);
+        let share = stuck.min(1.0 - limits::sliding(epsilon, omega)).min(1.0);
+        (share > NOTICEABLE).then_some(Warning::SpinLeftAlone { share })
+    }
+
+    fn relative_spin(&self) -> f64 {
+        (self.pivots[0].spin - self.pivots[1].spin).dot(&self.normal)
+    }
+
+    // D_zz is that of both bodies: the first spinner carries the mass.
+    fn collision(&self) -> Result<SpinCollision, TorsionalError> {
+        let spinner = |pivot: &Pivot, mass: f64| {
+            let inverse = self.normal.dot(&(pivot.inverse_tensor * self.normal));
+            Spinner::new(mass, 1.0 / inverse)?.spinning(pivot.spin.dot(&self.normal))
+        };
+        let [one, two] = &self.pivots;
+        let bodies = [spinner(one, 1.0 / self.normal_mobility)?, spinner(two, f64::INFINITY)?];
+        SpinCollision::new(self.hertz, self.friction, bodies, self.velocity)
+    }
+}

@@ -1,0 +1,133 @@
+//! A body of any smooth shape: surface, material, inertia, place, attitude and motion.
+
+use carom_halfspace::Material;
+use carom_special::RangeError;
+use nalgebra::Vector3;
+
+use crate::attitude::Attitude;
+use crate::body::{Inertia, Motion, kinetic_energy};
+use crate::contact_point::Placed;
+use crate::surface::{Kind, LocalSurface, Surface, SurfaceError};
+
+/// A body with its surface, place, attitude and motion.
+///
+/// ```
+/// use carom_halfspace::Material;
+/// use carom_impact::{Attitude, Motion, PlacedBody, Surface};
+/// let steel = Material::from_shear(80e9, 0.3)?;
+/// let egg = Surface::ellipsoid([0.03, 0.02, 0.015])?;
+/// let inertia = egg.solid(0.296)?;
+/// let body = PlacedBody::new(egg, steel, inertia)
+///     .at([0.0, 0.0, 0.015])?
+///     .turned(Attitude::from_angles(0.0, 0.0, 0.5)?)
+///     .moving(Motion::new([0.6, 0.4, -2.0], [0.0; 3])?);
+/// assert_eq!(body.centre().z, 0.015);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct PlacedBody {
+    pub(crate) surface: Surface,
+    pub(crate) material: Material,
+    pub(crate) inertia: Inertia,
+    pub(crate) centre: Vector3<f64>,
+    pub(crate) attitude: Attitude,
+    pub(crate) motion: Motion,
+}
+
+impl PlacedBody {
+    /// A body at rest at the origin, its axes along those of space.
+    #[must_use]
+    pub fn new(surface: Surface, material: Material, inertia: Inertia) -> Self {
+        let centre = Vector3::zeros();
+        let (attitude, motion) = (Attitude::ALIGNED, Motion::default());
+        Self { surface, material, inertia, centre, attitude, motion }
+    }
+
+    /// A plane through the origin, held fast, with the half-space z < 0 behind it.
+    #[must_use]
+    pub fn plane(material: Material) -> Self {
+        Self::new(Surface::plane(), material, Inertia::FIXED)
+    }
+
+    /// The same body with its centre of mass there; for a plane, any of its points.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the components are finite.
+    pub fn at(self, centre: [f64; 3]) -> Result<Self, RangeError> {
+        for value in centre {
+            RangeError::finite("centre", value)?;
+        }
+        Ok(Self { centre: centre.into(), ..self })
+    }
+
+    /// The same body in this attitude.
+    #[must_use]
+    pub fn turned(self, attitude: Attitude) -> Self {
+        Self { attitude, ..self }
+    }
+
+    /// The same body with this motion, in space axes.
+    #[must_use]
+    pub fn moving(self, motion: Motion) -> Self {
+        Self { motion, ..self }
+    }
+
+    /// Its surface, in its own axes.
+    #[must_use]
+    pub const fn surface(&self) -> &Surface {
+        &self.surface
+    }
+
+    /// Its material.
+    #[must_use]
+    pub const fn material(&self) -> Material {
+        self.material
+    }
+
+    /// Its inertia.
+    #[must_use]
+    pub const fn inertia(&self) -> Inertia {
+        self.inertia
+    }
+
+    /// Its centre of mass.
+    #[must_use]
+    pub const fn centre(&self) -> Vector3<f64> {
+        self.centre
+    }
+
+    /// Its attitude.
+    #[must_use]
+    pub const fn attitude(&self) -> Attitude {
+        self.attitude
+    }
+
+    /// Its motion.
+    #[must_use]
+    pub const fn motion(&self) -> Motion {
+        self.motion
+    }
+
+    pub(crate) fn placed(&self) -> Placed<'_> {
+        Placed { surface: &self.surface, centre: self.centre, attitude: self.attitude }
+    }
+
+    pub(crate) fn local_at(&self, in_space: &Vector3<f64>) -> Result<LocalSurface, SurfaceError> {
+        let in_body = self.attitude.to_body(&(in_space - self.centre));
+        Ok(self.surface.local(&in_body)?.placed(&self.centre, &self.attitude))
+    }
+
+    // The motion of a plane is given at the contact point.
+    pub(crate) fn arm(&self, from_centre: Vector3<f64>) -> Vector3<f64> {
+        match self.surface.kind() {
+            Kind::Plane => Vector3::zeros(),
+            _ => from_centre,
+        }
+    }
+
+    pub(crate) fn kinetic_energy(&self, motion: &Motion) -> f64 {
+        // The moments belong to the body's axes.
+        let spin = self.attitude.to_body(&motion.spin);
+        kinetic_energy(&self.inertia, &Motion { velocity: motion.velocity, spin })
+    }
+}
