@@ -38,6 +38,15 @@
 //! }
 //! # figure_0_1().unwrap();
 //! ```
+//!
+//! # Pages beside the thesis
+//!
+//! An [`Entry::check`] has a name in place of a number and is otherwise a figure like the others:
+//! `rebound.regimes` and `rebound.angles` show the oblique impact as a whole, `particles.*` run
+//! published tests of particle codes, `proposition-6` and `-8` check propositions of the thesis,
+//! `accuracy.*` list the errors of a floor against references of many digits. What a page calls
+//! stated is what its source states. Published points are shown as they were read; a claim about
+//! them allows for the reading, and there is none where they answer another question.
 
 pub mod catalogue;
 pub mod claim;

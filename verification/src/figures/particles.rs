@@ -5,6 +5,7 @@
 //! Salman's measurements as they show them, by the authors of the DEMApplication of Kratos
 //! (BSD licence), who keep them beside its tests. Reading errors are about 1 % of an axis.
 
+use crate::Figure;
 use crate::catalogue::Entry;
 
 mod alumina;
@@ -23,3 +24,11 @@ pub(super) const ENTRIES: &[Entry] = &[
         .by(shear::draw),
     Entry::check("particles.spin", "Particle tests 6 and 7: impacts with spin").by(spin::draw),
 ];
+
+/// Says where the published points come from.
+fn name_source(figure: &mut Figure) {
+    figure.stated(
+        "published points",
+        "Chung and Ooi 2011, Granular Matter 13, 643; read off the figures for Kratos's tests",
+    );
+}

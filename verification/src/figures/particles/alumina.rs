@@ -231,9 +231,11 @@ fn exact_claims(figure: &mut Figure) -> Result<(), Failure> {
 
 pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
+    super::name_source(&mut figure);
     figure
         .stated("ball", "alumina, R = 2.5 mm, E = 380 GPa, ν = 0.23, 4000 kg/m³, on a rigid plane");
     figure.stated("motion", "3.9 m/s, no spin, f = 0.092, e = 0.98");
+    figure.stated("measured", "Kharaz, Gorham and Salman 2001, Powder Technology 120, 281");
     figure.assumed("e", "1 where carom is exact; 0.98 by its rule (1 + e)/2 for comparison");
     let published = Published::read()?;
     panels(&mut figure, &published)?;

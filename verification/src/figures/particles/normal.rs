@@ -167,6 +167,7 @@ fn table(figure: &mut Figure) -> Result<(), Failure> {
 
 pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
+    super::name_source(&mut figure);
     figure
         .stated("test 1", "two balls, R = 10 mm, ±10 m/s, f = 0.35: glass 48 GPa, 0.2, 2800 kg/m³");
     figure.stated("test 1, limestone", "20 GPa, 0.25, 2500 kg/m³");

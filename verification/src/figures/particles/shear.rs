@@ -190,6 +190,7 @@ fn exact_claims(figure: &mut Figure) -> Result<(), Failure> {
 
 pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
+    super::name_source(&mut figure);
     figure.stated("ball", "R = 10 μm on a rigid plane, V_n = 5 m/s, f = 0.3, e = 1");
     figure.stated("steel", "208 GPa, 0.3, 7850 kg/m³");
     figure.stated("polyethylene", "1 GPa, 0.4, 1400 kg/m³");

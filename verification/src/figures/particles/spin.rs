@@ -214,6 +214,7 @@ fn balls_claims(figure: &mut Figure) -> Result<(), Failure> {
 
 pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
+    super::name_source(&mut figure);
     figure
         .stated("balls", "aluminium, R = 100 mm, 70 GPa, 0.33, 2700 kg/m³; 0.2 m/s each, f = 0.4");
     figure.stated("e", "0.5");
