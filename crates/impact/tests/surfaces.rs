@@ -42,6 +42,13 @@ fn shapes_are_what_their_functions_say() {
         // Outside, inside and on top of the tube.
         let on_tube = around * (2.0 + 0.7 * v.cos()) + Vector3::z() * (0.7 * v.sin());
         same(&torus, &torus_function, &on_tube);
+        // The same anywhere in space.
+        let (turn, centre) = (numbers.attitude(), numbers.direction());
+        let local = torus.local(&on_tube).unwrap();
+        let placed = local.placed(&centre, &turn);
+        assert!((placed.point() - centre - turn.to_space(&on_tube)).norm() < 1e-15);
+        let shape = turn.matrix() * local.shape_operator() * turn.matrix().transpose();
+        assert!((placed.shape_operator() - shape).amax() < 1e-14);
         let on_side = around * 0.7 + Vector3::z() * numbers.between(-1.9, 1.9);
         same(&cylinder, &cylinder_function, &on_side);
         same(&capsule, &cylinder_function, &on_side);
