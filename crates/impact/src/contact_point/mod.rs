@@ -1,4 +1,9 @@
 //! Where two bodies touch: a search for the contact point.
+//!
+//! A sphere, a capsule and a torus are swept by a ball along a curve: the distance of the other
+//! body from that curve is one function of one number ([`scan`]). Ellipsoids are separated by a
+//! direction ([`separate`]). All others are taken by [`parts`], faces, curved sides and edges, and
+//! a smooth surface slides down the distance from the other body ([`slide`]).
 
 mod parts;
 mod placed;

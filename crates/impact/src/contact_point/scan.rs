@@ -16,7 +16,7 @@ const LEVEL: f64 = 1e-12;
 const STATIONS: i32 = 96;
 
 /// The same along an edge, which is refused wherever it touches.
-const STATIONS_OF_EDGE: i32 = 36;
+const STATIONS_OF_EDGE: i32 = 20;
 
 /// A curve in the axes of its body.
 #[derive(Debug, Clone, Copy, PartialEq)]
