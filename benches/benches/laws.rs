@@ -96,19 +96,34 @@ fn law<V: Lateral, S: VertexStack<V>>(c: &mut Criterion, name: &str) {
     group.finish();
 }
 
-/// A twist that swings at constant load, and with the load.
+/// A twist that swings, at constant load and with a load that swings as well, as radius and twist.
+fn twists(depth: f64) -> Vec<Path<f64>> {
+    (0..PATHS)
+        .map(|path| {
+            let phase = path as f64;
+            (0..STEPS)
+                .map(|step| {
+                    let t = 0.08 * step as f64;
+                    (1.0 + depth * (0.3 * t + phase).sin(), 0.7 * (t + 2.0 * phase).sin())
+                })
+                .collect()
+        })
+        .collect()
+}
+
 fn twist(c: &mut Criterion) {
     let mut group = c.benchmark_group("twist");
-    group.throughput(Throughput::Elements(STEPS as u64)).sample_size(20);
+    group.throughput(Throughput::Elements((CONTACTS * STEPS) as u64)).sample_size(10);
     for (name, depth) in [("constant load", 0.0), ("swinging load", 0.2)] {
+        let paths = twists(depth);
         group.bench_function(name, |b| {
             b.iter(|| {
-                let mut history = TwistHistory::new();
                 let mut sum = 0.0;
-                for step in 0..STEPS {
-                    let t = 0.08 * step as f64;
-                    let radius = 1.0 + depth * (0.3 * t).sin();
-                    sum += history.advance(radius, 0.7 * black_box(t).sin()).unwrap_or(0.0);
+                for contact in 0..CONTACTS {
+                    let mut history = TwistHistory::new();
+                    for &(radius, twist) in &black_box(&paths)[contact % PATHS] {
+                        sum += history.advance(radius, twist).unwrap_or(0.0);
+                    }
                 }
                 sum
             });

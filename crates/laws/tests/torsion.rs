@@ -178,30 +178,6 @@ fn twist_histories_keep_their_energy_and_symmetry() {
 }
 
 #[test]
-fn two_slip_rings_are_seen_between_the_limits_of_the_stack() {
-    // Back-twist at 1.05 and 1.15 times the receding edge: the second needs rings.
-    let run = |rate: f64, n: usize| {
-        let mut history = TwistHistory::new();
-        history.advance(1.0, 0.0).unwrap();
-        history.advance(1.0, 0.6).unwrap();
-        for i in 1..=n {
-            let t = i as f64 / n as f64;
-            history.advance(1.0 - 0.2 * t, 0.6 - 0.2 * rate * t).unwrap();
-        }
-        history
-    };
-    for rate in [0.9, 1.02, 1.15, 1.3, 1.6, 2.4, 3.0] {
-        let (one, few, many) = (run(rate, 1), run(rate, 4), run(rate, 16));
-        let rings = one.ring_steps();
-        assert_eq!(rings > 0, (1.1..2.5).contains(&rate), "rate {rate}: {rings} ring steps");
-        // Rings agree with each other however the step is divided, to their own accuracy.
-        let limit = 3.0 * PI / 32.0 * 0.8_f64.powi(4);
-        assert!((one.torque() - many.torque()).abs() < 0.03 * limit, "rate {rate}");
-        assert!((few.torque() - many.torque()).abs() < 0.01 * limit, "rate {rate}");
-    }
-}
-
-#[test]
 fn ellipse_by_the_exponential_law() {
     let case = &tables("histories")["c7_torsion_766"];
     let (ratio, long) = (num(&case["a_over_b"]), num(&case["b_larger"]));

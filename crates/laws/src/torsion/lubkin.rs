@@ -103,7 +103,7 @@ impl Lubkin {
     }
 
     /// The state with -ln(a*/a) = v.
-    fn at_depth(v: f64) -> Self {
+    pub(super) fn at_depth(v: f64) -> Self {
         let kc = libm::exp(-v).clamp(f64::MIN_POSITIVE, 1.0);
         // In (0, 1], so that the ratio is valid.
         let stick = AxisRatio::new(kc).unwrap_or(AxisRatio::CIRCLE);
@@ -291,39 +291,6 @@ static BELOW: LazyLock<[Term; 22]> = LazyLock::new(|| {
     terms
 });
 
-/// Terms of the interpolation of [`moment_above`], converged to round-off.
-const CHEBYSHEV: usize = 30;
-
-/// Chebyshev's coefficients of `moment_above/(1 - k')` on [`SMALL_STICK`] to 1.
-static ABOVE: LazyLock<[f64; CHEBYSHEV]> = LazyLock::new(|| {
-    let n = CHEBYSHEV as f64;
-    let angle = |i: usize| PI * (i as f64 + 0.5) / n;
-    let values: [f64; CHEBYSHEV] = std::array::from_fn(|i| {
-        let kc = 0.5 * (1.0 + SMALL_STICK) + 0.5 * (1.0 - SMALL_STICK) * libm::cos(angle(i));
-        moment_above(kc, (1.0 - kc) * (1.0 + kc)) / (1.0 - kc)
-    });
-    std::array::from_fn(|k| {
-        let sum: f64 =
-            values.iter().enumerate().map(|(i, v)| v * libm::cos(k as f64 * angle(i))).sum();
-        sum * if k == 0 { 1.0 } else { 2.0 } / n
-    })
-});
-
-/// [`moment_above`] by Clenshaw's recurrence, for histories.
-fn moment_above_fast(kc: f64) -> f64 {
-    let x = (2.0 * kc - 1.0 - SMALL_STICK) / (1.0 - SMALL_STICK);
-    let (mut one, mut two) = (0.0, 0.0);
-    for &coefficient in ABOVE[1..].iter().rev() {
-        (one, two) = (2.0 * x * one - two + coefficient, one);
-    }
-    (1.0 - kc) * (x * one - two + ABOVE[0])
-}
-
-/// The normalised torque `m(k')` of [`Lubkin::torque`] for histories.
-pub(crate) fn torque_of_stick(kc: f64) -> f64 {
-    if kc < SMALL_STICK { SLIDING_TORQUE - moment_below(kc) } else { moment_above_fast(kc) }
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -333,10 +300,6 @@ mod tests {
         for i in 1..=600 {
             let kc = f64::from(i) / 600.0;
             let parameter = (1.0 - kc) * (1.0 + kc);
-            if kc >= SMALL_STICK {
-                let (fast, slow) = (moment_above_fast(kc), moment_above(kc, parameter));
-                assert!((fast - slow).abs() <= 8e-15 * slow, "{kc}: {fast} {slow}");
-            }
             if (0.3..0.6).contains(&kc) {
                 // The series, still good to 1e-10 beyond its border, meets the quadrature.
                 let sum = moment_below(kc) + moment_above(kc, parameter);

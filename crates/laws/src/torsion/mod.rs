@@ -9,4 +9,7 @@ pub mod ellipse;
 pub mod history;
 pub mod law;
 pub mod lubkin;
+mod recede;
 mod rings;
+mod segment;
+mod sliding;

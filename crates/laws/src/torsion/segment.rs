@@ -1,0 +1,122 @@
+//! A piece of the stack of [`super::history`]: a density between two radii.
+
+use std::f64::consts::FRAC_2_PI;
+
+use carom_special::elliptic::complete;
+
+use super::sliding::{Sloped, sliding_torque, sliding_twist, twist_of_depth, with_ratio};
+
+/// Depth ln(al/c) below which a stick radius is as good as none.
+const DEEPEST: f64 = 690.0;
+
+/// The density on a range of radii.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum Density {
+    /// Laid down in adhesion, or found by rings: constant.
+    Stick(f64),
+    /// Laid down in sliding of this sign, when the contact radius was this.
+    Slip { sign: f64, radius: f64 },
+}
+
+impl Density {
+    pub(super) fn at(self, s: f64) -> f64 {
+        match self {
+            Self::Stick(density) => density,
+            Self::Slip { sign, radius } => {
+                sign * FRAC_2_PI * with_ratio(s / radius, complete::e) * radius / s
+            }
+        }
+    }
+}
+
+/// A density from a radius outwards.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Segment {
+    pub(super) from: f64,
+    pub(super) density: Density,
+    /// Twist and torque of all that lies below `from`; on a slip segment with the sliding ones
+    /// outside `from` added, from which those outside another radius are taken.
+    pub(super) twist: f64,
+    pub(super) torque: f64,
+}
+
+impl Segment {
+    /// Twist of all that lies below a radius in this segment.
+    pub(super) fn twist_to(&self, s: f64) -> f64 {
+        match self.density {
+            Density::Stick(density) => self.twist + density * (s - self.from),
+            Density::Slip { sign, radius } => self.twist - sign * sliding_twist(s, radius),
+        }
+    }
+
+    /// Torque of all that lies below a radius in this segment.
+    pub(super) fn torque_to(&self, s: f64) -> f64 {
+        match self.density {
+            Density::Stick(density) => {
+                let (a, b) = (s * s, self.from * self.from);
+                self.torque + 0.25 * density * (a - b) * (a + b)
+            }
+            Density::Slip { sign, radius } => self.torque - sign * sliding_torque(s, radius),
+        }
+    }
+
+    /// The root c of `sign (bh - twist_to(c)) = B(c; radius)` between `from` and `upper`, by
+    /// Newton's method in the depth `ln(radius/c)` kept inside its bracket.
+    pub(super) fn stick_radius(&self, radius: f64, twist: f64, sign: f64, upper: f64) -> f64 {
+        let excess = self.excess(radius, sign * twist, sign);
+        let mut low = libm::log(radius / upper).max(0.0);
+        let start = excess(low);
+        if start.value <= 0.0 {
+            return upper;
+        }
+        let mut high = if self.from > 0.0 { libm::log(radius / self.from) } else { low + DEEPEST };
+        let mut v = low;
+        let mut at = start;
+        for _ in 0..200 {
+            let next = v - at.value / at.slope;
+            if (next - v).abs() <= 1e-9 {
+                // Newton's error after this step is of the order of the step's square.
+                v = next;
+                break;
+            }
+            v = if next > low && next < high { next } else { 0.5 * (low + high) };
+            if high <= low {
+                break;
+            }
+            at = excess(v);
+            if at.value > 0.0 { low = v } else { high = v }
+        }
+        (radius * libm::exp(-v)).clamp(self.from, upper)
+    }
+
+    /// What the twist `target = sign bh` still lacks when all slides above the depth v:
+    /// `sign (bh - twist_to(c)) - B(c; radius)`.
+    fn excess(&self, radius: f64, target: f64, sign: f64) -> impl Fn(f64) -> Sloped {
+        let rest = target - sign * self.twist;
+        let other = match self.density {
+            Density::Slip { sign: before, radius } => Some((sign * before, radius)),
+            Density::Stick(_) => None,
+        };
+        let shift = other.map_or(0.0, |(_, before)| libm::log(before / radius));
+        let (density, from) = (self.density, self.from);
+        move |v| {
+            let sliding = twist_of_depth(v);
+            let scale = FRAC_2_PI * radius;
+            let (value, slope) = (rest - scale * sliding.value, -scale * sliding.slope);
+            match (density, other) {
+                (Density::Stick(density), _) => {
+                    let c = radius * libm::exp(-v);
+                    let density = sign * density;
+                    Sloped { value: value - density * (c - from), slope: slope + density * c }
+                }
+                (_, Some((relative, before))) => {
+                    let laid =
+                        if shift == 0.0 { sliding } else { twist_of_depth((v + shift).max(0.0)) };
+                    let scale = relative * FRAC_2_PI * before;
+                    Sloped { value: value + scale * laid.value, slope: slope + scale * laid.slope }
+                }
+                (_, None) => Sloped { value, slope },
+            }
+        }
+    }
+}

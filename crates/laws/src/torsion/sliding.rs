@@ -1,0 +1,183 @@
+//! The sliding density `b = (2/pi) E(k)/k'` outside a stick radius: twist, torque, and the limit
+//! of slow back-twist.
+//!
+//! With the depth `v = ln(al/c)` of the stick radius c below the contact radius al, twist and
+//! torque are `(2/pi) al G(v)` and `al^4 m(v)/2`: two functions of one variable, analytic in a strip
+//! of half-width pi. They are tabled once as polynomials on pieces of unit length, with errors
+//! below 1e-14.
+
+use std::f64::consts::{FRAC_2_PI, PI};
+use std::sync::LazyLock;
+
+use carom_special::AxisRatio;
+use carom_special::elliptic::complete;
+use carom_special::quadrature::GaussLegendre;
+
+use super::lubkin::{Lubkin, SLIDING_TORQUE};
+
+/// Pieces of unit length in v. Beyond them k'^3 is below round-off.
+const PIECES: usize = 12;
+/// Coefficients of a piece: the singularities at distance pi leave 1e-17 of the next.
+const TERMS: usize = 18;
+
+type Piece = [f64; TERMS];
+
+struct Table {
+    /// G(v)/v on the first piece, G(v) on the others.
+    twist: [Piece; PIECES],
+    /// Likewise m(v).
+    torque: [Piece; PIECES],
+}
+
+static TABLE: LazyLock<Table> = LazyLock::new(|| Table {
+    twist: std::array::from_fn(|i| fitted(i, twist_at)),
+    torque: std::array::from_fn(|i| fitted(i, |v| Lubkin::at_depth(v).torque())),
+});
+
+static RULE: LazyLock<GaussLegendre> =
+    LazyLock::new(|| GaussLegendre::new(16).unwrap_or_else(|_| unreachable!("16 is an order")));
+
+/// `G = K - E` at the depth v, by the integral D.
+fn twist_at(v: f64) -> f64 {
+    -libm::expm1(-2.0 * v) * with_ratio(libm::exp(-v), complete::d)
+}
+
+/// The polynomial through Chebyshev's nodes of a piece, in powers of t from -1 to 1.
+fn fitted(piece: usize, function: fn(f64) -> f64) -> Piece {
+    let n = TERMS as f64;
+    let angle = |i: usize| PI * (i as f64 + 0.5) / n;
+    let values: Piece = std::array::from_fn(|i| {
+        let v = piece as f64 + 0.5 + 0.5 * libm::cos(angle(i));
+        function(v) / if piece == 0 { v } else { 1.0 }
+    });
+    let mut powers = [0.0; TERMS];
+    // T_k in powers of t, by its recurrence; the coefficients fall faster than those grow.
+    let (mut last, mut this) = ([0.0; TERMS], [0.0; TERMS]);
+    this[0] = 1.0;
+    for k in 0..TERMS {
+        let sum: f64 =
+            values.iter().enumerate().map(|(i, f)| f * libm::cos(k as f64 * angle(i))).sum();
+        let coefficient = sum * if k == 0 { 1.0 } else { 2.0 } / n;
+        for (power, term) in powers.iter_mut().zip(&this) {
+            *power += coefficient * term;
+        }
+        let factor = if k == 0 { 1.0 } else { 2.0 };
+        let mut next = [0.0; TERMS];
+        for i in 0..TERMS {
+            let shifted = if i == 0 { 0.0 } else { this[i - 1] };
+            next[i] = factor * shifted - last[i];
+        }
+        (last, this) = (this, next);
+    }
+    powers
+}
+
+/// A polynomial and its derivative.
+fn horner(piece: &Piece, t: f64) -> (f64, f64) {
+    let (mut value, mut slope) = (0.0, 0.0);
+    for &coefficient in piece.iter().rev() {
+        slope = slope * t + value;
+        value = value * t + coefficient;
+    }
+    (value, slope)
+}
+
+/// A value and its derivative in v.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sloped {
+    pub(super) value: f64,
+    pub(super) slope: f64,
+}
+
+/// `G(v) = K - E` and `dG/dv = E`, for v >= 0.
+pub(super) fn twist_of_depth(v: f64) -> Sloped {
+    if v >= PIECES as f64 {
+        // K - E = L - 1 - k'^2 L/4 with L = ln(4/k') (DLMF 19.12).
+        let l = v + 2.0 * std::f64::consts::LN_2;
+        let rest = if v < 40.0 { 0.25 * l * libm::exp(-2.0 * v) } else { 0.0 };
+        return Sloped { value: l - 1.0 - rest, slope: 1.0 };
+    }
+    let piece = v as usize;
+    let (value, slope) = horner(&TABLE.twist[piece], 2.0 * (v - piece as f64) - 1.0);
+    if piece == 0 {
+        return Sloped { value: v * value, slope: value + 2.0 * v * slope };
+    }
+    Sloped { value, slope: 2.0 * slope }
+}
+
+/// The normalised torque `m(v)`, for v >= 0.
+fn torque_of_depth(v: f64) -> f64 {
+    if v >= PIECES as f64 {
+        return SLIDING_TORQUE;
+    }
+    let piece = v as usize;
+    let t = 2.0 * (v - piece as f64) - 1.0;
+    let value = TABLE.torque[piece].iter().rev().fold(0.0, |sum, term| sum * t + term);
+    if piece == 0 { v * value } else { value }
+}
+
+/// `ln(al/c)`, zero outside the contact and infinite at the centre.
+fn depth(c: f64, radius: f64) -> f64 {
+    let ratio = c / radius;
+    if ratio < 1.0 { -libm::log(ratio.max(0.0)) } else { 0.0 }
+}
+
+/// `B(c; al) = (2/pi) al (K - E)` (5.39); infinite at the centre.
+pub(super) fn sliding_twist(c: f64, radius: f64) -> f64 {
+    FRAC_2_PI * radius * twist_of_depth(depth(c, radius)).value
+}
+
+/// `al^4 m(c/al)/2`, the torque of the sliding density outside c.
+pub(super) fn sliding_torque(c: f64, radius: f64) -> f64 {
+    let square = radius * radius;
+    0.5 * (square * square) * torque_of_depth(depth(c, radius))
+}
+
+/// The torque of complete sliding, `(3 pi/32) al^4`.
+#[must_use]
+pub fn sliding_limit(radius: f64) -> f64 {
+    let square = radius * radius;
+    3.0 * PI / 32.0 * (square * square)
+}
+
+pub(super) fn with_ratio(ratio: f64, integral: fn(AxisRatio) -> f64) -> f64 {
+    // Ratios here lie in (0, 1] but for round-off.
+    AxisRatio::new(ratio.clamp(f64::MIN_POSITIVE, 1.0)).map_or(0.0, integral)
+}
+
+/// The greatest rate of back-twist, relative to the receding edge, at which the slip ring keeps
+/// its sign: from 1 at the rim to 1.1023 at the centre. Found from no slip at the rim.
+pub(super) fn threshold(stick: f64) -> f64 {
+    let weight = |x: f64| 1.0 - FRAC_2_PI * (libm::asin(x) - x * ((1.0 - x) * (1.0 + x)).sqrt());
+    let w_stick = weight(stick);
+    if w_stick <= 1e-12 {
+        return 1.0;
+    }
+    let integral = RULE.integrate(stick, 1.0, |s| {
+        // (E - s^2 K)/(1 - s^2) is the integral B.
+        FRAC_2_PI * with_ratio(s, complete::b) / s * weight(s)
+    });
+    FRAC_2_PI * with_ratio(stick, complete::k) - integral / w_stick
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn tables_keep_all_digits() {
+        for i in 0..=26_000 {
+            let v = f64::from(i) * 5e-4 + 1e-13;
+            let (got, want) = (twist_of_depth(v), twist_at(v));
+            assert!((got.value - want).abs() <= 1e-14 * want, "{v}: {:e} {want:e}", got.value);
+            // Only the steps of Newton depend on the slope.
+            let slope = with_ratio(libm::exp(-v), complete::e);
+            assert!((got.slope - slope).abs() <= 1e-9, "{v}: {:e} {slope:e}", got.slope);
+            let (got, want) = (torque_of_depth(v), Lubkin::at_depth(v).torque());
+            assert!((got - want).abs() <= 1e-14 * want, "{v}: {got:e} {want:e}");
+        }
+        assert_eq!(sliding_twist(1.0, 1.0), 0.0);
+        assert_eq!(sliding_twist(0.0, 1.0), f64::INFINITY);
+        assert!((sliding_torque(0.0, 2.0) - sliding_limit(2.0)).abs() < 1e-15);
+    }
+}
