@@ -120,22 +120,32 @@ impl TwistHistory {
             // A second ring slips somewhere inside the first stick area.
             let stick = slips.iter().position(|slip| *slip != slips[0] || *slip == 0.0);
             let ring = stick.and_then(|i| innermost.filter(|&j| j > i));
-            let Some(ring) = ring else {
-                let same = self.slip_sign().filter(|sign| *sign == slips[0]);
-                if !same.is_some_and(|sign| self.goes_on_slipping(radius, twist, sign)) {
-                    let rest = twist - self.twist_below(radius);
-                    self.cut(radius, twist, 1.0_f64.copysign(rest), radius);
-                }
-                (self.radius, self.twist) = (radius, twist);
+            if ring.is_none()
+                && let Some(next) = self.with_one_ring(radius, twist, slips[0])
+            {
+                *self = next;
                 return Some(self.stick);
-            };
+            }
             self.lay(&before, &solution.changes, rings.edges());
             (self.radius, self.twist) = (radius, twist);
             self.stick = stick.map_or(0.0, |i| rings.edges()[i]);
-            let inner = rings.edges()[ring + 1];
+            let inner = innermost.map_or(self.stick, |i| rings.edges()[i + 1]);
             self.inner_ring = Some(InnerRing { radius: inner, level: rings.level() });
             return Some(inner);
         }
+    }
+
+    /// The stack's own solution, exact where one ring slips from the rim inwards; None where it
+    /// breaks the friction law, as it may when old rings have come to the rim.
+    fn with_one_ring(&self, radius: f64, twist: f64, slip: f64) -> Option<Self> {
+        let mut next = self.clone();
+        let same = next.slip_sign().filter(|sign| *sign == slip);
+        if !same.is_some_and(|sign| next.goes_on_slipping(radius, twist, sign)) {
+            let rest = twist - next.twist_below(radius);
+            next.cut(radius, twist, 1.0_f64.copysign(rest), radius);
+        }
+        (next.radius, next.twist) = (radius, twist);
+        next.is_admissible(radius).then_some(next)
     }
 
     /// Puts new densities on the rings.
