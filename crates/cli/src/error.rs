@@ -8,6 +8,7 @@ use carom_impact::uncertain::UncertainError;
 use carom_impact::{CollisionError, EncounterError};
 use carom_plot::PlotError;
 use carom_special::RangeError;
+use carom_special::quadrature::QuadratureError;
 use std::path::{Path, PathBuf};
 
 /// Why a command did not do its work.
@@ -72,6 +73,9 @@ pub enum CliError {
     /// The impact could not be followed to its end.
     #[error(transparent)]
     Impact(#[from] ObliqueError),
+    /// A traction could not be integrated.
+    #[error("cannot work out a traction: {0}")]
+    Quadrature(#[from] QuadratureError),
     /// An option has a value that cannot be.
     #[error("--{0}")]
     Option(#[from] RangeError),
@@ -120,7 +124,11 @@ impl CliError {
             | Self::Steps { .. }
             | Self::Option(_)
             | Self::Options(_) => 2,
-            Self::Impact(_) | Self::Io { .. } | Self::Format(_) | Self::Plot(_) => 1,
+            Self::Impact(_)
+            | Self::Quadrature(_)
+            | Self::Io { .. }
+            | Self::Format(_)
+            | Self::Plot(_) => 1,
         }
     }
 
