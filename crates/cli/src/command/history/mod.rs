@@ -9,6 +9,7 @@ mod view;
 pub use steps::StepsError;
 
 use crate::case::{HistoryCase, Steps};
+use crate::command::CaseArguments;
 use crate::error::CliError;
 use crate::output::{Answer, Format, PlotFile, csv, json, read_case, short, table};
 use carom_laws::friction::Friction;
@@ -25,12 +26,8 @@ use view::Step;
 /// it about z.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The case file.
-    #[arg(value_name = "CASE.toml")]
-    case: PathBuf,
-    /// Format of the results.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    given: CaseArguments,
     /// Draw loads and stick area, and the last tractions asked for, into this file, as SVG.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -41,14 +38,14 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let path = &arguments.case;
+    let path = &arguments.given.case;
     let case = read_case(path, HistoryCase::parse)?;
     let shifts = match &case.steps {
         Steps::Inline(shifts) => shifts.clone(),
         Steps::File(name) => steps::read(&path.parent().unwrap_or(Path::new("")).join(name))?,
     };
     let history = follow(&case, &shifts, arguments)?;
-    let text = match arguments.format {
+    let text = match arguments.given.format {
         Format::Json => json(&history)?,
         Format::Csv if arguments.tractions.is_some() => {
             csv(&view::TRACTION_HEADS, &view::traction_cells(&history, |value| value.to_string()))?
@@ -76,7 +73,7 @@ fn follow(
     shifts: &[Shift],
     arguments: &Arguments,
 ) -> Result<Vec<Step>, CliError> {
-    let at_fault = |source| CliError::Law { path: arguments.case.clone(), source };
+    let at_fault = |source| CliError::Law { path: arguments.given.case.clone(), source };
     let friction = Friction::new(case.friction).map_err(at_fault)?;
     if arguments.tractions.is_some() && friction.coefficient().is_none() {
         return Err(CliError::Options("--tractions takes a case with finite friction"));

@@ -50,7 +50,7 @@ pub(super) fn run(arguments: &Arguments, case: &EncounterCase) -> Result<Answer,
     let impact = view::record(None, &case.before, &outcome);
     let mut warnings = impact.warnings.clone();
     let record = EncounterRecord { contact, impact, samples };
-    let text = match arguments.format {
+    let text = match arguments.given.format {
         Format::Json => json(&record)?,
         Format::Csv => comma_separated(&record)?,
         Format::Table => render(&record),
@@ -71,7 +71,7 @@ pub(super) fn run(arguments: &Arguments, case: &EncounterCase) -> Result<Answer,
 
 /// The case is to blame for torsion that cannot be given.
 fn blamed(arguments: &Arguments, case: &EncounterCase, source: EncounterError) -> CliError {
-    let path = arguments.case.clone();
+    let path = arguments.given.case.clone();
     match (source, case.contact.torsion) {
         (EncounterError::NormalSpin(source), Some(line)) => {
             CliError::Case { path, source: CaseError::Torsion { line, source: Box::new(source) } }

@@ -9,6 +9,7 @@ mod uncertain;
 mod view;
 
 use crate::case::{CaseError, EncounterCase, ImpactCase, UncertainCase};
+use crate::command::CaseArguments;
 use crate::error::CliError;
 use crate::output::{Answer, Format, PlotFile, csv, json, read_case};
 use carom_impact::CollisionError;
@@ -23,12 +24,8 @@ use view::Record;
 /// outcome of spheres. The spin about the normal is left alone unless `contact.torsion = true`.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The case file.
-    #[arg(value_name = "CASE.toml")]
-    case: PathBuf,
-    /// Format of the results.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    given: CaseArguments,
     /// Draw the course of the impact, or the sweep, into this file, as SVG.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -40,13 +37,13 @@ pub(super) struct Arguments {
 const NOTHING_TO_DRAW: &str = "no impact: there is nothing to draw";
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    if let Some(case) = read_case(&arguments.case, EncounterCase::parse)? {
+    if let Some(case) = read_case(&arguments.given.case, EncounterCase::parse)? {
         return encounter::run(arguments, &case);
     }
-    if let Some(case) = read_case(&arguments.case, UncertainCase::parse)? {
+    if let Some(case) = read_case(&arguments.given.case, UncertainCase::parse)? {
         return scatter(arguments, &case);
     }
-    let case = read_case(&arguments.case, ImpactCase::parse)?;
+    let case = read_case(&arguments.given.case, ImpactCase::parse)?;
     let at_fault = |source| blamed(arguments, &case, source);
     let shots = model::shots(&case).map_err(at_fault)?;
     let is_sweep = case.is_sweep();
@@ -59,7 +56,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     {
         record.history = Some(view::history(shot, count as usize).map_err(at_fault)?);
     }
-    let text = match arguments.format {
+    let text = match arguments.given.format {
         Format::Json if is_sweep => json(&records)?,
         Format::Json => json(&records.first())?,
         Format::Csv => comma_separated(&records)?,
@@ -79,7 +76,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
 
 /// The case is to blame for torsion that cannot be given.
 fn blamed(arguments: &Arguments, case: &ImpactCase, source: CollisionError) -> CliError {
-    let path = arguments.case.clone();
+    let path = arguments.given.case.clone();
     match (source, case.contact.torsion) {
         (CollisionError::NormalSpin(source), Some(line)) => {
             CliError::Case { path, source: CaseError::Torsion { line, source: Box::new(source) } }
@@ -93,20 +90,23 @@ fn scatter(arguments: &Arguments, case: &UncertainCase) -> Result<Answer, CliErr
         return Err(CliError::Options("--history takes a case with one impact, not [uncertainty]"));
     }
     let study = uncertain::study(case)
-        .map_err(|source| CliError::Uncertain { path: arguments.case.clone(), source })?;
+        .map_err(|source| CliError::Uncertain { path: arguments.given.case.clone(), source })?;
     let report = uncertain::report(case, &study)?;
     let plot = match &arguments.plot {
         Some(path) => Some(PlotFile { path: path.clone(), svg: uncertain::draw(&report)? }),
         None => None,
     };
-    let text = uncertain::render_text(&report, arguments.format)?;
+    let text = uncertain::render_text(&report, arguments.given.format)?;
     Ok(Answer { text, warnings: uncertain::warnings(&report), plot })
 }
 
 fn comma_separated(records: &[Record]) -> Result<String, CliError> {
     match records {
         [Record { history: Some(history), .. }] => {
-            let rows: Vec<_> = history.iter().map(view::history_cells).collect();
+            let rows: Vec<_> = history
+                .iter()
+                .map(|instant| view::history_cells(instant, |value| value.to_string()))
+                .collect();
             csv(&view::HISTORY_HEADS, &rows)
         }
         _ => {
