@@ -2,6 +2,7 @@
 
 use crate::case::CaseError;
 use crate::command::StepsError;
+use carom_impact::coupled::CoupledError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
@@ -73,6 +74,20 @@ pub enum CliError {
     /// The impact could not be followed to its end.
     #[error(transparent)]
     Impact(#[from] ObliqueError),
+    /// The numbers of a case are so large or small that a result is none.
+    #[error(
+        "{}: {quantity} = {value}, no finite number: some values of the case are too large or too \
+         small together",
+        path.display()
+    )]
+    Overflow {
+        /// The case file.
+        path: PathBuf,
+        /// The result.
+        quantity: String,
+        /// What came out.
+        value: f64,
+    },
     /// A traction could not be integrated.
     #[error("cannot work out a traction: {0}")]
     Quadrature(#[from] QuadratureError),
@@ -114,9 +129,13 @@ impl CliError {
                 source: UncertainError::Collision { source: CollisionError::Oblique(_), .. },
                 ..
             } => 1,
-            Self::Encounter { source, .. } if matches!(**source, EncounterError::Coupled(_)) => 1,
+            Self::Encounter { source, .. } => match **source {
+                EncounterError::Coupled(CoupledError::Range(_)) => 2,
+                EncounterError::Coupled(_) => 1,
+                _ => 2,
+            },
             Self::Case { .. }
-            | Self::Encounter { .. }
+            | Self::Overflow { .. }
             | Self::Uncertain { .. }
             | Self::Scene { .. }
             | Self::Collision { .. }

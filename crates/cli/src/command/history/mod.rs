@@ -11,7 +11,7 @@ pub use steps::StepsError;
 use crate::case::{HistoryCase, Steps};
 use crate::command::CaseArguments;
 use crate::error::CliError;
-use crate::output::{Answer, Format, PlotFile, csv, json, read_case, short, table};
+use crate::output::{Answer, Format, PlotFile, check_finite, csv, json, read_case, short, table};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_laws::stiffness::ContactStiffness;
@@ -45,14 +45,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         Steps::File(name) => steps::read(&path.parent().unwrap_or(Path::new("")).join(name))?,
     };
     let history = follow(&case, &shifts, arguments)?;
+    let rows = view::cells(&history, |value| value.to_string());
+    check_finite(path, &view::heads(&history), &rows)?;
     let text = match arguments.given.format {
         Format::Json => json(&history)?,
         Format::Csv if arguments.tractions.is_some() => {
             csv(&view::TRACTION_HEADS, &view::traction_cells(&history, |value| value.to_string()))?
         }
-        Format::Csv => {
-            csv(&view::heads(&history), &view::cells(&history, |value| value.to_string()))?
-        }
+        Format::Csv => csv(&view::heads(&history), &rows)?,
         Format::Table => {
             let mut text = table(&view::heads(&history), &view::cells(&history, short));
             if arguments.tractions.is_some() {
