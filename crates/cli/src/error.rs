@@ -2,12 +2,14 @@
 
 use crate::case::CaseError;
 use crate::command::StepsError;
+use carom_impact::coupled::CoupledError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
 use carom_impact::{CollisionError, EncounterError};
 use carom_plot::PlotError;
 use carom_special::RangeError;
+use carom_special::quadrature::QuadratureError;
 use std::path::{Path, PathBuf};
 
 /// Why a command did not do its work.
@@ -72,6 +74,23 @@ pub enum CliError {
     /// The impact could not be followed to its end.
     #[error(transparent)]
     Impact(#[from] ObliqueError),
+    /// The numbers of a case are so large or small that a result is none.
+    #[error(
+        "{}: {quantity} = {value}, no finite number: some values of the case are too large or too \
+         small together",
+        path.display()
+    )]
+    Overflow {
+        /// The case file.
+        path: PathBuf,
+        /// The result.
+        quantity: String,
+        /// What came out.
+        value: f64,
+    },
+    /// A traction could not be integrated.
+    #[error("cannot work out a traction: {0}")]
+    Quadrature(#[from] QuadratureError),
     /// An option has a value that cannot be.
     #[error("--{0}")]
     Option(#[from] RangeError),
@@ -110,9 +129,13 @@ impl CliError {
                 source: UncertainError::Collision { source: CollisionError::Oblique(_), .. },
                 ..
             } => 1,
-            Self::Encounter { source, .. } if matches!(**source, EncounterError::Coupled(_)) => 1,
+            Self::Encounter { source, .. } => match **source {
+                EncounterError::Coupled(CoupledError::Range(_)) => 2,
+                EncounterError::Coupled(_) => 1,
+                _ => 2,
+            },
             Self::Case { .. }
-            | Self::Encounter { .. }
+            | Self::Overflow { .. }
             | Self::Uncertain { .. }
             | Self::Scene { .. }
             | Self::Collision { .. }
@@ -120,7 +143,11 @@ impl CliError {
             | Self::Steps { .. }
             | Self::Option(_)
             | Self::Options(_) => 2,
-            Self::Impact(_) | Self::Io { .. } | Self::Format(_) | Self::Plot(_) => 1,
+            Self::Impact(_)
+            | Self::Quadrature(_)
+            | Self::Io { .. }
+            | Self::Format(_)
+            | Self::Plot(_) => 1,
         }
     }
 

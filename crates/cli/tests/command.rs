@@ -136,6 +136,9 @@ fn every_example_runs_in_every_format_and_draws() {
     let mut count = 0;
     for entry in std::fs::read_dir(folder).unwrap() {
         let path = entry.unwrap().path();
+        if path.extension().is_none_or(|ending| ending != "toml") {
+            continue; // steps of a history
+        }
         let plot = fresh(&format!("{}.svg", path.file_stem().unwrap().to_str().unwrap()));
         let case = path.to_str().unwrap();
         let name = path.file_name().unwrap().to_str().unwrap();
@@ -150,7 +153,7 @@ fn every_example_runs_in_every_format_and_draws() {
         assert!(std::fs::read_to_string(&plot).unwrap().starts_with("<svg"));
         count += 1;
     }
-    assert!(count >= 6);
+    assert!(count >= 14);
 }
 
 #[test]
@@ -296,8 +299,8 @@ fn a_history_slides_at_the_friction_limit_and_remembers() {
 
 #[test]
 fn steps_inline_and_in_a_file_are_the_same() {
-    let inline = history("inline.toml", "0.3", "steps = [[1e-6, 0, 0], [2e-6, 1e-7, 3e-7]]");
-    case("steps.csv", "eta,xi,zeta\n0,0,1e-6\n3e-7,1e-7,2e-6\n");
+    let inline = history("inline.toml", "0.3", "steps = [[1e-6, 0, 0], [2e-6, 1e-7, 3e-7, 1e-3]]");
+    case("steps.csv", "eta,xi,zeta,omega\n0,0,1e-6,0\n3e-7,1e-7,2e-6,1e-3\n");
     let file = history("file.toml", "0.3", "file = \"steps.csv\"");
     assert_eq!(json(&["history", &inline]), json(&["history", &file]));
 }
@@ -334,7 +337,17 @@ fn bad_contacts_end_with_code_2() {
         (
             "history",
             SPHERE.to_owned() + "friction = 0.3\n[history]\nsteps = [[1, 0]]\n",
-            "must be three numbers",
+            "`history.steps[0]` = [1, 0] is out of range: must be a list of rows [zeta, xi, eta] or",
+        ),
+        (
+            "history",
+            SPHERE.to_owned() + "friction = 0.3\n[history]\nsteps = [[1, 0, 0], [1, 0, 0, inf]]\n",
+            "line 13: `history.steps[1]` = inf is out of range: must be finite",
+        ),
+        (
+            "history",
+            SPHERE.to_owned() + "friction = 0.3\n[history]\nsteps = [[1, 0, 0, 0, 0]]\n",
+            "`history.steps[0]` = [1, 0, 0, 0, 0] is out of range: must be a list of rows",
         ),
         ("history", SPHERE.to_owned() + "friction = 0.3\n[history]\n", "`history.file` is missing"),
     ] {
@@ -438,4 +451,80 @@ fn tensors_are_given_by_name() {
     let csv = stdout(&[&sliding[..], &["--tensor", "secant", "--format", "csv"]].concat());
     assert!(csv.starts_with("chi,psi,R_x,regimes,tensor,R_xx,R_xy,R_xz,R_yx"));
     assert!(csv.ends_with("secant,-0.5,0,0,0,-0.5,0,0,0,1\n"), "{csv}");
+}
+
+/// Torque of the traction around the normal over the contact, by the trapezoidal rule.
+fn torque_of_tractions(step: &serde_json::Value) -> f64 {
+    let a = step["semi_axis_a"].as_f64().unwrap();
+    let tractions = step["tractions"].as_array().unwrap();
+    let length = a / (tractions.len() - 1) as f64;
+    let part = |traction: &serde_json::Value| {
+        let rho = a * traction["radius"].as_f64().unwrap();
+        2.0 * std::f64::consts::PI * rho * rho * traction["t_twist"].as_f64().unwrap() * length
+    };
+    tractions.iter().map(part).sum()
+}
+
+#[test]
+fn a_twist_turns_back_with_memory_and_slides_at_the_limit() {
+    let steps = "steps = [[1e-6, 0, 0], [1e-6, 0, 0, 2e-3], [1e-6, 0, 0, -1e-3], \
+                 [0.8e-6, 0, 0, -1e-3], [0.8e-6, 1e-8, 0, 1], [-1e-6, 0, 0, 1]]";
+    let case = history("twist.toml", "0.3", steps);
+    let rows = json(&["history", &case, "--tractions", "2001"]);
+    let number = |row: usize, name: &str| rows[row][name].as_f64().unwrap();
+    assert_eq!(number(0, "M_z"), 0.0);
+    assert!(number(1, "M_z") > 0.0 && number(2, "M_z") < 0.0);
+    for row in 1..5 {
+        let (own, by_tractions) = (number(row, "M_z"), torque_of_tractions(&rows[row]));
+        let limit = 3.0 * std::f64::consts::PI / 16.0
+            * (0.3 * number(row, "F_z") * number(row, "semi_axis_a"));
+        assert!((own - by_tractions).abs() < 1e-4 * limit, "{row}: {own} {by_tractions}");
+        assert!(own.abs() <= limit * (1.0 + 1e-12));
+        // Coulomb's bound at every radius.
+        for traction in rows[row]["tractions"].as_array().unwrap() {
+            let of = |name: &str| traction[name].as_f64().unwrap();
+            let most = of("limit") + 1e-5 * rows[row]["tractions"][0]["limit"].as_f64().unwrap();
+            assert!(of("t_twist").abs() <= most, "{traction}");
+        }
+    }
+    let stick = number(1, "twist_stick_semi_axis_a") / number(1, "semi_axis_a");
+    assert!(stick > 0.1 && stick < 0.99 && rows[1]["twist_regime"] == "slip");
+    assert_eq!(rows[0]["twist_regime"], "adhesion");
+    let slid =
+        3.0 * std::f64::consts::PI / 16.0 * 0.3 * number(4, "F_z") * number(4, "semi_axis_a");
+    assert!((number(4, "M_z") / slid - 1.0).abs() < 1e-12);
+    assert_eq!(rows[4]["twist_regime"], "sliding");
+    assert_eq!((&rows[5]["twist_regime"], number(5, "M_z")), (&"separated".into(), 0.0));
+    let text = stdout(&["history", &case]);
+    assert!(text.contains("twist_stick_semi_axis_b"));
+    // Without a twist there is no torsion in the output.
+    let plain = history("plain.toml", "0.3", "steps = [[1e-6, 0, 0, 0]]");
+    assert!(!stdout(&["history", &plain]).contains("M_z"));
+}
+
+#[test]
+fn twists_of_ellipses_and_with_shifts_carry_warnings() {
+    let steps = "steps = [[1e-6, 0, 0], [1e-6, 2e-7, 1e-7, 2e-3]]";
+    let file = history("both.toml", "0.3", steps);
+    let text = std::fs::read_to_string(&file).unwrap();
+    let stderr = |file: &str| {
+        let output = carom(&["history", file, "--tractions", "5"]);
+        assert!(output.status.success());
+        String::from_utf8(output.stderr).unwrap()
+    };
+    assert!(
+        stderr(&file).contains("shift and twist are computed each as if the other were absent")
+    );
+    let ellipse = case("ellipse.toml", &text.replacen("radii = 0.01", "radii = [0.01, 0.03]", 1));
+    assert!(stderr(&ellipse).contains("the contact is no circle"));
+    let rows = json(&["history", &ellipse, "--tractions", "5"]);
+    assert!(rows[1]["M_z"].as_f64().unwrap() > 0.0);
+    assert!(rows[1]["tractions"][2].get("t_twist").is_none());
+    // Infinite friction sticks, none lets go.
+    for (friction, regime) in [("inf", "adhesion"), ("0", "sliding")] {
+        let case = history("limit.toml", friction, steps);
+        let rows = json(&["history", &case]);
+        assert_eq!(rows[1]["twist_regime"], regime);
+        assert_eq!(rows[1]["M_z"].as_f64().unwrap() > 0.0, friction == "inf");
+    }
 }

@@ -478,3 +478,14 @@ fn simple_cases_take_law_and_torsion_too() {
         "{message}"
     );
 }
+
+#[test]
+fn numbers_too_large_together_are_refused() {
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/rubber_on_table.toml");
+    let text = std::fs::read_to_string(example).unwrap();
+    let message = refused("huge", &text.replace("20e6", "1e300"));
+    assert!(
+        message.contains("no finite number: some values of the case are too large"),
+        "{message}"
+    );
+}

@@ -179,7 +179,9 @@ fn at_fault(case: &Section<'_>, touch: &Touch, source: EncounterError) -> CaseEr
     let own = |body: u8| if body == 1 { "contact.point_1" } else { "contact.point_2" };
     let shape = |body: u8| if body == 1 { "body_1.shape" } else { "body_2.shape" };
     let field = match (&source, touch) {
-        (EncounterError::Search(SearchError::NotTouching { .. }), Touch::Approach) => {
+        (EncounterError::Search(SearchError::NotTouching { gap, .. }), Touch::Approach)
+            if *gap > 0.0 =>
+        {
             "contact.search"
         }
         (EncounterError::Search(SearchError::NotTouching { .. }), _) => "body_1.position",
@@ -196,13 +198,30 @@ fn at_fault(case: &Section<'_>, touch: &Touch, source: EncounterError) -> CaseEr
     };
     // A field that the file leaves to its default has no line of its own.
     let field = if case.has(field) { field } else { "contact" };
-    let hint = match (&source, touch) {
+    CaseError::Encounter {
+        field,
+        line: case.line(field),
+        hint: hint(&source, touch),
+        source: Box::new(source),
+    }
+}
+
+/// What may help.
+fn hint(source: &EncounterError, touch: &Touch) -> &'static str {
+    match (source, touch) {
         (EncounterError::Search(SearchError::NotTouching { gap, .. }), Touch::Found)
             if *gap > 0.0 =>
         {
             "; `contact.search = \"approach\"` lets body 1 go on until they do"
         }
+        (EncounterError::Search(SearchError::NotTouching { gap, .. }), Touch::Approach)
+            if *gap > 0.0 =>
+        {
+            "; with its `velocity` against that of body 2, body 1 goes past it or away from it"
+        }
+        (EncounterError::Frame(FrameError::NotOpposed { .. }), _) => {
+            "; `quaternion`, `angles` and contact point do not fit together"
+        }
         _ => "",
-    };
-    CaseError::Encounter { field, line: case.line(field), source: Box::new(source), hint }
+    }
 }

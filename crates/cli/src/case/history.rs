@@ -9,7 +9,9 @@ use carom_laws::law::Shift;
 use std::path::PathBuf;
 
 const FIELDS: &[&str] = &["body_1", "body_2", "contact", "history"];
-const FILE: &str = "the name of a CSV file with the columns zeta, xi, eta (or give `steps`)";
+const FILE: &str =
+    "the name of a CSV file with the columns zeta, xi, eta and perhaps omega (or give `steps`)";
+const ROWS: &str = "a list of rows [zeta, xi, eta] or [zeta, xi, eta, omega]";
 
 /// A contact and the shifts it goes through.
 #[derive(Debug, Clone, PartialEq)]
@@ -48,7 +50,7 @@ impl HistoryCase {
             if history.has("file") {
                 return Err(history.conflict("file", "steps", "give one of them"));
             }
-            let rows = history.rows("steps", Range::Finite)?;
+            let rows = history.rows("steps", Range::Finite, ROWS)?;
             Steps::Inline(rows.into_iter().map(shift).collect())
         } else {
             Steps::File(history.text("file", FILE)?.into())
@@ -57,7 +59,7 @@ impl HistoryCase {
     }
 }
 
-/// The shift of a row zeta, xi, eta.
-fn shift([zeta, xi, eta]: [f64; 3]) -> Shift {
-    Shift { zeta, xi, eta, omega: 0.0 }
+/// The shift of a row zeta, xi, eta, omega.
+fn shift([zeta, xi, eta, omega]: [f64; 4]) -> Shift {
+    Shift { zeta, xi, eta, omega }
 }

@@ -68,15 +68,14 @@ impl ImpactCase {
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         placed::check(&case, "body_1")?;
         placed::check(&case, "body_2")?;
-        let motion = if case.has("approach") { Motion::Approach } else { Motion::Velocity };
+        let (motion, approach) = match case.has("approach") {
+            true => (Motion::Approach, Some(read_approach(&case)?)),
+            false => (Motion::Velocity, None),
+        };
         let body_1 = BodyCase::read(&case, "body_1", motion)?;
         let body_2 = BodyCase::read(&case, "body_2", Motion::Velocity)?;
         check_pair(&case, &body_1, &body_2)?;
         let contact = Contact::read(&case.section("contact", &contact::FIELDS)?)?;
-        let approach = match motion {
-            Motion::Velocity => None,
-            Motion::Approach => Some(read_approach(&case)?),
-        };
         Ok(Self { body_1, body_2, contact, approach })
     }
 }
@@ -113,7 +112,7 @@ pub(super) fn check_materials(
 
 fn read_approach(case: &Section<'_>) -> Result<Approach, CaseError> {
     let approach = case.section("approach", &["speed", "angle"])?;
-    let speed = approach.number("speed", Range::NonNegative)?;
+    let speed = approach.number("speed", Range::NonNegativeSpeed)?;
     let angles = approach.numbers("angle", Range::Incidence)?;
     Ok(Approach { speed, angles })
 }

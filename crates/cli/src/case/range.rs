@@ -7,6 +7,8 @@ pub enum Range {
     Finite,
     /// A component of a velocity or spin.
     Speed,
+    /// A speed.
+    NonNegativeSpeed,
     /// Finite and > 0.
     Positive,
     /// > 0; infinity is allowed.
@@ -37,6 +39,7 @@ impl Range {
         match self {
             Self::Finite => value.is_finite(),
             Self::Speed => value.abs() <= 1e100,
+            Self::NonNegativeSpeed => (0.0..=1e100).contains(&value),
             Self::Positive => value.is_finite() && value > 0.0,
             Self::PositiveOrInfinite => value > 0.0,
             Self::NonNegative => value.is_finite() && value >= 0.0,
@@ -55,6 +58,7 @@ impl Range {
         match self {
             Self::Finite => "finite",
             Self::Speed => "finite, within +-1e100",
+            Self::NonNegativeSpeed => "finite and >= 0, at most 1e100",
             Self::Positive => "finite and > 0",
             Self::PositiveOrInfinite => "> 0 (inf is allowed)",
             Self::NonNegative => "finite and >= 0",

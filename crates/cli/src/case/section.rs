@@ -211,40 +211,46 @@ impl<'a> Section<'a> {
         Ok(carom_plot::linspace(start, stop, count as usize))
     }
 
-    /// Rows of three numbers in `range`, at least one row.
+    /// Rows of N numbers in `range`, at least one row; a row may lack its last number, which is
+    /// then 0. `allowed` says so in words.
     ///
     /// # Errors
     /// If they are missing, of another kind, or a number is out of range.
-    pub fn rows(&self, name: &str, range: Range) -> Result<Vec<[f64; 3]>, CaseError> {
-        let allowed = "a list of rows, each of three numbers";
+    pub fn rows<const N: usize>(
+        &self,
+        name: &str,
+        range: Range,
+        allowed: &'static str,
+    ) -> Result<Vec<[f64; N]>, CaseError> {
         let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
         match value.get_ref() {
             DeValue::Array(rows) if rows.iter().next().is_some() => rows
                 .iter()
                 .enumerate()
-                .map(|(i, row)| self.triple(&format!("{name}[{i}]"), row, range))
+                .map(|(i, row)| self.row(&format!("{name}[{i}]"), row, range, allowed))
                 .collect(),
             _ => Err(self.kind(name, value, allowed)),
         }
     }
 
-    fn triple(
+    fn row<const N: usize>(
         &self,
         name: &str,
         value: &Spanned<DeValue<'_>>,
         range: Range,
-    ) -> Result<[f64; 3], CaseError> {
-        match value.get_ref() {
-            DeValue::Array(items) => match items.iter().collect::<Vec<_>>().as_slice() {
-                [a, b, c] => Ok([
-                    self.as_number(name, a, range)?,
-                    self.as_number(name, b, range)?,
-                    self.as_number(name, c, range)?,
-                ]),
-                _ => Err(self.kind(name, value, "three numbers")),
-            },
-            _ => Err(self.kind(name, value, "three numbers")),
+        allowed: &'static str,
+    ) -> Result<[f64; N], CaseError> {
+        let items = match value.get_ref() {
+            DeValue::Array(items) if matches!(items.iter().count(), n if n == N || n + 1 == N) => {
+                items
+            }
+            _ => return Err(self.kind(name, value, allowed)),
+        };
+        let mut numbers = [0.0; N];
+        for (number, item) in numbers.iter_mut().zip(items.iter()) {
+            *number = self.as_number(name, item, range)?;
         }
+        Ok(numbers)
     }
 
     /// A text.

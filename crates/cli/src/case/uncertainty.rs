@@ -14,7 +14,7 @@ use toml::de::{DeTable, DeValue};
 /// Fields that may be a distribution, and their ranges.
 const FIELDS: [(&str, Range); 27] = [
     ("contact.friction", Range::NonNegativeOrInfinite),
-    ("approach.speed", Range::NonNegative),
+    ("approach.speed", Range::NonNegativeSpeed),
     ("approach.angle", Range::Incidence),
     ("body_1.radius", Range::Positive),
     ("body_1.density", Range::Positive),

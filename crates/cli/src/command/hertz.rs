@@ -1,6 +1,7 @@
 //! `carom hertz`: the contact of two surfaces under normal load.
 
 use crate::case::{Given, HertzCase, Numbers};
+use crate::command::CaseArguments;
 use crate::error::CliError;
 use crate::output::{Answer, Format, PlotFile, csv, json, read_case, short, table};
 use carom_laws::hertz::{Hertz, HertzState};
@@ -15,12 +16,8 @@ use std::path::PathBuf;
 /// relative curvature, so that a <= b.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The case file.
-    #[arg(value_name = "CASE.toml")]
-    case: PathBuf,
-    /// Format of the results.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    given: CaseArguments,
     /// Draw the pressure, or the loads of a sweep, into this file, as SVG.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -78,19 +75,19 @@ impl Row {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let case = read_case(&arguments.case, HertzCase::parse)?;
+    let case = read_case(&arguments.given.case, HertzCase::parse)?;
     let states = case
         .values
         .as_slice()
         .iter()
         .map(|value| loaded(&case.hertz, case.given, *value))
         .collect::<Result<Vec<_>, _>>()
-        .map_err(|source| CliError::Law { path: arguments.case.clone(), source })?;
+        .map_err(|source| CliError::Law { path: arguments.given.case.clone(), source })?;
     let rows: Vec<Row> = states.iter().map(Row::new).collect();
     let cells = |number: fn(f64) -> String| -> Vec<Vec<String>> {
         rows.iter().map(|row| row.numbers().map(number).to_vec()).collect()
     };
-    let text = match arguments.format {
+    let text = match arguments.given.format {
         Format::Json => json(&report(&case.hertz, &rows))?,
         Format::Csv => csv(&HEADS, &cells(|value| value.to_string()))?,
         Format::Table => contact(&case.hertz) + &table(&READ_HEADS, &cells(short)),

@@ -10,7 +10,8 @@ mod scene;
 pub use history::StepsError;
 
 use crate::error::CliError;
-use crate::output::Answer;
+use crate::output::{Answer, Format};
+use std::path::PathBuf;
 
 /// Elastic impact with friction.
 ///
@@ -21,6 +22,17 @@ use crate::output::Answer;
 pub struct Carom {
     #[command(subcommand)]
     command: Command,
+}
+
+/// What every command with a case file takes.
+#[derive(Debug, clap::Args)]
+struct CaseArguments {
+    /// The case file.
+    #[arg(value_name = "CASE.toml")]
+    case: PathBuf,
+    /// Format of the results.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
 }
 
 #[derive(Debug, clap::Subcommand)]

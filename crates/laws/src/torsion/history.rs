@@ -257,7 +257,7 @@ impl TwistHistory {
         self.stick = stick;
         if stick < radius {
             let density = Density::Slip { sign, radius };
-            if stick <= segment.from && i > 0 {
+            if stick <= segment.from {
                 self.segments.truncate(i);
             }
             self.segments.push(Segment { from: stick, density, twist, torque });

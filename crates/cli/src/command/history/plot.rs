@@ -1,15 +1,18 @@
 //! A history as SVG.
 
-use super::view::Step;
-use crate::command::plot::{Course, drawn};
+use super::twist::Twist;
+use super::view::{Step, Traction};
+use crate::command::plot::{Course, Value, drawn};
 use crate::error::CliError;
+use carom_plot::Panel;
 
-/// Loads and sizes against the step, and force against shift.
+/// Loads and sizes against the step, force against shift, torque against twist, and the tractions
+/// of the last step in contact that has some.
 pub(super) fn draw(history: &[Step]) -> Result<String, CliError> {
     let course = Course { records: history, label: "step", at: |step| step.step as f64 };
-    let panels = [
+    let mut panels = vec![
         course.panel(
-            "loads on body 1",
+            "forces on body 1",
             "force / N",
             &[("F_x", |s| s.f_x), ("F_y", |s| s.f_y), ("F_z", |s| s.f_z)],
         ),
@@ -34,5 +37,46 @@ pub(super) fn draw(history: &[Step]) -> Result<String, CliError> {
             &[("stored", |s| s.stored_energy), ("dissipated", |s| s.dissipated)],
         ),
     ];
+    if history.iter().any(|step| step.twist.is_some()) {
+        panels.extend(torsion(history));
+    }
+    let last = history.iter().rev().find(|step| step.f_z > 0.0 && !step.tractions.is_empty());
+    panels.extend(last.map(tractions));
     drawn("Load history", &panels)
+}
+
+fn torsion(history: &[Step]) -> [Panel; 2] {
+    let twists: Vec<(usize, Twist)> =
+        history.iter().filter_map(|step| Some((step.step, step.twist?))).collect();
+    let course = Course { records: &twists, label: "step", at: |(step, _)| *step as f64 };
+    [
+        course.paths(
+            "torsion",
+            ["twist Ω / rad", "torque M_z on body 1 / N m"],
+            &[("", |(_, twist)| twist.omega, |(_, twist)| twist.m_z)],
+        ),
+        course.panel(
+            "stick ellipse of the twist",
+            "semi-axis / m",
+            &[
+                ("a, stick", |(_, twist)| twist.twist_stick_semi_axis_a),
+                ("b, stick", |(_, twist)| twist.twist_stick_semi_axis_b),
+            ],
+        ),
+    ]
+}
+
+fn tractions(step: &Step) -> Panel {
+    let course = Course {
+        records: &step.tractions,
+        label: "radius, from the centre (0) to the edge (1)",
+        at: |traction: &Traction| traction.radius,
+    };
+    let title = format!("tractions after step {}", step.step);
+    let mut lines: Vec<(&str, Value<Traction>)> =
+        vec![("t_x", |t| t.t_x), ("t_y", |t| t.t_y), ("friction limit", |t| t.limit)];
+    if step.tractions.iter().any(|traction| traction.t_twist.is_some()) {
+        lines.push(("around the normal", |t| t.t_twist.unwrap_or_default()));
+    }
+    course.panel(&title, "traction on body 1 / Pa", &lines)
 }

@@ -4,7 +4,9 @@ use crate::error::CliError;
 use carom_laws::law::Shift;
 use std::path::Path;
 
-const COLUMNS: [&str; 3] = ["zeta", "xi", "eta"];
+const COLUMNS: [&str; 4] = ["zeta", "xi", "eta", "omega"];
+/// The first of them that a file may lack.
+const OPTIONAL: usize = 3;
 
 /// What is wrong with a CSV file of steps.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -13,10 +15,14 @@ pub enum StepsError {
     #[error("{0}")]
     Csv(String),
     /// A column is missing.
-    #[error("column `{0}` is missing: the columns must be zeta, xi, eta, in any order")]
+    #[error(
+        "column `{0}` is missing: the columns must be zeta, xi, eta and perhaps omega, in any order"
+    )]
     Missing(&'static str),
     /// A column that means nothing.
-    #[error("unknown column `{0}`: the columns must be zeta, xi, eta, in any order")]
+    #[error(
+        "unknown column `{0}`: the columns must be zeta, xi, eta and perhaps omega, in any order"
+    )]
     Unknown(String),
     /// A value that is no finite number.
     #[error("line {line}: `{column}` = {found} is out of range: must be a finite number")]
@@ -49,25 +55,29 @@ fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {
     if let Some(unknown) = heads.iter().find(|head| !COLUMNS.contains(head)) {
         return Err(StepsError::Unknown(unknown.to_owned()));
     }
-    let mut places = [0; 3];
-    for (place, column) in places.iter_mut().zip(COLUMNS) {
-        *place = heads.iter().position(|head| head == column).ok_or(StepsError::Missing(column))?;
+    let mut columns = Vec::new();
+    for (i, column) in COLUMNS.into_iter().enumerate() {
+        match heads.iter().position(|head| head == column) {
+            Some(place) => columns.push((place, column)),
+            None if i >= OPTIONAL => {}
+            None => return Err(StepsError::Missing(column)),
+        }
     }
     let mut shifts = Vec::new();
     for record in reader.records() {
         let record = record.map_err(broken)?;
         let line = record.position().map_or(0, csv::Position::line);
-        let mut values = [0.0; 3];
-        for ((value, place), column) in values.iter_mut().zip(places).zip(COLUMNS) {
-            let found = record.get(place).unwrap_or_default();
+        let mut values = [0.0; COLUMNS.len()];
+        for (value, (place, column)) in values.iter_mut().zip(&columns) {
+            let found = record.get(*place).unwrap_or_default();
             *value = found
                 .parse()
                 .ok()
                 .filter(|value: &f64| value.is_finite())
                 .ok_or_else(|| StepsError::Value { line, column, found: found.to_owned() })?;
         }
-        let [zeta, xi, eta] = values;
-        shifts.push(Shift { zeta, xi, eta, omega: 0.0 });
+        let [zeta, xi, eta, omega] = values;
+        shifts.push(Shift { zeta, xi, eta, omega });
     }
     if shifts.is_empty() { Err(StepsError::Empty) } else { Ok(shifts) }
 }
@@ -81,6 +91,8 @@ mod tests {
         let shifts = parse("xi, zeta, eta\n1e-6, 2e-6, 0\n-1,2,3\n").unwrap();
         assert_eq!(shifts[0], Shift { zeta: 2e-6, xi: 1e-6, ..Shift::default() });
         assert_eq!(shifts[1].xi, -1.0);
+        let twisted = parse("omega,zeta,xi,eta\n0.5,1,0,0\n").unwrap();
+        assert_eq!(twisted, [Shift { zeta: 1.0, omega: 0.5, ..Shift::default() }]);
     }
 
     #[test]
@@ -92,6 +104,8 @@ mod tests {
             ("zeta,xi,eta\n1,nan,0\n", "line 2: `xi` = nan is out of range"),
             ("zeta,xi,eta\n1,2,3\n1,2,x\n", "line 3: `eta` = x is out of range"),
             ("zeta,xi,eta\n1,2\n", "CSV error"),
+            ("zeta,xi,eta,omega\n1,2,3,inf\n", "line 2: `omega` = inf is out of range"),
+            ("zeta,xi,omega\n1,2,3\n", "column `eta` is missing"),
         ] {
             let error = parse(text).unwrap_err().to_string();
             assert!(error.starts_with(message), "{error}");

@@ -1,12 +1,13 @@
 //! The states of a history as records and rows.
 
+use super::laws::Laws;
+use super::twist::{self, Twist};
+use crate::error::CliError;
+use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
-use carom_laws::hertz::Hertz;
-use carom_laws::law::ContactLaw as _;
+use carom_laws::hertz::HertzState;
 use carom_laws::memory::Regime;
-use carom_laws::shift_law::ShiftLaw;
 use carom_plot::linspace;
-use carom_special::RangeError;
 use serde::Serialize;
 
 /// The contact after a step. SI units; loads act on body 1.
@@ -29,8 +30,13 @@ pub(super) struct Step {
     pub(super) stick_semi_axis_b: f64,
     pub(super) stored_energy: f64,
     pub(super) dissipated: f64,
+    #[serde(flatten)]
+    pub(super) twist: Option<Twist>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) tractions: Vec<Traction>,
+    /// The shift's load over that of complete sliding.
+    #[serde(skip)]
+    pub(super) share: f64,
 }
 
 /// The tangential traction on body 1 at a radius: 0 is the centre, 1 the edge of the ellipse.
@@ -39,24 +45,26 @@ pub(super) struct Traction {
     pub(super) radius: f64,
     pub(super) t_x: f64,
     pub(super) t_y: f64,
+    /// Around the normal, in the sense of M_z; along a circle only.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) t_twist: Option<f64>,
+    /// Friction times pressure.
+    pub(super) limit: f64,
 }
 
-/// The present state of the law, with the traction at `count` radii.
+/// The present state of the laws, with the traction at `count` radii.
 pub(super) fn step(
     number: usize,
-    hertz: &Hertz,
-    law: &ShiftLaw<[f64; 2]>,
+    laws: &Laws,
     friction: Friction,
     count: usize,
-) -> Result<Step, RangeError> {
-    let (shift, load) = (law.shift(), law.load());
-    let [a, b, peak_pressure] = if shift.zeta > 0.0 {
-        let state = hertz.at_approach(shift.zeta)?;
-        [state.ellipse.semi_axis_a(), state.ellipse.semi_axis_b(), state.peak_pressure]
-    } else {
-        [0.0; 3]
-    };
+) -> Result<Step, CliError> {
+    let (shift, load, law) = (laws.present(), laws.load(), laws.shift());
+    let state = laws.contact();
+    let [a, b] =
+        state.map_or([0.0; 2], |state| [state.ellipse.semi_axis_a(), state.ellipse.semi_axis_b()]);
     let stick = law.stick_depth().sqrt(); // (a*/a)^2 = zeta*/zeta
+    let limit = friction.get() * load.f_z;
     Ok(Step {
         step: number,
         zeta: shift.zeta,
@@ -70,23 +78,43 @@ pub(super) fn step(
         semi_axis_b: b,
         stick_semi_axis_a: stick * a,
         stick_semi_axis_b: stick * b,
-        stored_energy: law.stored_energy(),
-        dissipated: law.dissipated(),
-        tractions: tractions(law, friction.get() * peak_pressure, count),
+        stored_energy: laws.stored_energy(),
+        dissipated: laws.dissipated(),
+        twist: laws.torsion().map(|law| twist::twist(law, state.as_ref(), friction)),
+        tractions: tractions(laws, friction, state.as_ref(), count)?,
+        share: if limit > 0.0 { libm::hypot(load.f_x, load.f_y) / limit } else { 0.0 },
     })
 }
 
-/// The traction at `count` radii; `limit` is the greatest friction f sigma_z0.
-fn tractions(law: &ShiftLaw<[f64; 2]>, limit: f64, count: usize) -> Vec<Traction> {
-    let traction = |radius: f64| {
-        let unit = law.memory().map_or([0.0; 2], |memory| memory.traction(radius * radius));
-        let [t_x, t_y] = unit.map(|part| limit * part);
-        Traction { radius, t_x, t_y }
-    };
-    match count {
-        0 => Vec::new(),
-        _ => linspace(0.0, 1.0, count).into_iter().map(traction).collect(),
+/// The traction at `count` radii, in units of the greatest friction f sigma_z0 before.
+fn tractions(
+    laws: &Laws,
+    friction: Friction,
+    state: Option<&HertzState>,
+    count: usize,
+) -> Result<Vec<Traction>, CliError> {
+    if count == 0 {
+        return Ok(Vec::new());
     }
+    let greatest = state.map_or(0.0, |state| friction.get() * state.peak_pressure);
+    let is_circle = state.is_none_or(|state| is_circle(&state.ellipse));
+    let history = laws.torsion().and_then(|law| law.history()).filter(|_| is_circle);
+    let traction = |radius: f64| {
+        let unit =
+            laws.shift().memory().map_or([0.0; 2], |memory| memory.traction(radius * radius));
+        let [t_x, t_y] = unit.map(|part| greatest * part);
+        let t_twist = history
+            .map(|history| Ok::<f64, CliError>(greatest * twist::traction(history, radius)?))
+            .transpose()?;
+        let limit = greatest * ((1.0 - radius) * (1.0 + radius)).sqrt();
+        Ok(Traction { radius, t_x, t_y, t_twist, limit })
+    };
+    linspace(0.0, 1.0, count).into_iter().map(traction).collect()
+}
+
+/// Whether the axes are equal up to round-off.
+pub(super) fn is_circle(ellipse: &ContactEllipse) -> bool {
+    (ellipse.axis_ratio().get() - 1.0).abs() < 1e-12
 }
 
 const fn regime_name(regime: Regime) -> &'static str {
@@ -102,22 +130,29 @@ const fn regime_name(regime: Regime) -> &'static str {
 }
 
 /// Heads of the rows of [`cells`].
-pub(super) const HEADS: [&str; 14] = [
-    "step",
-    "zeta",
-    "xi",
-    "eta",
-    "F_x",
-    "F_y",
-    "F_z",
-    "regime",
-    "semi_axis_a",
-    "semi_axis_b",
-    "stick_semi_axis_a",
-    "stick_semi_axis_b",
-    "stored_energy",
-    "dissipated",
-];
+pub(super) fn heads(history: &[Step]) -> Vec<&'static str> {
+    let mut heads = vec![
+        "step",
+        "zeta",
+        "xi",
+        "eta",
+        "F_x",
+        "F_y",
+        "F_z",
+        "regime",
+        "semi_axis_a",
+        "semi_axis_b",
+        "stick_semi_axis_a",
+        "stick_semi_axis_b",
+        "stored_energy",
+        "dissipated",
+    ];
+    if history.iter().any(|step| step.twist.is_some()) {
+        heads.extend(["omega", "M_z", "twist_regime"]);
+        heads.extend(["twist_stick_semi_axis_a", "twist_stick_semi_axis_b"]);
+    }
+    heads
+}
 
 /// A row a step.
 pub(super) fn cells(history: &[Step], number: fn(f64) -> String) -> Vec<Vec<String>> {
@@ -135,20 +170,27 @@ pub(super) fn cells(history: &[Step], number: fn(f64) -> String) -> Vec<Vec<Stri
         row.extend(before.map(number));
         row.push(step.regime.to_owned());
         row.extend(after.map(number));
+        if let Some(twist) = &step.twist {
+            row.extend([twist.omega, twist.m_z].map(number));
+            row.push(twist.twist_regime.to_owned());
+            row.extend([twist.twist_stick_semi_axis_a, twist.twist_stick_semi_axis_b].map(number));
+        }
         row
     };
     history.iter().map(row).collect()
 }
 
 /// Heads of the rows of [`traction_cells`].
-pub(super) const TRACTION_HEADS: [&str; 4] = ["step", "radius", "t_x", "t_y"];
+pub(super) const TRACTION_HEADS: [&str; 6] = ["step", "radius", "t_x", "t_y", "t_twist", "limit"];
 
 /// A row a step and radius.
 pub(super) fn traction_cells(history: &[Step], number: fn(f64) -> String) -> Vec<Vec<String>> {
     let rows = history.iter().flat_map(|step| {
         step.tractions.iter().map(move |traction| {
-            let numbers = [traction.radius, traction.t_x, traction.t_y];
-            std::iter::once(step.step.to_string()).chain(numbers.map(number)).collect()
+            let numbers = [traction.radius, traction.t_x, traction.t_y].map(number);
+            let twist = traction.t_twist.map_or_else(|| "-".to_owned(), number);
+            let row = std::iter::once(step.step.to_string()).chain(numbers);
+            row.chain([twist, number(traction.limit)]).collect()
         })
     });
     rows.collect()

@@ -5,7 +5,7 @@ use super::view::{self, Kind, Record};
 use super::{Arguments, plot, table};
 use crate::case::{CaseError, EncounterCase};
 use crate::error::CliError;
-use crate::output::{self, Answer, Format, PlotFile, csv, json, short};
+use crate::output::{self, Answer, Format, PlotFile, check_finite, csv, json, short};
 use carom_impact::coupled::VectorLaw;
 use carom_impact::{EncounterError, Outcome};
 use serde::Serialize;
@@ -42,6 +42,12 @@ struct ContactRecord {
 pub(super) fn run(arguments: &Arguments, case: &EncounterCase) -> Result<Answer, CliError> {
     let at_fault = |source| blamed(arguments, case, source);
     let outcome = case.encounter.solve().map_err(at_fault)?;
+    let course = |count| {
+        let samples = samples::samples(&case.encounter, count).map_err(at_fault)?;
+        let rows = samples::cells(&samples, |value| value.to_string());
+        check_finite(&arguments.given.case, &samples::HEADS, &rows)?;
+        Ok::<_, CliError>(samples)
+    };
     let samples = match arguments.history {
         Some(count) => Some(samples::samples(&case.encounter, count as usize).map_err(at_fault)?),
         None => None,
@@ -50,7 +56,8 @@ pub(super) fn run(arguments: &Arguments, case: &EncounterCase) -> Result<Answer,
     let impact = view::record(None, &case.before, &outcome);
     let mut warnings = impact.warnings.clone();
     let record = EncounterRecord { contact, impact, samples };
-    let text = match arguments.format {
+    check_finite(&arguments.given.case, &view::HEADS, &[view::cells(&record.impact)])?;
+    let text = match arguments.given.format {
         Format::Json => json(&record)?,
         Format::Csv => comma_separated(&record)?,
         Format::Table => render(&record),
@@ -60,9 +67,8 @@ pub(super) fn run(arguments: &Arguments, case: &EncounterCase) -> Result<Answer,
         match record.impact.outcome {
             Kind::NoImpact => warnings.push(super::NOTHING_TO_DRAW.to_owned()),
             Kind::Rebound => {
-                let samples =
-                    samples::samples(&case.encounter, plot::INSTANTS).map_err(at_fault)?;
-                plot = Some(PlotFile { path: path.clone(), svg: plot::encounter(&samples)? });
+                let svg = plot::encounter(&course(plot::INSTANTS)?)?;
+                plot = Some(PlotFile { path: path.clone(), svg });
             }
         }
     }
@@ -71,7 +77,7 @@ pub(super) fn run(arguments: &Arguments, case: &EncounterCase) -> Result<Answer,
 
 /// The case is to blame for torsion that cannot be given.
 fn blamed(arguments: &Arguments, case: &EncounterCase, source: EncounterError) -> CliError {
-    let path = arguments.case.clone();
+    let path = arguments.given.case.clone();
     match (source, case.contact.torsion) {
         (EncounterError::NormalSpin(source), Some(line)) => {
             CliError::Case { path, source: CaseError::Torsion { line, source: Box::new(source) } }

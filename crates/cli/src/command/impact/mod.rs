@@ -9,12 +9,13 @@ mod uncertain;
 mod view;
 
 use crate::case::{CaseError, EncounterCase, ImpactCase, UncertainCase};
+use crate::command::CaseArguments;
 use crate::error::CliError;
-use crate::output::{Answer, Format, PlotFile, csv, json, read_case};
+use crate::output::{Answer, Format, PlotFile, check_finite, csv, json, read_case};
 use carom_impact::CollisionError;
 use model::Shot;
 use std::path::PathBuf;
-use view::Record;
+use view::{Instant, Record};
 
 /// Impact of two bodies from a case file: spheres and planes, or any smooth bodies in any place.
 ///
@@ -23,12 +24,8 @@ use view::Record;
 /// outcome of spheres. The spin about the normal is left alone unless `contact.torsion = true`.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The case file.
-    #[arg(value_name = "CASE.toml")]
-    case: PathBuf,
-    /// Format of the results.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    given: CaseArguments,
     /// Draw the course of the impact, or the sweep, into this file, as SVG.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -40,34 +37,41 @@ pub(super) struct Arguments {
 const NOTHING_TO_DRAW: &str = "no impact: there is nothing to draw";
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    if let Some(case) = read_case(&arguments.case, EncounterCase::parse)? {
+    if let Some(case) = read_case(&arguments.given.case, EncounterCase::parse)? {
         return encounter::run(arguments, &case);
     }
-    if let Some(case) = read_case(&arguments.case, UncertainCase::parse)? {
+    if let Some(case) = read_case(&arguments.given.case, UncertainCase::parse)? {
         return scatter(arguments, &case);
     }
-    let case = read_case(&arguments.case, ImpactCase::parse)?;
+    let case = read_case(&arguments.given.case, ImpactCase::parse)?;
     let at_fault = |source| blamed(arguments, &case, source);
     let shots = model::shots(&case).map_err(at_fault)?;
     let is_sweep = case.is_sweep();
     if is_sweep && arguments.history.is_some() {
         return Err(CliError::Options("--history takes a case with one impact, not a sweep"));
     }
+    let course = |shot: &Shot, count| {
+        let history = view::history(shot, count).map_err(at_fault)?;
+        check_finite(&arguments.given.case, &view::HISTORY_HEADS, &full(&history))?;
+        Ok(history)
+    };
     let mut records = view::records(&shots).map_err(at_fault)?;
     if let (Some(count), [shot], [record]) =
         (arguments.history, shots.as_slice(), records.as_mut_slice())
     {
-        record.history = Some(view::history(shot, count as usize).map_err(at_fault)?);
+        record.history = Some(course(shot, count as usize)?);
     }
-    let text = match arguments.format {
+    let rows: Vec<_> = records.iter().map(view::cells).collect();
+    check_finite(&arguments.given.case, &view::HEADS, &rows)?;
+    let text = match arguments.given.format {
         Format::Json if is_sweep => json(&records)?,
         Format::Json => json(&records.first())?,
-        Format::Csv => comma_separated(&records)?,
+        Format::Csv => comma_separated(&records, &rows)?,
         Format::Table => table::render(&records, is_sweep),
     };
     let mut warnings = warnings(&records);
     let svg = match &arguments.plot {
-        Some(_) => draw(&shots, &records, is_sweep, at_fault)?,
+        Some(_) => draw(&shots, &records, is_sweep, course)?,
         None => None,
     };
     if arguments.plot.is_some() && svg.is_none() {
@@ -79,7 +83,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
 
 /// The case is to blame for torsion that cannot be given.
 fn blamed(arguments: &Arguments, case: &ImpactCase, source: CollisionError) -> CliError {
-    let path = arguments.case.clone();
+    let path = arguments.given.case.clone();
     match (source, case.contact.torsion) {
         (CollisionError::NormalSpin(source), Some(line)) => {
             CliError::Case { path, source: CaseError::Torsion { line, source: Box::new(source) } }
@@ -93,27 +97,26 @@ fn scatter(arguments: &Arguments, case: &UncertainCase) -> Result<Answer, CliErr
         return Err(CliError::Options("--history takes a case with one impact, not [uncertainty]"));
     }
     let study = uncertain::study(case)
-        .map_err(|source| CliError::Uncertain { path: arguments.case.clone(), source })?;
+        .map_err(|source| CliError::Uncertain { path: arguments.given.case.clone(), source })?;
     let report = uncertain::report(case, &study)?;
     let plot = match &arguments.plot {
         Some(path) => Some(PlotFile { path: path.clone(), svg: uncertain::draw(&report)? }),
         None => None,
     };
-    let text = uncertain::render_text(&report, arguments.format)?;
+    let text = uncertain::render_text(&report, arguments.given.format)?;
     Ok(Answer { text, warnings: uncertain::warnings(&report), plot })
 }
 
-fn comma_separated(records: &[Record]) -> Result<String, CliError> {
+fn comma_separated(records: &[Record], rows: &[Vec<String>]) -> Result<String, CliError> {
     match records {
-        [Record { history: Some(history), .. }] => {
-            let rows: Vec<_> = history.iter().map(view::history_cells).collect();
-            csv(&view::HISTORY_HEADS, &rows)
-        }
-        _ => {
-            let rows: Vec<_> = records.iter().map(view::cells).collect();
-            csv(&view::HEADS, &rows)
-        }
+        [Record { history: Some(history), .. }] => csv(&view::HISTORY_HEADS, &full(history)),
+        _ => csv(&view::HEADS, rows),
     }
+}
+
+/// The rows of a history with all digits.
+fn full(history: &[Instant]) -> Vec<Vec<String>> {
+    history.iter().map(|instant| view::history_cells(instant, |value| value.to_string())).collect()
 }
 
 /// The picture; none if no impact happens.
@@ -121,16 +124,13 @@ fn draw(
     shots: &[Shot],
     records: &[Record],
     is_sweep: bool,
-    at_fault: impl Fn(CollisionError) -> CliError,
+    course: impl Fn(&Shot, usize) -> Result<Vec<Instant>, CliError>,
 ) -> Result<Option<String>, CliError> {
     if records.iter().all(|record| record.rebound.is_none()) {
         return Ok(None);
     }
     match shots {
-        [shot] if !is_sweep => {
-            let history = view::history(shot, plot::INSTANTS).map_err(at_fault)?;
-            plot::course(&history).map(Some)
-        }
+        [shot] if !is_sweep => plot::course(&course(shot, plot::INSTANTS)?).map(Some),
         _ => plot::sweep(records).map(Some),
     }
 }

@@ -1,6 +1,6 @@
 //! The outcome of an impact as tables to read.
 
-use super::view::{HISTORY_HEADS, Instant, MotionRecord, ReboundRecord, Record};
+use super::view::{HISTORY_HEADS, Instant, MotionRecord, ReboundRecord, Record, history_cells};
 use crate::output::{short, table};
 
 /// One impact in full, or a sweep with a line for each angle.
@@ -103,21 +103,7 @@ fn events(rebound: &ReboundRecord) -> String {
 }
 
 fn course(history: &[Instant]) -> String {
-    let rows: Vec<Vec<String>> = history
-        .iter()
-        .map(|instant| {
-            let numbers = [
-                instant.time,
-                instant.approach,
-                instant.shift,
-                instant.normal_force,
-                instant.tangential_force,
-                instant.contact_radius,
-                instant.stick_radius,
-            ];
-            numbers.map(short).into_iter().chain([instant.regime.to_owned()]).collect()
-        })
-        .collect();
+    let rows: Vec<_> = history.iter().map(|instant| history_cells(instant, short)).collect();
     table(&HISTORY_HEADS, &rows)
 }
 

@@ -265,8 +265,8 @@ pub(super) const HISTORY_HEADS: [&str; 8] = [
     "regime",
 ];
 
-/// A row of the CSV of a history.
-pub(super) fn history_cells(instant: &Instant) -> Vec<String> {
+/// A row of a history.
+pub(super) fn history_cells(instant: &Instant, number: fn(f64) -> String) -> Vec<String> {
     let numbers = [
         instant.time,
         instant.approach,
@@ -276,5 +276,5 @@ pub(super) fn history_cells(instant: &Instant) -> Vec<String> {
         instant.contact_radius,
         instant.stick_radius,
     ];
-    numbers.iter().map(f64::to_string).chain([instant.regime.to_owned()]).collect()
+    numbers.into_iter().map(number).chain([instant.regime.to_owned()]).collect()
 }

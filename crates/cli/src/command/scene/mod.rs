@@ -4,6 +4,7 @@ mod plot;
 mod view;
 
 use crate::case::SceneCase;
+use crate::command::CaseArguments;
 use crate::error::CliError;
 use crate::output::{Answer, Format, PlotFile, csv, json, read_case, table};
 use std::path::PathBuf;
@@ -13,12 +14,8 @@ use std::path::PathBuf;
 /// The file is TOML in SI units; see the cases scene_*.toml under examples/.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The case file.
-    #[arg(value_name = "CASE.toml")]
-    case: PathBuf,
-    /// Format of the results.
-    #[arg(long, value_enum, default_value_t)]
-    format: Format,
+    #[command(flatten)]
+    given: CaseArguments,
     /// Draw walls, path and bounces into this file, as SVG.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
@@ -28,13 +25,13 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let case = read_case(&arguments.case, SceneCase::parse)?;
+    let case = read_case(&arguments.given.case, SceneCase::parse)?;
     let path = case
         .scene
         .run(&case.ball, case.limits)
-        .map_err(|source| CliError::Scene { path: arguments.case.clone(), source })?;
+        .map_err(|source| CliError::Scene { path: arguments.given.case.clone(), source })?;
     let report = view::report(&case, &path, arguments.points.map(|count| count as usize))?;
-    let text = match arguments.format {
+    let text = match arguments.given.format {
         Format::Json => json(&report)?,
         Format::Csv => match &report.path {
             Some(points) => csv(&view::POINT_HEADS, &view::point_rows(points, f64::to_string))?,
