@@ -1,8 +1,9 @@
 //! Cost of coupled oblique impacts, from the velocities before to those after, one thread.
 //!
 //! Planar: an ellipsoid in a plane of symmetry on a plane, law of one direction, settled to 1e-8
-//! of |v_A| (the default) and to 1e-5. Spatial: the same upright with a turning direction,
-//! Coulomb's vector law settled to 5e-6 (the default) and to 1e-4.
+//! of |v_A| (the default) and to 1e-5. Spatial: the same upright with a turning direction, the
+//! law of fixed directions settled to 1e-8 (the default) and to 5e-6, Coulomb's vector law to 5e-6
+//! (the default) and to 1e-4.
 
 use std::hint::black_box;
 
@@ -32,15 +33,19 @@ fn spatial() -> CoupledImpact {
 
 fn bench(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("coupled impact");
-    let mut run = |name: &str, impact: CoupledImpact| {
-        group.bench_function(name, |bencher| {
-            bencher.iter(|| black_box(impact).solve(VectorLaw::Coulomb).expect("separates"));
+    let mut run = |name: &str, law: VectorLaw, tolerance: f64, impact: CoupledImpact| {
+        let impact = impact.within(tolerance).expect("positive");
+        group.bench_function(format!("{name}, {tolerance:e}"), |bencher| {
+            bencher.iter(|| black_box(impact).solve(law).expect("separates"));
         });
     };
-    run("planar, 1e-8", planar());
-    run("planar, 1e-5", planar().within(1e-5).expect("positive"));
-    run("spatial, 5e-6", spatial());
-    run("spatial, 1e-4", spatial().within(1e-4).expect("positive"));
+    let (coulomb, fixed) = (VectorLaw::Coulomb, VectorLaw::FixedDirection);
+    run("planar", coulomb, 1e-8, planar());
+    run("planar", coulomb, 1e-5, planar());
+    run("spatial, fixed direction", fixed, 1e-8, spatial());
+    run("spatial, fixed direction", fixed, 5e-6, spatial());
+    run("spatial, Coulomb", coulomb, 5e-6, spatial());
+    run("spatial, Coulomb", coulomb, 1e-4, spatial());
 }
 
 criterion_group!(benches, bench);

@@ -2,12 +2,11 @@
 
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
-use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
-use super::line::Line;
+use super::bare_law::BareLaw;
 use super::refine::{Failure, Problem, Settled};
 use super::{CoulombRings, Passage, Point, Stage, Staged};
 use crate::mobility::Mobility;
@@ -16,9 +15,9 @@ use crate::oblique::{Event, Groups, ObliqueError, ObliqueImpact, Regime};
 use crate::outcome::LogEntry;
 
 /// Default changes between refinements, over |v_A|, at which the outcome counts as settled: the
-/// law of one direction is exact and cheap, the rings are not.
-const PLANAR: f64 = 1e-8;
-const SPATIAL: f64 = 5e-6;
+/// memory is exact and cheap, the rings are not.
+const MEMORY: f64 = 1e-8;
+const RINGS: f64 = 5e-6;
 
 /// Why a coupled impact cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -44,7 +43,9 @@ pub enum VectorLaw {
     #[default]
     Coulomb,
     /// The thesis (8.51): every slip ring keeps the direction in which it formed, measured with
-    /// c_x xi and c_y eta. Within about 1 % of |v_A| of the former.
+    /// c_x xi and c_y eta. Ten times cheaper. Within 1 % of |v_A| of the former for ellipsoids on
+    /// a plane and crossed cylinders with steel's moduli; where the direction turns far, with
+    /// strong coupling or c_x and c_y far apart, 1 % is common and 7 % not rare.
     FixedDirection,
 }
 
@@ -136,8 +137,8 @@ impl CoupledImpact {
         Ok(Self { mobility, stiffness, friction, velocity, normal, tolerance: None })
     }
 
-    /// The same impact, settled to another tolerance than the default (1e-8 in a plane, 5e-6 in
-    /// space): the outcome counts when refinement changes its velocity by less than this times
+    /// The same impact, settled to another tolerance than the default (5e-6 for Coulomb's law
+    /// in space, else 1e-8): the outcome counts when refinement changes its velocity by less than this times
     /// |v_A|. The true error is mostly a few times smaller. At most 2048 steps and 1024 rings are
     /// used; [`CoupledOutcome::error_estimate`] says what they reached.
     ///
@@ -148,12 +149,9 @@ impl CoupledImpact {
         Ok(Self { tolerance: Some(tolerance), ..self })
     }
 
-    fn tolerance(&self) -> f64 {
-        let default = match self.passage() {
-            Passage::Planar { .. } => PLANAR,
-            _ => SPATIAL,
-        };
-        self.tolerance.unwrap_or(default)
+    fn tolerance(&self, law: VectorLaw) -> f64 {
+        let rings = law == VectorLaw::Coulomb && matches!(self.passage(), Passage::Spatial { .. });
+        self.tolerance.unwrap_or(if rings { RINGS } else { MEMORY })
     }
 
     /// How this impact is solved.
@@ -190,7 +188,8 @@ impl CoupledImpact {
     }
 
     /// The same with any contact law, in the units of the data. `make` gives a fresh law; it is
-    /// told a resolution that doubles from run to run, 32, 64, .., for laws that have one.
+    /// told a resolution that doubles from run to run, 16, 32, .., for laws that have one. The
+    /// default tolerance is that of [`CoupledImpact::within`] for Coulomb's law.
     ///
     /// # Errors
     /// [`CoupledError::NoSeparation`]; a failing step of the law ends the impact with
@@ -206,7 +205,7 @@ impl CoupledImpact {
             peak: self.normal.maximal_approach(),
         };
         let settled = problem
-            .settle(self.tolerance(), |_, resolution| make(resolution))
+            .settle(self.tolerance(VectorLaw::Coulomb), |_, resolution| make(resolution))
             .map_err(|failure| self.failed(&failure))?;
         let units = Units { time: 1.0, length: 1.0, speed: 1.0, force: 1.0 };
         Ok(self.outcome_in(&settled, &units))
@@ -302,7 +301,7 @@ impl CoupledImpact {
     fn settled(&self, law: VectorLaw) -> Result<Settled, CoupledError> {
         let problem = self.problem();
         problem
-            .settle(self.tolerance(), |peak, rings| self.law(law, peak, rings))
+            .settle(self.tolerance(law), |peak, rings| self.law(law, peak, rings))
             .map_err(|failure| self.failed(&failure))
     }
 
@@ -401,18 +400,18 @@ impl CoupledImpact {
             (Passage::Planar { direction }, _) => {
                 let along = c_x * direction.x * direction.x + c_y * direction.y * direction.y;
                 let line = ContactStiffness { c_x: scaled(along), ..plane };
-                AnyLaw::Line(Box::new(Line::new(line, friction)))
+                AnyLaw::Line(Box::new(BareLaw::new(line, friction)))
             }
             (_, VectorLaw::Coulomb) => {
                 let spacing = (peak * 1.0001).sqrt() / rings as f64;
                 // Without a limit every direction is on its own, and without friction none acts.
                 CoulombRings::new(plane, friction.get(), spacing).map_or_else(
-                    |_| AnyLaw::Plane(Box::new(ShiftLaw::new(plane, friction))),
+                    |_| AnyLaw::Plane(Box::new(BareLaw::new(plane, friction))),
                     AnyLaw::Rings,
                 )
             }
             (_, VectorLaw::FixedDirection) => {
-                AnyLaw::Plane(Box::new(ShiftLaw::new(plane, friction)))
+                AnyLaw::Plane(Box::new(BareLaw::new(plane, friction)))
             }
         }
     }
@@ -457,8 +456,8 @@ impl CoupledImpact {
 /// One of the laws at hand.
 #[derive(Debug, Clone)]
 enum AnyLaw {
-    Line(Box<Line>),
-    Plane(Box<ShiftLaw<[f64; 2]>>),
+    Line(Box<BareLaw<f64>>),
+    Plane(Box<BareLaw<[f64; 2]>>),
     Rings(CoulombRings),
 }
 

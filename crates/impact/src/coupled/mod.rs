@@ -5,9 +5,9 @@
 //! with Coulomb's friction, the true vector law, and the thesis's memory with one direction per
 //! slip ring. Motion in one plane through the normal needs no choice: the memory is exact there.
 
+mod bare_law;
 mod course;
 mod impact;
-mod line;
 mod passage;
 mod refine;
 mod rings;

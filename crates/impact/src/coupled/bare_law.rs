@@ -1,58 +1,72 @@
-//! The law of one direction, exact on straight paths, without the energy accounts that the
-//! motion does not need at every step.
+//! The thesis's law in one direction or two, without the energy accounts that the motion does not
+//! need at every step and that cost ten times the forces.
 
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
-use carom_laws::memory::{AdhesionMemory, Memory, Regime};
+use carom_laws::memory::{AdhesionMemory, Lateral, Memory, Regime};
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 
 use super::{Stage, Staged};
 
-/// Normal force and the memory of chapter 6 along x.
+/// Normal force and the memory of chapter 6 (V a number: along x) or 7 (a pair).
 #[derive(Debug, Clone)]
-pub(super) struct Line {
+pub(super) struct BareLaw<V: Lateral> {
     stiffness: ContactStiffness,
-    /// X = shift times this.
-    scale: f64,
+    /// X = shift times this, by component.
+    scale: V,
     /// F = Phi times this.
     unit: f64,
-    memory: Recall,
+    /// Energy = that of the memory times this, by component.
+    energy: V,
+    memory: Recall<V>,
     shift: Shift,
     load: ContactLoad,
 }
 
 #[derive(Debug, Clone)]
-enum Recall {
-    Rubbing(Memory<f64>),
-    Stuck(AdhesionMemory<f64>),
+enum Recall<V: Lateral> {
+    Free,
+    Rubbing(Memory<V>),
+    Stuck(AdhesionMemory<V>),
 }
 
-impl Line {
-    /// With stiffness c_x, c_z and friction that is not zero.
+impl<V: Lateral> BareLaw<V> {
+    /// Of any friction.
     pub(super) fn new(stiffness: ContactStiffness, friction: Friction) -> Self {
         let (memory, limit) = match friction.coefficient() {
             None => (Recall::Stuck(AdhesionMemory::new()), 1.0),
+            Some(0.0) => (Recall::Free, 1.0),
             Some(f) => (Recall::Rubbing(Memory::new()), f * stiffness.c_z),
         };
-        let (shift, load) = (Shift::default(), ContactLoad::default());
-        let (scale, unit) = (stiffness.c_x / limit, 2.0 / 3.0 * limit);
-        Self { stiffness, scale, unit, memory, shift, load }
+        let along = V::from_components([stiffness.c_x, stiffness.c_y]);
+        let inverse = V::from_components([1.0 / stiffness.c_x, 1.0 / stiffness.c_y]);
+        let unit = 2.0 / 3.0 * limit;
+        Self {
+            stiffness,
+            scale: along.times(1.0 / limit),
+            unit,
+            energy: inverse.times(unit * limit),
+            memory,
+            shift: Shift::default(),
+            load: ContactLoad::default(),
+        }
     }
 }
 
-impl ContactLaw for Line {
+impl<V: Lateral> ContactLaw for BareLaw<V> {
     type Error = RangeError;
 
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
-        let to = shift.xi * self.scale;
+        let to = V::from_components([shift.xi, shift.eta]).by_component(self.scale);
         let phi = match &mut self.memory {
+            Recall::Free => V::default(),
             Recall::Rubbing(memory) => memory.advance(shift.zeta, to)?,
             Recall::Stuck(memory) => memory.advance(shift.zeta, to)?,
         };
         let zeta = shift.zeta.max(0.0);
         self.shift = shift;
-        self.load.f_x = phi * self.unit;
+        [self.load.f_x, self.load.f_y] = phi.times(self.unit).components();
         self.load.f_z = 2.0 / 3.0 * self.stiffness.c_z * (zeta * zeta.sqrt());
         Ok(self.load)
     }
@@ -68,11 +82,12 @@ impl ContactLaw for Line {
     fn stored_energy(&self) -> f64 {
         let zeta = self.shift.zeta.max(0.0);
         let tangential = match &self.memory {
+            Recall::Free => V::default(),
             Recall::Rubbing(memory) => memory.stored_energy(),
             Recall::Stuck(memory) => memory.stored_energy(),
         };
         let normal = 4.0 / 15.0 * self.stiffness.c_z * (zeta * zeta * zeta.sqrt());
-        normal + tangential * self.unit / self.scale
+        normal + tangential.dot(self.energy)
     }
 
     /// Not kept: the energies of the motion tell it.
@@ -81,9 +96,10 @@ impl ContactLaw for Line {
     }
 }
 
-impl Staged for Line {
+impl<V: Lateral> Staged for BareLaw<V> {
     fn stage(&self) -> Stage {
         match &self.memory {
+            Recall::Free => Stage::Slide,
             Recall::Stuck(_) => Stage::Adhesion,
             Recall::Rubbing(memory) => memory.regime().into(),
         }
