@@ -18,6 +18,7 @@ pub use local::LocalSurface;
 
 pub(crate) use closest::{Closest, invert_in_plane, support_of_ellipsoid};
 pub(crate) use least::Objective;
+pub(crate) use local::perpendicular;
 
 use carom_laws::curvature::PrincipalRadii;
 use carom_special::RangeError;
