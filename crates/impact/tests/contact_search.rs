@@ -105,6 +105,14 @@ fn convex_bodies() {
 }
 
 #[test]
+fn a_crest_under_the_middle_of_a_face() {
+    // Waves that rise higher beside the face than under it.
+    for seed in [1_409_582, 5_519_543, 6_944_963, 7_673_511] {
+        check_pair(&waves(), &cuboid(), &mut Numbers(seed));
+    }
+}
+
+#[test]
 fn bodies_that_need_not_be_convex() {
     let mut numbers = Numbers(2);
     let kinds: Vec<Shape> = convex().into_iter().chain(others()).collect();

@@ -1,11 +1,12 @@
 //! The flat faces, straight sides and edges of cylinders, boxes and planes.
 
 use nalgebra::Vector3;
+use std::f64::consts::PI;
 
 use super::placed::Placed;
 use super::scan::{Curve, Rail};
 use super::{Nearest, Touch};
-use crate::surface::Kind;
+use crate::surface::{Kind, perpendicular};
 
 /// Faces turned by less than this from each other touch over an area, radians.
 const PARALLEL: f64 = 1e-7;
@@ -47,12 +48,39 @@ impl Face {
         self.centre + within
     }
 
+    /// How far beside the face a point stands.
+    pub(super) fn beside(&self, point: &Vector3<f64>) -> f64 {
+        let foot = point - self.normal * self.normal.dot(&(point - self.centre));
+        (self.clamp(&foot) - foot).norm()
+    }
+
+    /// Points all over a face that ends.
+    pub(super) fn spots(&self) -> Vec<Vector3<f64>> {
+        match self.outline {
+            Outline::Endless => Vec::new(),
+            Outline::Disc(radius) => {
+                let one = perpendicular(&self.normal);
+                let two = self.normal.cross(&one);
+                let ring = (0..6).map(|i| {
+                    let (sin, cos) = libm::sincos(f64::from(i) * PI / 3.0);
+                    self.centre + (one * cos + two * sin) * (0.7 * radius)
+                });
+                ring.chain([self.centre]).collect()
+            }
+            Outline::Rectangle { axes, half } => {
+                let thirds = [-2.0 / 3.0, 0.0, 2.0 / 3.0];
+                let at = |u: f64, v: f64| axes[0] * (u * half[0]) + axes[1] * (v * half[1]);
+                thirds.iter().flat_map(|u| thirds.map(|v| self.centre + at(*u, v))).collect()
+            }
+        }
+    }
+
     /// Where the nearest point of another body stands over this face, or behind it.
     pub(super) fn under(&self, point: &Vector3<f64>) -> Touch {
         let gap = self.normal.dot(&(point - self.centre));
         let foot = point - self.normal * gap;
         let slack = 1e-12 * (self.centre.norm() + point.norm());
-        let within = gap > -self.depth && (self.clamp(&foot) - foot).norm() <= slack;
+        let within = gap > -self.depth && self.beside(point) <= slack;
         Touch { near: Nearest { points: [foot, *point], gap }, within }
     }
 

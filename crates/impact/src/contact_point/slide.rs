@@ -22,7 +22,7 @@ pub(super) fn slide(body: &Target<'_>, other: &Target<'_>) -> Vec<Touch> {
         let closest = other.closest(point)?;
         Some((closest, bend(&closest, &other.placed.local(&closest.point)?)))
     };
-    minima(body, other.size(), &place)
+    minima(body, &body.starts, other.size(), &place)
 }
 
 /// The minima of the height of a smooth body over a face, first the points on the face.
@@ -37,7 +37,13 @@ pub(super) fn lower(body: &Target<'_>, face: &Face) -> Vec<Touch> {
         let foot = point - face.normal * distance;
         Some((Closest { point: foot, normal: face.normal, distance }, Matrix3::zeros()))
     };
-    let found = minima(body, body.size(), &place);
+    // What lies beside the face does not matter, be it ever so low.
+    let over =
+        |start: &&Vector3<f64>| face.beside(&body.placed.space_point(start)) < APART * body.size();
+    let next_to = |spot: &Vector3<f64>| Some(body.placed.body_point(&body.closest(spot)?.point));
+    let nearest = face.spots().into_iter().filter_map(|spot| next_to(&spot));
+    let starts: Vec<_> = body.starts.iter().filter(over).copied().chain(nearest).collect();
+    let found = minima(body, &starts, body.size(), &place);
     found.iter().map(|touch| face.under(&touch.near.points[0])).collect()
 }
 
@@ -51,7 +57,12 @@ fn bend(closest: &Closest, local: &LocalSurface) -> Matrix3<f64> {
 
 type Place<'a> = dyn Fn(&Vector3<f64>) -> Option<(Closest, Matrix3<f64>)> + 'a;
 
-fn minima(body: &Target<'_>, size_of_other: f64, place: &Place<'_>) -> Vec<Touch> {
+fn minima(
+    body: &Target<'_>,
+    starts: &[Vector3<f64>],
+    size_of_other: f64,
+    place: &Place<'_>,
+) -> Vec<Touch> {
     let noise = 1e-14 * (body.size() + size_of_other);
     let objective = |point: &Vector3<f64>| {
         let (closest, hessian) = place(&body.placed.space_point(point))?;
@@ -70,20 +81,21 @@ fn minima(body: &Target<'_>, size_of_other: f64, place: &Place<'_>) -> Vec<Touch
         (least.rest <= PARALLEL).then_some(Touch { near, within: true })
     };
     let height = |start: &Vector3<f64>| objective(start).map(|o| o.value);
-    low_starts(body, height).iter().filter_map(follow).collect()
+    low_starts(starts, body.size(), height).iter().filter_map(follow).collect()
 }
 
 // The lowest starts, none close to another.
 fn low_starts(
-    body: &Target<'_>,
+    starts: &[Vector3<f64>],
+    size: f64,
     height: impl Fn(&Vector3<f64>) -> Option<f64>,
 ) -> Vec<Vector3<f64>> {
     let with_height = |start: &Vector3<f64>| Some((height(start)?, *start));
-    let mut ranked: Vec<_> = body.starts.iter().filter_map(with_height).collect();
+    let mut ranked: Vec<_> = starts.iter().filter_map(with_height).collect();
     ranked.sort_by(|one, two| one.0.total_cmp(&two.0));
     let mut chosen: Vec<Vector3<f64>> = Vec::new();
     for (_, start) in ranked {
-        if chosen.iter().all(|other| (other - start).norm() > APART * body.size()) {
+        if chosen.iter().all(|other| (other - start).norm() > APART * size) {
             chosen.push(start);
         }
         if chosen.len() == MINIMA {

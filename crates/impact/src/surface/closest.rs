@@ -8,8 +8,8 @@ use super::{Kind, Surface};
 /// Iterations after which a search gives up.
 const MAX_STEPS: usize = 100;
 
-/// How many of the given starts are followed.
-const FOLLOWED: usize = 3;
+/// How far apart starts lie that may lead to different minima, over the size of the body.
+const APART: f64 = 0.3;
 
 /// A surface point, the outward normal and the signed distance along it to the point asked for.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -68,23 +68,26 @@ impl Surface {
         }
     }
 
-    // The nearest of the minima of |p - from| that the nearest starts lead to.
+    // The nearer of the minima of |p - from| to which the nearest start leads, and the nearest one
+    // on another part of the surface that may reach as near.
     fn closest_of_some(&self, from: &Vector3<f64>, starts: &[Vector3<f64>]) -> Option<Closest> {
-        let mut nearest = [(f64::INFINITY, Vector3::zeros()); FOLLOWED];
-        let mut consider = |start: &Vector3<f64>| {
-            let mut entry = ((start - from).norm(), *start);
-            for kept in &mut nearest {
-                if entry.0 < kept.0 {
-                    std::mem::swap(&mut entry, kept);
-                }
-            }
+        let around = self.starts_around(from);
+        let apart = APART * self.size();
+        let nearest = |beyond: Option<&Vector3<f64>>| {
+            let elsewhere =
+                |start: &&Vector3<f64>| beyond.is_none_or(|first| (*start - first).norm() > apart);
+            let distance = |start: &Vector3<f64>| (start - from).norm();
+            let all = starts.iter().chain(&around).filter(elsewhere);
+            all.min_by(|one, two| distance(one).total_cmp(&distance(two)))
         };
-        starts.iter().for_each(&mut consider);
-        self.starts_around(from).iter().for_each(&mut consider);
-        let followed = nearest.iter().filter(|(distance, _)| distance.is_finite());
-        followed
-            .filter_map(|(_, start)| self.closest_from(start, from))
-            .min_by(|one, two| one.distance.abs().total_cmp(&two.distance.abs()))
+        let start = nearest(None)?;
+        let first = self.closest_from(start, from);
+        let reach = first.map_or(f64::INFINITY, |found| found.distance.abs() + apart);
+        let second = nearest(Some(start))
+            .filter(|start| (*start - from).norm() < reach)
+            .and_then(|start| self.closest_from(start, from));
+        let found = first.into_iter().chain(second);
+        found.min_by(|one, two| one.distance.abs().total_cmp(&two.distance.abs()))
     }
 
     fn closest_from(&self, start: &Vector3<f64>, from: &Vector3<f64>) -> Option<Closest> {

@@ -2,7 +2,7 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::jet::{Height, Jet};
+use super::jet::Jet;
 use super::local::LocalSurface;
 use super::{Kind, Side, Surface, SurfaceError};
 
@@ -86,7 +86,7 @@ impl Surface {
                 of_jet(point, &jet)
             }
             Kind::Explicit { function, side, .. } => {
-                let jet = of_height(&function.at(&[point.x, point.y]), *side, point.z);
+                let jet = of_height(&function.jet(point), *side, point.z);
                 near(jet.value / jet.gradient.norm())?;
                 of_jet(point, &jet)
             }
@@ -117,15 +117,13 @@ pub(super) fn ellipsoid(semi_axes: &Vector3<f64>, point: &Vector3<f64>) -> Jet {
 }
 
 // (8.13): f = c(a, b) - c where the body lies above.
-fn of_height(height: &Height, side: Side, c: f64) -> Jet {
-    let sign = match side {
-        Side::Above => 1.0,
-        Side::Below => -1.0,
-    };
-    let Height { c_a, c_b, c_aa, c_bb, c_ab, .. } = *height;
+fn of_height(height: &Jet, side: Side, c: f64) -> Jet {
+    let sign = side.sign();
+    let (slope, bend) = (height.gradient, height.hessian);
+    let (c_aa, c_ab, c_bb) = (bend.m11, bend.m12, bend.m22);
     Jet {
-        value: sign * (height.c - c),
-        gradient: sign * Vector3::new(c_a, c_b, -1.0),
+        value: sign * (height.value - c),
+        gradient: sign * Vector3::new(slope.x, slope.y, -1.0),
         hessian: sign * Matrix3::new(c_aa, c_ab, 0.0, c_ab, c_bb, 0.0, 0.0, 0.0, 0.0),
     }
 }

@@ -32,31 +32,46 @@ pub struct Height {
     pub c_ab: f64,
 }
 
-/// A function with derivatives that a surface owns.
-#[derive(Clone)]
-pub(crate) struct Field<A, J>(Arc<dyn Fn(&A) -> J + Send + Sync>);
+impl Height {
+    /// The same as a function of a point, whatever its c.
+    pub(super) fn jet(&self) -> Jet {
+        let Self { c, c_a, c_b, c_aa, c_bb, c_ab } = *self;
+        Jet {
+            value: c,
+            gradient: Vector3::new(c_a, c_b, 0.0),
+            hessian: Matrix3::new(c_aa, c_ab, 0.0, c_ab, c_bb, 0.0, 0.0, 0.0, 0.0),
+        }
+    }
+}
 
-impl<A, J> Field<A, J> {
-    pub(super) fn new(function: impl Fn(&A) -> J + Send + Sync + 'static) -> Self {
+type Shared<J> = Arc<dyn Fn(&Vector3<f64>) -> J + Send + Sync>;
+
+/// A function of a point that a surface owns.
+#[derive(Clone)]
+pub(crate) struct Field<J>(Shared<J>);
+
+impl<J> Field<J> {
+    pub(super) fn new(function: impl Fn(&Vector3<f64>) -> J + Send + Sync + 'static) -> Self {
         Self(Arc::new(function))
     }
 
-    pub(super) fn at(&self, point: &A) -> J {
+    pub(super) fn at(&self, point: &Vector3<f64>) -> J {
         (self.0)(point)
     }
 }
 
-impl<A, J> fmt::Debug for Field<A, J> {
+impl<J> fmt::Debug for Field<J> {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str("Field")
     }
 }
 
-/// An implicit function: with its derivatives, or bare with differences for them.
+/// The function of an implicit or explicit surface: with its derivatives, or bare with
+/// differences for them.
 #[derive(Debug, Clone)]
 pub(crate) enum Source {
-    Exact(Field<Vector3<f64>, Jet>),
-    Bare { function: Field<Vector3<f64>, f64>, size: f64 },
+    Exact(Field<Jet>),
+    Bare { function: Field<f64>, size: f64 },
 }
 
 impl Source {
@@ -98,7 +113,7 @@ const SECOND: [(f64, f64); 4] =
     [(-2.0, -1.0 / 12.0), (-1.0, 4.0 / 3.0), (1.0, 4.0 / 3.0), (2.0, -1.0 / 12.0)];
 
 /// Derivatives of f by five-point differences, relative accuracy about 1e-10.
-pub(super) fn differences(f: &dyn Fn(&Vector3<f64>) -> f64, at: &Vector3<f64>, size: f64) -> Jet {
+fn differences(f: &dyn Fn(&Vector3<f64>) -> f64, at: &Vector3<f64>, size: f64) -> Jet {
     let h = STEP * size;
     let value = f(at);
     let mut hessian = Matrix3::zeros();

@@ -3,7 +3,7 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::local::{LocalSurface, perpendicular};
-use super::{Kind, Side, Surface, evaluate};
+use super::{Kind, Surface, evaluate};
 
 const MAX_STEPS: usize = 100;
 
@@ -97,10 +97,9 @@ impl Surface {
         match self.kind() {
             Kind::Implicit { function, .. } => Some(function.slope(point)),
             Kind::Explicit { function, side, .. } => {
-                let height = function.at(&[point.x, point.y]);
-                let sign = if *side == Side::Above { 1.0 } else { -1.0 };
-                let gradient = Vector3::new(height.c_a, height.c_b, -1.0);
-                Some((sign * (height.c - point.z), gradient * sign))
+                let (c, slope) = function.slope(point);
+                let gradient = Vector3::new(slope.x, slope.y, -1.0);
+                Some((side.sign() * (c - point.z), gradient * side.sign()))
             }
             Kind::Ellipsoid { semi_axes } => {
                 let jet = evaluate::ellipsoid(semi_axes, point);

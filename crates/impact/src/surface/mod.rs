@@ -18,10 +18,11 @@ pub use local::LocalSurface;
 
 pub(crate) use closest::{Closest, invert_in_plane, support_of_ellipsoid};
 pub(crate) use least::Objective;
+pub(crate) use local::perpendicular;
 
 use carom_laws::curvature::PrincipalRadii;
 use carom_special::RangeError;
-use jet::{Field, Source, differences};
+use jet::{Field, Source};
 use nalgebra::Vector3;
 
 /// The surface of a body, in its own axes.
@@ -51,7 +52,7 @@ pub(crate) enum Kind {
     Torus { major: f64, minor: f64 },
     Box { half: Vector3<f64> },
     Implicit { size: f64, function: Source },
-    Explicit { size: f64, side: Side, function: Field<[f64; 2], Height> },
+    Explicit { size: f64, side: Side, function: Source },
     Given { local: LocalSurface },
 }
 
@@ -62,6 +63,16 @@ pub enum Side {
     Above,
     /// The body lies where c is smaller: it touches with its upper face.
     Below,
+}
+
+impl Side {
+    /// Sign of c(a, b) - c outside the body.
+    const fn sign(self) -> f64 {
+        match self {
+            Self::Above => 1.0,
+            Self::Below => -1.0,
+        }
+    }
 }
 
 impl Surface {
@@ -189,19 +200,10 @@ impl Surface {
         side: Side,
         function: impl Fn(f64, f64) -> f64 + Send + Sync + 'static,
     ) -> Result<Self, RangeError> {
-        let height = move |at: &[f64; 2]| {
-            let flat = |p: &Vector3<f64>| function(p.x, p.y);
-            let jet = differences(&flat, &Vector3::new(at[0], at[1], 0.0), size);
-            Height {
-                c: jet.value,
-                c_a: jet.gradient.x,
-                c_b: jet.gradient.y,
-                c_aa: jet.hessian.m11,
-                c_bb: jet.hessian.m22,
-                c_ab: jet.hessian.m12,
-            }
-        };
-        Self::explicit_with(size, side, height)
+        RangeError::positive("size", size)?;
+        let flat = move |p: &Vector3<f64>| function(p.x, p.y);
+        let function = Source::Bare { function: Field::new(flat), size };
+        Ok(Self::of(Kind::Explicit { size, side, function }))
     }
 
     /// The surface c(a, b) with its exact derivatives (8.13)-(8.16).
@@ -214,7 +216,9 @@ impl Surface {
         function: impl Fn(&[f64; 2]) -> Height + Send + Sync + 'static,
     ) -> Result<Self, RangeError> {
         RangeError::positive("size", size)?;
-        Ok(Self::of(Kind::Explicit { size, side, function: Field::new(function) }))
+        let flat = move |p: &Vector3<f64>| function(&[p.x, p.y]).jet();
+        let function = Source::Exact(Field::new(flat));
+        Ok(Self::of(Kind::Explicit { size, side, function }))
     }
 
     /// A surface known only at one point: its outward normal there, the principal radii and the

@@ -58,7 +58,7 @@ impl Surface {
 
     fn above(&self, a: f64, b: f64) -> Option<Vector3<f64>> {
         let Kind::Explicit { function, .. } = self.kind() else { return None };
-        let c = function.at(&[a, b]).c;
+        let c = function.value(&Vector3::new(a, b, 0.0));
         c.is_finite().then(|| Vector3::new(a, b, c))
     }
 }
