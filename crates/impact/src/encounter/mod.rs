@@ -2,6 +2,8 @@
 
 mod aftermath;
 
+pub use crate::placed_body::PlacedBody;
+
 use carom_halfspace::MaterialPair;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
@@ -15,7 +17,6 @@ use crate::meeting::brought_together;
 use crate::mobility::{Lever, Mobility};
 use crate::normal_spin::NormalSpinError;
 use crate::outcome::{Outcome, TorsionMode};
-use crate::placed_body::PlacedBody;
 use crate::surface::{LocalSurface, SurfaceError};
 
 /// Why two bodies have no impact that can be computed.
