@@ -1,7 +1,9 @@
 //! Impacts of bodies of any smooth shape: what the command gives, and what it refuses.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod common;
+
+use common::{carom, case, fresh, stdout};
+use std::path::Path;
 
 const CASE: &str = r#"[body_1]
 shape = "ellipsoid"
@@ -23,38 +25,14 @@ fixed = true
 friction = 0.2
 "#;
 
-fn carom(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().unwrap()
-}
-
-fn fresh(name: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_file(&path);
-    path
-}
-
-/// A case file of this name with this text.
-fn case(name: &str, text: &str) -> String {
-    let path = fresh(&format!("{name}.toml"));
-    std::fs::write(&path, text).unwrap();
-    path.to_str().unwrap().to_owned()
-}
-
-fn stdout(arguments: &[&str]) -> String {
-    let output = carom(arguments);
-    let stderr = String::from_utf8_lossy(&output.stderr);
-    assert!(output.status.success(), "{arguments:?}: {stderr}");
-    String::from_utf8(output.stdout).unwrap()
-}
-
 fn solved(name: &str, text: &str) -> serde_json::Value {
-    let file = case(name, text);
+    let file = case(&format!("{name}.toml"), text);
     serde_json::from_str(&stdout(&["impact", &file, "--format", "json"])).unwrap()
 }
 
 /// What the command says of a bad case; it must end with code 2 and give nothing else.
 fn refused(name: &str, text: &str) -> String {
-    let file = case(name, text);
+    let file = case(&format!("{name}.toml"), text);
     let plot = fresh(&format!("{name}.svg"));
     let output = carom(&["impact", &file, "--plot", plot.to_str().unwrap()]);
     let stderr = String::from_utf8(output.stderr).unwrap();
@@ -192,7 +170,7 @@ fn laws_differ_where_the_direction_turns() {
 
 #[test]
 fn the_course_begins_and_ends_with_the_outcome() {
-    let file = case("course", &changed("quaternion = [1, 0, 0, 0]", "angles = [0, 0, 40]"));
+    let file = case("course.toml", &changed("quaternion = [1, 0, 0, 0]", "angles = [0, 0, 40]"));
     let arguments = ["impact", &file, "--history", "201", "--format"];
     let record: serde_json::Value =
         serde_json::from_str(&stdout(&[&arguments[..], &["json"]].concat())).unwrap();

@@ -1,21 +1,14 @@
 //! `carom impact` with uncertain inputs, as a user meets it.
 
-use std::path::{Path, PathBuf};
-use std::process::{Command, Output};
+mod common;
 
-fn carom(arguments: &[&str]) -> Output {
-    Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().unwrap()
-}
+use common::{carom, fresh};
+use std::path::Path;
+use std::process::{Command, Output};
 
 fn glass() -> String {
     let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/glass_scatter.toml");
     std::fs::read_to_string(path).unwrap()
-}
-
-fn fresh(name: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_file(&path);
-    path
 }
 
 fn run(name: &str, text: &str, more: &[&str]) -> Output {

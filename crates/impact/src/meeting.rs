@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 
-use crate::contact_point::{Nearest, SearchError, nearest};
+use crate::contact_point::{SearchError, nearest};
 use crate::placed_body::PlacedBody;
 use crate::surface::{Kind, Surface};
 
@@ -28,7 +28,7 @@ pub(crate) fn brought_together(
         if found.gap.abs() <= allowed {
             return Ok(moved);
         }
-        let closing = closing_speed(&found, &course);
+        let closing = closing_speed(&found.points, found.gap, &course);
         // Apart and not closing in (convex gaps only grow from there), or overlapping.
         if found.gap.is_nan() || found.gap < 0.0 || (is_convex && closing <= 0.0) {
             break;
@@ -44,8 +44,8 @@ pub(crate) fn brought_together(
 }
 
 // How fast the gap shrinks.
-fn closing_speed(found: &Nearest, course: &Vector3<f64>) -> f64 {
-    let normal = (found.points[0] - found.points[1]) / found.gap;
+fn closing_speed(points: &[Vector3<f64>; 2], gap: f64, course: &Vector3<f64>) -> f64 {
+    let normal = (points[0] - points[1]) / gap;
     -course.dot(&normal)
 }
 

@@ -1,5 +1,7 @@
 //! A table of a case file, read field by field; every error names the field by its full path.
 
+mod arrays;
+
 use super::error::CaseError;
 use super::range::Range;
 use toml::Spanned;
@@ -113,43 +115,6 @@ impl<'a> Section<'a> {
         self.as_number(name, value, range)
     }
 
-    /// Three numbers in `range`.
-    ///
-    /// # Errors
-    /// If they are missing, not three numbers, or one is out of range.
-    pub fn vector(&self, name: &str, range: Range) -> Result<[f64; 3], CaseError> {
-        self.array(name, ["x", "y", "z"], range, "three numbers [x, y, z]")
-    }
-
-    /// As many numbers in `range` as `parts` names; `allowed` says so in words.
-    ///
-    /// # Errors
-    /// If they are missing, more or fewer, or one is out of range.
-    pub fn array<const N: usize>(
-        &self,
-        name: &str,
-        parts: [&str; N],
-        range: Range,
-        allowed: &'static str,
-    ) -> Result<[f64; N], CaseError> {
-        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
-        let items = match value.get_ref() {
-            DeValue::Array(items) if items.iter().count() == N => items,
-            _ => return Err(self.kind(name, value, allowed)),
-        };
-        let mut numbers = [0.0; N];
-        for ((number, item), part) in numbers.iter_mut().zip(items.iter()).zip(parts) {
-            *number = self.as_number(&format!("{name}.{part}"), item, range)?;
-        }
-        Ok(numbers)
-    }
-
-    /// Whether the field is there and a list.
-    #[must_use]
-    pub fn is_list(&self, name: &str) -> bool {
-        matches!(self.find(name).map(Spanned::get_ref), Some(DeValue::Array(_)))
-    }
-
     /// A list of numbers in `range`, at least one.
     ///
     /// # Errors
@@ -209,48 +174,6 @@ impl<'a> Section<'a> {
         let stop = table.number("stop", range)?;
         let count = table.number("count", Range::Count)?;
         Ok(carom_plot::linspace(start, stop, count as usize))
-    }
-
-    /// Rows of N numbers in `range`, at least one row; a row may lack its last number, which is
-    /// then 0. `allowed` says so in words.
-    ///
-    /// # Errors
-    /// If they are missing, of another kind, or a number is out of range.
-    pub fn rows<const N: usize>(
-        &self,
-        name: &str,
-        range: Range,
-        allowed: &'static str,
-    ) -> Result<Vec<[f64; N]>, CaseError> {
-        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
-        match value.get_ref() {
-            DeValue::Array(rows) if rows.iter().next().is_some() => rows
-                .iter()
-                .enumerate()
-                .map(|(i, row)| self.row(&format!("{name}[{i}]"), row, range, allowed))
-                .collect(),
-            _ => Err(self.kind(name, value, allowed)),
-        }
-    }
-
-    fn row<const N: usize>(
-        &self,
-        name: &str,
-        value: &Spanned<DeValue<'_>>,
-        range: Range,
-        allowed: &'static str,
-    ) -> Result<[f64; N], CaseError> {
-        let items = match value.get_ref() {
-            DeValue::Array(items) if matches!(items.iter().count(), n if n == N || n + 1 == N) => {
-                items
-            }
-            _ => return Err(self.kind(name, value, allowed)),
-        };
-        let mut numbers = [0.0; N];
-        for (number, item) in numbers.iter_mut().zip(items.iter()) {
-            *number = self.as_number(name, item, range)?;
-        }
-        Ok(numbers)
     }
 
     /// A text.

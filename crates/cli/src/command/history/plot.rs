@@ -21,16 +21,7 @@ pub(super) fn draw(history: &[Step]) -> Result<String, CliError> {
             ["shift / m", "force / N"],
             &[("F_x against ξ", |s| s.xi, |s| s.f_x), ("F_y against η", |s| s.eta, |s| s.f_y)],
         ),
-        course.panel(
-            "contact and stick ellipse",
-            "semi-axis / m",
-            &[
-                ("a", |s| s.semi_axis_a),
-                ("b", |s| s.semi_axis_b),
-                ("a, stick", |s| s.stick_semi_axis_a),
-                ("b, stick", |s| s.stick_semi_axis_b),
-            ],
-        ),
+        areas(&course),
         course.panel(
             "energy",
             "energy / J",
@@ -45,6 +36,28 @@ pub(super) fn draw(history: &[Step]) -> Result<String, CliError> {
     drawn("Load history", &panels)
 }
 
+fn areas(course: &Course<'_, Step>) -> Panel {
+    let is_round =
+        |step: &Step| (step.semi_axis_a - step.semi_axis_b).abs() <= 1e-9 * step.semi_axis_b;
+    if course.records.iter().all(is_round) {
+        return course.panel(
+            "contact and stick area",
+            "radius / m",
+            &[("contact", |s| s.semi_axis_a), ("stick", |s| s.stick_semi_axis_a)],
+        );
+    }
+    course.panel(
+        "contact and stick ellipse",
+        "semi-axis / m",
+        &[
+            ("a", |s| s.semi_axis_a),
+            ("b", |s| s.semi_axis_b),
+            ("a, stick", |s| s.stick_semi_axis_a),
+            ("b, stick", |s| s.stick_semi_axis_b),
+        ],
+    )
+}
+
 fn torsion(history: &[Step]) -> [Panel; 2] {
     let twists: Vec<(usize, Twist)> =
         history.iter().filter_map(|step| Some((step.step, step.twist?))).collect();
@@ -56,12 +69,9 @@ fn torsion(history: &[Step]) -> [Panel; 2] {
             &[("", |(_, twist)| twist.omega, |(_, twist)| twist.m_z)],
         ),
         course.panel(
-            "stick ellipse of the twist",
-            "semi-axis / m",
-            &[
-                ("a, stick", |(_, twist)| twist.twist_stick_semi_axis_a),
-                ("b, stick", |(_, twist)| twist.twist_stick_semi_axis_b),
-            ],
+            "stick area of the twist",
+            "larger semi-axis / m",
+            &[("", |(_, twist)| twist.twist_stick_semi_axis_b)],
         ),
     ]
 }
