@@ -107,6 +107,64 @@ fn check<L: Steps>(fresh: &L) {
     }
 }
 
+/// At the bound all is finite; beyond it the value is refused.
+fn check_bound<L: Steps>(fresh: &L, greatest: f64) {
+    let name = std::any::type_name::<L>();
+    let mut law = fresh.clone();
+    let size = greatest;
+    for (zeta, x) in [
+        (size, 0.0),
+        (size, 0.5 * size),
+        (0.9 * size, 0.38 * size),
+        (0.5 * size, -size),
+        (1e-300 * size, size),
+        (-size, -size),
+        (size, size),
+        (1.0, -1.0),
+    ] {
+        let force = law.step(zeta, x).unwrap();
+        assert!(force.is_finite(), "{name}: {zeta:e} {x:e} {force}");
+    }
+    let [approach, lateral] = L::names();
+    let before = law.clone();
+    assert_eq!(law.step(1.001 * size, 0.0).unwrap_err().field, approach, "{name}");
+    assert_eq!(law.step(-1.001 * size, 0.0).unwrap_err().field, approach, "{name}");
+    assert_eq!(law.step(1.0, -1.001 * size).unwrap_err().field, lateral, "{name}");
+    assert_eq!(law, before, "{name}");
+}
+
+#[test]
+fn nothing_overflows() {
+    check_bound(&ScalarMemory::new(), 1e100);
+    check_bound(&VectorMemory::new(), 1e100);
+    check_bound(&Memory::<f64, Fixed<f64, 8>>::new(), 1e100);
+    check_bound(&AdhesionMemory::<f64>::new(), 1e100);
+    check_bound(&SliderLaw::new(50, 1e100, 1.0).unwrap(), 1e100);
+    check_bound(&SliderLaw::new(50, 1e100, 0.8).unwrap(), 1e100);
+    let stiffness = ContactStiffness::new(1.0, 0.9, 1e150).unwrap();
+    for friction in [0.0, 0.3, f64::INFINITY] {
+        let friction = Friction::new(friction).unwrap();
+        check_bound(&ShiftLaw::<f64>::new(stiffness, friction), 1e60);
+        check_bound(&ShiftLaw::<[f64; 2]>::new(stiffness, friction), 1e60);
+    }
+    for friction in [0.0, f64::INFINITY] {
+        check_bound(&TorsionLaw::new(&hertz(), Friction::new(friction).unwrap()).unwrap(), 1e60);
+    }
+    for size in [1e60, 1e-60, 1e-100, 1e-300] {
+        let mut history = TwistHistory::new();
+        for (radius, twist) in
+            [(size, 0.0), (size, 0.5 * size), (0.9 * size, 0.38 * size), (0.5 * size, -size)]
+        {
+            assert!(history.advance(radius, twist).unwrap().is_finite());
+            assert!(history.stored_energy().is_finite() && history.stick_radius() <= radius);
+        }
+        let before = history.clone();
+        assert_eq!(history.advance(2e60, 0.0).unwrap_err().field, "radius");
+        assert_eq!(history.advance(1.0, -2e60).unwrap_err().field, "twist");
+        assert_eq!(history, before);
+    }
+}
+
 fn hertz() -> Hertz {
     let body = Material::from_shear(2.0, 0.3).unwrap();
     let gap = RelativeCurvature::from_coefficients(0.7, 0.2).unwrap();

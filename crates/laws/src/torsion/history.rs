@@ -16,6 +16,7 @@ use super::rings;
 use super::segment::{Density, Segment};
 pub use super::sliding::sliding_limit;
 use super::sliding::{sliding_torque, sliding_twist};
+use crate::bounds::in_contact;
 
 /// The part of the radius that a receding step leaves at least while old rings lie outside it.
 const SHORTEST_STEP: f64 = 0.96;
@@ -164,11 +165,12 @@ impl TwistHistory {
     /// A radius of zero separates the bodies and forgets their past.
     ///
     /// # Errors
-    /// [`RangeError`] for a radius that is negative or a value that is not finite; the state is
+    /// [`RangeError`] for a radius that is negative and a value above 1e60 in size or not a number; the state is
     /// then unchanged.
     pub fn advance(&mut self, radius: f64, twist: f64) -> Result<f64, RangeError> {
         RangeError::non_negative("radius", radius)?;
-        RangeError::finite("twist", twist)?;
+        in_contact("radius", radius)?;
+        in_contact("twist", twist)?;
         if radius == 0.0 {
             *self = Self { twist, ring_steps: self.ring_steps, ..Self::at_level(self.level) };
             return Ok(0.0);
