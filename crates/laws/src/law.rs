@@ -2,6 +2,8 @@
 
 use carom_special::RangeError;
 
+use crate::bounds::in_contact;
+
 /// The rigid shift of body 2 against body 1 in the contact frame (z into body 1).
 ///
 /// ```
@@ -22,15 +24,15 @@ pub struct Shift {
 }
 
 impl Shift {
-    /// Checks that all components are finite.
+    /// Checks that all components are finite and of size up to 1e60, so that no energy overflows.
     ///
     /// # Errors
     /// [`RangeError`] that names the first one that is not.
     pub fn check_finite(&self) -> Result<(), RangeError> {
-        RangeError::finite("zeta", self.zeta)?;
-        RangeError::finite("xi", self.xi)?;
-        RangeError::finite("eta", self.eta)?;
-        RangeError::finite("omega", self.omega)?;
+        in_contact("zeta", self.zeta)?;
+        in_contact("xi", self.xi)?;
+        in_contact("eta", self.eta)?;
+        in_contact("omega", self.omega)?;
         Ok(())
     }
 }

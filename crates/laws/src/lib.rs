@@ -30,6 +30,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
+mod bounds;
 pub mod curvature;
 pub mod ellipse;
 pub mod field;

@@ -10,6 +10,7 @@
 
 use carom_special::RangeError;
 
+use crate::bounds::in_memory;
 use crate::memory::Lateral;
 
 /// A step that turns the slip of springs of unequal compliance is cut into parts at least this
@@ -93,12 +94,12 @@ impl SliderLaw {
     /// Goes straight to a new approach and shift and returns the force.
     ///
     /// # Errors
-    /// [`RangeError`] for a value that is not finite or an approach beyond the deepest spring; the
+    /// [`RangeError`] for a value above 1e100 in size or not a number, and for an approach beyond the deepest spring; the
     /// state is then unchanged.
     pub fn advance(&mut self, zeta: f64, shift: [f64; 2]) -> Result<[f64; 2], RangeError> {
-        RangeError::finite("zeta", zeta)?;
-        RangeError::finite("shift", shift[0])?;
-        RangeError::finite("shift", shift[1])?;
+        in_memory("zeta", zeta)?;
+        in_memory("shift", shift[0])?;
+        in_memory("shift", shift[1])?;
         let deepest = self.springs.len() as f64 * self.spacing;
         let holds = zeta <= deepest * deepest * (1.0 + 1e-12);
         RangeError::check("zeta", zeta, holds, "not above the deepest spring")?;

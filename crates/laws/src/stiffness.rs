@@ -22,11 +22,12 @@ impl ContactStiffness {
     /// Given coefficients, for instance measured ones.
     ///
     /// # Errors
-    /// [`RangeError`] unless all are finite and positive.
+    /// [`RangeError`] unless all are positive and at most 1e150.
     pub fn new(c_x: f64, c_y: f64, c_z: f64) -> Result<Self, RangeError> {
-        RangeError::positive("c_x", c_x)?;
-        RangeError::positive("c_y", c_y)?;
-        RangeError::positive("c_z", c_z)?;
+        for (field, value) in [("c_x", c_x), ("c_y", c_y), ("c_z", c_z)] {
+            let holds = value > 0.0 && value <= 1e150;
+            RangeError::check(field, value, holds, "> 0 and at most 1e150")?;
+        }
         Ok(Self { c_x, c_y, c_z })
     }
 

@@ -256,6 +256,31 @@ fn greatest_shear_is_that_of_the_handbooks() {
 }
 
 #[test]
+fn a_long_ellipse_is_a_line_contact() {
+    // McEwen's closed forms, of the width 1: pressure and traction across the line.
+    let one = load(1.0, 1e6, 0.3);
+    for (x, z) in [(0.0_f64, 0.2_f64), (0.5, 0.3), (-0.9, 0.05), (1.3, 0.4), (-2.0, 1.5)] {
+        let (difference, product) = (1.0 - x * x + z * z, 2.0 * x * z);
+        let root = difference.hypot(product);
+        let m = (0.5 * (root + difference)).sqrt();
+        let n = (0.5 * (root - difference)).sqrt() * x.signum();
+        let share = (z * z + n * n) / (m * m + n * n);
+        let (xx, zz) = (-m * (1.0 + share) + 2.0 * z, -m * (1.0 - share));
+        let zx = -n * (m * m - z * z) / (m * m + n * n);
+        let at = Point { x, y: 0.0, z };
+        let got = one.stress(LOADS[2], at).unwrap();
+        let want = [xx, 0.3 * (xx + zz), zz, 0.0, 0.0, zx];
+        same("pressure", components(got), want, 2e-6);
+        let along = n * (2.0 - (z * z - m * m) / (m * m + n * n)) - 2.0 * x;
+        let got = one.stress(LOADS[0], at).unwrap();
+        same("shear", components(got), [along, 0.3 * (along + zx), zx, 0.0, 0.0, xx], 2e-6);
+        // Along the line: yx and yz are those of antiplane shear, n - x and z - m.
+        let got = one.stress(LOADS[1], at).unwrap();
+        same("antiplane", [got.xy, got.yz], [n - x, z - m], 2e-6);
+    }
+}
+
+#[test]
 fn every_point_of_the_body_has_a_stress() {
     let mut random = Random(11);
     for _ in 0..20_000 {

@@ -3,6 +3,7 @@
 use carom_special::RangeError;
 
 use super::{Growing, Lateral, Vertex, VertexStack};
+use crate::bounds::in_memory;
 use crate::profile::{Hertzian, NormalProfile};
 
 /// The memory of a contact without slip: the anchor of each ring is the shift at which it touched.
@@ -71,12 +72,12 @@ impl<V: Lateral, P: NormalProfile> AdhesionMemory<V, P> {
     /// Goes straight to a new approach and shift and returns the force Phi.
     ///
     /// # Errors
-    /// [`RangeError`] for a value that is not finite; the state is then unchanged.
+    /// [`RangeError`] for a value above 1e100 in size or not a number; the state is then unchanged.
     pub fn advance(&mut self, zeta: f64, shift: V) -> Result<V, RangeError> {
-        RangeError::finite("zeta", zeta)?;
+        in_memory("zeta", zeta)?;
         let [x, y] = shift.components();
-        RangeError::finite("shift", x)?;
-        RangeError::finite("shift", y)?;
+        in_memory("shift", x)?;
+        in_memory("shift", y)?;
         if zeta <= 0.0 {
             self.stack.truncate(0);
             self.force = V::default();

@@ -3,6 +3,7 @@
 use carom_special::RangeError;
 
 use super::{Growing, Lateral, Memory, VertexStack};
+use crate::bounds::in_memory;
 
 /// The memories of many contacts, advanced together.
 ///
@@ -64,7 +65,7 @@ impl<V: Lateral, S: VertexStack<V>> Batch<V, S> {
     /// Advances every contact to its approach and shift, and writes its force.
     ///
     /// # Errors
-    /// [`BatchError`] for arrays of the wrong length or an entry that is not finite; nothing is
+    /// [`BatchError`] for arrays of the wrong length or an entry above 1e100 in size or not a number; nothing is
     /// then changed or written.
     pub fn advance(
         &mut self,
@@ -82,10 +83,10 @@ impl<V: Lateral, S: VertexStack<V>> Batch<V, S> {
         }
         for (contact, (&zeta, shift)) in zeta.iter().zip(shift).enumerate() {
             let wrap = |error| BatchError::Range { contact, error };
-            RangeError::finite("zeta", zeta).map_err(wrap)?;
+            in_memory("zeta", zeta).map_err(wrap)?;
             let [x, y] = shift.components();
-            RangeError::finite("shift", x).map_err(wrap)?;
-            RangeError::finite("shift", y).map_err(wrap)?;
+            in_memory("shift", x).map_err(wrap)?;
+            in_memory("shift", y).map_err(wrap)?;
         }
         for (((memory, &zeta), &shift), force) in
             self.memories.iter_mut().zip(zeta).zip(shift).zip(force)

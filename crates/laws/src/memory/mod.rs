@@ -32,6 +32,7 @@ pub use stack::{Fixed, Growing, Vertex, VertexStack};
 
 use carom_special::RangeError;
 
+use crate::bounds::in_memory;
 use crate::profile::{Hertzian, NormalProfile};
 
 /// What the last step did to a contact.
@@ -125,15 +126,13 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     /// that closes the gap the shift at touch is interpolated.
     ///
     /// # Errors
-    /// [`RangeError`] for a value that is not finite; the state is then unchanged.
+    /// [`RangeError`] for a value above 1e100 in size or not a number; the state is then unchanged.
     #[inline]
     pub fn advance(&mut self, zeta: f64, shift: V) -> Result<V, RangeError> {
-        RangeError::finite("zeta", zeta)?;
-        if !shift.is_finite() {
-            let [x, y] = shift.components();
-            RangeError::finite("shift", x)?;
-            RangeError::finite("shift", y)?;
-        }
+        in_memory("zeta", zeta)?;
+        let [x, y] = shift.components();
+        in_memory("shift", x)?;
+        in_memory("shift", y)?;
         self.step(zeta, shift);
         Ok(self.force)
     }

@@ -4,6 +4,7 @@ use carom_halfspace::MaterialPair;
 use carom_special::RangeError;
 
 use super::adhesion::{AdhesiveTorsion, sliding_torque_arm};
+use crate::bounds::in_memory;
 use crate::ellipse::ContactEllipse;
 
 /// The exponential law (7.65) with Masing's rule for reversals (7.66), extended to any number of
@@ -122,7 +123,7 @@ impl EllipseTorsion {
     /// # Errors
     /// [`RangeError`] for a twist that is not finite; the state is then unchanged.
     pub fn advance(&mut self, twist: f64) -> Result<f64, RangeError> {
-        RangeError::finite("twist", twist)?;
+        in_memory("twist", twist)?;
         if twist == self.twist {
             return Ok(self.torque);
         }

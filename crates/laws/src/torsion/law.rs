@@ -6,6 +6,7 @@ use carom_special::RangeError;
 
 use super::adhesion::{AdhesiveTorsion, sliding_torque_arm};
 use super::history::TwistHistory;
+use crate::bounds::in_contact;
 use crate::friction::Friction;
 use crate::hertz::Hertz;
 use crate::law::{ContactLaw, ContactLoad, Shift};
@@ -155,7 +156,7 @@ impl ContactLaw for TorsionLaw {
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
         shift.check_finite()?;
         let twist = shift.omega * self.per_twist;
-        RangeError::finite("omega", twist)?;
+        in_contact("omega", twist)?;
         let before = self.twist_energy();
         let heat = match &mut self.state {
             State::Free => 0.0,

@@ -8,6 +8,10 @@ use super::sliding::{sliding_limit, sliding_twist, threshold};
 /// [`threshold`] stays below this.
 const GREATEST_THRESHOLD: f64 = 1.103;
 
+/// From this rate of back-twist on the inner ring, within a quarter of the radius, changes the torque
+/// by less than rings do by their width: up to 1.1e-4 of that of sliding.
+const GREATEST_RATE: f64 = 4.0;
+
 /// Parts of a step in which the radius halves.
 const PARTS: f64 = 30.0;
 
@@ -19,8 +23,9 @@ const LOWEST: f64 = 1e-3;
 /// The inner one of two slip rings.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct InnerRing {
-    /// Its inner radius.
+    /// Its inner radius and the sign of its slip.
     radius: f64,
+    sign: f64,
     /// The level of the rings that found it.
     level: usize,
 }
@@ -28,17 +33,19 @@ pub(super) struct InnerRing {
 impl TwistHistory {
     /// A receding step, unless it is a simple one of a new slip ring from the rim inwards.
     pub(super) fn recede(&mut self, radius: f64, twist: f64) -> bool {
+        let rate = |sign: f64| -sign * (twist - self.twist) / (self.radius - radius);
         if let Some(inner) = self.inner_ring {
-            return self.by_rings(radius, twist, inner.radius);
+            return rate(inner.sign) < GREATEST_RATE && self.by_rings(radius, twist, inner.radius);
         }
         let Some(sign) = self.slip_sign() else { return false };
-        let back = -sign * (twist - self.twist) / (self.radius - radius);
+        let back = rate(sign);
         if back <= lowest_rate(back, self.stick / self.radius) {
             return self.recede_slipping(radius, twist, sign, back);
         }
         // Were all to stick, traction would fall as back * rho/sqrt(al^2 - rho^2) and its limit as
         // al/sqrt(al^2 - rho^2): within al/back the ring goes on slipping.
-        back * self.stick < self.radius && self.by_rings(radius, twist, self.stick)
+        let apart = back < GREATEST_RATE && back * self.stick < self.radius;
+        apart && self.by_rings(radius, twist, self.stick)
     }
 
     /// A receding step at a rate of back-twist at which the slip ring keeps its sign, at least to
@@ -114,7 +121,7 @@ impl TwistHistory {
             let slips = &solution.slips;
             let innermost = slips.iter().rposition(|slip| *slip != 0.0);
             if innermost.is_some_and(|i| i + 3 > slips.len()) && lowest > LOWEST * radius {
-                lowest *= MARGIN;
+                lowest *= 0.5;
                 continue;
             }
             // A second ring slips somewhere inside the first stick area.
@@ -129,8 +136,9 @@ impl TwistHistory {
             self.lay(&before, &solution.changes, rings.edges());
             (self.radius, self.twist) = (radius, twist);
             self.stick = stick.map_or(0.0, |i| rings.edges()[i]);
-            let inner = innermost.map_or(self.stick, |i| rings.edges()[i + 1]);
-            self.inner_ring = Some(InnerRing { radius: inner, level: rings.level() });
+            let (inner, sign) =
+                innermost.map_or((self.stick, 0.0), |i| (rings.edges()[i + 1], slips[i]));
+            self.inner_ring = Some(InnerRing { radius: inner, sign, level: rings.level() });
             return Some(inner);
         }
     }

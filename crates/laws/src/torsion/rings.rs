@@ -16,8 +16,9 @@ pub(super) const FINEST: f64 = 1.0 / 256.0;
 const LEVELS: usize = 8;
 /// The level of 1/64, unless another is asked for.
 pub(super) const USUAL_LEVEL: usize = 2;
-/// Rings at most.
+/// Rings at most, and on the usual and wider levels.
 const MOST: usize = 256;
+const USUALLY_MOST: usize = 128;
 /// Sweeps of relaxation at most, and the change of traction (over the radius) at which they stop.
 const SWEEPS: usize = 5000;
 const TOLERANCE: f64 = 1e-6;
@@ -93,7 +94,8 @@ impl Rings {
     pub(super) fn new(radius: f64, inner: f64, level: usize) -> Self {
         let span = libm::log(radius / inner);
         let width = |level: usize| FINEST * f64::from(1 << level);
-        let fits = |level: &usize| span < width(*level) * (MOST - 2) as f64;
+        let most = |level: usize| if level < USUAL_LEVEL { MOST } else { USUALLY_MOST };
+        let fits = |level: &usize| span < width(*level) * (most(*level) - 2) as f64;
         let level = (level..LEVELS).find(fits).unwrap_or(LEVELS - 1);
         let width = width(level);
         // The rim's ring is between a third and four thirds of the others.

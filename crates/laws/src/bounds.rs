@@ -1,0 +1,13 @@
+//! Bounds of what a law is told, within which forces and energies cannot overflow.
+
+use carom_special::RangeError;
+
+/// Approaches and shifts of a memory: energies go as their power 5/2 together.
+pub(crate) fn in_memory(field: &'static str, value: f64) -> Result<f64, RangeError> {
+    RangeError::check(field, value, value.abs() <= 1e100, "of size up to 1e100")
+}
+
+/// Shifts and twists in the user's units, and contact radii, of which energies are fifth powers.
+pub(crate) fn in_contact(field: &'static str, value: f64) -> Result<f64, RangeError> {
+    RangeError::check(field, value, value.abs() <= 1e60, "of size up to 1e60")
+}
