@@ -2,100 +2,190 @@
 //!
 //! With the normal velocity w as clock the tangential velocity u of an adhering contact obeys
 //! Gegenbauer's equation `(1 - w^2) u'' - (6/5) w u' + (6/5) chi u = 0`, equivalent to (9.14) by
-//! S = 1 - w^2. The traction is `Phi = zeta^(3/2) u' / chi`. Local power series carry it.
+//! S = 1 - w^2. The traction is `Phi = zeta^(3/2) u' / chi`. Power series carry it.
 
-/// Terms a series may have; a third of the radius of convergence needs about 35.
+use super::place::Place;
+
+/// Terms a series may have: 24 for the chi of solid bodies, three times as many at chi = 100.
 const MAX_TERMS: usize = 80;
 
-/// Share of the distance to the singular point w = 1 that one series covers.
-const REACH: f64 = 0.4;
+/// Centre and argument of the series: t = (w + 1 - c)/(w + 1 + c), c = sqrt 2, puts the singular
+/// points w = -1 and infinity at t = -1 and 1 and the compression, 0 <= w <= 1, at |t| <= 0.172.
+const C: f64 = std::f64::consts::SQRT_2;
+const CENTER: f64 = C - 1.0;
+const T_MAX: f64 = 0.171_572_875_253_809_9;
 
-/// Tangential velocity and its derivative by w at one instant.
+/// Tangential velocity and its flux zeta^(3/2) du/dw = chi Phi at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Tangential {
     pub(super) velocity: f64,
-    pub(super) gradient: f64,
+    pub(super) flux: f64,
 }
 
-/// The solution on `low <= w <= high` as a power series in t = x/(a + b x), x = w - center.
+impl Tangential {
+    pub(super) fn gradient(&self, place: &Place) -> f64 {
+        self.flux / place.cube()
+    }
+}
+
+/// An adhesive motion during compression.
+///
+/// The general solution is R(w) + zeta J(w): J obeys the same equation with 14/5 in place of 6/5
+/// and (6/5) chi - 4/5 in place of (6/5) chi. Both are regular at touch; a motion that sticks
+/// from touch on has no J.
 #[derive(Debug, Clone)]
 pub(super) struct Segment {
-    center: f64,
-    pub(super) low: f64,
+    /// The normal velocity at which it begins.
     pub(super) high: f64,
-    /// The numbers a and b of the argument.
-    map: [f64; 2],
-    blocks: usize,
-    velocity: Rows,
-    gradient: Rows,
+    regular: Table,
+    irregular: Option<Table>,
+}
+
+impl Segment {
+    /// Adhesion from first touch (w = 1) with velocity 1.
+    pub(super) fn from_touch(chi: f64) -> Self {
+        Self { high: 1.0, regular: Table::new(Equation::regular(chi)), irregular: None }
+    }
+
+    /// Adhesion that begins at `place` in the midst of compression with the state `now`.
+    pub(super) fn from_state(chi: f64, place: &Place, now: Tangential) -> Self {
+        let mut regular = Table::new(Equation::regular(chi));
+        let mut irregular = Table::new(Equation::irregular(chi));
+        // The flux of R times zeta J less that of zeta J times R is -4/5, its value at touch.
+        let one = regular.at(place.w).regular(place);
+        let other = irregular.at(place.w).irregular(place);
+        regular.scale(-1.25 * (now.velocity * other.flux - now.flux * other.velocity));
+        irregular.scale(-1.25 * (one.velocity * now.flux - one.flux * now.velocity));
+        Self { high: place.w, regular, irregular: Some(irregular) }
+    }
+
+    /// Velocity at `place`.
+    #[inline(always)]
+    pub(super) fn velocity(&self, place: &Place) -> f64 {
+        let t = argument(place.w).0;
+        let regular = self.regular.value(t);
+        match &self.irregular {
+            None => regular,
+            Some(table) => regular + place.radius * place.radius * table.value(t),
+        }
+    }
+
+    /// Velocity at the normal velocity `w`.
+    pub(super) fn velocity_at(&self, w: f64) -> f64 {
+        match &self.irregular {
+            None => self.regular.value(argument(w).0),
+            Some(_) => self.velocity(&Place::of_velocity(w)),
+        }
+    }
+
+    /// Velocity at `place`, to 13 digits.
+    #[inline(always)]
+    pub(super) fn nearly_velocity(&self, place: &Place) -> f64 {
+        let t = argument(place.w).0;
+        let regular = self.regular.nearly_value(t);
+        match &self.irregular {
+            None => regular,
+            Some(table) => regular + place.radius * place.radius * table.nearly_value(t),
+        }
+    }
+
+    /// Velocity and flux at `place`.
+    pub(super) fn at(&self, place: &Place) -> Tangential {
+        let mut now = self.regular.at(place.w).regular(place);
+        if let Some(table) = &self.irregular {
+            let more = table.at(place.w).irregular(place);
+            now.velocity += more.velocity;
+            now.flux += more.flux;
+        }
+        now
+    }
+}
+
+// The argument t at w and dt/dw.
+#[inline]
+fn argument(w: f64) -> (f64, f64) {
+    let inverse = 1.0 / (w + (1.0 + C));
+    ((w - CENTER) * inverse, 2.0 * C * inverse * inverse)
+}
+
+/// Value and derivative by w of R or J.
+struct Sum {
+    value: f64,
+    slope: f64,
+}
+
+impl Sum {
+    fn regular(&self, place: &Place) -> Tangential {
+        Tangential { velocity: self.value, flux: place.cube() * self.slope }
+    }
+
+    // zeta J, with d zeta/dw = -(4/5) w zeta^(-3/2)
+    fn irregular(&self, place: &Place) -> Tangential {
+        let zeta = place.zeta();
+        let flux = place.cube() * zeta * self.slope - 0.8 * place.w * self.value;
+        Tangential { velocity: zeta * self.value, flux }
+    }
 }
 
 /// Coefficients, eight a row.
 type Rows = [[f64; 8]; MAX_TERMS / 8];
 
-impl Segment {
-    /// Adhesion from first touch (w = 1) with velocity 1: regular there, so one series serves.
-    pub(super) fn from_touch(chi: f64) -> Self {
-        // t = (w + 1 - c)/(w + 1 + c), c = sqrt 2, puts the singular points w = -1 and infinity
-        // at t = -1 and 1 and the interval at |t| <= 0.172: half the terms of a series in w.
-        const C: f64 = std::f64::consts::SQRT_2;
-        const REACH: f64 = 0.171_572_875_253_809_9;
-        let center = C - 1.0;
-        let now = regular_at_touch(chi, center);
+/// R or J as a power series in t, with its derivative.
+#[derive(Debug, Clone)]
+struct Table {
+    blocks: usize,
+    /// Blocks that count for 13 digits of the value.
+    few: usize,
+    value: Rows,
+    slope: Rows,
+}
+
+impl Table {
+    fn new(equation: Equation) -> Self {
+        let [value, slope] = equation.regular_at_touch(CENTER);
         // d/dt = 2 c d/dw at t = 0
-        let series = Series::new(now.velocity, 2.0 * C * now.gradient, REACH, |k, a| {
-            next_from_touch(chi, k, a)
-        });
-        Self::of(&series, center, [0.0, 1.0], [2.0 * C, 1.0])
-    }
-
-    /// Adhesion that begins at `w` in (0, 1) with the state `now`; covers part of the way to 0.
-    pub(super) fn from_state(chi: f64, w: f64, now: Tangential) -> Self {
-        let low = (w - REACH * (1.0 - w)).max(0.0);
-        let inverse = 1.0 / ((1.0 - w) * (1.0 + w));
-        let series = Series::new(now.velocity, now.gradient, w - low, |k, c| {
-            let n = k as f64;
-            // (1 - w^2)(k+1)(k+2) c_{k+2} = w (k+1)(2k + 6/5) c_{k+1} + (k (k - 1 + 6/5) - 6/5 chi) c_k
-            let next =
-                w * (n + 1.0) * (2.0 * n + 1.2) * c[k + 1] + (n * (n + 0.2) - 1.2 * chi) * c[k];
-            next * inverse / ((n + 1.0) * (n + 2.0))
-        });
-        Self::of(&series, w, [low, w], [1.0, 0.0])
-    }
-
-    fn of(series: &Series, center: f64, [low, high]: [f64; 2], map: [f64; 2]) -> Self {
-        let mut velocity = [[0.0; 8]; MAX_TERMS / 8];
-        let mut gradient = velocity;
+        let series = equation.series([value, 2.0 * C * slope]);
+        let mut value = [[0.0; 8]; MAX_TERMS / 8];
+        let mut slope = value;
         for k in 0..series.terms.min(MAX_TERMS - 1) {
-            velocity[k / 8][k % 8] = series.c[k];
-            gradient[k / 8][k % 8] = (k as f64 + 1.0) * series.c[k + 1];
+            value[k / 8][k % 8] = series.c[k];
+            slope[k / 8][k % 8] = (k as f64 + 1.0) * series.c[k + 1];
         }
-        let blocks = series.terms.div_ceil(8);
-        Self { center, low, high, map, blocks, velocity, gradient }
+        Self {
+            blocks: series.terms.div_ceil(8),
+            few: series.count(1e-13).div_ceil(8),
+            value,
+            slope,
+        }
     }
 
-    /// Velocity and gradient at `w`.
+    fn scale(&mut self, factor: f64) {
+        for row in self.value.iter_mut().chain(&mut self.slope) {
+            for coefficient in row {
+                *coefficient *= factor;
+            }
+        }
+    }
+
     #[inline]
-    pub(super) fn at(&self, w: f64) -> Tangential {
-        let x = w - self.center;
-        let [a, b] = self.map;
-        let inverse = 1.0 / (a + b * x);
-        let t = x * inverse;
-        let velocity = sum(&self.velocity[..self.blocks], t);
-        let gradient = sum(&self.gradient[..self.blocks], t);
-        // dt/dw = a/(a + b x)^2
-        Tangential { velocity, gradient: gradient * (a * inverse * inverse) }
+    fn value(&self, t: f64) -> f64 {
+        sum(&self.value[..self.blocks], t)
     }
 
-    /// The second derivative by w, from the differential equation.
-    pub(super) fn curvature(&self, chi: f64, w: f64) -> f64 {
-        let now = self.at(w);
-        (1.2 * w * now.gradient - 1.2 * chi * now.velocity) / ((1.0 - w) * (1.0 + w))
+    #[inline]
+    fn nearly_value(&self, t: f64) -> f64 {
+        sum(&self.value[..self.few], t)
+    }
+
+    fn at(&self, w: f64) -> Sum {
+        let (t, rate) = argument(w);
+        let slope = sum(&self.slope[..self.blocks], t) * rate;
+        Sum { value: self.value(t), slope }
     }
 }
 
 // Eight interleaved series in t^8: a short chain of dependent operations.
-#[inline]
+#[inline(always)]
 fn sum(rows: &[[f64; 8]], t: f64) -> f64 {
     let squared = t * t;
     let fourth = squared * squared;
@@ -118,70 +208,99 @@ struct Series {
 }
 
 impl Series {
-    // From the first two coefficients and the rule for the one after k + 1, for |t| <= reach.
-    fn new(
-        first: f64,
-        second: f64,
-        reach: f64,
-        next: impl Fn(usize, &[f64; MAX_TERMS]) -> f64,
-    ) -> Self {
+    // From the first two coefficients and the rule for the one after n + 1 by the four before it,
+    // for |t| <= reach.
+    fn new(first: f64, second: f64, reach: f64, next: impl Fn(f64, [f64; 4]) -> f64) -> Self {
         let mut c = [0.0; MAX_TERMS];
         (c[0], c[1]) = (first, second);
-        let (mut power, mut largest) = (reach, c[0].abs().max(c[1].abs() * reach));
-        let inverse_reach = 1.0 / reach;
+        let mut newest = [second, first, 0.0, 0.0];
+        let (mut power, mut largest) = (reach, first.abs().max(second.abs() * reach));
+        let mut before = second.abs() * reach;
         for k in 0..MAX_TERMS - 2 {
-            c[k + 2] = next(k, &c);
+            let n = k as f64;
+            let coefficient = next(n, newest);
+            c[k + 2] = coefficient;
+            newest = [coefficient, newest[0], newest[1], newest[2]];
             power *= reach;
-            let size = (k as f64 + 2.0) * (c[k + 2].abs() + c[k + 1].abs() * inverse_reach) * power;
-            largest = largest.max(c[k + 2].abs() * power);
-            if size < 1e-17 * largest {
+            let size = coefficient.abs() * power * reach;
+            largest = largest.max(size);
+            if (n + 2.0) * (size + before) < 1e-17 * largest {
                 return Self { c, terms: k + 3 };
             }
+            before = size;
         }
         Self { c, terms: MAX_TERMS }
     }
+
+    // The terms that exceed this share of the largest.
+    fn count(&self, share: f64) -> usize {
+        let mut power = 1.0;
+        let sizes = self.c.map(|coefficient| {
+            let size = coefficient.abs() * power;
+            power *= T_MAX;
+            size
+        });
+        let largest = sizes.iter().copied().fold(0.0, f64::max);
+        let beyond = sizes[..self.terms].iter().rev().take_while(|&&size| size < share * largest);
+        self.terms - beyond.count()
+    }
 }
 
-// The recurrence of Gegenbauer's equation in t = (w + 1 - c)/(w + 1 + c), c = sqrt 2:
-// (1 + t)(1 - t)^2 P U'' - (1 - t) [2 (1 + t) P + (12/5) Q] U' + (24/5) c chi U = 0,
-// P = 2 - c - (2 + c) t, Q = c - 1 + (c + 1) t.
-fn next_from_touch(chi: f64, k: usize, a: &[f64; MAX_TERMS]) -> f64 {
-    const C: f64 = std::f64::consts::SQRT_2;
-    const P: [f64; 2] = [2.0 - C, -2.0 - C];
-    const Q: [f64; 2] = [C - 1.0, C + 1.0];
-    const SECOND: [f64; 5] = [P[0], P[1] - P[0], -P[1] - P[0], P[0] - P[1], P[1]];
-    const FIRST: [f64; 4] = [
-        -2.0 * P[0] - 2.4 * Q[0],
-        -2.0 * P[1] - 2.4 * (Q[1] - Q[0]),
-        2.0 * P[0] + 2.4 * Q[1],
-        2.0 * P[1],
-    ];
-    let n = k as f64;
-    let mut sum = 4.8 * C * chi * a[k];
-    for j in 0..=k.min(3) {
-        let m = n - j as f64;
-        sum += FIRST[j] * (m + 1.0) * a[k + 1 - j];
-    }
-    for j in 1..=(k + 1).min(4) {
-        let m = n - j as f64;
-        sum += SECOND[j] * (m + 2.0) * (m + 1.0) * a[k + 2 - j];
-    }
-    -sum / (SECOND[0] * (n + 2.0) * (n + 1.0))
+/// (1 - w^2) v'' - c w v' + k v = 0
+#[derive(Debug, Clone, Copy)]
+struct Equation {
+    c: f64,
+    k: f64,
 }
 
-// u = F(-n, n + 1/5; 3/5; z), z = (1 - w)/2, n (n + 1/5) = 6 chi/5: the regular solution with u(1) = 1.
-fn regular_at_touch(chi: f64, w: f64) -> Tangential {
-    let z = 0.5 * (1.0 - w);
-    let (mut term, mut velocity, mut slope, mut k) = (1.0, 1.0, 0.0, 0.0);
-    loop {
-        let ratio = (k * (k + 0.2) - 1.2 * chi) / ((k + 0.6) * (k + 1.0));
-        slope += (k + 1.0) * ratio * term;
-        term *= ratio * z;
-        velocity += term;
-        k += 1.0;
-        let settled = k * k > 2.4 * chi && (k + 1.0) * term.abs() < 1e-18;
-        if settled {
-            return Tangential { velocity, gradient: -0.5 * slope };
+impl Equation {
+    fn regular(chi: f64) -> Self {
+        Self { c: 1.2, k: 1.2 * chi }
+    }
+
+    fn irregular(chi: f64) -> Self {
+        Self { c: 2.8, k: 1.2 * chi - 0.8 }
+    }
+
+    // The recurrence of the series in t:
+    // (1 + t)(1 - t)^2 P U'' - (1 - t) [2 (1 + t) P + 2 c Q] U' + 4 sqrt(2) k U = 0,
+    // P = 2 - sqrt 2 - (2 + sqrt 2) t, Q = sqrt 2 - 1 + (sqrt 2 + 1) t.
+    fn series(self, start: [f64; 2]) -> Series {
+        const P: [f64; 2] = [2.0 - C, -2.0 - C];
+        const Q: [f64; 2] = [C - 1.0, C + 1.0];
+        const SECOND: [f64; 5] = [P[0], P[1] - P[0], -P[1] - P[0], P[0] - P[1], P[1]];
+        let twice = 2.0 * self.c;
+        let first = [
+            -2.0 * P[0] - twice * Q[0],
+            -2.0 * P[1] - twice * (Q[1] - Q[0]),
+            2.0 * P[0] + twice * Q[1],
+            2.0 * P[1],
+        ];
+        let zeroth = 4.0 * C * self.k;
+        Series::new(start[0], start[1], T_MAX, |n, [a, b, c, d]| {
+            // The newest coefficient is a, of the power n + 1.
+            let sum = (n + 1.0) * (first[0] + SECOND[1] * n) * a
+                + (n * (first[1] + SECOND[2] * (n - 1.0)) + zeroth) * b
+                + (n - 1.0) * (first[2] + SECOND[3] * (n - 2.0)) * c
+                + (n - 2.0) * (first[3] + SECOND[4] * (n - 3.0)) * d;
+            -sum / (SECOND[0] * (n + 2.0) * (n + 1.0))
+        })
+    }
+
+    // Value and slope of F(..; c/2; z), z = (1 - w)/2: the regular solution, 1 at w = 1.
+    fn regular_at_touch(self, w: f64) -> [f64; 2] {
+        let z = 0.5 * (1.0 - w);
+        let (mut term, mut value, mut slope, mut n) = (1.0, 1.0, 0.0, 0.0);
+        loop {
+            let ratio = (n * (n + self.c - 1.0) - self.k) / ((n + 0.5 * self.c) * (n + 1.0));
+            slope += (n + 1.0) * ratio * term;
+            term *= ratio * z;
+            value += term;
+            n += 1.0;
+            let settled = n * n > 2.0 * self.k && (n + 1.0) * term.abs() < 1e-18;
+            if settled {
+                return [value, -0.5 * slope];
+            }
         }
     }
 }
@@ -194,32 +313,55 @@ mod tests {
     fn chi_one_is_a_straight_line() {
         // n = 1: u = w.
         let segment = Segment::from_touch(1.0);
-        for i in 0..=10 {
-            let w = 0.1 * f64::from(i);
-            assert!((segment.at(w).velocity - w).abs() < 4e-16);
-            assert!((segment.at(w).gradient - 1.0).abs() < 4e-15);
+        for i in 1..=10 {
+            let place = Place::of_velocity(1.0 - 0.1 * f64::from(i));
+            let now = segment.at(&place);
+            assert!((now.velocity - place.w).abs() < 4e-16);
+            assert!((now.gradient(&place) - 1.0).abs() < 4e-15);
         }
     }
 
     #[test]
-    fn restarted_series_continue_the_solution() {
+    fn the_general_solution_starts_as_it_should_and_keeps_its_equation() {
+        for chi in [0.3, 0.5, 3.5, 6.5, 60.0] {
+            for w in [0.999_999, 0.9, 0.3] {
+                let start = Place::of_velocity(w);
+                let state = Tangential { velocity: 0.7, flux: -0.4 * start.cube() };
+                let segment = Segment::from_state(chi, &start, state);
+                let again = segment.at(&start);
+                let tolerance = 2e-14 * chi.max(5.0);
+                assert!((again.velocity - 0.7).abs() < tolerance, "{chi} {w}");
+                assert!((again.flux - state.flux).abs() < tolerance, "{chi} {w}");
+                // d flux/dw = -(6/5) chi u zeta^(-1): (1 - w^2)^(3/5) u' differentiated.
+                let (w, h) = (0.6 * w, 1e-4);
+                let at = |w: f64| {
+                    let place = Place::of_velocity(w);
+                    (segment.at(&place), place.zeta())
+                };
+                let [before, now, after] = [at(w - h), at(w), at(w + h)];
+                let slope = (after.0.flux - before.0.flux) / (2.0 * h);
+                let expected = -1.2 * chi * now.0.velocity / now.1;
+                assert!((slope - expected).abs() < 1e-6 * chi * chi, "{chi}: {slope} {expected}");
+                let slope = (after.0.velocity - before.0.velocity) / (2.0 * h);
+                let expected = now.0.flux / now.1.powf(1.5);
+                assert!((slope - expected).abs() < 1e-6 * chi * chi, "{chi}: {slope} {expected}");
+                assert_eq!(segment.velocity(&start), again.velocity);
+            }
+        }
+    }
+
+    #[test]
+    fn a_motion_continued_from_its_midst_is_the_same() {
         for chi in [0.5, 3.5, 6.5, 60.0] {
             let whole = Segment::from_touch(chi);
-            let part = Segment::from_state(chi, 0.9, whole.at(0.9));
-            let scale = whole.at(part.low).gradient.abs().max(1.0);
-            let (a, b) = (whole.at(part.low), part.at(part.low));
-            assert!((a.velocity - b.velocity).abs() < 1e-13 * scale, "{chi}");
-            assert!((a.gradient - b.gradient).abs() < 1e-12 * scale, "{chi}");
-        }
-    }
-
-    #[test]
-    fn gegenbauer_equation_holds() {
-        let (chi, h) = (2.9, 1e-4);
-        let segment = Segment::from_touch(chi);
-        for w in [0.1, 0.5, 0.9] {
-            let difference = (segment.at(w + h).gradient - segment.at(w - h).gradient) / (2.0 * h);
-            assert!((difference - segment.curvature(chi, w)).abs() < 1e-6);
+            let start = Place::of_velocity(0.8);
+            let part = Segment::from_state(chi, &start, whole.at(&start));
+            for w in [0.5, 0.0] {
+                let place = Place::of_velocity(w);
+                let (a, b) = (whole.at(&place), part.at(&place));
+                assert!((a.velocity - b.velocity).abs() < 1e-13 * chi.max(1.0), "{chi}");
+                assert!((a.flux - b.flux).abs() < 1e-13 * chi.max(1.0), "{chi}");
+            }
         }
     }
 }

@@ -2,121 +2,183 @@
 
 use carom_special::ode::{OdeError, Stepper, Tolerance};
 
-use super::slip::{Chart, Clock, Instant, Slip, Unknowns, Weight};
+use super::memory::Shape;
+use super::slip::{Clock, Pair, Slip, Unknowns};
 use super::trace::Recorder;
 
-const TOLERANCE: Tolerance = Tolerance { absolute: 2e-12, relative: 2e-12 };
-/// Step of the stick radius in terms of the contact radius: its distance to the singular point
-/// zeta = 0, which lies at an imaginary stick radius and which no error estimate sees beforehand.
-const REACH: f64 = 0.5;
-/// Slip velocity above which the stick radius may be the clock, and below which it is given up
-/// again when the slip slows down.
-const BRISK: f64 = 0.03;
-const SLOW: f64 = 0.25;
-/// Steps of one slip phase after which the integration gives up.
-const MAX_STEPS: usize = 20_000;
+const TOLERANCE: Tolerance = Tolerance { absolute: 5e-12, relative: 5e-12 };
+/// First steps of tau* and tau.
+pub(super) const TRIAL: f64 = 0.05;
+const SLOW_TRIAL: f64 = 0.03;
+/// Where the motion is this much faster than the memory runs back, the slip is slow: the motion
+/// becomes the clock, until it is not much faster any more.
+const HASTY: f64 = 1.6;
+const CALM: f64 = 1.25;
+/// Changes of the clock, and steps with one, after which the integration gives up.
+const MAX_LEGS: usize = 40;
+const MAX_STEPS: usize = 2000;
+/// tau from which on the width of the ring is the better unknown.
+const RELEASE: f64 = -0.3;
+/// Steps in which an event must be met that is already seen.
+const MAX_LANDING: usize = 60;
 
-/// How an integration within one stretch and one chart ended.
+/// How an integration within one stretch ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Crossing {
     StretchEnd,
-    ChartEnd,
     SlipStop,
     RingClosed,
 }
 
 /// Where an integration ended.
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Arrival {
     pub(super) crossing: Crossing,
-    pub(super) y: Unknowns,
-    pub(super) now: Instant,
+    pub(super) pair: Pair,
 }
 
 /// How an integration with one clock ended.
 enum Leg {
     Arrived(Arrival),
-    /// The slip slows down at these unknowns in this chart.
-    Slowed {
-        chart: Chart,
-        y: Unknowns,
-    },
+    /// The slip is slow here.
+    Slow(Pair),
+    /// It is not, any more.
+    Brisk(Pair),
 }
 
-/// One integration of partial slip over one stretch of memory in one chart.
+impl Leg {
+    fn at(crossing: Crossing, pair: Pair) -> Self {
+        Self::Arrived(Arrival { crossing, pair })
+    }
+}
+
+/// One integration of partial slip over one stretch of memory.
 pub(super) struct Journey<'a, R> {
     pub(super) slip: Slip<'a>,
     pub(super) recorder: &'a mut R,
 }
 
 impl<R: Recorder> Journey<'_, R> {
-    pub(super) fn run(&mut self, start: Unknowns) -> Result<Arrival, OdeError> {
-        let mut leg = self.by_coordinate(start, BRISK)?;
-        loop {
-            match leg {
+    /// From the places of `start` with the rest E of the first integral.
+    pub(super) fn run(&mut self, start: Pair, rest: f64, trial: f64) -> Result<Arrival, OdeError> {
+        let mut leg = self.by_memory(start, rest, trial);
+        for _ in 0..MAX_LEGS {
+            leg = match leg {
                 Leg::Arrived(arrival) => return Ok(arrival),
-                // The stick radius slows down with the slip: back to the coordinate.
-                Leg::Slowed { chart, y } => {
-                    self.slip = Slip { weight: Weight::One, chart, ..self.slip };
-                    leg = self.by_coordinate(y, f64::INFINITY)?;
-                }
+                Leg::Slow(pair) => self.by_motion(pair)?,
+                Leg::Brisk(pair) => self.by_memory(pair, self.slip.rest(&pair), TRIAL),
             }
         }
+        Err(OdeError::StepTooSmall { x: f64::NAN, step: 0.0 })
     }
 
-    // `brisk`: the slip velocity from which the stick radius may take over as clock.
-    fn by_coordinate(&mut self, start: Unknowns, brisk: f64) -> Result<Leg, OdeError> {
+    // With the memory as clock; whatever this clock cannot follow is left to the motion.
+    fn by_memory(&mut self, start: Pair, rest: f64, trial: f64) -> Leg {
+        let rest = rest * self.slip.square;
+        self.slip = self.slip.measured_by(&start);
         let slip = self.slip;
-        let end = slip.chart.end();
-        let mut now = slip.instant(&start);
-        let room = (end - start[0]).abs().min(4.0 * now.slip_velocity.abs());
-        let first = (0.1 * room).max(1e-9) * (end - start[0]).signum();
-        let slope = |x: f64, y: &Unknowns| slip.slope(Clock::Coordinate, x, y);
-        let mut walk = Stepper::new(start[0], start, first, TOLERANCE, slope)?;
-        let mut limit = end;
-        let mut brisk = brisk;
+        let rest = rest / slip.square;
+        let end = slip.stretch.inner;
+        let releases = start.now.tau < RELEASE;
+        let (clock, width) = if releases {
+            (Clock::Release, slip.load(&start).ring * slip.psi / slip.unit)
+        } else {
+            (Clock::Memory, start.gap)
+        };
+        let slope = |x: f64, y: &Unknowns| slip.slope(clock, x, y);
+        let walk = Stepper::new(start.stick.tau, [width, rest], trial, TOLERANCE, slope);
+        let mut pace = -slip.pace(&start);
+        let suits = pace < HASTY && !self.is_early(&start);
+        let (Ok(mut walk), true) = (walk, suits) else {
+            return Leg::Slow(start);
+        };
         for _ in 0..MAX_STEPS {
-            let from = with_coordinate(walk.x(), walk.y());
-            if now.slip_velocity > brisk && self.suits_stick_radius(&now) {
-                match self.by_stick_radius(&from) {
-                    Ok(leg) => return Ok(leg),
-                    Err(_) => brisk = f64::INFINITY,
-                }
+            let (x, y) = (walk.x(), *walk.y());
+            let here = |slip: &Slip<'_>| slip.at(clock, x, &y);
+            if walk.step(end).is_err() {
+                return Leg::Slow(here(&slip));
             }
+            if walk.y()[0] < 0.0 {
+                let before = here(&slip);
+                return match self.land(Clock::Gap, &before, y[1]) {
+                    Some(pair) => Leg::at(Crossing::RingClosed, pair),
+                    None => Leg::Slow(before),
+                };
+            }
+            let [tau, next] = slip.progress(clock, walk.x(), walk.y(), walk.slope());
+            let hasty = pace.max(-next) > CALM;
+            if hasty && self.turns(&here(&slip), &slip.at(clock, walk.x(), walk.y())) {
+                return Leg::Slow(here(&slip));
+            }
+            self.recorder.slip(&slip, clock, &mut walk);
+            pace = -next;
+            let there = |slip: &Slip<'_>| slip.at(clock, walk.x(), walk.y());
+            if walk.x() == end {
+                return Leg::at(Crossing::StretchEnd, there(&slip));
+            }
+            if pace > HASTY {
+                return Leg::Slow(there(&slip));
+            }
+            if !releases && tau < RELEASE {
+                return self.by_memory(there(&slip), walk.y()[1], walk.trial_step());
+            }
+        }
+        Leg::Slow(slip.at(clock, walk.x(), walk.y()))
+    }
+
+    // Over frozen stresses the memory is a poor clock at first.
+    fn is_early(&self, pair: &Pair) -> bool {
+        const DEEP: f64 = 0.5;
+        matches!(self.slip.stretch.shape, Shape::Slip(_)) && pair.stick.tau < DEEP
+    }
+
+    // Whether the slip velocity had a minimum in between.
+    fn turns(&self, before: &Pair, after: &Pair) -> bool {
+        self.slip.load(before).slip_rate < 0.0 && self.slip.load(after).slip_rate > 0.0
+    }
+
+    fn by_motion(&mut self, start: Pair) -> Result<Leg, OdeError> {
+        let slip = self.slip;
+        let mut pair = start;
+        let slope = |x: f64, y: &Unknowns| slip.slope(Clock::Motion, x, y);
+        let y = [slip.mark(&start.stick), start.slip_velocity / slip.unit];
+        let mut walk = Stepper::new(start.now.tau, y, -SLOW_TRIAL, TOLERANCE, slope)?;
+        let mut limit = -1.0;
+        for _ in 0..MAX_STEPS {
             let checkpoint = walk.clone();
             if let Err(error) = walk.step(limit) {
                 // Stuck at the very event: it is reached.
-                let reached = self.nearly_passed(&now).ok_or(error)?;
-                return Ok(Leg::Arrived(self.arrive(reached, from)));
+                let crossing = self.nearly_passed(&pair).ok_or(error)?;
+                return Ok(Leg::at(crossing, pair));
             }
-            let y = with_coordinate(walk.x(), walk.y());
-            let next = slip.instant(&y);
+            let next = slip.at(Clock::Motion, walk.x(), walk.y());
+            let mut middle = 0.5 * (pair.now.tau + next.now.tau);
             let mut crossing = self.passed(&next);
-            let mut middle = 0.5 * (from[0] + y[0]);
             if crossing.is_none()
-                && let Some(x) = self.dip(&now, &next, &mut walk)
+                && let Some(x) = self.dip(&pair, &next, &mut walk)
             {
                 (crossing, middle) = (Some(Crossing::SlipStop), x);
+            } else if let Some(crossing) = crossing
+                && let Some(pair) = self.meet(crossing, &pair)
+            {
+                return Ok(Leg::at(crossing, pair));
             }
             if let Some(crossing) = crossing {
-                let seen = next.slip_velocity <= 0.0 || crossing != Crossing::SlipStop;
-                if seen && let Some(leg) = self.land(crossing, &from) {
-                    return Ok(leg);
-                }
                 // Close in on the event by shorter steps.
-                if (y[0] - from[0]).abs() < 1e-13 {
-                    return Ok(Leg::Arrived(self.arrive(crossing, from)));
+                if (next.now.tau - pair.now.tau).abs() < 1e-13 {
+                    return Ok(Leg::at(crossing, pair));
                 }
                 limit = middle;
                 walk = checkpoint;
                 continue;
             }
-            now = next;
-            self.recorder.slip(&slip, Clock::Coordinate, &mut walk);
-            if walk.x() == end {
-                return Ok(Leg::Arrived(self.arrive(Crossing::ChartEnd, y)));
+            self.recorder.slip(&slip, Clock::Motion, &mut walk);
+            pair = next;
+            if -slip.pace(&pair) < CALM && !self.is_early(&pair) {
+                return Ok(Leg::Brisk(pair));
             }
             if walk.x() == limit {
-                limit = end;
+                limit = -1.0;
             }
         }
         Err(OdeError::StepTooSmall { x: walk.x(), step: 0.0 })
@@ -125,161 +187,91 @@ impl<R: Recorder> Journey<'_, R> {
     // Where within the last step the slip velocity falls to zero and recovers, unseen at its ends.
     fn dip<F: FnMut(f64, &Unknowns) -> Unknowns>(
         &self,
-        before: &Instant,
-        after: &Instant,
-        walk: &mut Stepper<4, F>,
+        before: &Pair,
+        after: &Pair,
+        walk: &mut Stepper<2, F>,
     ) -> Option<f64> {
-        const DEEP: f64 = 0.5;
-        let slip = &self.slip;
-        let turns = slip.slip_rate(before) < 0.0 && slip.slip_rate(after) > 0.0;
-        if !turns || before.slip_velocity.min(after.slip_velocity) > DEEP {
+        if !self.turns(before, after) {
             return None;
         }
+        let slip = &self.slip;
         let dense = walk.dense();
         let (mut early, mut late) = (dense.start(), dense.end());
         for _ in 0..40 {
             let middle = 0.5 * (early + late);
-            let now = slip.at_clock(Clock::Coordinate, middle, &dense.at(middle));
-            if now.slip_velocity <= 0.0 {
+            let now = slip.at(Clock::Motion, middle, &dense.at(middle));
+            if slip.sign * now.slip_velocity <= 0.0 {
                 return Some(middle);
             }
-            if slip.slip_rate(&now) < 0.0 { early = middle } else { late = middle }
+            if slip.load(&now).slip_rate < 0.0 { early = middle } else { late = middle }
         }
         None
     }
 
-    fn arrive(&self, crossing: Crossing, y: Unknowns) -> Arrival {
-        Arrival { crossing, y, now: self.slip.instant(&y) }
+    fn passed(&self, pair: &Pair) -> Option<Crossing> {
+        if self.slip.sign * pair.slip_velocity <= 0.0 {
+            Some(Crossing::SlipStop)
+        } else if pair.gap < 0.0 {
+            Some(Crossing::RingClosed)
+        } else if pair.stick.tau >= self.slip.stretch.inner {
+            Some(Crossing::StretchEnd)
+        } else {
+            None
+        }
     }
 
     // The event whose quantity has vanished but for the tolerance.
-    fn nearly_passed(&self, now: &Instant) -> Option<Crossing> {
+    fn nearly_passed(&self, pair: &Pair) -> Option<Crossing> {
         const NEAR: f64 = 1e-9;
-        if now.slip_velocity < NEAR {
+        if self.slip.sign * pair.slip_velocity < NEAR {
             Some(Crossing::SlipStop)
-        } else if now.ring < NEAR && now.w < 0.0 {
+        } else if pair.gap * self.slip.unit < NEAR && pair.now.tau < 0.0 {
             Some(Crossing::RingClosed)
-        } else if now.stick - self.slip.stretch.low < NEAR {
+        } else if self.slip.stretch.inner - pair.stick.tau < NEAR {
             Some(Crossing::StretchEnd)
         } else {
             None
         }
     }
 
-    fn passed(&self, now: &Instant) -> Option<Crossing> {
-        if now.slip_velocity <= 0.0 {
-            Some(Crossing::SlipStop)
-        } else if now.ring <= 0.0 && now.w < 0.0 {
-            Some(Crossing::RingClosed)
-        } else if now.stick <= self.slip.stretch.low {
-            Some(Crossing::StretchEnd)
-        } else {
-            None
-        }
+    fn meet(&mut self, crossing: Crossing, from: &Pair) -> Option<Pair> {
+        let clock = match crossing {
+            Crossing::SlipStop => Clock::SlipVelocity,
+            Crossing::RingClosed => Clock::Gap,
+            Crossing::StretchEnd => Clock::Memory,
+        };
+        self.land(clock, from, self.slip.rest(from))
     }
 
     // Land exactly on an event with the vanishing quantity as clock (Henon's device).
-    fn land(&mut self, crossing: Crossing, from: &Unknowns) -> Option<Leg> {
-        match crossing {
-            Crossing::StretchEnd => match self.by_stick_radius(from) {
-                Ok(leg @ Leg::Arrived(_)) => Some(leg),
-                _ => None,
-            },
-            Crossing::SlipStop | Crossing::RingClosed => {
-                self.until_zero(self.slip, crossing, from).map(Leg::Arrived)
-            }
-            Crossing::ChartEnd => None,
-        }
-    }
-
-    fn until_zero(
-        &mut self,
-        slip: Slip<'_>,
-        crossing: Crossing,
-        from: &Unknowns,
-    ) -> Option<Arrival> {
-        let (clock, now) = match crossing {
-            Crossing::SlipStop => (Clock::SlipVelocity, slip.instant(from).slip_velocity),
-            _ => (Clock::RingWidth, from[2]),
+    fn land(&mut self, clock: Clock, from: &Pair, rest: f64) -> Option<Pair> {
+        let slip = self.slip;
+        let inner = slip.stretch.inner;
+        let (start, target, y) = match clock {
+            Clock::Memory => (from.stick.tau, inner, [from.gap, rest]),
+            Clock::Gap => (from.gap, 0.0, [from.stick.tau, rest]),
+            _ => (from.slip_velocity / slip.unit, 0.0, [from.now.tau, slip.mark(&from.stick)]),
         };
-        if now <= 0.0 {
-            return None;
+        if start == target {
+            return None; // the phase has only begun
         }
         let slope = |x: f64, y: &Unknowns| slip.slope(clock, x, y);
-        let mut walk = Stepper::new(now, *from, -now, TOLERANCE, slope).ok()?;
-        for _ in 0..60 {
-            walk.step(0.0).ok()?;
-            let mut y = *walk.y();
-            let forward = (y[0] - from[0]) * (slip.chart.end() - from[0]) >= 0.0;
-            if !forward || slip.instant(&y).stick <= slip.stretch.low {
+        let mut walk = Stepper::new(start, y, target - start, TOLERANCE, slope).ok()?;
+        for _ in 0..MAX_LANDING {
+            walk.step(target).ok()?;
+            let pair = slip.at(clock, walk.x(), walk.y());
+            let sound = pair.now.tau <= from.now.tau
+                && pair.stick.tau >= from.stick.tau
+                && pair.stick.tau <= inner
+                && pair.gap >= 0.0;
+            if !sound {
                 return None;
             }
             self.recorder.slip(&slip, clock, &mut walk);
-            if walk.x() == 0.0 {
-                if clock == Clock::RingWidth {
-                    y[2] = 0.0;
-                }
-                return Some(Arrival { crossing, y, now: slip.instant(&y) });
+            if walk.x() == target {
+                return Some(pair);
             }
         }
         None
     }
-
-    // The stick radius is the better clock where it moves briskly and either nears the end of
-    // its stretch or would soon feel the singular point z* = 0.
-    fn suits_stick_radius(&self, now: &Instant) -> bool {
-        let low = self.slip.stretch.low;
-        let near = now.stick - low < 0.35 * (now.zeta - low);
-        near || self.slip.chart == Chart::RadiusOut
-    }
-
-    fn by_stick_radius(&mut self, from: &Unknowns) -> Result<Leg, OdeError> {
-        let mut slip = Slip { weight: Weight::One, ..self.slip };
-        let target = slip.stretch.low.sqrt();
-        let mut last = self.slip.instant(from);
-        let mut radius = last.stick.sqrt();
-        let mut y = [from[0], from[1], last.ring, from[3]];
-        let mut trial = 0.3 * (target - radius);
-        loop {
-            let slope = |x: f64, y: &Unknowns| slip.slope(Clock::StickRadius, x, y);
-            let mut walk = Stepper::new(radius, y, trial, TOLERANCE, slope)?;
-            loop {
-                let before = y;
-                walk.step(target.max(radius - REACH * last.radius))?;
-                radius = walk.x();
-                let now;
-                (y, now) = slip.settle(radius, walk.y());
-                if now.slip_velocity <= 0.0 || now.ring <= 0.0 {
-                    let crossing =
-                        if now.ring <= 0.0 { Crossing::RingClosed } else { Crossing::SlipStop };
-                    let failed = OdeError::NotFinite { x: radius };
-                    return self
-                        .until_zero(slip, crossing, &before)
-                        .map(Leg::Arrived)
-                        .ok_or(failed);
-                }
-                self.recorder.slip(&slip, Clock::StickRadius, &mut walk);
-                if radius == target {
-                    let crossing = Crossing::StretchEnd;
-                    return Ok(Leg::Arrived(Arrival { crossing, y, now }));
-                }
-                let chart = Chart::onward(now.w, now.zeta);
-                if now.slip_velocity < SLOW.min(0.9 * last.slip_velocity) {
-                    y[0] = chart.coordinate(now.w, now.zeta);
-                    return Ok(Leg::Slowed { chart, y });
-                }
-                last = now;
-                if chart != slip.chart {
-                    trial = walk.trial_step();
-                    y[0] = chart.coordinate(now.w, now.zeta);
-                    slip.chart = chart;
-                    break;
-                }
-            }
-        }
-    }
-}
-
-fn with_coordinate(x: f64, y: &Unknowns) -> Unknowns {
-    [x, y[1], y[2], y[3]]
 }

@@ -9,6 +9,8 @@ mod engine;
 mod groups;
 mod journey;
 mod memory;
+mod onset;
+mod place;
 mod regime;
 mod slip;
 mod trace;

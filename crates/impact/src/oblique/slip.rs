@@ -1,287 +1,387 @@
 //! The motion in partial slip: a ring slips, the stick area inside shrinks along the memory.
 //!
-//! Unknowns are the tangential velocity u, the width of the slip ring r = zeta - z* and the
-//! shift e, all in units of the initial tangential velocity `scale` so that tiny velocities
-//! lose nothing. The clock is whichever quantity is smooth and lands on the event wanted.
+//! Two places describe it, the present one `tau` and that of the edge of the stick area `tau*`,
+//! which is where the contact was when it had the size of the stick area. With the slip velocity
+//! q = u - s w (in units of zeta'_A) and the stored shift over depth, H = d(psi e* - s z*)/d tau*,
+//! the stick area shrinks by d tau*/dt = q/H. Then the equation of motion has a first integral in
+//! the memory, but for a rest E that grows with the ring:
+//!
+//! `q^2 = M(tau*) + E`, `dE/d tau* = -(5/2) s (chi - 1) (zeta^(3/2) - z*^(3/2)) H`,
+//!
+//! M = L^2, L = u* - s w*, over an adhesive memory, which the motion retraces while E = 0. All
+//! differences of the two places are formed without cancellation from their gap tau + tau*, so
+//! that tiny velocities lose nothing.
 
-use super::memory::{Old, Stretch};
+use super::memory::{Frozen, Shape, Stretch};
+use super::place::{Difference, Place};
 
-/// Below this |w| the normal velocity is the coordinate; above, the contact radius sqrt(zeta).
-const MIDDLE: f64 = 0.7;
-
-/// What stands for the normal motion: regular throughout its range.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Chart {
-    /// The normal velocity w, around maximal compression.
-    Velocity,
-    /// The contact radius sqrt(zeta) while compressing.
-    RadiusIn,
-    /// The contact radius while rebounding.
-    RadiusOut,
-}
-
-impl Chart {
-    pub(super) fn at(w: f64) -> Self {
-        if w > MIDDLE {
-            Self::RadiusIn
-        } else if w < -MIDDLE {
-            Self::RadiusOut
-        } else {
-            Self::Velocity
-        }
-    }
-
-    /// The chart to go on in from a normal state: never one whose end is reached.
-    pub(super) fn onward(w: f64, zeta: f64) -> Self {
-        let chart = Self::at(w);
-        let (coordinate, end) = (chart.coordinate(w, zeta), chart.end());
-        match chart {
-            Self::RadiusIn if coordinate >= end => Self::Velocity,
-            Self::Velocity if coordinate <= end => Self::RadiusOut,
-            _ => chart,
-        }
-    }
-
-    /// Coordinate of a normal state.
-    pub(super) fn coordinate(self, w: f64, zeta: f64) -> f64 {
-        match self {
-            Self::Velocity => w,
-            Self::RadiusIn | Self::RadiusOut => zeta.sqrt(),
-        }
-    }
-
-    /// Velocity and contact radius at a coordinate.
-    #[inline]
-    fn normal(self, coordinate: f64) -> (f64, f64) {
-        match self {
-            Self::Velocity => (coordinate, crate::normal::radius(coordinate)),
-            Self::RadiusIn => (speed(coordinate), coordinate),
-            Self::RadiusOut => (-speed(coordinate), coordinate),
-        }
-    }
-
-    /// Where the chart hands over to the next.
-    pub(super) fn end(self) -> f64 {
-        match self {
-            Self::Velocity => -MIDDLE,
-            Self::RadiusIn => crate::normal::compression(MIDDLE).sqrt(),
-            Self::RadiusOut => 0.0,
-        }
-    }
-
-    #[inline]
-    fn rate(self, w: f64, radius: f64) -> f64 {
-        match self {
-            Self::Velocity => -1.25 * (radius * radius * radius),
-            Self::RadiusIn | Self::RadiusOut => 0.5 * w / radius,
-        }
-    }
-}
-
-fn speed(radius: f64) -> f64 {
-    let squared = radius * radius;
-    (1.0 - squared * squared * radius).max(0.0).sqrt()
-}
-
-/// The independent variable of one integration.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// The independent variable of one integration, and its two unknowns.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Clock {
-    /// The coordinate of the chart.
-    Coordinate,
-    /// The stick radius sqrt(z*): lands on the end of a stretch of memory.
-    StickRadius,
-    /// The slip velocity u - s w: lands on its reversal.
+    /// tau*; unknown gap, rest E.
+    Memory,
+    /// tau*, well into the release; unknown zeta - z*, which is smooth up to separation, and E.
+    Release,
+    /// The gap, to land on the closing of the ring; unknown tau*, rest E.
+    Gap,
+    /// tau, where the slip is slow; unknown mark of the memory, slip velocity.
+    Motion,
+    /// The slip velocity, to land on its reversal; unknown tau, mark.
     SlipVelocity,
-    /// The ring width r: lands on its closing.
-    RingWidth,
 }
 
-/// Unknowns in the order coordinate, velocity u, weighted ring width, shift e.
-pub(super) type Unknowns = [f64; 4];
-
-/// What the ring width is multiplied by as an unknown.
-///
-/// Right after the onset a small error of the stick depth decays like 1/x with the distance x
-/// from the onset: a stiffness that forces tiny steps. The product x r has none.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Weight {
-    /// Nothing: the unknown is r.
-    One,
-    /// The distance of w from the onset of slip at this w.
-    FromOnset(f64),
-}
-
-impl Weight {
-    pub(super) fn at(self, w: f64) -> f64 {
-        match self {
-            Self::One => 1.0,
-            Self::FromOnset(onset) => onset - w,
-        }
-    }
-
-    // d weight/dt
-    fn rate(self, zeta_three_halves: f64) -> f64 {
-        match self {
-            Self::One => 0.0,
-            Self::FromOnset(_) => 1.25 * zeta_three_halves,
-        }
-    }
-}
+/// Two unknowns: the gap, E and the slip velocity in units of `unit`.
+pub(super) type Unknowns = [f64; 2];
 
 /// Partial slip with traction of sign `sign` on body 1, over one stretch of memory.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Slip<'a> {
     pub(super) chi: f64,
-    pub(super) scale: f64,
+    pub(super) psi: f64,
     pub(super) sign: f64,
     pub(super) stretch: &'a Stretch,
-    pub(super) chart: Chart,
-    pub(super) weight: Weight,
+    /// What the small unknowns are measured in: psi, at most 1.
+    pub(super) unit: f64,
+    /// E is measured in this times the unit: q^2 where the integration began.
+    pub(super) square: f64,
+    /// Where the slip entered a frozen stretch, and q^2 there.
+    pub(super) entry: (Place, f64),
 }
 
-/// Everything at one instant of a slip phase.
+/// The two places of a slip phase and its slip velocity.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Instant {
-    pub(super) w: f64,
-    pub(super) zeta: f64,
-    /// Contact radius.
-    pub(super) radius: f64,
-    pub(super) stick: f64,
-    /// Width of the slip ring in the unit of u.
+pub(super) struct Pair {
+    pub(super) now: Place,
+    pub(super) stick: Place,
+    /// tau + tau* over the unit.
+    pub(super) gap: f64,
+    /// q = u - s w in units of zeta'_A; its sign is that of the slip.
+    pub(super) slip_velocity: f64,
+    pub(super) velocity: f64,
+}
+
+/// Everything else at that instant.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Load {
+    /// Width zeta - z* of the slip ring, in the unit of u.
     pub(super) ring: f64,
-    old: Old,
-    zeta_three_halves: f64,
     /// Traction Phi in the unit of u.
     pub(super) traction: f64,
-    /// sign (u - s w) in units of zeta_dot_A: positive while the ring slips.
-    pub(super) slip_velocity: f64,
+    /// d (s q)/dt.
+    pub(super) slip_rate: f64,
 }
 
-impl Slip<'_> {
-    // The instant at given unknowns.
-    #[inline]
-    fn resolve(&self, y: &Unknowns) -> Instant {
-        let (w, radius) = self.chart.normal(y[0]);
-        let ring = match self.weight {
-            Weight::One => y[2],
-            Weight::FromOnset(onset) => y[2] / (onset - w),
-        };
-        let stick = (radius * radius - self.scale * ring).max(0.0);
-        self.describe(y[1], w, radius, ring, stick, stick.sqrt())
+impl<'a> Slip<'a> {
+    pub(super) fn new([chi, psi]: [f64; 2], sign: f64, stretch: &'a Stretch) -> Self {
+        Self {
+            chi,
+            psi,
+            sign,
+            stretch,
+            unit: psi.min(1.0),
+            square: 1.0,
+            entry: (Place::TOUCH, 0.0),
+        }
     }
 
-    // The instant with the stick radius as clock: near separation the compression follows from
-    // z* and r, so that no resolution is lost. Its weight is one.
-    #[inline]
-    fn resolve_by_stick(&self, y: &Unknowns, stick_radius: f64) -> Instant {
-        let stick = stick_radius * stick_radius;
-        let (w, radius) = match self.chart {
-            Chart::Velocity => self.chart.normal(y[0]),
-            Chart::RadiusIn | Chart::RadiusOut => {
-                self.chart.normal((stick + self.scale * y[2]).max(0.0).sqrt())
+    /// The same with its stretch entered here.
+    pub(super) fn entered(self, pair: &Pair) -> Self {
+        let q = pair.slip_velocity;
+        Self { entry: (pair.stick, q * q), ..self }
+    }
+
+    /// The same with E measured by the slip velocity of `pair`: an error of E displaces the
+    /// motion by its share in q^2 times the time since the onset, which is about q.
+    pub(super) fn measured_by(self, pair: &Pair) -> Self {
+        Self { square: pair.slip_velocity.abs(), ..self }
+    }
+
+    /// The two places `tau` and `tau*` with tangential velocity `u`.
+    pub(super) fn pair(&self, gap: f64, stick: f64, velocity: f64) -> Pair {
+        let now = Place::at(self.unit * gap - stick);
+        let slip_velocity = self.psi * velocity - self.sign * now.w;
+        Pair { now, stick: Place::at(stick), gap, slip_velocity, velocity }
+    }
+
+    /// E in its unit.
+    pub(super) fn rest(&self, pair: &Pair) -> f64 {
+        match &self.stretch.shape {
+            Shape::Adhesion(segment) => {
+                let stored = segment.velocity(&pair.stick);
+                let lag = self.psi * stored - self.sign * pair.stick.w;
+                // q + L = psi (u + u*) - s (w + w*)
+                let sum = self.psi * (pair.velocity + stored)
+                    - self.sign * self.unit * self.velocity_sum(pair);
+                (pair.slip_velocity - lag) * sum / (self.unit * self.square)
             }
-        };
-        self.describe(y[1], w, radius, y[2], stick, stick_radius)
-    }
-
-    #[inline]
-    fn describe(
-        &self,
-        velocity: f64,
-        w: f64,
-        radius: f64,
-        ring: f64,
-        stick: f64,
-        stick_radius: f64,
-    ) -> Instant {
-        let old = self.stretch.at(stick, stick_radius, self.chi);
-        // zeta^1.5 - z*^1.5 = scale r Q without cancellation
-        let zeta = radius * radius;
-        let zeta_three_halves = zeta * radius;
-        let halves = zeta_three_halves + stick * stick_radius;
-        let squares = zeta * zeta + zeta * stick + stick * stick;
-        let q = if halves > 0.0 { squares / halves } else { 0.0 };
-        let traction = old.traction + self.sign * ring * q;
-        let slip_velocity = self.sign * self.scale * velocity - w;
-        Instant { w, zeta, radius, stick, ring, old, zeta_three_halves, traction, slip_velocity }
-    }
-
-    /// The instant described by unknowns of which all are current.
-    pub(super) fn instant(&self, y: &Unknowns) -> Instant {
-        self.resolve(y)
-    }
-
-    /// The instant at a clock reading in the midst of an integration.
-    pub(super) fn at_clock(&self, clock: Clock, x: f64, y: &Unknowns) -> Instant {
-        let mut y = *y;
-        match clock {
-            Clock::StickRadius => return self.resolve_by_stick(&y, x),
-            Clock::Coordinate => y[0] = x,
-            Clock::RingWidth => y[2] = x,
-            Clock::SlipVelocity => {}
+            Shape::Slip(frozen) => {
+                let q = pair.slip_velocity;
+                (q * q - self.stored_square(frozen, &pair.stick)) / (self.unit * self.square)
+            }
         }
-        self.resolve(&y)
     }
 
-    /// d y / d clock at the clock reading `x`.
+    // (w + w*)/unit
+    fn velocity_sum(&self, pair: &Pair) -> f64 {
+        let (now, stick) = (&pair.now, &pair.stick);
+        let difference = Difference::new(now, stick);
+        let radii = half_radii(now, stick);
+        if now.w < -0.5 {
+            // (a^5 - a*^5)/(w* - w), exact where both radii vanish
+            return radii * pair.gap * difference.fifth / (stick.w - now.w);
+        }
+        (now.omega - stick.tau * difference.omega * radii) * pair.gap
+    }
+
+    // M over a frozen stretch.
+    #[inline(always)]
+    fn stored_square(&self, frozen: &Frozen, stick: &Place) -> f64 {
+        let (first, square) = &self.entry;
+        // a* less its value at the entry
+        let fall = -0.5
+            * (1.0 + stick.radius)
+            * (1.0 + first.radius)
+            * ((stick.tau - first.tau) * (stick.tau + first.tau));
+        let (a, b) = (stick.radius, first.radius);
+        let (squares, product) = (a * a + b * b, a * b);
+        let fifth = squares * squares - product * product + product * squares;
+        let linear = 5.0 * self.sign * self.chi * frozen.offset * (a + b);
+        square + fall * (linear - 2.0 * (self.chi + 1.0) * fifth)
+    }
+
+    // q^2 = M + E and H at the stick place, with L where the memory is adhesive.
+    #[inline(always)]
+    fn memory(&self, stick: &Place, rest: f64) -> Course {
+        // rest: E over `unit`
+        let more = 1.0 + stick.radius;
+        match &self.stretch.shape {
+            Shape::Adhesion(segment) => {
+                let lag = self.psi * segment.nearly_velocity(stick) - self.sign * stick.w;
+                let slip = self.sign * (lag * lag + self.unit * rest).sqrt();
+                let steep = -2.0 * stick.radius * more * more * lag / stick.omega;
+                Course { slip, steep, lag }
+            }
+            Shape::Slip(frozen) => {
+                let square = self.stored_square(frozen, stick) + self.unit * rest;
+                Course { slip: self.sign * square.sqrt(), steep: self.steep(stick), lag: 0.0 }
+            }
+        }
+    }
+
+    // H over a frozen stretch, where d(psi e* - s z*)/dz = -2 s.
+    #[inline(always)]
+    fn steep(&self, stick: &Place) -> f64 {
+        let more = 1.0 + stick.radius;
+        4.0 * self.sign * stick.radius * stick.tau * more * more
+    }
+
+    /// d y/d clock at the clock reading `x`.
     pub(super) fn slope(&self, clock: Clock, x: f64, y: &Unknowns) -> Unknowns {
-        if clock == Clock::StickRadius {
-            return self.slope_by_stick_radius(x, y);
+        match clock {
+            Clock::Memory => self.along_memory(x, y[0], y[1]),
+            Clock::Release => self.along_release(x, y[0], y[1]),
+            Clock::Gap => {
+                let [gap, rest] = self.along_memory(y[0], x, y[1]);
+                [1.0 / gap, rest / gap]
+            }
+            Clock::Motion => {
+                let [now, stick, slip] = self.in_time(x, y[0], y[1]);
+                [stick / now, slip / now]
+            }
+            Clock::SlipVelocity => {
+                let [now, stick, slip] = self.in_time(y[0], y[1], x);
+                [now / slip, stick / slip]
+            }
         }
-        let now = self.at_clock(clock, x, y);
-        let widening = self.widening(y[1], &now) / self.lag(&now);
-        let rates = [
-            self.chart.rate(now.w, now.radius),
-            -1.25 * self.chi * now.traction,
-            self.weight.at(now.w) * widening + self.weight.rate(now.zeta_three_halves) * now.ring,
-            y[1],
-        ];
-        let clock_rate = match clock {
-            Clock::Coordinate => rates[0],
-            Clock::RingWidth => rates[2],
-            _ => self.slip_rate(&now),
+    }
+
+    // d gap/d tau* and dE/d tau*, both over the unit.
+    #[inline(always)]
+    fn along_memory(&self, tau: f64, gap: f64, rest: f64) -> Unknowns {
+        let stick = Place::at(tau);
+        let now = Place::at(self.unit * gap - tau);
+        let rest = rest * self.square;
+        let Course { slip, steep, lag } = self.memory(&stick, rest);
+        let difference = Difference::new(&now, &stick);
+        let radii = half_radii(&now, &stick) * gap; // (a - a*)/unit
+        let rest_rate = -2.5 * self.sign * (self.chi - 1.0) / self.square
+            * radii
+            * difference.quadratic
+            * steep;
+        if matches!(self.stretch.shape, Shape::Slip(_)) {
+            return [(1.0 + now.rate() * steep / slip) / self.unit, rest_rate];
+        }
+        // d tau/d tau* = B L/q with B = 1 where the places mirror each other.
+        let (a, b) = (now.radius, stick.radius);
+        let (more_a, more_b) = ((1.0 + a) * (1.0 + a), (1.0 + b) * (1.0 + b));
+        let down = difference.omega * b * more_b
+            - stick.omega * (1.0 + 2.0 * difference.linear + difference.quadratic);
+        let mirror = radii * down / (stick.omega * a * more_a); // (B - 1)/unit
+        [(mirror * lag + rest / (slip - lag)) / slip, rest_rate]
+    }
+
+    // d(zeta - z*)/d tau* and dE/d tau*, both over the unit, for w < 0.
+    #[inline(always)]
+    fn along_release(&self, tau: f64, ring: f64, rest: f64) -> Unknowns {
+        let stick = Place::at(tau);
+        let rest = rest * self.square;
+        let Course { slip, steep, lag } = self.memory(&stick, rest);
+        let (zeta, depth) = (stick.zeta() + self.unit * ring, stick.zeta());
+        let radius = zeta.max(0.0).sqrt();
+        let (squares, product) = (zeta + depth, radius * stick.radius);
+        let w = -((1.0 - zeta * zeta * radius).max(0.0)).sqrt();
+        let inverse = 1.0 / ((radius + stick.radius) * (stick.w - w));
+        let cubes = (squares + product) * ring * inverse; // over w* - w
+        let rest_rate =
+            -2.5 * self.sign * (self.chi - 1.0) / self.square * (cubes * (stick.w - w)) * steep;
+        if matches!(self.stretch.shape, Shape::Slip(_)) {
+            let widening = 0.5 * (2.0 * w + self.sign * slip) / self.unit;
+            return [widening * steep / slip, rest_rate];
+        }
+        // w + w* = (a^5 - a*^5)/(w* - w); dr/dt = (w u* - u w*)/L with u + u* = p + s (w + w*)
+        let fifth = squares * squares - product * product + product * squares;
+        let sum = fifth * ring * inverse;
+        let more = 1.0 + stick.radius;
+        let per_lag = -2.0 * stick.radius * more * more / stick.omega;
+        let widening = sum * lag - rest / (slip - lag) * stick.w;
+        [per_lag * widening / slip, rest_rate]
+    }
+
+    // d tau/dt, d mark/dt and d(q/unit)/dt.
+    fn in_time(&self, now: f64, mark: f64, slip: f64) -> [f64; 3] {
+        let (now, stick) = (Place::at(now), Place::at(self.unmark(mark)));
+        let more = 1.0 + stick.radius;
+        let mark_rate = match &self.stretch.shape {
+            Shape::Adhesion(segment) => {
+                let lag = self.psi * segment.nearly_velocity(&stick) - self.sign * stick.w;
+                -0.5 * stick.omega * slip / (stick.radius * more * more * lag)
+            }
+            Shape::Slip(_) => 0.5 * self.sign * slip / (stick.radius * more * more),
         };
-        let per_clock = 1.0 / clock_rate;
-        rates.map(|rate| rate * per_clock)
+        let slip_rate = self.sign * self.slip_rate(&now, &stick);
+        [now.rate(), self.unit * mark_rate, slip_rate / self.unit]
     }
 
-    // dz*/dt = w* (u - s w)/(u* - s w*): with sqrt(z*) as clock every rate carries 2 sqrt(z*) and
-    // its value zero is an ordinary point.
-    fn slope_by_stick_radius(&self, radius: f64, y: &Unknowns) -> Unknowns {
-        let now = self.resolve_by_stick(y, radius);
-        let step = 2.0 * radius / (now.old.speed * self.sign * now.slip_velocity);
-        let time = step * self.lag(&now);
-        let coordinate = match self.chart {
-            Chart::Velocity => self.chart.rate(now.w, now.radius) * time,
-            Chart::RadiusIn | Chart::RadiusOut => 0.0, // follows from z* and r
+    /// What stands for tau* where it is not the clock: its square over a frozen stretch, whose
+    /// depths have no maximum to mirror.
+    pub(super) fn mark(&self, stick: &Place) -> f64 {
+        match &self.stretch.shape {
+            Shape::Adhesion(_) => stick.tau,
+            Shape::Slip(_) => stick.tau * stick.tau,
+        }
+    }
+
+    fn unmark(&self, mark: f64) -> f64 {
+        match &self.stretch.shape {
+            Shape::Adhesion(_) => mark,
+            Shape::Slip(_) => mark.max(0.0).sqrt(),
+        }
+    }
+
+    // d (s q)/dt = -(5/4) (s chi psi Phi - zeta^(3/2))
+    fn slip_rate(&self, now: &Place, stick: &Place) -> f64 {
+        let stored = self.sign * self.stretch.pull(self.chi, self.psi, stick);
+        let rise = now.cube() - stick.cube();
+        -1.25 * (stored + self.chi * rise - now.cube())
+    }
+
+    /// The two places at a clock reading.
+    pub(super) fn at(&self, clock: Clock, x: f64, y: &Unknowns) -> Pair {
+        let (stick, gap, rest) = match clock {
+            Clock::Memory => (x, y[0], y[1]),
+            Clock::Gap => (y[0], x, y[1]),
+            Clock::Release => {
+                let stick = Place::at(x);
+                let radius = (stick.zeta() + self.unit * y[0]).max(0.0).sqrt();
+                // a - a* = (1 + a)(1 + a*)(tau* - tau)(tau + tau*)/2
+                let tau = release_tau(radius);
+                let product = (1.0 + radius) * (1.0 + stick.radius) * (stick.tau - tau);
+                (x, 2.0 * y[0] / ((radius + stick.radius) * product), y[1])
+            }
+            Clock::Motion => return self.slow(x, self.unmark(y[0]), self.unit * y[1]),
+            Clock::SlipVelocity => return self.slow(y[0], self.unmark(y[1]), self.unit * x),
         };
-        [
-            coordinate,
-            -1.25 * self.chi * now.traction * time,
-            self.widening(y[1], &now) * step,
-            y[1] * time,
-        ]
+        let stick = Place::at(stick);
+        let now = Place::at(self.unit * gap - stick.tau);
+        let rest = rest * self.square;
+        let Course { slip, lag, .. } = self.memory(&stick, rest);
+        let pair = Pair { now, stick, gap, slip_velocity: slip, velocity: 0.0 };
+        let velocity = match &self.stretch.shape {
+            Shape::Adhesion(segment) => {
+                let sum = rest / (slip - lag) + self.sign * self.velocity_sum(&pair);
+                sum * (self.unit / self.psi) - segment.velocity(&stick)
+            }
+            Shape::Slip(_) => (slip + self.sign * now.w) / self.psi,
+        };
+        Pair { velocity, ..pair }
     }
 
-    /// d (s u - w)/dt = -(5/4) (s chi Phi - zeta^1.5)
-    pub(super) fn slip_rate(&self, now: &Instant) -> f64 {
-        let force = self.chi * self.scale * now.traction * self.sign;
-        -1.25 * (force - now.zeta_three_halves)
+    fn slow(&self, now: f64, stick: f64, slip_velocity: f64) -> Pair {
+        let gap = (now + stick) / self.unit;
+        let (now, stick) = (Place::at(now), Place::at(stick));
+        let velocity = (slip_velocity + self.sign * now.w) / self.psi;
+        Pair { now, stick, gap, slip_velocity, velocity }
     }
 
-    // u* - s w* in units of zeta_dot_A
-    fn lag(&self, now: &Instant) -> f64 {
-        self.scale * now.old.velocity - self.sign * now.old.speed
+    /// Ring, traction and force at this instant.
+    pub(super) fn load(&self, pair: &Pair) -> Load {
+        let (now, stick) = (&pair.now, &pair.stick);
+        let difference = Difference::new(now, stick);
+        let radii = half_radii(now, stick) * pair.gap * (self.unit / self.psi);
+        let stored = self.stretch.pull(self.chi, self.psi, stick) / (self.chi * self.psi);
+        Load {
+            ring: radii * difference.linear,
+            traction: stored + self.sign * radii * difference.quadratic,
+            slip_rate: self.slip_rate(now, stick),
+        }
     }
 
-    // dr/dt = (w u* - u w*)/(u* - s w*)
-    fn widening(&self, velocity: f64, now: &Instant) -> f64 {
-        now.w * now.old.velocity - velocity * now.old.speed
+    /// d tau/d tau*, below -1 where the motion outruns the memory.
+    pub(super) fn pace(&self, pair: &Pair) -> f64 {
+        let steep = match &self.stretch.shape {
+            Shape::Adhesion(segment) => {
+                let lag = self.psi * segment.velocity(&pair.stick) - self.sign * pair.stick.w;
+                let more = 1.0 + pair.stick.radius;
+                -2.0 * pair.stick.radius * more * more * lag / pair.stick.omega
+            }
+            Shape::Slip(_) => self.steep(&pair.stick),
+        };
+        pair.now.rate() * steep / pair.slip_velocity
     }
 
-    /// The unknowns when the stick radius is `radius`, with the coordinate brought up to date.
-    pub(super) fn settle(&self, radius: f64, y: &Unknowns) -> (Unknowns, Instant) {
-        let now = self.resolve_by_stick(y, radius);
-        ([self.chart.coordinate(now.w, now.zeta), y[1], y[2], y[3]], now)
+    /// tau and d tau/d tau* by the state of an integration along the memory.
+    pub(super) fn progress(
+        &self,
+        clock: Clock,
+        x: f64,
+        y: &Unknowns,
+        slope: &Unknowns,
+    ) -> [f64; 2] {
+        if clock != Clock::Release {
+            return [self.unit * y[0] - x, self.unit * slope[0] - 1.0];
+        }
+        let stick = Place::at(x);
+        let radius = (stick.zeta() + self.unit * y[0]).max(0.0).sqrt();
+        let tau = release_tau(radius);
+        // d zeta/d tau = -2 a tau (1 + a)^2 for both
+        let rate = |radius: f64, tau: f64| -2.0 * radius * tau * (1.0 + radius) * (1.0 + radius);
+        [tau, (rate(stick.radius, x) + self.unit * slope[0]) / rate(radius, tau)]
     }
+}
+
+// tau in release by the contact radius.
+fn release_tau(radius: f64) -> f64 {
+    -((1.0 - radius).max(0.0) / (1.0 + radius)).sqrt()
+}
+
+struct Course {
+    slip: f64,
+    steep: f64,
+    lag: f64,
+}
+
+// (a - a*)/(tau + tau*)
+#[inline]
+fn half_radii(now: &Place, stick: &Place) -> f64 {
+    0.5 * (1.0 + now.radius) * (1.0 + stick.radius) * (stick.tau - now.tau)
 }

@@ -1,13 +1,16 @@
 //! The course of an oblique impact at chosen instants.
 
-use carom_special::ode::{DenseStep, Stepper, Tolerance};
+use carom_special::ode::{Stepper, Tolerance};
 
 use super::adhesion::Segment;
 use super::engine::{ObliqueImpact, PSI_MIN, State};
 use super::groups::Groups;
+use super::memory::Shape;
+use super::onset::{Opened, Opening};
+use super::place::Place;
 use super::regime::{ObliqueError, Regime};
-use super::slip::{Clock, Slip, Unknowns};
-use crate::normal::{compression, time};
+use super::slip::{Clock, Pair, Slip, Unknowns};
+use crate::normal::time;
 
 /// Stands for psi = 0 where a history is wanted: it differs from the limit by less than this.
 const PSI_NO_SLIP: f64 = 1e-13;
@@ -47,13 +50,13 @@ impl ObliqueImpact {
     /// # Errors
     /// [`ObliqueError`] as for [`ObliqueImpact::new`].
     pub fn trace(groups: Groups, w: &[f64]) -> Result<Vec<TracePoint>, ObliqueError> {
-        let mut recorder = Trace { scale: groups.psi(), targets: w, points: Vec::new() };
+        let mut recorder = Trace { psi: groups.psi(), targets: w, points: Vec::new() };
         if groups.psi() >= PSI_MIN {
             Self::record(groups, &mut recorder)?;
             return Ok(recorder.points);
         }
         // Without slip: the limit psi -> 0, reached to rounding long before.
-        recorder.scale = PSI_NO_SLIP;
+        recorder.psi = PSI_NO_SLIP;
         Self::record(Groups::new(groups.chi(), PSI_NO_SLIP).unwrap_or(groups), &mut recorder)?;
         for point in &mut recorder.points {
             (point.regime, point.friction_used) = (Regime::Adhesion, 0.0);
@@ -65,20 +68,24 @@ impl ObliqueImpact {
 /// Watches the walk.
 pub(super) trait Recorder {
     /// Adhesion moves from `state` to the velocity `w` on `segment`; keeps `state.shift` up to date.
-    fn adhesion(&mut self, chi: f64, scale: f64, segment: &Segment, state: &mut State, w: f64);
+    fn adhesion(&mut self, chi: f64, psi: f64, segment: &Segment, state: &mut State, w: f64);
     /// The whole release retraces the adhesive loading on `segment`, from maximal compression.
     fn retrace(&mut self, chi: f64, segment: &Segment, state: &State);
+    /// The first moments of partial slip.
+    fn onset(&mut self, slip: &Slip<'_>, opening: &Opening);
     /// An accepted step of partial slip.
     fn slip<F: FnMut(f64, &Unknowns) -> Unknowns>(
         &mut self,
         slip: &Slip<'_>,
         clock: Clock,
-        walk: &mut Stepper<4, F>,
+        walk: &mut Stepper<2, F>,
     );
+    /// The shift in partial slip.
+    fn shift(&self, slip: &Slip<'_>, pair: &Pair) -> f64;
     /// Separation in `state`.
     fn separation(&mut self, state: &State);
     /// Sliding from `state` to the velocity `w`; keeps `state.shift` up to date.
-    fn slide(&mut self, chi: f64, scale: f64, sign: f64, state: &mut State, w: f64);
+    fn slide(&mut self, chi: f64, psi: f64, sign: f64, state: &mut State, w: f64);
 }
 
 /// Records nothing.
@@ -87,19 +94,23 @@ pub(super) struct Silent;
 impl Recorder for Silent {
     fn adhesion(&mut self, _: f64, _: f64, _: &Segment, _: &mut State, _: f64) {}
     fn retrace(&mut self, _: f64, _: &Segment, _: &State) {}
+    fn onset(&mut self, _: &Slip<'_>, _: &Opening) {}
     fn slip<F: FnMut(f64, &Unknowns) -> Unknowns>(
         &mut self,
         _: &Slip<'_>,
         _: Clock,
-        _: &mut Stepper<4, F>,
+        _: &mut Stepper<2, F>,
     ) {
+    }
+    fn shift(&self, _: &Slip<'_>, _: &Pair) -> f64 {
+        0.0
     }
     fn separation(&mut self, _: &State) {}
     fn slide(&mut self, _: f64, _: f64, _: f64, _: &mut State, _: f64) {}
 }
 
 struct Trace<'a> {
-    scale: f64,
+    psi: f64,
     targets: &'a [f64],
     points: Vec<TracePoint>,
 }
@@ -115,18 +126,28 @@ impl Trace<'_> {
         Some(first)
     }
 
+    fn push_slip(&mut self, slip: &Slip<'_>, pair: &Pair) {
+        let state = State {
+            place: pair.now,
+            velocity: pair.velocity,
+            shift: self.shift(slip, pair),
+            traction: slip.load(pair).traction,
+        };
+        self.push(state, pair.stick.zeta(), Regime::slip(slip.sign));
+    }
+
     fn push(&mut self, state: State, stick_depth: f64, regime: Regime) {
-        let limit = state.zeta * state.zeta.sqrt();
+        let limit = state.place.cube();
         let friction_used = match regime {
             Regime::SlideForward => 1.0,
             Regime::SlideBackward => -1.0,
-            _ if limit > 0.0 => self.scale * state.traction / limit,
+            _ if limit > 0.0 => self.psi * state.traction / limit,
             _ => 0.0,
         };
         self.points.push(TracePoint {
-            time: time(state.w),
-            normal_velocity: state.w,
-            compression: state.zeta,
+            time: time(state.place.w),
+            normal_velocity: state.place.w,
+            compression: state.place.zeta(),
             shift: state.shift,
             velocity: state.velocity,
             force: state.traction,
@@ -139,32 +160,30 @@ impl Trace<'_> {
 
 impl Recorder for Trace<'_> {
     fn adhesion(&mut self, chi: f64, _: f64, segment: &Segment, state: &mut State, w: f64) {
-        let mut reached = state.w;
+        let mut reached = state.place.w;
         while let Some(target) = self.next(w) {
             state.shift += adhesion_shift(segment, reached, target);
             reached = target;
-            let now = segment.at(target);
-            let zeta = compression(target);
-            let traction = zeta * zeta.sqrt() * now.gradient / chi;
-            let shift = state.shift;
-            let point = State { w: target, zeta, velocity: now.velocity, shift, traction };
-            self.push(point, zeta, Regime::Adhesion);
+            let place = Place::of_velocity(target);
+            let now = segment.at(&place);
+            let (shift, traction) = (state.shift, now.flux / chi);
+            let point = State { place, velocity: now.velocity, shift, traction };
+            self.push(point, place.zeta(), Regime::Adhesion);
         }
         state.shift += adhesion_shift(segment, reached, w);
     }
 
     fn retrace(&mut self, chi: f64, segment: &Segment, state: &State) {
         while let Some(target) = self.next(-1.0) {
-            let loading = segment.at(-target);
-            let zeta = compression(target);
+            let loading = segment.at(&Place::of_velocity(-target));
+            let place = Place::of_velocity(target);
             let point = State {
-                w: target,
-                zeta,
+                place,
                 velocity: -loading.velocity,
                 shift: state.shift - adhesion_shift(segment, -target, 0.0),
-                traction: zeta * zeta.sqrt() * loading.gradient / chi,
+                traction: loading.flux / chi,
             };
-            self.push(point, zeta, Regime::Adhesion);
+            self.push(point, place.zeta(), Regime::Adhesion);
         }
     }
 
@@ -172,27 +191,40 @@ impl Recorder for Trace<'_> {
         &mut self,
         slip: &Slip<'_>,
         clock: Clock,
-        walk: &mut Stepper<4, F>,
+        walk: &mut Stepper<2, F>,
     ) {
-        let end = slip.at_clock(clock, walk.x(), walk.y()).w;
+        let end = slip.at(clock, walk.x(), walk.y()).now.w;
         if self.targets.first().is_none_or(|&target| target < end) {
             return;
         }
         let dense = walk.dense();
         while let Some(target) = self.next(end) {
-            let x = clock_reading(slip, clock, &dense, target);
-            let y = dense.at(x);
-            let now = slip.at_clock(clock, x, &y);
-            let state = State {
-                w: now.w,
-                zeta: now.zeta,
-                velocity: y[1],
-                shift: y[3],
-                traction: now.traction,
-            };
-            let regime = if slip.sign > 0.0 { Regime::SlipForward } else { Regime::SlipBackward };
-            self.push(state, now.stick, regime);
+            let velocity = |x: f64| slip.at(clock, x, &dense.at(x)).now.w;
+            let x = reading(velocity, [dense.start(), dense.end()], target);
+            self.push_slip(slip, &slip.at(clock, x, &dense.at(x)));
         }
+    }
+
+    fn onset(&mut self, slip: &Slip<'_>, opening: &Opening) {
+        while let Some(target) = self.next(opening.velocity(opening.reach)) {
+            let x = reading(|x| opening.velocity(x), [0.0, opening.reach], target);
+            let Opened { stick, gap, excess } = opening.at(x);
+            let y = [gap / slip.unit, excess / slip.unit];
+            self.push_slip(slip, &slip.at(Clock::Memory, stick.tau, &y));
+        }
+    }
+
+    // In slip e - e*(z*) = s (zeta - z*)/psi.
+    fn shift(&self, slip: &Slip<'_>, pair: &Pair) -> f64 {
+        let stretch = slip.stretch;
+        let stored = match &stretch.shape {
+            Shape::Adhesion(segment) => adhesion_shift(segment, segment.high, pair.stick.w),
+            Shape::Slip(frozen) => {
+                let inner = Place::at(stretch.inner);
+                frozen.sign * (pair.stick.zeta() - inner.zeta()) / self.psi
+            }
+        };
+        stretch.shift + stored + slip.sign * slip.load(pair).ring
     }
 
     fn separation(&mut self, state: &State) {
@@ -203,19 +235,20 @@ impl Recorder for Trace<'_> {
         }
     }
 
-    fn slide(&mut self, chi: f64, scale: f64, sign: f64, state: &mut State, w: f64) {
+    fn slide(&mut self, chi: f64, psi: f64, sign: f64, state: &mut State, w: f64) {
         let start = *state;
-        let pull = sign * chi / scale;
+        let pull = sign * chi / psi;
         // e = int u dt with u = u0 + s chi (w - w0) and int w dt = zeta
         let at = |w: f64| {
-            let zeta = compression(w);
-            let drift = start.velocity - pull * start.w;
+            let place = Place::of_velocity(w);
+            let drift = start.velocity - pull * start.place.w;
+            let (duration, rise) =
+                (time(w) - time(start.place.w), place.zeta() - start.place.zeta());
             State {
-                w,
-                zeta,
-                velocity: start.velocity + pull * (w - start.w),
-                shift: start.shift + drift * (time(w) - time(start.w)) + pull * (zeta - start.zeta),
-                traction: sign * zeta * zeta.sqrt() / scale,
+                place,
+                velocity: start.velocity + pull * (w - start.place.w),
+                shift: start.shift + drift * duration + pull * rise,
+                traction: sign * place.cube() / psi,
             }
         };
         let regime = if sign > 0.0 { Regime::SlideForward } else { Regime::SlideBackward };
@@ -226,12 +259,11 @@ impl Recorder for Trace<'_> {
     }
 }
 
-// The clock reading within a step at which the normal velocity is `w`: bisection on the dense output.
-fn clock_reading(slip: &Slip<'_>, clock: Clock, dense: &DenseStep<4>, w: f64) -> f64 {
-    let (mut early, mut late) = (dense.start(), dense.end());
+// The reading within a range at which the normal velocity is `w`: bisection.
+fn reading(velocity: impl Fn(f64) -> f64, [mut early, mut late]: [f64; 2], w: f64) -> f64 {
     for _ in 0..60 {
         let middle = 0.5 * (early + late);
-        if slip.at_clock(clock, middle, &dense.at(middle)).w > w {
+        if velocity(middle) > w {
             early = middle;
         } else {
             late = middle;
@@ -240,26 +272,15 @@ fn clock_reading(slip: &Slip<'_>, clock: Clock, dense: &DenseStep<4>, w: f64) ->
     0.5 * (early + late)
 }
 
-// Shift while adhering from velocity `from` down to `to`: int u dt, with sqrt(zeta) as variable
-// near touch and w near maximal compression.
+// Shift while adhering from velocity `from` down to `to`: int u dt.
 fn adhesion_shift(segment: &Segment, from: f64, to: f64) -> f64 {
-    const SPLIT: f64 = 0.5;
-    let by_velocity = |w: f64, _: &[f64; 1]| {
-        let zeta = compression(w);
-        [-0.8 * segment.at(w).velocity / (zeta * zeta.sqrt())]
+    // dt = -2 a (1 + a)^2/omega d tau
+    let slope = |tau: f64, _: &[f64; 1]| {
+        let place = Place::at(tau);
+        let more = 1.0 + place.radius;
+        [-2.0 * place.radius * more * more / place.omega * segment.velocity(&place)]
     };
-    let by_radius = |a: f64, _: &[f64; 1]| {
-        let w = (1.0 - a.powi(5)).max(0.0).sqrt();
-        [2.0 * a * segment.at(w).velocity / w]
-    };
-    let radius = |w: f64| compression(w).sqrt();
-    if to >= SPLIT {
-        integrate(radius(from), radius(to), by_radius)
-    } else if from <= SPLIT {
-        integrate(from, to, by_velocity)
-    } else {
-        integrate(radius(from), radius(SPLIT), by_radius) + integrate(SPLIT, to, by_velocity)
-    }
+    integrate(Place::of_velocity(from).tau, Place::of_velocity(to).tau, slope)
 }
 
 fn integrate(from: f64, to: f64, slope: impl FnMut(f64, &[f64; 1]) -> [f64; 1]) -> f64 {

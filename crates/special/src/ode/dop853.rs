@@ -92,6 +92,12 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
         &self.y
     }
 
+    /// The slope there.
+    #[must_use]
+    pub fn slope(&self) -> &[f64; N] {
+        &self.stages[0]
+    }
+
     /// The argument and the unknowns before the last accepted step.
     #[must_use]
     pub fn before(&self) -> (f64, &[f64; N]) {
