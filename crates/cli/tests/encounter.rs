@@ -223,14 +223,14 @@ fn what_makes_no_contact_is_refused_with_its_line() {
             CASE.replace("shape = \"ellipsoid\"\nsemi_axes = [0.03, 0.02, 0.015]", GIVEN)
                 .replace("radii = [0.06,", "radii = [-0.06,")
                 .replace("position = [0, 0, 0.015]\n", ""),
-            "line 15: `body_2.shape`: the surfaces conform or intersect",
+            "line 3: `body_1.radii`: the surfaces conform or intersect",
         ),
         (
             "line",
             CASE.replace("shape = \"ellipsoid\"\nsemi_axes = [0.03, 0.02, 0.015]", GIVEN)
                 .replace("radii = [0.06,", "radii = [inf,")
                 .replace("position = [0, 0, 0.015]\n", ""),
-            "line 15: `body_2.shape`: the surfaces touch along a line",
+            "line 3: `body_1.radii`: the surfaces touch along a line",
         ),
         (
             "edge",

@@ -1,6 +1,6 @@
 //! Relative curvature of two bodies at their point of contact (5.1)-(5.5).
 
-use carom_special::RangeError;
+use carom_special::{RangeError, Readable};
 
 /// Below this B/A two cylinders count as parallel: round-off in the angle alone reaches 1e-31.
 const LINE_CONTACT: f64 = 1e-30;
@@ -87,8 +87,10 @@ pub enum CurvatureError {
     /// The smaller coefficient B vanishes: parallel cylinders (or two planes) touch along a line
     /// (or an area), and the Hertz ellipse degenerates.
     #[error(
-        "the surfaces touch along a line or an area, not at a point: A = {a}, B = {b}, \
-         and B must exceed 1e-30 A for an elliptical contact"
+        "the surfaces touch along a line or an area, not at a point: A = {}, B = {}, \
+         and B must exceed 1e-30 A for an elliptical contact",
+        Readable(*a),
+        Readable(*b)
     )]
     LineContact {
         /// The larger coefficient A.
@@ -98,8 +100,10 @@ pub enum CurvatureError {
     },
     /// A concave surface is curved more strongly than the convex one that faces it.
     #[error(
-        "the surfaces conform or intersect: A = {a}, B = {b}, and both must be positive for a \
-         contact that begins at a point"
+        "the surfaces conform or intersect: A = {}, B = {}, and both must be positive for a \
+         contact that begins at a point",
+        Readable(*a),
+        Readable(*b)
     )]
     Conforming {
         /// The larger coefficient A.

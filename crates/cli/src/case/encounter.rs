@@ -192,7 +192,10 @@ fn at_fault(case: &Section<'_>, touch: &Touch, source: EncounterError) -> CaseEr
                 _ => shape(*body),
             }
         }
-        (EncounterError::Frame(FrameError::Curvature(_)), _) => "body_2.shape",
+        (EncounterError::Frame(FrameError::Curvature(_)), _) => {
+            let radii = ["body_1.radii", "body_2.radii"].into_iter().find(|name| case.has(name));
+            radii.unwrap_or("body_2.shape")
+        }
         (EncounterError::Search(_), _) => "body_1.shape",
         _ => "contact",
     };

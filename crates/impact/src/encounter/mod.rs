@@ -272,7 +272,7 @@ impl Encounter {
     }
 
     /// Follows the encounter to separation. The spin about the normal is left alone, apart from
-    /// [`Encounter::with_torsion`]; [`Warning::SpinLeftAlone`] says where that matters.
+    /// [`Encounter::with_torsion`]; [`crate::Warning::SpinLeftAlone`] says where that matters.
     ///
     /// # Errors
     /// [`EncounterError::Coupled`] if the impact could not be followed,

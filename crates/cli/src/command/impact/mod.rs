@@ -29,7 +29,8 @@ pub(super) struct Arguments {
     /// Draw the course of the impact, or the sweep, into this file, as SVG.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
-    /// Give the course of the impact at this many instants too; not for a sweep.
+    /// Give the course of the impact at this many instants too; not for a sweep. Of bodies with a
+    /// place it is in contact axes, straight between the instants that were computed.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     history: Option<u32>,
 }
