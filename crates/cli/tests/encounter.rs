@@ -461,7 +461,10 @@ fn simple_cases_take_law_and_torsion_too() {
 fn numbers_too_large_together_are_refused() {
     let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/rubber_on_table.toml");
     let text = std::fs::read_to_string(example).unwrap();
-    let message = refused("huge", &text.replace("20e6", "1e300"));
+    let message = refused("stiff", &text.replace("20e6", "1e300"));
+    assert!(message.contains("c_x = 2.6") && message.contains("at most 1e150"), "{message}");
+    let huge = text.replace("density = 1000 ", "density = 1e250 ");
+    let message = refused("huge", &huge.replace("speed = 1.414213562373095 ", "speed = 1e99 "));
     assert!(
         message.contains("no finite number: some values of the case are too large"),
         "{message}"
