@@ -25,10 +25,18 @@ impl Friction {
     /// A coefficient of friction, zero and infinity included.
     ///
     /// # Errors
-    /// [`RangeError`] if it is negative or not a number.
+    /// [`RangeError`] if it is negative or not a number, or finite and so small or large that
+    /// displacements over it would overflow: below 1e-30 or above 1e30.
     pub fn new(coefficient: f64) -> Result<Self, RangeError> {
-        RangeError::check("friction", coefficient, coefficient >= 0.0, ">= 0 (inf: no slip)")
-            .map(Self)
+        let limit = coefficient == 0.0 || coefficient == f64::INFINITY;
+        let holds = limit || (1e-30..=1e30).contains(&coefficient);
+        RangeError::check(
+            "friction",
+            coefficient,
+            holds,
+            ">= 0 (0, 1e-30 to 1e30, or inf: no slip)",
+        )
+        .map(Self)
     }
 
     /// The coefficient f; infinite for bodies that never slip.
@@ -41,5 +49,22 @@ impl Friction {
     #[must_use]
     pub fn coefficient(self) -> Option<f64> {
         self.0.is_finite().then_some(self.0)
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn limits_are_values_and_extremes_are_none() {
+        for valid in [0.0, -0.0, 1e-30, 0.3, 1e30, f64::INFINITY] {
+            assert_eq!(Friction::new(valid).map(Friction::get), Ok(valid));
+        }
+        for bad in [-0.1, f64::NAN, -f64::INFINITY, 1e-31, 1e31, 5e-324] {
+            let error = Friction::new(bad).unwrap_err();
+            assert_eq!(error.field, "friction");
+            assert!(error.to_string().contains("1e-30 to 1e30"), "{error}");
+        }
     }
 }

@@ -6,6 +6,7 @@
 //! In one direction this is Cattaneo and Mindlin's memory (chapter 6); where c_x = c_y and the
 //! direction is constant it is the thesis's law of chapter 7.
 
+use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
@@ -70,7 +71,7 @@ impl CoulombRings {
         friction: f64,
         spacing: f64,
     ) -> Result<Self, RangeError> {
-        RangeError::positive("friction", friction)?;
+        Friction::new(RangeError::positive("friction", friction)?)?;
         RangeError::positive("ring spacing", spacing)?;
         Ok(Self {
             stiffness,
