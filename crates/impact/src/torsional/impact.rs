@@ -10,6 +10,7 @@ use super::adhesion::{
 use super::groups::{SMALL_OMEGA, TorsionalGroups};
 use super::limits;
 use super::slip::{Answer, SlippingContact};
+use super::stepped::{self, Settled};
 
 /// Why a torsional impact cannot be given.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -17,22 +18,6 @@ pub enum TorsionalError {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// The spin turns back so fast that the slip ring does not keep its direction; the law that is
-    /// used here (10.25) then ends. This takes epsilon > 0.826, far outside Hertz's theory for
-    /// spheres.
-    #[error(
-        "the slip ring does not last at epsilon = {epsilon}, Omega = {omega}: \
-         at zeta' = {normal_velocity} of its initial value the spin turns back too fast \
-         (epsilon <= 0.826 is always covered)"
-    )]
-    SlipTurnsBack {
-        /// epsilon of the impact.
-        epsilon: f64,
-        /// Omega of the impact.
-        omega: f64,
-        /// zeta'/zeta'_A when it happens.
-        normal_velocity: f64,
-    },
     /// The equation of motion could not be integrated.
     #[error(transparent)]
     Ode(#[from] OdeError),
@@ -41,10 +26,27 @@ pub enum TorsionalError {
     Root(#[from] RootError),
 }
 
+/// Why a walk with one slip ring ends early.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) enum WalkError {
+    /// The spin turns back so fast that the slip ring does not keep its direction; the law used
+    /// here (10.25) then ends. This takes epsilon > 0.826, far outside Hertz's theory for spheres.
+    TurnsBack,
+    Failed(TorsionalError),
+}
+
+impl<E: Into<TorsionalError>> From<E> for WalkError {
+    fn from(error: E) -> Self {
+        Self::Failed(error.into())
+    }
+}
+
 /// A torsional impact, solved: complete adhesion first, then a slip ring that grows from the rim
 /// until separation (chapter 10, with (10.7), (10.25)-(10.29) corrected).
 ///
-/// Accurate to about 1e-12 for epsilon <= 0.826; beyond, as long as the slip keeps its direction.
+/// Accurate to about 1e-12 for epsilon <= 0.826, and beyond as long as the slip keeps its direction.
+/// Where the spin turns back so fast that a second ring slips, the general history of a twisted
+/// contact is stepped instead; [`TorsionalImpact::error_estimate`] tells.
 ///
 /// ```
 /// use carom_impact::torsional::{TorsionalGroups, TorsionalImpact};
@@ -58,24 +60,40 @@ pub struct TorsionalImpact {
     groups: TorsionalGroups,
     onset_radius: f64,
     spin_ratio: f64,
+    error_estimate: f64,
 }
+
+/// The error of the solution with one slip ring.
+const EXACT: f64 = 1e-12;
 
 impl TorsionalImpact {
     /// Follows the impact to separation.
     ///
     /// # Errors
-    /// [`TorsionalError::SlipTurnsBack`] where the law ends, which takes epsilon > 0.826.
+    /// [`TorsionalError`] if an integration fails; not seen.
     pub fn new(groups: TorsionalGroups) -> Result<Self, TorsionalError> {
         let history = Adhesion::new(groups.epsilon(), groups.omega())?;
         let onset_radius = history.onset();
         if groups.omega() >= SMALL_OMEGA {
-            let end = Walk::new(groups, &history).advance_to(-1.0)?.turn;
-            return Ok(Self { groups, onset_radius, spin_ratio: end.spin(groups.epsilon()) });
+            return match Walk::new(groups, &history).advance_to(-1.0) {
+                Ok(end) => {
+                    let spin_ratio = end.turn.spin(groups.epsilon());
+                    Ok(Self { groups, onset_radius, spin_ratio, error_estimate: EXACT })
+                }
+                Err(WalkError::TurnsBack) => {
+                    let Settled { spin_ratio, change } = stepped::settle(groups)?;
+                    let error_estimate = change.max(EXACT);
+                    Ok(Self { groups, onset_radius, spin_ratio, error_estimate })
+                }
+                Err(WalkError::Failed(error)) => Err(error),
+            };
         }
         let limit = limits::no_slip(groups.epsilon())?;
         let nearby = Self::new(TorsionalGroups::new(groups.epsilon(), SMALL_OMEGA)?)?;
-        let spin_ratio = limit + groups.omega() / SMALL_OMEGA * (nearby.spin_ratio - limit);
-        Ok(Self { groups, onset_radius, spin_ratio })
+        let share = groups.omega() / SMALL_OMEGA;
+        let spin_ratio = limit + share * (nearby.spin_ratio - limit);
+        let error_estimate = EXACT.max(share * nearby.error_estimate);
+        Ok(Self { groups, onset_radius, spin_ratio, error_estimate })
     }
 
     /// The groups it was solved for.
@@ -88,6 +106,13 @@ impl TorsionalImpact {
     #[must_use]
     pub const fn spin_ratio(&self) -> f64 {
         self.spin_ratio
+    }
+
+    /// What the spin ratio may be off by: about 1e-12, or in steps what the last doubling of their
+    /// number changed.
+    #[must_use]
+    pub const fn error_estimate(&self) -> f64 {
+        self.error_estimate
     }
 
     /// The contact radius a/a_max at which slip begins, always in compression; 1 without slip.
@@ -138,7 +163,7 @@ impl<'a> Walk<'a> {
     }
 
     /// Goes on to the normal velocity `w` in [-1, 1], below the last one asked for.
-    pub(super) fn advance_to(&mut self, w: f64) -> Result<Station, TorsionalError> {
+    pub(super) fn advance_to(&mut self, w: f64) -> Result<Station, WalkError> {
         let radius = radius_at(w);
         if w >= self.history.onset_velocity() {
             let turn = self.history.at(radius, w);
@@ -168,7 +193,7 @@ impl<'a> Walk<'a> {
 
     /// The contact radius is the argument: `dt = 2 al dal/w`, in compression (`way` 1) or
     /// restitution (-1).
-    fn along_radius(&mut self, from: f64, to: f64, way: f64) -> Result<(), TorsionalError> {
+    fn along_radius(&mut self, from: f64, to: f64, way: f64) -> Result<(), WalkError> {
         let epsilon = self.groups.epsilon();
         let mut contact = self.contact.clone();
         let slope = |al: f64, y: &[f64; 2]| {
@@ -187,7 +212,7 @@ impl<'a> Walk<'a> {
     }
 
     /// The normal velocity is the argument: `dt = -(4/5) zeta^(-3/2) dw`.
-    fn along_velocity(&mut self, to: f64) -> Result<(), TorsionalError> {
+    fn along_velocity(&mut self, to: f64) -> Result<(), WalkError> {
         let epsilon = self.groups.epsilon();
         let mut contact = self.contact.clone();
         let slope = |w: f64, y: &[f64; 2]| {
@@ -208,7 +233,7 @@ impl<'a> Walk<'a> {
 
     /// The law holds while the slip ring grows, and while in restitution the twist turns back no
     /// faster than the edge recedes.
-    fn check(&mut self, w: f64, al: f64) -> Result<(), TorsionalError> {
+    fn check(&mut self, w: f64, al: f64) -> Result<(), WalkError> {
         let stick = self.contact.answer(al, w, self.state[1]).stick;
         let grows = stick <= self.innermost * (1.0 + 1e-7);
         let onward = self.contact.sign() * self.groups.omega() * self.spin();
@@ -217,10 +242,6 @@ impl<'a> Walk<'a> {
             self.innermost = self.innermost.min(stick);
             return Ok(());
         }
-        Err(TorsionalError::SlipTurnsBack {
-            epsilon: self.groups.epsilon(),
-            omega: self.groups.omega(),
-            normal_velocity: w,
-        })
+        Err(WalkError::TurnsBack)
     }
 }

@@ -2,8 +2,9 @@
 
 use super::adhesion::{self, Adhesion};
 use super::groups::{SMALL_OMEGA, TorsionalGroups};
-use super::impact::{TorsionalError, Walk};
+use super::impact::{TorsionalError, Walk, WalkError};
 use crate::normal::DURATION;
+use carom_special::ode::OdeError;
 
 /// `15 pi^(3/2) Gamma(6/5) / (32 Gamma(17/10))`, the coefficient of (10.52), (10.64) as corrected
 /// (printed with 21 in place of 15).
@@ -82,5 +83,10 @@ pub fn first_order_loss(omega: f64) -> Result<f64, TorsionalError> {
         return Ok(SMALL_SPIN_LOSS + omega * slope);
     }
     let history = Adhesion::new(0.0, omega)?;
-    Ok(Walk::new(groups, &history).advance_to(-1.0)?.turn.impulse)
+    match Walk::new(groups, &history).advance_to(-1.0) {
+        Ok(end) => Ok(end.turn.impulse),
+        Err(WalkError::Failed(error)) => Err(error),
+        // A spin that stays constant does not turn back.
+        Err(WalkError::TurnsBack) => Err(OdeError::NotFinite { x: omega }.into()),
+    }
 }

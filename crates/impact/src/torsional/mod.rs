@@ -9,6 +9,7 @@ mod groups;
 mod impact;
 mod slip;
 mod spin;
+mod stepped;
 mod trace;
 
 pub mod limits;

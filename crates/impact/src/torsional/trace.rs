@@ -1,8 +1,11 @@
 //! The course of a torsional impact at chosen instants.
 
+use carom_special::RangeError;
+
 use super::adhesion::Adhesion;
 use super::groups::TorsionalGroups;
-use super::impact::{TorsionalError, TorsionalImpact, Walk};
+use super::impact::{TorsionalError, TorsionalImpact, Walk, WalkError};
+use super::stepped::{Step, SteppedWalk};
 use crate::normal;
 
 /// What the contact area does.
@@ -54,6 +57,49 @@ impl TorsionalImpact {
         w: &[f64],
     ) -> Result<Vec<TorsionalPoint>, TorsionalError> {
         let groups = groups.away_from_zero();
+        match Self::trace_one_ring(groups, w) {
+            Ok(points) => Ok(points),
+            Err(WalkError::TurnsBack) => Ok(Self::trace_in_steps(groups, w)?),
+            Err(WalkError::Failed(error)) => Err(error),
+        }
+    }
+
+    fn trace_in_steps(
+        groups: TorsionalGroups,
+        w: &[f64],
+    ) -> Result<Vec<TorsionalPoint>, RangeError> {
+        const STEPS: usize = 4000;
+        let mut walk = SteppedWalk::new(groups, STEPS);
+        let mut last = 1.0;
+        let mut points = Vec::with_capacity(w.len());
+        for &target in w {
+            last = target.clamp(-1.0, last);
+            let Step { radius, stick, spin, twist, torque } = walk.advance_to(last)?;
+            let phase = if stick >= radius * (1.0 - 1e-12) {
+                TorsionalPhase::Adhesion
+            } else if stick > 0.0 {
+                TorsionalPhase::PartialSlip
+            } else {
+                TorsionalPhase::Sliding
+            };
+            points.push(TorsionalPoint {
+                time: normal::time(last),
+                normal_velocity: last,
+                radius,
+                stick_radius: stick,
+                spin,
+                twist,
+                torque,
+                phase,
+            });
+        }
+        Ok(points)
+    }
+
+    fn trace_one_ring(
+        groups: TorsionalGroups,
+        w: &[f64],
+    ) -> Result<Vec<TorsionalPoint>, WalkError> {
         let history = Adhesion::new(groups.epsilon(), groups.omega())?;
         let onset_velocity = history.onset_velocity();
         let mut walk = Walk::new(groups, &history);

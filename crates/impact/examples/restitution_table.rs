@@ -1,0 +1,8 @@
+//! Makes the stored table of R_x anew: needed when the exact impact changes by more than 1e-9.
+
+use carom_impact::restitution::RestitutionTable;
+
+fn main() -> std::io::Result<()> {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/src/restitution/table/stored.bin");
+    std::fs::write(path, RestitutionTable::build().to_bytes())
+}
