@@ -4,9 +4,9 @@
 //! traction in a whole slip ring. Here each spring of the equivalent foundation slips by itself,
 //! parallel to its own traction in the physical (xi, eta) plane. Neither is exact for a turning
 //! shift (the true traction is bounded point by point, not spring by spring), but this one lies
-//! closer: at the ends of the three examples of section 7.7 the closed law is 0.038, 0.214 and 0.084
-//! off (in units of f F_z), this law 0.001, 0.012 and 0.005, measured against a half-space of rings.
-//! On straight paths all agree. The price is a slider per spring instead of a few vertices.
+//! closer: at the ends of the three examples of section 7.7 the closed law is 0.038, 0.214 and
+//! 0.084 off (in units of f F_z), this law 0.001, 0.012 and 0.005, measured against a half-space of
+//! rings. On straight paths all agree. The price is a slider per spring instead of a few vertices.
 
 use carom_special::RangeError;
 
@@ -94,8 +94,8 @@ impl SliderLaw {
     /// Goes straight to a new approach and shift and returns the force.
     ///
     /// # Errors
-    /// [`RangeError`] for a value above 1e100 in size or not a number, and for an approach beyond the deepest spring; the
-    /// state is then unchanged.
+    /// [`RangeError`] for a value above 1e100 in size or not a number, and for an approach beyond
+    /// the deepest spring; the state is then unchanged.
     pub fn advance(&mut self, zeta: f64, shift: [f64; 2]) -> Result<[f64; 2], RangeError> {
         in_memory("zeta", zeta)?;
         in_memory("shift", shift[0])?;

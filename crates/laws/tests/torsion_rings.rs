@@ -3,7 +3,7 @@
 
 use std::f64::consts::{FRAC_2_PI, PI};
 
-use carom_laws::torsion::history::TwistHistory;
+use carom_laws::torsion::history::{TwistHistory, sliding_limit};
 use carom_laws::torsion::lubkin::Lubkin;
 
 /// Tractions of rings in equal spacing, and the rotations that they cause.
@@ -140,5 +140,27 @@ fn two_rings_form_between_the_limits_of_the_rate() {
         assert_eq!(rings > 0, (1.08..1.7).contains(&rate), "rate {rate}: {rings} ring steps");
         assert!((one.torque() - many.torque()).abs() < 5e-4 * LIMIT, "rate {rate}");
         assert!((few.torque() - many.torque()).abs() < 5e-4 * LIMIT, "rate {rate}");
+    }
+}
+
+#[test]
+fn narrower_rings_converge_over_long_histories() {
+    for (twist, depth) in [(0.7, 0.2), (0.3, 0.5), (1.5, 0.4)] {
+        let mut laws = [1.0 / 64.0, 1.0 / 128.0, 1.0 / 256.0]
+            .map(|width| TwistHistory::with_ring_width(width).unwrap());
+        let mut worst = [0.0_f64; 2];
+        for step in 0..500 {
+            let t = 0.05 * f64::from(step);
+            let radius = 1.0 + depth * (0.5 * (1.3 * t + 1.0).sin() + 0.5 * (0.71 * t).sin());
+            let turn = twist * (0.6 * (0.9 * t).sin() + 0.4 * (2.3 * t + 1.0).sin());
+            let [usual, narrow, finest] = laws
+                .each_mut()
+                .map(|law| law.advance(radius, turn).unwrap() / sliding_limit(radius));
+            worst[0] = worst[0].max((usual - finest).abs());
+            worst[1] = worst[1].max((narrow - finest).abs());
+        }
+        assert!(laws[0].ring_steps() > 2);
+        assert!(worst[0] < 7e-4 && worst[1] < 2e-4, "{twist} {depth}: {worst:?}");
+        assert!(worst[1] < 0.5 * worst[0], "{twist} {depth}: {worst:?}");
     }
 }

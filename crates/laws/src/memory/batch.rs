@@ -65,8 +65,8 @@ impl<V: Lateral, S: VertexStack<V>> Batch<V, S> {
     /// Advances every contact to its approach and shift, and writes its force.
     ///
     /// # Errors
-    /// [`BatchError`] for arrays of the wrong length or an entry above 1e100 in size or not a number; nothing is
-    /// then changed or written.
+    /// [`BatchError`] for arrays of the wrong length or an entry above 1e100 in size or not a
+    /// number; nothing is then changed or written.
     pub fn advance(
         &mut self,
         zeta: &[f64],

@@ -35,8 +35,8 @@ static RULE: LazyLock<GaussLegendre> =
 /// recedes while the twist turns back at 1 to `1/k'` times the speed of the edge (more exactly from
 /// a threshold between 1 and 1.1023), two slip rings form. Such steps are solved by rings, within
 /// 5e-4 of the sliding torque ([`TwistHistory::with_ring_width`]), and counted by
-/// [`TwistHistory::ring_steps`]; from 4 times the speed on their effect is smaller, and the stack is
-/// used. They take 0.03 to 0.3 ms, the smaller the stick area the longer; all others 0.5 us.
+/// [`TwistHistory::ring_steps`]; from 4 times the speed on their effect is smaller, and the stack
+/// is used. They take 0.03 to 0.3 ms, the smaller the stick area the longer; all others 0.5 us.
 ///
 /// ```
 /// use carom_laws::torsion::history::TwistHistory;
@@ -78,8 +78,8 @@ impl TwistHistory {
     /// greatest of 1/256, 1/128 and so on that is not above `width`, as a part of the radius.
     ///
     /// The usual width is 1/64. Against a converged solution the torque was then within 4.5e-4 of
-    /// that of sliding, with 1/32 within 7e-4, with 1/256 within 1.3e-4; the cost falls as the
-    /// square of the width.
+    /// that of sliding, 9e-4 where the stick area is small; with 1/256 within 1.3e-4; the cost
+    /// falls as the square of the width.
     ///
     /// # Errors
     /// [`RangeError`] for a width outside 1/256 to 1/4.
@@ -166,8 +166,8 @@ impl TwistHistory {
     /// A radius of zero separates the bodies and forgets their past.
     ///
     /// # Errors
-    /// [`RangeError`] for a radius that is negative and a value above 1e60 in size or not a number; the state is
-    /// then unchanged.
+    /// [`RangeError`] for a radius that is negative and a value above 1e60 in size or not a number;
+    /// the state is then unchanged.
     pub fn advance(&mut self, radius: f64, twist: f64) -> Result<f64, RangeError> {
         RangeError::non_negative("radius", radius)?;
         in_contact("radius", radius)?;

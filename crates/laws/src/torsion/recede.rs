@@ -8,8 +8,8 @@ use super::sliding::{sliding_limit, sliding_twist, threshold};
 /// [`threshold`] stays below this.
 const GREATEST_THRESHOLD: f64 = 1.103;
 
-/// From this rate of back-twist on the inner ring, within a quarter of the radius, changes the torque
-/// by less than rings do by their width: up to 1.1e-4 of that of sliding.
+/// From this rate of back-twist on the inner ring, within a quarter of the radius, changes the
+/// torque by less than rings do by their width: up to 1.1e-4 of that of sliding.
 const GREATEST_RATE: f64 = 4.0;
 
 /// Parts of a step in which the radius halves.

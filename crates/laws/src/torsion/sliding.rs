@@ -2,9 +2,9 @@
 //! of slow back-twist.
 //!
 //! With the depth `v = ln(al/c)` of the stick radius c below the contact radius al, twist and
-//! torque are `(2/pi) al G(v)` and `al^4 m(v)/2`: two functions of one variable, analytic in a strip
-//! of half-width pi. They are tabled once as polynomials on pieces of unit length, with errors
-//! below 1e-14.
+//! torque are `(2/pi) al G(v)` and `al^4 m(v)/2`: two functions of one variable, analytic in a
+//! strip of half-width pi. They are tabled once as polynomials on pieces of unit length, with
+//! errors below 1e-14.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 use std::sync::LazyLock;
