@@ -1,5 +1,5 @@
-//! Stresses and displacements in a body under a semi-ellipsoidal load, against point loads summed
-//! over the ellipse, the circle's closed form, equilibrium and known values.
+//! Stresses and displacements in a body under a semi-ellipsoidal load, against point loads and
+//! rectangles summed over the ellipse, equilibrium, elasticity and the traction on the surface.
 
 use std::f64::consts::PI;
 
@@ -10,37 +10,14 @@ use carom_halfspace::{
 };
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::field::{
-    EllipsoidalLoad, circular_shear, circular_stress, ellipsoidal_shear, partial_slip_stress,
+    EllipsoidalLoad, circular_shear, ellipsoidal_shear, memory_stress, partial_slip_stress,
 };
+use carom_laws::memory::VectorMemory;
 use carom_special::quadrature::GaussLegendre;
 
 mod common;
 use common::Random;
-
-const LOADS: [Traction; 3] = [
-    Traction { x: 1.0, y: 0.0, normal: 0.0 },
-    Traction { x: 0.0, y: 1.0, normal: 0.0 },
-    Traction { x: 0.0, y: 0.0, normal: 1.0 },
-];
-
-fn body(nu: f64) -> Material {
-    Material::from_shear(1.0, nu).unwrap()
-}
-
-fn load(a: f64, b: f64, nu: f64) -> EllipsoidalLoad {
-    EllipsoidalLoad::new(ContactEllipse::new(a, b).unwrap(), body(nu)).unwrap()
-}
-
-fn components(stress: Stress) -> [f64; 6] {
-    [stress.xx, stress.yy, stress.zz, stress.xy, stress.yz, stress.zx]
-}
-
-#[track_caller]
-fn same<const N: usize>(what: &str, got: [f64; N], want: [f64; N], tolerance: f64) {
-    for (i, (got, want)) in got.iter().zip(want).enumerate() {
-        assert!((got - want).abs() <= tolerance, "{what} [{i}]: {got:e} for {want:e}");
-    }
-}
+use common::load::{LOADS, body, components, load, same};
 
 /// Point loads over the ellipse at `(a sin s cos t, b sin s sin t)`.
 fn summed(
@@ -122,31 +99,6 @@ fn rectangles_below_the_surface_come_close() {
 }
 
 #[test]
-fn the_circle_is_that_of_huber() {
-    let steel = body(0.3);
-    for b in [1.0, 1.0 + 1e-12, 1.0 - 1e-7] {
-        for (r, z) in [(0.0, 0.3), (0.4, 0.2), (0.9, 0.0), (0.99, 1e-6), (1.3, 0.0), (1.5, 2.0)] {
-            for angle in [0.0_f64, 0.6, 2.0] {
-                let (sine, cosine) = angle.sin_cos();
-                let want = circular_stress(1.0, 1.0, &steel, r, z).unwrap();
-                let at = Point { x: r * cosine, y: r * sine, z };
-                let got = load(1.0, b, 0.3).stress(LOADS[2], at).unwrap();
-                let turned = [
-                    want.radial * cosine * cosine + want.hoop * sine * sine,
-                    want.radial * sine * sine + want.hoop * cosine * cosine,
-                    want.axial,
-                    (want.radial - want.hoop) * sine * cosine,
-                    want.shear * sine,
-                    want.shear * cosine,
-                ];
-                let tolerance = 2e-13 + 30.0 * (b - 1.0_f64).abs();
-                same("stress", components(got), turned, tolerance);
-            }
-        }
-    }
-}
-
-#[test]
 fn stresses_are_in_equilibrium_and_follow_from_displacements() {
     let h = 1e-4;
     for (a, b) in [(1.0, 1.001), (1.0, 2.5), (0.1, 1.0), (4.0, 1.0)] {
@@ -219,64 +171,6 @@ fn the_surface_carries_the_traction_and_nothing_outside() {
             let above = one.stress(peak, Point::on_surface(x, y)).unwrap();
             same("limit", components(below), components(above), 2e-8);
         }
-    }
-}
-
-/// The greatest shear on the axis and its depth.
-fn greatest_shear_on_axis(one: &EllipsoidalLoad) -> (f64, f64) {
-    let at = |z: f64| one.stress(LOADS[2], Point { x: 0.0, y: 0.0, z }).unwrap().maximum_shear();
-    let (mut low, mut high) = (0.1, 1.5);
-    while high - low > 1e-9 {
-        let third = (high - low) / 3.0;
-        if at(low + third) < at(high - third) { low += third } else { high -= third }
-    }
-    (at(low), low)
-}
-
-#[test]
-fn greatest_shear_is_that_of_the_handbooks() {
-    let (shear, depth) = greatest_shear_on_axis(&load(1.0, 1.0, 0.3));
-    assert_relative_eq!(shear, 0.310_0, epsilon = 5e-5);
-    assert_relative_eq!(depth, 0.480_9, epsilon = 5e-5);
-    // The tabled values of three decimals for nu = 0.3.
-    for (ratio, shear) in [(0.2, 0.322), (0.4, 0.325), (0.6, 0.323), (0.8, 0.317)] {
-        let (got, _) = greatest_shear_on_axis(&load(1.0, 1.0 / ratio, 0.3));
-        assert_relative_eq!(got, shear, epsilon = 1e-3);
-    }
-    // The line contact: 0.3003 p_0 at 0.7861 a, tau = p_0 (z/a)(1 - z/sqrt(a^2 + z^2)).
-    let (shear, depth) = greatest_shear_on_axis(&load(1.0, 1e6, 0.3));
-    assert_relative_eq!(shear, 0.300_283, epsilon = 1e-6);
-    assert_relative_eq!(depth, 0.786_151, epsilon = 1e-5);
-    // Along a long ellipse the fields are those of the line, to the order of a/b.
-    let (m, z) = ((1.0_f64 + 0.25).sqrt(), 0.5);
-    let stress = load(1.0, 1e6, 0.3).stress(LOADS[2], Point { x: 0.0, y: 0.0, z }).unwrap();
-    assert_relative_eq!(stress.zz, -1.0 / m, max_relative = 1e-10);
-    assert_relative_eq!(stress.xx, -(1.0 + 2.0 * z * z) / m + 2.0 * z, max_relative = 3e-6);
-    assert_relative_eq!(stress.yy, 0.3 * (stress.xx + stress.zz), max_relative = 3e-6);
-}
-
-#[test]
-fn a_long_ellipse_is_a_line_contact() {
-    // McEwen's closed forms, of the width 1: pressure and traction across the line.
-    let one = load(1.0, 1e6, 0.3);
-    for (x, z) in [(0.0_f64, 0.2_f64), (0.5, 0.3), (-0.9, 0.05), (1.3, 0.4), (-2.0, 1.5)] {
-        let (difference, product) = (1.0 - x * x + z * z, 2.0 * x * z);
-        let root = difference.hypot(product);
-        let m = (0.5 * (root + difference)).sqrt();
-        let n = (0.5 * (root - difference)).sqrt() * x.signum();
-        let share = (z * z + n * n) / (m * m + n * n);
-        let (xx, zz) = (-m * (1.0 + share) + 2.0 * z, -m * (1.0 - share));
-        let zx = -n * (m * m - z * z) / (m * m + n * n);
-        let at = Point { x, y: 0.0, z };
-        let got = one.stress(LOADS[2], at).unwrap();
-        let want = [xx, 0.3 * (xx + zz), zz, 0.0, 0.0, zx];
-        same("pressure", components(got), want, 2e-6);
-        let along = n * (2.0 - (z * z - m * m) / (m * m + n * n)) - 2.0 * x;
-        let got = one.stress(LOADS[0], at).unwrap();
-        same("shear", components(got), [along, 0.3 * (along + zx), zx, 0.0, 0.0, xx], 2e-6);
-        // Along the line: yx and yz are those of antiplane shear, n - x and z - m.
-        let got = one.stress(LOADS[1], at).unwrap();
-        same("antiplane", [got.xy, got.yz], [n - x, z - m], 2e-6);
     }
 }
 
@@ -370,5 +264,21 @@ fn shear_displaces_the_surface_outside_too() {
         let circle = ContactEllipse::circle(1.0).unwrap();
         let got = ellipsoidal_shear(&circle, 1.0, &materials, x, y).unwrap();
         same("circle", got, circular_shear(1.0, 1.0, &materials, x, y), 1e-14);
+    }
+}
+
+#[test]
+fn a_first_shift_is_partial_slip() {
+    let (ellipse, body) = (ContactEllipse::new(0.8, 1.5).unwrap(), body(0.3));
+    let mut memory = VectorMemory::new();
+    memory.advance(1.0, [0.0, 0.0]).unwrap();
+    memory.advance(1.0, [0.3, 0.0]).unwrap();
+    let peak = Traction { x: 0.4, y: 0.0, normal: 1.5 };
+    for (x, y, z) in [(0.1, 0.2, 0.3), (0.7, -0.5, 0.05), (1.5, 1.0, 0.0)] {
+        let at = Point { x, y, z };
+        let got = memory_stress(&memory, ellipse, body, 1.5, 0.4, at).unwrap();
+        // zeta*/zeta = 1 - X.
+        let want = partial_slip_stress(ellipse, body, peak, 0.7_f64.sqrt(), at).unwrap();
+        same("stress", components(got), components(want), 1e-13);
     }
 }

@@ -3,6 +3,8 @@
 
 use serde_json::Value;
 
+pub(crate) mod load;
+
 /// A number given as a JSON number, or as a string of more digits than a double holds.
 pub(crate) fn num(value: &Value) -> f64 {
     match value {
