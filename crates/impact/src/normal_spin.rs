@@ -72,13 +72,19 @@ impl NormalSpin<'_> {
             }
         }
         if self.relative_spin() == 0.0 {
-            return Ok(Torsion { spin_ratio: 1.0, torque_impulse: 0.0, dissipated: 0.0 });
+            return Ok(Torsion {
+                spin_ratio: 1.0,
+                torque_impulse: 0.0,
+                dissipated: 0.0,
+                error_estimate: 0.0,
+            });
         }
         let outcome = self.collision()?.solve()?;
         Ok(Torsion {
             spin_ratio: outcome.spin_ratio,
             torque_impulse: outcome.torque_impulse,
             dissipated: outcome.energy_loss,
+            error_estimate: outcome.error_estimate,
         })
     }
 

@@ -103,6 +103,9 @@ pub struct Torsion {
     pub torque_impulse: f64,
     /// The kinetic energy that friction took of the spin.
     pub dissipated: f64,
+    /// How far the spin ratio may be off: about 1e-12, more where the spin turns back so fast that
+    /// slip reverses ([`crate::torsional::TorsionalImpact::error_estimate`]).
+    pub error_estimate: f64,
 }
 
 /// A regime and when it began.
@@ -167,6 +170,9 @@ pub enum Warning {
         /// About that share, from above.
         share: f64,
     },
+    /// The contact point was searched for from many starts on a body that need not be convex
+    /// ([`crate::Certainty::Sampled`]): the bodies may touch elsewhere too.
+    PointSampled,
 }
 
 impl std::fmt::Display for Warning {
@@ -192,6 +198,10 @@ impl std::fmt::Display for Warning {
                      about the normal"
                 )
             }
+            Self::PointSampled => f.write_str(
+                "the contact point is the nearest that searches from many starts found; a body that \
+                 is not convex may touch elsewhere too",
+            ),
             Self::LargeContact { ratio } => {
                 write!(f, "large contact: a/R = {ratio:.3} exceeds 0.1, beyond Hertz's theory")
             }

@@ -5,8 +5,8 @@ mod random;
 mod shapes;
 
 use carom_impact::{
-    Attitude, Certainty, Encounter, EncounterError, FrameError, Inertia, NearestPoints, PlacedBody,
-    SearchError, Surface, SurfaceError, nearest_points,
+    Attitude, Certainty, Encounter, EncounterError, FrameError, Inertia, Motion, NearestPoints,
+    PlacedBody, SearchError, Surface, SurfaceError, Warning, nearest_points,
 };
 use carom_laws::curvature::{CurvatureError, PrincipalRadii};
 use carom_laws::friction::Friction;
@@ -177,6 +177,21 @@ fn a_touching_ellipsoid_inside_a_torus_makes_an_encounter() {
     let fit = body(Surface::ellipsoid([1.7, 1.7, 0.4]).unwrap(), [0.0; 3]);
     let fit = Encounter::at(fit, ring, [1.7, 0.0, 0.0], Friction::NONE).unwrap_err();
     assert!(matches!(fit, EncounterError::Frame(FrameError::Curvature(_))), "{fit}");
+}
+
+#[test]
+fn an_outcome_says_that_its_point_is_not_proven() {
+    let falling = Motion::new([-1.0, 0.0, 0.0], [0.0; 3]).unwrap();
+    let egg = || Surface::ellipsoid([0.8, 0.6, 0.4]).unwrap();
+    let inertia = egg().solid(1.0).unwrap();
+    let warned = |other: Surface, x: f64| {
+        let egg = PlacedBody::new(egg(), steel(), inertia).at([x, 0.0, 0.0]).unwrap();
+        let other = PlacedBody::new(other, steel(), Inertia::FIXED);
+        let encounter = Encounter::find(egg.moving(falling), other, Friction::NONE).unwrap();
+        encounter.solve().unwrap().rebound().unwrap().warnings.contains(&Warning::PointSampled)
+    };
+    assert!(warned(Surface::torus(2.0, 0.3).unwrap(), 3.1));
+    assert!(!warned(Surface::sphere(2.3).unwrap(), 3.1));
 }
 
 #[test]

@@ -2,10 +2,10 @@
 
 use approx::assert_relative_eq;
 use carom_halfspace::Material;
-use carom_impact::torsional::{SpinCollision, Spinner, TorsionalError};
+use carom_impact::torsional::{SpinCollision, Spinner};
 use carom_impact::{
-    Attitude, Body, Collision, CollisionError, Encounter, EncounterError, Inertia, Motion,
-    NormalSpinError, PlacedBody, Rebound, Surface, Warning,
+    Attitude, Body, Collision, Encounter, EncounterError, Inertia, Motion, NormalSpinError,
+    PlacedBody, Rebound, Surface, Warning,
 };
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
@@ -178,7 +178,7 @@ fn coupled_spins_are_refused() {
 }
 
 #[test]
-fn a_spin_that_turns_back_too_fast_is_a_typed_error() {
+fn a_spin_that_turns_back_fast_is_stepped() {
     // So fast and soft that the ball is pressed flat: epsilon beyond 0.826.
     let soft = Material::from_shear(1e4, 0.0).unwrap();
     let body = |spin: f64| {
@@ -189,12 +189,10 @@ fn a_spin_that_turns_back_too_fast_is_a_typed_error() {
     let hit = |spin: f64| {
         Collision::new(body(spin), Body::plane(soft), friction()).unwrap().with_torsion().solve()
     };
-    let error = hit(26.0).unwrap_err();
-    let CollisionError::NormalSpin(NormalSpinError::Torsional(source)) = error else {
-        panic!("{error}")
-    };
-    assert!(matches!(source, TorsionalError::SlipTurnsBack { epsilon, .. } if epsilon > 0.826));
-    assert!(error.to_string().starts_with("torsion: the slip ring does not last"), "{error}");
+    let outcome = hit(26.0).unwrap();
+    let torsion = outcome.rebound().unwrap().torsion.unwrap();
+    assert!(torsion.error_estimate > 1e-10 && torsion.error_estimate < 0.01, "{torsion:?}");
+    assert!(torsion.spin_ratio.abs() < 1.0 && torsion.dissipated > 0.0, "{torsion:?}");
     // Without spin nothing turns back.
     let still = hit(0.0).unwrap();
     assert_eq!(still.rebound().unwrap().torsion.unwrap().spin_ratio, 1.0);

@@ -6,6 +6,7 @@ use nalgebra::Vector3;
 use super::{Encounter, EncounterError};
 use crate::body::Motion;
 use crate::closed_form::NOTICEABLE;
+use crate::contact_point::Certainty;
 use crate::coupled::{CoupledImpact, CoupledOutcome};
 use crate::normal::NormalImpact;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
@@ -100,6 +101,9 @@ impl Encounter {
 
     fn warnings(&self, maximal_radius: f64, velocity: f64) -> Result<Vec<Warning>, RangeError> {
         let mut warnings = Vec::new();
+        if self.certainty == Certainty::Sampled {
+            warnings.push(Warning::PointSampled);
+        }
         if !self.materials.is_uncoupled() {
             let gamma = self.materials.gamma();
             let friction_over_gamma = self.friction.get() / gamma.abs();

@@ -10,7 +10,7 @@ use carom_laws::hertz::Hertz;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use crate::contact_point::{SearchError, TOUCH_TOLERANCE, nearest};
+use crate::contact_point::{Certainty, SearchError, TOUCH_TOLERANCE, nearest_points};
 use crate::coupled::{CoupledError, CoupledImpact, Sample, VectorLaw};
 use crate::frame::{ContactFrame, FrameError};
 use crate::meeting::brought_together;
@@ -72,10 +72,13 @@ pub struct Encounter {
     levers: [Lever; 2],
     mobility: Mobility,
     smallest_radius: f64,
+    /// Of the contact point; a given one needs no proof.
+    certainty: Certainty,
 }
 
 impl Encounter {
     /// Two bodies whose contact point is searched for. z will point from body 2 into body 1.
+    /// [`crate::Warning::PointSampled`] comes with the outcome where the search proves nothing.
     ///
     /// # Errors
     /// [`EncounterError::Search`] if the bodies do not touch, if they touch with an edge, or if
@@ -85,7 +88,7 @@ impl Encounter {
         body_2: PlacedBody,
         friction: Friction,
     ) -> Result<Self, EncounterError> {
-        let found = nearest(&body_1.placed(), &body_2.placed())?;
+        let found = nearest_points(&body_1, &body_2)?;
         let allowed = allowed_gap(&body_1, &body_2);
         if found.gap.is_nan() || found.gap.abs() > allowed {
             return Err(SearchError::NotTouching { gap: found.gap, allowed }.into());
@@ -95,7 +98,8 @@ impl Encounter {
         let locals = [local(0)?, local(1)?];
         let point = 0.5 * (found.points[0] + found.points[1]);
         let arms = [point - bodies[0].centre, point - bodies[1].centre];
-        Self::build(bodies, friction, locals, point, arms)
+        let encounter = Self::build(bodies, friction, locals, point, arms)?;
+        Ok(Self { certainty: found.certainty, ..encounter })
     }
 
     /// Two bodies that lie apart: body 1 goes on straight, along the velocity of its centre against
@@ -191,6 +195,7 @@ impl Encounter {
             levers,
             mobility,
             smallest_radius: 1.0 / sharpest,
+            certainty: Certainty::Proven,
         })
     }
 

@@ -111,6 +111,8 @@ pub struct SpinOutcome {
     pub torque_impulse: f64,
     /// The kinetic energy that friction took.
     pub energy_loss: f64,
+    /// How far `spin_ratio` may be off ([`TorsionalImpact::error_estimate`]).
+    pub error_estimate: f64,
 }
 
 impl SpinCollision {
@@ -181,16 +183,16 @@ impl SpinCollision {
     /// As [`TorsionalImpact::new`].
     pub fn solve(&self) -> Result<SpinOutcome, TorsionalError> {
         let Some(groups) = self.groups()? else {
-            return Ok(self.outcome(1.0));
+            return Ok(self.outcome(1.0, 0.0));
         };
-        let ratio = match self.friction.coefficient() {
-            None => limits::no_slip(groups.epsilon())?,
-            Some(_) => TorsionalImpact::new(groups)?.spin_ratio(),
-        };
-        Ok(self.outcome(ratio))
+        if self.friction.coefficient().is_none() {
+            return Ok(self.outcome(limits::no_slip(groups.epsilon())?, 0.0));
+        }
+        let impact = TorsionalImpact::new(groups)?;
+        Ok(self.outcome(impact.spin_ratio(), impact.error_estimate()))
     }
 
-    fn outcome(&self, spin_ratio: f64) -> SpinOutcome {
+    fn outcome(&self, spin_ratio: f64, error_estimate: f64) -> SpinOutcome {
         let [one, two] = self.bodies;
         let relative = self.relative_spin();
         let mobility = one.inverse_moment + two.inverse_moment;
@@ -198,6 +200,6 @@ impl SpinCollision {
         let spins =
             [one.spin + one.inverse_moment * impulse, two.spin - two.inverse_moment * impulse];
         let energy_loss = -0.5 * impulse * relative * (1.0 + spin_ratio);
-        SpinOutcome { spins, spin_ratio, torque_impulse: impulse, energy_loss }
+        SpinOutcome { spins, spin_ratio, torque_impulse: impulse, energy_loss, error_estimate }
     }
 }

@@ -68,6 +68,7 @@ pub(super) struct TorsionRecord {
     pub(super) spin_ratio: f64,
     pub(super) torque_impulse: f64,
     pub(super) energy_dissipated: f64,
+    pub(super) error_estimate: f64,
 }
 
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -142,6 +143,7 @@ fn rebound_record(rebound: &Rebound) -> ReboundRecord {
             spin_ratio: torsion.spin_ratio,
             torque_impulse: torsion.torque_impulse,
             energy_dissipated: torsion.dissipated,
+            error_estimate: torsion.error_estimate,
         }),
         regimes: rebound.log.iter().map(|entry| entry.regime.name()).collect(),
         events: rebound
