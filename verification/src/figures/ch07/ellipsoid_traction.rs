@@ -3,6 +3,8 @@
 use super::super::numbers;
 use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, logspace};
 use carom_halfspace::{Material, MaterialPair, Offset, Rectangle, RectangleInfluence, Traction};
+use carom_laws::ellipse::ContactEllipse;
+use carom_laws::field::ellipsoidal_shear;
 use carom_special::AxisRatio;
 use carom_special::elliptic::complete;
 use std::f64::consts::PI;
@@ -98,6 +100,22 @@ pub(super) fn draw() -> FigureResult {
     figure.claim(
         Claim::all_close("Γ is u/u₀ at the centre", sums, Tolerance::Relative(2e-3))
             .source("sum over 101 by 101 rectangles of constant traction"),
+    );
+    let mut laws = Vec::new();
+    for (ratio, nu) in [(0.2, 0.3), (0.5, 0.5), (1.0, 0.3), (3.0, 0.4)] {
+        let [gamma, phi, psi, theta] = functions(ratio, nu)?;
+        let pair = MaterialPair::new(Material::from_shear(1.0, nu)?, Material::RIGID)?;
+        let ellipse = ContactEllipse::new(ratio, 1.0)?;
+        for (s, t) in [(0.0, 0.0), (0.7, 0.2), (-0.3, 0.9)] {
+            let [u, v] = ellipsoidal_shear(&ellipse, 1.0, &pair, s * ratio, t)?;
+            let scale = 0.5 * ratio.max(1.0);
+            laws.push((u, scale * (gamma - phi * s * s - psi * t * t)));
+            laws.push((v, scale * theta * s * t));
+        }
+    }
+    figure.claim(
+        Claim::all_close("displacements of the library", laws, Tolerance::Absolute(1e-14))
+            .source("(7.10) with the drawn functions"),
     );
     figure.deviation("\"Fig. 7.1\" in the text", "Fig. 7.2", "number of the figure");
     Ok(figure)
