@@ -5,10 +5,12 @@ use carom_special::RangeError;
 use crate::normal::DURATION;
 
 mod adhesion;
+mod constants;
 mod energy;
 mod wave_loss;
 
 pub use adhesion::{AdhesiveCompression, compression_time};
+pub use constants::ImpactConstants;
 pub use energy::{normal_energy_loss, tangential_energy_loss};
 pub(crate) use wave_loss::radiated_energy;
 pub use wave_loss::{NOTICEABLE, PRINTED_COEFFICIENT, wave_loss, wave_loss_coefficient};

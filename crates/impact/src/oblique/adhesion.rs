@@ -89,6 +89,18 @@ impl Segment {
         }
     }
 
+    /// Velocity and flux at `place`, to 13 digits.
+    #[inline(always)]
+    pub(super) fn nearly_at(&self, place: &Place) -> Tangential {
+        let mut now = self.regular.nearly_at(place.w).regular(place);
+        if let Some(table) = &self.irregular {
+            let more = table.nearly_at(place.w).irregular(place);
+            now.velocity += more.velocity;
+            now.flux += more.flux;
+        }
+        now
+    }
+
     /// Velocity and flux at `place`.
     pub(super) fn at(&self, place: &Place) -> Tangential {
         let mut now = self.regular.at(place.w).regular(place);
@@ -175,6 +187,13 @@ impl Table {
     #[inline]
     fn nearly_value(&self, t: f64) -> f64 {
         sum(&self.value[..self.few], t)
+    }
+
+    #[inline(always)]
+    fn nearly_at(&self, w: f64) -> Sum {
+        let (t, rate) = argument(w);
+        let slope = sum(&self.slope[..self.few], t) * rate;
+        Sum { value: sum(&self.value[..self.few], t), slope }
     }
 
     fn at(&self, w: f64) -> Sum {

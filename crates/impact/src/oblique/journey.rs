@@ -145,6 +145,8 @@ impl<R: Recorder> Journey<'_, R> {
         let mut walk = Stepper::new(start.now.tau, y, -SLOW_TRIAL, TOLERANCE, slope)?;
         let mut limit = -1.0;
         for _ in 0..MAX_STEPS {
+            // d(s q)/d tau: positive while the slip slows down, as tau falls.
+            let slowing = slip.sign * walk.slope()[1] > 0.0;
             let checkpoint = walk.clone();
             if let Err(error) = walk.step(limit) {
                 // Stuck at the very event: it is reached.
@@ -154,8 +156,10 @@ impl<R: Recorder> Journey<'_, R> {
             let next = slip.at(Clock::Motion, walk.x(), walk.y());
             let mut middle = 0.5 * (pair.now.tau + next.now.tau);
             let mut crossing = self.passed(&next);
+            let turns = slowing && slip.sign * walk.slope()[1] < 0.0;
             if crossing.is_none()
-                && let Some(x) = self.dip(&pair, &next, &mut walk)
+                && turns
+                && let Some(x) = self.dip(&mut walk)
             {
                 (crossing, middle) = (Some(Crossing::SlipStop), x);
             } else if let Some(crossing) = crossing
@@ -185,15 +189,7 @@ impl<R: Recorder> Journey<'_, R> {
     }
 
     // Where within the last step the slip velocity falls to zero and recovers, unseen at its ends.
-    fn dip<F: FnMut(f64, &Unknowns) -> Unknowns>(
-        &self,
-        before: &Pair,
-        after: &Pair,
-        walk: &mut Stepper<2, F>,
-    ) -> Option<f64> {
-        if !self.turns(before, after) {
-            return None;
-        }
+    fn dip<F: FnMut(f64, &Unknowns) -> Unknowns>(&self, walk: &mut Stepper<2, F>) -> Option<f64> {
         let slip = &self.slip;
         let dense = walk.dense();
         let (mut early, mut late) = (dense.start(), dense.end());

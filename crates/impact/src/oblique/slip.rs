@@ -44,6 +44,8 @@ pub(super) struct Slip<'a> {
     pub(super) unit: f64,
     /// E is measured in this times the unit: q^2 where the integration began.
     pub(super) square: f64,
+    /// -(5/2) s (chi - 1) over that.
+    drive: f64,
     /// Where the slip entered a frozen stretch, and q^2 there.
     pub(super) entry: (Place, f64),
 }
@@ -73,15 +75,8 @@ pub(super) struct Load {
 
 impl<'a> Slip<'a> {
     pub(super) fn new([chi, psi]: [f64; 2], sign: f64, stretch: &'a Stretch) -> Self {
-        Self {
-            chi,
-            psi,
-            sign,
-            stretch,
-            unit: psi.min(1.0),
-            square: 1.0,
-            entry: (Place::TOUCH, 0.0),
-        }
+        let (drive, entry) = (-2.5 * sign * (chi - 1.0), (Place::TOUCH, 0.0));
+        Self { chi, psi, sign, stretch, unit: psi.min(1.0), square: 1.0, drive, entry }
     }
 
     /// The same with its stretch entered here.
@@ -93,7 +88,8 @@ impl<'a> Slip<'a> {
     /// The same with E measured by the slip velocity of `pair`: an error of E displaces the
     /// motion by its share in q^2 times the time since the onset, which is about q.
     pub(super) fn measured_by(self, pair: &Pair) -> Self {
-        Self { square: pair.slip_velocity.abs(), ..self }
+        let square = pair.slip_velocity.abs();
+        Self { square, drive: -2.5 * self.sign * (self.chi - 1.0) / square, ..self }
     }
 
     /// The two places `tau` and `tau*` with tangential velocity `u`.
@@ -152,18 +148,18 @@ impl<'a> Slip<'a> {
     // q^2 = M + E and H at the stick place, with L where the memory is adhesive.
     #[inline(always)]
     fn memory(&self, stick: &Place, rest: f64) -> Course {
-        // rest: E over `unit`
         let more = 1.0 + stick.radius;
         match &self.stretch.shape {
             Shape::Adhesion(segment) => {
                 let lag = self.psi * segment.nearly_velocity(stick) - self.sign * stick.w;
                 let slip = self.sign * (lag * lag + self.unit * rest).sqrt();
-                let steep = -2.0 * stick.radius * more * more * lag / stick.omega;
-                Course { slip, steep, lag }
+                let per_lag = -2.0 * stick.radius * more * more / stick.omega;
+                Course { slip, steep: per_lag * lag, lag, per_lag }
             }
             Shape::Slip(frozen) => {
                 let square = self.stored_square(frozen, stick) + self.unit * rest;
-                Course { slip: self.sign * square.sqrt(), steep: self.steep(stick), lag: 0.0 }
+                let slip = self.sign * square.sqrt();
+                Course { slip, steep: self.steep(stick), lag: 0.0, per_lag: 0.0 }
             }
         }
     }
@@ -201,7 +197,7 @@ impl<'a> Slip<'a> {
         let stick = Place::at(tau);
         let now = Place::at(self.unit * gap - tau);
         let rest = rest * self.square;
-        let Course { slip, steep, lag } = self.memory(&stick, rest);
+        let Course { slip, steep, lag, .. } = self.memory(&stick, rest);
         let difference = Difference::new(&now, &stick);
         let radii = half_radii(&now, &stick) * gap; // (a - a*)/unit
         let rest_rate = -2.5 * self.sign * (self.chi - 1.0) / self.square
@@ -225,15 +221,14 @@ impl<'a> Slip<'a> {
     fn along_release(&self, tau: f64, ring: f64, rest: f64) -> Unknowns {
         let stick = Place::at(tau);
         let rest = rest * self.square;
-        let Course { slip, steep, lag } = self.memory(&stick, rest);
+        let Course { slip, steep, lag, per_lag } = self.memory(&stick, rest);
         let (zeta, depth) = (stick.zeta() + self.unit * ring, stick.zeta());
         let radius = zeta.max(0.0).sqrt();
         let (squares, product) = (zeta + depth, radius * stick.radius);
         let w = -((1.0 - zeta * zeta * radius).max(0.0)).sqrt();
         let inverse = 1.0 / ((radius + stick.radius) * (stick.w - w));
         let cubes = (squares + product) * ring * inverse; // over w* - w
-        let rest_rate =
-            -2.5 * self.sign * (self.chi - 1.0) / self.square * (cubes * (stick.w - w)) * steep;
+        let rest_rate = self.drive * (cubes * (stick.w - w)) * steep;
         if matches!(self.stretch.shape, Shape::Slip(_)) {
             let widening = 0.5 * (2.0 * w + self.sign * slip) / self.unit;
             return [widening * steep / slip, rest_rate];
@@ -241,24 +236,28 @@ impl<'a> Slip<'a> {
         // w + w* = (a^5 - a*^5)/(w* - w); dr/dt = (w u* - u w*)/L with u + u* = p + s (w + w*)
         let fifth = squares * squares - product * product + product * squares;
         let sum = fifth * ring * inverse;
-        let more = 1.0 + stick.radius;
-        let per_lag = -2.0 * stick.radius * more * more / stick.omega;
         let widening = sum * lag - rest / (slip - lag) * stick.w;
         [per_lag * widening / slip, rest_rate]
     }
 
     // d tau/dt, d mark/dt and d(q/unit)/dt.
+    #[inline(always)]
     fn in_time(&self, now: f64, mark: f64, slip: f64) -> [f64; 3] {
         let (now, stick) = (Place::at(now), Place::at(self.unmark(mark)));
         let more = 1.0 + stick.radius;
-        let mark_rate = match &self.stretch.shape {
+        let (mark_rate, pull) = match &self.stretch.shape {
             Shape::Adhesion(segment) => {
-                let lag = self.psi * segment.nearly_velocity(&stick) - self.sign * stick.w;
-                -0.5 * stick.omega * slip / (stick.radius * more * more * lag)
+                let old = segment.nearly_at(&stick);
+                let lag = self.psi * old.velocity - self.sign * stick.w;
+                let rate = -0.5 * stick.omega * slip / (stick.radius * more * more * lag);
+                (rate, self.psi * old.flux)
             }
-            Shape::Slip(_) => 0.5 * self.sign * slip / (stick.radius * more * more),
+            Shape::Slip(frozen) => {
+                let rate = 0.5 * self.sign * slip / (stick.radius * more * more);
+                (rate, self.chi * (frozen.offset + frozen.sign * stick.cube()))
+            }
         };
-        let slip_rate = self.sign * self.slip_rate(&now, &stick);
+        let slip_rate = self.sign * self.slip_rate(&now, &stick, pull);
         [now.rate(), self.unit * mark_rate, slip_rate / self.unit]
     }
 
@@ -278,11 +277,11 @@ impl<'a> Slip<'a> {
         }
     }
 
-    // d (s q)/dt = -(5/4) (s chi psi Phi - zeta^(3/2))
-    fn slip_rate(&self, now: &Place, stick: &Place) -> f64 {
-        let stored = self.sign * self.stretch.pull(self.chi, self.psi, stick);
+    // d (s q)/dt = -(5/4) (s chi psi Phi - zeta^(3/2)); `pull` is chi psi times the stored traction.
+    #[inline(always)]
+    fn slip_rate(&self, now: &Place, stick: &Place, pull: f64) -> f64 {
         let rise = now.cube() - stick.cube();
-        -1.25 * (stored + self.chi * rise - now.cube())
+        -1.25 * (self.sign * pull + self.chi * rise - now.cube())
     }
 
     /// The two places at a clock reading.
@@ -328,11 +327,11 @@ impl<'a> Slip<'a> {
         let (now, stick) = (&pair.now, &pair.stick);
         let difference = Difference::new(now, stick);
         let radii = half_radii(now, stick) * pair.gap * (self.unit / self.psi);
-        let stored = self.stretch.pull(self.chi, self.psi, stick) / (self.chi * self.psi);
+        let pull = self.stretch.pull(self.chi, self.psi, stick);
         Load {
             ring: radii * difference.linear,
-            traction: stored + self.sign * radii * difference.quadratic,
-            slip_rate: self.slip_rate(now, stick),
+            traction: pull / (self.chi * self.psi) + self.sign * radii * difference.quadratic,
+            slip_rate: self.slip_rate(now, stick, pull),
         }
     }
 
@@ -378,6 +377,8 @@ struct Course {
     slip: f64,
     steep: f64,
     lag: f64,
+    /// H/L
+    per_lag: f64,
 }
 
 // (a - a*)/(tau + tau*)
