@@ -235,3 +235,25 @@ fn slip_that_stops_for_a_moment_goes_on() {
         assert!(difference < 1e-7, "{chi} {psi}: {difference:e}");
     }
 }
+
+/// Slip velocities that graze zero: the walk ends and R_x is the same on both sides.
+#[test]
+fn slip_may_graze_a_stop() {
+    let grazing = [
+        (5.492287375475746, 1.7421308915311837),
+        (6.074931965601561, 1.1099899626562617),
+        (6.735197503039612, 0.7984916638568047),
+        (16.08307237146168, 0.7566196459125016),
+        (20.357010623535025, 4.852766782611508),
+    ];
+    for (chi, psi) in grazing {
+        let ratio = |psi| ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap().restitution();
+        let middle = ratio(psi);
+        for share in [1e-13, 1e-11, 1e-9] {
+            for side in [-share, share] {
+                let change = ratio(psi * (1.0 + side)) - middle;
+                assert!(change.abs() < 1e-10 + 10.0 * share, "{chi} {psi}: {side:e} {change:e}");
+            }
+        }
+    }
+}

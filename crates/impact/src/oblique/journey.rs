@@ -15,10 +15,13 @@ const SLOW_TRIAL: f64 = 0.03;
 const HASTY: f64 = 1.6;
 const CALM: f64 = 1.25;
 /// Changes of the clock, and steps with one, after which the integration gives up.
-const MAX_LEGS: usize = 40;
+const MAX_LEGS: usize = 400;
 const MAX_STEPS: usize = 2000;
 /// tau from which on the width of the ring is the better unknown.
 const RELEASE: f64 = -0.3;
+/// A slip velocity that dips below zero by less passes on: the opposite slip after such a stop
+/// would open a ring of the power 3/2 of this, which rounding hides, and R_x does not tell it.
+const GRAZE: f64 = 1e-8;
 /// Steps in which an event must be met that is already seen.
 const MAX_LANDING: usize = 60;
 
@@ -196,7 +199,7 @@ impl<R: Recorder> Journey<'_, R> {
         for _ in 0..40 {
             let middle = 0.5 * (early + late);
             let now = slip.at(Clock::Motion, middle, &dense.at(middle));
-            if slip.sign * now.slip_velocity <= 0.0 {
+            if slip.sign * now.slip_velocity < -GRAZE {
                 return Some(middle);
             }
             if slip.load(&now).slip_rate < 0.0 { early = middle } else { late = middle }
@@ -204,8 +207,15 @@ impl<R: Recorder> Journey<'_, R> {
         None
     }
 
+    // Not at the bottom of a dip that only grazes zero.
+    fn stops(&self, pair: &Pair) -> bool {
+        let left = self.slip.sign * pair.slip_velocity;
+        let falls = || self.slip.load(pair).slip_rate < -GRAZE.sqrt();
+        left < -GRAZE || (left <= 0.0 && falls())
+    }
+
     fn passed(&self, pair: &Pair) -> Option<Crossing> {
-        if self.slip.sign * pair.slip_velocity <= 0.0 {
+        if self.stops(pair) {
             Some(Crossing::SlipStop)
         } else if pair.gap < 0.0 {
             Some(Crossing::RingClosed)
