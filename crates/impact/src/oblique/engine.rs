@@ -8,11 +8,8 @@ use super::onset::{Onset, Opened, Opening};
 use super::place::Place;
 use super::regime::{Event, ObliqueError, Phase, Regime};
 use super::slip::{Clock, Slip};
-use super::trace::{Recorder, Silent};
-use crate::closed_form;
+use super::trace::Recorder;
 
-/// Below this psi nothing distinguishes the impact from one without slip.
-pub(super) const PSI_MIN: f64 = 1e-14;
 /// Tangential velocity u at maximal compression below which the impact counts as reversible:
 /// R_x = 1 - 2 u^2 to leading order, so this changes nothing in double precision.
 const NEUTRAL: f64 = 1e-8;
@@ -23,78 +20,6 @@ const MOMENT: f64 = 1e-9;
 const AT_REST: f64 = 1e-6;
 /// Phases of one impact after which the walk gives up.
 const MAX_PHASES: usize = 200;
-
-/// An uncoupled oblique impact, followed from touch to separation.
-///
-/// ```
-/// use carom_impact::oblique::{Groups, ObliqueImpact};
-/// // Solid spheres, nu = 1/2 (kappa = 3/2), lambda = 3: the ball under a book, figure 3.7.
-/// let impact = ObliqueImpact::new(Groups::of_spheres(1.5, 3.0)?)?;
-/// assert!((impact.restitution() - 0.595_052).abs() < 1e-6);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-#[derive(Debug, Clone, PartialEq)]
-pub struct ObliqueImpact {
-    groups: Groups,
-    restitution: f64,
-    phases: Vec<Phase>,
-}
-
-impl ObliqueImpact {
-    /// Follow the impact with these groups.
-    ///
-    /// # Errors
-    /// [`ObliqueError`] if the walk does not reach separation: not seen in two million random cases
-    /// with chi in [0.01, 100] and psi in [1e-6, 1000].
-    pub fn new(groups: Groups) -> Result<Self, ObliqueError> {
-        if groups.psi() < PSI_MIN {
-            let restitution = closed_form::restitution_without_slip(groups.chi());
-            let phase = Phase { regime: Regime::Adhesion, began_by: Event::Touch, start: 1.0 };
-            return Ok(Self { groups, restitution, phases: vec![phase] });
-        }
-        Self::record(groups, &mut Silent)
-    }
-
-    pub(super) fn record<R: Recorder>(
-        groups: Groups,
-        recorder: &mut R,
-    ) -> Result<Self, ObliqueError> {
-        let mut walk = Walk::new(groups, recorder);
-        // Energy never grows: the bound holds exactly, whatever the integration rounds to.
-        let restitution = (0.0 - walk.run()?).clamp(-1.0, 1.0);
-        Ok(Self { groups, restitution, phases: walk.phases })
-    }
-
-    /// The groups it was made with.
-    #[must_use]
-    pub fn groups(&self) -> Groups {
-        self.groups
-    }
-
-    /// R_x = -(tangential velocity after)/(before), at the contact point.
-    ///
-    /// -1 without friction, +1 for a full reversal. For psi = 0 the limit (9.46).
-    #[must_use]
-    pub fn restitution(&self) -> f64 {
-        self.restitution
-    }
-
-    /// The phases in order; the last ends with separation.
-    #[must_use]
-    pub fn phases(&self) -> &[Phase] {
-        &self.phases
-    }
-
-    /// The regimes in order, without repeats.
-    pub fn regimes(&self) -> impl Iterator<Item = Regime> + '_ {
-        let phases = &self.phases;
-        phases
-            .iter()
-            .enumerate()
-            .filter(|(i, phase)| *i == 0 || phases[i - 1].regime != phase.regime)
-            .map(|(_, phase)| phase.regime)
-    }
-}
 
 /// The moving state, tangential quantities in units of the initial tangential velocity.
 #[derive(Debug, Clone, Copy)]
@@ -136,17 +61,18 @@ enum Next {
     Separate,
 }
 
-struct Walk<'r, R> {
+/// The walk from touch to separation.
+pub(super) struct Walk<'r, R> {
     chi: f64,
     psi: f64,
     memory: Vec<Stretch>,
     state: State,
-    phases: Vec<Phase>,
+    pub(super) phases: Vec<Phase>,
     recorder: &'r mut R,
 }
 
 impl<'r, R: Recorder> Walk<'r, R> {
-    fn new(groups: Groups, recorder: &'r mut R) -> Self {
+    pub(super) fn new(groups: Groups, recorder: &'r mut R) -> Self {
         let state = State { place: Place::TOUCH, velocity: 1.0, shift: 0.0, traction: 0.0 };
         Self {
             chi: groups.chi(),
@@ -159,7 +85,7 @@ impl<'r, R: Recorder> Walk<'r, R> {
     }
 
     /// The final tangential velocity in units of the initial one.
-    fn run(&mut self) -> Result<f64, ObliqueError> {
+    pub(super) fn run(&mut self) -> Result<f64, ObliqueError> {
         let moment = MOMENT * (self.chi - 1.0);
         let slides = self.psi > 1.0 + moment;
         let mut next = if slides {

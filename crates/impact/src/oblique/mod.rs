@@ -7,6 +7,7 @@
 mod adhesion;
 mod engine;
 mod groups;
+mod impact;
 mod journey;
 mod memory;
 mod onset;
@@ -15,7 +16,7 @@ mod regime;
 mod slip;
 mod trace;
 
-pub use engine::ObliqueImpact;
 pub use groups::Groups;
+pub use impact::ObliqueImpact;
 pub use regime::{Event, ObliqueError, Phase, Regime};
 pub use trace::TracePoint;

@@ -3,8 +3,9 @@
 use carom_special::ode::{Stepper, Tolerance};
 
 use super::adhesion::Segment;
-use super::engine::{ObliqueImpact, PSI_MIN, State};
+use super::engine::State;
 use super::groups::Groups;
+use super::impact::{ObliqueImpact, PSI_MIN};
 use super::memory::Shape;
 use super::onset::{Opened, Opening};
 use super::place::Place;

@@ -13,7 +13,7 @@ use super::impact::TorsionalError;
 pub(super) const SWITCH_VELOCITY: f64 = 0.7;
 pub(super) const SWITCH_RADIUS: f64 = 0.874_005_237_612_637_2;
 
-pub(super) const TOLERANCE: Tolerance = Tolerance { absolute: 1e-14, relative: 1e-13 };
+const TOLERANCE: Tolerance = Tolerance { absolute: 1e-14, relative: 1e-13 };
 
 /// The longest steps in al and in w: dense output is of lower order than the steps.
 const LONGEST: f64 = 0.125;

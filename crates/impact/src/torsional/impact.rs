@@ -1,12 +1,10 @@
 //! The torsional impact of a circular contact, from touch to separation.
 
 use carom_special::RangeError;
-use carom_special::ode::{OdeError, Stepper};
+use carom_special::ode::{OdeError, Stepper, Tolerance};
 use carom_special::roots::RootError;
 
-use super::adhesion::{
-    Adhesion, SWITCH_RADIUS, SWITCH_VELOCITY, TOLERANCE, Turn, radius_at, velocity_at,
-};
+use super::adhesion::{Adhesion, SWITCH_RADIUS, SWITCH_VELOCITY, Turn, radius_at, velocity_at};
 use super::groups::{SMALL_OMEGA, TorsionalGroups};
 use super::limits;
 use super::slip::{Answer, SlippingContact};
@@ -63,6 +61,8 @@ pub struct TorsionalImpact {
     error_estimate: f64,
 }
 
+/// The tolerance while a ring slips: the adhesion before it is more exact, as its slopes count.
+const TOLERANCE: Tolerance = Tolerance { absolute: 1e-13, relative: 2e-13 };
 /// The error of the solution with one slip ring.
 const EXACT: f64 = 1e-12;
 

@@ -12,6 +12,9 @@ use super::adhesion::Adhesion;
 /// ln(a/a*) beyond which the stick area carries nothing that a double resolves.
 const DEEPEST: f64 = 40.0;
 
+/// Share of the depth to which it is found: the torque errs by the square.
+const CLOSE: f64 = 1e-7;
+
 /// What the contact answers to a twist.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Answer {
@@ -27,12 +30,13 @@ pub(super) struct SlippingContact<'a> {
     omega: f64,
     history: &'a Adhesion,
     sign: f64,
-    depth: f64,
+    /// The last solutions: normal velocity and depth.
+    known: [(f64, f64); 3],
 }
 
 impl<'a> SlippingContact<'a> {
     pub(super) fn new(omega: f64, history: &'a Adhesion) -> Self {
-        Self { omega, history, sign: history.slip_sign(), depth: 0.0 }
+        Self { omega, history, sign: history.slip_sign(), known: [(f64::NAN, 0.0); 3] }
     }
 
     /// The sign of the slip.
@@ -54,7 +58,7 @@ impl<'a> SlippingContact<'a> {
             let torque = self.sign * 0.5 * SLIDING * al.powi(4) / self.omega;
             return Answer { torque, stick: 0.0 };
         }
-        let mut depth = self.depth.clamp(low, high);
+        let mut depth = self.guess(w).clamp(low, high);
         loop {
             let point = self.excess(al, w, x, depth);
             // The excess falls with the depth.
@@ -66,12 +70,21 @@ impl<'a> SlippingContact<'a> {
             let newton = depth + point.value / point.slope;
             let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
             let moved = (next - depth).abs();
-            if moved <= 1e-8 * depth || high - low <= 1e-15 {
-                self.depth = depth;
+            if moved <= CLOSE * depth || high - low <= 1e-15 {
+                self.known = [self.known[1], self.known[2], (w, depth)];
                 return self.torque_at(al, &point);
             }
             depth = next;
         }
+    }
+
+    // The parabola through the last solutions.
+    fn guess(&self, w: f64) -> f64 {
+        let [(w0, d0), (w1, d1), (w2, d2)] = self.known;
+        let (first, second) = ((d1 - d0) / (w1 - w0), (d2 - d1) / (w2 - w1));
+        let curve = (second - first) / (w2 - w0);
+        let guess = d2 + (w - w2) * (second + curve * (w - w1));
+        if guess.is_finite() { guess } else { d2 }
     }
 
     fn excess(&self, al: f64, w: f64, x: f64, depth: f64) -> Excess {

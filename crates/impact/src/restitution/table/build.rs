@@ -8,9 +8,9 @@ use super::{Grid, Leaf, Node, ORDER, RestitutionTable};
 use crate::oblique::{Groups, ObliqueImpact};
 
 /// Largest error seen at the test points of a cell that becomes a leaf.
-const TOLERANCE: f64 = 4e-9;
+const TOLERANCE: f64 = 3.5e-9;
 /// Halvings after which a rough cell keeps the exact impact.
-const MAX_HALVINGS: usize = 12;
+const MAX_HALVINGS: usize = 11;
 /// Sum of the last coefficients beyond which testing a cell is a waste.
 const HOPELESS: f64 = 1e-5;
 /// Test points of a cell, in each direction.

@@ -117,8 +117,8 @@ struct Grid {
 }
 
 impl Grid {
-    const ROWS: usize = 3;
-    const COLUMNS: usize = 3;
+    const ROWS: usize = 4;
+    const COLUMNS: usize = 4;
     const LEN: usize = Self::COLUMNS * Self::ROWS;
 
     #[inline]
