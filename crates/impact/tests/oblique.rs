@@ -229,6 +229,7 @@ fn slip_that_stops_for_a_moment_goes_on() {
         (70.827_723_771_473_46, 2.262_252_058_250_899_4),
         (40.360_224_403_222_95, 0.921_922_141_875_331_4),
         (21.640_426_597_998_314, 1.117_049_003_165_314_2),
+        (70.631_918_010_375_57, 1.255_246_957_197_960_3),
     ] {
         let at = |psi: f64| ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap();
         let difference = (at(psi).restitution() - at(psi * (1.0 + 1e-9)).restitution()).abs();

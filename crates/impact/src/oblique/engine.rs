@@ -179,6 +179,8 @@ impl<'r, R: Recorder> Walk<'r, R> {
         for i in 1..=SAMPLES {
             let w = segment.high * ((SAMPLES - i) as f64 / SAMPLES as f64);
             let slip = self.psi * segment.velocity_at(w);
+            // How far the margin may dip within the interval, by u'' of the order of chi u.
+            let near = self.chi * (before - w) * (before - w) / (1.0 - w);
             for sign in [1.0, -1.0] {
                 let value = w - sign * slip;
                 if sign == leaving {
@@ -187,9 +189,33 @@ impl<'r, R: Recorder> Walk<'r, R> {
                     }
                 } else if value < 0.0 || (value == 0.0 && w > 0.0) {
                     return Some((falling_root(|w| margin(w, sign), w, before), sign));
+                } else if value < near
+                    && let Some(low) = self.dip(segment, sign, [w, before])
+                {
+                    return Some((falling_root(|w| margin(w, sign), low, before), sign));
                 }
             }
             before = w;
+        }
+        None
+    }
+
+    // Where |u| exceeds w between two velocities that show nothing of it.
+    fn dip(&self, segment: &Segment, sign: f64, [low, high]: [f64; 2]) -> Option<f64> {
+        let rises = |w: f64| {
+            let place = Place::of_velocity(w);
+            1.0 > sign * self.psi * segment.at(&place).gradient(&place)
+        };
+        let (mut low, mut high) = (low, high);
+        if rises(low) || !rises(high) {
+            return None;
+        }
+        for _ in 0..50 {
+            let middle = 0.5 * (low + high);
+            if middle < sign * self.psi * segment.velocity_at(middle) {
+                return Some(middle);
+            }
+            if rises(middle) { high = middle } else { low = middle }
         }
         None
     }

@@ -72,7 +72,7 @@ impl<R: Recorder> Journey<'_, R> {
                 Leg::Brisk(pair) => self.by_memory(pair, self.slip.rest(&pair), TRIAL),
             }
         }
-        Err(OdeError::StepTooSmall { x: f64::NAN, step: 0.0 })
+        Err(OdeError::StepTooSmall { x: start.stick.tau, step: 0.0 })
     }
 
     // With the memory as clock; whatever this clock cannot follow is left to the motion.
