@@ -246,6 +246,10 @@ fn slip_may_graze_a_stop() {
         (6.735197503039612, 0.7984916638568047),
         (16.08307237146168, 0.7566196459125016),
         (20.357010623535025, 4.852766782611508),
+        // Adhesion that reaches the limit for a moment.
+        (9.283219576041436, 0.5894371222376293),
+        (21.670624888163065, 0.25810875844536196),
+        (24.005786025735397, 0.4063453035286852),
     ];
     for (chi, psi) in grazing {
         let ratio = |psi| ObliqueImpact::new(Groups::new(chi, psi).unwrap()).unwrap().restitution();

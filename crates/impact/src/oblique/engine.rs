@@ -2,7 +2,7 @@
 
 use super::adhesion::{Segment, Tangential};
 use super::groups::Groups;
-use super::journey::{self, Arrival, Crossing, Journey};
+use super::journey::{self, Arrival, Crossing, GRAZE, Journey};
 use super::memory::{Frozen, Shape, Stretch};
 use super::onset::{Onset, Opened, Opening};
 use super::place::Place;
@@ -187,12 +187,12 @@ impl<'r, R: Recorder> Walk<'r, R> {
                     if value > 0.0 {
                         leaving = 0.0;
                     }
+                } else if value < near && self.turns(segment, sign, [w, before]) {
+                    if let Some(low) = self.dip(segment, sign, [w, before]) {
+                        return Some((falling_root(|w| margin(w, sign), low, before), sign));
+                    }
                 } else if value < 0.0 || (value == 0.0 && w > 0.0) {
                     return Some((falling_root(|w| margin(w, sign), w, before), sign));
-                } else if value < near
-                    && let Some(low) = self.dip(segment, sign, [w, before])
-                {
-                    return Some((falling_root(|w| margin(w, sign), low, before), sign));
                 }
             }
             before = w;
@@ -200,22 +200,25 @@ impl<'r, R: Recorder> Walk<'r, R> {
         None
     }
 
-    // Where |u| exceeds w between two velocities that show nothing of it.
+    // Whether w - |u| has a minimum between two velocities.
+    fn turns(&self, segment: &Segment, sign: f64, [low, high]: [f64; 2]) -> bool {
+        !self.rises(segment, sign, low) && self.rises(segment, sign, high)
+    }
+
+    fn rises(&self, segment: &Segment, sign: f64, w: f64) -> bool {
+        let place = Place::of_velocity(w);
+        1.0 > sign * self.psi * segment.at(&place).gradient(&place)
+    }
+
+    // Where |u| exceeds w by more than a graze on both sides of such a minimum.
     fn dip(&self, segment: &Segment, sign: f64, [low, high]: [f64; 2]) -> Option<f64> {
-        let rises = |w: f64| {
-            let place = Place::of_velocity(w);
-            1.0 > sign * self.psi * segment.at(&place).gradient(&place)
-        };
         let (mut low, mut high) = (low, high);
-        if rises(low) || !rises(high) {
-            return None;
-        }
         for _ in 0..50 {
             let middle = 0.5 * (low + high);
-            if middle < sign * self.psi * segment.velocity_at(middle) {
+            if middle - sign * self.psi * segment.velocity_at(middle) < -GRAZE {
                 return Some(middle);
             }
-            if rises(middle) { high = middle } else { low = middle }
+            if self.rises(segment, sign, middle) { high = middle } else { low = middle }
         }
         None
     }

@@ -19,9 +19,10 @@ const MAX_LEGS: usize = 400;
 const MAX_STEPS: usize = 2000;
 /// tau from which on the width of the ring is the better unknown.
 const RELEASE: f64 = -0.3;
-/// A slip velocity that dips below zero by less passes on: the opposite slip after such a stop
-/// would open a ring of the power 3/2 of this, which rounding hides, and R_x does not tell it.
-const GRAZE: f64 = 1e-8;
+/// A slip velocity that dips below zero by less passes on, and so does adhesion that exceeds the
+/// limit by less for a moment: the ring that would open goes with the power 3/2 of this, which
+/// rounding hides, and R_x does not tell it.
+pub(super) const GRAZE: f64 = 1e-8;
 /// Steps in which an event must be met that is already seen.
 const MAX_LANDING: usize = 60;
 
