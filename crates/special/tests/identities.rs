@@ -231,9 +231,7 @@ fn bad_input_names_field_value_and_range() {
     assert_eq!(Amplitude::from_cosine(f64::NAN).unwrap_err().field, "cosine");
     assert_eq!(Amplitude::from_angle(2.0).unwrap_err().field, "phi");
     assert_eq!(Amplitude::from_legs(0.0, 0.0).unwrap_err().field, "adjacent");
-    let error = |result: Result<f64, carom_special::hypergeometric::HypergeometricError>| {
-        result.unwrap_err().to_string()
-    };
+    let error = |result: Result<f64, HypergeometricError>| result.unwrap_err().to_string();
     let half = argument(0.5);
     assert_eq!(
         error(gauss(0.5, 0.5, -2.0, half)),
