@@ -1,0 +1,163 @@
+//! Fig. 3.5: the tangential force for a diagonal shift of a slender contact.
+
+use carom_impact::coupled::CoulombRings;
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw, Shift};
+use carom_laws::shift::CattaneoMindlin;
+use carom_laws::shift_law::ShiftLaw;
+use carom_laws::stiffness::ContactStiffness;
+use carom_special::{AxisRatio, RangeError};
+
+use super::super::Failure;
+use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+
+const RATIO: f64 = 20.0;
+const POISSON: f64 = 0.5;
+const STEPS: usize = 300;
+/// Of ξ/ζ.
+const END: f64 = 3.0;
+
+/// ξ/ζ with F_x and F_y over f F_z.
+type Curve = Vec<(f64, [f64; 2])>;
+
+fn stiffness() -> Result<ContactStiffness, RangeError> {
+    ContactStiffness::from_axis_ratio(1.0, AxisRatio::new(RATIO)?, POISSON)
+}
+
+/// Pressed to ζ = 1, then shifted with ξ = η; f = 1.
+fn follow<L: ContactLaw<Error = RangeError>>(mut law: L) -> Result<Curve, RangeError> {
+    law.advance(Shift { zeta: 1.0, ..Shift::default() })?;
+    let mut curve = vec![(0.0, [0.0; 2])];
+    for x in linspace(0.0, END, STEPS + 1).into_iter().skip(1) {
+        let load = law.advance(Shift { zeta: 1.0, xi: x, eta: x, omega: 0.0 })?;
+        curve.push((x, [load.f_x / load.f_z, load.f_y / load.f_z]));
+    }
+    Ok(curve)
+}
+
+fn angle([x, y]: [f64; 2]) -> f64 {
+    libm::atan2(y, x).to_degrees()
+}
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.stated("ξ, η", "equal");
+    figure.stated("a/b, ν", "20, 0.5");
+    figure.assumed("f", "1");
+    figure.assumed("axes", "F_x, F_y and the angle of the force against ξ/ζ");
+    let (stiffness, friction) = (stiffness()?, Friction::new(1.0)?);
+    let thesis = follow(ShiftLaw::<[f64; 2]>::new(stiffness, friction))?;
+    let coulomb = follow(CoulombRings::new(stiffness, 1.0, 0.005)?)?;
+    panels(&mut figure, &thesis, &coulomb);
+    let complete = 1.0 / libm::hypot(stiffness.c_x, stiffness.c_y);
+    partial_slip_claims(&mut figure, &stiffness, &thesis, complete)?;
+    sliding_claims(&mut figure, &thesis, &coulomb, complete);
+    figure.deviation(
+        "force of the numerical solution",
+        "the laws of Cattaneo and of Coulomb on rings",
+        "the numerical solution waits for the solver of chapters 11 and 12, and with it the claim \
+         that it deviates from Cattaneo by less than 5 % while an area sticks",
+    );
+    Ok(figure)
+}
+
+fn panels(figure: &mut Figure, thesis: &Curve, coulomb: &Curve) {
+    let mut forces = Panel::new(Axis::linear("ξ/ζ"), Axis::linear("F / (f F_z)")).titled("Force");
+    let mut angles =
+        Panel::new(Axis::linear("ξ/ζ"), Axis::linear("angle of the force / °")).titled("Direction");
+    for (name, curve) in [("Cattaneo", thesis), ("Coulomb", coulomb)] {
+        let part = |i: usize| curve.iter().map(move |(x, force)| (*x, force[i]));
+        forces.add(Series::line(format!("F_x, {name}"), part(0)));
+        forces.add(Series::line(format!("F_y, {name}"), part(1)));
+        let turned = curve.iter().skip(1).map(|(x, force)| (*x, angle(*force)));
+        angles.add(Series::line(name, turned));
+    }
+    figure.panel(forces);
+    figure.panel(angles);
+}
+
+fn partial_slip_claims(
+    figure: &mut Figure,
+    stiffness: &ContactStiffness,
+    thesis: &Curve,
+    complete: f64,
+) -> Result<(), Failure> {
+    let ratios =
+        [(stiffness.c_x / stiffness.c_z, 0.564_102), (stiffness.c_y / stiffness.c_z, 0.814_816)];
+    figure.claim(
+        Claim::all_close("c_x/c_z and c_y/c_z", ratios, Tolerance::Absolute(5e-7))
+            .source("(5.25) by an independent program"),
+    );
+    figure.claim(
+        Claim::close(
+            "ξ = η at complete sliding over f ζ",
+            complete,
+            1.009_05,
+            Tolerance::Absolute(5e-6),
+        )
+        .source("1/|(c_x, c_y)| c_z by an independent program"),
+    );
+    let law = CattaneoMindlin::new(*stiffness, Friction::new(1.0)?);
+    let (mut closed, mut ratio) = (Vec::new(), Vec::new());
+    for (x, force) in thesis.iter().skip(1).filter(|(x, _)| *x < complete) {
+        let state = law.at_shift(1.0, *x, *x)?;
+        closed.extend((0..2).map(|i| (force[i], state.force[i] / state.normal_force)));
+        ratio.push((force[0] / force[1], 0.692_306));
+    }
+    figure.claim(
+        Claim::all_close(
+            "the law is Cattaneo's in partial slip",
+            closed,
+            Tolerance::Absolute(1e-14),
+        )
+        .source("closed form (5.26)"),
+    );
+    figure.claim(
+        Claim::all_close("F_x/F_y in partial slip", ratio, Tolerance::Absolute(5e-7))
+            .source("c_x/c_y by an independent program; 55.305° to x"),
+    );
+    Ok(())
+}
+
+fn sliding_claims(figure: &mut Figure, thesis: &Curve, coulomb: &Curve, complete: f64) {
+    let bounds = |curve: &Curve| {
+        let ratios = curve.iter().skip(1).map(|(_, force)| force[0] / force[1]);
+        ratios.fold([f64::INFINITY, 0.0], |[low, high], r| [r.min(low), r.max(high)])
+    };
+    for (name, curve) in [("Cattaneo", thesis), ("Coulomb", coulomb)] {
+        let [low, high] = bounds(curve);
+        figure.claim(
+            Claim::at_least(format!("F_x/F_y, {name}, from below"), low, 0.5).source("(3.18)"),
+        );
+        figure.claim(
+            Claim::at_most(format!("F_x/F_y, {name}, from above"), high, 1.0).source("(3.18)"),
+        );
+    }
+    let size = |force: &[f64; 2]| libm::hypot(force[0], force[1]);
+    let most = coulomb.iter().map(|(_, force)| size(force)).fold(0.0, f64::max);
+    figure.claim(Claim::at_most("|F_t|/(f F_z)", most, 1.0 + 1e-14).source("Coulomb"));
+    let slides = coulomb.iter().filter(|(x, _)| *x > 2.0 * complete);
+    let sizes = slides.map(|(_, force)| (size(force), 1.0));
+    figure.claim(
+        Claim::all_close("|F_t|/(f F_z) far in sliding", sizes, Tolerance::Absolute(5e-4))
+            .source("Coulomb, where the rings have turned alike"),
+    );
+    let turning = coulomb.iter().filter(|(x, _)| *x > 0.05).map(|(_, force)| angle(*force));
+    figure.claim(
+        Claim::decreasing("Coulomb's force turns towards the slip", turning)
+            .source("slip along the traction: 45° in rigid sliding"),
+    );
+    let at = |share: f64| {
+        let place = coulomb.partition_point(|(x, _)| *x < share * complete);
+        angle(coulomb[place.min(coulomb.len() - 1)].1)
+    };
+    let (partial, sliding) = (at(0.05) - at(1.0), at(1.0) - at(2.9));
+    figure.claim(
+        Claim::at_least("turn in sliding over that before", sliding / partial, 2.0)
+            .source("the direction changes much only in gross slip"),
+    );
+    figure.claim(
+        Claim::close("angle at ξ = 3 ζ", at(2.97), 45.0, Tolerance::Absolute(1.5))
+            .source("rigid sliding: F along the shift"),
+    );
+}
