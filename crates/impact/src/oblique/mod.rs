@@ -9,6 +9,7 @@ mod engine;
 mod groups;
 mod impact;
 mod journey;
+mod limit;
 mod memory;
 mod onset;
 mod place;
