@@ -16,7 +16,7 @@ impl Limit {
         Self { chi, psi }
     }
 
-    // The first w (falling) at which |u| reaches w, and the sign of u there.
+    /// The first w (falling) at which |u| reaches w, and the sign of u there.
     /// `resting` is the sign on whose limit the adhesion begins, or 0.
     pub(super) fn reached(&self, segment: &Segment, resting: f64) -> Option<(f64, f64)> {
         const SAMPLES: usize = 24;
