@@ -19,7 +19,7 @@ const MAX_LEGS: usize = 400;
 const MAX_STEPS: usize = 2000;
 /// tau from which on the width of the ring is the better unknown.
 const RELEASE: f64 = -0.3;
-/// A slip velocity that dips below zero by less passes on, and so does adhesion that exceeds the
+/// A slip velocity that dips below zero by less, in its unit, passes on, and so does adhesion that exceeds the
 /// limit by less for a moment: the ring that would open goes with the power 3/2 of this, which
 /// rounding hides, and R_x does not tell it.
 pub(super) const GRAZE: f64 = 1e-8;
@@ -200,7 +200,7 @@ impl<R: Recorder> Journey<'_, R> {
         for _ in 0..40 {
             let middle = 0.5 * (early + late);
             let now = slip.at(Clock::Motion, middle, &dense.at(middle));
-            if slip.sign * now.slip_velocity < -GRAZE {
+            if slip.sign * now.slip_velocity < -GRAZE * slip.unit {
                 return Some(middle);
             }
             if slip.load(&now).slip_rate < 0.0 { early = middle } else { late = middle }
@@ -210,8 +210,8 @@ impl<R: Recorder> Journey<'_, R> {
 
     // Not at the bottom of a dip that only grazes zero.
     fn stops(&self, pair: &Pair) -> bool {
-        let left = self.slip.sign * pair.slip_velocity;
-        let falls = || self.slip.load(pair).slip_rate < -GRAZE.sqrt();
+        let left = self.slip.sign * pair.slip_velocity / self.slip.unit;
+        let falls = || self.slip.load(pair).slip_rate < -GRAZE.sqrt() * self.slip.unit;
         left < -GRAZE || (left <= 0.0 && falls())
     }
 

@@ -59,10 +59,11 @@ impl Limit {
 
     // Where |u| exceeds w by more than a graze on both sides of such a minimum.
     fn dip(&self, segment: &Segment, sign: f64, [low, high]: [f64; 2]) -> Option<f64> {
+        let graze = GRAZE * self.psi.min(1.0);
         let (mut low, mut high) = (low, high);
         for _ in 0..50 {
             let middle = 0.5 * (low + high);
-            if middle - sign * self.psi * segment.velocity_at(middle) < -GRAZE {
+            if middle - sign * self.psi * segment.velocity_at(middle) < -graze {
                 return Some(middle);
             }
             if self.rises(segment, sign, middle) { high = middle } else { low = middle }
