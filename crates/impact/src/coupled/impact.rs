@@ -137,10 +137,10 @@ impl CoupledImpact {
         Ok(Self { mobility, stiffness, friction, velocity, normal, tolerance: None })
     }
 
-    /// The same impact, settled to another tolerance than the default (5e-6 for Coulomb's law
-    /// in space, else 1e-8): the outcome counts when refinement changes its velocity by less than this times
-    /// |v_A|. The true error is mostly a few times smaller. At most 2048 steps and 1024 rings are
-    /// used; [`CoupledOutcome::error_estimate`] says what they reached.
+    /// The same impact, settled to another tolerance than the default (5e-6 for Coulomb's law in
+    /// space, else 1e-8): the outcome counts when refinement changes its velocity by less than this
+    /// times |v_A|. The true error is mostly a few times smaller. At most 2048 steps and 1024 rings
+    /// are used; [`CoupledOutcome::error_estimate`] says what they reached.
     ///
     /// # Errors
     /// [`RangeError`] unless it is finite and positive.
