@@ -102,6 +102,12 @@ impl Grid {
         (iy as f64 - 0.5 * (self.ny as f64 - 1.0)) * self.dy()
     }
 
+    /// The centres (x, y) of all cells from the middle of the grid, in the order of their indices.
+    pub fn centres(self) -> impl Iterator<Item = (f64, f64)> {
+        let row = move |iy| (0..self.nx).map(move |ix| (self.centred_x(ix), self.centred_y(iy)));
+        (0..self.ny).flat_map(row)
+    }
+
     /// The offset of a source `columns` cells along x and `rows` along y from the receiver.
     #[must_use]
     pub fn offset(&self, columns: i32, rows: i32) -> Offset {

@@ -7,13 +7,14 @@
 //! | [`PointInfluence`] | the same on the surfaces of two bodies (4.8) |
 //! | [`Rectangle`], [`RectangleInfluence`] | the nine coefficients of a loaded cell (4.14), (4.29) |
 //! | [`LoadedRectangle`], [`Stress`] | displacement and stress inside the body under a cell |
-//! | [`Grid`], [`operator`] | products of whole fields by fast convolution (4.13) |
+//! | [`Grid`], [`Field`], [`operator`] | products of whole fields by fast convolution (4.13) |
 //!
 //! z points into the body; tractions are those that act on it, pressures are positive in
 //! compression; lengths, forces and moduli are in any consistent units.
 #![forbid(unsafe_code)]
 
 mod difference;
+mod field;
 mod gauss;
 mod grid;
 mod influence;
@@ -25,6 +26,7 @@ mod rectangle;
 mod stress;
 mod vector;
 
+pub use field::Field;
 pub use grid::Grid;
 pub use influence::{Coefficients, PointInfluence, RectangleInfluence};
 pub use interior::LoadedRectangle;

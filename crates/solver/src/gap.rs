@@ -1,6 +1,6 @@
 //! The gap between the undeformed bodies over a grid.
 
-use carom_halfspace::Grid;
+use carom_halfspace::{Field, Grid};
 use carom_laws::curvature::RelativeCurvature;
 use carom_special::RangeError;
 
@@ -12,56 +12,53 @@ use carom_special::RangeError;
 /// use carom_solver::Gap;
 /// let grid = Grid::new(3, 3, 0.1, 0.1)?;
 /// let gap = Gap::of_curvature(grid, &RelativeCurvature::from_coefficients(1.0, 0.5)?);
-/// assert_eq!(gap.at(grid.index(1, 1)), 0.0);
-/// assert!((gap.at(grid.index(2, 1)) - 0.01).abs() < 1e-17);
+/// assert_eq!(gap.heights().get(1, 1), Some(&0.0));
+/// assert!((gap.heights().get(2, 1).unwrap() - 0.01).abs() < 1e-17);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Gap {
-    grid: Grid,
-    heights: Vec<f64>,
+    heights: Field,
 }
 
 impl Gap {
     /// The paraboloid A x^2 + B y^2 (3.5) about the middle of the grid.
     #[must_use]
     pub fn of_curvature(grid: Grid, curvature: &RelativeCurvature) -> Self {
-        Self::sampled(grid, |x, y| curvature.gap(x, y))
+        Self { heights: Field::from_function(grid, |x, y| curvature.gap(x, y)) }
     }
 
     /// Any shape: `height` at (x, y) from the middle of the grid, infinite where no body is.
     ///
     /// # Errors
-    /// [`RangeError`] for a height that is not a number or minus infinity.
+    /// As [`Gap::new`].
     pub fn from_function(grid: Grid, height: impl Fn(f64, f64) -> f64) -> Result<Self, RangeError> {
-        let gap = Self::sampled(grid, height);
-        for &height in &gap.heights {
-            RangeError::check("gap", height, height > f64::NEG_INFINITY, "a number or +inf")?;
-        }
-        Ok(gap)
+        Self::new(Field::from_function(grid, height))
     }
 
-    fn sampled(grid: Grid, height: impl Fn(f64, f64) -> f64) -> Self {
-        let rows = (0..grid.ny()).flat_map(|iy| (0..grid.nx()).map(move |ix| (ix, iy)));
-        let heights = rows.map(|(ix, iy)| height(grid.centred_x(ix), grid.centred_y(iy))).collect();
-        Self { grid, heights }
+    /// Given heights, infinite where no body is.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a height that is not a number or minus infinity, and where no height is
+    /// finite.
+    pub fn new(heights: Field) -> Result<Self, RangeError> {
+        for &height in heights.values() {
+            RangeError::check("gap", height, height > f64::NEG_INFINITY, "a number or +inf")?;
+        }
+        let body = heights.values().iter().any(|height| height.is_finite());
+        RangeError::check("gap", f64::INFINITY, body, "finite in at least one cell")?;
+        Ok(Self { heights })
     }
 
     /// The grid.
     #[must_use]
     pub const fn grid(&self) -> Grid {
-        self.grid
-    }
-
-    /// The gap at a cell.
-    #[must_use]
-    pub fn at(&self, cell: usize) -> f64 {
-        self.heights[cell]
+        self.heights.grid()
     }
 
     /// The gap at all cells.
     #[must_use]
-    pub fn heights(&self) -> &[f64] {
+    pub const fn heights(&self) -> &Field {
         &self.heights
     }
 }
@@ -75,8 +72,10 @@ mod tests {
         let grid = Grid::new(5, 4, 0.5, 0.5).unwrap();
         let punch = |x: f64, y: f64| if x.hypot(y) < 0.6 { 0.0 } else { f64::INFINITY };
         let gap = Gap::from_function(grid, punch).unwrap();
-        assert_eq!(gap.heights().iter().filter(|height| height.is_finite()).count(), 6);
-        let bad = Gap::from_function(grid, |_, _| f64::NAN);
-        assert_eq!(bad.unwrap_err().field, "gap");
+        let solid = gap.heights().values().iter().filter(|height| height.is_finite());
+        assert_eq!(solid.count(), 6);
+        for bad in [f64::NAN, f64::NEG_INFINITY, f64::INFINITY] {
+            assert_eq!(Gap::from_function(grid, |_, _| bad).unwrap_err().field, "gap");
+        }
     }
 }

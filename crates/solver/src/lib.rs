@@ -1,14 +1,22 @@
 //! Floor 4 of carom: the numerical contact problem (chapters 11 to 14).
 //!
-//! This version has the problem, its state and the trait of the methods, no method yet.
+//! A [`ContactProblem`] is a [`Gap`], an operator (that of the half-space or the user's own) and
+//! [`SurfaceFriction`], all on one grid. A [`Method`] takes a [`ContactState`] through the steps of
+//! a history, each given by a [`Drive`], and says with a [`Convergence`] how it went.
 #![forbid(unsafe_code)]
 
+mod convergence;
+mod drive;
+mod friction;
 mod gap;
 mod method;
 mod problem;
 mod state;
 
+pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
+pub use drive::{Drive, Driven};
+pub use friction::{CellFriction, SurfaceFriction};
 pub use gap::Gap;
 pub use method::Method;
-pub use problem::Problem;
-pub use state::ContactState;
+pub use problem::{ContactProblem, ProblemError};
+pub use state::{CellState, ContactState};

@@ -1,17 +1,143 @@
 //! The contact problem: two bodies on a grid with friction.
 
-use carom_halfspace::MaterialPair;
-use carom_laws::friction::Friction;
+use std::sync::Arc;
 
+use carom_halfspace::operator::{HalfSpaceOperator, OperatorError, SurfaceOperator};
+use carom_halfspace::{Grid, MaterialPair};
+
+use crate::friction::SurfaceFriction;
 use crate::gap::Gap;
 
-/// What a method of chapters 11 to 14 solves: gap, materials, friction.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Problem {
-    /// The gap over the grid.
-    pub gap: Gap,
-    /// The materials.
-    pub materials: MaterialPair,
+/// Why gap, operator and friction make no problem.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum ProblemError {
+    /// A part was made for another grid than the gap.
+    #[error(
+        "the {part} is for {} x {} cells of {} x {}, the gap for {} x {} of {} x {}",
+        .grids[1].nx(), .grids[1].ny(), .grids[1].dx(), .grids[1].dy(),
+        .grids[0].nx(), .grids[0].ny(), .grids[0].dx(), .grids[0].dy()
+    )]
+    OtherGrid {
+        /// The part: operator or friction.
+        part: &'static str,
+        /// The grid of the gap and that of the part.
+        grids: Box<[Grid; 2]>,
+    },
+    /// The operator of the half-space could not be built.
+    #[error(transparent)]
+    Operator(#[from] OperatorError),
+}
+
+/// What a method of chapters 11 to 14 solves: a gap, the influence of tractions on displacements,
+/// and friction, all on one grid. It clones in constant time but for heights and friction: the
+/// operator is shared.
+///
+/// ```
+/// use carom_halfspace::{Grid, Material, MaterialPair};
+/// use carom_laws::{curvature::RelativeCurvature, friction::Friction};
+/// use carom_solver::{ContactProblem, Gap};
+/// let grid = Grid::new(20, 20, 0.1, 0.1)?;
+/// let gap = Gap::of_curvature(grid, &RelativeCurvature::from_coefficients(0.5, 0.5)?);
+/// let steel = Material::from_young(208e9, 0.3)?;
+/// let pair = MaterialPair::new(steel, steel)?;
+/// let problem = ContactProblem::of_half_spaces(gap, pair, Friction::new(0.3)?)?;
+/// assert!(!problem.operator().is_coupled());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Clone)]
+pub struct ContactProblem {
+    gap: Gap,
+    operator: Arc<dyn SurfaceOperator>,
+    friction: SurfaceFriction,
+}
+
+impl ContactProblem {
+    /// A problem with any operator, the user's own included.
+    ///
+    /// # Errors
+    /// [`ProblemError::OtherGrid`] unless all parts have the grid of the gap.
+    pub fn new(
+        gap: Gap,
+        operator: Arc<dyn SurfaceOperator>,
+        friction: impl Into<SurfaceFriction>,
+    ) -> Result<Self, ProblemError> {
+        let friction = friction.into();
+        let same = |part, grid: Grid| {
+            let grids = [gap.grid(), grid];
+            let fits = grids[0] == grids[1];
+            if fits { Ok(()) } else { Err(ProblemError::OtherGrid { part, grids: grids.into() }) }
+        };
+        same("operator", operator.grid())?;
+        friction.grid().map_or(Ok(()), |grid| same("friction", grid))?;
+        Ok(Self { gap, operator, friction })
+    }
+
+    /// A problem of two elastic half-spaces.
+    ///
+    /// # Errors
+    /// [`ProblemError::Operator`] if both bodies are rigid or the grid is too large for memory.
+    pub fn of_half_spaces(
+        gap: Gap,
+        pair: MaterialPair,
+        friction: impl Into<SurfaceFriction>,
+    ) -> Result<Self, ProblemError> {
+        let operator = Arc::new(HalfSpaceOperator::new(pair, gap.grid())?);
+        Self::new(gap, operator, friction)
+    }
+
+    /// The grid of all parts.
+    #[must_use]
+    pub const fn grid(&self) -> Grid {
+        self.gap.grid()
+    }
+
+    /// The gap.
+    #[must_use]
+    pub const fn gap(&self) -> &Gap {
+        &self.gap
+    }
+
+    /// The influence of tractions on displacements.
+    #[must_use]
+    pub fn operator(&self) -> &dyn SurfaceOperator {
+        &*self.operator
+    }
+
     /// The friction.
-    pub friction: Friction,
+    #[must_use]
+    pub const fn friction(&self) -> &SurfaceFriction {
+        &self.friction
+    }
+}
+
+impl std::fmt::Debug for ContactProblem {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("ContactProblem").field("grid", &self.grid()).finish_non_exhaustive()
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::CellFriction;
+    use carom_halfspace::{Field, Material};
+    use carom_laws::curvature::RelativeCurvature;
+    use carom_laws::friction::Friction;
+
+    #[test]
+    fn parts_of_another_grid_are_refused() {
+        let grid = |nx| Grid::new(nx, 3, 0.5, 0.25).unwrap();
+        let body = Material::from_shear(1.0, 0.3).unwrap();
+        let pair = MaterialPair::new(body, body).unwrap();
+        let curvature = RelativeCurvature::from_coefficients(1.0, 1.0).unwrap();
+        let gap = Gap::of_curvature(grid(4), &curvature);
+        let operator = |nx| Arc::new(HalfSpaceOperator::new(pair, grid(nx)).unwrap());
+        let error = ContactProblem::new(gap.clone(), operator(5), Friction::NONE).unwrap_err();
+        let text = "the operator is for 5 x 3 cells of 0.5 x 0.25, the gap for 4 x 3 of 0.5 x 0.25";
+        assert_eq!(error.to_string(), text);
+        let friction = Field::uniform(grid(5), CellFriction::from(Friction::NONE));
+        let error = ContactProblem::new(gap.clone(), operator(4), friction).unwrap_err();
+        assert!(error.to_string().starts_with("the friction is for 5 x 3"));
+        assert!(ContactProblem::new(gap, operator(4), Friction::NONE).is_ok());
+    }
 }

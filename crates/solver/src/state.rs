@@ -1,98 +1,118 @@
 //! The state of a numerical contact between two steps of a load history.
 
+use carom_halfspace::{Field, Grid};
 use carom_laws::law::{ContactLoad, Shift};
+use carom_special::RangeError;
 
-use crate::problem::Problem;
+/// What a cell does.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum CellState {
+    /// The surfaces are apart.
+    #[default]
+    Exterior,
+    /// They touch and stick.
+    Stick,
+    /// They touch and slip.
+    Slip,
+}
 
 /// Tractions that body 2 exerts on body 1, and what the next step must remember.
 #[derive(Debug, Clone, PartialEq)]
 pub struct ContactState {
     /// The rigid shift reached.
     pub shift: Shift,
-    /// Pressure of each cell.
-    pub pressure: Vec<f64>,
-    /// Tangential traction along x of each cell.
-    pub traction_x: Vec<f64>,
-    /// Tangential traction along y of each cell.
-    pub traction_y: Vec<f64>,
-    /// Elastic displacement u = u1 - u2 of every cell, outside the contact too: a cell that
-    /// enters the contact needs its last one.
-    pub displacement_x: Vec<f64>,
-    /// Elastic displacement v = v1 - v2 of every cell.
-    pub displacement_y: Vec<f64>,
+    /// Pressure.
+    pub pressure: Field,
+    /// Tangential traction along x.
+    pub traction_x: Field,
+    /// Tangential traction along y.
+    pub traction_y: Field,
+    /// Elastic displacement u = u1 - u2, outside the contact too: a cell that enters the contact
+    /// needs its last one.
+    pub displacement_x: Field,
+    /// Elastic displacement v = v1 - v2.
+    pub displacement_y: Field,
+    /// What each cell did in the last step.
+    pub cells: Field<CellState>,
 }
 
 impl ContactState {
     /// Bodies apart: no tractions.
     #[must_use]
-    pub fn apart(problem: &Problem) -> Self {
-        let zeros = vec![0.0; problem.gap.grid().cells()];
+    pub fn apart(grid: Grid) -> Self {
+        let zero = Field::uniform(grid, 0.0);
         Self {
             shift: Shift::default(),
-            pressure: zeros.clone(),
-            traction_x: zeros.clone(),
-            traction_y: zeros.clone(),
-            displacement_x: zeros.clone(),
-            displacement_y: zeros,
+            pressure: zero.clone(),
+            traction_x: zero.clone(),
+            traction_y: zero.clone(),
+            displacement_x: zero.clone(),
+            displacement_y: zero,
+            cells: Field::uniform(grid, CellState::Exterior),
         }
     }
 
-    /// The load: sums over the cells; `M_z` is the sum of y t_x - x t_y.
+    /// Ok if all fields are on this grid.
+    ///
+    /// # Errors
+    /// [`RangeError`] that names the first one of another grid, with its number of cells.
+    pub fn check_grid(&self, grid: Grid) -> Result<(), RangeError> {
+        let fields = [
+            ("pressure", self.pressure.grid()),
+            ("traction x", self.traction_x.grid()),
+            ("traction y", self.traction_y.grid()),
+            ("displacement u", self.displacement_x.grid()),
+            ("displacement v", self.displacement_y.grid()),
+            ("cells", self.cells.grid()),
+        ];
+        for (name, own) in fields {
+            RangeError::check(name, own.cells() as f64, own == grid, "on the grid of the problem")?;
+        }
+        Ok(())
+    }
+
+    /// The load: sums over the cells; `M_z` is the sum of y t_x - x t_y about the middle of the
+    /// grid.
     #[must_use]
-    pub fn load(&self, problem: &Problem) -> ContactLoad {
-        let grid = problem.gap.grid();
-        let mut load = ContactLoad::default();
-        for iy in 0..grid.ny() {
-            for ix in 0..grid.nx() {
-                let cell = grid.index(ix, iy);
-                let (t_x, t_y) = (self.traction_x[cell], self.traction_y[cell]);
-                load.f_x += t_x;
-                load.f_y += t_y;
-                load.f_z += self.pressure[cell];
-                load.m_z += grid.centred_y(iy) * t_x - grid.centred_x(ix) * t_y;
-            }
-        }
-        let area = grid.cell_area();
+    pub fn load(&self) -> ContactLoad {
+        let grid = self.pressure.grid();
+        let tractions = self.traction_x.values().iter().zip(self.traction_y.values());
+        let torque: f64 =
+            grid.centres().zip(tractions).map(|((x, y), (t_x, t_y))| y * t_x - x * t_y).sum();
         ContactLoad {
-            f_x: area * load.f_x,
-            f_y: area * load.f_y,
-            f_z: area * load.f_z,
-            m_z: area * load.m_z,
+            f_x: self.traction_x.integral(),
+            f_y: self.traction_y.integral(),
+            f_z: self.pressure.integral(),
+            m_z: grid.cell_area() * torque,
         }
+    }
+
+    /// How many cells are in this state.
+    #[must_use]
+    pub fn count(&self, state: CellState) -> usize {
+        self.cells.values().iter().filter(|cell| **cell == state).count()
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::gap::Gap;
-    use carom_halfspace::{Grid, Material, MaterialPair};
-    use carom_laws::curvature::RelativeCurvature;
-    use carom_laws::friction::Friction;
 
     #[test]
     fn loads_are_sums_and_a_positive_twist_has_a_positive_torque() {
         let grid = Grid::new(4, 3, 0.5, 0.25).unwrap();
-        let body = Material::from_shear(1.0, 0.3).unwrap();
-        let curvature = RelativeCurvature::from_coefficients(1.0, 1.0).unwrap();
-        let problem = Problem {
-            gap: Gap::of_curvature(grid, &curvature),
-            materials: MaterialPair::new(body, body).unwrap(),
-            friction: Friction::NONE,
-        };
-        let mut state = ContactState::apart(&problem);
-        assert_eq!(state.load(&problem), ContactLoad::default());
-        state.pressure.fill(2.0);
+        let mut state = ContactState::apart(grid);
+        assert_eq!(state.load(), ContactLoad::default());
+        assert_eq!(state.count(CellState::Exterior), 12);
+        state.pressure.values_mut().fill(2.0);
         // u = y Omega, v = -x Omega: tractions of the same directions.
-        for iy in 0..3 {
-            for ix in 0..4 {
-                let cell = grid.index(ix, iy);
-                state.traction_x[cell] = grid.centred_y(iy);
-                state.traction_y[cell] = -grid.centred_x(ix);
-            }
-        }
-        let load = state.load(&problem);
+        state.traction_x = Field::from_function(grid, |_, y| y);
+        state.traction_y = Field::from_function(grid, |x, _| -x);
+        let load = state.load();
         assert_eq!(load.f_z, 2.0 * 12.0 * 0.125);
         assert!(load.m_z > 0.0 && load.f_x.abs() < 1e-15 && load.f_y.abs() < 1e-15);
+        let other = Grid::new(3, 4, 0.5, 0.25).unwrap();
+        assert_eq!(state.check_grid(other).unwrap_err().field, "pressure");
+        assert!(state.check_grid(grid).is_ok());
     }
 }

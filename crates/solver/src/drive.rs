@@ -1,0 +1,98 @@
+//! What drives a step: each of the four motions by its shift or by its load.
+
+use carom_laws::law::Shift;
+use carom_special::RangeError;
+
+/// One motion of body 2 against body 1, prescribed at the end of a step.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Driven {
+    /// The rigid shift or twist; the load follows.
+    Shift(f64),
+    /// The load; the rigid shift or twist follows.
+    Load(f64),
+}
+
+impl Driven {
+    /// The prescribed value, shift or load.
+    #[must_use]
+    pub const fn value(self) -> f64 {
+        match self {
+            Self::Shift(value) | Self::Load(value) => value,
+        }
+    }
+}
+
+/// The end of a step: approach, shifts along x and y, and twist, each by its own means.
+///
+/// ```
+/// use carom_solver::{Drive, Driven};
+/// let pressed = Drive { normal: Driven::Load(10.0), ..Drive::default() };
+/// assert!(pressed.check().is_ok());
+/// let error = Drive { x: Driven::Shift(f64::NAN), ..pressed }.check().unwrap_err();
+/// assert_eq!(error.field, "xi");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Drive {
+    /// Approach zeta or normal force F_z.
+    pub normal: Driven,
+    /// Shift xi or force F_x.
+    pub x: Driven,
+    /// Shift eta or force F_y.
+    pub y: Driven,
+    /// Twist Omega or torque M_z.
+    pub twist: Driven,
+}
+
+impl Drive {
+    /// All four motions by their shifts.
+    #[must_use]
+    pub const fn by_shift(shift: Shift) -> Self {
+        Self {
+            normal: Driven::Shift(shift.zeta),
+            x: Driven::Shift(shift.xi),
+            y: Driven::Shift(shift.eta),
+            twist: Driven::Shift(shift.omega),
+        }
+    }
+
+    /// Ok if all four values are finite and a normal force is not negative.
+    ///
+    /// # Errors
+    /// [`RangeError`] that names the first one that is not.
+    pub fn check(&self) -> Result<(), RangeError> {
+        let names = [("zeta", "F_z"), ("xi", "F_x"), ("eta", "F_y"), ("omega", "M_z")];
+        for (driven, (shift, load)) in
+            [self.normal, self.x, self.y, self.twist].into_iter().zip(names)
+        {
+            let name = if matches!(driven, Driven::Shift(_)) { shift } else { load };
+            RangeError::finite(name, driven.value())?;
+        }
+        if let Driven::Load(force) = self.normal {
+            RangeError::non_negative("F_z", force)?;
+        }
+        Ok(())
+    }
+}
+
+impl Default for Drive {
+    /// Held where two bodies just touch.
+    fn default() -> Self {
+        Self::by_shift(Shift::default())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_wrong_value_is_named_by_what_drives() {
+        let ok = Drive::by_shift(Shift { zeta: -1.0, xi: 2.0, ..Shift::default() });
+        assert!(ok.check().is_ok());
+        let field = |drive: Drive| drive.check().unwrap_err().field;
+        assert_eq!(field(Drive { normal: Driven::Load(-1.0), ..ok }), "F_z");
+        assert_eq!(field(Drive { normal: Driven::Shift(f64::NAN), ..ok }), "zeta");
+        assert_eq!(field(Drive { y: Driven::Load(f64::INFINITY), ..ok }), "F_y");
+        assert_eq!(field(Drive { twist: Driven::Load(f64::NAN), ..ok }), "M_z");
+    }
+}
