@@ -102,6 +102,14 @@ impl Grid {
         (iy as f64 - 0.5 * (self.ny as f64 - 1.0)) * self.dy()
     }
 
+    /// Cells twice as wide, half as many (rounded up) along each axis, about the same middle.
+    ///
+    /// # Errors
+    /// [`RangeError`] if a width overflows.
+    pub fn coarser(self) -> Result<Self, RangeError> {
+        Self::new(self.nx.div_ceil(2), self.ny.div_ceil(2), 2.0 * self.dx(), 2.0 * self.dy())
+    }
+
     /// The centres (x, y) of all cells from the middle of the grid, in the order of their indices.
     pub fn centres(self) -> impl Iterator<Item = (f64, f64)> {
         let row = move |iy| (0..self.nx).map(move |ix| (self.centred_x(ix), self.centred_y(iy)));

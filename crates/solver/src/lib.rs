@@ -10,6 +10,7 @@ mod drive;
 mod friction;
 mod gap;
 mod method;
+mod normal;
 mod problem;
 mod state;
 
@@ -18,5 +19,6 @@ pub use drive::{Drive, Driven};
 pub use friction::{CellFriction, SurfaceFriction};
 pub use gap::Gap;
 pub use method::Method;
+pub use normal::{Frictionless, NormalError, NormalScratch};
 pub use problem::{ContactProblem, ProblemError};
 pub use state::{CellState, ContactState};

@@ -14,7 +14,12 @@ use crate::Grid;
 /// ```
 #[must_use]
 pub fn transform_length(cells: usize) -> usize {
-    let least = (2 * cells).saturating_sub(1).max(2);
+    fast_length((2 * cells).saturating_sub(1))
+}
+
+/// An even length of at least `least` for which the transform is fast.
+pub(crate) fn fast_length(least: usize) -> usize {
+    let least = least.max(2);
     let power = least.next_power_of_two();
     let mut best = (power, cost(power));
     for five in 0..3u32 {
@@ -63,6 +68,12 @@ impl Sizes {
     pub(crate) fn of(grid: Grid) -> Self {
         let (nx, ny) = (grid.nx(), grid.ny());
         Self { nx, ny, px: transform_length(nx), py: transform_length(ny) }
+    }
+
+    /// Of a torus that is hardly larger than the grid: nothing keeps its ends apart.
+    pub(crate) fn of_torus(grid: Grid) -> Self {
+        let (nx, ny) = (grid.nx(), grid.ny());
+        Self { nx, ny, px: fast_length(nx), py: fast_length(ny) }
     }
 
     /// Number of columns of the spectrum of real data.

@@ -16,6 +16,7 @@ mod spectrum;
 mod table;
 mod tabulated;
 mod toeplitz;
+mod torus;
 mod workspace;
 
 pub use error::OperatorError;
@@ -26,6 +27,7 @@ pub use plan::Threads;
 pub use table::{Blocks, CoefficientTable};
 pub use tabulated::{KernelOperator, TabulatedKernel};
 pub use toeplitz::HalfSpaceOperator;
+pub use torus::TorusInverse;
 pub use workspace::Workspace;
 
 use crate::{Coefficients, Grid};
@@ -41,6 +43,21 @@ pub trait SurfaceOperator: Send + Sync {
     /// The nine coefficients of a source `columns` cells along x and `rows` cells along y from
     /// the receiver, n - k and m - j in (4.23); zero beyond the extent of the grid.
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients;
+
+    /// An approximate inverse of the normal block, for methods that precondition; none unless the
+    /// operator knows one.
+    fn inverse(&self) -> Option<TorusInverse> {
+        None
+    }
+
+    /// The same influence on cells twice as wide, with half as many (rounded up) along each axis;
+    /// none unless the operator can be built on any grid.
+    ///
+    /// # Errors
+    /// As the operator's constructor.
+    fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
+        None
+    }
 
     /// The working memory of repeated products.
     fn workspace(&self) -> Workspace;

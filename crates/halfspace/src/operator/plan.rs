@@ -50,7 +50,10 @@ pub(crate) struct Plan {
 
 impl Plan {
     pub(crate) fn new(grid: Grid, threads: Threads) -> Self {
-        let sizes = Sizes::of(grid);
+        Self::on(Sizes::of(grid), threads)
+    }
+
+    pub(crate) fn on(sizes: Sizes, threads: Threads) -> Self {
         let (px, py) = (sizes.px, sizes.py);
         let mut real = RealFftPlanner::new();
         let mut complex = FftPlanner::new();

@@ -8,7 +8,7 @@ use super::spectrum::Spectrum;
 use super::table::Entry;
 use super::{
     Axis, Blocks, CoefficientTable, DisplacementField, OperatorError, SurfaceOperator, Threads,
-    TractionField, Workspace,
+    TorusInverse, TractionField, Workspace,
 };
 use crate::{Coefficients, Grid, MaterialPair};
 
@@ -130,6 +130,19 @@ impl SurfaceOperator for HalfSpaceOperator {
 
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
         self.table.coefficients(columns, rows)
+    }
+
+    fn inverse(&self) -> Option<TorusInverse> {
+        Some(TorusInverse::new(&self.pair(), self.grid(), self.plan.threads))
+    }
+
+    fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
+        let build = || {
+            let grid = self.grid().coarser()?;
+            let coarse = Self::with_blocks(self.pair(), grid, self.blocks, self.plan.threads)?;
+            Ok(Box::new(coarse) as Box<dyn SurfaceOperator>)
+        };
+        Some(build())
     }
 
     fn workspace(&self) -> Workspace {

@@ -1,0 +1,407 @@
+//! The normal problem by conjugate gradients on an active set.
+//!
+//! Pressures p >= 0 and gaps g = A p + z - zeta >= 0, one of them zero in each cell (11.5). On the
+//! set I of cells with pressure, preconditioned conjugate gradients solve g = 0. The set changes
+//! when what violates the signs outweighs the last step; pressures that leave are dropped in one
+//! product with a damped step of those that stay. A given force keeps the mean of g free: it is
+//! deflated with K 1, so that every correction has no force of its own.
+
+use std::ops::ControlFlow;
+
+use carom_halfspace::operator::{
+    DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
+};
+
+use crate::convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
+use crate::drive::Driven;
+
+/// The set changes when the violation of signs exceeds this part of the last step.
+const EAGERNESS: f64 = 0.3;
+/// Part of a preconditioned step beside dropped pressures: it overshoots where the edge moves.
+const DAMPING: f64 = 0.4;
+/// A violation that falls by less than this between two changes of the set, twice, calls for care.
+const FALL: f64 = 0.6;
+
+/// When to stop.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Limits {
+    /// Greatest violation over the greatest displacement.
+    pub(super) tolerance: f64,
+    /// Correction and violation of signs over the pressure, in norms; zero asks for the tolerance.
+    pub(super) change: f64,
+    pub(super) iterations: usize,
+}
+
+/// What is to be solved, and what is found: the pressure, and the approach.
+pub(super) struct NormalTask<'a> {
+    pub(super) operator: &'a dyn SurfaceOperator,
+    /// Distances of the surfaces at approach zero.
+    pub(super) heights: &'a [f64],
+    pub(super) driven: Driven,
+    /// The start, some of it positive, and the solution.
+    pub(super) pressure: &'a mut [f64],
+    pub(super) approach: f64,
+}
+
+/// One grid of the normal problem, with its working memory.
+#[derive(Clone)]
+pub(super) struct ActiveSet {
+    inverse: Option<TorusInverse>,
+    workspace: Workspace,
+    inverse_workspace: Workspace,
+    /// The influence of a cell on itself.
+    own: f64,
+    /// The gap g.
+    gap: Vec<f64>,
+    /// K g on the set.
+    preconditioned: Vec<f64>,
+    /// The correction, taken from the pressure.
+    direction: Vec<f64>,
+    /// A times the correction.
+    image: Vec<f64>,
+    /// K 1 on the set, kept while it stands.
+    ones: Vec<f64>,
+    active: Vec<bool>,
+}
+
+/// The course of an iteration on one grid.
+#[derive(Default)]
+struct Course {
+    products: Products,
+    /// `<K g, g>` of the last step within the set; none if the next one begins afresh.
+    power: Option<f64>,
+    /// The norm of the last correction.
+    step: f64,
+    /// The violation at the last change of the set, and how often it hardly fell.
+    last_violation: Option<f64>,
+    slow_changes: u32,
+    /// The set stands for one step.
+    held: bool,
+}
+
+impl Course {
+    const fn careful(&self) -> bool {
+        self.slow_changes >= 2
+    }
+
+    fn changes(&mut self, violation: f64) {
+        if self.last_violation.is_some_and(|last| violation > FALL * last) {
+            self.slow_changes += 1;
+        }
+        self.last_violation = Some(violation);
+        self.held = self.careful();
+    }
+}
+
+impl ActiveSet {
+    pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
+        let zero = vec![0.0; operator.grid().cells()];
+        Self {
+            inverse: operator.inverse(),
+            workspace: operator.workspace(),
+            inverse_workspace: Workspace::default(),
+            own: operator.coefficients(0, 0).rows[2][2],
+            gap: zero.clone(),
+            preconditioned: zero.clone(),
+            direction: zero.clone(),
+            image: zero.clone(),
+            ones: zero.clone(),
+            active: vec![false; zero.len()],
+        }
+    }
+
+    /// Solves a task whose start is positive somewhere.
+    ///
+    /// # Errors
+    /// The operator's.
+    pub(super) fn solve(
+        &mut self,
+        task: &mut NormalTask<'_>,
+        limits: Limits,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, OperatorError> {
+        let mut course = Course::default();
+        self.begin(task, &mut course)?;
+        let mut iteration = 0;
+        loop {
+            iteration += 1;
+            if iteration == 1 || self.asks_for_change(task, &course) {
+                self.change_set(task, &mut course)?;
+            } else {
+                course.held = false;
+                self.precondition(&mut course);
+                self.gradient_step(task, &mut course)?;
+            }
+            self.deflate(task);
+            let normal = self.residual(task);
+            let residuals = Residuals { normal, tangential: 0.0 };
+            let (cells, touching) =
+                (task.pressure.len(), task.pressure.iter().filter(|p| **p > 0.0).count());
+            let seen = observer.see(&Progress { iteration, cells, touching, residuals });
+            let stop = if !normal.is_finite() || touching == 0 {
+                Some(Stop::Stalled)
+            } else if normal <= limits.tolerance || self.is_settled(task, &course, limits.change) {
+                Some(Stop::Converged)
+            } else if matches!(seen, ControlFlow::Break(())) {
+                Some(Stop::Observer)
+            } else {
+                (iteration >= limits.iterations).then_some(Stop::Exhausted)
+            };
+            if let Some(stop) = stop {
+                finish(task);
+                let products = course.products;
+                return Ok(Convergence { iterations: iteration, products, residuals, stop });
+            }
+        }
+    }
+
+    /// The set and the gap of the start, which is scaled to fit best.
+    fn begin(
+        &mut self,
+        task: &mut NormalTask<'_>,
+        course: &mut Course,
+    ) -> Result<(), OperatorError> {
+        for (active, pressure) in self.active.iter_mut().zip(task.pressure.iter_mut()) {
+            *pressure = pressure.max(0.0);
+            *active = *pressure > 0.0;
+        }
+        self.direction.copy_from_slice(task.pressure);
+        self.multiply(task.operator, course)?;
+        let (mut wanted, mut got) = (0.0, 0.0);
+        for (i, pressure) in task.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
+            wanted += pressure * (task.approach - task.heights[i]);
+            got += pressure * self.image[i];
+        }
+        let factor = match task.driven {
+            Driven::Load(force) => {
+                force / (task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>())
+            }
+            Driven::Shift(_) if wanted > 0.0 && got > 0.0 => wanted / got,
+            Driven::Shift(_) => 1.0,
+        };
+        for pressure in task.pressure.iter_mut() {
+            *pressure *= factor;
+        }
+        for ((gap, image), height) in self.gap.iter_mut().zip(&self.image).zip(task.heights) {
+            *gap = factor * image + height - task.approach;
+        }
+        self.precondition_ones(task.driven, course);
+        self.deflate(task);
+        Ok(())
+    }
+
+    fn asks_for_change(&self, task: &NormalTask<'_>, course: &Course) -> bool {
+        let eagerness = if course.careful() { 1.0 } else { EAGERNESS };
+        !course.held && self.violation(task) > eagerness * course.step
+    }
+
+    /// Drops pressures that pull and takes up cells that overlap.
+    fn change_set(
+        &mut self,
+        task: &mut NormalTask<'_>,
+        course: &mut Course,
+    ) -> Result<(), OperatorError> {
+        course.changes(self.violation(task));
+        let mut dropped = false;
+        for ((active, pressure), gap) in
+            self.active.iter_mut().zip(task.pressure.iter()).zip(&self.gap)
+        {
+            dropped |= *active && *pressure < 0.0;
+            *active = if *active { *pressure > 0.0 } else { *gap < 0.0 };
+        }
+        self.precondition_ones(task.driven, course);
+        self.deflate(task);
+        self.precondition(course);
+        course.power = None;
+        if dropped {
+            let damping = if course.careful() { 0.0 } else { DAMPING };
+            self.merged_step(task, course, damping)
+        } else {
+            self.gradient_step(task, course)
+        }
+    }
+
+    /// What was dropped goes, what stays takes a damped step, in one product.
+    fn merged_step(
+        &mut self,
+        task: &mut NormalTask<'_>,
+        course: &mut Course,
+        damping: f64,
+    ) -> Result<(), OperatorError> {
+        let mut sum = 0.0;
+        for (i, direction) in self.direction.iter_mut().enumerate() {
+            *direction =
+                if self.active[i] { damping * self.preconditioned[i] } else { task.pressure[i] };
+            sum += *direction;
+        }
+        if matches!(task.driven, Driven::Load(_)) {
+            // A correction has no force.
+            let part = sum / self.ones.iter().sum::<f64>();
+            for (direction, one) in self.direction.iter_mut().zip(&self.ones) {
+                *direction -= part * one;
+            }
+        }
+        self.multiply(task.operator, course)?;
+        self.correct(task, 1.0, course);
+        for (pressure, active) in task.pressure.iter_mut().zip(&self.active) {
+            if !active {
+                *pressure = 0.0;
+            }
+        }
+        Ok(())
+    }
+
+    /// A step of conjugate gradients along `preconditioned`.
+    fn gradient_step(
+        &mut self,
+        task: &mut NormalTask<'_>,
+        course: &mut Course,
+    ) -> Result<(), OperatorError> {
+        let power = dot(&self.preconditioned, &self.gap, &self.active);
+        let share = course.power.map_or(0.0, |last| power / last);
+        for (i, direction) in self.direction.iter_mut().enumerate() {
+            *direction =
+                if self.active[i] { self.preconditioned[i] + share * *direction } else { 0.0 };
+        }
+        course.power = Some(power);
+        self.multiply(task.operator, course)?;
+        let down = dot(&self.direction, &self.gap, &self.active);
+        let bend = dot(&self.direction, &self.image, &self.active);
+        // Nothing left to do, to rounding.
+        let length = if bend > 0.0 { down / bend } else { 0.0 };
+        self.correct(task, length, course);
+        Ok(())
+    }
+
+    fn correct(&mut self, task: &mut NormalTask<'_>, length: f64, course: &mut Course) {
+        let mut square = 0.0;
+        for (pressure, direction) in task.pressure.iter_mut().zip(&self.direction) {
+            *pressure -= length * direction;
+            square += direction * direction;
+        }
+        for (gap, image) in self.gap.iter_mut().zip(&self.image) {
+            *gap -= length * image;
+        }
+        course.step = length.abs() * square.sqrt();
+    }
+
+    /// With a given force the approach is what makes corrections have no force of their own.
+    fn deflate(&mut self, task: &mut NormalTask<'_>) {
+        if matches!(task.driven, Driven::Shift(_)) {
+            return;
+        }
+        let sum: f64 = self.ones.iter().sum();
+        if sum <= 0.0 {
+            return;
+        }
+        let mean = dot(&self.ones, &self.gap, &self.active) / sum;
+        task.approach += mean;
+        for gap in &mut self.gap {
+            *gap -= mean;
+        }
+    }
+
+    /// The norm of what breaks the signs: tension in the set, overlap outside, as pressures.
+    fn violation(&self, task: &NormalTask<'_>) -> f64 {
+        let mut square = 0.0;
+        for ((active, pressure), gap) in self.active.iter().zip(task.pressure.iter()).zip(&self.gap)
+        {
+            let wrong = if *active { pressure.min(0.0) } else { gap.min(0.0) / self.own };
+            square += wrong * wrong;
+        }
+        square.sqrt()
+    }
+
+    /// The greatest violation over the greatest displacement; not a number if one is none.
+    fn residual(&self, task: &NormalTask<'_>) -> f64 {
+        let (mut greatest, mut scale) = (0.0_f64, 0.0_f64);
+        for (i, gap) in self.gap.iter().enumerate() {
+            let pressure = task.pressure[i];
+            let wrong = match (self.active[i], pressure < 0.0) {
+                (true, true) => gap.abs().max(-pressure * self.own),
+                (true, false) => gap.abs(),
+                (false, _) => (-gap).max(0.0),
+            };
+            if wrong.is_nan() {
+                return wrong;
+            }
+            greatest = greatest.max(wrong);
+            if self.active[i] {
+                scale = scale.max((gap + task.approach - task.heights[i]).abs());
+            }
+        }
+        if scale > 0.0 { greatest / scale } else { greatest }
+    }
+
+    fn is_settled(&self, task: &NormalTask<'_>, course: &Course, change: f64) -> bool {
+        let norm = change * task.pressure.iter().map(|p| p * p).sum::<f64>().sqrt();
+        course.step < norm && self.violation(task) < norm
+    }
+
+    /// K 1 on the set, where a force is given.
+    fn precondition_ones(&mut self, driven: Driven, course: &mut Course) {
+        if matches!(driven, Driven::Shift(_)) {
+            return;
+        }
+        for (one, active) in self.preconditioned.iter_mut().zip(&self.active) {
+            *one = f64::from(u8::from(*active));
+        }
+        self.invert(course);
+        self.ones.copy_from_slice(&self.preconditioned);
+    }
+
+    /// K g on the set.
+    fn precondition(&mut self, course: &mut Course) {
+        for (i, value) in self.preconditioned.iter_mut().enumerate() {
+            *value = if self.active[i] { self.gap[i] } else { 0.0 };
+        }
+        self.invert(course);
+    }
+
+    /// Puts K times `preconditioned` there, on the set alone.
+    fn invert(&mut self, course: &mut Course) {
+        if let Some(inverse) = &self.inverse {
+            self.image.copy_from_slice(&self.preconditioned);
+            inverse.pressure(&self.image, &mut self.preconditioned, &mut self.inverse_workspace);
+            course.products.preconditioner += 1.0;
+        }
+        for (value, active) in self.preconditioned.iter_mut().zip(&self.active) {
+            if !active {
+                *value = 0.0;
+            }
+        }
+    }
+
+    /// Puts A times `direction` into `image`.
+    fn multiply(
+        &mut self,
+        operator: &dyn SurfaceOperator,
+        course: &mut Course,
+    ) -> Result<(), OperatorError> {
+        let tractions = TractionField::normal(&self.direction);
+        let displacements = DisplacementField::normal(&mut self.image);
+        operator.apply(tractions, displacements, &mut self.workspace)?;
+        course.products.normal += 1.0;
+        Ok(())
+    }
+}
+
+/// What pulls within the tolerance goes; a given force is met to rounding.
+fn finish(task: &mut NormalTask<'_>) {
+    for pressure in task.pressure.iter_mut() {
+        *pressure = pressure.max(0.0);
+    }
+    if let Driven::Load(force) = task.driven {
+        let sum = task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>();
+        if sum > 0.0 {
+            for pressure in task.pressure.iter_mut() {
+                *pressure *= force / sum;
+            }
+        }
+    }
+}
+
+fn dot(a: &[f64], b: &[f64], active: &[bool]) -> f64 {
+    // What lies outside may be infinite: it does not count.
+    a.iter().zip(b).zip(active).filter(|(_, active)| **active).map(|((a, b), _)| a * b).sum()
+}

@@ -1,0 +1,134 @@
+//! Nested grids: a coarse solution as the start of a fine one.
+
+use carom_halfspace::Grid;
+
+/// Bilinear interpolation between the centres of a grid's cells; beyond them the border's values
+/// count.
+struct Bilinear<'a> {
+    grid: Grid,
+    values: &'a [f64],
+}
+
+impl Bilinear<'_> {
+    /// At (x, y) from the middle of the grid.
+    fn at(&self, x: f64, y: f64) -> f64 {
+        let (column, right) = position(x / self.grid.dx(), self.grid.nx());
+        let (row, upper) = position(y / self.grid.dy(), self.grid.ny());
+        let value = |i: usize, j: usize| {
+            let (i, j) = (i.min(self.grid.nx() - 1), j.min(self.grid.ny() - 1));
+            self.values[self.grid.index(i, j)]
+        };
+        let along = |j: usize| mix(value(column, j), value(column + 1, j), right);
+        mix(along(row), along(row + 1), upper)
+    }
+}
+
+/// The cell whose centre lies at or before a place, given in widths from the middle of `count`
+/// cells, and the part of the way to the next one.
+fn position(widths: f64, count: usize) -> (usize, f64) {
+    let last = (count - 1) as f64;
+    let place = (widths + 0.5 * last).clamp(0.0, last);
+    (place as usize, place - place.trunc())
+}
+
+fn mix(low: f64, high: f64, part: f64) -> f64 {
+    // An infinite neighbour that does not count must not make 0 times infinity.
+    if part == 0.0 { low } else { low + part * (high - low) }
+}
+
+/// Heights on cells twice as wide: the mean of four places within each.
+pub(super) fn coarser_heights(fine: Grid, heights: &[f64], coarse: Grid) -> Vec<f64> {
+    let fine_heights = Bilinear { grid: fine, values: heights };
+    let (dx, dy) = (0.5 * fine.dx(), 0.5 * fine.dy());
+    let mean = |(x, y): (f64, f64)| {
+        let corners = [(-dx, -dy), (dx, -dy), (-dx, dy), (dx, dy)];
+        0.25 * corners.iter().map(|(i, j)| fine_heights.at(x + i, y + j)).sum::<f64>()
+    };
+    coarse.centres().map(mean).collect()
+}
+
+/// A pressure on finer cells. Its square, which falls linearly to the edge of a smooth contact, is
+/// continued beyond it and interpolated, so that the edge keeps its place.
+pub(super) fn finer_pressure(coarse: Grid, pressure: &[f64], fine: Grid) -> Vec<f64> {
+    let squares = continued(coarse, pressure);
+    let squares = Bilinear { grid: coarse, values: &squares };
+    fine.centres().map(|(x, y)| squares.at(x, y).max(0.0).sqrt()).collect()
+}
+
+/// The squares of a pressure; beside the contact the mean of their linear continuations.
+fn continued(grid: Grid, pressure: &[f64]) -> Vec<f64> {
+    let square = |i: usize, j: usize| {
+        let p = pressure[grid.index(i, j)];
+        p * p
+    };
+    let mut squares: Vec<f64> = pressure.iter().map(|p| p * p).collect();
+    for row in 0..grid.ny() {
+        for column in 0..grid.nx() {
+            if pressure[grid.index(column, row)] > 0.0 {
+                continue;
+            }
+            let (mut sum, mut count) = (0.0, 0.0);
+            for (i, j) in [(1, 0), (-1, 0), (0, 1), (0, -1)] {
+                let at = |steps: isize| {
+                    let x = column.checked_add_signed(steps * i).filter(|x| *x < grid.nx())?;
+                    let y = row.checked_add_signed(steps * j).filter(|y| *y < grid.ny())?;
+                    Some(square(x, y))
+                };
+                if let (Some(near), Some(far)) = (at(1), at(2))
+                    && near > 0.0
+                {
+                    sum += (2.0 * near - far).min(0.0);
+                    count += 1.0;
+                }
+            }
+            if count > 0.0 {
+                squares[grid.index(column, row)] = sum / count;
+            }
+        }
+    }
+    squares
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn coarse_of(fine: Grid) -> Grid {
+        fine.coarser().unwrap()
+    }
+
+    #[test]
+    fn planes_pass_to_coarse_cells_of_even_and_odd_grids() {
+        for (nx, ny) in [(8, 6), (9, 7), (8, 7)] {
+            let fine = Grid::new(nx, ny, 0.5, 0.25).unwrap();
+            let plane = |(x, y): (f64, f64)| 1.0 + 2.0 * x - 3.0 * y;
+            let heights: Vec<f64> = fine.centres().map(plane).collect();
+            let coarse = coarse_of(fine);
+            let got = coarser_heights(fine, &heights, coarse);
+            // Inside; at the border of odd grids the last cells reach beyond.
+            for ((x, y), got) in coarse.centres().zip(got) {
+                if x.abs() < 1.2 && y.abs() < 0.6 {
+                    assert!((got - plane((x, y))).abs() < 1e-14, "{nx} {ny}: {x} {y}");
+                }
+            }
+        }
+    }
+
+    #[test]
+    fn the_edge_of_a_round_pressure_keeps_its_place() {
+        let fine = Grid::new(64, 64, 1.0 / 28.0, 1.0 / 28.0).unwrap();
+        let coarse = coarse_of(fine);
+        let round = |(x, y): (f64, f64)| (1.0 - x * x - y * y).max(0.0).sqrt();
+        let pressure: Vec<f64> = coarse.centres().map(round).collect();
+        let wrong = |pressure: &[f64]| {
+            let both = fine.centres().zip(pressure);
+            both.filter(|(at, p)| (**p > 0.0) != (round(*at) > 0.0)).count()
+        };
+        let got = finer_pressure(coarse, &pressure, fine);
+        let plain = Bilinear { grid: coarse, values: &pressure };
+        let plain: Vec<f64> = fine.centres().map(|(x, y)| plain.at(x, y)).collect();
+        assert!(5 * wrong(&got) < wrong(&plain), "{} {}", wrong(&got), wrong(&plain));
+        let total: f64 = got.iter().sum::<f64>() * fine.cell_area();
+        assert!((total / (2.0 / 3.0 * std::f64::consts::PI) - 1.0).abs() < 3e-3, "{total}");
+    }
+}
