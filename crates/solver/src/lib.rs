@@ -8,17 +8,22 @@
 mod convergence;
 mod drive;
 mod friction;
+mod frictional;
+mod frictionless;
 mod gap;
 mod method;
+mod nested;
 mod normal;
 mod problem;
 mod state;
+mod tangential;
 
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
 pub use drive::{Drive, Driven};
 pub use friction::{CellFriction, SurfaceFriction};
+pub use frictional::{Frictional, FrictionalError, FrictionalScratch};
+pub use frictionless::{Frictionless, NormalError, NormalScratch};
 pub use gap::Gap;
 pub use method::Method;
-pub use normal::{Frictionless, NormalError, NormalScratch};
 pub use problem::{ContactProblem, ProblemError};
 pub use state::{CellState, ContactState};

@@ -1,4 +1,6 @@
 //! Nested grids: a coarse solution as the start of a fine one.
+//!
+//! Centres of cells lie elsewhere on each grid, so that all passes by interpolation at places.
 
 use carom_halfspace::Grid;
 
@@ -36,23 +38,57 @@ fn mix(low: f64, high: f64, part: f64) -> f64 {
     if part == 0.0 { low } else { low + part * (high - low) }
 }
 
-/// Heights on cells twice as wide: the mean of four places within each.
-pub(super) fn coarser_heights(fine: Grid, heights: &[f64], coarse: Grid) -> Vec<f64> {
-    let fine_heights = Bilinear { grid: fine, values: heights };
+/// Values on cells twice as wide: the mean of four places within each.
+pub(crate) fn coarser(fine: Grid, values: &[f64], coarse: Grid) -> Vec<f64> {
+    let values = Bilinear { grid: fine, values };
     let (dx, dy) = (0.5 * fine.dx(), 0.5 * fine.dy());
     let mean = |(x, y): (f64, f64)| {
         let corners = [(-dx, -dy), (dx, -dy), (-dx, dy), (dx, dy)];
-        0.25 * corners.iter().map(|(i, j)| fine_heights.at(x + i, y + j)).sum::<f64>()
+        0.25 * corners.iter().map(|(i, j)| values.at(x + i, y + j)).sum::<f64>()
     };
     coarse.centres().map(mean).collect()
 }
 
+/// Values between the centres of coarse cells at those of fine ones.
+pub(crate) fn finer(coarse: Grid, values: &[f64], fine: Grid) -> Vec<f64> {
+    let values = Bilinear { grid: coarse, values };
+    fine.centres().map(|(x, y)| values.at(x, y)).collect()
+}
+
+/// Gives cells of no value the mean of their neighbours that have one, ring after ring.
+pub(crate) fn extended(grid: Grid, values: &mut [f64], known: &[bool], rings: usize) {
+    let mut known = known.to_vec();
+    for _ in 0..rings {
+        let before = known.clone();
+        for row in 0..grid.ny() {
+            for column in 0..grid.nx() {
+                let cell = grid.index(column, row);
+                if before[cell] {
+                    continue;
+                }
+                let (mut sum, mut count) = (0.0, 0.0);
+                for j in row.saturating_sub(1)..(row + 2).min(grid.ny()) {
+                    for i in column.saturating_sub(1)..(column + 2).min(grid.nx()) {
+                        let near = grid.index(i, j);
+                        if before[near] {
+                            sum += values[near];
+                            count += 1.0;
+                        }
+                    }
+                }
+                if count > 0.0 {
+                    (values[cell], known[cell]) = (sum / count, true);
+                }
+            }
+        }
+    }
+}
+
 /// A pressure on finer cells. Its square, which falls linearly to the edge of a smooth contact, is
 /// continued beyond it and interpolated, so that the edge keeps its place.
-pub(super) fn finer_pressure(coarse: Grid, pressure: &[f64], fine: Grid) -> Vec<f64> {
+pub(crate) fn finer_pressure(coarse: Grid, pressure: &[f64], fine: Grid) -> Vec<f64> {
     let squares = continued(coarse, pressure);
-    let squares = Bilinear { grid: coarse, values: &squares };
-    fine.centres().map(|(x, y)| squares.at(x, y).max(0.0).sqrt()).collect()
+    finer(coarse, &squares, fine).into_iter().map(|square| square.max(0.0).sqrt()).collect()
 }
 
 /// The squares of a pressure; beside the contact the mean of their linear continuations.
@@ -104,7 +140,7 @@ mod tests {
             let plane = |(x, y): (f64, f64)| 1.0 + 2.0 * x - 3.0 * y;
             let heights: Vec<f64> = fine.centres().map(plane).collect();
             let coarse = coarse_of(fine);
-            let got = coarser_heights(fine, &heights, coarse);
+            let got = coarser(fine, &heights, coarse);
             // Inside; at the border of odd grids the last cells reach beyond.
             for ((x, y), got) in coarse.centres().zip(got) {
                 if x.abs() < 1.2 && y.abs() < 0.6 {
@@ -125,8 +161,7 @@ mod tests {
             both.filter(|(at, p)| (**p > 0.0) != (round(*at) > 0.0)).count()
         };
         let got = finer_pressure(coarse, &pressure, fine);
-        let plain = Bilinear { grid: coarse, values: &pressure };
-        let plain: Vec<f64> = fine.centres().map(|(x, y)| plain.at(x, y)).collect();
+        let plain = finer(coarse, &pressure, fine);
         assert!(5 * wrong(&got) < wrong(&plain), "{} {}", wrong(&got), wrong(&plain));
         let total: f64 = got.iter().sum::<f64>() * fine.cell_area();
         assert!((total / (2.0 / 3.0 * std::f64::consts::PI) - 1.0).abs() < 3e-3, "{total}");

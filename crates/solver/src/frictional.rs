@@ -1,0 +1,405 @@
+//! Contact with Coulomb's friction: normal and tangential problem in turn (11.4).
+
+use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField, Workspace};
+use carom_laws::law::Shift;
+use carom_special::RangeError;
+
+use crate::convergence::{Convergence, Observer, Products, Residuals, Stop};
+use crate::drive::{Drive, Driven};
+use crate::method::Method;
+use crate::normal::{NormalGrids, Target};
+use crate::problem::ContactProblem;
+use crate::state::ContactState;
+use crate::tangential::{TangentialScratch, TangentialTask};
+
+/// Contact with Coulomb's friction, one step at a time: pressures at the last tractions, tractions
+/// at these pressures, and so on (Panagiotopoulos) until the pressures stand; one pass where the
+/// materials are not coupled. Pressures come from preconditioned conjugate gradients on an active
+/// set, tractions from Newton's method on sets of sticking and slipping cells; both start from
+/// coarser grids where nothing better is known.
+///
+/// Approach or normal force may be given; along x, y and about the normal the shift is.
+///
+/// ```
+/// use carom_halfspace::{Grid, Material, MaterialPair};
+/// use carom_laws::{curvature::RelativeCurvature, friction::Friction, law::Shift};
+/// use carom_solver::{CellState, ContactProblem, ContactState, Drive, Frictional, Gap, Method};
+/// let grid = Grid::new(48, 48, 0.05, 0.05)?;
+/// let gap = Gap::of_curvature(grid, &RelativeCurvature::from_coefficients(0.5, 0.5)?);
+/// let body = Material::from_shear(1.0, 0.0)?;
+/// let pair = MaterialPair::new(body, body)?;
+/// let problem = ContactProblem::of_half_spaces(gap, pair, Friction::new(0.4)?)?;
+/// let method = Frictional::default();
+/// let mut scratch = method.scratch(&problem)?;
+/// let mut pressed = ContactState::apart(grid);
+/// let mut shifted = pressed.clone();
+/// let to = |xi| Drive::by_shift(Shift { zeta: 1.0, xi, ..Shift::default() });
+/// method.step(&problem, &pressed.clone(), &to(0.0), &mut pressed, &mut scratch, &mut ())?;
+/// // Cattaneo: at xi = f zeta/2 and nu = 0 the stick area has half the depth, F_x/(f F_z) = 1 - 2^(-3/2).
+/// method.step(&problem, &pressed, &to(0.2), &mut shifted, &mut scratch, &mut ())?;
+/// let load = shifted.load();
+/// assert!((load.f_x / (0.4 * load.f_z) - (1.0 - 0.5_f64.powf(1.5))).abs() < 3e-3);
+/// assert!(shifted.count(CellState::Slip) > 0);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frictional {
+    tolerance: f64,
+    iterations: usize,
+    passes: usize,
+}
+
+/// Why a step with friction failed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum FrictionalError {
+    /// A value out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// The operator failed.
+    #[error(transparent)]
+    Operator(#[from] OperatorError),
+    /// A tangential load or a torque is given, which this method cannot follow.
+    #[error("{load} = {value} is given: this method takes the {shift} only")]
+    DrivenByLoad {
+        /// The load.
+        load: &'static str,
+        /// Its value.
+        value: f64,
+        /// What to give in its place.
+        shift: &'static str,
+    },
+    /// Static and kinetic friction differ.
+    #[error(
+        "static friction {rest} and kinetic friction {motion} differ: this method takes equal ones"
+    )]
+    TwoFrictions {
+        /// At rest.
+        rest: f64,
+        /// In motion.
+        motion: f64,
+    },
+    /// Iterations ended before the tolerance was reached.
+    #[error(
+        "the {what} are not found within {tolerance:.1e}: {:.1e} (normal), {:.1e} (tangential) after \
+         {} iterations ({:?})",
+        .reached.residuals.normal, .reached.residuals.tangential, .reached.iterations, .reached.stop
+    )]
+    NotConverged {
+        /// Pressures, tractions, or both together.
+        what: &'static str,
+        /// The tolerance.
+        tolerance: f64,
+        /// How far it got.
+        reached: Convergence,
+    },
+}
+
+impl Default for Frictional {
+    /// To 1e-9 of the greatest displacement and of the greatest friction limit.
+    fn default() -> Self {
+        Self { tolerance: 1e-9, iterations: 1000, passes: 100 }
+    }
+}
+
+impl Frictional {
+    /// To another tolerance: violations of the normal conditions over the greatest displacement, and
+    /// of the friction law over the greatest friction limit.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it lies in 1e-13 to 0.01.
+    pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
+        let holds = (1e-13..=0.01).contains(&tolerance);
+        RangeError::check("tolerance", tolerance, holds, "from 1e-13 to 0.01")?;
+        Ok(Self { tolerance, ..self })
+    }
+
+    /// With at most as many iterations of each problem on each grid, and as many passes.
+    #[must_use]
+    pub const fn at_most(self, iterations: usize, passes: usize) -> Self {
+        Self { iterations, passes, ..self }
+    }
+}
+
+/// The working memory of [`Frictional`].
+#[derive(Clone)]
+pub struct FrictionalScratch {
+    normal: NormalGrids,
+    tangential: TangentialScratch,
+    workspace: Workspace,
+    limits: Vec<f64>,
+    /// The tangential displacement by pressure.
+    by_pressure: [Vec<f64>; 2],
+    offset: [Vec<f64>; 2],
+    /// The normal displacement by tangential tractions, of this pass and the last one.
+    by_traction: Vec<f64>,
+    last: Vec<f64>,
+}
+
+impl Method for Frictional {
+    type Error = FrictionalError;
+    type Scratch = FrictionalScratch;
+
+    fn scratch(&self, problem: &ContactProblem) -> Result<FrictionalScratch, FrictionalError> {
+        for cell in 0..problem.grid().cells() {
+            let friction = problem.friction().at(cell);
+            if friction.rest() != friction.motion() {
+                let (rest, motion) = (friction.rest().get(), friction.motion().get());
+                return Err(FrictionalError::TwoFrictions { rest, motion });
+            }
+        }
+        let operator = problem.operator();
+        let zero = vec![0.0; problem.grid().cells()];
+        Ok(FrictionalScratch {
+            normal: NormalGrids::new(operator, problem.gap().heights().values())?,
+            tangential: TangentialScratch::new(operator)?,
+            workspace: operator.workspace(),
+            limits: zero.clone(),
+            by_pressure: [zero.clone(), zero.clone()],
+            offset: [zero.clone(), zero.clone()],
+            by_traction: zero.clone(),
+            last: zero,
+        })
+    }
+
+    fn step(
+        &self,
+        problem: &ContactProblem,
+        from: &ContactState,
+        drive: &Drive,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, FrictionalError> {
+        drive.check()?;
+        from.check_grid(problem.grid())?;
+        let shift = tangential_shift(drive)?;
+        let heights = problem.gap().heights().values();
+        let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        let apart = match drive.normal {
+            Driven::Shift(approach) => (approach <= lowest).then_some(approach),
+            Driven::Load(force) => (force == 0.0).then_some(lowest),
+        };
+        if let Some(zeta) = apart {
+            *to = ContactState::apart(problem.grid());
+            to.shift = Shift { zeta, ..shift };
+            let (products, residuals) = Default::default();
+            return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
+        }
+        let mut pass =
+            Pass { method: self, problem, from, shift, observer, spent: Products::default() };
+        pass.until_the_pressures_stand(drive.normal, to, scratch)
+    }
+}
+
+/// The shift that a drive prescribes along the surface.
+fn tangential_shift(drive: &Drive) -> Result<Shift, FrictionalError> {
+    let given = |driven, load, shift| match driven {
+        Driven::Shift(value) => Ok(value),
+        Driven::Load(value) => Err(FrictionalError::DrivenByLoad { load, value, shift }),
+    };
+    Ok(Shift {
+        zeta: 0.0,
+        xi: given(drive.x, "F_x", "shift xi")?,
+        eta: given(drive.y, "F_y", "shift eta")?,
+        omega: given(drive.twist, "M_z", "twist omega")?,
+    })
+}
+
+/// One step of a history.
+struct Pass<'a> {
+    method: &'a Frictional,
+    problem: &'a ContactProblem,
+    from: &'a ContactState,
+    shift: Shift,
+    observer: &'a mut dyn Observer,
+    spent: Products,
+}
+
+impl Pass<'_> {
+    fn until_the_pressures_stand(
+        &mut self,
+        normal: Driven,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Convergence, FrictionalError> {
+        let (coupled, tolerance) = (self.problem.operator().is_coupled(), self.method.tolerance);
+        to.clone_from(self.from);
+        scratch.by_traction.fill(0.0);
+        if coupled {
+            self.displace_by_traction(to, scratch)?;
+        }
+        let mut inner = if coupled { 1e-3_f64.max(0.3 * tolerance) } else { tolerance };
+        let mut iterations = 0;
+        for pass in 1..=self.method.passes {
+            let normal_part = self.press(normal, inner, pass == 1, to, scratch)?;
+            let tangential_part = self.rub(inner, pass == 1, to, scratch)?;
+            iterations += normal_part.iterations + tangential_part.iterations;
+            let change = if coupled { self.change(to, scratch)? } else { 0.0 };
+            let residuals = Residuals {
+                normal: normal_part.residuals.normal.max(change),
+                tangential: tangential_part.residuals.tangential,
+            };
+            if change <= tolerance && inner <= tolerance {
+                self.finish(to, scratch);
+                let (products, stop) = (self.spent, Stop::Converged);
+                return Ok(Convergence { iterations, products, residuals, stop });
+            }
+            if !change.is_finite() || pass == self.method.passes {
+                let (products, stop) = (self.spent, Stop::Exhausted);
+                let reached = Convergence { iterations, products, residuals, stop };
+                let what = "pressures and tractions together";
+                return Err(FrictionalError::NotConverged { what, tolerance, reached });
+            }
+            inner = (0.1 * change).clamp(0.3 * tolerance, 1e-3_f64.max(0.3 * tolerance));
+        }
+        Err(RangeError::new("passes", 0.0, "at least 1").into())
+    }
+
+    fn press(
+        &mut self,
+        driven: Driven,
+        tolerance: f64,
+        first: bool,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Convergence, FrictionalError> {
+        let operator = self.problem.operator();
+        let heights = self.problem.gap().heights().values();
+        for ((own, height), w) in
+            scratch.normal.heights_mut().iter_mut().zip(heights).zip(&scratch.by_traction)
+        {
+            *own = height + w;
+        }
+        let target = Target { tolerance, iterations: self.method.iterations };
+        if first {
+            self.spent = self.spent.plus(scratch.normal.start(operator, driven, target)?);
+        }
+        let (approach, reached) = scratch.normal.solve(operator, driven, target, self.observer)?;
+        self.spent = self.spent.plus(reached.products);
+        to.shift = Shift { zeta: approach, ..self.shift };
+        to.pressure.values_mut().copy_from_slice(scratch.normal.pressure());
+        converged("pressures", tolerance, reached)
+    }
+
+    fn rub(
+        &mut self,
+        tolerance: f64,
+        first: bool,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Convergence, FrictionalError> {
+        let operator = self.problem.operator();
+        if operator.is_coupled() {
+            let [u, v] = &mut scratch.by_pressure;
+            let load = TractionField::normal(to.pressure.values());
+            operator.apply(load, DisplacementField::tangential(u, v), &mut scratch.workspace)?;
+            self.spent.coupling += 1.0;
+        }
+        for (i, (limit, pressure)) in
+            scratch.limits.iter_mut().zip(to.pressure.values()).enumerate()
+        {
+            let friction = self.problem.friction().at(i).motion().get();
+            *limit = if *pressure > 0.0 { friction * pressure } else { 0.0 };
+        }
+        self.offsets(scratch);
+        let [x, y] = &scratch.offset;
+        let mut task = TangentialTask {
+            operator,
+            limits: &scratch.limits,
+            offset: [x, y],
+            traction: [to.traction_x.values_mut(), to.traction_y.values_mut()],
+            cells: to.cells.values_mut(),
+        };
+        let iterations = self.method.iterations;
+        let fresh = task.traction.iter().all(|values| values.iter().all(|t| *t == 0.0));
+        if first && fresh {
+            let started = scratch.tangential.start(&mut task, tolerance, iterations)?;
+            self.spent = self.spent.plus(started);
+        }
+        let reached = scratch.tangential.solve(&mut task, tolerance, iterations, self.observer)?;
+        self.spent = self.spent.plus(reached.products);
+        converged("tractions", tolerance, reached)
+    }
+
+    /// c: displacements by the pressure, less the last ones and the rigid shift of the step.
+    fn offsets(&self, scratch: &mut FrictionalScratch) {
+        let [dx, dy, turn] = self.moved();
+        let before = [self.from.displacement_x.values(), self.from.displacement_y.values()];
+        for (i, (x, y)) in self.problem.grid().centres().enumerate() {
+            let rigid = [dx + y * turn, dy - x * turn]; // (12.2)
+            for axis in 0..2 {
+                scratch.offset[axis][i] =
+                    scratch.by_pressure[axis][i] - before[axis][i] - rigid[axis];
+            }
+        }
+    }
+
+    /// The rigid shift and twist of the step.
+    fn moved(&self) -> [f64; 3] {
+        let (now, before) = (self.shift, self.from.shift);
+        [now.xi - before.xi, now.eta - before.eta, now.omega - before.omega]
+    }
+
+    /// How much the tangential tractions changed the normal displacement since the pressures were
+    /// found, over the approach.
+    fn change(
+        &mut self,
+        to: &ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<f64, FrictionalError> {
+        std::mem::swap(&mut scratch.by_traction, &mut scratch.last);
+        self.displace_by_traction(to, scratch)?;
+        let heights = self.problem.gap().heights().values();
+        let (mut moved, mut scale) = (0.0_f64, 0.0_f64);
+        for (i, pressure) in to.pressure.values().iter().enumerate().filter(|(_, p)| **p > 0.0) {
+            let change = (scratch.by_traction[i] - scratch.last[i]).abs();
+            if change.is_nan() || pressure.is_nan() {
+                return Ok(f64::NAN);
+            }
+            moved = moved.max(change);
+            scale = scale.max((to.shift.zeta - heights[i]).abs());
+        }
+        Ok(if scale > 0.0 { moved / scale } else { moved })
+    }
+
+    fn displace_by_traction(
+        &mut self,
+        to: &ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<(), FrictionalError> {
+        let load = TractionField::tangential(to.traction_x.values(), to.traction_y.values());
+        let displacement = DisplacementField::normal(&mut scratch.by_traction);
+        self.problem.operator().apply(load, displacement, &mut scratch.workspace)?;
+        self.spent.coupling += 1.0;
+        Ok(())
+    }
+
+    /// Displacements of all cells: the slip, the last ones and the rigid shift of the step.
+    fn finish(&self, to: &mut ContactState, scratch: &FrictionalScratch) {
+        let [x, y] = scratch.tangential.slip();
+        let tangential = to.displacement_x.values_mut().iter_mut().zip(x);
+        for ((u, slip), (offset, by_pressure)) in
+            tangential.zip(scratch.offset[0].iter().zip(&scratch.by_pressure[0]))
+        {
+            *u = slip - offset + by_pressure;
+        }
+        let tangential = to.displacement_y.values_mut().iter_mut().zip(y);
+        for ((v, slip), (offset, by_pressure)) in
+            tangential.zip(scratch.offset[1].iter().zip(&scratch.by_pressure[1]))
+        {
+            *v = slip - offset + by_pressure;
+        }
+    }
+}
+
+fn converged(
+    what: &'static str,
+    tolerance: f64,
+    reached: Convergence,
+) -> Result<Convergence, FrictionalError> {
+    if reached.stop == Stop::Converged {
+        Ok(reached)
+    } else {
+        Err(FrictionalError::NotConverged { what, tolerance, reached })
+    }
+}

@@ -1,0 +1,192 @@
+//! Contact without friction.
+
+use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField, Workspace};
+use carom_special::RangeError;
+
+use crate::convergence::{Convergence, Observer, Stop};
+use crate::drive::{Drive, Driven};
+use crate::method::Method;
+use crate::normal::{NormalGrids, Target};
+use crate::problem::ContactProblem;
+use crate::state::{CellState, ContactState};
+
+/// Contact without friction: preconditioned conjugate gradients on an active set, started from
+/// coarser grids where operator and gap allow that.
+///
+/// The approach or the normal force is given; tangential shifts have no effect.
+///
+/// ```
+/// use carom_halfspace::{Grid, Material, MaterialPair};
+/// use carom_laws::{curvature::RelativeCurvature, friction::Friction};
+/// use carom_solver::{ContactProblem, ContactState, Drive, Driven, Frictionless, Gap, Method};
+/// let grid = Grid::new(48, 48, 0.05, 0.05)?;
+/// let gap = Gap::of_curvature(grid, &RelativeCurvature::from_coefficients(0.5, 0.5)?);
+/// let body = Material::from_shear(1.0, 0.5)?;
+/// let pair = MaterialPair::new(body, Material::RIGID)?;
+/// let problem = ContactProblem::of_half_spaces(gap, pair, Friction::NONE)?;
+/// let method = Frictionless::default();
+/// let mut scratch = method.scratch(&problem)?;
+/// let apart = ContactState::apart(grid);
+/// let mut state = apart.clone();
+/// let drive = Drive { normal: Driven::Shift(1.0), ..Drive::default() };
+/// method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+/// // Hertz: a sphere of radius 1, a = 1, F_z = (4/3) (2 G) a^3/R.
+/// assert!((state.load().f_z / (16.0 / 3.0) - 1.0).abs() < 2e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Frictionless {
+    target: Target,
+}
+
+/// Why a frictionless step failed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NormalError {
+    /// A value out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// The operator failed.
+    #[error(transparent)]
+    Operator(#[from] OperatorError),
+    /// The problem has friction, of which this method knows nothing.
+    #[error("the surfaces have friction: this method takes frictionless ones only")]
+    Friction,
+    /// Iterations ended before the tolerance was reached.
+    #[error(
+        "the pressure is not found within {:.1e}: {:.1e} after {} iterations ({:?})",
+        .tolerance, .reached.residuals.normal, .reached.iterations, .reached.stop
+    )]
+    NotConverged {
+        /// The tolerance.
+        tolerance: f64,
+        /// How far it got.
+        reached: Convergence,
+    },
+}
+
+impl Default for Frictionless {
+    /// To 1e-10 of the greatest displacement.
+    fn default() -> Self {
+        Self { target: Target { tolerance: 1e-10, iterations: 1000 } }
+    }
+}
+
+impl Frictionless {
+    /// To another tolerance: the greatest gap in the contact, or overlap outside, over the greatest
+    /// displacement.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it lies in 1e-14 to 0.1.
+    pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
+        let holds = (1e-14..=0.1).contains(&tolerance);
+        RangeError::check("tolerance", tolerance, holds, "from 1e-14 to 0.1")?;
+        Ok(Self { target: Target { tolerance, ..self.target } })
+    }
+
+    /// With at most as many iterations on each grid.
+    #[must_use]
+    pub const fn at_most(self, iterations: usize) -> Self {
+        Self { target: Target { iterations, ..self.target } }
+    }
+}
+
+/// The working memory of [`Frictionless`]: all grids of a problem.
+#[derive(Clone)]
+pub struct NormalScratch {
+    grids: NormalGrids,
+    workspace: Workspace,
+}
+
+impl Method for Frictionless {
+    type Error = NormalError;
+    type Scratch = NormalScratch;
+
+    fn scratch(&self, problem: &ContactProblem) -> Result<NormalScratch, NormalError> {
+        if !problem.friction().is_none() {
+            return Err(NormalError::Friction);
+        }
+        let operator = problem.operator();
+        let grids = NormalGrids::new(operator, problem.gap().heights().values())?;
+        Ok(NormalScratch { grids, workspace: operator.workspace() })
+    }
+
+    fn step(
+        &self,
+        problem: &ContactProblem,
+        from: &ContactState,
+        drive: &Drive,
+        to: &mut ContactState,
+        scratch: &mut NormalScratch,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, NormalError> {
+        drive.check()?;
+        from.check_grid(problem.grid())?;
+        let loads = [("F_x", drive.x), ("F_y", drive.y), ("M_z", drive.twist)];
+        for (name, driven) in loads {
+            if let Driven::Load(load) = driven {
+                RangeError::check(name, load, load == 0.0, "0 without friction")?;
+            }
+        }
+        let convergence = self.pressures(problem, drive.normal, scratch, observer, to)?;
+        let kept = |driven, before| match driven {
+            Driven::Shift(shift) => shift,
+            Driven::Load(_) => before,
+        };
+        to.shift.xi = kept(drive.x, from.shift.xi);
+        to.shift.eta = kept(drive.y, from.shift.eta);
+        to.shift.omega = kept(drive.twist, from.shift.omega);
+        Ok(convergence)
+    }
+}
+
+impl Frictionless {
+    fn pressures(
+        &self,
+        problem: &ContactProblem,
+        driven: Driven,
+        scratch: &mut NormalScratch,
+        observer: &mut dyn Observer,
+        to: &mut ContactState,
+    ) -> Result<Convergence, NormalError> {
+        let heights = problem.gap().heights().values();
+        let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        let grid = problem.grid();
+        *to = ContactState::apart(grid);
+        let apart = match driven {
+            Driven::Shift(approach) => (approach <= lowest).then_some(approach),
+            Driven::Load(force) => (force == 0.0).then_some(lowest),
+        };
+        if let Some(approach) = apart {
+            to.shift.zeta = approach;
+            let (products, residuals) = Default::default();
+            return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
+        }
+        let (operator, grids) = (problem.operator(), &mut scratch.grids);
+        let started = grids.start(operator, driven, self.target)?;
+        let (approach, reached) = grids.solve(operator, driven, self.target, observer)?;
+        let mut products = started.plus(reached.products);
+        if reached.stop != Stop::Converged {
+            let reached = Convergence { products, ..reached };
+            return Err(NormalError::NotConverged { tolerance: self.target.tolerance, reached });
+        }
+        let pressure = grids.pressure();
+        to.shift.zeta = approach;
+        to.pressure.values_mut().copy_from_slice(pressure);
+        for (cell, pressure) in to.cells.values_mut().iter_mut().zip(pressure) {
+            *cell = if *pressure > 0.0 { CellState::Slip } else { CellState::Exterior };
+        }
+        if operator.is_coupled() {
+            let displacements = DisplacementField::tangential(
+                to.displacement_x.values_mut(),
+                to.displacement_y.values_mut(),
+            );
+            operator.apply(
+                TractionField::normal(pressure),
+                displacements,
+                &mut scratch.workspace,
+            )?;
+            products.coupling += 1.0;
+        }
+        Ok(Convergence { products, ..reached })
+    }
+}

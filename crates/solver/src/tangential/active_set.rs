@@ -1,0 +1,470 @@
+//! The tangential problem at known pressures by Newton's method on an active set.
+//!
+//! Coulomb's law in each cell is the condition of a minimum (11.10): with the slip s = A t + c,
+//! where c is the displacement without tangential tractions, `t.A t/2 + t.c` is least over the discs
+//! |t| <= R. Cells that stick have two unknowns, those that slip one, along the rim of their disc,
+//! whose bend adds `D = -s.e/R` to the diagonal (12.20)-(12.24). Preconditioned conjugate gradients
+//! solve for them together; the sets change when what violates the discs or the direction of slip
+//! outweighs the last step. Projections to the discs are made in one product with a damped step.
+
+use std::ops::ControlFlow;
+
+use carom_halfspace::operator::{
+    DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
+};
+
+use super::descent::Descent;
+use crate::convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
+use crate::state::CellState;
+
+/// A cell whose traction is within this part of its limit has reached it.
+const REACHED: f64 = 1.0 - 1e-9;
+/// The sets change when their violation exceeds this part of the last step.
+const EAGERNESS: f64 = 0.3;
+/// The same once that does not converge.
+const PATIENCE: f64 = 3.0;
+/// Part of a preconditioned step beside projections.
+const DAMPING: f64 = 0.4;
+/// Compliance of a slipping cell, over that by its own traction, for the preconditioner.
+const SOFTNESS: f64 = 2.5;
+
+/// What is to be solved and what is found. All fields lie on the operator's grid.
+pub(crate) struct TangentialTask<'a> {
+    pub(crate) operator: &'a dyn SurfaceOperator,
+    /// Greatest tractions, zero outside the contact, infinite where nothing slips.
+    pub(crate) limits: &'a [f64],
+    /// The displacement c without tangential tractions, against what the shift asks for.
+    pub(crate) offset: [&'a [f64]; 2],
+    /// The start and the solution.
+    pub(crate) traction: [&'a mut [f64]; 2],
+    /// What the cells did in the start and do in the solution.
+    pub(crate) cells: &'a mut [CellState],
+}
+
+/// When to stop.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Limits {
+    /// Greatest violation of the friction law over the greatest friction limit.
+    pub(super) tolerance: f64,
+    /// Correction and violation over the tractions, in norms; zero asks for the tolerance.
+    pub(super) change: f64,
+    pub(super) iterations: usize,
+}
+
+/// Two components in each cell.
+pub(super) type Plane = [Vec<f64>; 2];
+
+/// One grid of the tangential problem, with its working memory.
+#[derive(Clone)]
+pub(super) struct ActiveSet {
+    inverse: Option<TorusInverse>,
+    workspace: Workspace,
+    inverse_workspace: Workspace,
+    /// The influence of a cell's traction on itself, the mean of both directions.
+    pub(super) own: f64,
+    /// The slip.
+    pub(super) slip: Plane,
+    /// Directions of the tractions of slipping cells.
+    rim: Plane,
+    /// The bend D of the rim in slipping cells.
+    bend: Vec<f64>,
+    /// What is left of the linearised problem, then the preconditioned step.
+    rest: Plane,
+    preconditioned: Plane,
+    pub(super) direction: Plane,
+    pub(super) image: Plane,
+}
+
+/// The course of an iteration on one grid.
+#[derive(Default)]
+struct Course {
+    products: Products,
+    power: Option<f64>,
+    step: f64,
+    last_violation: Option<f64>,
+    /// How often the violation was not halved from one change of the sets to the next.
+    slow_changes: u32,
+    /// For how many steps the sets stand.
+    held: u32,
+}
+
+impl Course {
+    const fn careful(&self) -> bool {
+        self.slow_changes >= 2
+    }
+
+    fn changes(&mut self, violation: f64) {
+        if self.last_violation.is_some_and(|last| violation > 0.5 * last) {
+            self.slow_changes += 1;
+        }
+        self.last_violation = Some(violation);
+        self.held = if self.careful() { 2 } else { 1 };
+    }
+}
+
+impl ActiveSet {
+    pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
+        let zero = vec![0.0; operator.grid().cells()];
+        let plane = || [zero.clone(), zero.clone()];
+        let own = operator.coefficients(0, 0).rows;
+        Self {
+            inverse: operator.inverse(),
+            workspace: operator.workspace(),
+            inverse_workspace: Workspace::default(),
+            own: 0.5 * (own[0][0] + own[1][1]),
+            slip: plane(),
+            rim: plane(),
+            bend: zero.clone(),
+            rest: plane(),
+            preconditioned: plane(),
+            direction: plane(),
+            image: plane(),
+        }
+    }
+
+    /// Solves a task.
+    ///
+    /// # Errors
+    /// The operator's.
+    pub(super) fn solve(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        limits: Limits,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, OperatorError> {
+        let mut course = Course::default();
+        let scale = force_scale(task);
+        self.begin(task, &mut course)?;
+        let mut iteration = 0;
+        loop {
+            iteration += 1;
+            if course.slow_changes >= 4 || self.is_lost(task) {
+                Descent::new(task.operator).run(self, task, &mut course.products)?;
+                course = Course { products: course.products, slow_changes: 2, ..Course::default() };
+                self.change_sets(task, &mut course)?;
+            } else if iteration == 1 || self.asks_for_change(task, &course) {
+                self.change_sets(task, &mut course)?;
+            } else {
+                course.held = course.held.saturating_sub(1);
+                self.precondition(task, &mut course);
+                self.gradient_step(task, &mut course)?;
+            }
+            let tangential = self.residual(task) / scale;
+            let residuals = Residuals { normal: 0.0, tangential };
+            let cells = task.limits.len();
+            let touching = task.limits.iter().filter(|limit| **limit > 0.0).count();
+            let seen = observer.see(&Progress { iteration, cells, touching, residuals });
+            let stop = if tangential.is_nan() {
+                Some(Stop::Stalled)
+            } else if tangential <= limits.tolerance
+                || self.is_settled(task, &course, limits.change)
+            {
+                Some(Stop::Converged)
+            } else if matches!(seen, ControlFlow::Break(())) {
+                Some(Stop::Observer)
+            } else {
+                (iteration >= limits.iterations).then_some(Stop::Exhausted)
+            };
+            if let Some(stop) = stop {
+                self.finish(task);
+                let products = course.products;
+                return Ok(Convergence { iterations: iteration, products, residuals, stop });
+            }
+        }
+    }
+
+    /// The slip of the start.
+    fn begin(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        course: &mut Course,
+    ) -> Result<(), OperatorError> {
+        for axis in 0..2 {
+            self.direction[axis].copy_from_slice(task.traction[axis]);
+        }
+        self.multiply(task.operator, &mut course.products)?;
+        for axis in 0..2 {
+            let sums = self.image[axis].iter().zip(task.offset[axis]);
+            for (slip, (image, offset)) in self.slip[axis].iter_mut().zip(sums) {
+                *slip = image + offset;
+            }
+        }
+        Ok(())
+    }
+
+    fn asks_for_change(&self, task: &TangentialTask<'_>, course: &Course) -> bool {
+        let eagerness = if course.careful() { PATIENCE } else { EAGERNESS };
+        course.held == 0 && self.violation(task) > eagerness * course.step
+    }
+
+    /// Whether tractions have left their discs for good.
+    fn is_lost(&self, task: &TangentialTask<'_>) -> bool {
+        let size: f64 = task.limits.iter().filter(|r| r.is_finite()).map(|r| r * r).sum();
+        let violation = self.violation(task);
+        size > 0.0 && violation > 10.0 * size.sqrt()
+    }
+
+    /// Projects tractions to their discs and decides what sticks and what slips.
+    fn change_sets(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        course: &mut Course,
+    ) -> Result<(), OperatorError> {
+        course.changes(self.violation(task));
+        let projected = self.project(task);
+        self.precondition(task, course);
+        course.power = None;
+        if projected {
+            let damping = if course.careful() { 0.0 } else { DAMPING };
+            for axis in 0..2 {
+                let steps = self.direction[axis].iter_mut().zip(&self.preconditioned[axis]);
+                steps.for_each(|(direction, step)| *direction += damping * step);
+            }
+            self.multiply(task.operator, &mut course.products)?;
+            self.correct(task, 1.0, course);
+            Ok(())
+        } else {
+            self.gradient_step(task, course)
+        }
+    }
+
+    /// Sets the states, the rims and the bends, and puts into `direction` what takes tractions to
+    /// their discs (to be subtracted). Whether that is anything.
+    fn project(&mut self, task: &mut TangentialTask<'_>) -> bool {
+        let mut any = false;
+        for i in 0..task.limits.len() {
+            let limit = task.limits[i];
+            let [x, y] = [task.traction[0][i], task.traction[1][i]];
+            let norm = (x * x + y * y).sqrt();
+            self.bend[i] = 0.0;
+            let target = if limit == 0.0 {
+                task.cells[i] = CellState::Exterior;
+                [0.0; 2]
+            } else {
+                let at_rim = norm >= limit * REACHED;
+                let slipped = task.cells[i] == CellState::Slip;
+                let along = if norm > 0.0 {
+                    (self.slip[0][i] * x + self.slip[1][i] * y) / norm
+                } else {
+                    0.0
+                };
+                // Slip opposes the traction; a cell that is pushed out begins to slip.
+                let slips = (norm > limit && !slipped) || ((at_rim || slipped) && along < 0.0);
+                if slips && norm > 0.0 {
+                    task.cells[i] = CellState::Slip;
+                    let e = [x / norm, y / norm];
+                    (self.rim[0][i], self.rim[1][i]) = (e[0], e[1]);
+                    self.bend[i] = (-along).max(0.0) / limit;
+                    [limit * e[0], limit * e[1]]
+                } else {
+                    task.cells[i] = CellState::Stick;
+                    let part = if norm > limit { limit / norm } else { 1.0 };
+                    [part * x, part * y]
+                }
+            };
+            (self.direction[0][i], self.direction[1][i]) = (x - target[0], y - target[1]);
+            any |= self.direction[0][i] != 0.0 || self.direction[1][i] != 0.0;
+        }
+        any
+    }
+
+    /// A step of conjugate gradients along `preconditioned`.
+    fn gradient_step(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        course: &mut Course,
+    ) -> Result<(), OperatorError> {
+        let power = dot(&self.preconditioned, &self.rest);
+        let share = course.power.map_or(0.0, |last| power / last);
+        for axis in 0..2 {
+            let steps = self.direction[axis].iter_mut().zip(&self.preconditioned[axis]);
+            steps.for_each(|(direction, step)| *direction = step + share * *direction);
+        }
+        course.power = Some(power);
+        self.multiply(task.operator, &mut course.products)?;
+        let down = dot(&self.direction, &self.rest);
+        let mut bend = dot(&self.direction, &self.image);
+        for (i, own) in self.bend.iter().enumerate() {
+            let (x, y) = (self.direction[0][i], self.direction[1][i]);
+            bend += own * (x * x + y * y);
+        }
+        let length = if bend > 0.0 { down / bend } else { 0.0 };
+        self.correct(task, length, course);
+        Ok(())
+    }
+
+    fn correct(&mut self, task: &mut TangentialTask<'_>, length: f64, course: &mut Course) {
+        let mut square = 0.0;
+        for axis in 0..2 {
+            for (traction, step) in task.traction[axis].iter_mut().zip(&self.direction[axis]) {
+                *traction -= length * step;
+                square += step * step;
+            }
+            for (slip, image) in self.slip[axis].iter_mut().zip(&self.image[axis]) {
+                *slip -= length * image;
+            }
+        }
+        course.step = length.abs() * square.sqrt();
+    }
+
+    /// What is left of the linearised problem, and the preconditioned step: `S K S` with the weight
+    /// 1 where the surfaces stick and sqrt(sigma) along the rim where they slip, where the rest of
+    /// the diagonal is added.
+    fn precondition(&mut self, task: &TangentialTask<'_>, course: &mut Course) {
+        let soft = SOFTNESS / self.own;
+        for i in 0..task.limits.len() {
+            let [x, y] = self.rest_at(task, i);
+            (self.rest[0][i], self.rest[1][i]) = (x, y);
+            let weight = (1.0 + self.bend[i] * soft).sqrt();
+            (self.image[0][i], self.image[1][i]) = (x / weight, y / weight);
+        }
+        if let Some(inverse) = &self.inverse {
+            let [x, y] = &mut self.preconditioned;
+            inverse.traction([&self.image[0], &self.image[1]], [x, y], &mut self.inverse_workspace);
+            course.products.preconditioner += 1.0;
+        } else {
+            for axis in 0..2 {
+                self.preconditioned[axis].copy_from_slice(&self.image[axis]);
+            }
+        }
+        for i in 0..task.limits.len() {
+            let stiffness = self.bend[i] * soft;
+            let sigma = 1.0 / (1.0 + stiffness);
+            let step = [self.preconditioned[0][i], self.preconditioned[1][i]];
+            let step = self.admitted(task.cells[i], i, step).map(|step| sigma.sqrt() * step);
+            let own = if self.inverse.is_some() && self.bend[i] > 0.0 {
+                (1.0 - sigma) / (self.bend[i] + 1.0 / soft)
+            } else {
+                0.0
+            };
+            for axis in 0..2 {
+                self.preconditioned[axis][i] = step[axis] + own * self.rest[axis][i];
+            }
+        }
+    }
+
+    /// The gradient of the linearised problem in the cell.
+    fn rest_at(&self, task: &TangentialTask<'_>, i: usize) -> [f64; 2] {
+        let bend = self.bend[i];
+        let whole = [0, 1].map(|axis| self.slip[axis][i] + bend * task.traction[axis][i]);
+        self.admitted(task.cells[i], i, whole)
+    }
+
+    /// The part of a change that a cell admits: all, along the rim, none.
+    fn admitted(&self, state: CellState, i: usize, [x, y]: [f64; 2]) -> [f64; 2] {
+        match state {
+            CellState::Exterior => [0.0; 2],
+            CellState::Stick => [x, y],
+            CellState::Slip => {
+                let (e_x, e_y) = (self.rim[0][i], self.rim[1][i]);
+                let across = e_x * y - e_y * x;
+                [-e_y * across, e_x * across]
+            }
+        }
+    }
+
+    /// The norm of what breaks the law: tractions beyond their discs, or in them where the cell is
+    /// said to slip, and slip along the traction, as tractions.
+    fn violation(&self, task: &TangentialTask<'_>) -> f64 {
+        let mut square = 0.0;
+        for (i, limit) in task.limits.iter().enumerate() {
+            let [x, y] = [task.traction[0][i], task.traction[1][i]];
+            let norm = (x * x + y * y).sqrt();
+            let beyond = match task.cells[i] {
+                CellState::Slip => (norm - limit).abs(),
+                _ => (norm - limit).max(0.0),
+            };
+            square += beyond * beyond;
+            if task.cells[i] == CellState::Slip {
+                let along = self.slip[0][i] * self.rim[0][i] + self.slip[1][i] * self.rim[1][i];
+                let wrong = along.max(0.0) / self.own;
+                square += wrong * wrong;
+            }
+        }
+        square.sqrt()
+    }
+
+    /// The greatest distance of a traction from where the slip would take it and its disc hold it.
+    fn residual(&self, task: &TangentialTask<'_>) -> f64 {
+        let mut greatest = 0.0_f64;
+        for (i, &limit) in task.limits.iter().enumerate() {
+            let at = [0, 1].map(|axis| task.traction[axis][i]);
+            let pulled = [0, 1].map(|axis| at[axis] - self.slip[axis][i] / self.own);
+            let [x, y] = within(pulled, limit);
+            let distance = ((at[0] - x) * (at[0] - x) + (at[1] - y) * (at[1] - y)).sqrt();
+            if distance.is_nan() {
+                return distance;
+            }
+            greatest = greatest.max(distance);
+        }
+        greatest
+    }
+
+    fn is_settled(&self, task: &TangentialTask<'_>, course: &Course, change: f64) -> bool {
+        let square: f64 =
+            task.traction.iter().flat_map(|values| values.iter()).map(|t| t * t).sum();
+        let norm = change * square.sqrt();
+        course.step < norm && self.violation(task) < norm
+    }
+
+    /// Tractions in their discs, and what the cells do.
+    fn finish(&self, task: &mut TangentialTask<'_>) {
+        for (i, &limit) in task.limits.iter().enumerate() {
+            let slips = task.cells[i] == CellState::Slip;
+            let at = [0, 1].map(|axis| task.traction[axis][i]);
+            let norm = (at[0] * at[0] + at[1] * at[1]).sqrt();
+            let [x, y] = if slips && norm > 0.0 {
+                at.map(|t| limit * (t / norm))
+            } else {
+                within(at, limit)
+            };
+            (task.traction[0][i], task.traction[1][i]) = (x, y);
+            let along = self.slip[0][i] * x + self.slip[1][i] * y;
+            task.cells[i] = if limit == 0.0 {
+                CellState::Exterior
+            } else if x.hypot(y) >= limit * REACHED && along < 0.0 {
+                CellState::Slip
+            } else {
+                CellState::Stick
+            };
+        }
+    }
+
+    /// Puts A times `direction` into `image`.
+    pub(super) fn multiply(
+        &mut self,
+        operator: &dyn SurfaceOperator,
+        products: &mut Products,
+    ) -> Result<(), OperatorError> {
+        let tractions = TractionField::tangential(&self.direction[0], &self.direction[1]);
+        let [u, v] = &mut self.image;
+        let displacements = DisplacementField::tangential(u, v);
+        operator.apply(tractions, displacements, &mut self.workspace)?;
+        products.tangential += 1.0;
+        Ok(())
+    }
+}
+
+/// The nearest point of a disc.
+pub(super) fn within([x, y]: [f64; 2], limit: f64) -> [f64; 2] {
+    let norm = (x * x + y * y).sqrt();
+    if norm > limit { [limit * (x / norm), limit * (y / norm)] } else { [x, y] }
+}
+
+/// The greatest finite limit; where there is none the traction that the offset asks for.
+fn force_scale(task: &TangentialTask<'_>) -> f64 {
+    let finite = task.limits.iter().copied().filter(|limit| limit.is_finite());
+    let greatest = finite.fold(0.0, f64::max);
+    if greatest > 0.0 {
+        return greatest;
+    }
+    let own = task.operator.coefficients(0, 0).rows[0][0];
+    let offset = task.offset.iter().flat_map(|values| values.iter());
+    let asked = offset.fold(0.0_f64, |most, value| most.max(value.abs())) / own;
+    if asked > 0.0 { asked } else { 1.0 }
+}
+
+fn dot(a: &Plane, b: &Plane) -> f64 {
+    let along = |axis: usize| a[axis].iter().zip(&b[axis]).map(|(a, b)| a * b).sum::<f64>();
+    along(0) + along(1)
+}

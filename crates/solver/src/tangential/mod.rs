@@ -1,0 +1,192 @@
+//! The tangential problem at known pressures, started from coarser grids.
+
+mod active_set;
+mod descent;
+
+use std::sync::Arc;
+
+use carom_halfspace::Grid;
+use carom_halfspace::operator::{OperatorError, SurfaceOperator};
+
+use crate::convergence::{Convergence, Observer, Products};
+use crate::nested;
+use crate::state::CellState;
+use active_set::{ActiveSet, Limits, Plane};
+
+pub(crate) use active_set::TangentialTask;
+
+/// Grids with fewer cells along a side than this are not made coarser.
+const COARSEST: usize = 32;
+/// Coarse grids stop when a correction changes the tractions by less than this, the coarsest by
+/// less than a tenth of it.
+const COARSE_CHANGE: f64 = 1e-2;
+/// Rings of cells around the contact to which tractions over their limits are continued.
+const RINGS: usize = 2;
+
+/// The grids below that of the problem, finest first, and the working memory of all.
+#[derive(Clone)]
+pub(crate) struct TangentialScratch {
+    set: ActiveSet,
+    coarse: Vec<Level>,
+}
+
+#[derive(Clone)]
+struct Level {
+    grid: Grid,
+    operator: Arc<dyn SurfaceOperator>,
+    set: ActiveSet,
+    limits: Vec<f64>,
+    offset: Plane,
+    traction: Plane,
+    cells: Vec<CellState>,
+}
+
+impl Level {
+    fn below(fine: &dyn SurfaceOperator) -> Result<Option<Self>, OperatorError> {
+        let grid = fine.grid();
+        if grid.nx().min(grid.ny()) < COARSEST {
+            return Ok(None);
+        }
+        let Some(operator) = fine.coarser() else { return Ok(None) };
+        let operator: Arc<dyn SurfaceOperator> = operator?.into();
+        let grid = operator.grid();
+        let zero = vec![0.0; grid.cells()];
+        Ok(Some(Self {
+            grid,
+            set: ActiveSet::new(&*operator),
+            operator,
+            limits: zero.clone(),
+            offset: [zero.clone(), zero.clone()],
+            traction: [zero.clone(), zero],
+            cells: vec![CellState::Exterior; grid.cells()],
+        }))
+    }
+
+    fn take(&mut self, fine: Grid, limits: &[f64], offset: [&[f64]; 2]) {
+        self.limits = nested::coarser(fine, limits, self.grid);
+        self.offset = offset.map(|values| nested::coarser(fine, values, self.grid));
+        for (cell, limit) in self.cells.iter_mut().zip(&self.limits) {
+            *cell = if *limit > 0.0 { CellState::Stick } else { CellState::Exterior };
+        }
+        for values in &mut self.traction {
+            values.fill(0.0);
+        }
+    }
+
+    fn solve(&mut self, limits: Limits) -> Result<Convergence, OperatorError> {
+        let [x, y] = &mut self.traction;
+        let mut task = TangentialTask {
+            operator: &*self.operator,
+            limits: &self.limits,
+            offset: [&self.offset[0], &self.offset[1]],
+            traction: [x, y],
+            cells: &mut self.cells,
+        };
+        self.set.solve(&mut task, limits, &mut ())
+    }
+
+    /// Tractions over their limits pass to the finer grid; where half of what lies around slips, so
+    /// does the fine cell, and has its full traction.
+    fn pass_on(
+        &self,
+        fine: Grid,
+        limits: &[f64],
+        traction: [&mut [f64]; 2],
+        cells: &mut [CellState],
+    ) {
+        let unit = |limit: f64| if limit.is_finite() { limit } else { 1.0 };
+        let known: Vec<bool> = self.limits.iter().map(|limit| *limit > 0.0).collect();
+        let spread = |value: &dyn Fn(usize) -> f64| {
+            let value = |i: usize| if known[i] { value(i) } else { 0.0 };
+            let mut values: Vec<f64> = (0..known.len()).map(value).collect();
+            nested::extended(self.grid, &mut values, &known, RINGS);
+            nested::finer(self.grid, &values, fine)
+        };
+        let ratio = |axis: usize| spread(&|i| self.traction[axis][i] / unit(self.limits[i]));
+        let slipping = spread(&|i| f64::from(u8::from(self.cells[i] == CellState::Slip)));
+        let (along, across) = (ratio(0), ratio(1));
+        let [x, y] = traction;
+        for (i, limit) in limits.iter().enumerate() {
+            let norm = along[i].hypot(across[i]);
+            let slips = slipping[i] >= 0.5 && norm > 0.0;
+            let part = if slips || norm > 1.0 { unit(*limit) / norm } else { unit(*limit) };
+            (x[i], y[i]) =
+                if *limit > 0.0 { (part * along[i], part * across[i]) } else { (0.0, 0.0) };
+            cells[i] = match (*limit > 0.0, slips) {
+                (false, _) => CellState::Exterior,
+                (true, true) => CellState::Slip,
+                (true, false) => CellState::Stick,
+            };
+        }
+    }
+}
+
+impl TangentialScratch {
+    pub(crate) fn new(operator: &dyn SurfaceOperator) -> Result<Self, OperatorError> {
+        let mut coarse: Vec<Level> = Vec::new();
+        while let Some(level) =
+            Level::below(coarse.last().map_or(operator, |level| &*level.operator))?
+        {
+            coarse.push(level);
+        }
+        Ok(Self { set: ActiveSet::new(operator), coarse })
+    }
+
+    /// The slip of the last solution.
+    pub(crate) const fn slip(&self) -> &[Vec<f64>; 2] {
+        &self.set.slip
+    }
+
+    /// Solves a task to the tolerance, from its own start.
+    pub(crate) fn solve(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        tolerance: f64,
+        iterations: usize,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, OperatorError> {
+        self.set.solve(task, Limits { tolerance, change: 0.0, iterations }, observer)
+    }
+
+    /// Replaces the start of a task by the solution of coarser grids; what that cost, in products of
+    /// the finest. Nothing is done where there is none.
+    pub(crate) fn start(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        tolerance: f64,
+        iterations: usize,
+    ) -> Result<Products, OperatorError> {
+        let mut spent = Products::default();
+        let fine = task.operator.grid();
+        let coarsest = self.coarse.len();
+        for i in 0..coarsest {
+            let (above, below) = self.coarse.split_at_mut(i);
+            match above.last() {
+                None => below[0].take(fine, task.limits, task.offset),
+                Some(level) => {
+                    let offset = [&level.offset[0][..], &level.offset[1][..]];
+                    below[0].take(level.grid, &level.limits, offset);
+                }
+            }
+        }
+        for i in (0..coarsest).rev() {
+            let change = if i + 1 == coarsest { 0.1 * COARSE_CHANGE } else { COARSE_CHANGE };
+            let limits = Limits { tolerance, change, iterations };
+            let convergence = self.coarse[i].solve(limits)?;
+            let part = self.coarse[i].grid.cells() as f64 / fine.cells() as f64;
+            spent = spent.plus(convergence.products.times(part));
+            let (finer, coarser) = self.coarse.split_at_mut(i);
+            match finer.last_mut() {
+                None => {
+                    let [x, y] = &mut task.traction;
+                    coarser[0].pass_on(fine, task.limits, [x, y], task.cells);
+                }
+                Some(level) => {
+                    let [x, y] = &mut level.traction;
+                    coarser[0].pass_on(level.grid, &level.limits, [x, y], &mut level.cells);
+                }
+            }
+        }
+        Ok(spent)
+    }
+}
