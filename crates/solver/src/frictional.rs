@@ -9,7 +9,7 @@ use crate::drive::{Drive, Driven};
 use crate::method::Method;
 use crate::normal::{NormalGrids, Target};
 use crate::problem::ContactProblem;
-use crate::state::ContactState;
+use crate::state::{CellState, ContactState};
 use crate::tangential::{TangentialScratch, TangentialTask};
 
 /// Contact with Coulomb's friction, one step at a time: pressures at the last tractions, tractions
@@ -374,7 +374,8 @@ impl Pass<'_> {
         Ok(())
     }
 
-    /// Displacements of all cells: the slip, the last ones and the rigid shift of the step.
+    /// Displacements of all cells: the slip, the last ones and the rigid shift of the step. Cells
+    /// that touch without friction slip.
     fn finish(&self, to: &mut ContactState, scratch: &FrictionalScratch) {
         let [x, y] = scratch.tangential.slip();
         let tangential = to.displacement_x.values_mut().iter_mut().zip(x);
@@ -388,6 +389,13 @@ impl Pass<'_> {
             tangential.zip(scratch.offset[1].iter().zip(&scratch.by_pressure[1]))
         {
             *v = slip - offset + by_pressure;
+        }
+        for ((cell, pressure), limit) in
+            to.cells.values_mut().iter_mut().zip(to.pressure.values()).zip(&scratch.limits)
+        {
+            if *pressure > 0.0 && *limit == 0.0 {
+                *cell = CellState::Slip;
+            }
         }
     }
 }
