@@ -55,6 +55,20 @@ impl Drive {
         }
     }
 
+    /// The given shifts; where a load is given, that before the step.
+    pub(crate) fn shift_after(&self, before: Shift) -> Shift {
+        let given = |driven, before| match driven {
+            Driven::Shift(shift) => shift,
+            Driven::Load(_) => before,
+        };
+        Shift {
+            zeta: given(self.normal, before.zeta),
+            xi: given(self.x, before.xi),
+            eta: given(self.y, before.eta),
+            omega: given(self.twist, before.omega),
+        }
+    }
+
     /// Ok if all four values are finite and a normal force is not negative.
     ///
     /// # Errors

@@ -10,7 +10,7 @@ use crate::method::Method;
 use crate::normal::{NormalGrids, Target};
 use crate::problem::ContactProblem;
 use crate::state::{CellState, ContactState};
-use crate::tangential::{TangentialScratch, TangentialTask};
+use crate::tangential::{Rigid, TangentialScratch, TangentialTask};
 
 /// Contact with Coulomb's friction, one step at a time: pressures at the last tractions, tractions
 /// at these pressures, and so on (Panagiotopoulos) until the pressures stand; one pass where the
@@ -18,7 +18,7 @@ use crate::tangential::{TangentialScratch, TangentialTask};
 /// set, tractions from Newton's method on sets of sticking and slipping cells; both start from
 /// coarser grids where nothing better is known.
 ///
-/// Approach or normal force may be given; along x, y and about the normal the shift is.
+/// Each of the four motions is driven by its shift or by its load.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -58,15 +58,15 @@ pub enum FrictionalError {
     /// The operator failed.
     #[error(transparent)]
     Operator(#[from] OperatorError),
-    /// A tangential load or a torque is given, which this method cannot follow.
-    #[error("{load} = {value} is given: this method takes the {shift} only")]
-    DrivenByLoad {
-        /// The load.
-        load: &'static str,
-        /// Its value.
-        value: f64,
-        /// What to give in its place.
-        shift: &'static str,
+    /// A tangential force is given that friction cannot hold: the bodies slide.
+    #[error(
+        "the tangential force {force} is not below what friction can hold, {limit}: the bodies slide"
+    )]
+    Slides {
+        /// The force.
+        force: f64,
+        /// The friction limit, the sum of f p.
+        limit: f64,
     },
     /// Static and kinetic friction differ.
     #[error(
@@ -172,37 +172,34 @@ impl Method for Frictional {
     ) -> Result<Convergence, FrictionalError> {
         drive.check()?;
         from.check_grid(problem.grid())?;
-        let shift = tangential_shift(drive)?;
-        let heights = problem.gap().heights().values();
-        let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
-        let apart = match drive.normal {
-            Driven::Shift(approach) => (approach <= lowest).then_some(approach),
-            Driven::Load(force) => (force == 0.0).then_some(lowest),
-        };
-        if let Some(zeta) = apart {
+        if let Some(zeta) = problem.apart(drive.normal) {
+            if let Some(force) = tangential_load(drive) {
+                return Err(FrictionalError::Slides { force, limit: 0.0 });
+            }
             *to = ContactState::apart(problem.grid());
-            to.shift = Shift { zeta, ..shift };
+            to.shift = Shift { zeta, ..drive.shift_after(from.shift) };
             let (products, residuals) = Default::default();
             return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
         }
-        let mut pass =
-            Pass { method: self, problem, from, shift, observer, spent: Products::default() };
-        pass.until_the_pressures_stand(drive.normal, to, scratch)
+        let area = problem.grid().cell_area();
+        let load = |driven| match driven {
+            Driven::Shift(_) => None,
+            Driven::Load(load) => Some(load / area),
+        };
+        let loads = [load(drive.x), load(drive.y), load(drive.twist)];
+        let (spent, rigid) = (Products::default(), Rigid { loads, ..Rigid::default() });
+        let mut pass = Pass { method: self, problem, from, drive, rigid, observer, spent };
+        pass.until_the_pressures_stand(to, scratch)
     }
 }
 
-/// The shift that a drive prescribes along the surface.
-fn tangential_shift(drive: &Drive) -> Result<Shift, FrictionalError> {
-    let given = |driven, load, shift| match driven {
-        Driven::Shift(value) => Ok(value),
-        Driven::Load(value) => Err(FrictionalError::DrivenByLoad { load, value, shift }),
-    };
-    Ok(Shift {
-        zeta: 0.0,
-        xi: given(drive.x, "F_x", "shift xi")?,
-        eta: given(drive.y, "F_y", "shift eta")?,
-        omega: given(drive.twist, "M_z", "twist omega")?,
-    })
+/// The greatest given load along the surface, if any is not zero.
+fn tangential_load(drive: &Drive) -> Option<f64> {
+    let loads = [drive.x, drive.y, drive.twist].into_iter().filter_map(|driven| match driven {
+        Driven::Load(load) if load != 0.0 => Some(load.abs()),
+        _ => None,
+    });
+    loads.reduce(f64::max)
 }
 
 /// One step of a history.
@@ -210,7 +207,8 @@ struct Pass<'a> {
     method: &'a Frictional,
     problem: &'a ContactProblem,
     from: &'a ContactState,
-    shift: Shift,
+    drive: &'a Drive,
+    rigid: Rigid,
     observer: &'a mut dyn Observer,
     spent: Products,
 }
@@ -218,7 +216,6 @@ struct Pass<'a> {
 impl Pass<'_> {
     fn until_the_pressures_stand(
         &mut self,
-        normal: Driven,
         to: &mut ContactState,
         scratch: &mut FrictionalScratch,
     ) -> Result<Convergence, FrictionalError> {
@@ -231,7 +228,7 @@ impl Pass<'_> {
         let mut inner = if coupled { 1e-3_f64.max(0.3 * tolerance) } else { tolerance };
         let mut iterations = 0;
         for pass in 1..=self.method.passes {
-            let normal_part = self.press(normal, inner, pass == 1, to, scratch)?;
+            let normal_part = self.press(inner, pass == 1, to, scratch)?;
             let tangential_part = self.rub(inner, pass == 1, to, scratch)?;
             iterations += normal_part.iterations + tangential_part.iterations;
             let change = if coupled { self.change(to, scratch)? } else { 0.0 };
@@ -257,13 +254,12 @@ impl Pass<'_> {
 
     fn press(
         &mut self,
-        driven: Driven,
         tolerance: f64,
         first: bool,
         to: &mut ContactState,
         scratch: &mut FrictionalScratch,
     ) -> Result<Convergence, FrictionalError> {
-        let operator = self.problem.operator();
+        let (operator, driven) = (self.problem.operator(), self.drive.normal);
         let heights = self.problem.gap().heights().values();
         for ((own, height), w) in
             scratch.normal.heights_mut().iter_mut().zip(heights).zip(&scratch.by_traction)
@@ -276,7 +272,7 @@ impl Pass<'_> {
         }
         let (approach, reached) = scratch.normal.solve(operator, driven, target, self.observer)?;
         self.spent = self.spent.plus(reached.products);
-        to.shift = Shift { zeta: approach, ..self.shift };
+        to.shift.zeta = approach;
         to.pressure.values_mut().copy_from_slice(scratch.normal.pressure());
         converged("pressures", tolerance, reached)
     }
@@ -301,12 +297,14 @@ impl Pass<'_> {
             let friction = self.problem.friction().at(i).motion().get();
             *limit = if *pressure > 0.0 { friction * pressure } else { 0.0 };
         }
+        self.refuse_sliding(scratch)?;
         self.offsets(scratch);
         let [x, y] = &scratch.offset;
         let mut task = TangentialTask {
             operator,
             limits: &scratch.limits,
             offset: [x, y],
+            rigid: self.rigid,
             traction: [to.traction_x.values_mut(), to.traction_y.values_mut()],
             cells: to.cells.values_mut(),
         };
@@ -318,7 +316,19 @@ impl Pass<'_> {
         }
         let reached = scratch.tangential.solve(&mut task, tolerance, iterations, self.observer)?;
         self.spent = self.spent.plus(reached.products);
+        self.rigid = task.rigid;
         converged("tractions", tolerance, reached)
+    }
+
+    /// A given force that friction cannot hold has no equilibrium.
+    fn refuse_sliding(&self, scratch: &FrictionalScratch) -> Result<(), FrictionalError> {
+        let [x, y, _] = self.rigid.loads.map(Option::unwrap_or_default);
+        let (force, limit) = (x.hypot(y), scratch.limits.iter().sum::<f64>());
+        if force > 0.0 && force >= limit {
+            let area = self.problem.grid().cell_area();
+            return Err(FrictionalError::Slides { force: area * force, limit: area * limit });
+        }
+        Ok(())
     }
 
     /// c: displacements by the pressure, less the last ones and the rigid shift of the step.
@@ -334,9 +344,9 @@ impl Pass<'_> {
         }
     }
 
-    /// The rigid shift and twist of the step.
+    /// The given rigid shifts and twist of the step; zero where the load is given.
     fn moved(&self) -> [f64; 3] {
-        let (now, before) = (self.shift, self.from.shift);
+        let (now, before) = (self.drive.shift_after(self.from.shift), self.from.shift);
         [now.xi - before.xi, now.eta - before.eta, now.omega - before.omega]
     }
 
@@ -374,21 +384,25 @@ impl Pass<'_> {
         Ok(())
     }
 
-    /// Displacements of all cells: the slip, the last ones and the rigid shift of the step. Cells
-    /// that touch without friction slip.
+    /// Shifts, and displacements of all cells: the slip, the last ones and the rigid shift of the
+    /// step. Cells that touch without friction slip.
     fn finish(&self, to: &mut ContactState, scratch: &FrictionalScratch) {
-        let [x, y] = scratch.tangential.slip();
-        let tangential = to.displacement_x.values_mut().iter_mut().zip(x);
-        for ((u, slip), (offset, by_pressure)) in
-            tangential.zip(scratch.offset[0].iter().zip(&scratch.by_pressure[0]))
-        {
-            *u = slip - offset + by_pressure;
-        }
-        let tangential = to.displacement_y.values_mut().iter_mut().zip(y);
-        for ((v, slip), (offset, by_pressure)) in
-            tangential.zip(scratch.offset[1].iter().zip(&scratch.by_pressure[1]))
-        {
-            *v = slip - offset + by_pressure;
+        let given = self.drive.shift_after(self.from.shift);
+        let [dx, dy, turn] = self.rigid.moved;
+        to.shift = Shift {
+            zeta: to.shift.zeta,
+            xi: given.xi + dx,
+            eta: given.eta + dy,
+            omega: given.omega + turn,
+        };
+        let (u, v) = (to.displacement_x.values_mut(), to.displacement_y.values_mut());
+        let slip = scratch.tangential.slip();
+        for (i, (x, y)) in self.problem.grid().centres().enumerate() {
+            let free = |axis: usize| {
+                slip[axis][i] - scratch.offset[axis][i] + scratch.by_pressure[axis][i]
+            };
+            u[i] = free(0) + dx + y * turn; // (12.2)
+            v[i] = free(1) + dy - x * turn;
         }
         for ((cell, pressure), limit) in
             to.cells.values_mut().iter_mut().zip(to.pressure.values()).zip(&scratch.limits)

@@ -1,6 +1,7 @@
 //! Contact without friction.
 
 use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField, Workspace};
+use carom_laws::law::Shift;
 use carom_special::RangeError;
 
 use crate::convergence::{Convergence, Observer, Stop};
@@ -128,13 +129,8 @@ impl Method for Frictionless {
             }
         }
         let convergence = self.pressures(problem, drive.normal, scratch, observer, to)?;
-        let kept = |driven, before| match driven {
-            Driven::Shift(shift) => shift,
-            Driven::Load(_) => before,
-        };
-        to.shift.xi = kept(drive.x, from.shift.xi);
-        to.shift.eta = kept(drive.y, from.shift.eta);
-        to.shift.omega = kept(drive.twist, from.shift.omega);
+        let zeta = to.shift.zeta;
+        to.shift = Shift { zeta, ..drive.shift_after(from.shift) };
         Ok(convergence)
     }
 }
@@ -148,15 +144,8 @@ impl Frictionless {
         observer: &mut dyn Observer,
         to: &mut ContactState,
     ) -> Result<Convergence, NormalError> {
-        let heights = problem.gap().heights().values();
-        let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
-        let grid = problem.grid();
-        *to = ContactState::apart(grid);
-        let apart = match driven {
-            Driven::Shift(approach) => (approach <= lowest).then_some(approach),
-            Driven::Load(force) => (force == 0.0).then_some(lowest),
-        };
-        if let Some(approach) = apart {
+        *to = ContactState::apart(problem.grid());
+        if let Some(approach) = problem.apart(driven) {
             to.shift.zeta = approach;
             let (products, residuals) = Default::default();
             return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });

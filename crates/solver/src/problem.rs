@@ -5,6 +5,7 @@ use std::sync::Arc;
 use carom_halfspace::operator::{HalfSpaceOperator, OperatorError, SurfaceOperator};
 use carom_halfspace::{Grid, MaterialPair};
 
+use crate::drive::Driven;
 use crate::friction::SurfaceFriction;
 use crate::gap::Gap;
 
@@ -89,6 +90,16 @@ impl ContactProblem {
     #[must_use]
     pub const fn grid(&self) -> Grid {
         self.gap.grid()
+    }
+
+    /// The approach after a step that leaves the bodies apart; none if they touch.
+    pub(crate) fn apart(&self, normal: Driven) -> Option<f64> {
+        let heights = self.gap.heights().values();
+        let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        match normal {
+            Driven::Shift(approach) => (approach <= lowest).then_some(approach),
+            Driven::Load(force) => (force == 0.0).then_some(lowest),
+        }
     }
 
     /// The gap.

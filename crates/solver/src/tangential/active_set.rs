@@ -12,8 +12,10 @@ use std::ops::ControlFlow;
 use carom_halfspace::operator::{
     DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
 };
+use nalgebra::Vector3;
 
 use super::descent::Descent;
+use super::rigid::{self, Deflation, Rigid};
 use crate::convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
 use crate::state::CellState;
 
@@ -33,8 +35,10 @@ pub(crate) struct TangentialTask<'a> {
     pub(crate) operator: &'a dyn SurfaceOperator,
     /// Greatest tractions, zero outside the contact, infinite where nothing slips.
     pub(crate) limits: &'a [f64],
-    /// The displacement c without tangential tractions, against what the shift asks for.
+    /// The displacement c without tangential tractions, against what given shifts ask for.
     pub(crate) offset: [&'a [f64]; 2],
+    /// Given loads, and the shifts that they lead to.
+    pub(crate) rigid: Rigid,
     /// The start and the solution.
     pub(crate) traction: [&'a mut [f64]; 2],
     /// What the cells did in the start and do in the solution.
@@ -60,6 +64,8 @@ pub(super) struct ActiveSet {
     inverse: Option<TorusInverse>,
     workspace: Workspace,
     inverse_workspace: Workspace,
+    centres: Plane,
+    deflation: Deflation,
     /// The influence of a cell's traction on itself, the mean of both directions.
     pub(super) own: f64,
     /// The slip.
@@ -111,6 +117,8 @@ impl ActiveSet {
             inverse: operator.inverse(),
             workspace: operator.workspace(),
             inverse_workspace: Workspace::default(),
+            centres: rigid::centres(operator.grid()),
+            deflation: Deflation::new(zero.len()),
             own: 0.5 * (own[0][0] + own[1][1]),
             slip: plane(),
             rim: plane(),
@@ -149,7 +157,7 @@ impl ActiveSet {
                 self.precondition(task, &mut course);
                 self.gradient_step(task, &mut course)?;
             }
-            let tangential = self.residual(task) / scale;
+            let tangential = self.residual(task).max(self.unbalance(task)) / scale;
             let residuals = Residuals { normal: 0.0, tangential };
             let cells = task.limits.len();
             let touching = task.limits.iter().filter(|limit| **limit > 0.0).count();
@@ -183,13 +191,19 @@ impl ActiveSet {
             self.direction[axis].copy_from_slice(task.traction[axis]);
         }
         self.multiply(task.operator, &mut course.products)?;
-        for axis in 0..2 {
-            let sums = self.image[axis].iter().zip(task.offset[axis]);
-            for (slip, (image, offset)) in self.slip[axis].iter_mut().zip(sums) {
-                *slip = image + offset;
+        self.slip_of_image(task);
+        Ok(())
+    }
+
+    /// The slip of tractions whose displacement is `image`.
+    pub(super) fn slip_of_image(&mut self, task: &TangentialTask<'_>) {
+        let moved = Vector3::from(task.rigid.moved);
+        for i in 0..task.limits.len() {
+            let went = rigid::displacement(&moved, self.centres[0][i], self.centres[1][i]);
+            for axis in 0..2 {
+                self.slip[axis][i] = self.image[axis][i] + task.offset[axis][i] - went[axis];
             }
         }
-        Ok(())
     }
 
     fn asks_for_change(&self, task: &TangentialTask<'_>, course: &Course) -> bool {
@@ -212,14 +226,16 @@ impl ActiveSet {
     ) -> Result<(), OperatorError> {
         course.changes(self.violation(task));
         let projected = self.project(task);
+        self.prepare_deflation(task, course);
         self.precondition(task, course);
         course.power = None;
-        if projected {
+        if projected || self.excess(task).norm() > 0.0 {
             let damping = if course.careful() { 0.0 } else { DAMPING };
             for axis in 0..2 {
                 let steps = self.direction[axis].iter_mut().zip(&self.preconditioned[axis]);
                 steps.for_each(|(direction, step)| *direction += damping * step);
             }
+            self.restore_loads(task);
             self.multiply(task.operator, &mut course.products)?;
             self.correct(task, 1.0, course);
             Ok(())
@@ -268,6 +284,81 @@ impl ActiveSet {
         any
     }
 
+    fn excess(&self, task: &TangentialTask<'_>) -> Vector3<f64> {
+        task.rigid.excess(&self.centres, [task.traction[0], task.traction[1]])
+    }
+
+    /// K times the rigid displacements whose loads are given.
+    fn prepare_deflation(&mut self, task: &TangentialTask<'_>, course: &mut Course) {
+        if !task.rigid.is_loaded() {
+            return;
+        }
+        for k in (0..3).filter(|&k| task.rigid.loads[k].is_some()) {
+            let mut motion = Vector3::zeros();
+            motion[k] = 1.0;
+            for i in 0..task.limits.len() {
+                let [x, y] = rigid::displacement(&motion, self.centres[0][i], self.centres[1][i]);
+                let [x, y] = self.admitted(task.cells[i], i, [x, y]);
+                (self.rest[0][i], self.rest[1][i]) = (x, y);
+            }
+            self.invert(task.cells, course);
+            for axis in 0..2 {
+                self.deflation.corrections[k][axis].copy_from_slice(&self.preconditioned[axis]);
+            }
+        }
+        let mut deflation = std::mem::take(&mut self.deflation);
+        deflation.prepare(&task.rigid, |i| {
+            let (x, y) = (self.centres[0][i], self.centres[1][i]);
+            // A correction lies in what its cell admits, so that the whole displacement will do.
+            [Vector3::new(1.0, 0.0, y), Vector3::new(0.0, 1.0, -x)]
+        });
+        self.deflation = deflation;
+    }
+
+    /// Makes `direction`, which is subtracted, lead to the given loads.
+    fn restore_loads(&mut self, task: &TangentialTask<'_>) {
+        if !task.rigid.is_loaded() {
+            return;
+        }
+        let mut wrong = rigid::sums(&self.centres, [&self.direction[0], &self.direction[1]])
+            - self.excess(task);
+        for k in (0..3).filter(|&k| task.rigid.loads[k].is_none()) {
+            wrong[k] = 0.0;
+        }
+        let parts = self.deflation.parts(&wrong);
+        for k in (0..3).filter(|&k| task.rigid.loads[k].is_some()) {
+            for axis in 0..2 {
+                let steps = self.direction[axis].iter_mut();
+                for (step, own) in steps.zip(&self.deflation.corrections[k][axis]) {
+                    *step -= parts[k] * own;
+                }
+            }
+        }
+    }
+
+    /// Moves what has a given load so that corrections have none of their own.
+    fn deflate(&mut self, task: &mut TangentialTask<'_>) {
+        if !task.rigid.is_loaded() {
+            return;
+        }
+        let mut loads = Vector3::zeros();
+        for k in (0..3).filter(|&k| task.rigid.loads[k].is_some()) {
+            loads[k] = dot(&self.deflation.corrections[k], &self.rest);
+        }
+        let moved = self.deflation.parts(&loads);
+        for i in 0..task.limits.len() {
+            let went = rigid::displacement(&moved, self.centres[0][i], self.centres[1][i]);
+            let admitted = self.admitted(task.cells[i], i, went);
+            for axis in 0..2 {
+                self.slip[axis][i] -= went[axis];
+                self.rest[axis][i] -= admitted[axis];
+            }
+        }
+        for k in 0..3 {
+            task.rigid.moved[k] += moved[k];
+        }
+    }
+
     /// A step of conjugate gradients along `preconditioned`.
     fn gradient_step(
         &mut self,
@@ -307,31 +398,40 @@ impl ActiveSet {
         course.step = length.abs() * square.sqrt();
     }
 
-    /// What is left of the linearised problem, and the preconditioned step: `S K S` with the weight
-    /// 1 where the surfaces stick and sqrt(sigma) along the rim where they slip, where the rest of
-    /// the diagonal is added.
-    fn precondition(&mut self, task: &TangentialTask<'_>, course: &mut Course) {
-        let soft = SOFTNESS / self.own;
+    /// What is left of the linearised problem, and the preconditioned step.
+    fn precondition(&mut self, task: &mut TangentialTask<'_>, course: &mut Course) {
         for i in 0..task.limits.len() {
             let [x, y] = self.rest_at(task, i);
             (self.rest[0][i], self.rest[1][i]) = (x, y);
+        }
+        self.deflate(task);
+        self.invert(task.cells, course);
+    }
+
+    /// The preconditioner on `rest`: `S K S` with the weight 1 where the surfaces stick and
+    /// sqrt(sigma) along the rim where they slip, where the rest of the diagonal is added.
+    fn invert(&mut self, cells: &[CellState], course: &mut Course) {
+        let soft = SOFTNESS / self.own;
+        for i in 0..cells.len() {
             let weight = (1.0 + self.bend[i] * soft).sqrt();
-            (self.image[0][i], self.image[1][i]) = (x / weight, y / weight);
+            for axis in 0..2 {
+                self.image[axis][i] = self.rest[axis][i] / weight;
+            }
         }
         if let Some(inverse) = &self.inverse {
             let [x, y] = &mut self.preconditioned;
-            inverse.traction([&self.image[0], &self.image[1]], [x, y], &mut self.inverse_workspace);
+            let image = [&self.image[0][..], &self.image[1][..]];
+            inverse.traction(image, [x, y], &mut self.inverse_workspace);
             course.products.preconditioner += 1.0;
         } else {
             for axis in 0..2 {
                 self.preconditioned[axis].copy_from_slice(&self.image[axis]);
             }
         }
-        for i in 0..task.limits.len() {
-            let stiffness = self.bend[i] * soft;
-            let sigma = 1.0 / (1.0 + stiffness);
+        for (i, state) in cells.iter().enumerate() {
+            let sigma = 1.0 / (1.0 + self.bend[i] * soft);
             let step = [self.preconditioned[0][i], self.preconditioned[1][i]];
-            let step = self.admitted(task.cells[i], i, step).map(|step| sigma.sqrt() * step);
+            let step = self.admitted(*state, i, step).map(|step| sigma.sqrt() * step);
             let own = if self.inverse.is_some() && self.bend[i] > 0.0 {
                 (1.0 - sigma) / (self.bend[i] + 1.0 / soft)
             } else {
@@ -398,6 +498,15 @@ impl ActiveSet {
             greatest = greatest.max(distance);
         }
         greatest
+    }
+
+    /// How far the loads are from the given ones, as a mean traction.
+    fn unbalance(&self, task: &TangentialTask<'_>) -> f64 {
+        let excess = self.excess(task);
+        let touching = task.limits.iter().filter(|limit| **limit > 0.0).count() as f64;
+        let grid = task.operator.grid();
+        let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
+        (excess[0].abs().max(excess[1].abs()).max(excess[2].abs() / arm)) / touching
     }
 
     fn is_settled(&self, task: &TangentialTask<'_>, course: &Course, change: f64) -> bool {

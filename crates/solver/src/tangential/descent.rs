@@ -81,13 +81,7 @@ impl Descent {
             set.direction[axis].copy_from_slice(&traction[axis]);
         }
         set.multiply(task.operator, products)?;
-        for axis in 0..2 {
-            for ((slip, image), offset) in
-                set.slip[axis].iter_mut().zip(&set.image[axis]).zip(task.offset[axis])
-            {
-                *slip = image + offset;
-            }
-        }
+        set.slip_of_image(task);
         Ok(())
     }
 }

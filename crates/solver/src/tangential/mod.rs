@@ -2,6 +2,7 @@
 
 mod active_set;
 mod descent;
+mod rigid;
 
 use std::sync::Arc;
 
@@ -14,6 +15,7 @@ use crate::state::CellState;
 use active_set::{ActiveSet, Limits, Plane};
 
 pub(crate) use active_set::TangentialTask;
+pub(crate) use rigid::Rigid;
 
 /// Grids with fewer cells along a side than this are not made coarser.
 const COARSEST: usize = 32;
@@ -37,6 +39,7 @@ struct Level {
     set: ActiveSet,
     limits: Vec<f64>,
     offset: Plane,
+    rigid: Rigid,
     traction: Plane,
     cells: Vec<CellState>,
 }
@@ -57,12 +60,14 @@ impl Level {
             operator,
             limits: zero.clone(),
             offset: [zero.clone(), zero.clone()],
+            rigid: Rigid::default(),
             traction: [zero.clone(), zero],
             cells: vec![CellState::Exterior; grid.cells()],
         }))
     }
 
-    fn take(&mut self, fine: Grid, limits: &[f64], offset: [&[f64]; 2]) {
+    fn take(&mut self, fine: Grid, limits: &[f64], offset: [&[f64]; 2], rigid: &Rigid) {
+        self.rigid = rigid.on_cells(self.grid.cell_area() / fine.cell_area());
         self.limits = nested::coarser(fine, limits, self.grid);
         self.offset = offset.map(|values| nested::coarser(fine, values, self.grid));
         for (cell, limit) in self.cells.iter_mut().zip(&self.limits) {
@@ -79,10 +84,13 @@ impl Level {
             operator: &*self.operator,
             limits: &self.limits,
             offset: [&self.offset[0], &self.offset[1]],
+            rigid: self.rigid,
             traction: [x, y],
             cells: &mut self.cells,
         };
-        self.set.solve(&mut task, limits, &mut ())
+        let convergence = self.set.solve(&mut task, limits, &mut ())?;
+        self.rigid = task.rigid;
+        Ok(convergence)
     }
 
     /// Tractions over their limits pass to the finer grid; where half of what lies around slips, so
@@ -162,10 +170,10 @@ impl TangentialScratch {
         for i in 0..coarsest {
             let (above, below) = self.coarse.split_at_mut(i);
             match above.last() {
-                None => below[0].take(fine, task.limits, task.offset),
+                None => below[0].take(fine, task.limits, task.offset, &task.rigid),
                 Some(level) => {
                     let offset = [&level.offset[0][..], &level.offset[1][..]];
-                    below[0].take(level.grid, &level.limits, offset);
+                    below[0].take(level.grid, &level.limits, offset, &level.rigid);
                 }
             }
         }
@@ -178,10 +186,12 @@ impl TangentialScratch {
             let (finer, coarser) = self.coarse.split_at_mut(i);
             match finer.last_mut() {
                 None => {
+                    task.rigid.moved = coarser[0].rigid.moved;
                     let [x, y] = &mut task.traction;
                     coarser[0].pass_on(fine, task.limits, [x, y], task.cells);
                 }
                 Some(level) => {
+                    level.rigid.moved = coarser[0].rigid.moved;
                     let [x, y] = &mut level.traction;
                     coarser[0].pass_on(level.grid, &level.limits, [x, y], &mut level.cells);
                 }
