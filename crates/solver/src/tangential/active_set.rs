@@ -199,10 +199,9 @@ impl ActiveSet {
     pub(super) fn slip_of_image(&mut self, task: &TangentialTask<'_>) {
         let moved = Vector3::from(task.rigid.moved);
         for i in 0..task.limits.len() {
-            let went = rigid::displacement(&moved, self.centres[0][i], self.centres[1][i]);
-            for axis in 0..2 {
-                self.slip[axis][i] = self.image[axis][i] + task.offset[axis][i] - went[axis];
-            }
+            let [x, y] = rigid::displacement(&moved, self.centres[0][i], self.centres[1][i]);
+            self.slip[0][i] = self.image[0][i] + task.offset[0][i] - x;
+            self.slip[1][i] = self.image[1][i] + task.offset[1][i] - y;
         }
     }
 
@@ -348,11 +347,11 @@ impl ActiveSet {
         let moved = self.deflation.parts(&loads);
         for i in 0..task.limits.len() {
             let went = rigid::displacement(&moved, self.centres[0][i], self.centres[1][i]);
-            let admitted = self.admitted(task.cells[i], i, went);
-            for axis in 0..2 {
-                self.slip[axis][i] -= went[axis];
-                self.rest[axis][i] -= admitted[axis];
-            }
+            let [x, y] = self.admitted(task.cells[i], i, went);
+            self.rest[0][i] -= x;
+            self.rest[1][i] -= y;
+            self.slip[0][i] -= went[0];
+            self.slip[1][i] -= went[1];
         }
         for k in 0..3 {
             task.rigid.moved[k] += moved[k];
@@ -437,9 +436,8 @@ impl ActiveSet {
             } else {
                 0.0
             };
-            for axis in 0..2 {
-                self.preconditioned[axis][i] = step[axis] + own * self.rest[axis][i];
-            }
+            self.preconditioned[0][i] = step[0] + own * self.rest[0][i];
+            self.preconditioned[1][i] = step[1] + own * self.rest[1][i];
         }
     }
 

@@ -38,21 +38,21 @@ impl Descent {
             let next_momentum = 0.5 * (1.0 + (1.0 + 4.0 * momentum * momentum).sqrt());
             let share = (momentum - 1.0) / next_momentum;
             let mut uphill = 0.0;
-            for i in 0..count {
-                let pulled = [0, 1].map(|axis| ahead[axis][i] - self.length * set.slip[axis][i]);
+            let [ahead_x, ahead_y] = &mut ahead;
+            for (i, (x, y)) in ahead_x.iter_mut().zip(ahead_y).enumerate() {
+                let slip = [set.slip[0][i], set.slip[1][i]];
+                let pulled = [*x - self.length * slip[0], *y - self.length * slip[1]];
                 let next = within(pulled, task.limits[i]);
-                for axis in 0..2 {
-                    let moved = next[axis] - task.traction[axis][i];
-                    uphill += set.slip[axis][i] * moved;
-                    task.traction[axis][i] = next[axis];
-                    ahead[axis][i] = next[axis] + share * moved;
-                }
+                let moved = [next[0] - task.traction[0][i], next[1] - task.traction[1][i]];
+                uphill += slip[0] * moved[0] + slip[1] * moved[1];
+                (task.traction[0][i], task.traction[1][i]) = (next[0], next[1]);
+                (*x, *y) = (next[0] + share * moved[0], next[1] + share * moved[1]);
             }
             momentum = next_momentum;
             if uphill > 0.0 {
                 momentum = 1.0;
-                for axis in 0..2 {
-                    ahead[axis].copy_from_slice(task.traction[axis]);
+                for (ahead, traction) in ahead.iter_mut().zip(&task.traction) {
+                    ahead.copy_from_slice(traction);
                 }
             }
         }
@@ -77,8 +77,8 @@ impl Descent {
         traction: &[Vec<f64>; 2],
         products: &mut Products,
     ) -> Result<(), OperatorError> {
-        for axis in 0..2 {
-            set.direction[axis].copy_from_slice(&traction[axis]);
+        for (direction, traction) in set.direction.iter_mut().zip(traction) {
+            direction.copy_from_slice(traction);
         }
         set.multiply(task.operator, products)?;
         set.slip_of_image(task);
