@@ -1,14 +1,19 @@
 //! Chapter 14: numerical load histories.
 
 mod creepage;
+mod sphere_loop;
+mod sphere_stress;
 
 use crate::catalogue::Entry;
 
 /// The tables and figures of the chapter, in order.
 pub(super) const ENTRIES: &[Entry] = &[
-    Entry::figure("14.1", "Forces and displacements of a load history of spheres"),
-    Entry::figure("14.2", "Load-displacement curve of the history of fig. 14.1"),
-    Entry::figure("14.3", "Stress angle and size for steps of the history of fig. 14.1"),
+    Entry::figure("14.1", "Forces and displacements of a load history of spheres")
+        .by(sphere_loop::forces_by_step),
+    Entry::figure("14.2", "Load-displacement curve of the history of fig. 14.1")
+        .by(sphere_loop::loop_of_force),
+    Entry::figure("14.3", "Stress angle and size for steps of the history of fig. 14.1")
+        .by(sphere_stress::draw),
     Entry::figure("14.4", "Load-displacement curve, ν = 0.5"),
     Entry::figure("14.5", "Stress angle and size, ν = 0.5"),
     Entry::figure("14.6", "Displacement vectors of the load histories 1-2 to 1-7"),

@@ -19,6 +19,7 @@ mod ch12;
 mod ch13;
 mod ch14;
 mod ch15;
+mod mesh;
 mod numbers;
 mod paraboloid;
 mod particles;
