@@ -224,3 +224,22 @@ impl Step {
         )
     }
 }
+
+impl Step {
+    /// The outline of the area that sticks, row by row: for areas without holes or inlets along x.
+    pub(super) fn stick_outline(&self) -> Vec<(f64, f64)> {
+        let half = 0.5 * self.state.pressure.grid().dx();
+        let mut rows: Vec<(f64, f64, f64)> = Vec::new();
+        for cell in self.touching().filter(|cell| cell.sticks) {
+            match rows.last_mut().filter(|row| row.0 == cell.y) {
+                Some(row) => row.2 = cell.x + half,
+                None => rows.push((cell.y, cell.x - half, cell.x + half)),
+            }
+        }
+        let right = rows.iter().map(|row| (row.2, row.0));
+        let left = rows.iter().rev().map(|row| (row.1, row.0));
+        let mut outline: Vec<(f64, f64)> = right.chain(left).collect();
+        outline.extend(outline.first().copied());
+        outline
+    }
+}
