@@ -265,9 +265,8 @@ fn upright_bodies_in_any_attitude_are_uncoupled() {
             .unwrap()
             .moving(Motion::new((-up).into(), [0.0; 3]).unwrap());
         let large = Surface::sphere(30.0).unwrap();
-        let ground = PlacedBody::new(large, steel(), Inertia::FIXED)
-            .at((place - up * 30.0).into())
-            .unwrap();
+        let ground =
+            PlacedBody::new(large, steel(), Inertia::FIXED).at((place - up * 30.0).into()).unwrap();
         let encounter = Encounter::find(body, ground, friction(0.3)).unwrap();
         let d = encounter.mobility().matrix();
         worst = worst.max(d.m13.abs().max(d.m23.abs()) / d.m33);
@@ -365,31 +364,32 @@ fn pair() -> impl Strategy<Value = Pair> {
         prop_oneof![Just(0.0), Just(f64::INFINITY), power(-6.0, 3.0), 0.0..1.0f64],
         -0.9..0.5f64,
     )
-        .prop_map(|((small, ratio, exchange), masses, normal, far, place, parts, friction, poisson)| {
-            let large = small * ratio.max(1.0 / ratio);
-            let radii = if exchange { [large, small] } else { [small, large] };
-            let (direction, one, two) = place;
-            let turned = |(axis, angle): (Vector3<f64>, f64)| {
-                Attitude::about(axis.into(), angle).unwrap()
-            };
-            let (v_1, v_2, w_1, w_2, approach) = parts;
-            let motion = |v: Vector3<f64>, w: Vector3<f64>| {
-                Motion::new(v.into(), w.into()).unwrap()
-            };
-            Pair {
-                radii,
-                masses,
-                normal,
-                place: direction * far,
-                turns: [turned(one), turned(two)],
-                motions: [
-                    motion(v_1 - normal * (approach + 4.0), w_1 / radii[0]),
-                    motion(v_2, w_2 / radii[1]),
-                ],
-                friction,
-                poisson,
-            }
-        })
+        .prop_map(
+            |((small, ratio, exchange), masses, normal, far, place, parts, friction, poisson)| {
+                let large = small * ratio.max(1.0 / ratio);
+                let radii = if exchange { [large, small] } else { [small, large] };
+                let (direction, one, two) = place;
+                let turned = |(axis, angle): (Vector3<f64>, f64)| {
+                    Attitude::about(axis.into(), angle).unwrap()
+                };
+                let (v_1, v_2, w_1, w_2, approach) = parts;
+                let motion =
+                    |v: Vector3<f64>, w: Vector3<f64>| Motion::new(v.into(), w.into()).unwrap();
+                Pair {
+                    radii,
+                    masses,
+                    normal,
+                    place: direction * far,
+                    turns: [turned(one), turned(two)],
+                    motions: [
+                        motion(v_1 - normal * (approach + 4.0), w_1 / radii[0]),
+                        motion(v_2, w_2 / radii[1]),
+                    ],
+                    friction,
+                    poisson,
+                }
+            },
+        )
 }
 
 impl Pair {
