@@ -112,7 +112,7 @@ impl Sampling {
 
 /// What becomes of a sample.
 enum Fate {
-    Rebound([Option<f64>; Quantity::ALL.len()]),
+    Rebound([f64; Quantity::ALL.len()]),
     NoImpact,
     OutOfRange(RangeError),
     Failed(CollisionError),
@@ -128,7 +128,7 @@ fn fate(collision: Result<Collision, CollisionError>) -> Fate {
     }
 }
 
-fn numbers(rebound: &Rebound, normal: &Vector3<f64>) -> [Option<f64>; Quantity::ALL.len()] {
+fn numbers(rebound: &Rebound, normal: &Vector3<f64>) -> [f64; Quantity::ALL.len()] {
     Quantity::ALL.map(|quantity| quantity.of(rebound, normal))
 }
 
@@ -172,7 +172,7 @@ impl Study {
                     }
                 }
                 Fate::Rebound(numbers) => {
-                    columns.iter_mut().zip(numbers).for_each(|(column, n)| column.extend(n));
+                    columns.iter_mut().zip(numbers).for_each(|(column, n)| column.push(n));
                 }
             }
         }
