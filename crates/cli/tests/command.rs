@@ -156,3 +156,26 @@ fn files_that_cannot_be_read_or_written_end_with_code_1() {
     assert_eq!(output.status.code(), Some(1));
     assert!(output.stdout.is_empty());
 }
+
+#[test]
+fn alumina_straight_down_has_the_limit_of_small_angles() {
+    let text = std::fs::read_to_string(example("alumina_on_plane.toml")).unwrap();
+    let at = |angle: &str| {
+        let sweep = "angle = { start = 5, stop = 85, count = 17 }";
+        assert!(text.contains(sweep));
+        let file = case(
+            &format!("alumina_{angle}.toml"),
+            &text.replace(sweep, &format!("angle = {angle}")),
+        );
+        json(&["impact", &file])["R_x"].as_f64().unwrap()
+    };
+    assert!((at("0") - at("1e-14")).abs() < 1e-11);
+    assert!((at("0") + 0.2962).abs() < 5e-5);
+}
+
+#[test]
+fn the_last_regime_of_a_history_is_that_of_the_log() {
+    let record = json(&["impact", &example("rubber_on_table.toml"), "--history", "3"]);
+    let last = |list: &str| record[list].as_array().unwrap().last().unwrap()["regime"].clone();
+    assert_eq!((last("history"), last("events")), ("slide-".into(), "slide-".into()));
+}

@@ -468,3 +468,34 @@ fn numbers_too_large_together_are_refused() {
         "{message}"
     );
 }
+
+#[test]
+fn the_greatest_contact_of_an_ellipsoid_has_two_semi_axes() {
+    let record = solved("semi_axes", CASE);
+    let [a, b] =
+        ["maximal_semi_axis_a", "maximal_semi_axis_b"].map(|n| record[n].as_f64().unwrap());
+    let ratio = record["contact"]["axis_ratio"].as_f64().unwrap();
+    assert!(ratio < 0.9 && (a / b / ratio - 1.0).abs() < 1e-14, "{a} {b} {ratio}");
+    let file = case("semi_axes_table.toml", CASE);
+    assert!(stdout(&["impact", &file]).contains("maximal semi-axes a, b of the contact"));
+    let ball = changed("semi_axes = [0.03, 0.02, 0.015]", "semi_axes = [0.015, 0.015, 0.015]");
+    let file = case("semi_axes_ball.toml", &ball);
+    assert!(stdout(&["impact", &file]).contains("maximal contact radius"));
+}
+
+#[test]
+fn a_restitution_without_a_direction_is_left_out() {
+    let text = changed("velocity = [0.6, 0.4, -2]", "velocity = [0, 0, -2]");
+    assert!(solved("straight", &text)["R_x"].is_null());
+    let file = case("straight_csv.toml", &text);
+    let csv = stdout(&["impact", &file, "--format", "csv"]);
+    let [heads, cells] = [0, 1].map(|i| csv.lines().nth(i).unwrap().split(',').collect::<Vec<_>>());
+    assert_eq!(cells[heads.iter().position(|head| *head == "R_x").unwrap()], "");
+    // A ball has the limit of small tangential velocities, (9.46) with chi = 7 (1 - nu)/(2 - nu).
+    let ball = text
+        .replace("semi_axes = [0.03, 0.02, 0.015]", "semi_axes = [0.015, 0.015, 0.015]")
+        .replace("[1.2e-5, 2.2e-5, 2.6e-5]", "\"solid\"");
+    let limit = solved("straight_ball", &ball)["R_x"].as_f64().unwrap();
+    let expected = carom_impact::closed_form::restitution_without_slip(7.0 * 0.78 / 1.78);
+    assert!((limit - expected).abs() < 1e-12, "{limit} {expected}");
+}

@@ -75,6 +75,12 @@ impl Inertia {
         self.moments
     }
 
+    /// Whether the moments are the same about all axes.
+    pub(crate) fn is_isotropic(&self) -> bool {
+        let [a, b, c] = self.moments;
+        a == b && b == c
+    }
+
     /// 1/m, zero for an infinite mass.
     #[must_use]
     pub fn inverse_mass(&self) -> f64 {

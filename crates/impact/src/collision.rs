@@ -4,18 +4,21 @@ use carom_halfspace::MaterialPair;
 use carom_laws::curvature::{CurvatureError, RelativeCurvature};
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
+use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
+use crate::attitude::Attitude;
 use crate::body::{Body, Motion, Shape, kinetic_energy};
 use crate::closed_form::NOTICEABLE;
-use crate::mobility::{point_velocity, share};
+use crate::mobility::{Lever, Mobility};
 use crate::normal::{self, NormalImpact};
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
 use crate::oblique::{Groups, ObliqueError, ObliqueImpact};
 use crate::outcome::{
     EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, TorsionMode, Warning,
 };
+use crate::surface::perpendicular;
 use crate::wave_share::wave_share;
 
 /// Why a collision cannot be computed.
@@ -42,7 +45,8 @@ pub enum CollisionError {
 ///
 /// Rotation symmetry keeps the tangential motion in one direction and uncouples it from the
 /// normal one, so the outcome is exact for materials with epsilon = 0 (5.20); for others it
-/// carries [`Warning::Coupling`]. The spin about the normal is left alone, apart from
+/// carries [`Warning::Coupling`]. Spheres whose moments of inertia differ about the tangents of the
+/// contact are refused: they are for an [`crate::Encounter`]. The spin about the normal is left alone, apart from
 /// [`Collision::with_torsion`].
 ///
 /// ```
@@ -136,7 +140,7 @@ impl Collision {
     ///
     /// # Errors
     /// [`CollisionError::Oblique`] if the walk fails, [`CollisionError::Range`] if a derived
-    /// quantity overflows, [`CollisionError::NormalSpin`] if torsion was asked for and cannot be
+    /// quantity overflows or moments of inertia differ about the tangents of the contact, [`CollisionError::NormalSpin`] if torsion was asked for and cannot be
     /// given.
     pub fn solve(&self) -> Result<Outcome, CollisionError> {
         let Some(approach) = self.approach()? else {
@@ -166,7 +170,7 @@ impl Collision {
         let unit = approach.normal.maximal_approach();
         let clock = approach.normal.time_unit();
         let (force, speed) = (approach.normal.maximal_force(), approach.normal.velocity());
-        let slip = approach.tangential_speed;
+        let slip = approach.slip;
         let stiffness = self.hertz.stiffness();
         let tangential = force * stiffness.c_x / stiffness.c_z * slip / speed;
         trace
@@ -198,49 +202,57 @@ impl Collision {
         Ok(self.hertz.ellipse(approach)?.semi_axis_a())
     }
 
-    // From the centre of mass to the contact point: body 1 lies on the side of the normal.
-    fn arms(&self) -> [Vector3<f64>; 2] {
-        let [one, two] = self.bodies;
-        [-one.shape().arm() * self.normal, two.shape().arm() * self.normal]
-    }
-
-    // Body 2 against body 1 at the contact point.
-    fn relative_velocity(&self, motions: &[Motion; 2]) -> Vector3<f64> {
-        let arms = self.arms();
-        let of = |i: usize| point_velocity(&motions[i].velocity, &motions[i].spin, &arms[i]);
-        of(1) - of(0)
+    // Body 1 lies on the side of the normal; the centres of spheres lie on it.
+    fn levers(&self) -> [Lever; 2] {
+        [-1.0, 1.0].map(|side: f64| {
+            let body = &self.bodies[usize::from(side > 0.0)];
+            let height = side * body.shape().arm();
+            Lever::upright(body.inertia(), &Attitude::ALIGNED, &self.normal, height)
+        })
     }
 
     fn approach(&self) -> Result<Option<Approach>, CollisionError> {
-        let motions = self.bodies.map(|body| body.motion());
-        let velocity = self.relative_velocity(&motions);
-        let normal_speed = velocity.dot(&self.normal);
-        if normal_speed <= 0.0 {
+        let levers = self.levers();
+        let of = |i: usize| {
+            let motion = self.bodies[i].motion();
+            levers[i].point_velocity(&motion.velocity, &motion.spin)
+        };
+        // Body 2 against body 1 at the contact point.
+        let velocity = of(1) - of(0);
+        let speed = velocity.dot(&self.normal);
+        if speed <= 0.0 {
             return Ok(None);
         }
-        let tangent = velocity - normal_speed * self.normal;
-        let tangential_speed = tangent.norm();
-        let direction =
-            if tangential_speed > 0.0 { tangent / tangential_speed } else { Vector3::zeros() };
-        let mobility = self.mobility(&direction);
-        let stiffness = self.hertz.stiffness();
-        let normal = NormalImpact::new(mobility.normal, stiffness.c_z, normal_speed)?;
-        let chi = mobility.tangential * stiffness.c_x / (mobility.normal * stiffness.c_z);
-        let ratio = stiffness.c_x / stiffness.c_z * tangential_speed / normal_speed;
-        let psi = if tangential_speed == 0.0 { 0.0 } else { ratio / self.friction.get() };
+        let (slip, direction) = length_and_direction(&across(&velocity, &self.normal));
+        // Any direction does where there is no slip.
+        let x = direction.unwrap_or_else(|| perpendicular(&self.normal));
+        let axes = Matrix3::from_columns(&[x, self.normal.cross(&x), self.normal]);
+        let mobility = Mobility::new(&levers, &axes)?;
+        let (along, normal_mobility) = self.symmetric(&mobility)?;
+        let ContactStiffness { c_x, c_z, .. } = self.hertz.stiffness();
+        let normal = NormalImpact::new(normal_mobility, c_z, speed)?;
+        let chi = along * c_x / (normal_mobility * c_z);
+        let psi = match self.friction.coefficient() {
+            None => 0.0,
+            Some(0.0) => f64::INFINITY,
+            Some(f) => c_x / c_z * slip / speed / f,
+        };
         let groups = Groups::new(chi, psi)?;
-        Ok(Some(Approach { velocity, direction, tangential_speed, mobility, normal, groups }))
+        Ok(Some(Approach { velocity, slip, axes, levers, mobility: along, normal, groups }))
     }
 
-    fn mobility(&self, direction: &Vector3<f64>) -> Mobility {
-        let arms = self.arms();
-        let inverse =
-            |i: usize| Matrix3::from_diagonal(&self.bodies[i].inertia().inverse_moments());
-        let of = |i: usize| share(&self.bodies[i].inertia(), &inverse(i), &arms[i]);
-        let d = of(0) + of(1);
-        let normal =
-            self.bodies[0].inertia().inverse_mass() + self.bodies[1].inertia().inverse_mass();
-        Mobility { normal, tangential: direction.dot(&(d * direction)).max(normal) }
+    // D_xx and D_zz, unless a sphere turns more easily about one tangent than about the other: that
+    // would turn the slip out of its direction.
+    fn symmetric(&self, mobility: &Mobility) -> Result<(f64, f64), RangeError> {
+        let d = mobility.matrix();
+        let skew = (d.m11 - d.m22).abs().max(2.0 * d.m12.abs());
+        if skew > 1e-12 * d.m11 {
+            let [one, two] = self.bodies.map(|body| body.inertia());
+            let uneven = if one.is_isotropic() { two } else { one };
+            let allowed = "the same about all tangents of the contact (else use an Encounter)";
+            return Err(RangeError::new("moment of inertia", uneven.moments()[0], allowed));
+        }
+        Ok((d.m11, d.m33))
     }
 
     fn rebound(
@@ -249,15 +261,16 @@ impl Collision {
         oblique: &ObliqueImpact,
     ) -> Result<Rebound, CollisionError> {
         let restitution = oblique.restitution();
-        let Approach { velocity, direction, tangential_speed: slip, mobility, normal, .. } =
-            approach;
-        let normal_impulse = 2.0 * normal.velocity() / mobility.normal;
-        let tangential_impulse = (1.0 + restitution) * slip / mobility.tangential;
-        let impulse = normal_impulse * self.normal + tangential_impulse * direction;
-        let mut motions = self.after(&impulse);
-        let velocity_after = -restitution * *slip * direction - normal.velocity() * self.normal;
+        let Approach { velocity, slip, axes, levers, mobility, normal, .. } = approach;
+        let tangential_impulse = (1.0 + restitution) * slip / mobility;
+        let impulse = Vector3::new(tangential_impulse, 0.0, normal.impulse());
+        let mut motions = [1.0, -1.0].map(|sign: f64| {
+            let i = usize::from(sign < 0.0);
+            levers[i].pushed(axes, &self.bodies[i].motion(), &(sign * impulse))
+        });
+        let velocity_after = axes * Vector3::new(-restitution * slip, 0.0, -normal.velocity());
         let mut dissipated =
-            0.5 * slip * slip * (1.0 - restitution) * (1.0 + restitution) / mobility.tangential;
+            0.5 * slip * slip * (1.0 - restitution) * (1.0 + restitution) / mobility;
         let spin = self.normal_spin(approach);
         let torsion = match self.torsion {
             TorsionMode::LeftOut => None,
@@ -276,31 +289,30 @@ impl Collision {
             after: kinetic(motions),
             dissipated,
         };
-        let maximal_radius = self.radius(normal.maximal_approach())?;
+        let maximal_contact = self.hertz.ellipse(normal.maximal_approach())?;
         Ok(Rebound {
             motions,
-            impulse,
+            impulse: axes * impulse,
             velocity_before: *velocity,
             velocity_after,
-            tangential_restitution: restitution,
+            tangential_restitution: Some(restitution),
             duration: normal.duration(),
             maximal_force: normal.maximal_force(),
             maximal_approach: normal.maximal_approach(),
-            maximal_radius,
+            maximal_contact,
             energy,
             torsion,
             compressions: 1,
             error_estimate: 0.0,
             log: log(normal, oblique),
-            warnings: self.warnings(maximal_radius, approach),
+            warnings: self.warnings(maximal_contact.semi_axis_b(), approach),
         })
     }
 
     fn normal_spin(&self, approach: &Approach) -> NormalSpin<'_> {
-        let arms = self.arms();
         let pivot = |i: usize| Pivot {
-            arm: arms[i],
-            inverse_tensor: Matrix3::from_diagonal(&self.bodies[i].inertia().inverse_moments()),
+            arm: approach.levers[i].arm(),
+            inverse_tensor: *approach.levers[i].inverse_tensor(),
             spin: self.bodies[i].motion().spin,
         };
         NormalSpin {
@@ -308,23 +320,9 @@ impl Collision {
             friction: self.friction,
             normal: self.normal,
             pivots: [pivot(0), pivot(1)],
-            normal_mobility: approach.mobility.normal,
+            normal_mobility: approach.normal.mobility(),
             velocity: approach.normal.velocity(),
         }
-    }
-
-    fn after(&self, impulse: &Vector3<f64>) -> [Motion; 2] {
-        let arms = self.arms();
-        [1.0, -1.0].map(|sign| {
-            let i = usize::from(sign < 0.0);
-            let (inertia, motion) = (self.bodies[i].inertia(), self.bodies[i].motion());
-            let push = sign * impulse;
-            let turn = inertia.inverse_moments().component_mul(&arms[i].cross(&push));
-            Motion {
-                velocity: motion.velocity + push * inertia.inverse_mass(),
-                spin: motion.spin + turn,
-            }
-        })
     }
 
     fn warnings(&self, maximal_radius: f64, approach: &Approach) -> Vec<Warning> {
@@ -367,17 +365,33 @@ fn wave_loss_of(body: &Body, pulse: &NormalImpact) -> Option<f64> {
 /// The state at first touch.
 struct Approach {
     velocity: Vector3<f64>,
-    direction: Vector3<f64>,
-    tangential_speed: f64,
-    mobility: Mobility,
+    /// The tangential speed.
+    slip: f64,
+    /// The slip direction, the one across it and the normal, as columns.
+    axes: Matrix3<f64>,
+    levers: [Lever; 2],
+    /// D_xx.
+    mobility: f64,
     normal: NormalImpact,
     groups: Groups,
 }
 
-/// D_zz and D_xx along the slip direction.
-struct Mobility {
-    normal: f64,
-    tangential: f64,
+// What of a vector lies across a unit vector; twice, for the first difference keeps a rounding of
+// the whole.
+fn across(vector: &Vector3<f64>, normal: &Vector3<f64>) -> Vector3<f64> {
+    let once = vector - vector.dot(normal) * normal;
+    once - once.dot(normal) * normal
+}
+
+// Without under- or overflow of the squares.
+fn length_and_direction(vector: &Vector3<f64>) -> (f64, Option<Vector3<f64>>) {
+    let largest = vector.amax();
+    if largest == 0.0 {
+        return (0.0, None);
+    }
+    let scaled = vector / largest;
+    let length = scaled.norm();
+    (largest * length, Some(scaled / length))
 }
 
 pub(crate) fn log(normal: &NormalImpact, oblique: &ObliqueImpact) -> Vec<LogEntry> {

@@ -8,6 +8,9 @@ use crate::surface::{Kind, Surface};
 
 const MAX_STEPS: usize = 500;
 
+/// A gap below this part of the distance of the centres is round-off.
+const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
+
 /// Body 1, moved along the velocity of its centre against that of body 2 until the gap is within
 /// `allowed`. The bodies do not turn on the way.
 ///
@@ -20,12 +23,11 @@ pub(crate) fn brought_together(
 ) -> Result<PlacedBody, SearchError> {
     let course = body_1.motion.velocity - body_2.motion.velocity;
     let is_convex = is_convex(&body_1.surface) && is_convex(&body_2.surface);
-    let start = body_1.centre;
     let mut moved = body_1;
-    let mut time = 0.0;
     let mut found = nearest(&moved.placed(), &body_2.placed())?;
     for _ in 0..MAX_STEPS {
-        if found.gap.abs() <= allowed {
+        let round_off = ROUND_OFF * (moved.centre - body_2.centre).norm();
+        if found.gap.abs() <= allowed.max(round_off) {
             return Ok(moved);
         }
         let closing = closing_speed(&found.points, found.gap, &course);
@@ -33,8 +35,7 @@ pub(crate) fn brought_together(
         if found.gap.is_nan() || found.gap < 0.0 || (is_convex && closing <= 0.0) {
             break;
         }
-        time += found.gap / if is_convex { closing } else { course.norm() };
-        moved.centre = start + course * time;
+        moved.centre += course * (found.gap / if is_convex { closing } else { course.norm() });
         if !moved.centre.iter().all(|x| x.is_finite()) {
             break;
         }

@@ -4,28 +4,17 @@ use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::attitude::Attitude;
-use crate::body::Inertia;
+use crate::body::{Inertia, Motion};
 
-/// A body's share of D = sum of [R]^T theta^-1 [R] + 1/m, for the arm R from its centre of mass
-/// to the contact point and the inverse inertia tensor in the same axes (8.31), (8.43).
-#[must_use]
-pub(crate) fn share(
-    inertia: &Inertia,
-    inverse_tensor: &Matrix3<f64>,
-    arm: &Vector3<f64>,
-) -> Matrix3<f64> {
+/// Couplings below this part of the largest entry that turning gives D are round-off: of arms known
+/// to some hundred roundings of the body's size.
+const ROUND_OFF: f64 = 1e-13;
+
+/// [R]^T theta^-1 [R] for the arm R from the centre of mass to the contact point and the inverse
+/// inertia tensor in the same axes (8.31), (8.43).
+fn turning_share(inverse_tensor: &Matrix3<f64>, arm: &Vector3<f64>) -> Matrix3<f64> {
     let cross = arm.cross_matrix();
-    cross.transpose() * inverse_tensor * cross + Matrix3::identity() * inertia.inverse_mass()
-}
-
-/// Velocity of a body's contact point.
-#[must_use]
-pub(crate) fn point_velocity(
-    velocity: &Vector3<f64>,
-    spin: &Vector3<f64>,
-    arm: &Vector3<f64>,
-) -> Vector3<f64> {
-    velocity + spin.cross(arm)
+    cross.transpose() * inverse_tensor * cross
 }
 
 /// What of a body resists an impulse at its contact point: inertia, attitude and arm.
@@ -34,6 +23,9 @@ pub struct Lever {
     inertia: Inertia,
     inverse_tensor: Matrix3<f64>,
     arm: Vector3<f64>,
+    /// How far along the contact normal the contact point lies, where the body's shape puts it on
+    /// the normal through the centre of mass: there nothing of the normal motion is tangential.
+    height: Option<f64>,
 }
 
 impl Lever {
@@ -48,11 +40,21 @@ impl Lever {
         arm: Vector3<f64>,
     ) -> Result<Self, RangeError> {
         RangeError::finite("arm", arm.sum())?;
-        let turned = attitude.matrix();
-        let inverse = Matrix3::from_diagonal(&inertia.inverse_moments());
-        let product = turned * inverse * turned.transpose();
-        let inverse_tensor = 0.5 * (product + product.transpose());
-        Ok(Self { inertia, inverse_tensor, arm })
+        let inverse_tensor = inverse_tensor(&inertia, attitude);
+        Ok(Self { inertia, inverse_tensor, arm, height: None })
+    }
+
+    /// The same for a body whose shape puts the contact point on the contact normal through its
+    /// centre of mass, at this height along it: a sphere, or a plane with 0. That is known and not
+    /// measured, so the normal stays exactly apart.
+    pub(crate) fn upright(
+        inertia: Inertia,
+        attitude: &Attitude,
+        normal: &Vector3<f64>,
+        height: f64,
+    ) -> Self {
+        let inverse_tensor = inverse_tensor(&inertia, attitude);
+        Self { inertia, inverse_tensor, arm: normal * height, height: Some(height) }
     }
 
     /// The inverse of the inertia tensor in space.
@@ -70,7 +72,39 @@ impl Lever {
     /// Velocity of the contact point of a body that moves so.
     #[must_use]
     pub fn point_velocity(&self, velocity: &Vector3<f64>, spin: &Vector3<f64>) -> Vector3<f64> {
-        point_velocity(velocity, spin, &self.arm)
+        velocity + spin.cross(&self.arm)
+    }
+
+    /// The same in the contact axes, the motion given in space.
+    pub(crate) fn point_velocity_in(&self, axes: &Matrix3<f64>, motion: &Motion) -> Vector3<f64> {
+        axes.tr_mul(&motion.velocity) + axes.tr_mul(&motion.spin).cross(&self.arm_in(axes))
+    }
+
+    /// The motion after an impulse at the contact point, given in the contact axes.
+    pub(crate) fn pushed(
+        &self,
+        axes: &Matrix3<f64>,
+        motion: &Motion,
+        impulse: &Vector3<f64>,
+    ) -> Motion {
+        let turn = axes * self.arm_in(axes).cross(impulse);
+        Motion {
+            velocity: motion.velocity + axes * impulse * self.inertia.inverse_mass(),
+            spin: motion.spin + self.inverse_tensor * turn,
+        }
+    }
+
+    fn arm_in(&self, axes: &Matrix3<f64>) -> Vector3<f64> {
+        self.height.map_or_else(|| axes.tr_mul(&self.arm), |height| Vector3::new(0.0, 0.0, height))
+    }
+
+    // [R]^T theta^-1 [R], the part that couples.
+    fn turning_share_in(&self, axes: &Matrix3<f64>) -> Matrix3<f64> {
+        let tensor = match self.inertia.is_isotropic() {
+            true => self.inverse_tensor,
+            false => axes.transpose() * self.inverse_tensor * axes,
+        };
+        turning_share(&tensor, &self.arm_in(axes))
     }
 
     /// `E = theta^-1 [R]`, without the mass (8.43), corrected: an impulse J at the contact point
@@ -84,8 +118,20 @@ impl Lever {
     /// this times J.
     #[must_use]
     pub fn mobility(&self) -> Matrix3<f64> {
-        share(&self.inertia, &self.inverse_tensor, &self.arm)
+        turning_share(&self.inverse_tensor, &self.arm)
+            + Matrix3::identity() * self.inertia.inverse_mass()
     }
+}
+
+// theta^-1 in space; the same in all axes for equal moments, without a rounding.
+fn inverse_tensor(inertia: &Inertia, attitude: &Attitude) -> Matrix3<f64> {
+    let inverse = Matrix3::from_diagonal(&inertia.inverse_moments());
+    if inertia.is_isotropic() {
+        return inverse;
+    }
+    let turned = attitude.matrix();
+    let product = turned * inverse * turned.transpose();
+    0.5 * (product + product.transpose())
 }
 
 /// The mobility D of a contact in its own axes (8.29), (8.43): an impulse J on body 1, and -J on
@@ -107,13 +153,17 @@ pub struct Mobility {
 }
 
 impl Mobility {
-    /// The mobility of two bodies in the contact axes, given as columns in space.
+    /// The mobility of two bodies in the contact axes, given as columns in space. Couplings within
+    /// the rounding of the arms are zero.
     ///
     /// # Errors
     /// As [`Mobility::from_matrix`]; both bodies held fast leave no mobility.
     pub fn new(levers: &[Lever; 2], axes: &Matrix3<f64>) -> Result<Self, RangeError> {
-        let sum = levers[0].mobility() + levers[1].mobility();
-        Self::from_matrix(axes.transpose() * sum * axes)
+        let [one, two] = levers.each_ref().map(|lever| lever.turning_share_in(axes));
+        let round_off = ROUND_OFF * (one.amax() + two.amax());
+        let turning = (one + two).map(|d| if d.abs() <= round_off { 0.0 } else { d });
+        let along = levers[0].inertia.inverse_mass() + levers[1].inertia.inverse_mass();
+        Self::from_matrix(turning + Matrix3::identity() * along)
     }
 
     /// A given matrix, of which the symmetric part counts.

@@ -215,6 +215,18 @@ impl NormalImpact {
         0.5 * self.velocity * self.velocity / self.mobility
     }
 
+    /// The impulse of the normal force, `2 zeta_dot_A/D_zz`.
+    #[must_use]
+    pub fn impulse(&self) -> f64 {
+        2.0 * self.velocity / self.mobility
+    }
+
+    /// The normal mobility D_zz.
+    #[must_use]
+    pub fn mobility(&self) -> f64 {
+        self.mobility
+    }
+
     /// The approach velocity zeta_dot_A.
     #[must_use]
     pub fn velocity(&self) -> f64 {

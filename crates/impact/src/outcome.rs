@@ -1,5 +1,6 @@
 //! What an impact leaves behind: motions, impulse, extremes, energy, log, history, warnings.
 
+use carom_laws::ellipse::ContactEllipse;
 use nalgebra::Vector3;
 
 use crate::body::Motion;
@@ -48,17 +49,21 @@ pub struct Rebound {
     pub velocity_before: Vector3<f64>,
     /// Relative velocity of the contact points after.
     pub velocity_after: Vector3<f64>,
-    /// R_x: tangential velocity after, along that before, over it, reversed in sign. In an
-    /// [`crate::Encounter`] 0 if there was none before.
-    pub tangential_restitution: f64,
+    /// R_x: tangential velocity after, along that before, over it, reversed in sign.
+    ///
+    /// Where there was none before it is the limit for vanishing ones: (9.46), or -1 without
+    /// friction. None if that limit depends on their direction, as of an elliptic contact, or if
+    /// the normal motion of an [`crate::Encounter`] itself brings about a tangential velocity; a
+    /// tangential velocity within rounding of the motions counts as none there.
+    pub tangential_restitution: Option<f64>,
     /// Duration from touch to separation.
     pub duration: f64,
     /// The greatest normal force.
     pub maximal_force: f64,
     /// The greatest approach zeta_max.
     pub maximal_approach: f64,
-    /// The greatest contact radius; of an ellipse the larger semi-axis b.
-    pub maximal_radius: f64,
+    /// The greatest contact area, a circle for spheres.
+    pub maximal_contact: ContactEllipse,
     /// Kinetic energies and what friction took.
     pub energy: EnergyBudget,
     /// The torsional impact; none where the spin about the normal was left alone.
@@ -157,7 +162,8 @@ pub enum Warning {
     },
     /// The contact is not small against the bodies: Hertz's theory asks for a/R below 0.1.
     LargeContact {
-        /// Maximal contact radius over the smallest radius of curvature.
+        /// Maximal contact radius, of an ellipse the larger semi-axis, over the smallest radius of
+        /// curvature.
         ratio: f64,
     },
     /// Elastic waves would carry away more than 1 % of the normal energy, (3.2).

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 use crate::attitude::Attitude;
 use crate::body::{Inertia, Motion, kinetic_energy};
 use crate::contact_point::Placed;
+use crate::mobility::Lever;
 use crate::surface::{Kind, LocalSurface, Surface, SurfaceError};
 
 /// A body with its surface, place, attitude and motion.
@@ -117,11 +118,25 @@ impl PlacedBody {
         Ok(self.surface.local(&in_body)?.placed(&self.centre, &self.attitude))
     }
 
-    // The motion of a plane is given at the contact point.
-    pub(crate) fn arm(&self, from_centre: Vector3<f64>) -> Vector3<f64> {
+    /// The same in space whose origin lies there.
+    pub(crate) fn seen_from(&self, origin: &Vector3<f64>) -> Self {
+        Self { centre: self.centre - origin, ..self.clone() }
+    }
+
+    /// What resists an impulse at the contact point, `arm` from the centre, on this side of it
+    /// (-1 or 1) along the contact normal.
+    pub(crate) fn lever(
+        &self,
+        arm: Vector3<f64>,
+        normal: &Vector3<f64>,
+        side: f64,
+    ) -> Result<Lever, RangeError> {
+        let upright = |height| Ok(Lever::upright(self.inertia, &self.attitude, normal, height));
         match self.surface.kind() {
-            Kind::Plane => Vector3::zeros(),
-            _ => from_centre,
+            // The motion of a plane is given at the contact point.
+            Kind::Plane => upright(0.0),
+            Kind::Sphere { radius } => upright(side * radius),
+            _ => Lever::new(self.inertia, &self.attitude, arm),
         }
     }
 

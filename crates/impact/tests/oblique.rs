@@ -131,6 +131,21 @@ fn histories() {
 }
 
 #[test]
+fn the_last_instant_is_in_the_last_regime() {
+    // Three instants only, as of the rubber ball that ends in sliding: the last but one is still
+    // in partial slip.
+    for i in 1..40 {
+        for j in 1..40 {
+            let (chi, psi) = (0.2 * f64::from(i), 0.15 * f64::from(j));
+            let groups = Groups::new(chi, psi).unwrap();
+            let last = ObliqueImpact::new(groups).unwrap().phases().last().unwrap().regime;
+            let trace = ObliqueImpact::trace(groups, &[1.0, 0.0, -1.0]).unwrap();
+            assert_eq!(trace[2].regime, last, "chi = {chi}, psi = {psi}");
+        }
+    }
+}
+
+#[test]
 fn a_short_stop_of_the_slip_is_not_overlooked() {
     // The slip velocity dips below zero for a moment only: R_x from integrations with a
     // tolerance of 1e-14 and steps too short to miss it.

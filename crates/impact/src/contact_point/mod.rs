@@ -132,13 +132,24 @@ pub fn nearest_points(
     body_1: &PlacedBody,
     body_2: &PlacedBody,
 ) -> Result<NearestPoints, SearchError> {
+    let origin = origin_of_search(body_1, body_2);
     let [one, two] = [body_1, body_2].map(|body| Placed {
         surface: body.surface(),
-        centre: body.centre(),
+        centre: body.centre() - origin,
         attitude: body.attitude(),
     });
     let Nearest { points, gap } = nearest(&one, &two)?;
+    let points = points.map(|point| origin + point);
     Ok(NearestPoints { points, gap, certainty: certainty(&one, &two) })
+}
+
+/// The centre of the smaller body: seen from there, neither a place far from the origin nor a large
+/// partner costs digits of where on it the contact lies.
+pub(crate) fn origin_of_search(body_1: &PlacedBody, body_2: &PlacedBody) -> Vector3<f64> {
+    let [one, two] = [body_1, body_2].map(|body| body.surface().size());
+    // A plane has no size.
+    let first = two == 0.0 || (one > 0.0 && one <= two);
+    if first { body_1.centre() } else { body_2.centre() }
 }
 
 fn certainty(one: &Placed<'_>, two: &Placed<'_>) -> Certainty {

@@ -16,5 +16,6 @@ mod stage;
 pub use course::{Course, Point};
 pub use impact::{CoupledError, CoupledImpact, CoupledOutcome, Sample, VectorLaw};
 pub use passage::Passage;
+pub(crate) use passage::is_coupled;
 pub use rings::{CoulombRings, sliding_direction};
 pub use stage::{Stage, Staged};

@@ -3,8 +3,14 @@
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
-/// Couplings below this part of the largest entry are round-off.
+/// Couplings below this part of the largest entry are round-off. What the shapes of bodies keep
+/// apart is exactly zero already, whatever their sizes ([`crate::Mobility::new`]).
 const UNCOUPLED: f64 = 1e-13;
+
+/// Whether normal forces bring about tangential motion.
+pub(crate) fn is_coupled(mobility: &Matrix3<f64>) -> bool {
+    mobility.m13.abs().max(mobility.m23.abs()) > UNCOUPLED * mobility.amax()
+}
 
 /// How an impact passes, by what its matrices couple.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -37,10 +43,11 @@ impl Passage {
     ) -> Self {
         let small = UNCOUPLED * mobility.amax();
         let pull = Vector3::new(mobility.m13, mobility.m23, 0.0);
-        let coupled = pull.amax() > small;
+        let coupled = is_coupled(mobility);
         let slip = Vector3::new(velocity.x, velocity.y, 0.0);
-        let direction = if slip.norm() > 0.0 {
-            slip.normalize()
+        // Scaled first: no square underflows.
+        let direction = if slip.amax() > 0.0 {
+            (slip / slip.amax()).normalize()
         } else if coupled {
             pull.normalize()
         } else {
@@ -51,7 +58,7 @@ impl Passage {
             && (!coupled || pull.dot(&across).abs() <= small);
         let twist = (stiffness.c_y - stiffness.c_x) * direction.x * direction.y;
         let straight = stays && twist.abs() <= UNCOUPLED * stiffness.c_x.max(stiffness.c_y);
-        match (coupled, straight || (slip.norm() == 0.0 && !coupled)) {
+        match (coupled, straight || (slip.amax() == 0.0 && !coupled)) {
             (false, true) => Self::Uncoupled { direction },
             (true, true) => Self::Planar { direction },
             (coupled, false) => Self::Spatial { coupled },

@@ -1,13 +1,14 @@
 //! What an encounter leaves: motions, energy, torsion, warnings.
 
+use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
 use super::{Encounter, EncounterError};
 use crate::body::Motion;
-use crate::closed_form::NOTICEABLE;
+use crate::closed_form::{NOTICEABLE, restitution_without_slip};
 use crate::contact_point::Certainty;
-use crate::coupled::{CoupledImpact, CoupledOutcome};
+use crate::coupled::{CoupledImpact, CoupledOutcome, is_coupled};
 use crate::normal::NormalImpact;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
 use crate::outcome::{EnergyBudget, Rebound, Torsion, TorsionMode, Warning};
@@ -15,6 +16,12 @@ use crate::wave_share::wave_share;
 
 /// Couplings of the normal motion below this part of D_zz are round-off.
 const UNCOUPLED: f64 = 1e-9;
+
+/// The tangential part of a velocity is known to this part of the whole.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// Differences of chi between directions below this part of it are round-off.
+const EVEN: f64 = 1e-12;
 
 impl Encounter {
     pub(super) fn rebound(
@@ -24,7 +31,10 @@ impl Encounter {
     ) -> Result<Rebound, EncounterError> {
         let (before, after) = (impact.velocity(), outcome.velocity);
         let impulse = self.mobility.impulse(&before, &after);
-        let mut motions = self.after(&self.frame.to_space(&impulse));
+        let mut motions = [0, 1].map(|i| {
+            let push = if i == 0 { impulse } else { -impulse };
+            self.levers[i].pushed(self.frame.axes(), &self.bodies[i].motion, &push)
+        });
         // E_A - E_E of the relative motion, without its cancellation.
         let mut dissipated = 0.5 * impulse.dot(&(before + after));
         let torsion = self.torsion(before.z)?;
@@ -41,23 +51,23 @@ impl Encounter {
             after: kinetic(motions),
             dissipated,
         };
-        let maximal_radius = self.hertz.ellipse(outcome.maximal_approach)?.semi_axis_b();
+        let maximal_contact = self.hertz.ellipse(outcome.maximal_approach)?;
         Ok(Rebound {
             motions,
             impulse: self.frame.to_space(&impulse),
             velocity_before: self.frame.to_space(&before),
             velocity_after: self.frame.to_space(&after),
-            tangential_restitution: tangential_restitution(&before, &after),
+            tangential_restitution: self.restitution(&before, &after),
             duration: outcome.duration,
             maximal_force: outcome.maximal_force,
             maximal_approach: outcome.maximal_approach,
-            maximal_radius,
+            maximal_contact,
             energy,
             torsion,
             compressions: outcome.compressions,
             error_estimate: outcome.error_estimate,
             log: Vec::new(),
-            warnings: self.warnings(maximal_radius, before.z)?,
+            warnings: self.warnings(maximal_contact.semi_axis_b(), before.z)?,
         })
     }
 
@@ -88,15 +98,33 @@ impl Encounter {
         }
     }
 
-    fn after(&self, impulse: &Vector3<f64>) -> [Motion; 2] {
-        [0, 1].map(|i| {
-            let push = if i == 0 { *impulse } else { -impulse };
-            let (body, lever) = (&self.bodies[i], &self.levers[i]);
-            Motion {
-                velocity: body.motion.velocity + push * body.inertia.inverse_mass(),
-                spin: body.motion.spin + lever.inverse_tensor() * lever.arm().cross(&push),
-            }
-        })
+    // Where the limit depends on the direction, a slip within the rounding of the velocities that
+    // it is the difference of has none.
+    fn restitution(&self, before: &Vector3<f64>, after: &Vector3<f64>) -> Option<f64> {
+        let limit = self.limit();
+        let speed = |i: usize| {
+            let motion = &self.bodies[i].motion;
+            motion.velocity.norm() + motion.spin.norm() * self.levers[i].arm().norm()
+        };
+        let slips = before.xy().norm() > ROUNDING * (speed(0) + speed(1));
+        if slips || limit.is_some() { along(before, after).or(limit) } else { None }
+    }
+
+    // R_x for vanishing tangential velocities, if it is the same for all their directions.
+    fn limit(&self) -> Option<f64> {
+        let d = self.mobility.matrix();
+        let ContactStiffness { c_x, c_y, c_z } = self.hertz.stiffness();
+        if is_coupled(d) {
+            return None;
+        }
+        if self.friction.get() == 0.0 {
+            return Some(-1.0);
+        }
+        // The matrix of chi; c_x and c_y of a circle may differ by a rounding.
+        let chi = [d.m11 * c_x, d.m22 * c_y].map(|product| product / (d.m33 * c_z));
+        let turning = d.m12 * (c_x * c_y).sqrt() / (d.m33 * c_z);
+        let even = (chi[0] - chi[1]).abs().max(2.0 * turning.abs()) <= EVEN * chi[0];
+        even.then(|| restitution_without_slip(chi[0]).clamp(-1.0, 1.0))
     }
 
     fn warnings(&self, maximal_radius: f64, velocity: f64) -> Result<Vec<Warning>, RangeError> {
@@ -130,11 +158,12 @@ impl Encounter {
     }
 }
 
-// Along the tangential motion before; 0 where there was none.
-fn tangential_restitution(before: &Vector3<f64>, after: &Vector3<f64>) -> f64 {
-    let squared = before.x * before.x + before.y * before.y;
-    if squared == 0.0 {
-        return 0.0;
+// -(after)/(before) along the tangential velocity before, scaled so that no square underflows.
+fn along(before: &Vector3<f64>, after: &Vector3<f64>) -> Option<f64> {
+    let largest = before.x.abs().max(before.y.abs());
+    if largest == 0.0 {
+        return None;
     }
-    -(after.x * before.x + after.y * before.y) / squared
+    let (x, y) = (before.x / largest, before.y / largest);
+    Some(-(after.x / largest * x + after.y / largest * y) / (x * x + y * y))
 }

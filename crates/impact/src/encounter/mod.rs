@@ -10,7 +10,9 @@ use carom_laws::hertz::Hertz;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use crate::contact_point::{Certainty, SearchError, TOUCH_TOLERANCE, nearest_points};
+use crate::contact_point::{
+    Certainty, SearchError, TOUCH_TOLERANCE, nearest_points, origin_of_search,
+};
 use crate::coupled::{CoupledError, CoupledImpact, Sample, VectorLaw};
 use crate::frame::{ContactFrame, FrameError};
 use crate::meeting::brought_together;
@@ -88,17 +90,18 @@ impl Encounter {
         body_2: PlacedBody,
         friction: Friction,
     ) -> Result<Self, EncounterError> {
-        let found = nearest_points(&body_1, &body_2)?;
+        let origin = origin_of_search(&body_1, &body_2);
+        let seen = [body_1.seen_from(&origin), body_2.seen_from(&origin)];
+        let found = nearest_points(&seen[0], &seen[1])?;
         let allowed = allowed_gap(&body_1, &body_2);
         if found.gap.is_nan() || found.gap.abs() > allowed {
             return Err(SearchError::NotTouching { gap: found.gap, allowed }.into());
         }
-        let bodies = [body_1, body_2];
-        let local = |i: usize| named(i, bodies[i].local_at(&found.points[i]));
+        let local = |i: usize| named(i, seen[i].local_at(&found.points[i]));
         let locals = [local(0)?, local(1)?];
         let point = 0.5 * (found.points[0] + found.points[1]);
-        let arms = [point - bodies[0].centre, point - bodies[1].centre];
-        let encounter = Self::build(bodies, friction, locals, point, arms)?;
+        let arms = [point - seen[0].centre, point - seen[1].centre];
+        let encounter = Self::build([body_1, body_2], friction, locals, origin + point, arms)?;
         Ok(Self { certainty: found.certainty, ..encounter })
     }
 
@@ -114,8 +117,15 @@ impl Encounter {
     ) -> Result<Self, EncounterError> {
         // The last digits of the way are those of the touch.
         let allowed = 1e-6 * allowed_gap(&body_1, &body_2);
-        let body_1 = brought_together(body_1, &body_2, allowed)?;
-        Self::find(body_1, body_2, friction)
+        let origin = body_2.centre;
+        let [one, two] = [body_1.seen_from(&origin), body_2.seen_from(&origin)];
+        let one = brought_together(one, &two, allowed)?;
+        let mut encounter = Self::find(one, two, friction)?;
+        encounter.point += origin;
+        encounter.bodies = encounter.bodies.map(|body| body.seen_from(&-origin));
+        // Its own digits, not those of a sum.
+        encounter.bodies[1].centre = origin;
+        Ok(encounter)
     }
 
     /// Two bodies that touch at a given point of space.
@@ -173,11 +183,8 @@ impl Encounter {
         let frame = ContactFrame::new(&locals[0], &locals[1])?;
         let materials = MaterialPair::new(bodies[0].material, bodies[1].material)?;
         let hertz = Hertz::new(frame.relative_curvature(), materials)?;
-        let lever = |i: usize| {
-            let body = &bodies[i];
-            Lever::new(body.inertia, &body.attitude, body.arm(arms[i]))
-        };
-        let levers = [lever(0)?, lever(1)?];
+        let z = frame.z();
+        let levers = [bodies[0].lever(arms[0], &z, -1.0)?, bodies[1].lever(arms[1], &z, 1.0)?];
         if (levers[0].mobility() + levers[1].mobility()).amax() == 0.0 {
             return Err(EncounterError::BothHeldFast);
         }
@@ -223,6 +230,12 @@ impl Encounter {
         &self.bodies
     }
 
+    /// The friction between them.
+    #[must_use]
+    pub const fn friction(&self) -> Friction {
+        self.friction
+    }
+
     /// The contact point.
     #[must_use]
     pub const fn point(&self) -> Vector3<f64> {
@@ -256,10 +269,13 @@ impl Encounter {
     /// Velocity of body 2 against body 1 at the contact point, in space axes (8.27).
     #[must_use]
     pub fn relative_velocity(&self) -> Vector3<f64> {
-        let of = |i: usize| {
-            let motion = &self.bodies[i].motion;
-            self.levers[i].point_velocity(&motion.velocity, &motion.spin)
-        };
+        self.frame.to_space(&self.velocity())
+    }
+
+    // The same in contact axes.
+    fn velocity(&self) -> Vector3<f64> {
+        let of =
+            |i: usize| self.levers[i].point_velocity_in(self.frame.axes(), &self.bodies[i].motion);
         of(1) - of(0)
     }
 
@@ -268,7 +284,7 @@ impl Encounter {
     /// # Errors
     /// [`RangeError`] if a derived quantity over- or underflows.
     pub fn impact(&self) -> Result<Option<CoupledImpact>, EncounterError> {
-        let velocity = self.frame.to_contact(&self.relative_velocity());
+        let velocity = self.velocity();
         if velocity.z <= 0.0 {
             return Ok(None);
         }

@@ -108,7 +108,8 @@ impl<'r, R: Recorder> Walk<'r, R> {
                     self.slide(sign)
                 }
                 Next::Separate => {
-                    self.recorder.separation(&self.state);
+                    let last = self.phases.last().map_or(Regime::Adhesion, |phase| phase.regime);
+                    self.recorder.separation(&self.state, last);
                     return Ok(self.state.velocity);
                 }
             };

@@ -33,7 +33,7 @@ impl ObliqueImpact {
     /// with chi in [0.01, 100] and psi in [1e-6, 1000].
     pub fn new(groups: Groups) -> Result<Self, ObliqueError> {
         if groups.psi() < PSI_MIN {
-            let restitution = closed_form::restitution_without_slip(groups.chi());
+            let restitution = closed_form::restitution_without_slip(groups.chi()).clamp(-1.0, 1.0);
             let phase = Phase { regime: Regime::Adhesion, began_by: Event::Touch, start: 1.0 };
             return Ok(Self { groups, restitution, phases: vec![phase] });
         }

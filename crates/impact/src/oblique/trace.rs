@@ -83,8 +83,8 @@ pub(super) trait Recorder {
     );
     /// The shift in partial slip.
     fn shift(&self, slip: &Slip<'_>, pair: &Pair) -> f64;
-    /// Separation in `state`.
-    fn separation(&mut self, state: &State);
+    /// Separation in `state` at the end of `regime`.
+    fn separation(&mut self, state: &State, regime: Regime);
     /// Sliding from `state` to the velocity `w`; keeps `state.shift` up to date.
     fn slide(&mut self, chi: f64, psi: f64, sign: f64, state: &mut State, w: f64);
 }
@@ -106,7 +106,7 @@ impl Recorder for Silent {
     fn shift(&self, _: &Slip<'_>, _: &Pair) -> f64 {
         0.0
     }
-    fn separation(&mut self, _: &State) {}
+    fn separation(&mut self, _: &State, _: Regime) {}
     fn slide(&mut self, _: f64, _: f64, _: f64, _: &mut State, _: f64) {}
 }
 
@@ -228,8 +228,7 @@ impl Recorder for Trace<'_> {
         stretch.shift + stored + slip.sign * slip.load(pair).ring
     }
 
-    fn separation(&mut self, state: &State) {
-        let regime = self.points.last().map_or(Regime::Adhesion, |last| last.regime);
+    fn separation(&mut self, state: &State, regime: Regime) {
         let remaining = std::mem::take(&mut self.targets).len();
         for _ in 0..remaining {
             self.push(*state, 0.0, regime);

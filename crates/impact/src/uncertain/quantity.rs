@@ -83,7 +83,8 @@ impl Quantity {
     pub(super) fn of(self, rebound: &Rebound, normal: &Vector3<f64>) -> f64 {
         let motion = |body: usize| &rebound.motions[body.min(1)];
         match self {
-            Self::Restitution => rebound.tangential_restitution,
+            // A collision always has one; what had none would be refused as no number.
+            Self::Restitution => rebound.tangential_restitution.unwrap_or(f64::NAN),
             Self::Speed(body) => motion(body).velocity.norm(),
             Self::Angle(body) => {
                 let sign = if body == 0 { 1.0 } else { -1.0 };

@@ -170,7 +170,7 @@ fn normal_claims(figure: &mut Figure) -> Result<(), Failure> {
     figure.claim(
         Claim::at_most(
             "a/R of this impact is below Hertz's 1/10",
-            straight.maximal_radius / RADIUS,
+            straight.maximal_contact.semi_axis_b() / RADIUS,
             0.1,
         )
         .source("text below the figure"),
@@ -196,7 +196,7 @@ fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
     figure.claim(
         Claim::close(
             "R_x of the tangential impact",
-            oblique.tangential_restitution,
+            oblique.tangential_restitution.ok_or("no R_x")?,
             stepped,
             Tolerance::Absolute(5e-6),
         )

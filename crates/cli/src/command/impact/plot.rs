@@ -62,9 +62,8 @@ pub(super) fn encounter(samples: &[Sample]) -> Result<String, CliError> {
 
 /// Restitution, velocity and spin of body 1 against the angle of incidence.
 pub(super) fn sweep(records: &[Record]) -> Result<String, CliError> {
-    let restitution = records
-        .iter()
-        .filter_map(|record| Some((record.angle?, record.rebound.as_ref()?.restitution)));
+    let restitution =
+        records.iter().filter_map(|record| Some((record.angle?, record.restitution()?)));
     let velocity =
         records.iter().filter_map(|record| Some((record.angle?, record.after.body_1.velocity[0])));
     let spin =

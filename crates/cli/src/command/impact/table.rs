@@ -49,15 +49,20 @@ fn motions(record: &Record) -> String {
 }
 
 fn quantities(rebound: &ReboundRecord) -> String {
+    let contact = [rebound.maximal_semi_axis_a, rebound.maximal_semi_axis_b].map(short);
+    let (size, extent) = match contact {
+        [a, b] if a == b => ("maximal contact radius", a),
+        [a, b] => ("maximal semi-axes a, b of the contact", format!("{a}  {b}")),
+    };
     let mut rows = vec![
-        ("tangential restitution R_x", short(rebound.restitution), ""),
+        ("tangential restitution R_x", or_dash(rebound.restitution), ""),
         ("contact velocity before", vector(rebound.contact_velocity_before), "m/s"),
         ("contact velocity after", vector(rebound.contact_velocity_after), "m/s"),
         ("impulse on body 1", vector(rebound.impulse), "N s"),
         ("duration", short(rebound.duration), "s"),
         ("maximal normal force", short(rebound.maximal_force), "N"),
         ("maximal approach", short(rebound.maximal_approach), "m"),
-        ("maximal contact radius", short(rebound.maximal_contact_radius), "m"),
+        (size, extent, "m"),
         ("kinetic energy before", short(rebound.energy_before), "J"),
         ("kinetic energy after", short(rebound.energy_after), "J"),
         ("energy dissipated", short(rebound.energy_dissipated), "J"),
@@ -70,6 +75,10 @@ fn quantities(rebound: &ReboundRecord) -> String {
         ]);
     }
     named(&rows)
+}
+
+fn or_dash(value: Option<f64>) -> String {
+    value.map_or_else(|| "-".to_owned(), short)
 }
 
 /// A table of named quantities with their units.
@@ -112,12 +121,10 @@ fn sweep(records: &[Record]) -> String {
         .iter()
         .map(|record| {
             let body_1 = &record.after.body_1;
-            let of = |value: fn(&ReboundRecord) -> f64| {
-                record.rebound.as_ref().map_or_else(|| "-".to_owned(), |r| short(value(r)))
-            };
+            let of = |value: fn(&ReboundRecord) -> f64| or_dash(record.rebound.as_ref().map(value));
             vec![
-                record.angle.map_or_else(|| "-".to_owned(), short),
-                of(|rebound| rebound.restitution),
+                or_dash(record.angle),
+                or_dash(record.restitution()),
                 short(body_1.velocity[0]),
                 short(body_1.velocity[2]),
                 short(body_1.spin[1]),

@@ -41,18 +41,27 @@ pub(super) struct MotionRecord {
     pub(super) spin: [f64; 3],
 }
 
+impl Record {
+    /// R_x, if there is one.
+    pub(super) fn restitution(&self) -> Option<f64> {
+        self.rebound.as_ref()?.restitution
+    }
+}
+
 /// What only a rebound has.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct ReboundRecord {
+    /// None where no tangential velocity says a direction for it.
     #[serde(rename = "R_x")]
-    pub(super) restitution: f64,
+    pub(super) restitution: Option<f64>,
     pub(super) impulse: [f64; 3],
     pub(super) contact_velocity_before: [f64; 3],
     pub(super) contact_velocity_after: [f64; 3],
     pub(super) duration: f64,
     pub(super) maximal_force: f64,
     pub(super) maximal_approach: f64,
-    pub(super) maximal_contact_radius: f64,
+    pub(super) maximal_semi_axis_a: f64,
+    pub(super) maximal_semi_axis_b: f64,
     pub(super) energy_before: f64,
     pub(super) energy_after: f64,
     pub(super) energy_dissipated: f64,
@@ -135,7 +144,8 @@ fn rebound_record(rebound: &Rebound) -> ReboundRecord {
         duration: rebound.duration,
         maximal_force: rebound.maximal_force,
         maximal_approach: rebound.maximal_approach,
-        maximal_contact_radius: rebound.maximal_radius,
+        maximal_semi_axis_a: rebound.maximal_contact.semi_axis_a(),
+        maximal_semi_axis_b: rebound.maximal_contact.semi_axis_b(),
         energy_before: rebound.energy.before,
         energy_after: rebound.energy.after,
         energy_dissipated: rebound.energy.dissipated,
@@ -183,7 +193,7 @@ fn instant(point: &HistoryPoint) -> Instant {
 }
 
 /// Heads of the CSV of outcomes.
-pub(super) const HEADS: [&str; 33] = [
+pub(super) const HEADS: [&str; 34] = [
     "angle",
     "outcome",
     "R_x",
@@ -211,7 +221,8 @@ pub(super) const HEADS: [&str; 33] = [
     "duration",
     "maximal_force",
     "maximal_approach",
-    "maximal_contact_radius",
+    "maximal_semi_axis_a",
+    "maximal_semi_axis_b",
     "energy_before",
     "energy_after",
     "energy_dissipated",
@@ -227,7 +238,7 @@ pub(super) fn cells(record: &Record) -> Vec<String> {
             Kind::Rebound => "rebound".to_owned(),
             Kind::NoImpact => "no_impact".to_owned(),
         },
-        record.rebound.as_ref().map_or_else(String::new, |r| r.restitution.to_string()),
+        record.restitution().map_or_else(String::new, |restitution| restitution.to_string()),
     ];
     let Motions { body_1, body_2 } = &record.after;
     let motions = [body_1.velocity, body_1.spin, body_2.velocity, body_2.spin];
@@ -242,7 +253,8 @@ pub(super) fn cells(record: &Record) -> Vec<String> {
                 rebound.duration,
                 rebound.maximal_force,
                 rebound.maximal_approach,
-                rebound.maximal_contact_radius,
+                rebound.maximal_semi_axis_a,
+                rebound.maximal_semi_axis_b,
                 rebound.energy_before,
                 rebound.energy_after,
                 rebound.energy_dissipated,

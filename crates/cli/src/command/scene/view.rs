@@ -25,7 +25,7 @@ pub(super) struct BounceRecord {
     pub(super) velocity: [f64; 3],
     pub(super) spin: [f64; 3],
     #[serde(rename = "R_x")]
-    pub(super) restitution: f64,
+    pub(super) restitution: Option<f64>,
     pub(super) duration: f64,
     pub(super) maximal_force: f64,
     pub(super) energy_before: f64,
@@ -119,7 +119,7 @@ pub(super) fn rows(report: &Report, number: impl Fn(&f64) -> String) -> Vec<Vec<
     let row = |bounce: &BounceRecord| {
         let mut cells = vec![number(&bounce.time), bounce.wall.clone()];
         cells.extend(bounce.position.iter().map(&number));
-        cells.push(number(&bounce.restitution));
+        cells.push(bounce.restitution.as_ref().map_or_else(String::new, &number));
         cells.extend(bounce.velocity.iter().chain(&bounce.spin).map(&number));
         cells.push(number(&bounce.energy_dissipated));
         cells.push(bounce.regimes.join(" "));

@@ -1,0 +1,91 @@
+//! One encounter of spheres held against the collision of the same.
+
+use carom_impact::{Collision, Encounter, Rebound};
+use carom_laws::friction::Friction;
+use nalgebra::Vector3;
+use proptest::prelude::*;
+
+pub(crate) fn friction(f: f64) -> Friction {
+    Friction::new(f).unwrap()
+}
+
+pub(crate) fn collided(collision: &Collision) -> Rebound {
+    collision.solve().unwrap().rebound().unwrap().clone()
+}
+
+pub(crate) fn met(encounter: &Encounter) -> Rebound {
+    encounter.solve().unwrap().rebound().unwrap().clone()
+}
+
+/// chi of a solid sphere: 7/(2 kappa), kappa = (2 - nu)/(2 (1 - nu)).
+pub(crate) fn chi_of_sphere(poisson: f64) -> f64 {
+    7.0 * (1.0 - poisson) / (2.0 - poisson)
+}
+
+/// What rounding leaves open of R_x. The slip is a difference of velocities, known to a rounding of
+/// these; R_x changes with the logarithm of psi by about the lesser of psi and 1/psi, and the walk
+/// itself is good to twice its tolerance of 5e-12, wherever such a slip puts it.
+pub(crate) fn unknown(encounter: &Encounter, rebound: &Rebound) -> f64 {
+    let frame = encounter.frame();
+    let before = frame.to_contact(&rebound.velocity_before);
+    let speed: f64 = encounter
+        .bodies()
+        .iter()
+        .zip(encounter.levers())
+        .map(|(body, lever)| {
+            body.motion().velocity.norm() + body.motion().spin.norm() * lever.arm().norm()
+        })
+        .sum();
+    let slip = before.xy().norm();
+    if slip == 0.0 || encounter.friction().get() == 0.0 {
+        return 1e-11;
+    }
+    let (share, psi) = (1e-15 * speed / slip, slip / before.z / encounter.friction().get());
+    if share < 1e-13 { 0.0 } else { 1e-11 + 4.0 * share * psi.min(1.0 / psi) }
+}
+
+/// The encounter against the collision along its own normal.
+pub(crate) fn same(encounter: &Encounter, collision: Collision) -> Result<(), TestCaseError> {
+    let own = met(encounter);
+    let other = collided(&collision.along(encounter.frame().z().into()).unwrap());
+    let (r, s) = (own.tangential_restitution.unwrap(), other.tangential_restitution.unwrap());
+    prop_assert!((r - s).abs() <= 1e-12 + unknown(encounter, &own), "R_x {r} {s}");
+    prop_assert!(r.abs() <= 1.0 + 1e-14, "R_x {r}");
+    for (own, other) in [
+        (own.duration, other.duration),
+        (own.maximal_force, other.maximal_force),
+        (own.maximal_approach, other.maximal_approach),
+        (own.maximal_contact.semi_axis_b(), other.maximal_contact.semi_axis_a()),
+        (own.energy.before, other.energy.before),
+        (own.energy.after, other.energy.after),
+    ] {
+        prop_assert!((own / other - 1.0).abs() < 1e-12, "{own:e} {other:e}");
+    }
+    let heat = (own.energy.dissipated - other.energy.dissipated).abs() / own.energy.before;
+    prop_assert!(heat < 1e-12, "{heat:e}");
+    for rebound in [&own, &other] {
+        conserves(encounter, rebound)?;
+    }
+    Ok(())
+}
+
+pub(crate) fn conserves(encounter: &Encounter, rebound: &Rebound) -> Result<(), TestCaseError> {
+    let energy = rebound.energy;
+    prop_assert!(energy.dissipated >= 0.0, "{:e}", energy.dissipated);
+    prop_assert!(energy.after <= energy.before * (1.0 + 1e-13), "gain {energy:?}");
+    let balance = (energy.before - energy.after - energy.dissipated) / energy.before;
+    prop_assert!(balance.abs() <= 1e-13, "{balance:e}");
+    let (mut sum, mut scale) = (Vector3::zeros(), 0.0);
+    for (body, after) in encounter.bodies().iter().zip(&rebound.motions) {
+        let mass = body.inertia().mass();
+        if mass.is_finite() {
+            sum += mass * (after.velocity - body.motion().velocity);
+            scale += mass * (after.velocity.norm() + body.motion().velocity.norm());
+        } else {
+            // What holds body 2 takes up what body 1 was given.
+            sum -= rebound.impulse;
+        }
+    }
+    prop_assert!(sum.norm() <= 1e-13 * scale, "momentum {:e}", sum.norm() / scale);
+    Ok(())
+}
