@@ -77,7 +77,7 @@ fn panels(figure: &mut Figure, step: &Step, shift: &Shift, title: &str) -> Resul
     let mut angles =
         Panel::new(Axis::linear("x"), Axis::linear("angle of t in degrees")).titled(title);
     let mut sizes = Panel::new(Axis::linear("x"), Axis::linear("|t|/(f p₀)")).titled(title);
-    let rows = [-0.5 - 1.0 / 30.0, 1.0 / 30.0, 0.5 + 1.0 / 30.0];
+    let rows = [-0.5, 1.0 / 30.0, 0.5];
     for (colour, row) in rows.into_iter().enumerate() {
         let cells: Vec<Touching> =
             step.touching().filter(|cell| (cell.y - row).abs() < 0.02).collect();

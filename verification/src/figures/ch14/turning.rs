@@ -55,13 +55,27 @@ impl Leg {
         path
     }
 
-    /// The direction of the force in chapter 7 at the end, in degrees.
-    fn theory(&self) -> Result<f64, Failure> {
+    /// Chapter 7's law after a part of the leg.
+    fn memory(&self, part: f64) -> Result<VectorMemory, Failure> {
         let mut memory = VectorMemory::new();
         memory.advance(1.0, [0.0; 2])?;
         memory.advance(1.0, [1.0, 0.0])?;
-        let [x, y] = memory.advance(1.0, self.end())?;
+        let [x, y] = self.end();
+        memory.advance(1.0, [1.0 + part * (x - 1.0), part * y])?;
+        Ok(memory)
+    }
+
+    /// The direction of the force in chapter 7 at the end, in degrees.
+    fn theory(&self) -> Result<f64, Failure> {
+        let [x, y] = self.memory(1.0)?.force();
         Ok(y.atan2(x).to_degrees())
+    }
+
+    /// Chapter 7's tractions over f p_0 from the middle to the rim.
+    fn tractions(&self, part: f64) -> Result<Vec<(f64, [f64; 2])>, Failure> {
+        let memory = self.memory(part)?;
+        let at = |r: f64| (r, memory.superpose(|z| (z - r * r).max(0.0).sqrt()));
+        Ok((0..200).map(|i| at(f64::from(i) / 200.0)).collect())
     }
 }
 
@@ -125,7 +139,13 @@ fn rings(step: &Step) -> Vec<[f64; 2]> {
         .collect()
 }
 
-fn panels(figure: &mut Figure, mesh: &Mesh, run: &[Step]) -> Result<(), Failure> {
+/// Numerical tractions as markers; those of chapter 7, where a leg is given, as lines.
+fn panels(
+    figure: &mut Figure,
+    mesh: &Mesh,
+    run: &[Step],
+    theory: Option<&Leg>,
+) -> Result<(), Failure> {
     let peak = mesh.hertz()?.at_approach(APPROACH)?.pressure(0.0, 0.0);
     let mut directions = Panel::new(Axis::linear("r/a"), Axis::linear("angle of t in degrees"));
     let mut sizes = Panel::new(Axis::linear("r/a"), Axis::linear("|t|/(f p₀)"));
@@ -134,6 +154,14 @@ fn panels(figure: &mut Figure, mesh: &Mesh, run: &[Step]) -> Result<(), Failure>
         directions.add(Series::markers(name.clone(), Marker::Dot, angles(step)).coloured(colour));
         let size = step.touching().map(|cell| (cell.x.hypot(cell.y), cell.size() / peak));
         sizes.add(Series::markers(name, Marker::Dot, size).coloured(colour));
+        if let Some(leg) = theory {
+            let lines = leg.tractions((number - LEG - 1) as f64 / LEG as f64)?;
+            let angle = |[x, y]: [f64; 2]| y.atan2(x).to_degrees().rem_euclid(360.0);
+            let line = lines.iter().map(|(r, t)| (*r, angle(*t)));
+            directions.add(Series::line("", line).coloured(colour));
+            let line = lines.iter().map(|(r, [x, y])| (*r, x.hypot(*y)));
+            sizes.add(Series::line("", line).coloured(colour));
+        }
     }
     figure.panel(directions);
     figure.panel(sizes);
@@ -149,14 +177,33 @@ fn draw(number: usize) -> FigureResult {
     figure.assumed("elements", format!("{ELEMENTS} × {ELEMENTS}"));
     let mesh = Mesh::of([1.0; 2], [ELEMENTS; 2]);
     let run = mesh.follow(&leg.history(APPROACH))?;
-    panels(&mut figure, &mesh, &run)?;
+    panels(&mut figure, &mesh, &run, Some(&leg))?;
     let last = &run[run.len() - 1];
     let limit = last.touching().map(|cell| (cell.size() / cell.pressure, 1.0));
     figure.claim(
         Claim::all_close("at the end all slips at f p", limit, Tolerance::Absolute(1e-9))
             .source("Coulomb's law"),
     );
-    let theory = leg.theory()?;
+    let (theory, peak) = (leg.theory()?, mesh.hertz()?.at_approach(APPROACH)?.pressure(0.0, 0.0));
+    let mean = |values: &mut dyn Iterator<Item = f64>| {
+        let all: Vec<f64> = values.collect();
+        all.iter().sum::<f64>() / all.len() as f64
+    };
+    let line = leg.tractions(0.4)?;
+    let differences = run[LEG + 2].touching().map(|cell| {
+        let r = cell.x.hypot(cell.y);
+        let [x, y] = line[((200.0 * r) as usize).min(199)].1;
+        (cell.size() / peak - x.hypot(y)).abs()
+    });
+    let difference = mean(&mut { differences });
+    figure.claim(
+        Claim::at_most(
+            "in step 8 the size is chapter 7's, in the mean over f p₀",
+            difference,
+            0.05,
+        )
+        .source("the thesis, below fig. 14.12: it corresponds very well"),
+    );
     let rings = rings(last);
     let turned = |ring: usize| rings[ring][0] - theory;
     let source = "an independent half-space program on another mesh";
@@ -208,7 +255,7 @@ pub(super) fn incompressible() -> FigureResult {
     figure.assumed("elements", format!("{ELEMENTS} × {ELEMENTS}"));
     let soft = Mesh { poisson: [0.5; 2], ..Mesh::of([1.0; 2], [ELEMENTS; 2]) };
     let run = soft.follow(&leg(2).history(1.5 * APPROACH))?;
-    panels(&mut figure, &soft, &run)?;
+    panels(&mut figure, &soft, &run, None)?;
     let stiff = Mesh::of([1.0; 2], [ELEMENTS; 2]).follow(&leg(2).history(APPROACH))?;
     let spread = |run: &[Step], number: usize| {
         rings(&run[number - 1]).iter().map(|ring| ring[1]).fold(0.0, f64::max)
