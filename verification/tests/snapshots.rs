@@ -11,7 +11,7 @@ fn figures_and_snapshots_belong_together() {
     let stored: BTreeSet<String> =
         std::fs::read_dir(folder).unwrap().map(|entry| stem(&entry.unwrap().path())).collect();
     let entries = catalogue();
-    let done = entries.iter().filter(|entry| entry.is_done()).map(|entry| entry.id.to_owned());
+    let done = entries.iter().filter(|entry| entry.is_computed()).map(|entry| entry.id.to_owned());
     assert_eq!(stored, done.collect());
 }
 

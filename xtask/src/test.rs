@@ -7,25 +7,59 @@ use crate::cargo;
 use anyhow::{Context as _, bail};
 use std::io::{BufRead as _, BufReader};
 use std::process::Stdio;
+use std::time::Instant;
+
+/// Which tests run.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Which {
+    /// All but the ignored ones.
+    Usual,
+    /// The ignored ones alone.
+    Ignored,
+}
 
 /// Runs all tests and the documentation examples, and prints their counts; the examples run
 /// even if a test fails.
 pub(crate) fn run() -> anyhow::Result<()> {
-    let tests = if cargo::has("nextest") {
+    tests("release", Which::Usual).and(examples())
+}
+
+/// Runs the tests that take minutes too, and says how long they took.
+pub(crate) fn all() -> anyhow::Result<()> {
+    let usual = run();
+    println!("== the tests that are ignored otherwise: about six minutes on two cores");
+    let start = Instant::now();
+    let ignored = tests("release", Which::Ignored);
+    println!("== they took {:.0} s", start.elapsed().as_secs_f64());
+    usual.and(ignored)
+}
+
+/// Runs the tests with overflow checks and debug assertions.
+pub(crate) fn checked() -> anyhow::Result<()> {
+    tests("checked", Which::Usual)
+}
+
+fn tests(profile: &str, which: Which) -> anyhow::Result<()> {
+    if cargo::has("nextest") {
         // Prints its own count.
-        cargo::run(&["nextest", "run", "--workspace", "--release"])
-    } else {
-        println!("cargo-nextest is not installed: using cargo test");
-        counted(
-            "tests",
-            &["test", "--workspace", "--release", "--no-fail-fast", "--lib", "--bins", "--tests"],
-        )
-    };
-    let examples = counted(
-        "documentation examples",
-        &["test", "--workspace", "--release", "--no-fail-fast", "--doc"],
-    );
-    tests.and(examples)
+        let mut arguments = vec!["nextest", "run", "--workspace", "--cargo-profile", profile];
+        if which == Which::Ignored {
+            arguments.extend(["--run-ignored", "only"]);
+        }
+        return cargo::run(&arguments);
+    }
+    println!("cargo-nextest is not installed: using cargo test");
+    let mut arguments = vec!["test", "--workspace", "--profile", profile, "--no-fail-fast"];
+    arguments.extend(["--lib", "--bins", "--tests"]);
+    if which == Which::Ignored {
+        arguments.extend(["--", "--ignored"]);
+    }
+    counted("tests", &arguments)
+}
+
+fn examples() -> anyhow::Result<()> {
+    let arguments = ["test", "--workspace", "--release", "--no-fail-fast", "--doc"];
+    counted("documentation examples", &arguments)
 }
 
 /// Calls cargo, passing its output on, and prints how many tests passed.
