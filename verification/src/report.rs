@@ -19,11 +19,14 @@ table{border-collapse:collapse;font-size:.92em;margin:.4em 0 1em}
 th,td{text-align:left;padding:.2em .7em;border-bottom:1px solid #e4e4e4;vertical-align:top}
 th{border-bottom:2px solid #bbb}\
 td.number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+td.name{white-space:nowrap}
 svg{max-width:100%;height:auto}a{color:#0072B2;text-decoration:none}
 .pass{color:#00734f}.fail{color:#b00020;font-weight:bold}.missing,.old{color:#666}\
 .partial{color:#8a5a00}
 @media(max-width:700px){body{margin:1em auto;padding:0 .6em}th,td{padding:.2em .35em}\
-.wide svg{min-width:560px}}
+.wide svg{min-width:560px}\
+.contents td:nth-child(4),.contents th:nth-child(4),\
+.contents td:nth-child(5),.contents th:nth-child(5){display:none}.contents td.name{white-space:normal}}
 ";
 
 /// The report of these pages, with a line for each entry of the catalogue; `is_fresh` says which
@@ -88,7 +91,7 @@ fn contents(
     is_fresh: impl Fn(&Entry) -> bool,
 ) {
     page.push_str(
-        "<div class=\"wide\"><table><tr><th>id</th><th>title</th><th>claims</th><th>worst \
+        "<div class=\"wide\"><table class=\"contents\"><tr><th>id</th><th>title</th><th>claims</th><th>worst \
          deviation / tolerance</th><th>snapshot</th><th>status</th></tr>\n",
     );
     for entry in catalogue {
@@ -98,7 +101,7 @@ fn contents(
                 let status = if entry.is_computed() { "not run" } else { "missing" };
                 let _ = writeln!(
                     page,
-                    "<tr class=\"missing\"><td>{}</td><td>{}</td><td></td><td></td><td></td>\
+                    "<tr class=\"missing\"><td class=\"name\">{}</td><td>{}</td><td></td><td></td><td></td>\
                      <td>{status}</td></tr>",
                     escape(&entry.name()),
                     escape(entry.title),
@@ -119,7 +122,7 @@ fn contents_row(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool)
     }
     let _ = writeln!(
         page,
-        "<tr><td class=\"number\"><a href=\"#{0}\">{1}</a></td><td>{2}</td>\
+        "<tr><td class=\"name\"><a href=\"#{0}\">{1}</a></td><td>{2}</td>\
          <td class=\"number\">{3}/{4}</td>\
          <td class=\"number\">{5}</td><td>{6}</td><td>{status}</td></tr>",
         entry.id,
@@ -136,7 +139,7 @@ fn section(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
     let (name, title) = (escape(&entry.name()), escape(entry.title));
     let _ = writeln!(page, "<h2 id=\"{}\">{name}: {title}</h2>", entry.id);
     if let Some(lacks) = entry.lacks {
-        let _ = writeln!(page, "<p class=\"partial\">Partial: {} missing.</p>", escape(lacks));
+        let _ = writeln!(page, "<p class=\"partial\">Partial, without {}.</p>", escape(lacks));
     }
     if !is_fresh {
         let _ = writeln!(page, "<p class=\"old\">Computed {}.</p>", record.date());
@@ -239,7 +242,7 @@ mod tests {
         for part in [
             "0 of 4 of the thesis",
             "one &amp; only",
-            "Partial: markers missing.",
+            "Partial, without markers.",
             "the picture",
             "failed: no root",
             "missing</td>",

@@ -53,19 +53,19 @@ fn inputs(page: &mut String, inputs: &[Input]) {
 }
 
 fn claims(page: &mut String, claims: &[Claim]) {
-    let heads = ["claim", "measured", "expected", "deviation / tolerance", "source", ""];
+    let heads = ["", "claim", "measured", "expected", "deviation / tolerance", "source"];
     open(page, "Claims", heads);
     for claim in claims {
         let _ = writeln!(
             page,
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td><td>{}</td>\
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td>\
              <td>{}</td></tr>",
+            verdict(claim.passes()),
             escape(&claim.statement),
             escape(&claim.measured()),
             escape(&claim.expected()),
             ratio(claim.ratio()),
             if claim.has_source() { escape(&claim.source) } else { NO_SOURCE.to_owned() },
-            verdict(claim.passes()),
         );
     }
     close(page);

@@ -25,7 +25,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::figure("7.9", "Torsional stiffness δ_T of the ellipse").by(torsion::draw_stiffness),
     Entry::figure("7.10", "Torque against twist, formula and numerical solution")
         .by(torsion::draw_loading)
-        .partial("the numerical solution, a/b = 10 and 50 against 400 points"),
+        .partial("the numerical solution: a/b = 10, and 50 against 400 points"),
     Entry::figure("7.11", "Varying torque, a/b = 1/10, ν = 0").by(torsion::draw_reversals),
     Entry::figure("7.12", "Example 1: forces and displacements")
         .by(examples::draw_first)
