@@ -276,6 +276,7 @@ fn output() -> PathBuf {
 
 /// The folder of the workspace: cargo tells it; else that of the build.
 fn workspace() -> PathBuf {
-    std::env::var_os("CAROM_WORKSPACE")
-        .map_or_else(|| Path::new(env!("CARGO_MANIFEST_DIR")).join(".."), PathBuf::from)
+    let built = || Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = std::env::var_os("CAROM_WORKSPACE").map_or_else(built, PathBuf::from);
+    folder.canonicalize().unwrap_or(folder)
 }
