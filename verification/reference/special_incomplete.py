@@ -35,6 +35,9 @@ def places():
 
 
 def main():
+    print("# generator: reference/special_incomplete.py")
+    print("# accuracy: 22 digits, of 60 and more")
+    print("# date: 2026-11-21")
     print("axis_ratio,sine,cosine,by_sine,F,E,D")
     for kc, kind, end in places():
         mp.mp.dps = 60 + int(3 * abs(mp.log10(mp.mpf(kc)))) + (0 if end == 0 else int(3 * abs(mp.log10(end))))

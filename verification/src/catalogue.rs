@@ -1,6 +1,7 @@
 //! The list of the thesis's tables and figures, and who computes each.
 
 use crate::figure::Figure;
+use std::panic::Location;
 
 /// What a figure's function returns; any error type converts with `?`.
 pub type FigureResult = Result<Figure, Box<dyn std::error::Error + Send + Sync>>;
@@ -16,6 +17,33 @@ pub struct Entry {
     pub kind: Kind,
     /// The function that computes it, if there is one.
     pub source: Source,
+    /// What is missing, if only a part of it is computed.
+    pub lacks: Option<&'static str>,
+    /// Its line in the catalogue.
+    pub place: &'static Location<'static>,
+}
+
+/// How much of an entry is computed.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum State {
+    /// All of it.
+    Done,
+    /// A part; the entry says what is missing.
+    Partial,
+    /// Nothing.
+    Missing,
+}
+
+impl State {
+    /// The word for it.
+    #[must_use]
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Done => "done",
+            Self::Partial => "partial",
+            Self::Missing => "missing",
+        }
+    }
 }
 
 /// Figure or table.
@@ -43,20 +71,28 @@ pub enum Source {
 impl Entry {
     /// A figure that is not computed yet.
     #[must_use]
+    #[track_caller]
     pub const fn figure(id: &'static str, title: &'static str) -> Self {
-        Self { id, title, kind: Kind::Figure, source: Source::Missing }
+        Self::new(id, title, Kind::Figure)
     }
 
     /// A table that is not computed yet.
     #[must_use]
+    #[track_caller]
     pub const fn table(id: &'static str, title: &'static str) -> Self {
-        Self { id, title, kind: Kind::Table, source: Source::Missing }
+        Self::new(id, title, Kind::Table)
     }
 
     /// A check of carom itself, beside what the thesis has.
     #[must_use]
+    #[track_caller]
     pub const fn check(id: &'static str, title: &'static str) -> Self {
-        Self { id, title, kind: Kind::Check, source: Source::Missing }
+        Self::new(id, title, Kind::Check)
+    }
+
+    #[track_caller]
+    const fn new(id: &'static str, title: &'static str, kind: Kind) -> Self {
+        Self { id, title, kind, source: Source::Missing, lacks: None, place: Location::caller() }
     }
 
     /// Whether the thesis has it.
@@ -79,6 +115,23 @@ impl Entry {
         self
     }
 
+    /// Only a part of it is computed: `lacks` says what is missing. It is counted apart.
+    #[must_use]
+    pub const fn partial(mut self, lacks: &'static str) -> Self {
+        self.lacks = Some(lacks);
+        self
+    }
+
+    /// How much of it is computed.
+    #[must_use]
+    pub const fn state(&self) -> State {
+        match (self.source, self.lacks) {
+            (Source::Missing, _) => State::Missing,
+            (_, Some(_)) => State::Partial,
+            (_, None) => State::Done,
+        }
+    }
+
     /// The chapter it stands in.
     #[must_use]
     pub fn chapter(&self) -> &'static str {
@@ -86,9 +139,9 @@ impl Entry {
         number.split_once('.').map_or(number, |(chapter, _)| chapter)
     }
 
-    /// Whether some function computes it.
+    /// Whether some function computes it, or a part of it.
     #[must_use]
-    pub const fn is_done(&self) -> bool {
+    pub const fn is_computed(&self) -> bool {
         !matches!(self.source, Source::Missing)
     }
 
@@ -96,6 +149,13 @@ impl Entry {
     #[must_use]
     pub const fn is_slow(&self) -> bool {
         matches!(self.source, Source::Slow(_))
+    }
+
+    /// `fig-5.3` or `table-13.1`: the name of its files.
+    #[must_use]
+    pub fn stem(&self) -> String {
+        let is_named = self.id.starts_with("table-");
+        if is_named { self.id.to_owned() } else { format!("fig-{}", self.id) }
     }
 
     /// `Fig. 5.3`, `Table 13.1` or `Check accuracy.special`.
@@ -164,6 +224,24 @@ mod tests {
         assert_eq!((entry.name().as_str(), entry.chapter()), ("Table 13.1", "13"));
         let entry = Entry::figure("5.3", "");
         assert_eq!((entry.name().as_str(), entry.chapter()), ("Fig. 5.3", "5"));
-        assert!(!entry.is_done() && entry.draw().is_none());
+        assert!(!entry.is_computed() && entry.draw().is_none());
+    }
+
+    #[test]
+    fn what_lacks_something_is_partial() {
+        let entry = Entry::figure("5.3", "");
+        assert_eq!(entry.partial("markers").state(), State::Missing);
+        let entry = entry.by(|| Ok(Figure::new()));
+        assert_eq!(entry.state(), State::Done);
+        assert_eq!(entry.partial("markers").state(), State::Partial);
+        assert_eq!(entry.place.line(), line!() - 5);
+    }
+
+    #[test]
+    fn partial_entries_say_what_is_missing() {
+        for entry in catalogue() {
+            assert!(entry.lacks.is_none_or(|lacks| !lacks.trim().is_empty()), "{}", entry.id);
+            assert!(entry.lacks.is_none() || entry.is_computed(), "{}", entry.id);
+        }
     }
 }

@@ -1,17 +1,20 @@
 //! Claims: statements that a measurement can refute.
 
 use std::fmt;
+use std::panic::Location;
 
 /// A statement about a figure with the measurement that decides it.
 ///
-/// A claim that cannot fail (an infinite tolerance, an empty list) counts as failed.
+/// A claim that cannot fail (an infinite tolerance, an empty list) counts as failed, and so does
+/// one that does not say where its expectation comes from.
 ///
 /// ```
 /// use carom_verification::{Claim, Tolerance};
 /// let claim = Claim::close("slope at 0 is 16/3", 5.3333, 16.0 / 3.0, Tolerance::Relative(1e-4));
-/// assert!(claim.passes());
 /// assert!(claim.ratio() < 0.1);
-/// assert!(!Claim::at_most("below 3 %", 0.0335, 0.03).passes());
+/// assert!(!claim.passes());
+/// assert!(claim.source("(5.98)").passes());
+/// assert!(!Claim::at_most("below 3 %", 0.0335, 0.03).source("page 64").passes());
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct Claim {
@@ -21,6 +24,8 @@ pub struct Claim {
     pub source: String,
     /// The measurement and what it is held against.
     pub check: Check,
+    /// Where it is made.
+    pub place: &'static Location<'static>,
 }
 
 /// A measurement and what it is held against.
@@ -139,6 +144,7 @@ pub enum Order {
 impl Claim {
     /// `measured` is `expected` within `tolerance`.
     #[must_use]
+    #[track_caller]
     pub fn close(
         statement: impl Into<String>,
         measured: f64,
@@ -150,6 +156,7 @@ impl Claim {
 
     /// Every (measured, expected) pair agrees within `tolerance`.
     #[must_use]
+    #[track_caller]
     pub fn all_close<P: Into<Pair>>(
         statement: impl Into<String>,
         pairs: impl IntoIterator<Item = P>,
@@ -161,18 +168,21 @@ impl Claim {
 
     /// `measured` is at most `bound`.
     #[must_use]
+    #[track_caller]
     pub fn at_most(statement: impl Into<String>, measured: f64, bound: f64) -> Self {
         Self::new(statement, Check::Bound { measured, bound, side: Side::Below })
     }
 
     /// `measured` is at least `bound`.
     #[must_use]
+    #[track_caller]
     pub fn at_least(statement: impl Into<String>, measured: f64, bound: f64) -> Self {
         Self::new(statement, Check::Bound { measured, bound, side: Side::Above })
     }
 
     /// Each value is larger than the one before.
     #[must_use]
+    #[track_caller]
     pub fn increasing(statement: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
         let values = values.into_iter().collect();
         Self::new(statement, Check::Ordered { values, order: Order::Increasing })
@@ -180,6 +190,7 @@ impl Claim {
 
     /// Each value is smaller than the one before.
     #[must_use]
+    #[track_caller]
     pub fn decreasing(statement: impl Into<String>, values: impl IntoIterator<Item = f64>) -> Self {
         let values = values.into_iter().collect();
         Self::new(statement, Check::Ordered { values, order: Order::Decreasing })
@@ -187,12 +198,15 @@ impl Claim {
 
     /// Something is so; `measured` is the number that shows it.
     #[must_use]
+    #[track_caller]
     pub fn holds(statement: impl Into<String>, holds: bool, measured: f64) -> Self {
         Self::new(statement, Check::Holds { holds, measured })
     }
 
+    #[track_caller]
     fn new(statement: impl Into<String>, check: Check) -> Self {
-        Self { statement: statement.into(), source: String::new(), check }
+        let place = Location::caller();
+        Self { statement: statement.into(), source: String::new(), check, place }
     }
 
     /// Says where the expectation comes from.
@@ -202,10 +216,16 @@ impl Claim {
         self
     }
 
-    /// Whether the measurement bears the statement out.
+    /// Whether the statement has a source and the measurement bears it out.
     #[must_use]
     pub fn passes(&self) -> bool {
-        self.ratio() <= 1.0
+        self.has_source() && self.ratio() <= 1.0
+    }
+
+    /// Whether it says where its expectation comes from.
+    #[must_use]
+    pub fn has_source(&self) -> bool {
+        !self.source.trim().is_empty()
     }
 
     /// Deviation over tolerance: at most 1 if the claim passes, infinite if it cannot be
@@ -328,7 +348,16 @@ mod tests {
         assert_eq!(claim.ratio(), 0.25);
         let claim = Claim::close("", -3.0, -2.0, Tolerance::Relative(0.25));
         assert_eq!(claim.ratio(), 2.0);
+        assert!(!claim.source("given").passes());
+    }
+
+    #[test]
+    fn a_claim_needs_a_source() {
+        let claim = Claim::at_most("small", 1.0, 2.0);
+        assert_eq!(claim.place.line(), line!() - 1);
         assert!(!claim.passes());
+        assert!(!claim.clone().source(" ").passes());
+        assert!(claim.source("(5.3)").passes());
     }
 
     #[test]
@@ -360,10 +389,10 @@ mod tests {
 
     #[test]
     fn orders_are_strict() {
-        assert!(Claim::increasing("", [1.0, 2.0, 3.0]).passes());
-        assert!(!Claim::increasing("", [1.0, 2.0, 2.0]).passes());
-        assert!(Claim::decreasing("", [3.0, 2.0]).passes());
-        assert!(!Claim::decreasing("", [3.0, f64::NAN]).passes());
+        assert_eq!(Claim::increasing("", [1.0, 2.0, 3.0]).ratio(), 0.0);
+        assert_eq!(Claim::increasing("", [1.0, 2.0, 2.0]).ratio(), f64::INFINITY);
+        assert_eq!(Claim::decreasing("", [3.0, 2.0]).ratio(), 0.0);
+        assert_eq!(Claim::decreasing("", [3.0, f64::NAN]).ratio(), f64::INFINITY);
     }
 
     #[test]
@@ -380,8 +409,8 @@ mod tests {
             Claim::holds("", true, f64::NAN),
             Claim::holds("", false, 1.0),
         ] {
-            assert!(!claim.passes(), "{claim:?}");
             assert_eq!(claim.ratio(), f64::INFINITY, "{claim:?}");
+            assert!(!claim.source("given").passes());
         }
     }
 

@@ -16,7 +16,8 @@ pub use carom_plot::{Aspect, Axis, Limits, Panel, Scale};
 /// let mut panel = Panel::new(Axis::linear("x"), Axis::linear("x²"));
 /// panel.add(Series::line("parabola", [0.0, 0.5, 1.0].map(|x| (x, x * x))));
 /// figure.panel(panel);
-/// figure.claim(Claim::close("the end is 1", 1.0, 1.0, Tolerance::Absolute(1e-12)));
+/// let end = Claim::close("the end is 1", 1.0, 1.0, Tolerance::Absolute(1e-12));
+/// figure.claim(end.source("closed form"));
 /// assert!(figure.claims.iter().all(Claim::passes));
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -9,14 +9,25 @@
 //!    one or more [`Panel`]s of [`Series`]; [`Table`]s; [`Claim`]s; and the
 //!    [`deviation`](Figure::deviation)s from what the thesis prints. Any error leaves with `?`.
 //! 2. Hang it on its line in the same file: `Entry::figure("5.3", "…").by(figure_5_3)`; with
-//!    `slowly_by` if it takes more than about a second, so that quick runs leave it out.
+//!    `slowly_by` if it takes more than about a second, so that quick runs leave it out. If it
+//!    lacks something that the thesis shows, `.partial("what is missing")` after that: it is
+//!    then counted apart.
 //! 3. `cargo xtask verify --figure 5.3 --update` computes it, checks the claims, writes SVG,
 //!    CSV and report under `target/verification/` and its snapshot under
 //!    `verification/snapshots/`. Look at the picture and at the snapshot, then commit both.
 //!
 //! A claim must be able to fail, and must rest on something other than the code that it
-//! checks: a closed form, quadrature, reference values, the thesis's text. The snapshot guards
-//! against change, the claims against error.
+//! checks: a closed form, quadrature, reference values, the thesis's text. It names that
+//! [`source`](Claim::source); without one it fails. The snapshot guards against change, the
+//! claims against error; `--update` rewrites no snapshot of a page whose claim fails, and says
+//! what it changed. `cargo xtask verify --update` rewrites all that differ.
+//!
+//! # A run
+//!
+//! Each page is computed in a [process of its own](launch) with a time limit and leaves a
+//! [record](page) in `target/verification/pages/`. Report, terminal, JSON and JUnit are made
+//! from the records, so that a run of a few pages keeps the others in the report, with their
+//! date.
 //!
 //! ```
 //! use carom_verification::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
@@ -49,20 +60,25 @@
 //! them allows for the reading, and there is none where they answer another question.
 
 pub mod catalogue;
+pub mod ci;
 pub mod claim;
 pub mod data;
 pub mod figure;
 mod figures;
 pub mod files;
+pub mod launch;
+pub mod page;
 mod reference;
 pub mod report;
 pub mod run;
+pub mod section;
 pub mod selection;
 pub mod snapshot;
 pub mod statistics;
+pub mod tally;
 pub mod terminal;
 
 pub use carom_plot::{Arrow, Marker, Point, Series, linspace, logspace};
-pub use catalogue::{Entry, FigureResult, catalogue};
+pub use catalogue::{Entry, FigureResult, State, catalogue};
 pub use claim::{Check, Claim, Pair, Tolerance};
 pub use figure::{Axis, Cell, Figure, Panel, Table};

@@ -1,104 +1,282 @@
 #![forbid(unsafe_code)]
 //! `carom-verify`: computes tables and figures of the thesis and checks their claims.
 
-use carom_verification::run::{Outcome, run};
-use carom_verification::selection::{Selection, Slow};
-use carom_verification::snapshot::Policy;
-use carom_verification::{Entry, catalogue, files, terminal};
+use carom_verification::files::{Folder, WriteError, write_whole};
+use carom_verification::launch::Launch;
+use carom_verification::page::Page;
+use carom_verification::selection::{Filter, Selection, Slow};
+use carom_verification::snapshot::{self, Policy};
+use carom_verification::tally::Tally;
+use carom_verification::{Entry, catalogue, ci, report, run, section, terminal};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
-use std::process::ExitCode;
+use std::process::{Command, ExitCode};
+use std::time::Duration;
 
 mod flags {
+    use std::path::PathBuf;
+
     xflags::xflags! {
         /// Computes the tables and figures of the thesis and checks their claims. Writes SVG,
-        /// CSV and one HTML report into target/verification/.
+        /// CSV and one HTML report into target/verification/; what a run leaves out stays in
+        /// the report, with its date.
         cmd carom-verify {
             /// Only this figure or table, as 5.3 or table-13.1; may be repeated.
             repeated --figure id: String
             /// Only this chapter; may be repeated.
             repeated --chapter number: String
+            /// Of these, only the ones with this text or regular expression in name or title.
+            optional --filter pattern: String
             /// Leave out the figures that take long.
             optional --quick
-            /// Rewrite the snapshots that differ.
+            /// Rewrite the snapshots that differ, of pages whose claims all hold, and say what
+            /// changed.
             optional --update
-            /// List all tables and figures, done or missing, and stop.
+            /// List all tables and figures, done, partial or missing, and stop.
             optional --list
+            /// What to print: table (unless said) or json.
+            optional --format format: String
+            /// Also write the result as JUnit's XML into this file.
+            optional --junit file: PathBuf
+            /// Also print failures as annotations of source lines, `::error file=...`; always
+            /// if GITHUB_ACTIONS is set.
+            optional --annotate
+            /// Stop a page that takes longer than this many seconds (600 unless said).
+            optional --time-limit seconds: f64
+            /// Compute this page alone and leave its record in target/verification/pages/: what
+            /// a run starts for each of its pages.
+            optional --alone id: String
         }
+    }
+}
+
+/// What to print.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Format {
+    Table,
+    Json,
+}
+
+/// What a run of some pages found.
+struct Found {
+    pages: Vec<(Entry, Page)>,
+    orphans: Vec<PathBuf>,
+}
+
+/// An error of the command line, or of the machine.
+enum Failure {
+    Usage(String),
+    Machine(String),
+}
+
+impl From<WriteError> for Failure {
+    fn from(error: WriteError) -> Self {
+        Self::Machine(error.to_string())
+    }
+}
+
+impl From<std::io::Error> for Failure {
+    fn from(error: std::io::Error) -> Self {
+        Self::Machine(error.to_string())
     }
 }
 
 fn main() -> ExitCode {
     let flags = flags::CaromVerify::from_env_or_exit();
-    let catalogue = catalogue();
-    if flags.list {
-        print!("{}", terminal::list(&catalogue));
-        return ExitCode::SUCCESS;
-    }
-    let policy = if flags.update { Policy::Update } else { Policy::Check };
-    let slow = if flags.quick { Slow::Skip } else { Slow::Keep };
-    let selection = Selection { ids: flags.figure, chapters: flags.chapter, slow };
-    match selection.of(&catalogue) {
-        Ok(entries) => verify(&catalogue, &entries, policy),
-        Err(unknown) => {
-            eprintln!("error: {unknown}");
+    let end = match &flags.alone {
+        Some(id) => alone(id).map(|()| ExitCode::SUCCESS),
+        None if flags.list => {
+            print!("{}", terminal::list(&catalogue()));
+            Ok(ExitCode::SUCCESS)
+        }
+        None => verify(&flags),
+    };
+    match end {
+        Ok(code) => code,
+        Err(Failure::Usage(error)) => {
+            eprintln!("error: {error}");
             ExitCode::from(2)
         }
-    }
-}
-
-fn verify(catalogue: &[Entry], entries: &[Entry], policy: Policy) -> ExitCode {
-    let root = workspace();
-    let done = entries.iter().filter(|entry| entry.is_done()).count();
-    if done == 0 {
-        eprintln!("error: none of the {} chosen tables and figures is done", entries.len());
-        return ExitCode::FAILURE;
-    }
-    let snapshots = root.join("verification").join("snapshots");
-    let outcomes = run_with_progress(entries, done, &snapshots, policy);
-    println!("{}", terminal::table(&outcomes));
-    print!("{}", terminal::failures(&outcomes));
-    let folder = root.join("target").join("verification");
-    let report = match files::write(&folder, catalogue, &outcomes) {
-        Ok(report) => report,
-        Err(error) => {
+        Err(Failure::Machine(error)) => {
             eprintln!("error: {error}");
-            return ExitCode::FAILURE;
+            ExitCode::FAILURE
         }
-    };
-    let passed = outcomes.iter().filter(|outcome| outcome.passes()).count();
-    let claims: usize = outcomes.iter().map(|outcome| outcome.score().total).sum();
-    let held: usize = outcomes.iter().map(|outcome| outcome.score().passed).sum();
-    println!("{passed} of {done} tables and figures pass, {held} of {claims} claims hold");
-    println!("report: {}", report.display());
-    if passed == done { ExitCode::SUCCESS } else { ExitCode::FAILURE }
+    }
 }
 
-fn run_with_progress(
+/// Computes one page in this process and keeps its record.
+fn alone(id: &str) -> Result<(), Failure> {
+    let catalogue = catalogue();
+    let entry = catalogue.iter().find(|entry| entry.id == id);
+    let entry = *entry.ok_or_else(|| Failure::Usage(format!("no page `{id}`")))?;
+    std::panic::set_hook(Box::new(|_| {})); // a panic is reported with its page
+    let outcome = run::compute(entry, &snapshots());
+    let section = outcome.result.as_ref().map_or_else(|_| String::new(), section::html);
+    let folder = Folder::new(output())?;
+    folder.draw(&outcome)?;
+    folder.save(entry, &Page::new(&outcome, section))?;
+    Ok(())
+}
+
+fn verify(flags: &flags::CaromVerify) -> Result<ExitCode, Failure> {
+    let format = format(flags.format.as_deref())?;
+    let catalogue = catalogue();
+    let entries = selected(flags, &catalogue)?;
+    let folder = Folder::new(output())?;
+    let mut pages = compute(&entries, &folder, limit(flags.time_limit)?)?;
+    let policy = if flags.update { Policy::Update } else { Policy::Check };
+    let rewritten =
+        if policy == Policy::Update { rewrite(&mut pages, &folder)? } else { String::new() };
+    let ids = catalogue.iter().filter(|entry| entry.is_computed()).map(|entry| entry.id);
+    let found = Found { orphans: snapshot::orphans(&snapshots(), ids)?, pages };
+    let is_fresh = |entry: &Entry| found.pages.iter().any(|(fresh, _)| fresh.id == entry.id);
+    let all = with_earlier(&catalogue, &found.pages, &folder);
+    let report = folder.report(&report::html(&catalogue, &all, is_fresh))?;
+    if let Some(path) = &flags.junit {
+        write_whole(path, &ci::junit(&found.pages, &found.orphans))?;
+    }
+    let tally = Tally::of(&catalogue, &found.pages);
+    match format {
+        Format::Table => print_table(&found, &rewritten, &tally, entries.len() == catalogue.len()),
+        Format::Json => println!("{:#}", ci::json(&tally, &found.pages, &found.orphans)),
+    }
+    annotate(flags, &found, format);
+    eprintln!("report: {}", report.display());
+    let passes = found.orphans.is_empty() && found.pages.iter().all(|(_, page)| page.passes());
+    Ok(if passes { ExitCode::SUCCESS } else { ExitCode::FAILURE })
+}
+
+fn format(asked: Option<&str>) -> Result<Format, Failure> {
+    match asked {
+        None | Some("table") => Ok(Format::Table),
+        Some("json") => Ok(Format::Json),
+        Some(other) => Err(Failure::Usage(format!("--format is `{other}`: table or json"))),
+    }
+}
+
+fn limit(asked: Option<f64>) -> Result<Duration, Failure> {
+    let seconds = asked.unwrap_or(600.0);
+    let limit = Duration::try_from_secs_f64(seconds).ok().filter(|limit| !limit.is_zero());
+    limit.filter(|limit| limit.as_secs() <= 1_000_000).ok_or_else(|| {
+        Failure::Usage(format!("--time-limit is {seconds}: more than 0, at most 1e6 seconds"))
+    })
+}
+
+fn selected(flags: &flags::CaromVerify, catalogue: &[Entry]) -> Result<Vec<Entry>, Failure> {
+    let filter = flags.filter.as_deref().map(Filter::new).transpose();
+    let filter = filter.map_err(|error| Failure::Usage(format!("--filter: {error}")))?;
+    let selection = Selection {
+        ids: flags.figure.clone(),
+        chapters: flags.chapter.clone(),
+        filter,
+        slow: if flags.quick { Slow::Skip } else { Slow::Keep },
+    };
+    let entries = selection.of(catalogue).map_err(|error| Failure::Usage(error.to_string()))?;
+    if !entries.iter().any(Entry::is_computed) {
+        let count = entries.len();
+        return Err(Failure::Machine(format!("none of the {count} pages chosen is computed yet")));
+    }
+    Ok(entries)
+}
+
+/// Computes the pages, each in a process of its own.
+fn compute(
     entries: &[Entry],
-    count: usize,
-    snapshots: &Path,
-    policy: Policy,
-) -> Vec<Outcome> {
+    folder: &Folder,
+    limit: Duration,
+) -> Result<Vec<(Entry, Page)>, Failure> {
+    let count = entries.iter().filter(|entry| entry.is_computed()).count();
     let bar = ProgressBar::new(count as u64);
     let template = "{bar:40} {pos}/{len} {msg} [{elapsed}]";
     if let Ok(style) = ProgressStyle::with_template(template) {
         bar.set_style(style);
     }
-    // A panic is reported with its figure; its message must not tear the bar.
-    let hook = std::panic::take_hook();
-    std::panic::set_hook(Box::new(|_| {}));
-    let outcomes = run(entries, snapshots, policy, |outcome| {
-        bar.set_message(outcome.entry.name());
+    let program = std::env::current_exe()?;
+    let command = |entry: Entry| {
+        let mut command = Command::new(&program);
+        command.args(["--alone", entry.id]);
+        command
+    };
+    let pages = Launch { command, folder, limit }.run(entries, |entry| {
+        bar.set_message(entry.name());
         bar.inc(1);
     });
-    std::panic::set_hook(hook);
     bar.finish_and_clear();
-    outcomes
+    Ok(pages)
+}
+
+/// Rewrites the snapshots that differ, where every claim holds; says what became of each.
+fn rewrite(pages: &mut [(Entry, Page)], folder: &Folder) -> Result<String, Failure> {
+    let mut said = String::new();
+    for (entry, page) in pages {
+        let (Some(before), Some(text)) = (page.snapshot.clone(), page.text.take()) else {
+            continue;
+        };
+        if !page.holds() {
+            said += &format!("{}: snapshot left as it is, a claim fails\n", entry.name());
+            continue;
+        }
+        snapshot::accept(&snapshots(), entry.id, &text)?;
+        said += &terminal::rewritten(entry, &before);
+        page.snapshot = Some(snapshot::Comparison::Written);
+        folder.save(*entry, page)?;
+    }
+    Ok(said)
+}
+
+/// These pages, and the ones that earlier runs have left, in the order of the catalogue.
+fn with_earlier(
+    catalogue: &[Entry],
+    pages: &[(Entry, Page)],
+    folder: &Folder,
+) -> Vec<(Entry, Page)> {
+    let page = |entry: Entry| {
+        let fresh = pages.iter().find(|(fresh, _)| fresh.id == entry.id);
+        let page = fresh.map(|(_, page)| page.clone()).or_else(|| folder.load(entry))?;
+        Some((entry, page))
+    };
+    catalogue.iter().filter(|entry| entry.is_computed()).filter_map(|entry| page(*entry)).collect()
+}
+
+fn print_table(found: &Found, rewritten: &str, tally: &Tally, is_all: bool) {
+    println!("{}", terminal::table(&found.pages));
+    print!("{rewritten}{}", terminal::failures(&found.pages));
+    for path in &found.orphans {
+        println!("{} belongs to no page: delete it", path.display());
+    }
+    if is_all {
+        println!("{tally}");
+    } else {
+        let passed = found.pages.iter().filter(|(_, page)| page.passes()).count();
+        let count = found.pages.len();
+        let (claims, total) = (tally.claims, tally.claims_total);
+        println!("{passed} of the {count} pages chosen pass; {claims} of {total} claims hold");
+    }
+}
+
+fn annotate(flags: &flags::CaromVerify, found: &Found, format: Format) {
+    let is_github = std::env::var_os("GITHUB_ACTIONS").is_some_and(|value| !value.is_empty());
+    if !(flags.annotate || is_github) {
+        return;
+    }
+    let text = ci::annotations(&found.pages, &found.orphans);
+    match format {
+        Format::Table => print!("{text}"),
+        Format::Json => eprint!("{text}"), // so that standard output stays JSON
+    }
+}
+
+fn snapshots() -> PathBuf {
+    workspace().join("verification").join("snapshots")
+}
+
+fn output() -> PathBuf {
+    workspace().join("target").join("verification")
 }
 
 /// The folder of the workspace: cargo tells it; else that of the build.
 fn workspace() -> PathBuf {
-    std::env::var_os("CAROM_WORKSPACE")
-        .map_or_else(|| PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/..")), PathBuf::from)
+    let built = || Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let folder = std::env::var_os("CAROM_WORKSPACE").map_or_else(built, PathBuf::from);
+    folder.canonicalize().unwrap_or(folder)
 }

@@ -1,28 +1,42 @@
-//! The report: one HTML page with everything in it. The same figures give the same bytes.
+//! The report: one HTML page with everything in it. A run of all pages gives the same bytes
+//! every time; what a run left as it was bears its date.
 
-use crate::catalogue::Entry;
-use crate::claim::{Claim, number};
-use crate::figure::{Cell, Deviation, Input, Table};
-use crate::run::{Drawn, Outcome};
+use crate::catalogue::{Entry, State};
+use crate::page::Page;
 use crate::snapshot::Comparison;
-use crate::statistics::spread;
+use crate::tally::Tally;
 use std::fmt::Write as _;
+use std::path::Path;
 
 const STYLE: &str = "
 body{font:15px/1.5 Helvetica,Arial,sans-serif;color:#222;background:#fff;max-width:1300px;\
 margin:2em auto;padding:0 1em}
 h1{font-size:1.6em}h2{font-size:1.25em;margin-top:2.2em;border-top:1px solid #ddd;padding-top:1em}
 h3{font-size:1em;margin-bottom:.3em}
+.headline{font-size:1.15em;font-weight:bold}
+.wide{overflow-x:auto}
 table{border-collapse:collapse;font-size:.92em;margin:.4em 0 1em}
 th,td{text-align:left;padding:.2em .7em;border-bottom:1px solid #e4e4e4;vertical-align:top}
-th{border-bottom:2px solid #bbb}td.number{text-align:right;font-variant-numeric:tabular-nums}
+th{border-bottom:2px solid #bbb}\
+td.number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
+td.name{white-space:nowrap}
 svg{max-width:100%;height:auto}a{color:#0072B2;text-decoration:none}
-.pass{color:#00734f}.fail{color:#b00020;font-weight:bold}.missing{color:#888}
+.pass{color:#00734f}.fail{color:#b00020;font-weight:bold}.missing,.old{color:#666}\
+.partial{color:#8a5a00}
+@media(max-width:700px){body{margin:1em auto;padding:0 .6em}th,td{padding:.2em .35em}\
+.wide svg{min-width:560px}\
+.contents td:nth-child(4),.contents th:nth-child(4),\
+.contents td:nth-child(5),.contents th:nth-child(5){display:none}.contents td.name{white-space:normal}}
 ";
 
-/// The page for these outcomes, with a line for each entry of the catalogue.
+/// The report of these pages, with a line for each entry of the catalogue; `is_fresh` says which
+/// pages are of this run.
 #[must_use]
-pub fn html(catalogue: &[Entry], outcomes: &[Outcome]) -> String {
+pub fn html(
+    catalogue: &[Entry],
+    pages: &[(Entry, Page)],
+    is_fresh: impl Fn(&Entry) -> bool,
+) -> String {
     let mut page = String::new();
     let _ = write!(
         page,
@@ -31,47 +45,63 @@ pub fn html(catalogue: &[Entry], outcomes: &[Outcome]) -> String {
          <title>carom: verification</title><style>{STYLE}</style></head><body>\n\
          <h1>carom: the tables and figures of “Elastic Impact with Friction”</h1>\n"
     );
-    summary(&mut page, catalogue, outcomes);
-    contents(&mut page, catalogue, outcomes);
-    for outcome in outcomes {
-        section(&mut page, outcome);
+    summary(&mut page, catalogue, pages, &is_fresh);
+    contents(&mut page, catalogue, pages, &is_fresh);
+    for (entry, record) in pages {
+        section(&mut page, entry, record, is_fresh(entry));
     }
     page.push_str("</body></html>\n");
     page
 }
 
-fn summary(page: &mut String, catalogue: &[Entry], outcomes: &[Outcome]) {
-    let of_thesis = || catalogue.iter().filter(|entry| entry.is_in_thesis());
-    let done = of_thesis().filter(|entry| entry.is_done()).count();
-    let passed = outcomes.iter().filter(|outcome| outcome.passes()).count();
-    let claims: usize = outcomes.iter().map(|outcome| outcome.score().total).sum();
-    let held: usize = outcomes.iter().map(|outcome| outcome.score().passed).sum();
+fn summary(
+    page: &mut String,
+    catalogue: &[Entry],
+    pages: &[(Entry, Page)],
+    is_fresh: impl Fn(&Entry) -> bool,
+) {
+    let tally = Tally::of(catalogue, pages);
+    let _ = writeln!(page, "<p class=\"headline\">{tally}</p>");
+    let old: Vec<&Page> =
+        pages.iter().filter(|(entry, _)| !is_fresh(entry)).map(|(_, record)| record).collect();
+    if let Some(oldest) = old.iter().min_by_key(|record| record.computed) {
+        let _ = writeln!(
+            page,
+            "<p class=\"old\">{} of these pages are from earlier runs, the oldest from {}: each \
+             bears its date.</p>",
+            old.len(),
+            oldest.date()
+        );
+    }
     let _ = writeln!(
         page,
-        "<p>{passed} of {} verified entries pass; {held} of {claims} claims hold. {done} of {} \
-         tables and figures of the thesis (J. Jaeger, TU Delft 1992) are computed.</p>\n\
-         <p>Inputs are marked <em>stated</em> (the thesis gives them), <em>derived</em> (they \
-         follow from what it gives) or <em>assumed</em> (our choice). A claim's deviation is \
-         given over its tolerance: up to 1 it holds. For a bound it is the part used.</p>",
-        outcomes.len(),
-        of_thesis().count(),
+        "<p>A page counts if its claims hold and its snapshot agrees. A <em>partial</em> page \
+         lacks something that the thesis shows; it says what. The rest of the thesis (J. Jaeger, \
+         TU Delft 1992) is <em>missing</em>. Inputs are marked <em>stated</em> (the thesis gives \
+         them), <em>derived</em> (they follow from what it gives) or <em>assumed</em> (our \
+         choice). A claim's deviation is given over its tolerance: up to 1 it holds. For a bound \
+         it is the part used.</p>"
     );
 }
 
-fn contents(page: &mut String, catalogue: &[Entry], outcomes: &[Outcome]) {
+fn contents(
+    page: &mut String,
+    catalogue: &[Entry],
+    pages: &[(Entry, Page)],
+    is_fresh: impl Fn(&Entry) -> bool,
+) {
     page.push_str(
-        "<table><tr><th>id</th><th>title</th><th>claims</th><th>worst deviation / \
-                   tolerance</th><th>snapshot</th><th>status</th></tr>\n",
+        "<div class=\"wide\"><table class=\"contents\"><tr><th>id</th><th>title</th><th>claims</th><th>worst \
+         deviation / tolerance</th><th>snapshot</th><th>status</th></tr>\n",
     );
     for entry in catalogue {
-        let outcome = outcomes.iter().find(|outcome| outcome.entry.id == entry.id);
-        match outcome {
-            Some(outcome) => contents_row(page, outcome),
+        match pages.iter().find(|(of, _)| of.id == entry.id) {
+            Some((_, record)) => contents_row(page, entry, record, is_fresh(entry)),
             None => {
-                let status = if entry.is_done() { "not run" } else { "missing" };
+                let status = if entry.is_computed() { "not run" } else { "missing" };
                 let _ = writeln!(
                     page,
-                    "<tr class=\"missing\"><td>{}</td><td>{}</td><td></td><td></td><td></td>\
+                    "<tr class=\"missing\"><td class=\"name\">{}</td><td>{}</td><td></td><td></td><td></td>\
                      <td>{status}</td></tr>",
                     escape(&entry.name()),
                     escape(entry.title),
@@ -79,176 +109,75 @@ fn contents(page: &mut String, catalogue: &[Entry], outcomes: &[Outcome]) {
             }
         }
     }
-    page.push_str("</table>\n");
+    page.push_str("</table></div>\n");
 }
 
-fn contents_row(page: &mut String, outcome: &Outcome) {
-    let entry = outcome.entry;
-    let score = outcome.score();
-    let snapshot = match &outcome.result {
-        Ok(drawn) => match drawn.snapshot {
-            Comparison::Same | Comparison::Written => "agrees",
-            Comparison::Missing => "none",
-            Comparison::Differs(_) => "differs",
-        },
-        Err(_) => "",
-    };
+fn contents_row(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
+    let mut status = verdict(record.passes()).to_owned();
+    if entry.state() == State::Partial {
+        status.push_str(" <span class=\"partial\">partial</span>");
+    }
+    if !is_fresh {
+        let _ = write!(status, " <span class=\"old\">{}</span>", record.date());
+    }
     let _ = writeln!(
         page,
-        "<tr><td><a href=\"#{0}\">{1}</a></td><td>{2}</td><td class=\"number\">{3}/{4}</td>\
-         <td class=\"number\">{5}</td><td>{snapshot}</td><td>{6}</td></tr>",
+        "<tr><td class=\"name\"><a href=\"#{0}\">{1}</a></td><td>{2}</td>\
+         <td class=\"number\">{3}/{4}</td>\
+         <td class=\"number\">{5}</td><td>{6}</td><td>{status}</td></tr>",
         entry.id,
         escape(&entry.name()),
         escape(entry.title),
-        score.passed,
-        score.total,
-        outcome.worst_ratio().map_or_else(String::new, ratio),
-        verdict(outcome.passes()),
+        record.held(),
+        record.claims.len(),
+        record.worst().map_or_else(String::new, ratio),
+        record.snapshot.as_ref().map_or("", Comparison::word),
     );
 }
 
-fn section(page: &mut String, outcome: &Outcome) {
-    let entry = outcome.entry;
+fn section(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
+    let (name, title) = (escape(&entry.name()), escape(entry.title));
+    let _ = writeln!(page, "<h2 id=\"{}\">{name}: {title}</h2>", entry.id);
+    if let Some(lacks) = entry.lacks {
+        let _ = writeln!(page, "<p class=\"partial\">Partial, without {}.</p>", escape(lacks));
+    }
+    if !is_fresh {
+        let _ = writeln!(page, "<p class=\"old\">Computed {}.</p>", record.date());
+    }
+    if let Some(error) = &record.error {
+        let _ = writeln!(page, "<p class=\"fail\">failed: {}</p>", escape(error));
+    }
+    page.push_str(&record.section);
+    snapshot(page, entry, record);
+}
+
+fn snapshot(page: &mut String, entry: &Entry, record: &Page) {
+    let Some(Comparison::Differs(difference)) = &record.snapshot else { return };
+    let file = crate::snapshot::path(Path::new("verification/snapshots"), entry.id);
     let _ = writeln!(
         page,
-        "<h2 id=\"{}\">{}: {}</h2>",
-        entry.id,
-        escape(&entry.name()),
-        escape(entry.title)
+        "<p class=\"fail\">snapshot {} differs in {} rows</p>\n<div class=\"wide\"><table><tr>\
+         <th>line</th><th>of</th><th>stored</th><th>now</th><th>relative change</th></tr>",
+        escape(&file.display().to_string()),
+        difference.rows,
     );
-    match &outcome.result {
-        Ok(drawn) => drawn_section(page, drawn),
-        Err(error) => {
-            let _ = writeln!(page, "<p class=\"fail\">failed: {}</p>", escape(error));
-        }
-    }
-}
-
-fn drawn_section(page: &mut String, drawn: &Drawn) {
-    let figure = &drawn.figure;
-    if let Some(svg) = &drawn.svg {
-        page.push_str(svg);
-    }
-    figure.tables.iter().for_each(|table| data_table(page, table));
-    inputs(page, &figure.inputs);
-    claims(page, &figure.claims);
-    statistics(page, &figure.claims);
-    deviations(page, &figure.deviations);
-    if let Comparison::Differs(difference) = &drawn.snapshot {
+    for change in difference.changes.iter().take(20) {
         let _ = writeln!(
             page,
-            "<p class=\"fail\">snapshot differs at line {}: stored <code>{}</code>, now \
-             <code>{}</code></p>",
-            difference.line,
-            escape(&difference.stored),
-            escape(&difference.now)
+            "<tr><td class=\"number\">{}</td><td>{}</td><td><code>{}</code></td>\
+             <td><code>{}</code></td><td class=\"number\">{}</td></tr>",
+            change.line,
+            escape(&change.place),
+            escape(&change.stored),
+            escape(&change.now),
+            change.relative.map_or_else(String::new, |relative| format!("{relative:.1e}")),
         );
     }
+    page.push_str("</table></div>\n");
 }
 
-fn data_table(page: &mut String, table: &Table) {
-    let _ = write!(page, "<h3>{}</h3>\n<table>", escape(&table.title));
-    head(page, table.columns.iter().map(String::as_str));
-    for row in &table.rows {
-        page.push_str("<tr>");
-        for cell in row {
-            let _ = match cell {
-                Cell::Number(value) => {
-                    write!(page, "<td class=\"number\">{}</td>", number(*value))
-                }
-                Cell::Text(text) | Cell::Remark(text) => write!(page, "<td>{}</td>", escape(text)),
-            };
-        }
-        page.push_str("</tr>\n");
-    }
-    page.push_str("</table>\n");
-}
-
-fn inputs(page: &mut String, inputs: &[Input]) {
-    if inputs.is_empty() {
-        return;
-    }
-    page.push_str("<h3>Inputs</h3>\n<table>");
-    head(page, ["input", "value", "origin"]);
-    for input in inputs {
-        let cells = [&*input.name, &input.value, input.origin.word()];
-        row(page, cells);
-    }
-    page.push_str("</table>\n");
-}
-
-fn claims(page: &mut String, claims: &[Claim]) {
-    page.push_str("<h3>Claims</h3>\n<table>");
-    head(page, ["claim", "measured", "expected", "deviation / tolerance", "source", ""]);
-    for claim in claims {
-        let _ = writeln!(
-            page,
-            "<tr><td>{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td><td>{}</td>\
-             <td>{}</td></tr>",
-            escape(&claim.statement),
-            escape(&claim.measured()),
-            escape(&claim.expected()),
-            ratio(claim.ratio()),
-            escape(&claim.source),
-            verdict(claim.passes()),
-        );
-    }
-    page.push_str("</table>\n");
-}
-
-fn statistics(page: &mut String, claims: &[Claim]) {
-    let spreads: Vec<_> = claims.iter().filter_map(|claim| Some((claim, spread(claim)?))).collect();
-    if spreads.is_empty() {
-        return;
-    }
-    page.push_str("<h3>Error statistics</h3>\n<table>");
-    head(page, ["claim", "values", "mean", "rms", "95 %", "largest"]);
-    for (claim, spread) in spreads {
-        let _ = writeln!(
-            page,
-            "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{:.2e}</td>\
-             <td class=\"number\">{:.2e}</td><td class=\"number\">{:.2e}</td>\
-             <td class=\"number\">{:.2e}</td></tr>",
-            escape(&claim.statement),
-            spread.count,
-            spread.mean,
-            spread.rms,
-            spread.percentile_95,
-            spread.max,
-        );
-    }
-    page.push_str("</table>\n");
-}
-
-fn deviations(page: &mut String, deviations: &[Deviation]) {
-    if deviations.is_empty() {
-        return;
-    }
-    page.push_str("<h3>Deviations from the thesis</h3>\n<table>");
-    head(page, ["printed", "correct", "cause"]);
-    for deviation in deviations {
-        row(page, [&*deviation.printed, &deviation.corrected, &deviation.cause]);
-    }
-    page.push_str("</table>\n");
-}
-
-fn head<'a>(page: &mut String, heads: impl IntoIterator<Item = &'a str>) {
-    page.push_str("<tr>");
-    for head in heads {
-        let _ = write!(page, "<th>{}</th>", escape(head));
-    }
-    page.push_str("</tr>\n");
-}
-
-fn row<'a>(page: &mut String, cells: impl IntoIterator<Item = &'a str>) {
-    page.push_str("<tr>");
-    for cell in cells {
-        let _ = write!(page, "<td>{}</td>", escape(cell));
-    }
-    page.push_str("</tr>\n");
-}
-
-fn verdict(passes: bool) -> &'static str {
+/// The word for a claim or page that passes or not.
+pub(crate) fn verdict(passes: bool) -> &'static str {
     if passes { "<span class=\"pass\">holds</span>" } else { "<span class=\"fail\">FAILS</span>" }
 }
 
@@ -266,60 +195,71 @@ pub fn ratio(ratio: f64) -> String {
     }
 }
 
-fn escape(text: &str) -> String {
+pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Axis, Figure, FigureResult, Panel, Series, Tolerance};
+    use crate::FigureResult;
+    use crate::snapshot::{Change, Difference};
     use std::time::Duration;
 
-    fn drawn() -> Drawn {
-        let mut figure = Figure::new();
-        figure.assumed("nu", "< 0.5");
-        figure.claim(Claim::all_close("near", [(1.0, 1.1), (2.0, 2.0)], Tolerance::Absolute(0.2)));
-        figure.claim(Claim::at_most("not small", 2.0, 1.0));
-        figure.deviation("3 %", "3.35 %", "rounded");
-        let mut panel = Panel::new(Axis::linear("x"), Axis::linear("y"));
-        panel.add(Series::line("", [(0.0, 0.0), (1.0, 1.0)]));
-        figure.panel(panel);
-        let svg = carom_plot::render("t", &figure.panels).ok();
-        Drawn { figure, svg, snapshot: Comparison::Same }
+    fn nothing() -> FigureResult {
+        Ok(crate::Figure::new())
     }
 
-    fn nothing() -> FigureResult {
-        Ok(Figure::new())
+    fn catalogue() -> [Entry; 4] {
+        [
+            Entry::figure("1.1", "one & only").by(nothing).partial("markers"),
+            Entry::figure("1.2", "two").by(nothing),
+            Entry::figure("1.3", "three"),
+            Entry::figure("1.4", "four").by(nothing),
+        ]
+    }
+
+    fn pages() -> Vec<(Entry, Page)> {
+        let [first, second, ..] = catalogue();
+        let failed = |entry| Page::failed(entry, "no root".to_owned(), Duration::ZERO);
+        let change = Change {
+            place: "series: curve".to_owned(),
+            line: 4,
+            stored: "1.0".to_owned(),
+            now: "1.5".to_owned(),
+            relative: Some(0.5),
+        };
+        let difference = Difference { line: 4, rows: 7, count: 9, changes: vec![change] };
+        let snapshot = Some(Comparison::Differs(difference));
+        let section = "<p>the picture</p>".to_owned();
+        let drawn = Page { error: None, snapshot, section, computed: 951_782_400, ..failed(first) };
+        vec![(first, drawn), (second, failed(second))]
     }
 
     #[test]
     fn the_page_holds_everything() {
-        let entries = [
-            Entry::figure("1.1", "one & only").by(nothing),
-            Entry::figure("1.2", "two").by(nothing),
-            Entry::figure("1.3", "three"),
-        ];
-        let time = Duration::ZERO;
-        let outcomes = [
-            Outcome { entry: entries[0], result: Ok(drawn()), time },
-            Outcome { entry: entries[1], result: Err("no root".to_owned()), time },
-        ];
-        let page = html(&entries, &outcomes);
+        let page = html(&catalogue(), &pages(), |_| true);
         for part in [
+            "0 of 4 of the thesis",
             "one &amp; only",
-            "&lt; 0.5",
-            "assumed",
-            "<svg",
-            "3.35 %",
+            "Partial, without markers.",
+            "the picture",
             "failed: no root",
-            "missing",
-            "1/2",
-            "Error statistics",
+            "missing</td>",
+            "not run</td>",
+            "verification/snapshots/1.1.txt differs in 7 rows",
+            "5.0e-1",
         ] {
             assert!(page.contains(part), "{part}");
         }
         assert!(!page.contains("href=\"http") && !page.contains("src="), "not self-contained");
-        assert_eq!(page, html(&entries, &outcomes));
+        assert!(!page.contains("2000-02-29"), "fresh pages bear no date");
+    }
+
+    #[test]
+    fn what_is_not_of_this_run_bears_its_date() {
+        let page = html(&catalogue(), &pages(), |entry| entry.id == "1.2");
+        assert!(page.contains("1 of these pages are from earlier runs"));
+        assert_eq!(page.matches("2000-02-29 00:00 UTC").count(), 3);
     }
 }

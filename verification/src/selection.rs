@@ -1,15 +1,18 @@
-//! Choosing entries of the catalogue by number or chapter.
+//! Choosing entries of the catalogue by number, chapter or words.
 
 use crate::catalogue::Entry;
+use regex_lite::{Regex, RegexBuilder};
 use std::collections::BTreeSet;
 
 /// Which entries to verify; all, if no id and no chapter is given.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default)]
 pub struct Selection {
     /// Numbers, as `5.3`, `table-13.1` or `Fig. 5.3`.
     pub ids: Vec<String>,
     /// Chapters, as `5`.
     pub chapters: Vec<String>,
+    /// Only those of them that these words or this pattern name.
+    pub filter: Option<Filter>,
     /// What to do with the entries that take long.
     pub slow: Slow,
 }
@@ -24,11 +27,29 @@ pub enum Slow {
     Skip,
 }
 
+/// A text or regular expression, looked for in names and titles; small letters find capital ones.
+#[derive(Debug, Clone)]
+pub struct Filter(Regex);
+
+impl Filter {
+    /// The filter of this pattern.
+    ///
+    /// # Errors
+    /// If it is no regular expression.
+    pub fn new(pattern: &str) -> Result<Self, regex_lite::Error> {
+        RegexBuilder::new(pattern).case_insensitive(true).build().map(Self)
+    }
+
+    fn finds(&self, entry: &Entry) -> bool {
+        [entry.id, &entry.name(), entry.title].iter().any(|text| self.0.is_match(text))
+    }
+}
+
 /// An id or chapter that the catalogue does not have.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("no {what} `{asked}` in the thesis; there are: {valid}")]
+#[error("no {what} `{asked}`; there are: {valid}")]
 pub struct UnknownEntry {
-    /// `figure or table` or `chapter`.
+    /// `figure or table`, `chapter`, or `name or title`.
     pub what: &'static str,
     /// What was asked for.
     pub asked: String,
@@ -40,7 +61,7 @@ impl Selection {
     /// The chosen entries of `catalogue`, in its order.
     ///
     /// # Errors
-    /// If an id or chapter is not in it.
+    /// If an id or chapter is not in it, or the filter finds none of them.
     pub fn of(&self, catalogue: &[Entry]) -> Result<Vec<Entry>, UnknownEntry> {
         for asked in &self.ids {
             if !catalogue.iter().any(|entry| is_named(entry, asked)) {
@@ -54,7 +75,14 @@ impl Selection {
                 return Err(unknown("chapter", asked, chapters.filter(|c| seen.insert(*c))));
             }
         }
-        Ok(catalogue.iter().copied().filter(|entry| self.takes(entry)).collect())
+        let taken: Vec<Entry> =
+            catalogue.iter().copied().filter(|entry| self.takes(entry)).collect();
+        let Some(filter) = &self.filter else { return Ok(taken) };
+        let found: Vec<Entry> = taken.iter().copied().filter(|entry| filter.finds(entry)).collect();
+        if found.is_empty() {
+            return Err(unknown("name or title", filter.0.as_str(), taken.iter().map(|e| e.id)));
+        }
+        Ok(found)
     }
 
     fn takes(&self, entry: &Entry) -> bool {
@@ -92,8 +120,8 @@ mod tests {
 
     fn chosen(selection: &Selection) -> Result<String, String> {
         let catalogue = [
-            Entry::figure("3.1", "").by(draw),
-            Entry::figure("12.1", "").slowly_by(draw),
+            Entry::figure("3.1", "Stress of a shift").by(draw),
+            Entry::figure("12.1", "Shift and twist").slowly_by(draw),
             Entry::table("table-12.1", ""),
             Entry::figure("12.2", "").by(draw),
         ];
@@ -115,6 +143,18 @@ mod tests {
     }
 
     #[test]
+    fn by_words_or_pattern_within_what_is_chosen() {
+        let filtered = |filter: &str, selection: Selection| {
+            chosen(&Selection { filter: Some(Filter::new(filter).unwrap()), ..selection })
+        };
+        assert_eq!(filtered("shift", Selection::default()).unwrap(), "3.1 12.1");
+        assert_eq!(filtered("^shift|TABLE", Selection::default()).unwrap(), "12.1 table-12.1");
+        assert_eq!(filtered("shift", ids(&["12.1", "12.2"])).unwrap(), "12.1");
+        insta::assert_snapshot!(filtered("twist", ids(&["3.1"])).unwrap_err(), @"no name or title `twist`; there are: 3.1");
+        assert!(Filter::new("(").is_err());
+    }
+
+    #[test]
     fn slow_ones_are_left_out_unless_asked_for() {
         let quick = Selection { slow: Slow::Skip, ..Selection::default() };
         assert_eq!(chosen(&quick).unwrap(), "3.1 table-12.1 12.2");
@@ -124,8 +164,8 @@ mod tests {
 
     #[test]
     fn unknown_ones_are_answered_with_what_there_is() {
-        insta::assert_snapshot!(chosen(&ids(&["5.3"])).unwrap_err(), @"no figure or table `5.3` in the thesis; there are: 3.1, 12.1, table-12.1, 12.2");
+        insta::assert_snapshot!(chosen(&ids(&["5.3"])).unwrap_err(), @"no figure or table `5.3`; there are: 3.1, 12.1, table-12.1, 12.2");
         let chapter = Selection { chapters: vec!["5".to_owned()], ..Selection::default() };
-        insta::assert_snapshot!(chosen(&chapter).unwrap_err(), @"no chapter `5` in the thesis; there are: 3, 12");
+        insta::assert_snapshot!(chosen(&chapter).unwrap_err(), @"no chapter `5`; there are: 3, 12");
     }
 }

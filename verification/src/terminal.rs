@@ -1,28 +1,35 @@
-//! What the terminal shows: the table of outcomes, failures in full, the list of entries.
+//! What the terminal shows: the table of pages, failures in full, what `--update` rewrote, the
+//! list of entries.
 
-use crate::catalogue::Entry;
-use crate::claim::Claim;
+use crate::catalogue::{Entry, State};
+use crate::page::{Page, Verdict};
 use crate::report::ratio;
-use crate::run::Outcome;
-use crate::snapshot::Comparison;
+use crate::snapshot::{Change, Comparison, Difference};
 use comfy_table::{CellAlignment, Table, presets::UTF8_FULL_CONDENSED};
 use std::fmt::Write as _;
 
-/// One line an outcome: id, title, claims passed, worst deviation against tolerance, time.
+/// Changes of a page that are shown.
+const SHOWN: usize = 12;
+
+/// One line a page: id, title, claims that hold, worst deviation against tolerance, time.
 #[must_use]
-pub fn table(outcomes: &[Outcome]) -> String {
+pub fn table(pages: &[(Entry, Page)]) -> String {
     let mut table = Table::new();
     table.load_style(UTF8_FULL_CONDENSED);
     table.set_header(["id", "title", "claims passed", "worst dev./tol.", "time", ""]);
-    for outcome in outcomes {
-        let score = outcome.score();
+    for (entry, page) in pages {
+        let state = match (page.passes(), entry.state()) {
+            (false, _) => "FAILED",
+            (true, State::Partial) => "partial",
+            (true, _) => "ok",
+        };
         table.add_row([
-            outcome.entry.id.to_owned(),
-            outcome.entry.title.to_owned(),
-            format!("{}/{}", score.passed, score.total),
-            outcome.worst_ratio().map_or_else(|| "-".to_owned(), ratio),
-            format!("{:.2} s", outcome.time.as_secs_f64()),
-            if outcome.passes() { "ok" } else { "FAILED" }.to_owned(),
+            entry.id.to_owned(),
+            entry.title.to_owned(),
+            format!("{}/{}", page.held(), page.claims.len()),
+            page.worst().map_or_else(|| "-".to_owned(), ratio),
+            format!("{:.2} s", page.seconds),
+            state.to_owned(),
         ]);
     }
     for index in 2..5 {
@@ -33,77 +40,158 @@ pub fn table(outcomes: &[Outcome]) -> String {
     table.to_string()
 }
 
-/// Why each outcome that does not pass fails, in full.
+/// Why each page that does not pass fails, in full.
 #[must_use]
-pub fn failures(outcomes: &[Outcome]) -> String {
+pub fn failures(pages: &[(Entry, Page)]) -> String {
     let mut text = String::new();
-    for outcome in outcomes.iter().filter(|outcome| !outcome.passes()) {
-        let _ = writeln!(text, "{} fails:", outcome.entry.name());
-        match &outcome.result {
-            Err(error) => {
-                let _ = writeln!(text, "  {error}");
-            }
-            Ok(drawn) => {
-                drawn
-                    .figure
-                    .claims
-                    .iter()
-                    .filter(|claim| !claim.passes())
-                    .for_each(|claim| refuted(&mut text, claim));
-                snapshot(&mut text, outcome.entry, &drawn.snapshot);
-            }
+    for (entry, page) in pages.iter().filter(|(_, page)| !page.passes()) {
+        let _ = writeln!(text, "{} fails:", entry.name());
+        if let Some(error) = &page.error {
+            let _ = writeln!(text, "  {error}");
+        }
+        page.claims.iter().filter(|claim| !claim.holds).for_each(|claim| {
+            let _ = writeln!(text, "  {}", refuted(claim));
+        });
+        snapshot(&mut text, entry, page);
+    }
+    text
+}
+
+/// Why a claim fails, in one line.
+#[must_use]
+pub fn refuted(claim: &Verdict) -> String {
+    let lack = if claim.has_source() { "" } else { "it names no source; " };
+    format!(
+        "claim `{}`: {lack}measured {}, expected {} (deviation/tolerance {})",
+        claim.statement,
+        claim.measured,
+        claim.expected,
+        ratio(claim.deviation()),
+    )
+}
+
+/// What is wrong with a page's snapshot, in one line; none if nothing is.
+#[must_use]
+pub fn snapshot_fault(entry: &Entry, page: &Page) -> Option<String> {
+    let found = match page.snapshot.as_ref()? {
+        Comparison::Same | Comparison::Written => return None,
+        Comparison::Missing => "there is no snapshot".to_owned(),
+        Comparison::Differs(difference) => format!(
+            "the snapshot verification/snapshots/{}.txt differs in {} rows, first in line {}{}",
+            entry.id,
+            difference.rows,
+            difference.line,
+            difference
+                .largest()
+                .map_or_else(String::new, |change| format!(", by up to {}", percent(change))),
+        ),
+    };
+    let how = if page.holds() {
+        format!(
+            "if that is right, accept it with `cargo xtask verify --figure {} --update`",
+            entry.id
+        )
+    } else {
+        "it cannot be accepted while a claim fails".to_owned()
+    };
+    Some(format!("{found}; {how}"))
+}
+
+fn snapshot(text: &mut String, entry: &Entry, page: &Page) {
+    if let Some(fault) = snapshot_fault(entry, page) {
+        let _ = writeln!(text, "  {fault}");
+    }
+    if let Some(Comparison::Differs(difference)) = &page.snapshot {
+        changes(text, difference);
+    }
+}
+
+/// The largest changes, one a line.
+fn changes(text: &mut String, difference: &Difference) {
+    let mut place = "";
+    for change in difference.changes.iter().take(SHOWN) {
+        if change.place != place {
+            place = &change.place;
+            let _ = writeln!(text, "    {place}");
+        }
+        let _ = writeln!(text, "    line {}: {}", change.line, words(change));
+    }
+    let shown = difference.changes.len().min(SHOWN);
+    if difference.count > shown {
+        let _ = writeln!(text, "    and {} more", difference.count - shown);
+    }
+}
+
+fn words(change: &Change) -> String {
+    let Change { stored, now, relative, .. } = change;
+    let cells = |text: &str| text.replace('\t', " | ");
+    match (&**stored, &**now, relative) {
+        ("", now, _) => format!("new: {}", cells(now)),
+        (stored, "", _) => format!("gone: {}", cells(stored)),
+        (stored, now, Some(relative)) => format!("{stored} -> {now} ({})", percent(*relative)),
+        (stored, now, None) => format!("`{}` -> `{}`", cells(stored), cells(now)),
+    }
+}
+
+fn percent(relative: f64) -> String {
+    let percent = 100.0 * relative;
+    if (0.001..1e6).contains(&percent) {
+        format!("{} %", crate::claim::number(format!("{percent:.1e}").parse().unwrap_or(percent)))
+    } else {
+        format!("{percent:.1e} %")
+    }
+}
+
+/// What became of a page's snapshot when it was to be rewritten: `before` is what it was.
+#[must_use]
+pub fn rewritten(entry: &Entry, before: &Comparison) -> String {
+    let mut text = String::new();
+    match before {
+        Comparison::Same | Comparison::Written => {}
+        Comparison::Missing => {
+            let _ = writeln!(text, "{}: snapshot written, the first", entry.name());
+        }
+        Comparison::Differs(difference) => {
+            let (name, count) = (entry.name(), difference.count);
+            let _ = writeln!(text, "{name}: snapshot rewritten, {count} values changed");
+            changes(&mut text, difference);
         }
     }
     text
 }
 
-fn refuted(text: &mut String, claim: &Claim) {
-    let _ = writeln!(
-        text,
-        "  claim `{}`: measured {}, expected {} (deviation/tolerance {})",
-        claim.statement,
-        claim.measured(),
-        claim.expected(),
-        ratio(claim.ratio()),
-    );
-}
-
-fn snapshot(text: &mut String, entry: Entry, comparison: &Comparison) {
-    let _ = match comparison {
-        Comparison::Same | Comparison::Written => Ok(()),
-        Comparison::Missing => writeln!(
-            text,
-            "  no snapshot; `cargo xtask verify --figure {} --update` writes it",
-            entry.id
-        ),
-        Comparison::Differs(difference) => writeln!(
-            text,
-            "  snapshot differs at line {}: stored `{}`, now `{}`",
-            difference.line, difference.stored, difference.now
-        ),
-    };
-}
-
-/// One line an entry: number, title, done or missing.
+/// One line an entry: number, title, done, partial with what is missing, or missing.
 #[must_use]
 pub fn list(catalogue: &[Entry]) -> String {
     let mut text = String::new();
     let width = catalogue.iter().map(|entry| entry.title.chars().count()).max().unwrap_or(0);
-    let entries = || catalogue.iter().filter(|entry| entry.is_in_thesis());
-    for entry in entries() {
-        let state = if entry.is_done() { "done" } else { "missing" };
-        let _ = writeln!(text, "{:<12}  {:<width$}  {state}", entry.name(), entry.title);
+    let name_width = catalogue.iter().map(|entry| entry.name().len()).max().unwrap_or(0);
+    for entry in catalogue {
+        let (name, state) = (entry.name(), entry.state().word());
+        let lacks = entry.lacks.map_or_else(String::new, |lacks| format!(": without {lacks}"));
+        let title = entry.title;
+        let _ = writeln!(text, "{name:<name_width$}  {title:<width$}  {state}{lacks}");
     }
-    let done = entries().filter(|entry| entry.is_done()).count();
-    let _ = writeln!(text, "{done} of {} tables and figures", entries().count());
+    let count = |is_in_thesis: bool, state: Option<State>| {
+        let of = |entry: &&Entry| state.is_none_or(|state| entry.state() == state);
+        let here = |entry: &&Entry| entry.is_in_thesis() == is_in_thesis;
+        catalogue.iter().filter(here).filter(of).count()
+    };
+    let (done, partial) = (count(true, Some(State::Done)), count(true, Some(State::Partial)));
+    let _ = writeln!(
+        text,
+        "{} of {} of the thesis ({partial} of them partial); {} of {} own checks",
+        done + partial,
+        count(true, None),
+        count(false, Some(State::Done)),
+        count(false, None),
+    );
     text
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::run::Drawn;
-    use crate::snapshot::Difference;
     use crate::{Figure, FigureResult};
     use std::time::Duration;
 
@@ -111,47 +199,89 @@ mod tests {
         Ok(Figure::new())
     }
 
-    fn outcomes() -> [Outcome; 3] {
+    fn verdict(statement: &str, ratio: Option<f64>, source: &str) -> Verdict {
+        Verdict {
+            statement: statement.to_owned(),
+            source: source.to_owned(),
+            measured: "3".to_owned(),
+            expected: "≤ 2".to_owned(),
+            ratio,
+            holds: ratio.is_some_and(|ratio| ratio <= 1.0) && !source.is_empty(),
+            file: "verification/src/figures/ch05.rs".to_owned(),
+            line: 7,
+        }
+    }
+
+    fn difference() -> Difference {
+        let change = |line, stored: &str, now: &str, relative| Change {
+            place: if line > 3 { "series: curve | 9 points" } else { "" }.to_owned(),
+            line,
+            stored: stored.to_owned(),
+            now: now.to_owned(),
+            relative,
+        };
+        let changes = vec![
+            change(3, "claim:\tbelow 2\tholds\tCoulomb", "", None),
+            change(2, "stated:", "assumed:", None),
+            change(8, "2.0", "2.5", Some(0.25)),
+            change(5, "1.00000", "1.00001", Some(1e-5)),
+        ];
+        Difference { line: 2, rows: 4, count: 14, changes }
+    }
+
+    fn pages() -> Vec<(Entry, Page)> {
         let entry = Entry::figure("5.3", "Hertz").by(draw);
-        let mut figure = Figure::new();
-        figure.claim(Claim::at_most("below 1", 0.25, 1.0));
-        let snapshot = Comparison::Same;
-        let good = Drawn { figure: figure.clone(), svg: None, snapshot };
-        figure.claim(Claim::at_most("below 2", 3.0, 2.0));
-        let difference =
-            Difference { line: 4, stored: "1.0\t2.0".to_owned(), now: "1.0\t2.5".to_owned() };
-        let bad = Drawn { figure, svg: None, snapshot: Comparison::Differs(difference) };
-        let time = Duration::from_millis(1234);
-        [
-            Outcome { entry, result: Ok(good), time },
-            Outcome { entry, result: Ok(bad), time },
-            Outcome { entry, result: Err("no root".to_owned()), time },
+        let failed = Page::failed(entry, "no root".to_owned(), Duration::from_millis(1234));
+        let below = verdict("below 1", Some(0.25), "(5.3)");
+        let good = Page {
+            error: None,
+            claims: vec![below.clone()],
+            snapshot: Some(Comparison::Same),
+            ..failed.clone()
+        };
+        let above = verdict("below 2", Some(1.5), "(5.3)");
+        let unsourced = verdict("because", Some(0.5), "");
+        let differs = Some(Comparison::Differs(difference()));
+        let bad = Page {
+            claims: vec![below, above, unsourced],
+            snapshot: differs.clone(),
+            ..good.clone()
+        };
+        let changed = Page { snapshot: differs, ..good.clone() };
+        vec![
+            (entry, good.clone()),
+            (entry.partial("markers"), good),
+            (entry, bad),
+            (entry, changed),
+            (entry, failed),
         ]
     }
 
     #[test]
-    fn one_line_an_outcome() {
-        insta::assert_snapshot!(table(&outcomes()));
+    fn one_line_a_page() {
+        insta::assert_snapshot!(table(&pages()));
     }
 
     #[test]
     fn failures_in_full() {
-        insta::assert_snapshot!(failures(&outcomes()), @r"
-        Fig. 5.3 fails:
-          claim `below 2`: measured 3, expected ≤ 2 (deviation/tolerance 1.500)
-          snapshot differs at line 4: stored `1.0	2.0`, now `1.0	2.5`
-        Fig. 5.3 fails:
-          no root
-        ");
+        insta::assert_snapshot!(failures(&pages()));
+    }
+
+    #[test]
+    fn what_was_rewritten() {
+        let entry = Entry::figure("5.3", "Hertz");
+        insta::assert_snapshot!(rewritten(&entry, &Comparison::Differs(difference())));
+        assert_eq!(rewritten(&entry, &Comparison::Same), "");
     }
 
     #[test]
     fn one_line_an_entry() {
-        let entries = [Entry::figure("5.3", "Hertz").by(draw), Entry::table("table-13.1", "Sums")];
-        insta::assert_snapshot!(list(&entries), @r"
-        Fig. 5.3      Hertz  done
-        Table 13.1    Sums   missing
-        1 of 2 tables and figures
-        ");
+        let entries = [
+            Entry::figure("5.3", "Hertz").by(draw),
+            Entry::figure("5.4", "Deformed").by(draw).partial("the markers"),
+            Entry::table("table-13.1", "Sums"),
+            Entry::check("own", "Ours").by(draw),
+        ];
+        insta::assert_snapshot!(list(&entries));
     }
 }

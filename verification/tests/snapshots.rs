@@ -1,6 +1,6 @@
-//! Every computed figure has a snapshot, and every snapshot a figure.
+//! Every computed figure has a snapshot, and every snapshot a figure; the README counts them.
 
-use carom_verification::{Entry, catalogue};
+use carom_verification::{Entry, State, catalogue};
 use std::collections::BTreeSet;
 use std::path::Path;
 
@@ -11,7 +11,7 @@ fn figures_and_snapshots_belong_together() {
     let stored: BTreeSet<String> =
         std::fs::read_dir(folder).unwrap().map(|entry| stem(&entry.unwrap().path())).collect();
     let entries = catalogue();
-    let done = entries.iter().filter(|entry| entry.is_done()).map(|entry| entry.id.to_owned());
+    let done = entries.iter().filter(|entry| entry.is_computed()).map(|entry| entry.id.to_owned());
     assert_eq!(stored, done.collect());
 }
 
@@ -24,4 +24,17 @@ fn entries_of_a_chapter_stand_together() {
         assert!(chapter == last || seen.insert(chapter), "chapter {chapter} stands apart");
         last = chapter;
     }
+}
+
+#[test]
+fn the_readme_counts_as_the_catalogue_does() {
+    let entries = catalogue();
+    let count = |is: fn(&Entry) -> bool| {
+        entries.iter().filter(|entry| entry.is_in_thesis() && is(entry)).count()
+    };
+    let (all, computed) = (count(|_| true), count(Entry::is_computed));
+    let partial = count(|entry| entry.state() == State::Partial);
+    let words = format!("{computed} of {all} stand, {partial} of them in part");
+    let readme = Path::new(env!("CARGO_MANIFEST_DIR")).join("../README.md");
+    assert!(std::fs::read_to_string(readme).unwrap().contains(&words), "{words}");
 }

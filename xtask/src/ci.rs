@@ -11,6 +11,7 @@ const STEPS: &[(&str, Step)] = &[
     ("lints", lints),
     ("documentation", documentation),
     ("tests, with the examples of README and documentation", test::run),
+    ("tests with overflow checks and debug assertions", test::checked),
     ("quick figures", quick_figures),
 ];
 

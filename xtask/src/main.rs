@@ -28,6 +28,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
             let code = cargo::verify(&verify.arguments())?;
             return Ok(ExitCode::from(code));
         }
+        flags::XtaskCmd::Test(test) if test.all => test::all()?,
         flags::XtaskCmd::Test(_) => test::run()?,
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,

@@ -7,25 +7,80 @@ use crate::cargo;
 use anyhow::{Context as _, bail};
 use std::io::{BufRead as _, BufReader};
 use std::process::Stdio;
+use std::time::Instant;
+
+/// Which tests run.
+#[derive(Clone, Copy)]
+enum Which {
+    /// All but the ignored ones, as in a release.
+    Usual,
+    /// The ignored ones alone, as in a release.
+    Ignored,
+    /// All but the ignored ones, with overflow checks and debug assertions; without the crates
+    /// that compute nothing, whose dependencies would be built once more.
+    Checked,
+}
+
+impl Which {
+    /// What cargo-nextest is called with.
+    fn nextest(self) -> &'static [&'static str] {
+        match self {
+            Self::Usual => &["--cargo-profile", "release"],
+            Self::Ignored => {
+                &["--cargo-profile", "release", "--profile", "long", "--run-ignored", "only"]
+            }
+            Self::Checked => {
+                &["--cargo-profile", "checked", "--exclude", "carom-benches", "--exclude", "xtask"]
+            }
+        }
+    }
+
+    /// What `cargo test` is called with.
+    fn cargo(self) -> &'static [&'static str] {
+        match self {
+            Self::Usual => &["--profile", "release"],
+            Self::Ignored => &["--profile", "release", "--", "--ignored"],
+            Self::Checked => {
+                &["--profile", "checked", "--exclude", "carom-benches", "--exclude", "xtask"]
+            }
+        }
+    }
+}
 
 /// Runs all tests and the documentation examples, and prints their counts; the examples run
 /// even if a test fails.
 pub(crate) fn run() -> anyhow::Result<()> {
-    let tests = if cargo::has("nextest") {
+    tests(Which::Usual).and(examples())
+}
+
+/// Runs the tests that take minutes too, and says how long they took.
+pub(crate) fn all() -> anyhow::Result<()> {
+    let usual = run();
+    println!("== the tests that are ignored otherwise take minutes");
+    let start = Instant::now();
+    let ignored = tests(Which::Ignored);
+    println!("== they took {:.0} s", start.elapsed().as_secs_f64());
+    usual.and(ignored)
+}
+
+/// Runs the tests with overflow checks and debug assertions.
+pub(crate) fn checked() -> anyhow::Result<()> {
+    tests(Which::Checked)
+}
+
+fn tests(which: Which) -> anyhow::Result<()> {
+    if cargo::has("nextest") {
         // Prints its own count.
-        cargo::run(&["nextest", "run", "--workspace", "--release"])
-    } else {
-        println!("cargo-nextest is not installed: using cargo test");
-        counted(
-            "tests",
-            &["test", "--workspace", "--release", "--no-fail-fast", "--lib", "--bins", "--tests"],
-        )
-    };
-    let examples = counted(
-        "documentation examples",
-        &["test", "--workspace", "--release", "--no-fail-fast", "--doc"],
-    );
-    tests.and(examples)
+        return cargo::run(&[&["nextest", "run", "--workspace"], which.nextest()].concat());
+    }
+    println!("cargo-nextest is not installed: using cargo test");
+    let usual = ["test", "--workspace", "--no-fail-fast", "--lib", "--bins", "--tests"];
+    counted("tests", &[&usual, which.cargo()].concat())
+}
+
+fn examples() -> anyhow::Result<()> {
+    let arguments = ["test", "--workspace", "--release", "--no-fail-fast", "--doc"];
+    counted("documentation examples", &arguments)
 }
 
 /// Calls cargo, passing its output on, and prints how many tests passed.

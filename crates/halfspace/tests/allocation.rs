@@ -1,22 +1,34 @@
 //! A repeated product allocates nothing.
+//!
+//! Calls are counted for each thread alone: the test's own harness allocates beside it, and on a
+//! loaded machine within the product.
 
 use std::alloc::{GlobalAlloc, Layout, System};
-use std::sync::atomic::{AtomicUsize, Ordering};
+use std::cell::Cell;
+use std::sync::atomic::{AtomicBool, Ordering};
 
 use carom_halfspace::operator::{
     DisplacementField, HalfSpaceOperator, SurfaceOperator, TractionField,
 };
 use carom_halfspace::{Grid, Material, MaterialPair};
 
-/// The system's allocator with a count of its calls.
+/// The system's allocator with a count of the calls of each thread.
 struct Counting;
 
-static CALLS: AtomicUsize = AtomicUsize::new(0);
+thread_local! {
+    // Constant and without a destructor, so that counting itself allocates nothing.
+    static CALLS: Cell<usize> = const { Cell::new(0) };
+}
+
+/// How often this thread has allocated.
+fn calls() -> usize {
+    CALLS.with(Cell::get)
+}
 
 // SAFETY: every call is handed on to the system's allocator unchanged.
 unsafe impl GlobalAlloc for Counting {
     unsafe fn alloc(&self, layout: Layout) -> *mut u8 {
-        CALLS.fetch_add(1, Ordering::Relaxed);
+        CALLS.with(|calls| calls.set(calls.get() + 1));
         // SAFETY: the caller's promises are those of the system's allocator.
         unsafe { System.alloc(layout) }
     }
@@ -31,6 +43,30 @@ unsafe impl GlobalAlloc for Counting {
 static ALLOCATOR: Counting = Counting;
 
 #[test]
+fn the_count_is_that_of_this_thread() {
+    let before = calls();
+    std::hint::black_box(vec![0_u8; 10]);
+    assert_eq!(calls() - before, 1);
+    let go = AtomicBool::new(false);
+    std::thread::scope(|scope| {
+        let other = scope.spawn(|| {
+            while !go.load(Ordering::Acquire) {
+                std::thread::yield_now();
+            }
+            (0..1000).for_each(|i| drop(std::hint::black_box(vec![0_u8; i])));
+            calls()
+        });
+        let before = calls();
+        go.store(true, Ordering::Release);
+        while !other.is_finished() {
+            std::thread::yield_now();
+        }
+        assert_eq!(calls(), before);
+        assert!(other.join().unwrap() >= 999);
+    });
+}
+
+#[test]
 fn repeated_products_allocate_nothing() {
     let one = Material::from_shear(1.0, 0.1).unwrap();
     let two = Material::from_shear(3.0, 0.45).unwrap();
@@ -42,14 +78,14 @@ fn repeated_products_allocate_nothing() {
     let [mut u, mut v, mut w] = [0; 3].map(|_| vec![0.0; grid.cells()]);
     let mut count = 0;
     for round in 0..10 {
-        let before = CALLS.load(Ordering::Relaxed);
+        let before = calls();
         let tractions = TractionField::full(&load, &load, &load);
         let displacements = DisplacementField::full(&mut u, &mut v, &mut w);
         operator.apply(tractions, displacements, &mut workspace).unwrap();
         let normal = DisplacementField::normal(&mut w);
         operator.apply(TractionField::normal(&load), normal, &mut workspace).unwrap();
         if round > 0 {
-            count += CALLS.load(Ordering::Relaxed) - before;
+            count += calls() - before;
         }
     }
     assert_eq!(count, 0);

@@ -9,7 +9,9 @@ use crate::catalogue::Entry;
 /// The tables and figures of the chapter, in order.
 pub(super) const ENTRIES: &[Entry] = &[
     Entry::figure("15.1", "Limits of γ for two ratios of stiffness").by(gamma_limits::draw),
-    Entry::figure("15.2", "Tangential restitution against λ for similar spheres").by(spheres::draw),
+    Entry::figure("15.2", "Tangential restitution against λ for similar spheres")
+        .by(spheres::draw)
+        .partial("the markers of the numerical solution"),
     Entry::figure("15.3", "Stress distribution during an impact, κ = 3/2, λ = 1"),
     Entry::figure("15.4", "Forces and displacements of a dissimilar impact"),
     Entry::figure("15.5", "Stick and slip areas of the impact of fig. 15.4"),

@@ -5,7 +5,7 @@
 /// # Errors
 /// If a value is not a number.
 pub(super) fn rows(text: &str) -> Result<Vec<Vec<f64>>, Box<dyn std::error::Error + Send + Sync>> {
-    let mut reader = csv::Reader::from_reader(text.as_bytes());
+    let mut reader = crate::reference::reader(text);
     let mut rows = Vec::new();
     for record in reader.records() {
         rows.push(record?.iter().map(str::parse).collect::<Result<_, _>>()?);

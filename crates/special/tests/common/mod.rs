@@ -14,7 +14,7 @@ impl Table {
     pub(crate) fn read(file: &str) -> Self {
         let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../verification/data/special");
         let text = std::fs::read_to_string(folder.join(file)).expect("reference table");
-        let mut lines = text.lines();
+        let mut lines = text.lines().filter(|line| !line.starts_with('#'));
         let names = lines.next().expect("head").split(',').map(str::to_owned).collect();
         let rows = lines
             .map(|line| line.split(',').map(|cell| cell.parse().expect("number")).collect())

@@ -14,7 +14,7 @@ impl Reference {
     /// # Errors
     /// If the text is not a table of numbers below a line of names.
     pub(super) fn parse(text: &str) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
-        let mut reader = csv::Reader::from_reader(text.as_bytes());
+        let mut reader = crate::reference::reader(text);
         let names = reader.headers()?.iter().map(str::to_owned).collect();
         let mut rows = Vec::new();
         for record in reader.records() {

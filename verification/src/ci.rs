@@ -1,0 +1,240 @@
+//! For machines: the result of a run as JSON, as JUnit's XML, and as annotations of the lines
+//! that fail.
+
+use crate::catalogue::{Entry, Kind};
+use crate::page::Page;
+use crate::tally::Tally;
+use crate::terminal::{refuted, snapshot_fault};
+use serde_json::{Value, json};
+use std::fmt::Write as _;
+use std::path::PathBuf;
+
+/// A run as JSON: the count, the pages with their claims, and the snapshots without a page.
+#[must_use]
+pub fn json(tally: &Tally, pages: &[(Entry, Page)], orphans: &[PathBuf]) -> Value {
+    let passes = orphans.is_empty() && pages.iter().all(|(_, page)| page.passes());
+    json!({
+        "passes": passes,
+        "tally": tally,
+        "pages": pages.iter().map(|(entry, page)| page_json(entry, page)).collect::<Vec<_>>(),
+        "orphans": orphans,
+    })
+}
+
+fn page_json(entry: &Entry, page: &Page) -> Value {
+    let kind = match entry.kind {
+        Kind::Figure => "figure",
+        Kind::Table => "table",
+        Kind::Check => "check",
+    };
+    json!({
+        "id": entry.id,
+        "name": entry.name(),
+        "title": entry.title,
+        "kind": kind,
+        "state": entry.state().word(),
+        "lacks": entry.lacks,
+        "passes": page.passes(),
+        "error": page.error,
+        "seconds": page.seconds,
+        "claims": page.claims,
+        "snapshot": page.snapshot,
+    })
+}
+
+/// A run as JUnit's XML: a suite a page, a case a claim, and one each for the computation, the
+/// snapshot and what a partial page lacks (skipped).
+#[must_use]
+pub fn junit(pages: &[(Entry, Page)], orphans: &[PathBuf]) -> String {
+    let mut text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
+                    <testsuites name=\"carom-verify\">\n"
+        .to_owned();
+    for (entry, page) in pages {
+        suite(&mut text, &entry.name(), page.seconds, &cases(entry, page));
+    }
+    if !orphans.is_empty() {
+        let case = |path: &PathBuf| Case {
+            name: path.display().to_string(),
+            end: End::Fails("a snapshot without a page".to_owned()),
+        };
+        suite(&mut text, "Snapshots", 0.0, &orphans.iter().map(case).collect::<Vec<_>>());
+    }
+    text.push_str("</testsuites>\n");
+    text
+}
+
+struct Case {
+    name: String,
+    end: End,
+}
+
+enum End {
+    Passes,
+    Fails(String),
+    Skipped(String),
+}
+
+fn cases(entry: &Entry, page: &Page) -> Vec<Case> {
+    let end = |fault: Option<String>| fault.map_or(End::Passes, End::Fails);
+    let mut cases = vec![Case { name: "computed".to_owned(), end: end(page.error.clone()) }];
+    cases.extend(page.claims.iter().map(|claim| Case {
+        name: claim.statement.clone(),
+        end: end((!claim.holds).then(|| refuted(claim))),
+    }));
+    if page.snapshot.is_some() {
+        cases.push(Case { name: "snapshot".to_owned(), end: end(snapshot_fault(entry, page)) });
+    }
+    if let Some(lacks) = entry.lacks {
+        let end = End::Skipped(format!("without {lacks}"));
+        cases.push(Case { name: "complete".to_owned(), end });
+    }
+    cases
+}
+
+fn suite(text: &mut String, name: &str, seconds: f64, cases: &[Case]) {
+    let count = |is: fn(&End) -> bool| cases.iter().filter(|case| is(&case.end)).count();
+    let (failures, skipped) =
+        (count(|end| matches!(end, End::Fails(_))), count(|end| matches!(end, End::Skipped(_))));
+    let _ = writeln!(
+        text,
+        "  <testsuite name=\"{}\" tests=\"{}\" failures=\"{failures}\" errors=\"0\" \
+         skipped=\"{skipped}\" time=\"{seconds:.3}\">",
+        xml(name),
+        cases.len(),
+    );
+    for case in cases {
+        let head = format!("classname=\"{}\" name=\"{}\"", xml(name), xml(&case.name));
+        let _ = match &case.end {
+            End::Passes => writeln!(text, "    <testcase {head}/>"),
+            End::Fails(why) => writeln!(
+                text,
+                "    <testcase {head}><failure message=\"{}\"/></testcase>",
+                xml(why)
+            ),
+            End::Skipped(why) => writeln!(
+                text,
+                "    <testcase {head}><skipped message=\"{}\"/></testcase>",
+                xml(why)
+            ),
+        };
+    }
+    text.push_str("  </testsuite>\n");
+}
+
+/// Text for XML, without the characters that it does not allow.
+fn xml(text: &str) -> String {
+    text.chars()
+        .filter(|c| !c.is_control())
+        .collect::<String>()
+        .replace('&', "&amp;")
+        .replace('<', "&lt;")
+        .replace('>', "&gt;")
+        .replace('"', "&quot;")
+}
+
+/// What fails, as annotations of the lines that say so: `::error file=...,line=...::...`, one a
+/// line.
+#[must_use]
+pub fn annotations(pages: &[(Entry, Page)], orphans: &[PathBuf]) -> String {
+    let mut text = String::new();
+    let mut add = |file: &str, line: u32, title: &str, message: &str| {
+        let (file, title) = (property(file), property(title));
+        let message = data(message);
+        let _ = writeln!(text, "::error file={file},line={line},title={title}::{message}");
+    };
+    for (entry, page) in pages {
+        let name = entry.name();
+        if let Some(error) = &page.error {
+            add(entry.place.file(), entry.place.line(), &name, error);
+        }
+        for claim in page.claims.iter().filter(|claim| !claim.holds) {
+            add(&claim.file, claim.line, &name, &refuted(claim));
+        }
+        if let Some(fault) = snapshot_fault(entry, page) {
+            use crate::snapshot::Comparison::Differs;
+            match &page.snapshot {
+                Some(Differs(difference)) => {
+                    let file = format!("verification/snapshots/{}.txt", entry.id);
+                    add(&file, u32::try_from(difference.line).unwrap_or(1), &name, &fault);
+                }
+                _ => add(entry.place.file(), entry.place.line(), &name, &fault),
+            }
+        }
+    }
+    for path in orphans {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let file = format!("verification/snapshots/{name}");
+        add(&file, 1, "Snapshots", "a snapshot without a page");
+    }
+    text
+}
+
+fn data(text: &str) -> String {
+    text.replace('%', "%25").replace('\r', "%0D").replace('\n', "%0A")
+}
+
+fn property(text: &str) -> String {
+    data(text).replace(':', "%3A").replace(',', "%2C")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::Figure;
+    use crate::page::Verdict;
+    use crate::snapshot::Comparison;
+    use std::time::Duration;
+
+    fn pages() -> Vec<(Entry, Page)> {
+        let entry = Entry::figure("5.3", "Hertz").by(|| Ok(Figure::new())).partial("the markers");
+        let failed = Page::failed(entry, "panicked: 3 % off".to_owned(), Duration::from_secs(1));
+        let claim = Verdict {
+            statement: "a < b & \"c\"".to_owned(),
+            source: "(5.3)".to_owned(),
+            measured: "3".to_owned(),
+            expected: "≤ 2".to_owned(),
+            ratio: Some(1.5),
+            holds: false,
+            file: "verification/src/figures/ch05.rs".to_owned(),
+            line: 7,
+        };
+        let snapshot = Some(Comparison::Missing);
+        let refuted = Page { error: None, claims: vec![claim], snapshot, ..failed.clone() };
+        vec![(entry, failed), (entry, refuted)]
+    }
+
+    fn orphans() -> [PathBuf; 1] {
+        ["/home/carom/verification/snapshots/9.9.txt".into()]
+    }
+
+    #[test]
+    fn every_failure_is_a_case() {
+        insta::assert_snapshot!(junit(&pages(), &orphans()));
+    }
+
+    #[test]
+    fn every_failure_is_an_annotation() {
+        let text = annotations(&pages(), &orphans());
+        let lines: Vec<_> = text.lines().collect();
+        assert_eq!(lines.len(), 4, "{text}");
+        let place = pages()[0].0.place;
+        let head = format!("::error file={},line={},title=Fig. 5.3::", place.file(), place.line());
+        assert_eq!(lines[0], format!("{head}panicked: 3 %25 off"));
+        assert!(lines[1].starts_with("::error file=verification/src/figures/ch05.rs,line=7,"));
+        assert!(lines[2].starts_with(&head) && lines[2].contains("no snapshot"));
+        assert!(lines[3].starts_with("::error file=verification/snapshots/9.9.txt,line=1,"));
+    }
+
+    #[test]
+    fn json_holds_the_count_the_pages_and_the_claims() {
+        let pages = pages();
+        let tally = Tally::of(&[pages[0].0], &pages[1..]);
+        let value = json(&tally, &pages, &[]);
+        assert_eq!(value["passes"], false);
+        assert_eq!(value["tally"]["thesis_total"], 1);
+        assert_eq!(value["pages"][0]["error"], "panicked: 3 % off");
+        assert_eq!(value["pages"][1]["state"], "partial");
+        assert_eq!(value["pages"][1]["claims"][0]["ratio"], 1.5);
+        assert_eq!(value["pages"][1]["snapshot"], "missing");
+    }
+}

@@ -1,0 +1,155 @@
+//! A page's own part of the report: picture, tables, inputs, claims, deviations.
+
+use crate::claim::{Claim, number};
+use crate::figure::{Cell, Deviation, Figure, Input, Table};
+use crate::report::{escape, ratio, verdict};
+use crate::run::Drawn;
+use crate::statistics::spread;
+use std::fmt::Write as _;
+
+/// The section of a computed figure, without its heading.
+#[must_use]
+pub fn html(drawn: &Drawn) -> String {
+    let figure: &Figure = &drawn.figure;
+    let mut page = String::new();
+    if let Some(svg) = &drawn.svg {
+        let _ = writeln!(page, "<div class=\"wide\">{svg}</div>");
+    }
+    figure.tables.iter().for_each(|table| data_table(&mut page, table));
+    inputs(&mut page, &figure.inputs);
+    claims(&mut page, &figure.claims);
+    statistics(&mut page, &figure.claims);
+    deviations(&mut page, &figure.deviations);
+    page
+}
+
+fn data_table(page: &mut String, table: &Table) {
+    open(page, &table.title, table.columns.iter().map(String::as_str));
+    for row in &table.rows {
+        page.push_str("<tr>");
+        for cell in row {
+            let _ = match cell {
+                Cell::Number(value) => {
+                    write!(page, "<td class=\"number\">{}</td>", number(*value))
+                }
+                Cell::Text(text) | Cell::Remark(text) => write!(page, "<td>{}</td>", escape(text)),
+            };
+        }
+        page.push_str("</tr>\n");
+    }
+    close(page);
+}
+
+fn inputs(page: &mut String, inputs: &[Input]) {
+    if inputs.is_empty() {
+        return;
+    }
+    open(page, "Inputs", ["input", "value", "origin"]);
+    for input in inputs {
+        let cells = [&*input.name, &input.value, input.origin.word()];
+        row(page, cells);
+    }
+    close(page);
+}
+
+fn claims(page: &mut String, claims: &[Claim]) {
+    let heads = ["", "claim", "measured", "expected", "deviation / tolerance", "source"];
+    open(page, "Claims", heads);
+    for claim in claims {
+        let _ = writeln!(
+            page,
+            "<tr><td>{}</td><td>{}</td><td>{}</td><td>{}</td><td class=\"number\">{}</td>\
+             <td>{}</td></tr>",
+            verdict(claim.passes()),
+            escape(&claim.statement),
+            escape(&claim.measured()),
+            escape(&claim.expected()),
+            ratio(claim.ratio()),
+            if claim.has_source() { escape(&claim.source) } else { NO_SOURCE.to_owned() },
+        );
+    }
+    close(page);
+}
+
+const NO_SOURCE: &str = "<span class=\"fail\">none given</span>";
+
+fn statistics(page: &mut String, claims: &[Claim]) {
+    let spreads: Vec<_> = claims.iter().filter_map(|claim| Some((claim, spread(claim)?))).collect();
+    if spreads.is_empty() {
+        return;
+    }
+    open(page, "Error statistics", ["claim", "values", "mean", "rms", "95 %", "largest"]);
+    for (claim, spread) in spreads {
+        let _ = writeln!(
+            page,
+            "<tr><td>{}</td><td class=\"number\">{}</td><td class=\"number\">{:.2e}</td>\
+             <td class=\"number\">{:.2e}</td><td class=\"number\">{:.2e}</td>\
+             <td class=\"number\">{:.2e}</td></tr>",
+            escape(&claim.statement),
+            spread.count,
+            spread.mean,
+            spread.rms,
+            spread.percentile_95,
+            spread.max,
+        );
+    }
+    close(page);
+}
+
+fn deviations(page: &mut String, deviations: &[Deviation]) {
+    if deviations.is_empty() {
+        return;
+    }
+    open(page, "Deviations from the thesis", ["printed", "correct", "cause"]);
+    for deviation in deviations {
+        row(page, [&*deviation.printed, &deviation.corrected, &deviation.cause]);
+    }
+    close(page);
+}
+
+fn open<'a>(page: &mut String, title: &str, heads: impl IntoIterator<Item = &'a str>) {
+    let _ = write!(page, "<h3>{}</h3>\n<div class=\"wide\"><table><tr>", escape(title));
+    for head in heads {
+        let _ = write!(page, "<th>{}</th>", escape(head));
+    }
+    page.push_str("</tr>\n");
+}
+
+fn row<'a>(page: &mut String, cells: impl IntoIterator<Item = &'a str>) {
+    page.push_str("<tr>");
+    for cell in cells {
+        let _ = write!(page, "<td>{}</td>", escape(cell));
+    }
+    page.push_str("</tr>\n");
+}
+
+fn close(page: &mut String) {
+    page.push_str("</table></div>\n");
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::snapshot::Comparison;
+    use crate::{Axis, Panel, Series, Tolerance};
+
+    #[test]
+    fn a_section_holds_everything() {
+        let mut figure = Figure::new();
+        figure.assumed("nu", "< 0.5");
+        let near = [(1.0, 1.1), (2.0, 2.0)];
+        figure.claim(Claim::all_close("near", near, Tolerance::Absolute(0.2)).source("(5.3)"));
+        figure.claim(Claim::at_most("not small", 2.0, 1.0));
+        figure.deviation("3 %", "3.35 %", "rounded");
+        let mut panel = Panel::new(Axis::linear("x"), Axis::linear("y"));
+        panel.add(Series::line("", [(0.0, 0.0), (1.0, 1.0)]));
+        figure.panel(panel);
+        let svg = carom_plot::render("t", &figure.panels).ok();
+        let section = html(&Drawn { figure, svg, snapshot: Comparison::Same });
+        for part in
+            ["&lt; 0.5", "assumed", "<svg", "3.35 %", "Error statistics", "(5.3)", "none given"]
+        {
+            assert!(section.contains(part), "{part}");
+        }
+    }
+}

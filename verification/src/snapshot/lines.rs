@@ -1,0 +1,318 @@
+//! The lines of a snapshot: heads in words, and rows of words and rounded numbers.
+
+use crate::claim::{Check, Claim, Order, Side, Tolerance, number};
+use crate::figure::{Cell, Figure, Table};
+use carom_plot::Series;
+
+/// Points of a series that a snapshot keeps.
+const KEPT: usize = 33;
+
+/// Half a rounding step, and a tenth of a step for the machine.
+const ALLOWED: f64 = 0.6;
+
+/// Digits of a tolerance.
+const TOLERANCE_DIGITS: u8 = 3;
+
+/// A line of a snapshot: a head, or the cells of a row.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Line {
+    Head(String),
+    Row(Vec<Kept>),
+}
+
+/// A cell of a row.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum Kept {
+    Number(Rounded),
+    Word(String),
+}
+
+/// A number, the step to which it is rounded, and the size of what it belongs to.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Rounded {
+    value: f64,
+    step: Step,
+    /// The largest of its curve; none for a number on its own.
+    largest: Option<f64>,
+    form: Form,
+}
+
+/// How a rounded number is written.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Form {
+    /// With all digits of its step, as in a column.
+    Column,
+    /// Without trailing zeros.
+    Short,
+}
+
+impl Rounded {
+    fn alone(value: f64, digits: u8) -> Self {
+        let step = Step::of(std::iter::once(value), digits);
+        Self { value, step, largest: None, form: Form::Column }
+    }
+
+    fn short(value: f64, digits: u8) -> Self {
+        Self { form: Form::Short, ..Self::alone(value, digits) }
+    }
+
+    fn written(self) -> String {
+        let text = self.step.rounded(self.value);
+        match (self.form, text.parse()) {
+            (Form::Short, Ok(value)) => number(value),
+            _ => text,
+        }
+    }
+
+    fn agrees(self, stored: f64) -> bool {
+        (stored - self.value).abs() <= ALLOWED * self.step.size()
+    }
+
+    /// The change from a stored value: over the largest of its curve, or over the stored value.
+    pub(super) fn relative(self, stored: f64) -> f64 {
+        (self.value - stored).abs() / self.largest.unwrap_or(stored.abs())
+    }
+}
+
+/// A power of ten to which numbers are rounded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+struct Step(i32);
+
+impl Step {
+    /// The step that keeps `digits` digits of the largest of `values`.
+    fn of(values: impl Iterator<Item = f64>, digits: u8) -> Self {
+        let largest = values.map(f64::abs).fold(0.0, f64::max);
+        Self::leading(largest)
+            .map_or(Self(-i32::from(digits)), |Self(power)| Self(power + 1 - i32::from(digits)))
+    }
+
+    /// The place of the first digit.
+    fn leading(value: f64) -> Option<Self> {
+        if value == 0.0 || !value.is_finite() {
+            return None;
+        }
+        format!("{value:e}").split_once('e')?.1.parse().ok().map(Self)
+    }
+
+    fn size(self) -> f64 {
+        format!("1e{}", self.0).parse().unwrap_or(f64::MIN_POSITIVE)
+    }
+
+    fn rounded(self, value: f64) -> String {
+        if (-12..=0).contains(&self.0) {
+            let text = format!("{value:.*}", self.0.unsigned_abs() as usize);
+            let is_zero = text.bytes().all(|b| matches!(b, b'-' | b'0' | b'.'));
+            return if is_zero { text.replace('-', "") } else { text };
+        }
+        let count = (value / self.size()).round();
+        if count == 0.0 { "0".to_owned() } else { format!("{count:.0}e{}", self.0) }
+    }
+}
+
+impl Kept {
+    fn word(word: impl Into<String>) -> Self {
+        Self::Word(word.into().replace(['\t', '\n', '\r'], " "))
+    }
+
+    /// As the snapshot has it.
+    pub(super) fn written(&self) -> String {
+        match self {
+            Self::Number(number) => number.written(),
+            Self::Word(word) => word.clone(),
+        }
+    }
+
+    pub(super) fn agrees(&self, stored: &str) -> bool {
+        match self {
+            Self::Word(word) => stored == word,
+            Self::Number(now) => stored.parse().is_ok_and(|stored| now.agrees(stored)),
+        }
+    }
+}
+
+impl Line {
+    /// As the snapshot has it.
+    pub(super) fn written(&self) -> String {
+        match self {
+            Self::Head(words) => words.clone(),
+            Self::Row(cells) => cells.iter().map(Kept::written).collect::<Vec<_>>().join("\t"),
+        }
+    }
+
+    pub(super) fn agrees(&self, stored: &str) -> bool {
+        match self {
+            Self::Head(words) => stored == words,
+            Self::Row(cells) => {
+                stored.split('\t').count() == cells.len()
+                    && stored.split('\t').zip(cells).all(|(stored, cell)| cell.agrees(stored))
+            }
+        }
+    }
+}
+
+/// The text of these lines.
+pub(super) fn text(lines: &[Line]) -> String {
+    lines.iter().map(|line| line.written() + "\n").collect()
+}
+
+/// The lines of a figure.
+pub(super) fn of(figure: &Figure) -> Vec<Line> {
+    let digits = figure.precision.digits;
+    let mut lines = vec![Line::Head(format!("{} ({digits} digits)", figure.id))];
+    for input in &figure.inputs {
+        let origin = format!("{}:", input.origin.word());
+        lines.push(Line::Row([&*origin, &input.name, &input.value].map(Kept::word).into()));
+    }
+    lines.extend(figure.claims.iter().map(|claim| claim_row(claim, digits)));
+    for panel in &figure.panels {
+        let words = format!("panel: {} | {} | {}", panel.title, panel.x.label, panel.y.label);
+        lines.push(Line::Head(words));
+        for series in &panel.series {
+            push_series(&mut lines, series, digits);
+        }
+    }
+    for table in &figure.tables {
+        push_table(&mut lines, table, digits);
+    }
+    lines
+}
+
+/// Statement, expectation and source of a claim; what was measured is in the numbers below, or
+/// near enough to the expectation.
+fn claim_row(claim: &Claim, digits: u8) -> Line {
+    let mut cells = vec![Kept::word("claim:"), Kept::word(&*claim.statement)];
+    match &claim.check {
+        Check::Close { expected, tolerance, .. } => {
+            cells.extend([Kept::Number(expectation(*expected, *tolerance, digits))]);
+            cells.extend(tolerance_cells(*tolerance));
+        }
+        Check::AllClose { pairs, tolerance } => {
+            cells.push(Kept::word(format!("{} values", pairs.len())));
+            cells.extend(tolerance_cells(*tolerance));
+        }
+        Check::Bound { bound, side, .. } => {
+            cells.push(Kept::word(if *side == Side::Below { "at most" } else { "at least" }));
+            cells.push(Kept::Number(Rounded::short(*bound, digits)));
+        }
+        Check::Ordered { values, order } => {
+            let order = if *order == Order::Increasing { "increasing" } else { "decreasing" };
+            cells.push(Kept::word(format!("{} values {order}", values.len())));
+        }
+        Check::Holds { .. } => cells.push(Kept::word("holds")),
+    }
+    cells.push(Kept::word(&*claim.source));
+    Line::Row(cells)
+}
+
+/// An expected value, no finer than its tolerance.
+fn expectation(expected: f64, tolerance: Tolerance, digits: u8) -> Rounded {
+    let rounded = Rounded::short(expected, digits);
+    let allowed = match tolerance {
+        Tolerance::Absolute(allowed) => allowed,
+        Tolerance::Relative(allowed) => allowed * expected.abs(),
+    };
+    let step = Step::leading(allowed).map_or(rounded.step, |step| step.max(rounded.step));
+    Rounded { step, ..rounded }
+}
+
+fn tolerance_cells(tolerance: Tolerance) -> [Kept; 2] {
+    let (value, word) = match tolerance {
+        Tolerance::Absolute(value) => (value, "absolute"),
+        Tolerance::Relative(value) => (value, "relative"),
+    };
+    [Kept::Number(Rounded::short(value, TOLERANCE_DIGITS)), Kept::word(word)]
+}
+
+fn push_series(lines: &mut Vec<Line>, series: &Series, digits: u8) {
+    let count = series.points.len();
+    let xs = || series.points.iter().map(|point| point.x);
+    let ys = || series.points.iter().map(|point| point.y);
+    let steps = (Step::of(xs(), digits), Step::of(ys(), digits));
+    let largest = |values: &mut dyn Iterator<Item = f64>| values.map(f64::abs).fold(0.0, f64::max);
+    let largest = (largest(&mut xs()), largest(&mut ys()));
+    let form = Form::Column;
+    lines.push(Line::Head(format!("series: {} | {count} points", series.label)));
+    let kept = count.min(KEPT);
+    let indices = (0..kept).map(|i| if kept > 1 { i * (count - 1) / (kept - 1) } else { 0 });
+    lines.extend(indices.map(|i| {
+        let point = series.points[i];
+        let x = Rounded { value: point.x, step: steps.0, largest: Some(largest.0), form };
+        let y = Rounded { value: point.y, step: steps.1, largest: Some(largest.1), form };
+        Line::Row(vec![Kept::Number(x), Kept::Number(y)])
+    }));
+}
+
+fn push_table(lines: &mut Vec<Line>, table: &Table, digits: u8) {
+    lines.push(Line::Head(format!("table: {} | {}", table.title, table.columns.join(" | "))));
+    for row in &table.rows {
+        let cells = row.iter().map(|cell| match cell {
+            Cell::Number(value) => Kept::Number(Rounded::alone(*value, digits)),
+            Cell::Text(text) => Kept::word(&**text),
+            Cell::Remark(_) => Kept::word("-"),
+        });
+        lines.push(Line::Row(cells.collect()));
+    }
+}
+
+#[cfg(test)]
+pub(super) mod tests {
+    use super::*;
+    use carom_plot::{Axis, Panel};
+
+    /// A figure with a curve of this scale, a table, an input and some claims.
+    pub(in crate::snapshot) fn figure(scale: f64) -> Figure {
+        let mut figure = Figure { id: "0.1".to_owned(), ..Figure::new() };
+        figure.assumed("ν", "0.3");
+        let third = Claim::close("a third", 1.0 / 3.0, 1.0 / 3.0, Tolerance::Absolute(1e-4));
+        figure.claim(third.source("(5.3)"));
+        figure.claim(Claim::at_most("small", 0.0, 1.0).source("Coulomb"));
+        let mut panel = Panel::new(Axis::linear("x"), Axis::linear("y"));
+        let points = (0..100).map(|i| (f64::from(i), scale * f64::from(i * i) / 7.0));
+        panel.add(Series::line("curve", points));
+        figure.panel(panel);
+        let mut table = Table::new("numbers", ["name", "value"]);
+        table.row([Cell::from("a"), Cell::from(-1e-9 / 3.0)]);
+        figure.table(table);
+        figure
+    }
+
+    #[test]
+    fn text_is_rounded_and_thinned() {
+        let text = text(&of(&figure(1.0)));
+        insta::assert_snapshot!(text.lines().take(8).collect::<Vec<_>>().join("\n"), @r"
+        0.1 (6 digits)
+        assumed:	ν	0.3
+        claim:	a third	0.3333	0.0001	absolute	(5.3)
+        claim:	small	at most	1	Coulomb
+        panel:  | x | y
+        series: curve | 100 points
+        0.0000	0.00
+        3.0000	1.29
+        ");
+        assert_eq!(text.lines().count(), 6 + KEPT + 2);
+        assert!(
+            text.ends_with("99.0000\t1400.14\ntable: numbers | name | value\na\t-333333e-15\n")
+        );
+    }
+
+    #[test]
+    fn a_value_on_the_edge_of_rounding_is_stable() {
+        // 0.5 rounds to 0 or 1 by a last bit; both texts accept both values.
+        for text in ["0", "1"] {
+            for value in [0.5 - 1e-15, 0.5 + 1e-15] {
+                let step = Step(0);
+                let now = Rounded { step, ..Rounded::alone(value, 6) };
+                assert!(now.agrees(text.parse().unwrap()));
+            }
+        }
+    }
+
+    #[test]
+    fn an_expectation_is_no_finer_than_its_tolerance() {
+        let step = |tolerance| expectation(2.0 / 3.0, tolerance, 6).step;
+        assert_eq!(step(Tolerance::Absolute(2e-3)), Step(-3));
+        assert_eq!(step(Tolerance::Relative(0.9)), Step(-1));
+        assert_eq!(step(Tolerance::Absolute(1e-15)), Step(-6));
+        assert_eq!(step(Tolerance::Absolute(0.0)), Step(-6));
+    }
+}
