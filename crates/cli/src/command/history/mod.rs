@@ -9,28 +9,28 @@ mod view;
 pub use steps::StepsError;
 
 use crate::case::{HistoryCase, Steps};
-use crate::command::CaseArguments;
+use crate::command::hertz::smallest_radius;
+use crate::command::theory::{Excess, caution};
+use crate::command::{self, CaseArguments};
+use crate::destination::{Destination, check_output};
 use crate::error::CliError;
-use crate::output::{Answer, Format, PlotFile, check_finite, csv, json, read_case, short, table};
+use crate::output::{Answer, Format, check_finite, csv, json, short, table};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_laws::stiffness::ContactStiffness;
 use laws::Laws;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use view::Step;
 
 /// Loads of a contact along a history of shifts and twists, with memory.
 ///
 /// The file is TOML in SI units, its steps inline or in a CSV file; see examples/history_*.toml.
 /// xi and eta shift body 2 against body 1 along x and y, zeta presses it in, omega (radians) twists
-/// it about z.
+/// it about z. The picture shows loads, stick area and energy, and the last tractions asked for.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
-    /// Draw loads and stick area, and the last tractions asked for, into this file, as SVG.
-    #[arg(long, value_name = "FILE")]
-    plot: Option<PathBuf>,
     /// Give the tangential traction after each step at this many radii, from the centre to the
     /// edge.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
@@ -38,13 +38,16 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let path = &arguments.given.case;
-    let case = read_case(path, HistoryCase::parse)?;
+    let command::Given { case: file, plot } = arguments.given.read()?;
+    let path = &file.path;
+    let case = file.parse(HistoryCase::parse)?;
     let shifts = match &case.steps {
         Steps::Inline(shifts) => shifts.clone(),
-        Steps::File(name) => steps::read(&path.parent().unwrap_or(Path::new("")).join(name))?,
+        Steps::File(name) => {
+            read_steps(&path.parent().unwrap_or(Path::new("")).join(name), arguments)?
+        }
     };
-    let history = follow(&case, &shifts, arguments)?;
+    let (history, course) = follow(&case, &shifts, arguments, plot.is_some())?;
     let rows = view::cells(&history, |value| value.to_string());
     check_finite(path, &view::heads(&history), &rows)?;
     let text = match arguments.given.format {
@@ -60,19 +63,33 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
             }
             text
         }
+        Format::None => String::new(),
     };
-    let plot = match &arguments.plot {
-        Some(file) => Some(PlotFile { path: file.clone(), svg: plot::draw(&history)? }),
-        None => None,
-    };
-    Ok(Answer { text, warnings: warnings(&case, &history, arguments.tractions.is_some()), plot })
+    let picture = plot.map(|to| (to, plot::draw(&history, &course)));
+    let warnings = warnings(&case, &history, arguments.tractions.is_some());
+    let answer = Answer { text, warnings, picture, ..Answer::default() };
+    let radius = smallest_radius(&case.hertz);
+    let excesses: Vec<Excess> =
+        history.iter().map(|step| Excess::of_contact(step.zeta, radius)).collect();
+    Ok(answer.cautioned(caution(&excesses, "steps"), arguments.given.format))
 }
 
+/// The steps in a file, which no output may overwrite either.
+fn read_steps(path: &Path, arguments: &Arguments) -> Result<Vec<Shift>, CliError> {
+    check_output(path)?;
+    if let Some(plot) = &arguments.given.plot {
+        Destination::new("plot", plot, arguments.given.format, &[path])?;
+    }
+    steps::read(path)
+}
+
+/// The state after every step, and if it is to be drawn also between them.
 fn follow(
     case: &HistoryCase,
     shifts: &[Shift],
     arguments: &Arguments,
-) -> Result<Vec<Step>, CliError> {
+    is_drawn: bool,
+) -> Result<(Vec<Step>, Vec<Step>), CliError> {
     let at_fault = |source| CliError::Law { path: arguments.given.case.clone(), source };
     let friction = Friction::new(case.friction).map_err(at_fault)?;
     if arguments.tractions.is_some() && friction.coefficient().is_none() {
@@ -80,14 +97,42 @@ fn follow(
     }
     let mut laws = Laws::new(case, friction, shifts).map_err(at_fault)?;
     let count = arguments.tractions.map_or(0, |count| count as usize);
-    shifts
-        .iter()
-        .enumerate()
-        .map(|(i, shift)| {
-            laws.advance(*shift).map_err(at_fault)?;
-            view::step(i + 1, &laws, friction, count)
-        })
-        .collect()
+    let radius = smallest_radius(&case.hertz);
+    let parts = if is_drawn { parts_of_a_step(shifts.len()) } else { 1 };
+    let (mut history, mut course) = (Vec::new(), Vec::new());
+    for (i, shift) in shifts.iter().enumerate() {
+        let from = laws.present();
+        for part in 0..parts {
+            // From the same state each, so that the line runs through the steps themselves.
+            let mut between = laws.clone();
+            let part = part as f64 / parts as f64;
+            if is_drawn && (part > 0.0 || i == 0) {
+                between.advance(lerp(from, *shift, part)).map_err(at_fault)?;
+                course.push(view::step(i as f64 + part, &between, friction, 0, radius)?);
+            }
+        }
+        laws.advance(*shift).map_err(at_fault)?;
+        let number = (i + 1) as f64;
+        history.push(view::step(number, &laws, friction, count, radius)?);
+        course.push(view::step(number, &laws, friction, 0, radius)?);
+    }
+    Ok((history, course))
+}
+
+/// States drawn for every step, the last its own: enough for a smooth line.
+fn parts_of_a_step(steps: usize) -> usize {
+    (2000 / steps).clamp(1, 50)
+}
+
+/// The shift at a part of the way from one to the other.
+fn lerp(from: Shift, to: Shift, part: f64) -> Shift {
+    let between = |from: f64, to: f64| from + part * (to - from);
+    Shift {
+        zeta: between(from.zeta, to.zeta),
+        xi: between(from.xi, to.xi),
+        eta: between(from.eta, to.eta),
+        omega: between(from.omega, to.omega),
+    }
 }
 
 /// What the law neglects in this case.
