@@ -1,5 +1,6 @@
 //! `carom history`: loads of a contact along a history of shifts.
 
+mod follow;
 mod laws;
 mod plot;
 mod steps;
@@ -15,10 +16,9 @@ use crate::command::{self, CaseArguments};
 use crate::destination::{Destination, check_output};
 use crate::error::CliError;
 use crate::output::{Answer, Format, check_finite, csv, json, short, table};
-use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_laws::stiffness::ContactStiffness;
-use laws::Laws;
+use follow::{Wanted, follow};
 use std::path::Path;
 use view::Step;
 
@@ -47,26 +47,30 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
             read_steps(&path.parent().unwrap_or(Path::new("")).join(name), arguments)?
         }
     };
-    let (history, course) = follow(&case, &shifts, arguments, plot.is_some())?;
-    let rows = view::cells(&history, |value| value.to_string());
-    check_finite(path, &view::heads(&history), &rows)?;
+    let radii = arguments.tractions.map_or(0, |count| count as usize);
+    let followed = follow(&case, &shifts, Wanted { radii, picture: plot.is_some() }, |source| {
+        CliError::Law { path: path.clone(), source }
+    })?;
+    let history = &followed.steps;
+    let rows = view::cells(history, |value| value.to_string());
+    check_finite(path, &view::heads(history), &rows)?;
     let text = match arguments.given.format {
-        Format::Json => json(&history)?,
+        Format::Json => json(history)?,
         Format::Csv if arguments.tractions.is_some() => {
-            csv(&view::TRACTION_HEADS, &view::traction_cells(&history, |value| value.to_string()))?
+            csv(&view::TRACTION_HEADS, &view::traction_cells(history, |value| value.to_string()))?
         }
-        Format::Csv => csv(&view::heads(&history), &rows)?,
+        Format::Csv => csv(&view::heads(history), &rows)?,
         Format::Table => {
-            let mut text = table(&view::heads(&history), &view::cells(&history, short));
+            let mut text = table(&view::heads(history), &view::cells(history, short));
             if arguments.tractions.is_some() {
-                text += &table(&view::TRACTION_HEADS, &view::traction_cells(&history, short));
+                text += &table(&view::TRACTION_HEADS, &view::traction_cells(history, short));
             }
             text
         }
         Format::None => String::new(),
     };
-    let picture = plot.map(|to| (to, plot::draw(&history, &course)));
-    let warnings = warnings(&case, &history, arguments.tractions.is_some());
+    let picture = plot.map(|to| (to, plot::draw(&followed)));
+    let warnings = warnings(&case, history, arguments.tractions.is_some());
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     let radius = smallest_radius(&case.hertz);
     let excesses: Vec<Excess> =
@@ -81,58 +85,6 @@ fn read_steps(path: &Path, arguments: &Arguments) -> Result<Vec<Shift>, CliError
         Destination::new("plot", plot, arguments.given.format, &[path])?;
     }
     steps::read(path)
-}
-
-/// The state after every step, and if it is to be drawn also between them.
-fn follow(
-    case: &HistoryCase,
-    shifts: &[Shift],
-    arguments: &Arguments,
-    is_drawn: bool,
-) -> Result<(Vec<Step>, Vec<Step>), CliError> {
-    let at_fault = |source| CliError::Law { path: arguments.given.case.clone(), source };
-    let friction = Friction::new(case.friction).map_err(at_fault)?;
-    if arguments.tractions.is_some() && friction.coefficient().is_none() {
-        return Err(CliError::Options("--tractions takes a case with finite friction"));
-    }
-    let mut laws = Laws::new(case, friction, shifts).map_err(at_fault)?;
-    let count = arguments.tractions.map_or(0, |count| count as usize);
-    let radius = smallest_radius(&case.hertz);
-    let parts = if is_drawn { parts_of_a_step(shifts.len()) } else { 1 };
-    let (mut history, mut course) = (Vec::new(), Vec::new());
-    for (i, shift) in shifts.iter().enumerate() {
-        let from = laws.present();
-        for part in 0..parts {
-            // From the same state each, so that the line runs through the steps themselves.
-            let mut between = laws.clone();
-            let part = part as f64 / parts as f64;
-            if is_drawn && (part > 0.0 || i == 0) {
-                between.advance(lerp(from, *shift, part)).map_err(at_fault)?;
-                course.push(view::step(i as f64 + part, &between, friction, 0, radius)?);
-            }
-        }
-        laws.advance(*shift).map_err(at_fault)?;
-        let number = (i + 1) as f64;
-        history.push(view::step(number, &laws, friction, count, radius)?);
-        course.push(view::step(number, &laws, friction, 0, radius)?);
-    }
-    Ok((history, course))
-}
-
-/// States drawn for every step, the last its own: enough for a smooth line.
-fn parts_of_a_step(steps: usize) -> usize {
-    (2000 / steps).clamp(1, 50)
-}
-
-/// The shift at a part of the way from one to the other.
-fn lerp(from: Shift, to: Shift, part: f64) -> Shift {
-    let between = |from: f64, to: f64| from + part * (to - from);
-    Shift {
-        zeta: between(from.zeta, to.zeta),
-        xi: between(from.xi, to.xi),
-        eta: between(from.eta, to.eta),
-        omega: between(from.omega, to.omega),
-    }
 }
 
 /// What the law neglects in this case.

@@ -1,5 +1,6 @@
 //! The picture of a history.
 
+use super::follow::Followed;
 use super::twist::Twist;
 use super::view::{Step, Traction};
 use crate::command::plot::{Course, MOST_MARKS, Value};
@@ -7,8 +8,9 @@ use crate::output::Picture;
 use carom_plot::Panel;
 
 /// Loads and sizes against the step, force against shift, torque against twist, and the tractions
-/// of the last step in contact that has some. `between` holds the steps and states between them.
-pub(super) fn draw(history: &[Step], between: &[Step]) -> Picture {
+/// after the last step in contact.
+pub(super) fn draw(followed: &Followed) -> Picture {
+    let (history, between) = (followed.steps.as_slice(), followed.course.as_slice());
     let course = Course { records: between, marked: history, label: "step", at: |step| step.step };
     let mut panels = vec![
         course.panel(
@@ -31,8 +33,10 @@ pub(super) fn draw(history: &[Step], between: &[Step]) -> Picture {
     if history.iter().any(|step| step.twist.is_some()) {
         panels.extend(torsion(history, between));
     }
-    let last = history.iter().rev().find(|step| step.f_z > 0.0 && !step.tractions.is_empty());
-    panels.extend(last.map(tractions));
+    panels.extend(followed.last.as_ref().map(|last| {
+        let given = history.iter().find(|step| step.step == last.step);
+        tractions(last, given.map_or(&[], |step| step.tractions.as_slice()))
+    }));
     let marks = if history.len() <= MOST_MARKS { " (dots: the steps given)" } else { "" };
     Picture::new(&format!("Load history{marks}"), panels)
 }
@@ -79,10 +83,10 @@ fn torsion(history: &[Step], between: &[Step]) -> [Panel; 2] {
     ]
 }
 
-fn tractions(step: &Step) -> Panel {
+fn tractions(step: &Step, given: &[Traction]) -> Panel {
     let course = Course {
         records: &step.tractions,
-        marked: &[],
+        marked: given,
         label: "radius, from the centre (0) to the edge (1)",
         at: |traction: &Traction| traction.radius,
     };
