@@ -1,9 +1,10 @@
 #![forbid(unsafe_code)]
 //! Plots as SVG and PNG: panels of axes with lines, markers, arrows, areas and coloured fields.
 //!
-//! Knows no mechanics and needs no fonts of the system or other libraries. The SVG has clip paths, true
-//! dash patterns and text, on a light ground, in colours that colour-blind readers tell apart. In labels,
-//! `F_x` and `F_max` carry subscripts.
+//! Knows no mechanics and needs no fonts of the system or other libraries: letters in a PNG are
+//! those of DejaVu Sans (copyright Bitstream, Inc. and Tavmjong Bah; free to embed). The SVG has
+//! clip paths, true dash patterns and text, on a light ground, in colours that colour-blind readers
+//! tell apart. In labels, `F_x` and `F_max` carry subscripts.
 //!
 //! ```
 //! use carom_plot::{Axis, Panel, Series, linspace, render};

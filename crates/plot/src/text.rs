@@ -54,7 +54,7 @@ pub(crate) fn text_width(text: &str, font_size: f64) -> f64 {
     0.56 * font_size * text.chars().count() as f64
 }
 
-/// A font that is always there: DejaVu Sans.
+/// A font that is always there: DejaVu Sans, under the free licence of Bitstream Vera.
 pub(crate) struct Font {
     regular: Face<'static>,
     bold: Face<'static>,

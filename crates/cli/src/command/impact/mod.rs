@@ -20,10 +20,10 @@ use view::{Instant, Record};
 
 /// Impact of two bodies from a case file: spheres and planes, or any smooth bodies in any place.
 ///
-/// The file is TOML in SI units; see the cases under examples/. z points into body 1. A
-/// distribution in the place of a number, as in glass_scatter.toml, gives the scatter of the
-/// outcome of spheres. The spin about the normal is left alone unless `contact.torsion = true`. The
-/// picture shows the course of the impact, the sweep, or the scatter.
+/// The file is TOML in SI units, others as texts such as "2.5 mm"; see the cases under examples/. z
+/// points into body 1. A distribution in the place of a number, as in glass_scatter.toml, gives the
+/// scatter of the outcome of spheres. The spin about the normal is left alone unless
+/// `contact.torsion = true`. The picture shows the course of the impact, the sweep, or the scatter.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     #[command(flatten)]
