@@ -1,5 +1,5 @@
-//! Case files: TOML, read strictly, in SI units or with units of their own. An unknown, missing or impossible field is an error that
-//! names it.
+//! Case files: TOML, read strictly, in SI units or with units of their own. An unknown, missing or
+//! impossible field is an error that names it.
 
 mod body;
 mod contact;

@@ -14,9 +14,9 @@ use std::f64::consts::PI;
 
 /// Hertz contact of two surfaces: ellipse, approach, pressure and stiffness.
 ///
-/// The file is TOML in SI units, others as texts such as "2.5 mm"; see examples/hertz_*.toml. x is the direction of the larger
-/// relative curvature, so that a <= b. The picture shows the pressure, or force and pressure over
-/// the approach for several loads.
+/// The file is TOML in SI units, others as texts such as "2.5 mm"; see examples/hertz_*.toml. x is
+/// the direction of the larger relative curvature, so that a <= b. The picture shows the pressure,
+/// or force and pressure over the approach for several loads.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     #[command(flatten)]

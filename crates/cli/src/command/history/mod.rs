@@ -24,10 +24,10 @@ use view::Step;
 
 /// Loads of a contact along a history of shifts and twists, with memory.
 ///
-/// The file is TOML in SI units, others as texts such as "2.5 mm", its steps inline or plain in a
-/// CSV file; see examples/history_*.toml.
-/// xi and eta shift body 2 against body 1 along x and y, zeta presses it in, omega (radians) twists
-/// it about z. The picture shows loads, stick area and energy, and the last tractions asked for.
+/// The file is TOML in SI units, others as texts such as "2.5 mm", its steps inline or, plain, in a
+/// CSV file; see examples/history_*.toml. xi and eta shift body 2 against body 1 along x and y, zeta
+/// presses it in, omega (radians) twists it about z. The picture shows loads, stick area and energy,
+/// and the last tractions asked for.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     #[command(flatten)]

@@ -11,8 +11,8 @@ use crate::output::{Answer, Format, csv, json, table};
 
 /// Path and bounces of a ball between walls, from a case file.
 ///
-/// The file is TOML in SI units, others as texts such as "2.5 mm"; see the cases scene_*.toml under examples/. The picture shows
-/// walls, path and bounces.
+/// The file is TOML in SI units, others as texts such as "2.5 mm"; see the cases scene_*.toml under
+/// examples/. The picture shows walls, path and bounces.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     #[command(flatten)]
