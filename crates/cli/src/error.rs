@@ -71,6 +71,24 @@ pub enum CliError {
         /// What is wrong with it.
         source: StepsError,
     },
+    /// An input is no text file of an allowed size, or is written to in the same run.
+    #[error("{}: {reason}", path.display())]
+    Input {
+        /// The file.
+        path: PathBuf,
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A picture cannot go where it was asked for.
+    #[error("--{option} {}: {reason}", path.display())]
+    Destination {
+        /// The option.
+        option: &'static str,
+        /// Its value.
+        path: PathBuf,
+        /// Why not.
+        reason: &'static str,
+    },
     /// The impact could not be followed to its end.
     #[error(transparent)]
     Impact(#[from] ObliqueError),
@@ -141,6 +159,8 @@ impl CliError {
             | Self::Collision { .. }
             | Self::Law { .. }
             | Self::Steps { .. }
+            | Self::Input { .. }
+            | Self::Destination { .. }
             | Self::Option(_)
             | Self::Options(_) => 2,
             Self::Impact(_)

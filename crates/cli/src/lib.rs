@@ -2,11 +2,14 @@
 //! The parts of the command `carom`: case files, option values, output.
 //!
 //! Parse, make the library's validated types, run, render: nothing is written before all of
-//! that has succeeded. Exit code 2 means bad input, 1 a file that cannot be read or written.
+//! that has succeeded, but for rows that are too many to hold. Exit code 2 means bad input, 1 a
+//! file that cannot be read or written.
 
 pub mod case;
 pub mod command;
+pub mod destination;
 pub mod error;
+pub mod input;
 pub mod output;
 pub mod range;
 

@@ -1,14 +1,15 @@
-//! Results on standard output and in the plot file; messages on standard error.
+//! Results on standard output, a picture where it was asked for, messages on standard error.
 //!
 //! A command works out everything first and hands it over as an [`Answer`]; nothing is written
-//! before it has succeeded.
+//! before it has succeeded. Only rows that are too many to hold go out as they come.
 
-use crate::case::CaseError;
+use crate::destination::{Aside, Destination, Kind};
 use crate::error::CliError;
+use carom_plot::{Panel, PlotError, render, render_png};
 use comfy_table::{CellAlignment, Table, presets::UTF8_FULL_CONDENSED};
 use serde::Serialize;
-use std::io::Write as _;
-use std::path::{Path, PathBuf};
+use std::io::{BufWriter, ErrorKind, Stdout, Write};
+use std::path::Path;
 
 /// Format of the results.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -20,6 +21,8 @@ pub enum Format {
     Json,
     /// Comma-separated values with full precision.
     Csv,
+    /// Nothing: only the picture and the warnings.
+    None,
 }
 
 /// Everything a command has to say.
@@ -27,55 +30,160 @@ pub enum Format {
 pub struct Answer {
     /// For standard output.
     pub text: String,
+    /// What must be read before all else.
+    pub caution: Option<Caution>,
     /// For standard error.
     pub warnings: Vec<String>,
-    /// For a file.
-    pub plot: Option<PlotFile>,
+    /// A picture and where it goes.
+    pub picture: Option<(Destination, Picture)>,
 }
 
-/// A plot and where it goes.
+/// A line that must not be missed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Caution {
+    line: String,
+    /// Whether it stands above the results; else it is told with the warnings.
+    is_read_first: bool,
+}
+
+/// Panels under a title.
 #[derive(Debug, Clone, PartialEq)]
-pub struct PlotFile {
-    /// The file.
-    pub path: PathBuf,
-    /// The SVG.
-    pub svg: String,
+pub struct Picture {
+    title: String,
+    panels: Vec<Panel>,
 }
 
-impl Answer {
-    /// Writes the plot, the warnings and the results.
-    ///
-    /// # Errors
-    /// If the plot file or standard output cannot be written.
-    pub fn write(&self) -> Result<(), CliError> {
-        if let Some(PlotFile { path, svg }) = &self.plot {
-            std::fs::write(path, svg).map_err(|source| CliError::io("write", path, source))?;
-        }
-        for warning in &self.warnings {
-            eprintln!("warning: {warning}");
-        }
-        let mut stdout = std::io::stdout().lock();
-        match stdout.write_all(self.text.as_bytes()).and_then(|()| stdout.flush()) {
-            // A reader that has seen enough is no failure.
-            Err(error) if error.kind() == std::io::ErrorKind::BrokenPipe => Ok(()),
-            result => {
-                result.map_err(|source| CliError::io("write", Path::new("standard output"), source))
-            }
+impl Picture {
+    /// The panels under `title`.
+    #[must_use]
+    pub fn new(title: &str, panels: impl Into<Vec<Panel>>) -> Self {
+        Self { title: title.to_owned(), panels: panels.into() }
+    }
+
+    fn encode(&self, kind: Kind) -> Result<Vec<u8>, PlotError> {
+        match kind {
+            Kind::Svg => render(&self.title, &self.panels).map(String::into_bytes),
+            Kind::Png => render_png(&self.title, &self.panels),
         }
     }
 }
 
-/// Reads and parses the case file at `path`.
-///
-/// # Errors
-/// If it cannot be read, or says something that cannot be.
-pub fn read_case<T>(
-    path: &Path,
-    parse: impl Fn(&str) -> Result<T, CaseError>,
-) -> Result<T, CliError> {
-    let source =
-        std::fs::read_to_string(path).map_err(|error| CliError::io("read", path, error))?;
-    parse(&source).map_err(|source| CliError::Case { path: path.to_owned(), source })
+impl Answer {
+    /// With a line that must be read before all else: the first one of a table to read, else the
+    /// first warning.
+    #[must_use]
+    pub fn cautioned(mut self, caution: Option<String>, format: Format) -> Self {
+        self.caution = caution.map(|line| Caution { line, is_read_first: format == Format::Table });
+        self
+    }
+
+    /// Writes the picture aside, the warnings and the results; when all that has gone well, puts
+    /// the picture in its place.
+    ///
+    /// # Errors
+    /// If the picture cannot be drawn, or a file or standard output cannot be written.
+    pub fn write(&self, results: &mut Results) -> Result<(), CliError> {
+        let encoded = match &self.picture {
+            Some((to, picture)) => Some((to, picture.encode(to.kind())?)),
+            None => None,
+        };
+        let mut aside = None;
+        match &encoded {
+            Some((Destination::File { path, .. }, bytes)) => {
+                aside = Some(Aside::write(path, bytes)?);
+            }
+            Some((Destination::StandardOutput, bytes)) => results.put(bytes)?,
+            None => {}
+        }
+        match &self.caution {
+            Some(Caution { line, is_read_first: true }) => {
+                results.put(format!("{line}\n").as_bytes())?;
+                results.finish()?;
+            }
+            Some(Caution { line, .. }) => tell(&format!("warning: {line}")),
+            None => {}
+        }
+        for warning in &self.warnings {
+            tell(&format!("warning: {warning}"));
+        }
+        results.put(self.text.as_bytes())?;
+        results.finish()?;
+        aside.map_or(Ok(()), Aside::put_in_place)
+    }
+}
+
+/// A line on standard error. Where that is closed or full there is nobody to tell.
+pub fn tell(line: &str) {
+    let _ = writeln!(std::io::stderr(), "{line}");
+}
+
+/// Standard output. A reader that has seen enough and closed it is no failure: what comes later
+/// is dropped.
+#[derive(Debug)]
+pub struct Results {
+    out: BufWriter<Stdout>,
+    is_closed: bool,
+}
+
+impl Default for Results {
+    fn default() -> Self {
+        Self { out: BufWriter::with_capacity(1 << 16, std::io::stdout()), is_closed: false }
+    }
+}
+
+impl Results {
+    /// Whether nobody reads any more.
+    #[must_use]
+    pub const fn is_closed(&self) -> bool {
+        self.is_closed
+    }
+
+    /// Writes `bytes`.
+    ///
+    /// # Errors
+    /// [`CliError::Io`] if they cannot be written, as on a full disk.
+    pub fn put(&mut self, bytes: &[u8]) -> Result<(), CliError> {
+        self.write_all(bytes).map_err(refused)
+    }
+
+    /// Sees to it that all has arrived.
+    ///
+    /// # Errors
+    /// As [`Results::put`].
+    pub fn finish(&mut self) -> Result<(), CliError> {
+        self.flush().map_err(refused)
+    }
+
+    fn unless_closed<T>(
+        &mut self,
+        dropped: T,
+        act: impl FnOnce(&mut BufWriter<Stdout>) -> std::io::Result<T>,
+    ) -> std::io::Result<T> {
+        if self.is_closed {
+            return Ok(dropped);
+        }
+        match act(&mut self.out) {
+            Err(error) if error.kind() == ErrorKind::BrokenPipe => {
+                self.is_closed = true;
+                Ok(dropped)
+            }
+            result => result,
+        }
+    }
+}
+
+impl Write for Results {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        self.unless_closed(bytes.len(), |out| out.write(bytes))
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.unless_closed((), BufWriter::flush)
+    }
+}
+
+fn refused(source: std::io::Error) -> CliError {
+    CliError::io("write", Path::new("standard output"), source)
 }
 
 /// Refuses results that are no finite numbers: the cells of `rows` under their heads.
@@ -113,8 +221,18 @@ pub fn json<T: Serialize>(results: &T) -> Result<String, CliError> {
 /// # Errors
 /// If a row is not as long as the heads.
 pub fn csv(heads: &[&str], rows: &[Vec<String>]) -> Result<String, CliError> {
+    csv_rows(Some(heads), rows)
+}
+
+/// `rows` as comma-separated values, under heads if these are given.
+///
+/// # Errors
+/// If a row is not as long as the first.
+pub fn csv_rows(heads: Option<&[&str]>, rows: &[Vec<String>]) -> Result<String, CliError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
-    writer.write_record(heads).map_err(|error| CliError::Format(error.into()))?;
+    if let Some(heads) = heads {
+        writer.write_record(heads).map_err(|error| CliError::Format(error.into()))?;
+    }
     for row in rows {
         writer.write_record(row).map_err(|error| CliError::Format(error.into()))?;
     }

@@ -86,9 +86,10 @@ fn two_ranges_are_drawn_as_a_map() {
         ]);
         assert_eq!(text.lines().count(), 1 + 41 * 61);
         let svg = std::fs::read_to_string(&map).unwrap();
+        assert!(svg.contains("href=\"data:image/png;base64,") && svg.len() < 100_000);
         assert!(svg.contains(title) && svg.contains("R<tspan") && !svg.contains("NaN"));
         // The line of R_x = 0 is there, and bold.
-        assert!(svg.contains("stroke-width=\"1.6\" d=\"M"));
+        assert!(svg.contains("stroke-width=\"1.6\" stroke-linejoin=\"round\" d=\"M"));
     }
 }
 

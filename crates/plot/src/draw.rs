@@ -36,7 +36,7 @@ pub(crate) fn series(
         }
         Style::Line(stroke) => {
             svg.open(&format!("clip-path=\"url(#{clip})\""));
-            line(svg, stroke, thinned(&pixels), colour);
+            line(svg, stroke, thinned(&pixels).into_iter(), colour);
             svg.close();
         }
         Style::Area => {
@@ -88,9 +88,10 @@ fn line(svg: &mut Svg, stroke: Stroke, pixels: impl Iterator<Item = Pixel>, colo
     svg.path("polyline", pixels, &look);
 }
 
-fn thinned(pixels: &[Pixel]) -> impl Iterator<Item = Pixel> + '_ {
+/// Without the points that nobody could tell from the one before.
+pub(crate) fn thinned(pixels: &[Pixel]) -> Vec<Pixel> {
     let mut last: Option<Pixel> = None;
-    pixels.iter().enumerate().filter_map(move |(i, pixel)| {
+    let kept = pixels.iter().enumerate().filter_map(|(i, pixel)| {
         let is_close = last.is_some_and(|last| {
             (pixel.x - last.x).abs() < CLOSE && (pixel.y - last.y).abs() < CLOSE
         });
@@ -99,7 +100,8 @@ fn thinned(pixels: &[Pixel]) -> impl Iterator<Item = Pixel> + '_ {
         }
         last = Some(*pixel);
         last
-    })
+    });
+    kept.collect()
 }
 
 fn marker(svg: &mut Svg, shape: Marker, at: Pixel, colour: &str) {

@@ -42,6 +42,9 @@ pub enum PlotError {
         /// Label of the field.
         label: String,
     },
+    /// The pixels of an image could not be made.
+    #[error("cannot make the image: {0}")]
+    Raster(String),
     /// No panel, or one without a point.
     #[error("nothing to plot")]
     Empty,

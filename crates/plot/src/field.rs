@@ -72,69 +72,9 @@ impl Field {
     }
 }
 
-/// A piece of a contour line, in the coordinates of the field.
-pub(crate) type Piece = [(f64, f64); 2];
-
-/// The contour line of `level`: straight pieces across the triangles of each cell, whose middle
-/// has the mean of its corners.
-pub(crate) fn contour(field: &Field, level: f64) -> Vec<Piece> {
-    let mut pieces = Vec::new();
-    for row in 0..field.y.len() - 1 {
-        for column in 0..field.x.len() - 1 {
-            let node = |i: usize, j: usize| {
-                (field.x[column + i], field.y[row + j], field.at(column + i, row + j))
-            };
-            let corners = [node(0, 0), node(1, 0), node(1, 1), node(0, 1)];
-            let above = corners.iter().filter(|corner| corner.2 >= level).count();
-            if above == 0 || above == 4 {
-                continue;
-            }
-            let mean = |of: fn(&(f64, f64, f64)) -> f64| corners.iter().map(of).sum::<f64>() / 4.0;
-            let middle = (mean(|c| c.0), mean(|c| c.1), mean(|c| c.2));
-            for i in 0..4 {
-                pieces.extend(across([corners[i], corners[(i + 1) % 4], middle], level));
-            }
-        }
-    }
-    pieces
-}
-
-/// Where the level crosses a triangle.
-fn across(corners: [(f64, f64, f64); 3], level: f64) -> Option<Piece> {
-    let mut ends = [0, 1, 2].into_iter().filter_map(|i| {
-        let ((x_1, y_1, v_1), (x_2, y_2, v_2)) = (corners[i], corners[(i + 1) % 3]);
-        if (v_1 >= level) == (v_2 >= level) {
-            return None;
-        }
-        let part = (level - v_1) / (v_2 - v_1);
-        Some((x_1 + part * (x_2 - x_1), y_1 + part * (y_2 - y_1)))
-    });
-    Some([ends.next()?, ends.next()?])
-}
-
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::series::linspace;
-
-    fn cone(n: usize) -> Field {
-        let nodes = linspace(-1.0, 1.0, n);
-        let values =
-            nodes.iter().flat_map(|y| nodes.iter().map(move |x| libm::hypot(*x, *y))).collect();
-        Field::new("r", nodes.clone(), nodes, values).unwrap()
-    }
-
-    #[test]
-    fn contours_of_a_cone_are_circles() {
-        let pieces = contour(&cone(81), 0.6);
-        let mut length = 0.0;
-        for [(x_1, y_1), (x_2, y_2)] in pieces {
-            assert!((libm::hypot(x_1, y_1) - 0.6).abs() < 2e-4);
-            length += libm::hypot(x_2 - x_1, y_2 - y_1);
-        }
-        assert!((length / (1.2 * std::f64::consts::PI) - 1.0).abs() < 2e-3, "{length}");
-        assert!(contour(&cone(9), 2.0).is_empty() && contour(&cone(9), -1.0).is_empty());
-    }
 
     #[test]
     fn what_is_no_grid_is_refused() {

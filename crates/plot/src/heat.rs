@@ -1,10 +1,14 @@
 //! Drawing a field: cells in colours, contour lines, and the bar that explains the colours.
 
+use crate::contour::contours;
+use crate::draw::thinned;
 use crate::error::PlotError;
-use crate::field::{Field, contour};
+use crate::field::Field;
 use crate::panel::Axis;
+use crate::raster::indexed_png;
 use crate::span::Span;
 use crate::svg::{Anchor, Frame, Pixel, Svg};
+use crate::text::Type;
 
 /// Blue, light blue, grey, light orange, brown: light in the middle, dark at both ends.
 const COLOURS: [[f64; 3]; 5] = [
@@ -16,8 +20,10 @@ const COLOURS: [[f64; 3]; 5] = [
 ];
 /// Colours told apart on either side of the neutral one; neighbours of the same are drawn as one.
 const SHADES: f64 = 48.0;
-/// Overlap of neighbours, in pixels.
-const SEAM: f64 = 0.7;
+/// Pixels of the image for each unit of the picture.
+const DENSITY: f64 = 2.0;
+/// Pixels of the image along one side, at most.
+const MOST_PIXELS: usize = 4096;
 /// Width of the bar.
 const BAR: f64 = 14.0;
 /// Room for it beside the axes.
@@ -46,41 +52,58 @@ impl<'a> Heat<'a> {
         libm::round((value - self.field.centre) / self.reach * SHADES) as i32
     }
 
-    /// Cells, each from half-way to the node before to half-way to the node after, and contour
-    /// lines at the ticks of the bar.
-    pub(crate) fn draw(&self, svg: &mut Svg, clip: &str, x: &Span, y: &Span, frame: Frame) {
+    /// Cells, each from half-way to the node before to half-way to the node after, as one image,
+    /// and contour lines at the ticks of the bar.
+    pub(crate) fn draw(
+        &self,
+        svg: &mut Svg,
+        clip: &str,
+        x: &Span,
+        y: &Span,
+        frame: Frame,
+    ) -> Result<(), PlotError> {
         let left = |at: f64| frame.x + frame.width * at;
         let top = |at: f64| frame.y + frame.height * (1.0 - at);
-        let columns = edges(self.field.x(), x);
-        let rows = edges(self.field.y(), y);
-        svg.open(&format!("clip-path=\"url(#{clip})\" shape-rendering=\"crispEdges\""));
-        for (row, heights) in rows.windows(2).enumerate() {
-            let mut column = 0;
-            while column < self.field.x().len() {
-                let shade = self.shade(self.field.at(column, row));
-                let first = column;
-                while column < self.field.x().len()
-                    && self.shade(self.field.at(column, row)) == shade
-                {
-                    column += 1;
-                }
-                let (x, y) = (left(columns[first]), top(heights[1]));
-                // A little over the next cell, which is drawn later: no seams.
-                let y = y - SEAM;
-                let (width, height) = (left(columns[column]) - x + SEAM, top(heights[0]) - y);
-                svg.rect(Frame { x, y, width, height }, &format!("fill=\"{}\"", colour(shade)));
-            }
-        }
+        let (columns, rows) = (edges(self.field.x(), x), edges(self.field.y(), y));
+        let ends = |edges: &[f64]| [edges[0], edges[edges.len() - 1]];
+        let ([west, east], [south, north]) = (ends(&columns), ends(&rows));
+        let place = Frame {
+            x: left(west),
+            y: top(north),
+            width: left(east) - left(west),
+            height: top(south) - top(north),
+        };
+        svg.open(&format!("clip-path=\"url(#{clip})\""));
+        svg.image(place, &self.image(&columns, &rows, frame)?);
         svg.close();
         svg.open(&format!("clip-path=\"url(#{clip})\" fill=\"none\" stroke=\"#222\""));
         for tick in self.span.ticks().0 {
-            let pieces = contour(self.field, tick.at);
-            let place = |(a, b): (f64, f64)| Pixel { x: left(x.place(a)), y: top(y.place(b)) };
+            let place = |(a, b): &(f64, f64)| Pixel { x: left(x.place(*a)), y: top(y.place(*b)) };
+            let lines = contours(self.field, tick.at);
+            let lines =
+                lines.iter().map(|line| thinned(&line.iter().map(place).collect::<Vec<_>>()));
             let bold = if tick.at == self.field.centre { 1.6 } else { 0.7 };
-            let pieces = pieces.into_iter().map(|piece| piece.map(place));
-            svg.pieces(pieces, &format!("stroke-width=\"{bold}\""));
+            svg.lines(lines, &format!("stroke-width=\"{bold}\" stroke-linejoin=\"round\""));
         }
         svg.close();
+        Ok(())
+    }
+
+    /// The cells in colours: as many pixels as a dense screen shows, or one a node if there are more.
+    fn image(&self, columns: &[f64], rows: &[f64], frame: Frame) -> Result<Vec<u8>, PlotError> {
+        let pixels = |edges: &[f64], length: f64| {
+            let nodes = edges.len() - 1;
+            cells(edges, nodes.max((DENSITY * length) as usize).min(MOST_PIXELS))
+        };
+        let across = pixels(columns, frame.width);
+        let mut shades = Vec::new();
+        for row in pixels(rows, frame.height).into_iter().rev() {
+            let at =
+                |column: &usize| (self.shade(self.field.at(*column, row)) + SHADES as i32) as u8;
+            shades.extend(across.iter().map(at));
+        }
+        let palette: Vec<[u8; 3]> = (-(SHADES as i32)..=SHADES as i32).map(rgb).collect();
+        indexed_png(across.len(), &shades, &palette)
     }
 
     /// The bar beside the axes, with its ticks.
@@ -100,10 +123,10 @@ impl<'a> Heat<'a> {
         for tick in self.span.ticks().0 {
             let y = bar.y + bar.height * (1.0 - self.span.place(tick.at));
             svg.line(Pixel { x: end, y }, Pixel { x: end + 4.0, y }, "stroke=\"#444\"");
-            svg.text(Pixel { x: end + 7.0, y: y + 4.5 }, Anchor::Start, &tick.label, "");
+            svg.text(Pixel { x: end + 7.0, y: y + 4.5 }, Anchor::Start, &tick.label, Type::TICK);
         }
         let at = Pixel { x: bar.x + 0.5 * BAR, y: bar.y - 10.0 };
-        svg.text(at, Anchor::Middle, &self.field.label, "font-size=\"14\"");
+        svg.text(at, Anchor::Middle, &self.field.label, Type::LABEL);
     }
 }
 
@@ -117,14 +140,34 @@ fn edges(nodes: &[f64], span: &Span) -> Vec<f64> {
     edges
 }
 
-fn colour(shade: i32) -> String {
+/// For each of `count` pixels of equal width between the first and the last edge, the cell in
+/// which its middle lies.
+fn cells(edges: &[f64], count: usize) -> Vec<usize> {
+    let (first, last) = (edges[0], edges[edges.len() - 1]);
+    let mut cell = 0;
+    (0..count)
+        .map(|pixel| {
+            let at = first + (last - first) * ((pixel as f64 + 0.5) / count as f64);
+            while cell + 2 < edges.len() && edges[cell + 1] <= at {
+                cell += 1;
+            }
+            cell
+        })
+        .collect()
+}
+
+fn rgb(shade: i32) -> [u8; 3] {
     let at = 2.0 * (1.0 + f64::from(shade) / SHADES).clamp(0.0, 2.0);
     let from = (at as usize).min(COLOURS.len() - 2);
     let part = at - from as f64;
-    let mix = |i: usize| {
+    [0, 1, 2].map(|i| {
         libm::round(COLOURS[from][i] + part * (COLOURS[from + 1][i] - COLOURS[from][i])) as u8
-    };
-    format!("#{:02x}{:02x}{:02x}", mix(0), mix(1), mix(2))
+    })
+}
+
+fn colour(shade: i32) -> String {
+    let [red, green, blue] = rgb(shade);
+    format!("#{red:02x}{green:02x}{blue:02x}")
 }
 
 #[cfg(test)]
@@ -137,6 +180,29 @@ mod tests {
         assert_eq!(colour(0), "#f7f7f7");
         assert_eq!(colour(48), "#a63603");
         assert_eq!((colour(-99), colour(99)), (colour(-48), colour(48)));
+    }
+
+    #[test]
+    fn pixels_lie_in_the_cell_around_their_node() {
+        let edges = [0.0, 0.125, 0.5, 1.0];
+        assert_eq!(cells(&edges, 8), [0, 1, 1, 1, 2, 2, 2, 2]);
+        assert_eq!(cells(&edges, 1), [2]);
+    }
+
+    #[test]
+    fn the_image_has_the_first_row_of_the_field_below() {
+        let nodes = vec![0.0, 1.0];
+        let field = Field::new("q", nodes.clone(), nodes, vec![-1.0, -0.5, 0.5, 1.0]).unwrap();
+        let frame = Frame { x: 0.0, y: 0.0, width: 1.0, height: 1.0 };
+        let edges = [0.0, 0.5, 1.0];
+        let png = Heat::new(&field).unwrap().image(&edges, &edges, frame).unwrap();
+        let mut decoder = png::Decoder::new(std::io::Cursor::new(png));
+        decoder.set_transformations(png::Transformations::EXPAND);
+        let mut reader = decoder.read_info().unwrap();
+        let mut pixels = vec![0; reader.output_buffer_size().unwrap()];
+        reader.next_frame(&mut pixels).unwrap();
+        let expected = [24, 48, -48, -24].map(rgb);
+        assert_eq!(pixels, expected.as_flattened());
     }
 
     #[test]

@@ -3,12 +3,12 @@
 use crate::draw;
 use crate::panel::Panel;
 use crate::series::Series;
-use crate::svg::{Anchor, Frame, Pixel, Svg, text_width};
+use crate::svg::{Anchor, Frame, Pixel, Svg};
+use crate::text::{Type, text_width};
 
 const LINE: f64 = 18.0;
 const SAMPLE: f64 = 26.0;
 const PAD: f64 = 8.0;
-const FONT: f64 = 12.5;
 
 /// The series of a panel that carry a label, with their colours.
 #[derive(Debug)]
@@ -34,7 +34,8 @@ impl<'a> Legend<'a> {
 
     /// Width of the legend in pixels; none if it is empty.
     pub(crate) fn width(&self) -> Option<f64> {
-        let widest = self.entries.iter().map(|(series, _)| text_width(&series.label, FONT));
+        let widest =
+            self.entries.iter().map(|(series, _)| text_width(&series.label, Type::LEGEND.size));
         widest.reduce(f64::max).map(|text| text + SAMPLE + 3.0 * PAD)
     }
 
@@ -68,7 +69,7 @@ impl<'a> Legend<'a> {
             let x = frame.x + PAD;
             draw::sample(svg, series, colour, Frame { x, y, width: SAMPLE, height: LINE });
             let at = Pixel { x: x + SAMPLE + PAD, y: y + 0.5 * LINE + 4.5 };
-            svg.text(at, Anchor::Start, &series.label, &format!("font-size=\"{FONT}\""));
+            svg.text(at, Anchor::Start, &series.label, Type::LEGEND);
         }
     }
 

@@ -1,9 +1,10 @@
 #![forbid(unsafe_code)]
-//! Plots as SVG: panels of axes with lines, markers, arrows, areas and coloured fields.
+//! Plots as SVG and PNG: panels of axes with lines, markers, arrows, areas and coloured fields.
 //!
-//! Knows no mechanics and needs no fonts or system libraries. The SVG has clip paths, true
-//! dash patterns and text, on a light ground, in colours that colour-blind readers tell apart. In labels,
-//! `F_x` and `F_max` carry subscripts.
+//! Knows no mechanics and needs no fonts of the system or other libraries: letters in a PNG are
+//! those of DejaVu Sans (copyright Bitstream, Inc. and Tavmjong Bah; free to embed). The SVG has
+//! clip paths, true dash patterns and text, on a light ground, in colours that colour-blind readers
+//! tell apart. In labels, `F_x` and `F_max` carry subscripts.
 //!
 //! ```
 //! use carom_plot::{Axis, Panel, Series, linspace, render};
@@ -15,19 +16,22 @@
 //! # Ok::<(), carom_plot::PlotError>(())
 //! ```
 
+mod contour;
 mod draw;
 mod error;
 mod field;
 mod heat;
 mod legend;
 mod panel;
+mod raster;
 mod render;
 mod series;
 mod span;
 mod svg;
+mod text;
 
 pub use error::PlotError;
 pub use field::Field;
 pub use panel::{Aspect, Axis, Limits, Panel, Scale};
-pub use render::render;
+pub use render::{render, render_png};
 pub use series::{Arrow, Marker, Point, Series, Stroke, Style, linspace, logspace};

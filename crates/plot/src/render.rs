@@ -5,9 +5,11 @@ use crate::error::PlotError;
 use crate::heat::{ASIDE, Heat};
 use crate::legend::Legend;
 use crate::panel::{Aspect, Axis, Panel};
+use crate::raster::png_of;
 use crate::series::{Point, Style};
 use crate::span::{Span, Tick, power_of_ten};
 use crate::svg::{Anchor, Frame, Pixel, Svg};
+use crate::text::Type;
 
 const WIDTH: f64 = 440.0;
 const HEIGHT: f64 = 310.0;
@@ -23,6 +25,19 @@ const HEADING: f64 = 30.0;
 /// [`PlotError`] if there is nothing to draw, a point is not finite, a value on a logarithmic
 /// axis is not positive, or limits are out of order.
 pub fn render(title: &str, panels: &[Panel]) -> Result<String, PlotError> {
+    laid_out(Svg::default(), title, panels)
+}
+
+/// The same picture as PNG, two pixels for each unit of the SVG; texts in DejaVu Sans, which
+/// comes with this crate.
+///
+/// # Errors
+/// As [`render`], and [`PlotError::Raster`] if the picture is too large for the memory.
+pub fn render_png(title: &str, panels: &[Panel]) -> Result<Vec<u8>, PlotError> {
+    png_of(&laid_out(Svg::with_outlines()?, title, panels)?)
+}
+
+fn laid_out(mut svg: Svg, title: &str, panels: &[Panel]) -> Result<String, PlotError> {
     let plots = panels.iter().map(Plot::new).collect::<Result<Vec<_>, _>>()?;
     let columns = match plots.len() {
         0 => return Err(PlotError::Empty),
@@ -34,17 +49,16 @@ pub fn render(title: &str, panels: &[Panel]) -> Result<String, PlotError> {
         (0..columns).map(|column| column_width(&plots, column, columns)).collect();
     let cell_height = TOP + HEIGHT + BOTTOM;
     let heading = if title.is_empty() { 0.0 } else { HEADING };
-    let mut svg = Svg::default();
     for (i, plot) in plots.iter().enumerate() {
         let (row, column) = (i / columns, i % columns);
         let corner =
             Pixel { x: widths[..column].iter().sum(), y: heading + row as f64 * cell_height };
-        plot.draw(&mut svg, corner, &clip_name(title, i));
+        plot.draw(&mut svg, corner, &clip_name(title, i))?;
     }
     let width: f64 = widths.iter().sum();
     let height = heading + plots.len().div_ceil(columns) as f64 * cell_height;
     let middle = Pixel { x: 0.5 * width, y: 22.0 };
-    svg.text(middle, Anchor::Middle, title, "font-size=\"15\" font-weight=\"bold\"");
+    svg.text(middle, Anchor::Middle, title, Type::TITLE);
     Ok(svg.finish(width, height))
 }
 
@@ -101,12 +115,12 @@ impl<'a> Plot<'a> {
         }
     }
 
-    fn draw(&self, svg: &mut Svg, corner: Pixel, clip: &str) {
+    fn draw(&self, svg: &mut Svg, corner: Pixel, clip: &str) -> Result<(), PlotError> {
         let frame = frame_at(corner);
         svg.clip(clip, frame);
         self.draw_axes(svg, frame);
         if let Some(heat) = &self.heat {
-            heat.draw(svg, clip, &self.x, &self.y, frame);
+            heat.draw(svg, clip, &self.x, &self.y, frame)?;
             heat.draw_bar(svg, frame);
             svg.rect(frame, "fill=\"none\" stroke=\"#444\"");
         }
@@ -115,13 +129,14 @@ impl<'a> Plot<'a> {
             draw::series(svg, series, colour, clip, frame, |point| self.place(point, frame));
         }
         let title = Pixel { x: frame.x + 0.5 * frame.width, y: frame.y - 10.0 };
-        svg.text(title, Anchor::Middle, &self.panel.title, "font-size=\"14\"");
+        svg.text(title, Anchor::Middle, &self.panel.title, Type::LABEL);
         let free = self.legend.free_corner(frame, &self.inked(frame));
         // Beside the axes stands the bar of a field.
         let aside = if self.heat.is_some() { None } else { self.legend.beside(frame) };
         if let Some(place) = free.or(aside) {
             self.legend.draw(svg, place);
         }
+        Ok(())
     }
 
     fn place(&self, point: Point, frame: Frame) -> Pixel {
@@ -155,11 +170,9 @@ impl<'a> Plot<'a> {
         }
         svg.rect(frame, "fill=\"none\" stroke=\"#444\"");
         let x_label = Pixel { x: frame.x + 0.5 * frame.width, y: frame.y + frame.height + 40.0 };
-        svg.text(x_label, Anchor::Middle, &axis_label(&self.panel.x, x_power), "font-size=\"14\"");
+        svg.text(x_label, Anchor::Middle, &axis_label(&self.panel.x, x_power), Type::LABEL);
         let y_label = Pixel { x: frame.x - 56.0, y: frame.y + 0.5 * frame.height };
-        let turned =
-            format!("font-size=\"14\" transform=\"rotate(-90 {:.2} {:.2})\"", y_label.x, y_label.y);
-        svg.text(y_label, Anchor::Middle, &axis_label(&self.panel.y, y_power), &turned);
+        svg.text(y_label, Anchor::Middle, &axis_label(&self.panel.y, y_power), Type::UPWARDS);
     }
 
     fn draw_x_tick(&self, svg: &mut Svg, frame: Frame, tick: &Tick) {
@@ -167,7 +180,7 @@ impl<'a> Plot<'a> {
         let foot = frame.y + frame.height;
         svg.line(Pixel { x, y: frame.y }, Pixel { x, y: foot }, "stroke=\"#e4e4e4\"");
         svg.line(Pixel { x, y: foot }, Pixel { x, y: foot + 5.0 }, "stroke=\"#444\"");
-        svg.text(Pixel { x, y: foot + 19.0 }, Anchor::Middle, &tick.label, "");
+        svg.text(Pixel { x, y: foot + 19.0 }, Anchor::Middle, &tick.label, Type::TICK);
     }
 
     fn draw_y_tick(&self, svg: &mut Svg, frame: Frame, tick: &Tick) {
@@ -175,7 +188,7 @@ impl<'a> Plot<'a> {
         let end = frame.x + frame.width;
         svg.line(Pixel { x: frame.x, y }, Pixel { x: end, y }, "stroke=\"#e4e4e4\"");
         svg.line(Pixel { x: frame.x - 5.0, y }, Pixel { x: frame.x, y }, "stroke=\"#444\"");
-        svg.text(Pixel { x: frame.x - 9.0, y: y + 4.5 }, Anchor::End, &tick.label, "");
+        svg.text(Pixel { x: frame.x - 9.0, y: y + 4.5 }, Anchor::End, &tick.label, Type::TICK);
     }
 }
 

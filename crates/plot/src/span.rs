@@ -172,7 +172,7 @@ fn needs_one_more(step: f64, decimals: usize) -> bool {
 /// The power of ten to take out of labels up to `largest`; a multiple of three.
 fn common_power(largest: f64) -> i32 {
     let power = libm::floor(libm::log10(largest)) as i32;
-    if (-2..5).contains(&power) { 0 } else { power.div_euclid(3) * 3 }
+    if (-2..4).contains(&power) { 0 } else { power.div_euclid(3) * 3 }
 }
 
 fn log_label(power: i32, multiple: f64) -> String {

@@ -1,11 +1,16 @@
 //! Writing SVG: a few shapes, numbers with two decimals.
 
+use crate::error::PlotError;
+use crate::raster::base64;
+use crate::text::{Font, Type, parts};
 use std::fmt::Write as _;
 
 /// A growing SVG document.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Svg {
     body: String,
+    /// Draws texts as outlines; none where the reader has fonts.
+    font: Option<Font>,
 }
 
 /// Where a text hangs on its point.
@@ -60,6 +65,11 @@ impl Frame {
 }
 
 impl Svg {
+    /// A document whose texts are outlines, for a reader without fonts.
+    pub(crate) fn with_outlines() -> Result<Self, PlotError> {
+        Ok(Self { body: String::new(), font: Some(Font::new()?) })
+    }
+
     /// Opens a group with attributes.
     pub(crate) fn open(&mut self, attributes: &str) {
         let _ = writeln!(self.body, "<g {attributes}>");
@@ -119,32 +129,86 @@ impl Svg {
         let _ = writeln!(self.body, "\" {attributes}/>");
     }
 
-    /// Many straight pieces in one.
-    pub(crate) fn pieces(&mut self, pieces: impl Iterator<Item = [Pixel; 2]>, attributes: &str) {
+    /// Many lines in one.
+    pub(crate) fn lines(&mut self, lines: impl Iterator<Item = Vec<Pixel>>, attributes: &str) {
         let _ = write!(self.body, "<path {attributes} d=\"");
-        for [from, to] in pieces {
-            let _ = write!(self.body, "M{:.2},{:.2}L{:.2},{:.2}", from.x, from.y, to.x, to.y);
+        for line in lines {
+            for (i, Pixel { x, y }) in line.into_iter().enumerate() {
+                let _ = write!(self.body, "{}{x:.2},{y:.2}", if i == 0 { 'M' } else { 'L' });
+            }
         }
         self.body.push_str("\"/>\n");
     }
 
+    /// An image that fills the frame.
+    pub(crate) fn image(&mut self, frame: Frame, png: &[u8]) {
+        let Frame { x, y, width, height } = frame;
+        let _ = writeln!(
+            self.body,
+            "<image x=\"{x:.2}\" y=\"{y:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" \
+             preserveAspectRatio=\"none\" href=\"data:image/png;base64,{}\"/>",
+            base64(png)
+        );
+    }
+
     /// A text, its baseline at the point; `_x` and `_max` are set as subscripts.
-    pub(crate) fn text(&mut self, at: Pixel, anchor: Anchor, text: &str, attributes: &str) {
+    pub(crate) fn text(&mut self, at: Pixel, anchor: Anchor, text: &str, look: Type) {
         if text.is_empty() {
             return;
         }
+        match &self.font {
+            Some(font) => {
+                let (path, width) = font.outlines(text, look);
+                self.outlined(at, anchor, &path, width, look);
+            }
+            None => self.written(at, anchor, text, look),
+        }
+    }
+
+    fn outlined(&mut self, at: Pixel, anchor: Anchor, path: &str, width: f64, look: Type) {
+        let shift = match anchor {
+            Anchor::Start => 0.0,
+            Anchor::Middle => -0.5 * width,
+            Anchor::End => -width,
+        };
+        let turn = if look.upwards { " rotate(-90)" } else { "" };
+        let _ = writeln!(
+            self.body,
+            "<path transform=\"translate({:.2} {:.2}){turn} translate({shift:.2} 0)\" d=\"{path}\"/>",
+            at.x, at.y
+        );
+    }
+
+    fn written(&mut self, at: Pixel, anchor: Anchor, text: &str, look: Type) {
         let anchor = match anchor {
             Anchor::Start => "start",
             Anchor::Middle => "middle",
             Anchor::End => "end",
         };
-        let _ = writeln!(
-            self.body,
-            "<text x=\"{:.2}\" y=\"{:.2}\" text-anchor=\"{anchor}\" {attributes}>{}</text>",
-            at.x,
-            at.y,
-            with_subscripts(&escape(text))
-        );
+        let Pixel { x, y } = at;
+        let _ = write!(self.body, "<text x=\"{x:.2}\" y=\"{y:.2}\" text-anchor=\"{anchor}\"");
+        if look.size != Type::TICK.size {
+            let _ = write!(self.body, " font-size=\"{}\"", look.size);
+        }
+        if look.bold {
+            self.body.push_str(" font-weight=\"bold\"");
+        }
+        if look.upwards {
+            let _ = write!(self.body, " transform=\"rotate(-90 {x:.2} {y:.2})\"");
+        }
+        self.body.push('>');
+        for (part, is_lowered) in parts(text) {
+            let part = escape(part);
+            let _ = match is_lowered {
+                false => write!(self.body, "{part}"),
+                true => write!(
+                    self.body,
+                    "<tspan dy=\"0.28em\" font-size=\"75%\">{part}</tspan>\
+                     <tspan dy=\"-0.21em\">&#8203;</tspan>"
+                ),
+            };
+        }
+        self.body.push_str("</text>\n");
     }
 
     /// The document of this size, white below everything.
@@ -162,25 +226,4 @@ impl Svg {
 /// Text with the characters that XML reserves written out.
 pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
-}
-
-/// `F_x` and `F_max` with their subscripts lowered: a word up to the next sign.
-fn with_subscripts(text: &str) -> String {
-    let mut parts = text.split('_');
-    let mut marked = parts.next().unwrap_or_default().to_owned();
-    for part in parts {
-        let end = part.find(|c: char| !c.is_alphanumeric()).unwrap_or(part.len());
-        let (lowered, rest) = part.split_at(end);
-        let _ = write!(
-            marked,
-            "<tspan dy=\"0.28em\" font-size=\"75%\">{lowered}</tspan>\
-             <tspan dy=\"-0.21em\">&#8203;</tspan>{rest}"
-        );
-    }
-    marked
-}
-
-/// About how wide a text of this font size is.
-pub(crate) fn text_width(text: &str, font_size: f64) -> f64 {
-    0.56 * font_size * text.chars().count() as f64
 }

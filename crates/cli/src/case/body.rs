@@ -3,6 +3,7 @@
 use super::error::CaseError;
 use super::range::Range;
 use super::section::{Section, Words};
+use super::unit::Dimension;
 use carom_halfspace::Material;
 use carom_special::RangeError;
 use std::f64::consts::PI;
@@ -82,7 +83,7 @@ impl BodyCase {
         let velocity = read_velocity(&body, mass, motion)?;
         let spin = match mass {
             Mass::Fixed => [0.0; 3],
-            _ => body.vector("spin", Range::Speed)?,
+            _ => body.vector("spin", Range::Speed.of(Dimension::Spin))?,
         };
         Ok(Self { shape, material, mass, velocity, spin })
     }
@@ -94,7 +95,9 @@ fn read_shape(body: &Section<'_>) -> Result<Shape, CaseError> {
             Err(body.conflict("radius", "shape", "a plane has no radius"))
         }
         "plane" => Ok(Shape::Plane),
-        _ => Ok(Shape::Sphere { radius: body.number("radius", Range::Positive)? }),
+        _ => Ok(Shape::Sphere {
+            radius: body.number("radius", Range::Positive.of(Dimension::Length))?,
+        }),
     }
 }
 
@@ -115,10 +118,10 @@ pub(super) fn read_material(body: &Section<'_>) -> Result<Material, CaseError> {
     }
     let poisson = |material: &Section<'_>| material.number("poisson", Range::Poisson);
     let made = if material.has("shear_modulus") {
-        let modulus = material.number("shear_modulus", Range::Positive)?;
+        let modulus = material.number("shear_modulus", Range::Positive.of(Dimension::Pressure))?;
         Material::from_shear(modulus, poisson(&material)?)
     } else if material.has("young_modulus") {
-        let modulus = material.number("young_modulus", Range::Positive)?;
+        let modulus = material.number("young_modulus", Range::Positive.of(Dimension::Pressure))?;
         Material::from_young(modulus, poisson(&material)?)
     } else {
         let allowed = "finite and > 0 (or `shear_modulus`, or `rigid = true`)";
@@ -136,14 +139,16 @@ fn read_mass(body: &Section<'_>, shape: Shape) -> Result<Mass, CaseError> {
         [] => Err(body.missing("mass", MASS)),
         [one, other, ..] => Err(body.conflict(other, one, "give one of them")),
         ["density"] => read_density(body, shape),
-        ["mass"] => Ok(Mass::Given(body.number("mass", Range::PositiveOrInfinite)?)),
+        ["mass"] => {
+            Ok(Mass::Given(body.number("mass", Range::PositiveOrInfinite.of(Dimension::Mass))?))
+        }
         _ if body.switch("fixed")? => Ok(Mass::Fixed),
         _ => Err(body.missing("mass", MASS)),
     }
 }
 
 fn read_density(body: &Section<'_>, shape: Shape) -> Result<Mass, CaseError> {
-    let density = body.number("density", Range::Positive)?;
+    let density = body.number("density", Range::Positive.of(Dimension::Density))?;
     let Shape::Sphere { radius } = shape else {
         return Err(body.conflict("density", "shape", "a plane has no volume; give its `mass`"));
     };
@@ -172,7 +177,7 @@ fn read_velocity(
         };
     }
     match motion {
-        Motion::Velocity => body.vector("velocity", Range::Speed).map(Some),
+        Motion::Velocity => body.vector("velocity", Range::Speed.of(Dimension::Speed)).map(Some),
         Motion::Approach if body.has("velocity") => {
             let reason = "[approach] gives the velocity of body 1";
             Err(body.conflict("velocity", "approach", reason))

@@ -6,9 +6,10 @@
 use super::contact::{self, Contact};
 use super::error::CaseError;
 use super::impact;
-use super::placed::{MARKS, Placed};
+use super::placed::{self, MARKS, Placed, WORDS};
 use super::range::Range;
 use super::section::{Section, Words, parse};
+use super::unit::Dimension;
 use carom_impact::{Encounter, EncounterError, FrameError, Motion, SearchError, SurfaceError};
 use carom_laws::friction::Friction;
 use toml::de::{DeTable, DeValue};
@@ -55,6 +56,8 @@ impl EncounterCase {
             return Ok(None);
         }
         let case = &Section::root(source, table.get_ref(), impact::FIELDS)?;
+        placed::check(case, "body_1")?;
+        placed::check(case, "body_2")?;
         for (name, reason) in [
             ("approach", "bodies with a shape or place of their own have velocities"),
             ("uncertainty", "only spheres and planes without a place take distributions"),
@@ -84,7 +87,11 @@ fn has_place(table: &DeTable<'_>) -> bool {
     };
     let is_placed = |body: &str| {
         let shape = match field(body, "shape") {
-            Some(DeValue::String(shape)) => !matches!(shape.as_ref(), "sphere" | "plane"),
+            // An unknown word tells nothing.
+            Some(DeValue::String(shape)) => {
+                WORDS.words.contains(&shape.as_ref())
+                    && !matches!(shape.as_ref(), "sphere" | "plane")
+            }
             _ => false,
         };
         shape || MARKS.iter().any(|name| field(body, name).is_some())
@@ -133,7 +140,7 @@ fn read_touch(
         }
     }
     if contact.has("point") {
-        return contact.vector("point", Range::Finite).map(Touch::At);
+        return contact.vector("point", Range::Finite.of(Dimension::Length)).map(Touch::At);
     }
     match contact.has("search") {
         true if contact.word("search", SEARCH)? == "approach" => Ok(Touch::Approach),
@@ -153,7 +160,7 @@ fn read_own(
             Err(case.conflict(&contact.full(name), own, reason))
         }
         Some(point) => Ok(point),
-        None if contact.has(name) => contact.vector(name, Range::Finite),
+        None if contact.has(name) => contact.vector(name, Range::Finite.of(Dimension::Length)),
         None if body.is_plane => Ok([0.0; 3]),
         None => Err(contact.missing(name, POINT)),
     }

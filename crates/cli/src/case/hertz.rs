@@ -4,6 +4,7 @@ use super::error::CaseError;
 use super::pair;
 use super::range::Range;
 use super::section::{Numbers, Section, parse};
+use super::unit::Dimension;
 use carom_laws::hertz::Hertz;
 
 const FIELDS: &[&str] = &["body_1", "body_2", "contact", "load"];
@@ -38,6 +39,15 @@ pub enum Given {
     SemiAxisB,
 }
 
+impl Given {
+    const fn dimension(self) -> Dimension {
+        match self {
+            Self::Force => Dimension::Force,
+            Self::Approach | Self::SemiAxisA | Self::SemiAxisB => Dimension::Length,
+        }
+    }
+}
+
 impl HertzCase {
     /// Reads a case from the text of its file.
     ///
@@ -56,6 +66,10 @@ impl HertzCase {
         if let Some((other, _)) = present.next() {
             return Err(load.conflict(other, name, "give one of them"));
         }
-        Ok(Self { hertz, given, values: load.numbers(name, Range::Positive)? })
+        Ok(Self {
+            hertz,
+            given,
+            values: load.numbers(name, Range::Positive.of(given.dimension()))?,
+        })
     }
 }

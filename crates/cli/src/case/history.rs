@@ -4,6 +4,7 @@ use super::error::CaseError;
 use super::pair;
 use super::range::Range;
 use super::section::{Section, parse};
+use super::unit::Dimension;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::Shift;
 use std::path::PathBuf;
@@ -50,7 +51,9 @@ impl HistoryCase {
             if history.has("file") {
                 return Err(history.conflict("file", "steps", "give one of them"));
             }
-            let rows = history.rows("steps", Range::Finite, ROWS)?;
+            let length = Range::Finite.of(Dimension::Length);
+            let angle = Range::Finite.of(Dimension::Radians);
+            let rows = history.rows("steps", [length, length, length, angle], ROWS)?;
             Steps::Inline(rows.into_iter().map(shift).collect())
         } else {
             Steps::File(history.text("file", FILE)?.into())

@@ -9,6 +9,7 @@ use super::error::CaseError;
 use super::placed;
 use super::range::Range;
 use super::section::{Numbers, Section, parse};
+use super::unit::Dimension;
 use carom_halfspace::{Material, MaterialPair};
 
 /// The tables of a case; `[uncertainty]` is read by [`UncertainCase`](super::UncertainCase).
@@ -112,7 +113,7 @@ pub(super) fn check_materials(
 
 fn read_approach(case: &Section<'_>) -> Result<Approach, CaseError> {
     let approach = case.section("approach", &["speed", "angle"])?;
-    let speed = approach.number("speed", Range::NonNegativeSpeed)?;
-    let angles = approach.numbers("angle", Range::Incidence)?;
+    let speed = approach.number("speed", Range::NonNegativeSpeed.of(Dimension::Speed))?;
+    let angles = approach.numbers("angle", Range::Incidence.of(Dimension::Degrees))?;
     Ok(Approach { speed, angles })
 }

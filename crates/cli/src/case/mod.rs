@@ -1,5 +1,5 @@
-//! Case files: TOML, read strictly. An unknown, missing or impossible field is an error that
-//! names it.
+//! Case files: TOML, read strictly, in SI units or with units of their own. An unknown, missing or
+//! impossible field is an error that names it.
 
 mod body;
 mod contact;
@@ -14,6 +14,7 @@ mod range;
 mod scene;
 mod section;
 mod uncertainty;
+mod unit;
 
 pub use body::{BodyCase, Mass, Shape};
 pub use contact::Contact;
@@ -26,3 +27,4 @@ pub use range::Range;
 pub use scene::SceneCase;
 pub use section::Numbers;
 pub use uncertainty::UncertainCase;
+pub use unit::{Dimension, Measure};

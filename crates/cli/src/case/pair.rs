@@ -4,6 +4,7 @@ use super::body::read_material;
 use super::error::CaseError;
 use super::range::Range;
 use super::section::{Numbers, Section};
+use super::unit::Dimension;
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::hertz::Hertz;
@@ -19,7 +20,7 @@ const RADII: &str = "two principal radii [r, r_across] (inf: straight, negative:
 pub(super) fn read(case: &Section<'_>, contact: &Section<'_>) -> Result<Hertz, CaseError> {
     let (radii_1, material_1) = read_surface(case, "body_1")?;
     let (radii_2, material_2) = read_surface(case, "body_2")?;
-    let angle = contact.number("angle", Range::Finite)?;
+    let angle = contact.number("angle", Range::Finite.of(Dimension::Degrees))?;
     let materials = MaterialPair::new(material_1, material_2)
         .map_err(|error| case.out_of_range("body_2.material", error.value, error.allowed))?;
     let curvature = RelativeCurvature::new(radii_1, radii_2, angle.to_radians())
@@ -30,7 +31,7 @@ pub(super) fn read(case: &Section<'_>, contact: &Section<'_>) -> Result<Hertz, C
 
 fn read_surface(case: &Section<'_>, name: &str) -> Result<(PrincipalRadii, Material), CaseError> {
     let body = case.section(name, FIELDS)?;
-    let radii = match body.numbers("radii", Range::Radius) {
+    let radii = match body.numbers("radii", Range::Radius.of(Dimension::Length)) {
         Ok(Numbers::Sweep(radii)) => radii,
         Ok(Numbers::One(radius)) => vec![radius, radius],
         Err(CaseError::Missing { field, .. }) => {

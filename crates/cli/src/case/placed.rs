@@ -4,6 +4,7 @@ use super::body::{MASS, read_material};
 use super::error::CaseError;
 use super::range::Range;
 use super::section::{Section, Words};
+use super::unit::Dimension;
 use carom_halfspace::Material;
 use carom_impact::{Attitude, Inertia, Motion, PlacedBody, Surface, SurfaceError};
 use carom_laws::curvature::PrincipalRadii;
@@ -87,7 +88,7 @@ impl Placed {
         let shape = body.word("shape", WORDS)?;
         let is_plane = matches!(shape, "plane" | "half-space");
         let point = match shape {
-            "given" => Some(body.vector("point", Range::Finite)?),
+            "given" => Some(body.vector("point", Range::Finite.of(Dimension::Length))?),
             _ => None,
         };
         let surface = read_surface(body, shape, point)?;
@@ -133,22 +134,29 @@ fn read_surface(
     shape: &str,
     point: Option<[f64; 3]>,
 ) -> Result<Surface, CaseError> {
-    let number = |name: &str| body.number(name, Range::Positive);
+    let number = |name: &str| body.number(name, Range::Positive.of(Dimension::Length));
     let at = |name: &'static str| {
         move |error: RangeError| body.out_of_range(name, error.value, error.allowed)
     };
     match shape {
         "sphere" => Surface::sphere(number("radius")?).map_err(at("radius")),
         "ellipsoid" => {
-            Surface::ellipsoid(body.vector("semi_axes", Range::Positive)?).map_err(at("semi_axes"))
+            Surface::ellipsoid(body.vector("semi_axes", Range::Positive.of(Dimension::Length))?)
+                .map_err(at("semi_axes"))
         }
         "cylinder" => Surface::cylinder(number("radius")?, number("length")?).map_err(at("length")),
         "capsule" => Surface::capsule(number("radius")?, number("length")?).map_err(at("length")),
         "torus" => Surface::torus(number("radius")?, number("tube_radius")?)
             .map_err(|error| body.out_of_range("tube_radius", error.value, "< `radius`")),
-        "box" => Surface::cuboid(body.vector("edges", Range::Positive)?).map_err(at("edges")),
+        "box" => Surface::cuboid(body.vector("edges", Range::Positive.of(Dimension::Length))?)
+            .map_err(at("edges")),
         "given" => {
-            let radii = body.array("radii", RADII, Range::Radius, "two principal radii")?;
+            let radii = body.array(
+                "radii",
+                RADII,
+                Range::Radius.of(Dimension::Length),
+                "two principal radii",
+            )?;
             let radii = PrincipalRadii::new(radii[0], radii[1]).map_err(at("radii"))?;
             let normal = read_direction(body, "normal")?;
             let direction = read_direction(body, "direction")?;
@@ -182,7 +190,9 @@ fn read_inertia(body: &Section<'_>, shape: &str, surface: &Surface) -> Result<In
     }
     let mass = match body.has("density") {
         true => read_density(body, surface)?,
-        false if body.has("mass") => body.number("mass", Range::PositiveOrInfinite)?,
+        false if body.has("mass") => {
+            body.number("mass", Range::PositiveOrInfinite.of(Dimension::Mass))?
+        }
         false => return Err(body.missing("mass", MASS)),
     };
     let field = if body.has("density") { "density" } else { "mass" };
@@ -193,7 +203,7 @@ fn read_inertia(body: &Section<'_>, shape: &str, surface: &Surface) -> Result<In
         })
     };
     if body.is_list("inertia") {
-        let moments = body.vector("inertia", Range::PositiveOrInfinite)?;
+        let moments = body.vector("inertia", Range::PositiveOrInfinite.of(Dimension::Inertia))?;
         return Inertia::new(mass, moments)
             .map_err(|error| body.out_of_range("inertia", error.value, error.allowed));
     }
@@ -215,7 +225,7 @@ fn read_inertia(body: &Section<'_>, shape: &str, surface: &Surface) -> Result<In
 }
 
 fn read_density(body: &Section<'_>, surface: &Surface) -> Result<f64, CaseError> {
-    let density = body.number("density", Range::Positive)?;
+    let density = body.number("density", Range::Positive.of(Dimension::Density))?;
     let Some(volume) = surface.volume() else {
         return Err(body.conflict("density", "shape", "it has no volume; give its `mass`"));
     };
@@ -235,8 +245,8 @@ fn read_motion(body: &Section<'_>) -> Result<Motion, CaseError> {
             None => Ok(Motion::default()),
         };
     }
-    let velocity = body.vector("velocity", Range::Speed)?;
-    let spin = body.vector("spin", Range::Speed)?;
+    let velocity = body.vector("velocity", Range::Speed.of(Dimension::Speed))?;
+    let spin = body.vector("spin", Range::Speed.of(Dimension::Spin))?;
     Motion::new(velocity, spin)
         .map_err(|error| body.out_of_range(error.field, error.value, error.allowed))
 }
@@ -246,7 +256,7 @@ fn place(body: &Section<'_>, is_plane: bool, placed: PlacedBody) -> Result<Place
     if !body.has("position") {
         return Ok(placed);
     }
-    let position = body.vector("position", Range::Finite)?;
+    let position = body.vector("position", Range::Finite.of(Dimension::Length))?;
     placed.at(position).map_err(|error| body.out_of_range("position", error.value, error.allowed))
 }
 
@@ -271,8 +281,9 @@ fn read_attitude(body: &Section<'_>, is_plane: bool) -> Result<Attitude, CaseErr
         ["angles"] => {
             let names = ["alpha", "beta", "gamma"];
             let allowed = "three angles [alpha, beta, gamma] in degrees";
-            let [alpha, beta, gamma] =
-                body.array("angles", names, Range::Finite, allowed)?.map(f64::to_radians);
+            let [alpha, beta, gamma] = body
+                .array("angles", names, Range::Finite.of(Dimension::Degrees), allowed)?
+                .map(f64::to_radians);
             Attitude::from_angles(alpha, beta, gamma).map_err(at("angles"))
         }
         ["normal"] => facing(read_direction(body, "normal")?).map_err(at("normal")),

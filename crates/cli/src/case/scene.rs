@@ -4,6 +4,7 @@ use super::body::{BodyCase, Mass, Motion, Shape, read_material};
 use super::error::CaseError;
 use super::range::Range;
 use super::section::{Section, parse};
+use super::unit::Dimension;
 use carom_impact::Body;
 use carom_impact::scene::{Ball, Limits, Scene, Wall};
 use carom_laws::friction::Friction;
@@ -39,7 +40,7 @@ impl SceneCase {
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let setting = case.section("scene", SCENE_FIELDS)?;
         let ball = read_ball(&case, &setting)?;
-        let gravity = setting.vector("gravity", Range::Finite)?;
+        let gravity = setting.vector("gravity", Range::Finite.of(Dimension::Acceleration))?;
         let mut scene = Scene::new(gravity).map_err(at(&setting))?;
         let mut names = Vec::new();
         for (index, wall) in case.sections("wall", WALL_FIELDS)?.iter().enumerate() {
@@ -64,7 +65,7 @@ fn read_ball(case: &Section<'_>, setting: &Section<'_>) -> Result<Ball, CaseErro
             return Err(case.conflict("ball.fixed", "wall", "the ball of a scene moves"));
         }
     };
-    let start = setting.vector("start", Range::Finite)?;
+    let start = setting.vector("start", Range::Finite.of(Dimension::Length))?;
     let velocity = body.velocity.unwrap_or_default();
     let motion =
         carom_impact::Motion::new(velocity, body.spin).map_err(|error| foreign(case, error))?;
@@ -82,7 +83,7 @@ fn read_name(wall: &Section<'_>, index: usize) -> Result<String, CaseError> {
 }
 
 fn read_wall(wall: &Section<'_>) -> Result<Wall, CaseError> {
-    let point = wall.vector("point", Range::Finite)?;
+    let point = wall.vector("point", Range::Finite.of(Dimension::Length))?;
     let normal = wall.vector("normal", Range::Finite)?;
     let friction = wall.number("friction", Range::NonNegativeOrInfinite)?;
     let friction = Friction::new(friction).map_err(at(wall))?;
@@ -92,12 +93,12 @@ fn read_wall(wall: &Section<'_>) -> Result<Wall, CaseError> {
     }
     // A rectangle has all three.
     let along = wall.vector("along", Range::Finite)?;
-    let half = |name| Ok(0.5 * wall.number(name, Range::Positive)?);
+    let half = |name| Ok(0.5 * wall.number(name, Range::Positive.of(Dimension::Length))?);
     plane.rectangle(along, [half("length")?, half("width")?]).map_err(at(wall))
 }
 
 fn read_limits(setting: &Section<'_>) -> Result<Limits, CaseError> {
-    let time = setting.number("time", Range::Positive)?;
+    let time = setting.number("time", Range::Positive.of(Dimension::Time))?;
     let bounces = match setting.has("bounces") {
         true => setting.number("bounces", Range::Whole)? as usize,
         false => 1000,
@@ -106,7 +107,7 @@ fn read_limits(setting: &Section<'_>) -> Result<Limits, CaseError> {
     if !setting.has("rebound_height") {
         return Ok(limits);
     }
-    let height = setting.number("rebound_height", Range::NonNegative)?;
+    let height = setting.number("rebound_height", Range::NonNegative.of(Dimension::Length))?;
     limits.at_rest_below(height).map_err(at(setting))
 }
 

@@ -4,8 +4,12 @@ mod arrays;
 
 use super::error::CaseError;
 use super::range::Range;
+use super::unit::Measure;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
+
+/// Letters of a bad value that its message shows.
+const MOST_SHOWN: usize = 200;
 
 /// A table of a case file.
 #[derive(Debug, Clone)]
@@ -106,25 +110,27 @@ impl<'a> Section<'a> {
         sections.collect()
     }
 
-    /// A number in `range`.
+    /// A number in its range.
     ///
     /// # Errors
     /// If it is missing, no number, or out of range.
-    pub fn number(&self, name: &str, range: Range) -> Result<f64, CaseError> {
-        let value = self.find(name).ok_or_else(|| self.missing(name, range.allowed()))?;
-        self.as_number(name, value, range)
+    pub fn number(&self, name: &str, measure: impl Into<Measure>) -> Result<f64, CaseError> {
+        let measure = measure.into();
+        let value = self.find(name).ok_or_else(|| self.missing(name, measure.range.allowed()))?;
+        self.as_number(name, value, measure)
     }
 
-    /// A list of numbers in `range`, at least one.
+    /// A list of numbers in their range, at least one.
     ///
     /// # Errors
     /// If it is missing, no such list, or a number is out of range.
-    pub fn list(&self, name: &str, range: Range) -> Result<Vec<f64>, CaseError> {
+    pub fn list(&self, name: &str, measure: impl Into<Measure>) -> Result<Vec<f64>, CaseError> {
+        let measure = measure.into();
         let allowed = "a list with at least one number";
         let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
         match value.get_ref() {
             DeValue::Array(items) if items.iter().next().is_some() => {
-                items.iter().map(|item| self.as_number(name, item, range)).collect()
+                items.iter().map(|item| self.as_number(name, item, measure)).collect()
             }
             _ => Err(self.kind(name, value, allowed)),
         }
@@ -156,22 +162,23 @@ impl<'a> Section<'a> {
         }
     }
 
-    /// One number in `range`, a list of them, or `{ start, stop, count }`.
+    /// One number in its range, a list of them, or `{ start, stop, count }`.
     ///
     /// # Errors
     /// If it is missing, of another kind, or a number is out of range.
-    pub fn numbers(&self, name: &str, range: Range) -> Result<Numbers, CaseError> {
+    pub fn numbers(&self, name: &str, measure: impl Into<Measure>) -> Result<Numbers, CaseError> {
+        let measure = measure.into();
         match self.find(name).map(Spanned::get_ref) {
-            Some(DeValue::Array(_)) => self.list(name, range).map(Numbers::Sweep),
-            Some(DeValue::Table(_)) => self.spaced(name, range).map(Numbers::Sweep),
-            _ => self.number(name, range).map(Numbers::One),
+            Some(DeValue::Array(_)) => self.list(name, measure).map(Numbers::Sweep),
+            Some(DeValue::Table(_)) => self.spaced(name, measure).map(Numbers::Sweep),
+            _ => self.number(name, measure).map(Numbers::One),
         }
     }
 
-    fn spaced(&self, name: &str, range: Range) -> Result<Vec<f64>, CaseError> {
+    fn spaced(&self, name: &str, measure: Measure) -> Result<Vec<f64>, CaseError> {
         let table = self.section(name, &["start", "stop", "count"])?;
-        let start = table.number("start", range)?;
-        let stop = table.number("stop", range)?;
+        let start = table.number("start", measure)?;
+        let stop = table.number("stop", measure)?;
         let count = table.number("count", Range::Count)?;
         Ok(carom_plot::linspace(start, stop, count as usize))
     }
@@ -231,20 +238,25 @@ impl<'a> Section<'a> {
         &self,
         name: &str,
         value: &Spanned<DeValue<'_>>,
-        range: Range,
+        Measure { range, dimension }: Measure,
     ) -> Result<f64, CaseError> {
-        let Some(number) = number(value.get_ref()) else {
-            return Err(self.kind(name, value, &format!("a number, {}", range.allowed())));
+        let is_text = value.get_ref().is_str();
+        let read = match value.get_ref() {
+            DeValue::String(text) => dimension.read(text),
+            plain => number(plain),
         };
-        if range.holds(number) {
-            return Ok(number);
+        match read {
+            Some(number) if range.holds(number) => Ok(number),
+            Some(number) if !is_text => Err(CaseError::Range {
+                field: self.full(name),
+                line: line_at(self.source, value.span().start),
+                value: number,
+                allowed: range.allowed().to_owned(),
+            }),
+            // As it is written.
+            Some(_) => Err(self.kind(name, value, range.allowed())),
+            None => Err(self.kind(name, value, &dimension.allowed(range))),
         }
-        Err(CaseError::Range {
-            field: self.full(name),
-            line: line_at(self.source, value.span().start),
-            value: number,
-            allowed: range.allowed().to_owned(),
-        })
     }
 
     fn kind(&self, name: &str, value: &Spanned<DeValue<'_>>, allowed: &str) -> CaseError {
@@ -252,7 +264,7 @@ impl<'a> Section<'a> {
         CaseError::Kind {
             field: self.full(name),
             line: line_at(self.source, span.start),
-            found: self.source.get(span).unwrap_or("?").trim().to_owned(),
+            found: shortened(self.source.get(span).unwrap_or("?").trim()),
             allowed: allowed.to_owned(),
         }
     }
@@ -306,6 +318,14 @@ fn number(value: &DeValue<'_>) -> Option<f64> {
             i64::from_str_radix(integer.as_str(), integer.radix()).ok().map(|value| value as f64)
         }
         _ => None,
+    }
+}
+
+/// At most so much of a value that the message stays readable.
+fn shortened(value: &str) -> String {
+    match value.char_indices().nth(MOST_SHOWN) {
+        Some((end, _)) => format!("{}...", &value[..end]),
+        None => value.to_owned(),
     }
 }
 

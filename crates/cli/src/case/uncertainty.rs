@@ -5,6 +5,7 @@ use super::error::CaseError;
 use super::impact::ImpactCase;
 use super::range::Range;
 use super::section::{Section, Words, parse};
+use super::unit::{Dimension, Measure};
 use carom_impact::uncertain::{Distribution, Sampling};
 use carom_special::RangeError;
 use std::ops::Range as Span;
@@ -12,34 +13,34 @@ use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Fields that may be a distribution, and their ranges.
-const FIELDS: [(&str, Range); 27] = [
-    ("contact.friction", Range::NonNegativeOrInfinite),
-    ("approach.speed", Range::NonNegativeSpeed),
-    ("approach.angle", Range::Incidence),
-    ("body_1.radius", Range::Positive),
-    ("body_1.density", Range::Positive),
-    ("body_1.mass", Range::PositiveOrInfinite),
-    ("body_1.velocity.x", Range::Speed),
-    ("body_1.velocity.y", Range::Speed),
-    ("body_1.velocity.z", Range::Speed),
-    ("body_1.spin.x", Range::Speed),
-    ("body_1.spin.y", Range::Speed),
-    ("body_1.spin.z", Range::Speed),
-    ("body_1.material.young_modulus", Range::Positive),
-    ("body_1.material.shear_modulus", Range::Positive),
-    ("body_1.material.poisson", Range::Poisson),
-    ("body_2.radius", Range::Positive),
-    ("body_2.density", Range::Positive),
-    ("body_2.mass", Range::PositiveOrInfinite),
-    ("body_2.material.young_modulus", Range::Positive),
-    ("body_2.material.shear_modulus", Range::Positive),
-    ("body_2.material.poisson", Range::Poisson),
-    ("body_2.velocity.x", Range::Speed),
-    ("body_2.velocity.y", Range::Speed),
-    ("body_2.velocity.z", Range::Speed),
-    ("body_2.spin.x", Range::Speed),
-    ("body_2.spin.y", Range::Speed),
-    ("body_2.spin.z", Range::Speed),
+const FIELDS: [(&str, Measure); 27] = [
+    ("contact.friction", Range::NonNegativeOrInfinite.of(Dimension::None)),
+    ("approach.speed", Range::NonNegativeSpeed.of(Dimension::Speed)),
+    ("approach.angle", Range::Incidence.of(Dimension::Degrees)),
+    ("body_1.radius", Range::Positive.of(Dimension::Length)),
+    ("body_1.density", Range::Positive.of(Dimension::Density)),
+    ("body_1.mass", Range::PositiveOrInfinite.of(Dimension::Mass)),
+    ("body_1.velocity.x", Range::Speed.of(Dimension::Speed)),
+    ("body_1.velocity.y", Range::Speed.of(Dimension::Speed)),
+    ("body_1.velocity.z", Range::Speed.of(Dimension::Speed)),
+    ("body_1.spin.x", Range::Speed.of(Dimension::Spin)),
+    ("body_1.spin.y", Range::Speed.of(Dimension::Spin)),
+    ("body_1.spin.z", Range::Speed.of(Dimension::Spin)),
+    ("body_1.material.young_modulus", Range::Positive.of(Dimension::Pressure)),
+    ("body_1.material.shear_modulus", Range::Positive.of(Dimension::Pressure)),
+    ("body_1.material.poisson", Range::Poisson.of(Dimension::None)),
+    ("body_2.radius", Range::Positive.of(Dimension::Length)),
+    ("body_2.density", Range::Positive.of(Dimension::Density)),
+    ("body_2.mass", Range::PositiveOrInfinite.of(Dimension::Mass)),
+    ("body_2.material.young_modulus", Range::Positive.of(Dimension::Pressure)),
+    ("body_2.material.shear_modulus", Range::Positive.of(Dimension::Pressure)),
+    ("body_2.material.poisson", Range::Poisson.of(Dimension::None)),
+    ("body_2.velocity.x", Range::Speed.of(Dimension::Speed)),
+    ("body_2.velocity.y", Range::Speed.of(Dimension::Speed)),
+    ("body_2.velocity.z", Range::Speed.of(Dimension::Speed)),
+    ("body_2.spin.x", Range::Speed.of(Dimension::Spin)),
+    ("body_2.spin.y", Range::Speed.of(Dimension::Spin)),
+    ("body_2.spin.z", Range::Speed.of(Dimension::Spin)),
 ];
 const KINDS: Words = Words {
     words: &["normal", "log_normal", "uniform", "triangular"],
@@ -94,7 +95,7 @@ impl UncertainCase {
         let settings = case.section("uncertainty", SETTINGS)?;
         let (sampling, bins, quantiles) = read_settings(&settings)?;
         let read = Self { sampling, bins, quantiles, inputs, source: source.to_owned() };
-        let nominal = read.case(&read.means())?;
+        let nominal = read.nominal()?;
         if nominal.is_sweep() {
             let reason = "a sweep has no single impact to vary";
             return Err(case.conflict("uncertainty", "approach.angle", reason));
@@ -137,16 +138,21 @@ impl UncertainCase {
     #[must_use]
     pub fn out_of_range(error: &CaseError) -> RangeError {
         if let CaseError::Range { field, value, .. } = error {
-            if let Some((name, range)) = FIELDS.iter().find(|(name, _)| name == field) {
-                return RangeError::new(name, *value, range.allowed());
+            if let Some((name, measure)) = FIELDS.iter().find(|(name, _)| name == field) {
+                return RangeError::new(name, *value, measure.range.allowed());
             }
             return RangeError::new("a derived value", *value, "possible together with the others");
         }
         RangeError::new("the drawn values", f64::NAN, "possible together")
     }
 
-    fn means(&self) -> Vec<f64> {
-        self.inputs.iter().map(|input| input.distribution.mean()).collect()
+    /// The case with every input at its mean.
+    ///
+    /// # Errors
+    /// As [`ImpactCase::parse`].
+    pub fn nominal(&self) -> Result<ImpactCase, CaseError> {
+        let means: Vec<f64> = self.inputs.iter().map(|input| input.distribution.mean()).collect();
+        self.case(&means)
     }
 }
 
@@ -210,16 +216,20 @@ fn table_at<'a>(
     let is_inline = source.get(span.clone()).is_some_and(|text| text.starts_with('{'));
     let is_sweep = table.iter().any(|(name, _)| name.get_ref() == "start");
     match FIELDS.iter().find(|(name, _)| *name == path) {
-        Some((field, _)) if is_inline && !is_sweep => {
+        Some((field, Measure { dimension, .. })) if is_inline && !is_sweep => {
             let section = Section::new(source, path, table, KINDS.words)?;
-            inputs.push(Input { field, distribution: read_distribution(&section)?, span });
+            let distribution = read_distribution(&section, *dimension)?;
+            inputs.push(Input { field, distribution, span });
             Ok(())
         }
         _ => walk(source, table, &path, inputs),
     }
 }
 
-fn read_distribution(section: &Section<'_>) -> Result<Distribution, CaseError> {
+fn read_distribution(
+    section: &Section<'_>,
+    dimension: Dimension,
+) -> Result<Distribution, CaseError> {
     let given: Vec<&str> = KINDS.words.iter().copied().filter(|word| section.has(word)).collect();
     let kind = match given.as_slice() {
         [kind] => *kind,
@@ -232,7 +242,7 @@ fn read_distribution(section: &Section<'_>) -> Result<Distribution, CaseError> {
         _ => &["mean", "sd"],
     };
     let of = section.section(kind, names)?;
-    let number = |name: &str| of.number(name, Range::Finite);
+    let number = |name: &str| of.number(name, Range::Finite.of(dimension));
     let made = match kind {
         "uniform" => Distribution::uniform(number("low")?, number("high")?),
         "triangular" => Distribution::triangular(number("low")?, number("mode")?, number("high")?),

@@ -1,26 +1,26 @@
 //! `carom hertz`: the contact of two surfaces under normal load.
 
 use crate::case::{Given, HertzCase, Numbers};
-use crate::command::CaseArguments;
+use crate::command::plot::{Course, MOST_MARKS};
+use crate::command::theory::{Excess, caution};
+use crate::command::{self, CaseArguments};
 use crate::error::CliError;
-use crate::output::{Answer, Format, PlotFile, csv, json, read_case, short, table};
+use crate::output::{Answer, Format, Picture, csv, json, short, table};
 use carom_laws::hertz::{Hertz, HertzState};
-use carom_plot::{Axis, Panel, Series, linspace, render};
+use carom_plot::{Axis, Panel, Series, linspace};
 use carom_special::RangeError;
 use serde::Serialize;
-use std::path::PathBuf;
+use std::f64::consts::PI;
 
 /// Hertz contact of two surfaces: ellipse, approach, pressure and stiffness.
 ///
-/// The file is TOML in SI units; see examples/hertz_*.toml. x is the direction of the larger
-/// relative curvature, so that a <= b.
+/// The file is TOML in SI units, others as texts such as "2.5 mm"; see examples/hertz_*.toml. x is
+/// the direction of the larger relative curvature, so that a <= b. The picture shows the pressure,
+/// or force and pressure over the approach for several loads.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
-    /// Draw the pressure, or the loads of a sweep, into this file, as SVG.
-    #[arg(long, value_name = "FILE")]
-    plot: Option<PathBuf>,
 }
 
 /// A loaded contact. SI units.
@@ -32,6 +32,8 @@ struct Row {
     semi_axis_b: f64,
     peak_pressure: f64,
     normal_stiffness: f64,
+    /// What lies outside the theory, if anything.
+    outside_theory: Vec<String>,
 }
 
 /// All of a case: the contact and its loads.
@@ -51,7 +53,7 @@ const HEADS: [&str; 6] =
 const READ_HEADS: [&str; 6] = ["force N", "approach m", "a m", "b m", "pressure Pa", "dF/dz N/m"];
 
 impl Row {
-    fn new(state: &HertzState) -> Self {
+    fn new(state: &HertzState, excess: Excess) -> Self {
         Self {
             force: state.force,
             approach: state.approach,
@@ -59,6 +61,7 @@ impl Row {
             semi_axis_b: state.ellipse.semi_axis_b(),
             peak_pressure: state.peak_pressure,
             normal_stiffness: state.normal_stiffness,
+            outside_theory: excess.reasons(),
         }
     }
 
@@ -75,15 +78,21 @@ impl Row {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let case = read_case(&arguments.given.case, HertzCase::parse)?;
+    let command::Given { case: file, plot } = arguments.given.read()?;
+    let case = file.parse(HertzCase::parse)?;
+    let at_fault = |source| CliError::Law { path: file.path.clone(), source };
     let states = case
         .values
         .as_slice()
         .iter()
         .map(|value| loaded(&case.hertz, case.given, *value))
         .collect::<Result<Vec<_>, _>>()
-        .map_err(|source| CliError::Law { path: arguments.given.case.clone(), source })?;
-    let rows: Vec<Row> = states.iter().map(Row::new).collect();
+        .map_err(at_fault)?;
+    let radius = smallest_radius(&case.hertz);
+    let excesses: Vec<Excess> =
+        states.iter().map(|state| Excess::of_contact(state.approach, radius)).collect();
+    let rows: Vec<Row> =
+        states.iter().zip(&excesses).map(|(state, excess)| Row::new(state, *excess)).collect();
     let cells = |number: fn(f64) -> String| -> Vec<Vec<String>> {
         rows.iter().map(|row| row.numbers().map(number).to_vec()).collect()
     };
@@ -91,12 +100,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         Format::Json => json(&report(&case.hertz, &rows))?,
         Format::Csv => csv(&HEADS, &cells(|value| value.to_string()))?,
         Format::Table => contact(&case.hertz) + &table(&READ_HEADS, &cells(short)),
+        Format::None => String::new(),
     };
-    let plot = match &arguments.plot {
-        Some(path) => Some(PlotFile { path: path.clone(), svg: draw(&case.values, &states)? }),
+    let picture = match plot {
+        Some(to) => Some((to, draw(&case, &states).map_err(at_fault)?)),
         None => None,
     };
-    Ok(Answer { text, warnings: Vec::new(), plot })
+    let answer = Answer { text, picture, ..Answer::default() };
+    Ok(answer.cautioned(caution(&excesses, "loads"), arguments.given.format))
+}
+
+/// The smaller principal radius of the gap between the surfaces.
+pub(super) fn smallest_radius(hertz: &Hertz) -> f64 {
+    0.5 / hertz.curvature().a()
 }
 
 fn loaded(hertz: &Hertz, given: Given, value: f64) -> Result<HertzState, RangeError> {
@@ -133,22 +149,31 @@ fn contact(hertz: &Hertz) -> String {
     table(&["contact", "value", "unit"], &rows)
 }
 
-fn draw(values: &Numbers, states: &[HertzState]) -> Result<String, CliError> {
-    let panels = match (values, states) {
-        (Numbers::One(_), [state]) => vec![outline(state), pressure(state)],
-        _ => {
-            let by_approach = |y: &str, value: fn(&HertzState) -> f64| {
-                let mut panel = Panel::new(Axis::linear("approach / m"), Axis::linear(y));
-                panel.add(Series::line("", states.iter().map(|s| (s.approach, value(s)))));
-                panel
-            };
-            vec![
-                by_approach("force / N", |state| state.force),
-                by_approach("peak pressure / Pa", |state| state.peak_pressure),
-            ]
-        }
+/// Ellipse and pressure of one load; else force and pressure from no load to the greatest one, the
+/// given loads marked.
+fn draw(case: &HertzCase, states: &[HertzState]) -> Result<Picture, RangeError> {
+    if let (Numbers::One(_), [state]) = (&case.values, states) {
+        return Ok(Picture::new("Hertz contact", [outline(state), pressure(state)]));
+    }
+    let greatest = states.iter().map(|state| state.approach).fold(0.0, f64::max);
+    // Denser where the pressure rises like a root.
+    let parts = linspace(0.0, 1.0, 201).into_iter().skip(1);
+    let curve = parts
+        .map(|part| case.hertz.at_approach(greatest * part * part))
+        .collect::<Result<Vec<_>, _>>()?;
+    let points = |states: &[HertzState]| -> Vec<[f64; 3]> {
+        states.iter().map(|state| [state.approach, state.force, state.peak_pressure]).collect()
     };
-    Ok(render("Hertz contact", &panels)?)
+    let curve = [vec![[0.0; 3]], points(&curve)].concat();
+    let marked = points(states);
+    let course =
+        Course { records: &curve, marked: &marked, label: "approach / m", at: |point| point[0] };
+    let panels = [
+        course.panel("", "force / N", &[("", |point| point[1])]),
+        course.panel("", "peak pressure / Pa", &[("", |point| point[2])]),
+    ];
+    let marks = if marked.len() <= MOST_MARKS { " (dots: the loads given)" } else { "" };
+    Ok(Picture::new(&format!("Hertz contact{marks}"), panels))
 }
 
 fn outline(state: &HertzState) -> Panel {
@@ -163,7 +188,8 @@ fn outline(state: &HertzState) -> Panel {
 fn pressure(state: &HertzState) -> Panel {
     let (a, b) = (state.ellipse.semi_axis_a(), state.ellipse.semi_axis_b());
     let profile = |x: f64, y: f64| state.pressure(a * x, b * y);
-    let grid = || linspace(-1.0, 1.0, 201).into_iter();
+    // Denser at the edge, where the pressure falls like a root.
+    let grid = || linspace(-0.5 * PI, 0.5 * PI, 201).into_iter().map(libm::sin);
     let mut panel = Panel::new(Axis::linear("x, y / m"), Axis::linear("pressure / Pa"));
     panel.add(Series::line("along x", grid().map(|s| (a * s, profile(s, 0.0)))));
     panel.add(Series::dashed("along y", grid().map(|s| (b * s, profile(0.0, s)))));

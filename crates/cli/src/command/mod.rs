@@ -1,4 +1,5 @@
-//! The commands, one a file. Each works out an [`Answer`] and writes nothing itself.
+//! The commands, one a file. Each works out an [`Answer`] and writes nothing itself, but for rows
+//! that are too many to hold.
 
 mod hertz;
 mod history;
@@ -6,17 +7,21 @@ mod impact;
 mod plot;
 mod restitution;
 mod scene;
+mod theory;
 
 pub use history::StepsError;
 
+use crate::destination::{Destination, check_output};
 use crate::error::CliError;
-use crate::output::{Answer, Format};
+use crate::input::CaseFile;
+use crate::output::{Answer, Format, Results};
 use std::path::PathBuf;
 
 /// Elastic impact with friction.
 ///
-/// Results go to standard output, everything else to standard error. Exit code 2 means bad
-/// input, 1 a file that cannot be read or written.
+/// Results go to standard output, everything else to standard error. No input is ever overwritten;
+/// a picture is put in its place when all has succeeded. Exit code 2 means bad input, 1 a file that
+/// cannot be read or written.
 #[derive(Debug, clap::Parser)]
 #[command(name = "carom", version)]
 pub struct Carom {
@@ -33,6 +38,25 @@ struct CaseArguments {
     /// Format of the results.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
+    /// Draw the results into this file, as SVG or PNG by its ending; - is standard output.
+    #[arg(long, value_name = "FILE")]
+    plot: Option<PathBuf>,
+}
+
+/// A case file, and where its picture goes, if one was asked for.
+struct Given {
+    case: CaseFile,
+    plot: Option<Destination>,
+}
+
+impl CaseArguments {
+    /// Reads the case once it is clear that no output goes to the same file.
+    fn read(&self) -> Result<Given, CliError> {
+        check_output(&self.case)?;
+        let to = |path: &PathBuf| Destination::new("plot", path, self.format, &[&self.case]);
+        let plot = self.plot.as_ref().map(to).transpose()?;
+        Ok(Given { case: CaseFile::read(&self.case)?, plot })
+    }
 }
 
 #[derive(Debug, clap::Subcommand)]
@@ -48,10 +72,10 @@ enum Command {
 ///
 /// # Errors
 /// If its input is bad, or a file cannot be read.
-pub fn run(arguments: &Carom) -> Result<Answer, CliError> {
+pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError> {
     match &arguments.command {
         Command::Impact(arguments) => impact::run(arguments),
-        Command::Restitution(arguments) => restitution::run(arguments),
+        Command::Restitution(arguments) => restitution::run(arguments, results),
         Command::Hertz(arguments) => hertz::run(arguments),
         Command::History(arguments) => history::run(arguments),
         Command::Scene(arguments) => scene::run(arguments),

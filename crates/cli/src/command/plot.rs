@@ -1,15 +1,19 @@
 //! Lines of many quantities over one: the pictures of histories.
 
-use crate::error::CliError;
-use carom_plot::{Axis, Panel, Series, render};
+use carom_plot::{Axis, Marker, Panel, Series, Style};
 
 /// A quantity of a record.
 pub(super) type Value<T> = fn(&T) -> f64;
 
+/// Marked points, at most: more would hide the lines.
+pub(super) const MOST_MARKS: usize = 100;
+
 /// Records in order, drawn against one of their quantities.
 pub(super) struct Course<'a, T> {
-    /// The records.
+    /// The records, close enough together for smooth lines.
     pub(super) records: &'a [T],
+    /// Those of them that the user gave, to be marked.
+    pub(super) marked: &'a [T],
     /// Label of the horizontal axis.
     pub(super) label: &'static str,
     /// What stands on it.
@@ -26,7 +30,7 @@ impl<T> Course<'_, T> {
     ) -> Panel {
         let mut panel = Panel::new(Axis::linear(self.label), Axis::linear(label)).titled(title);
         for (name, value) in quantities {
-            panel.add(self.line(name, self.at, *value));
+            self.draw(&mut panel, name, self.at, *value);
         }
         panel
     }
@@ -40,20 +44,31 @@ impl<T> Course<'_, T> {
     ) -> Panel {
         let mut panel = Panel::new(Axis::linear(x), Axis::linear(y)).titled(title);
         for (name, along, value) in paths {
-            panel.add(self.line(name, *along, *value));
+            self.draw(&mut panel, name, *along, *value);
         }
         panel
     }
 
-    fn line(&self, name: &str, x: Value<T>, y: Value<T>) -> Series {
-        Series::line(name, self.records.iter().map(|record| (x(record), y(record))))
+    fn draw(&self, panel: &mut Panel, name: &str, x: Value<T>, y: Value<T>) {
+        let points = |records: &[T]| -> Vec<(f64, f64)> {
+            records.iter().map(|record| (x(record), y(record))).collect()
+        };
+        let marks = if self.marked.len() <= MOST_MARKS { points(self.marked) } else { Vec::new() };
+        add_curve(panel, name, points(self.records), marks);
     }
 }
 
-/// The panels under a title.
-///
-/// # Errors
-/// If they cannot be drawn.
-pub(super) fn drawn(title: &str, panels: &[Panel]) -> Result<String, CliError> {
-    Ok(render(title, panels)?)
+/// Adds a line with marks on it, in the next colour.
+pub(super) fn add_curve(
+    panel: &mut Panel,
+    name: &str,
+    line: Vec<(f64, f64)>,
+    marks: Vec<(f64, f64)>,
+) {
+    let colour =
+        panel.series.iter().filter(|series| matches!(series.style, Style::Line(_))).count();
+    panel.add(Series::line(name, line).coloured(colour));
+    if !marks.is_empty() {
+        panel.add(Series::markers("", Marker::Dot, marks).coloured(colour));
+    }
 }

@@ -2,20 +2,20 @@
 
 use super::Section;
 use crate::case::error::CaseError;
-use crate::case::range::Range;
+use crate::case::unit::Measure;
 use toml::Spanned;
 use toml::de::DeValue;
 
 impl Section<'_> {
-    /// Three numbers in `range`.
+    /// Three numbers in their range.
     ///
     /// # Errors
     /// If they are missing, not three numbers, or one is out of range.
-    pub fn vector(&self, name: &str, range: Range) -> Result<[f64; 3], CaseError> {
-        self.array(name, ["x", "y", "z"], range, "three numbers [x, y, z]")
+    pub fn vector(&self, name: &str, measure: impl Into<Measure>) -> Result<[f64; 3], CaseError> {
+        self.array(name, ["x", "y", "z"], measure, "three numbers [x, y, z]")
     }
 
-    /// As many numbers in `range` as `parts` names; `allowed` says so in words.
+    /// As many numbers in their range as `parts` names; `allowed` says so in words.
     ///
     /// # Errors
     /// If they are missing, more or fewer, or one is out of range.
@@ -23,9 +23,10 @@ impl Section<'_> {
         &self,
         name: &str,
         parts: [&str; N],
-        range: Range,
+        measure: impl Into<Measure>,
         allowed: &'static str,
     ) -> Result<[f64; N], CaseError> {
+        let measure = measure.into();
         let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
         let items = match value.get_ref() {
             DeValue::Array(items) if items.iter().count() == N => items,
@@ -33,7 +34,7 @@ impl Section<'_> {
         };
         let mut numbers = [0.0; N];
         for ((number, item), part) in numbers.iter_mut().zip(items.iter()).zip(parts) {
-            *number = self.as_number(&format!("{name}.{part}"), item, range)?;
+            *number = self.as_number(&format!("{name}.{part}"), item, measure)?;
         }
         Ok(numbers)
     }
@@ -44,7 +45,7 @@ impl Section<'_> {
         matches!(self.find(name).map(Spanned::get_ref), Some(DeValue::Array(_)))
     }
 
-    /// Rows of N numbers in `range`, at least one row; a row may lack its last number, which is
+    /// Rows of N numbers, each in its range, at least one row; a row may lack its last number, which is
     /// then 0. `allowed` says so in words.
     ///
     /// # Errors
@@ -52,7 +53,7 @@ impl Section<'_> {
     pub fn rows<const N: usize>(
         &self,
         name: &str,
-        range: Range,
+        measures: [Measure; N],
         allowed: &'static str,
     ) -> Result<Vec<[f64; N]>, CaseError> {
         let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
@@ -60,7 +61,7 @@ impl Section<'_> {
             DeValue::Array(rows) if rows.iter().next().is_some() => rows
                 .iter()
                 .enumerate()
-                .map(|(i, row)| self.row(&format!("{name}[{i}]"), row, range, allowed))
+                .map(|(i, row)| self.row(&format!("{name}[{i}]"), row, measures, allowed))
                 .collect(),
             _ => Err(self.kind(name, value, allowed)),
         }
@@ -70,7 +71,7 @@ impl Section<'_> {
         &self,
         name: &str,
         value: &Spanned<DeValue<'_>>,
-        range: Range,
+        measures: [Measure; N],
         allowed: &'static str,
     ) -> Result<[f64; N], CaseError> {
         let items = match value.get_ref() {
@@ -80,8 +81,8 @@ impl Section<'_> {
             _ => return Err(self.kind(name, value, allowed)),
         };
         let mut numbers = [0.0; N];
-        for (number, item) in numbers.iter_mut().zip(items.iter()) {
-            *number = self.as_number(name, item, range)?;
+        for ((number, item), measure) in numbers.iter_mut().zip(items.iter()).zip(measures) {
+            *number = self.as_number(name, item, measure)?;
         }
         Ok(numbers)
     }

@@ -1,5 +1,6 @@
 //! `carom history`: loads of a contact along a history of shifts.
 
+mod follow;
 mod laws;
 mod plot;
 mod steps;
@@ -9,28 +10,28 @@ mod view;
 pub use steps::StepsError;
 
 use crate::case::{HistoryCase, Steps};
-use crate::command::CaseArguments;
+use crate::command::hertz::smallest_radius;
+use crate::command::theory::{Excess, caution};
+use crate::command::{self, CaseArguments};
+use crate::destination::{Destination, check_output};
 use crate::error::CliError;
-use crate::output::{Answer, Format, PlotFile, check_finite, csv, json, read_case, short, table};
-use carom_laws::friction::Friction;
+use crate::output::{Answer, Format, check_finite, csv, json, short, table};
 use carom_laws::law::Shift;
 use carom_laws::stiffness::ContactStiffness;
-use laws::Laws;
-use std::path::{Path, PathBuf};
+use follow::{Wanted, follow};
+use std::path::Path;
 use view::Step;
 
 /// Loads of a contact along a history of shifts and twists, with memory.
 ///
-/// The file is TOML in SI units, its steps inline or in a CSV file; see examples/history_*.toml.
-/// xi and eta shift body 2 against body 1 along x and y, zeta presses it in, omega (radians) twists
-/// it about z.
+/// The file is TOML in SI units, others as texts such as "2.5 mm", its steps inline or, plain, in a
+/// CSV file; see examples/history_*.toml. xi and eta shift body 2 against body 1 along x and y, zeta
+/// presses it in, omega (radians) twists it about z. The picture shows loads, stick area and energy,
+/// and the last tractions asked for.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
-    /// Draw loads and stick area, and the last tractions asked for, into this file, as SVG.
-    #[arg(long, value_name = "FILE")]
-    plot: Option<PathBuf>,
     /// Give the tangential traction after each step at this many radii, from the centre to the
     /// edge.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
@@ -38,56 +39,53 @@ pub(super) struct Arguments {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let path = &arguments.given.case;
-    let case = read_case(path, HistoryCase::parse)?;
+    let command::Given { case: file, plot } = arguments.given.read()?;
+    let path = &file.path;
+    let case = file.parse(HistoryCase::parse)?;
     let shifts = match &case.steps {
         Steps::Inline(shifts) => shifts.clone(),
-        Steps::File(name) => steps::read(&path.parent().unwrap_or(Path::new("")).join(name))?,
-    };
-    let history = follow(&case, &shifts, arguments)?;
-    let rows = view::cells(&history, |value| value.to_string());
-    check_finite(path, &view::heads(&history), &rows)?;
-    let text = match arguments.given.format {
-        Format::Json => json(&history)?,
-        Format::Csv if arguments.tractions.is_some() => {
-            csv(&view::TRACTION_HEADS, &view::traction_cells(&history, |value| value.to_string()))?
+        Steps::File(name) => {
+            read_steps(&path.parent().unwrap_or(Path::new("")).join(name), arguments)?
         }
-        Format::Csv => csv(&view::heads(&history), &rows)?,
+    };
+    let radii = arguments.tractions.map_or(0, |count| count as usize);
+    let followed = follow(&case, &shifts, Wanted { radii, picture: plot.is_some() }, |source| {
+        CliError::Law { path: path.clone(), source }
+    })?;
+    let history = &followed.steps;
+    let rows = view::cells(history, |value| value.to_string());
+    check_finite(path, &view::heads(history), &rows)?;
+    let text = match arguments.given.format {
+        Format::Json => json(history)?,
+        Format::Csv if arguments.tractions.is_some() => {
+            csv(&view::TRACTION_HEADS, &view::traction_cells(history, |value| value.to_string()))?
+        }
+        Format::Csv => csv(&view::heads(history), &rows)?,
         Format::Table => {
-            let mut text = table(&view::heads(&history), &view::cells(&history, short));
+            let mut text = table(&view::heads(history), &view::cells(history, short));
             if arguments.tractions.is_some() {
-                text += &table(&view::TRACTION_HEADS, &view::traction_cells(&history, short));
+                text += &table(&view::TRACTION_HEADS, &view::traction_cells(history, short));
             }
             text
         }
+        Format::None => String::new(),
     };
-    let plot = match &arguments.plot {
-        Some(file) => Some(PlotFile { path: file.clone(), svg: plot::draw(&history)? }),
-        None => None,
-    };
-    Ok(Answer { text, warnings: warnings(&case, &history, arguments.tractions.is_some()), plot })
+    let picture = plot.map(|to| (to, plot::draw(&followed)));
+    let warnings = warnings(&case, history, arguments.tractions.is_some());
+    let answer = Answer { text, warnings, picture, ..Answer::default() };
+    let radius = smallest_radius(&case.hertz);
+    let excesses: Vec<Excess> =
+        history.iter().map(|step| Excess::of_contact(step.zeta, radius)).collect();
+    Ok(answer.cautioned(caution(&excesses, "steps"), arguments.given.format))
 }
 
-fn follow(
-    case: &HistoryCase,
-    shifts: &[Shift],
-    arguments: &Arguments,
-) -> Result<Vec<Step>, CliError> {
-    let at_fault = |source| CliError::Law { path: arguments.given.case.clone(), source };
-    let friction = Friction::new(case.friction).map_err(at_fault)?;
-    if arguments.tractions.is_some() && friction.coefficient().is_none() {
-        return Err(CliError::Options("--tractions takes a case with finite friction"));
+/// The steps in a file, which no output may overwrite either.
+fn read_steps(path: &Path, arguments: &Arguments) -> Result<Vec<Shift>, CliError> {
+    check_output(path)?;
+    if let Some(plot) = &arguments.given.plot {
+        Destination::new("plot", plot, arguments.given.format, &[path])?;
     }
-    let mut laws = Laws::new(case, friction, shifts).map_err(at_fault)?;
-    let count = arguments.tractions.map_or(0, |count| count as usize);
-    shifts
-        .iter()
-        .enumerate()
-        .map(|(i, shift)| {
-            laws.advance(*shift).map_err(at_fault)?;
-            view::step(i + 1, &laws, friction, count)
-        })
-        .collect()
+    steps::read(path)
 }
 
 /// What the law neglects in this case.

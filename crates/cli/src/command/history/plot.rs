@@ -1,15 +1,17 @@
-//! A history as SVG.
+//! The picture of a history.
 
+use super::follow::Followed;
 use super::twist::Twist;
 use super::view::{Step, Traction};
-use crate::command::plot::{Course, Value, drawn};
-use crate::error::CliError;
+use crate::command::plot::{Course, MOST_MARKS, Value};
+use crate::output::Picture;
 use carom_plot::Panel;
 
 /// Loads and sizes against the step, force against shift, torque against twist, and the tractions
-/// of the last step in contact that has some.
-pub(super) fn draw(history: &[Step]) -> Result<String, CliError> {
-    let course = Course { records: history, label: "step", at: |step| step.step as f64 };
+/// after the last step in contact.
+pub(super) fn draw(followed: &Followed) -> Picture {
+    let (history, between) = (followed.steps.as_slice(), followed.course.as_slice());
+    let course = Course { records: between, marked: history, label: "step", at: |step| step.step };
     let mut panels = vec![
         course.panel(
             "forces on body 1",
@@ -29,11 +31,14 @@ pub(super) fn draw(history: &[Step]) -> Result<String, CliError> {
         ),
     ];
     if history.iter().any(|step| step.twist.is_some()) {
-        panels.extend(torsion(history));
+        panels.extend(torsion(history, between));
     }
-    let last = history.iter().rev().find(|step| step.f_z > 0.0 && !step.tractions.is_empty());
-    panels.extend(last.map(tractions));
-    drawn("Load history", &panels)
+    panels.extend(followed.last.as_ref().map(|last| {
+        let given = history.iter().find(|step| step.step == last.step);
+        tractions(last, given.map_or(&[], |step| step.tractions.as_slice()))
+    }));
+    let marks = if history.len() <= MOST_MARKS { " (dots: the steps given)" } else { "" };
+    Picture::new(&format!("Load history{marks}"), panels)
 }
 
 fn areas(course: &Course<'_, Step>) -> Panel {
@@ -58,10 +63,12 @@ fn areas(course: &Course<'_, Step>) -> Panel {
     )
 }
 
-fn torsion(history: &[Step]) -> [Panel; 2] {
-    let twists: Vec<(usize, Twist)> =
-        history.iter().filter_map(|step| Some((step.step, step.twist?))).collect();
-    let course = Course { records: &twists, label: "step", at: |(step, _)| *step as f64 };
+fn torsion(history: &[Step], between: &[Step]) -> [Panel; 2] {
+    let twists = |steps: &[Step]| -> Vec<(f64, Twist)> {
+        steps.iter().filter_map(|step| Some((step.step, step.twist?))).collect()
+    };
+    let (between, given) = (twists(between), twists(history));
+    let course = Course { records: &between, marked: &given, label: "step", at: |(step, _)| *step };
     [
         course.paths(
             "torsion",
@@ -76,9 +83,10 @@ fn torsion(history: &[Step]) -> [Panel; 2] {
     ]
 }
 
-fn tractions(step: &Step) -> Panel {
+fn tractions(step: &Step, given: &[Traction]) -> Panel {
     let course = Course {
         records: &step.tractions,
+        marked: given,
         label: "radius, from the centre (0) to the edge (1)",
         at: |traction: &Traction| traction.radius,
     };

@@ -1,6 +1,7 @@
 //! The steps of a history from a CSV file.
 
 use crate::error::CliError;
+use crate::input::read_table;
 use carom_laws::law::Shift;
 use std::path::Path;
 
@@ -42,10 +43,9 @@ pub enum StepsError {
 /// Reads the steps in the file.
 ///
 /// # Errors
-/// If it cannot be read, lacks a column or has another one, or a value is no finite number.
+/// If it cannot be read, is no text of at most 64 MiB, lacks a column or has another one, or a value is no finite number.
 pub(super) fn read(path: &Path) -> Result<Vec<Shift>, CliError> {
-    let text = std::fs::read_to_string(path).map_err(|error| CliError::io("read", path, error))?;
-    parse(&text).map_err(|source| CliError::Steps { path: path.to_owned(), source })
+    parse(&read_table(path)?).map_err(|source| CliError::Steps { path: path.to_owned(), source })
 }
 
 fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {

@@ -2,18 +2,20 @@
 
 use super::laws::Laws;
 use super::twist::{self, Twist};
+use crate::command::theory::Excess;
 use crate::error::CliError;
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::HertzState;
 use carom_laws::memory::Regime;
 use carom_plot::linspace;
-use serde::Serialize;
+use serde::{Serialize, Serializer};
 
 /// The contact after a step. SI units; loads act on body 1.
 #[derive(Debug, Clone, Serialize)]
 pub(super) struct Step {
-    pub(super) step: usize,
+    #[serde(serialize_with = "as_whole")]
+    pub(super) step: f64,
     pub(super) zeta: f64,
     pub(super) xi: f64,
     pub(super) eta: f64,
@@ -34,6 +36,8 @@ pub(super) struct Step {
     pub(super) twist: Option<Twist>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) tractions: Vec<Traction>,
+    /// What lies outside the theory, if anything.
+    pub(super) outside_theory: Vec<String>,
     /// The shift's load over that of complete sliding.
     #[serde(skip)]
     pub(super) share: f64,
@@ -52,12 +56,19 @@ pub(super) struct Traction {
     pub(super) limit: f64,
 }
 
-/// The present state of the laws, with the traction at `count` radii.
+/// Steps are numbered from 1; only those drawn between them have a broken number.
+fn as_whole<S: Serializer>(step: &f64, serializer: S) -> Result<S::Ok, S::Error> {
+    serializer.serialize_u64(*step as u64)
+}
+
+/// The present state of the laws, with the traction at `count` radii; `radius` is the smallest of
+/// curvature.
 pub(super) fn step(
-    number: usize,
+    number: f64,
     laws: &Laws,
     friction: Friction,
     count: usize,
+    radius: f64,
 ) -> Result<Step, CliError> {
     let (shift, load, law) = (laws.present(), laws.load(), laws.shift());
     let state = laws.contact();
@@ -82,6 +93,7 @@ pub(super) fn step(
         dissipated: laws.dissipated(),
         twist: laws.torsion().map(|law| twist::twist(law, state.as_ref(), friction)),
         tractions: tractions(laws, friction, state.as_ref(), count)?,
+        outside_theory: Excess::of_contact(shift.zeta, radius).reasons(),
         share: if limit > 0.0 { libm::hypot(load.f_x, load.f_y) / limit } else { 0.0 },
     })
 }

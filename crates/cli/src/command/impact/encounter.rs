@@ -4,8 +4,10 @@ use super::samples::{self, Sample};
 use super::view::{self, Kind, Record};
 use super::{Arguments, plot, table};
 use crate::case::{CaseError, EncounterCase};
+use crate::command::theory::caution;
+use crate::destination::Destination;
 use crate::error::CliError;
-use crate::output::{self, Answer, Format, PlotFile, check_finite, csv, json, short};
+use crate::output::{self, Answer, Format, check_finite, csv, json, short};
 use carom_impact::coupled::VectorLaw;
 use carom_impact::{EncounterError, Outcome};
 use serde::Serialize;
@@ -39,7 +41,11 @@ struct ContactRecord {
     error_estimate: Option<f64>,
 }
 
-pub(super) fn run(arguments: &Arguments, case: &EncounterCase) -> Result<Answer, CliError> {
+pub(super) fn run(
+    arguments: &Arguments,
+    plot: Option<Destination>,
+    case: &EncounterCase,
+) -> Result<Answer, CliError> {
     let at_fault = |source| blamed(arguments, case, source);
     let outcome = case.encounter.solve().map_err(at_fault)?;
     let course = |count| {
@@ -61,18 +67,19 @@ pub(super) fn run(arguments: &Arguments, case: &EncounterCase) -> Result<Answer,
         Format::Json => json(&record)?,
         Format::Csv => comma_separated(&record)?,
         Format::Table => render(&record),
+        Format::None => String::new(),
     };
-    let mut plot = None;
-    if let Some(path) = &arguments.plot {
+    let mut picture = None;
+    if let Some(to) = plot {
         match record.impact.outcome {
             Kind::NoImpact => warnings.push(super::NOTHING_TO_DRAW.to_owned()),
             Kind::Rebound => {
-                let svg = plot::encounter(&course(plot::INSTANTS)?)?;
-                plot = Some(PlotFile { path: path.clone(), svg });
+                picture = Some((to, plot::encounter(&course(plot::INSTANTS)?)));
             }
         }
     }
-    Ok(Answer { text, warnings, plot })
+    let answer = Answer { text, warnings, picture, ..Answer::default() };
+    Ok(answer.cautioned(caution(&[record.impact.excess], "impacts"), arguments.given.format))
 }
 
 /// The case is to blame for torsion that cannot be given.

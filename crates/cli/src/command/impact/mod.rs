@@ -9,26 +9,25 @@ mod uncertain;
 mod view;
 
 use crate::case::{CaseError, EncounterCase, ImpactCase, UncertainCase};
-use crate::command::CaseArguments;
+use crate::command::theory::{self, caution};
+use crate::command::{self, CaseArguments};
+use crate::destination::Destination;
 use crate::error::CliError;
-use crate::output::{Answer, Format, PlotFile, check_finite, csv, json, read_case};
+use crate::output::{Answer, Format, Picture, check_finite, csv, json};
 use carom_impact::CollisionError;
 use model::Shot;
-use std::path::PathBuf;
 use view::{Instant, Record};
 
 /// Impact of two bodies from a case file: spheres and planes, or any smooth bodies in any place.
 ///
-/// The file is TOML in SI units; see the cases under examples/. z points into body 1. A
-/// distribution in the place of a number, as in glass_scatter.toml, gives the scatter of the
-/// outcome of spheres. The spin about the normal is left alone unless `contact.torsion = true`.
+/// The file is TOML in SI units, others as texts such as "2.5 mm"; see the cases under examples/. z
+/// points into body 1. A distribution in the place of a number, as in glass_scatter.toml, gives the
+/// scatter of the outcome of spheres. The spin about the normal is left alone unless
+/// `contact.torsion = true`. The picture shows the course of the impact, the sweep, or the scatter.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
-    /// Draw the course of the impact, or the sweep, into this file, as SVG.
-    #[arg(long, value_name = "FILE")]
-    plot: Option<PathBuf>,
     /// Give the course of the impact at this many instants too; not for a sweep. Of bodies with a
     /// place it is in contact axes, straight between the instants that were computed.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
@@ -38,13 +37,15 @@ pub(super) struct Arguments {
 const NOTHING_TO_DRAW: &str = "no impact: there is nothing to draw";
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    if let Some(case) = read_case(&arguments.given.case, EncounterCase::parse)? {
-        return encounter::run(arguments, &case);
+    let given = arguments.given.read()?;
+    if let Some(case) = given.case.parse(EncounterCase::parse)? {
+        return encounter::run(arguments, given.plot, &case);
     }
-    if let Some(case) = read_case(&arguments.given.case, UncertainCase::parse)? {
-        return scatter(arguments, &case);
+    if let Some(case) = given.case.parse(UncertainCase::parse)? {
+        return scatter(arguments, given.plot, &case);
     }
-    let case = read_case(&arguments.given.case, ImpactCase::parse)?;
+    let command::Given { case: file, plot } = given;
+    let case = file.parse(ImpactCase::parse)?;
     let at_fault = |source| blamed(arguments, &case, source);
     let shots = model::shots(&case).map_err(at_fault)?;
     let is_sweep = case.is_sweep();
@@ -69,17 +70,19 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         Format::Json => json(&records.first())?,
         Format::Csv => comma_separated(&records, &rows)?,
         Format::Table => table::render(&records, is_sweep),
+        Format::None => String::new(),
     };
     let mut warnings = warnings(&records);
-    let svg = match &arguments.plot {
-        Some(_) => draw(&shots, &records, is_sweep, course)?,
-        None => None,
-    };
-    if arguments.plot.is_some() && svg.is_none() {
-        warnings.push(NOTHING_TO_DRAW.to_owned());
+    let mut picture = None;
+    if let Some(to) = plot {
+        match draw(&case, &shots, &records, (course, at_fault))? {
+            Some(drawn) => picture = Some((to, drawn)),
+            None => warnings.push(NOTHING_TO_DRAW.to_owned()),
+        }
     }
-    let plot = arguments.plot.clone().zip(svg).map(|(path, svg)| PlotFile { path, svg });
-    Ok(Answer { text, warnings, plot })
+    let excesses: Vec<_> = records.iter().map(|record| record.excess).collect();
+    let answer = Answer { text, warnings, picture, ..Answer::default() };
+    Ok(answer.cautioned(caution(&excesses, "angles"), arguments.given.format))
 }
 
 /// The case is to blame for torsion that cannot be given.
@@ -93,19 +96,23 @@ fn blamed(arguments: &Arguments, case: &ImpactCase, source: CollisionError) -> C
     }
 }
 
-fn scatter(arguments: &Arguments, case: &UncertainCase) -> Result<Answer, CliError> {
+fn scatter(
+    arguments: &Arguments,
+    plot: Option<Destination>,
+    case: &UncertainCase,
+) -> Result<Answer, CliError> {
     if arguments.history.is_some() {
         return Err(CliError::Options("--history takes a case with one impact, not [uncertainty]"));
     }
     let study = uncertain::study(case)
         .map_err(|source| CliError::Uncertain { path: arguments.given.case.clone(), source })?;
-    let report = uncertain::report(case, &study)?;
-    let plot = match &arguments.plot {
-        Some(path) => Some(PlotFile { path: path.clone(), svg: uncertain::draw(&report)? }),
-        None => None,
-    };
+    let excess = uncertain::excess(case);
+    let report = uncertain::report(case, &study, excess)?;
+    let picture = plot.map(|to| (to, uncertain::draw(&report)));
     let text = uncertain::render_text(&report, arguments.given.format)?;
-    Ok(Answer { text, warnings: uncertain::warnings(&report), plot })
+    let answer =
+        Answer { text, warnings: uncertain::warnings(&report), picture, ..Answer::default() };
+    Ok(answer.cautioned(caution(&[excess], "means"), arguments.given.format))
 }
 
 fn comma_separated(records: &[Record], rows: &[Vec<String>]) -> Result<String, CliError> {
@@ -122,27 +129,29 @@ fn full(history: &[Instant]) -> Vec<Vec<String>> {
 
 /// The picture; none if no impact happens.
 fn draw(
+    case: &ImpactCase,
     shots: &[Shot],
     records: &[Record],
-    is_sweep: bool,
-    course: impl Fn(&Shot, usize) -> Result<Vec<Instant>, CliError>,
-) -> Result<Option<String>, CliError> {
+    (course, at_fault): (
+        impl Fn(&Shot, usize) -> Result<Vec<Instant>, CliError>,
+        impl Fn(CollisionError) -> CliError,
+    ),
+) -> Result<Option<Picture>, CliError> {
     if records.iter().all(|record| record.rebound.is_none()) {
         return Ok(None);
     }
-    match shots {
-        [shot] if !is_sweep => plot::course(&course(shot, plot::INSTANTS)?).map(Some),
-        _ => plot::sweep(records).map(Some),
+    if let ([shot], false) = (shots, case.is_sweep()) {
+        return Ok(Some(plot::course(&course(shot, plot::INSTANTS)?)));
     }
+    let between = plot::between(case, records).map_err(at_fault)?;
+    Ok(Some(plot::sweep(&between, records)))
 }
 
-/// Every warning once, in the order it first came.
+/// What limits the validity of the outcomes.
 fn warnings(records: &[Record]) -> Vec<String> {
-    let mut warnings: Vec<String> = Vec::new();
-    for warning in records.iter().flat_map(|record| &record.warnings) {
-        if !warnings.contains(warning) {
-            warnings.push(warning.clone());
-        }
-    }
-    warnings
+    let concerned = records.iter().map(|record| {
+        let place = record.angle.map_or_else(String::new, |angle| format!("at {angle}°"));
+        (place, record.limits.as_slice())
+    });
+    theory::warnings(concerned, "angles")
 }

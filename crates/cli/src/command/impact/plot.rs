@@ -1,17 +1,23 @@
-//! The course of an impact, or a sweep, as SVG.
+//! The picture of the course of an impact, or of a sweep.
 
+use super::model;
 use super::samples::Sample;
-use super::view::{Instant, Record};
-use crate::command::plot::{Course, drawn};
-use crate::error::CliError;
-use carom_plot::{Axis, Marker, Panel, Series};
+use super::view::{self, Instant, Record};
+use crate::case::{Approach, ImpactCase, Numbers};
+use crate::command::plot::{Course, MOST_MARKS};
+use crate::output::Picture;
+use carom_impact::CollisionError;
+use carom_plot::linspace;
 
 /// Instants of a drawn course.
 pub(super) const INSTANTS: usize = 401;
+/// Angles of a drawn sweep.
+const ANGLES: usize = 361;
 
 /// Forces, displacements and radii against time.
-pub(super) fn course(history: &[Instant]) -> Result<String, CliError> {
-    let course = Course { records: history, label: "time / s", at: |instant| instant.time };
+pub(super) fn course(history: &[Instant]) -> Picture {
+    let course =
+        Course { records: history, marked: &[], label: "time / s", at: |instant| instant.time };
     let panels = [
         course.panel(
             "forces on body 1",
@@ -29,12 +35,13 @@ pub(super) fn course(history: &[Instant]) -> Result<String, CliError> {
             &[("contact", |i| i.contact_radius), ("stick", |i| i.stick_radius)],
         ),
     ];
-    drawn("Course of the impact", &panels)
+    Picture::new("Course of the impact", panels)
 }
 
 /// Forces, displacements, velocities and the contact ellipse of an encounter against time.
-pub(super) fn encounter(samples: &[Sample]) -> Result<String, CliError> {
-    let course = Course { records: samples, label: "time / s", at: |sample| sample.time };
+pub(super) fn encounter(samples: &[Sample]) -> Picture {
+    let course =
+        Course { records: samples, marked: &[], label: "time / s", at: |sample| sample.time };
     let panels = [
         course.panel(
             "forces on body 1",
@@ -57,33 +64,47 @@ pub(super) fn encounter(samples: &[Sample]) -> Result<String, CliError> {
             &[("a, along x", |s| s.semi_axes[0]), ("b, along y", |s| s.semi_axes[1])],
         ),
     ];
-    drawn("Course of the impact", &panels)
+    Picture::new("Course of the impact", panels)
 }
 
-/// Restitution, velocity and spin of body 1 against the angle of incidence.
-pub(super) fn sweep(records: &[Record]) -> Result<String, CliError> {
-    let restitution =
-        records.iter().filter_map(|record| Some((record.angle?, record.restitution()?)));
-    let velocity =
-        records.iter().filter_map(|record| Some((record.angle?, record.after.body_1.velocity[0])));
-    let spin =
-        records.iter().filter_map(|record| Some((record.angle?, record.after.body_1.spin[1])));
+/// The impacts of a sweep between its least and its greatest angle, close together; none where
+/// these are one.
+pub(super) fn between(
+    case: &ImpactCase,
+    records: &[Record],
+) -> Result<Vec<Record>, CollisionError> {
+    let angles = || records.iter().filter_map(|record| record.angle);
+    let (low, high) = (angles().fold(90.0, f64::min), angles().fold(0.0, f64::max));
+    let Some(approach) = case.approach.as_ref().filter(|_| low < high) else {
+        return Ok(Vec::new());
+    };
+    let mut angles: Vec<f64> = angles().chain(linspace(low, high, ANGLES)).collect();
+    angles.sort_by(f64::total_cmp);
+    angles.dedup();
+    let approach = Approach { angles: Numbers::Sweep(angles), ..approach.clone() };
+    let case = ImpactCase { approach: Some(approach), ..case.clone() };
+    view::records(&model::shots(&case)?)
+}
+
+/// Restitution, velocity and spin of body 1 against the angle of incidence; `between` are those
+/// drawn as lines, `given` those of the case.
+pub(super) fn sweep(between: &[Record], given: &[Record]) -> Picture {
+    let points = |records: &[Record]| -> Vec<[f64; 4]> {
+        let point = |record: &Record| {
+            let body_1 = &record.after.body_1;
+            let restitution = record.restitution()?;
+            Some([record.angle?, restitution, body_1.velocity[0], body_1.spin[1]])
+        };
+        records.iter().filter_map(point).collect()
+    };
+    let (between, given) = (points(between), points(given));
+    let label = "angle from the normal / °";
+    let course = Course { records: &between, marked: &given, label, at: |point| point[0] };
     let panels = [
-        panel("R_x", restitution.collect()),
-        panel("v_x of body 1 afterwards / m/s", velocity.collect()),
-        panel("spin_y of body 1 afterwards / rad/s", spin.collect()),
+        course.panel("", "R_x", &[("", |point| point[1])]),
+        course.panel("", "v_x of body 1 afterwards / m/s", &[("", |point| point[2])]),
+        course.panel("", "spin_y of body 1 afterwards / rad/s", &[("", |point| point[3])]),
     ];
-    drawn("Sweep over the angle of incidence", &panels)
-}
-
-fn panel(label: &str, points: Vec<(f64, f64)>) -> Panel {
-    let mut panel = Panel::new(Axis::linear("angle from the normal / °"), Axis::linear(label));
-    panel.add(match points.len() {
-        0..=20 => Series::markers("", Marker::Dot, points.clone()),
-        _ => Series::line("", points.clone()),
-    });
-    if (2..=20).contains(&points.len()) {
-        panel.add(Series::line("", points).coloured(0));
-    }
-    panel
+    let marks = if given.len() <= MOST_MARKS { " (dots: the angles given)" } else { "" };
+    Picture::new(&format!("Sweep over the angle of incidence{marks}"), panels)
 }

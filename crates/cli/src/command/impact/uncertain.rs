@@ -2,11 +2,12 @@
 
 use super::model;
 use crate::case::UncertainCase;
+use crate::command::theory::Excess;
 use crate::error::CliError;
-use crate::output::{Format, csv, json, short, table};
-use carom_impact::CollisionError;
+use crate::output::{Format, Picture, csv, json, short, table};
 use carom_impact::uncertain::{Bin, Quantity, Study, Summary, UncertainError};
-use carom_plot::{Axis, Panel, Series, render};
+use carom_impact::{CollisionError, Outcome};
+use carom_plot::{Axis, Panel, Series};
 use serde::Serialize;
 
 /// The outcome of all samples. SI units, angles in degrees.
@@ -15,6 +16,8 @@ pub(super) struct Report {
     samples: usize,
     no_impact: usize,
     out_of_range: Vec<Rejected>,
+    /// What lies outside the theory where all inputs have their means, if anything.
+    outside_theory: Vec<String>,
     inputs: Vec<Spread>,
     outcome: Vec<Spread>,
 }
@@ -65,7 +68,18 @@ pub(super) fn study(case: &UncertainCase) -> Result<Study, UncertainError> {
     })
 }
 
-pub(super) fn report(case: &UncertainCase, study: &Study) -> Result<Report, CliError> {
+/// How far the impact with all inputs at their means lies outside the theory.
+pub(super) fn excess(case: &UncertainCase) -> Excess {
+    let nominal = case.nominal().ok().and_then(|nominal| model::collision(&nominal).ok());
+    let outcome = nominal.and_then(|collision| collision.solve().ok());
+    outcome.as_ref().and_then(Outcome::rebound).map(Excess::of_impact).unwrap_or_default()
+}
+
+pub(super) fn report(
+    case: &UncertainCase,
+    study: &Study,
+    excess: Excess,
+) -> Result<Report, CliError> {
     let inputs = case.fields().into_iter().zip(study.inputs());
     let outcome = Quantity::ALL.iter().map(|q| (q.name(), study.summary(*q)));
     Ok(Report {
@@ -81,6 +95,7 @@ pub(super) fn report(case: &UncertainCase, study: &Study) -> Result<Report, CliE
                 count: seen.count,
             })
             .collect(),
+        outside_theory: excess.reasons(),
         inputs: inputs.map(|(n, s)| spread(case, n, s)).collect::<Result<_, _>>()?,
         outcome: outcome.map(|(n, s)| spread(case, n, s)).collect::<Result<_, _>>()?,
     })
@@ -105,6 +120,7 @@ fn spread(case: &UncertainCase, name: &'static str, summary: &Summary) -> Result
 pub(super) fn render_text(report: &Report, format: Format) -> Result<String, CliError> {
     match format {
         Format::Json => json(report),
+        Format::None => Ok(String::new()),
         Format::Csv => {
             let (heads, rows) = cells(report, |_| true, |value| value.to_string());
             csv(&heads.iter().map(String::as_str).collect::<Vec<_>>(), &rows)
@@ -174,7 +190,7 @@ pub(super) fn warnings(report: &Report) -> Vec<String> {
 }
 
 /// Histograms of R_x and of speed, angle and spin of the body that moves.
-pub(super) fn draw(report: &Report) -> Result<String, CliError> {
+pub(super) fn draw(report: &Report) -> Picture {
     let moved = |name: &str| {
         report.outcome.iter().any(|spread| spread.name == name && spread.maximum > 0.0)
     };
@@ -196,7 +212,7 @@ pub(super) fn draw(report: &Report) -> Result<String, CliError> {
         panel.add(Series::line("", outline(&spread.histogram)).coloured(0));
         panels.push(panel);
     }
-    Ok(render("Scatter of the impact", &panels)?)
+    Picture::new("Scatter of the impact", panels)
 }
 
 /// The steps of a histogram; one bin of no width as a bar with some.

@@ -1,8 +1,9 @@
 //! The outcome of a collision as records for JSON and rows for CSV.
 
 use super::model::Shot;
+use crate::command::theory::Excess;
 use carom_impact::oblique::{Event, Regime};
-use carom_impact::{CollisionError, HistoryPoint, Motion, Outcome, Rebound};
+use carom_impact::{CollisionError, HistoryPoint, Motion, Outcome, Rebound, Warning};
 use rayon::prelude::*;
 use serde::Serialize;
 
@@ -18,6 +19,12 @@ pub(super) struct Record {
     #[serde(flatten)]
     pub(super) rebound: Option<ReboundRecord>,
     pub(super) warnings: Vec<String>,
+    /// What lies outside the theory, if anything.
+    pub(super) outside_theory: Vec<String>,
+    #[serde(skip)]
+    pub(super) limits: Vec<Warning>,
+    #[serde(skip)]
+    pub(super) excess: Excess,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) history: Option<Vec<Instant>>,
 }
@@ -116,15 +123,18 @@ pub(super) fn history(shot: &Shot, count: usize) -> Result<Vec<Instant>, Collisi
 /// What came of an impact.
 pub(super) fn record(angle: Option<f64>, before: &[Motion; 2], outcome: &Outcome) -> Record {
     let rebound = outcome.rebound();
+    let limits = rebound.map_or_else(Vec::new, |rebound| rebound.warnings.clone());
+    let excess = rebound.map(Excess::of_impact).unwrap_or_default();
     Record {
         angle,
         outcome: if rebound.is_some() { Kind::Rebound } else { Kind::NoImpact },
         before: motions(before),
         after: motions(&outcome.motions()),
         rebound: rebound.map(rebound_record),
-        warnings: rebound
-            .map(|rebound| rebound.warnings.iter().map(ToString::to_string).collect())
-            .unwrap_or_default(),
+        warnings: limits.iter().map(ToString::to_string).collect(),
+        outside_theory: excess.reasons(),
+        limits,
+        excess,
         history: None,
     }
 }

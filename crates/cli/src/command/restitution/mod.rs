@@ -1,22 +1,25 @@
 //! `carom restitution`: R_x of spheres by kappa and lambda, of any bodies by chi and psi.
 
 mod plot;
+mod rows;
 mod tensor;
 
+use crate::destination::Destination;
 use crate::error::CliError;
-use crate::output::{Answer, Format, PlotFile, csv, json, short, table};
+use crate::output::{Answer, Format, Results};
 use crate::range::Values;
-use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
+use carom_impact::oblique::Groups;
 use carom_special::RangeError;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
-use serde::Serialize;
-use serde::ser::SerializeMap;
+use rows::{MOST_TO_READ, Printer, Row};
 use std::path::PathBuf;
-use tensor::{Tensor, TensorRecord};
+use tensor::Tensor;
 
 /// Impacts from which on a bar on standard error, if that is a terminal, shows the progress.
 const MANY: usize = 2000;
+/// Rows in flight: computed at once, in parallel, then written.
+const BLOCK: usize = 8192;
 
 /// Tangential restitution R_x of solid spheres (--kappa, --lambda) or of any bodies whose normal
 /// and tangential motions are uncoupled (--chi, --psi).
@@ -43,10 +46,11 @@ pub(super) struct Arguments {
     /// Format of the results.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
-    /// Draw lines over the second number into this file, as SVG.
+    /// Draw lines over the second number into this file, as SVG or PNG by its ending; - is
+    /// standard output.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
-    /// Draw a map over both numbers, colours and contour lines, into this file, as SVG.
+    /// Draw a map over both numbers, colours and contour lines, into this file, as for --plot.
     #[arg(long, value_name = "FILE", conflicts_with = "plot")]
     map: Option<PathBuf>,
     /// Give the restitution tensor (3.3) too: `secant` is diag(R_x, R_x, 1), `tangent` is
@@ -93,85 +97,84 @@ impl Plane<'_> {
         }
     }
 
-    fn pairs(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+    fn count(&self) -> usize {
+        self.values[0].len().saturating_mul(self.values[1].len())
+    }
+
+    /// The pair in this place, the second number running fastest.
+    fn pair(&self, place: usize) -> [f64; 2] {
         let [first, second] = self.values;
-        first.iter().flat_map(move |a| second.iter().map(move |b| [*a, *b]))
+        [first[place / second.len()], second[place % second.len()]]
+    }
+
+    /// Whether all pairs are allowed. Each number has a range of its own.
+    fn check(&self) -> Result<(), RangeError> {
+        let [first, second] = self.values;
+        first.iter().try_for_each(|a| (self.groups)(*a, second[0]).map(|_| ()))?;
+        second.iter().try_for_each(|b| (self.groups)(first[0], *b).map(|_| ()))
     }
 }
 
-#[derive(Debug)]
-struct Row {
-    names: [&'static str; 2],
-    numbers: [f64; 2],
-    restitution: f64,
-    regimes: Vec<&'static str>,
-    tensor: Option<TensorRecord>,
-}
-
-impl Serialize for Row {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        for (name, number) in self.names.iter().zip(self.numbers) {
-            // JSON has no infinity: frictionless bodies have the word `inf`.
-            if number.is_finite() {
-                map.serialize_entry(name, &number)?;
-            } else {
-                map.serialize_entry(name, "inf")?;
-            }
-        }
-        map.serialize_entry("R_x", &self.restitution)?;
-        map.serialize_entry("regimes", &self.regimes)?;
-        if let Some(tensor) = &self.tensor {
-            map.serialize_entry("tensor", tensor)?;
-        }
-        map.end()
-    }
-}
-
-pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
     let plane = Plane::of(arguments);
-    if arguments.map.is_some() {
+    let to = |option, path: &Option<PathBuf>| {
+        let to = |path: &PathBuf| Destination::new(option, path, arguments.format, &[]);
+        path.as_ref().map(to).transpose()
+    };
+    let (lines, map) = (to("plot", &arguments.plot)?, to("map", &arguments.map)?);
+    if map.is_some() {
         plot::check(plane.values)?;
     }
-    let ratio = arguments.velocity_ratio.map(tensor::velocity_ratio).transpose()?;
-    let rows = rows(&plane, arguments.tensor, ratio.unwrap_or_default())?;
-    let mut heads = vec![plane.names[0], plane.names[1], "R_x", "regimes"];
-    if arguments.tensor.is_some() {
-        heads.extend(tensor::HEADS);
+    if arguments.format == Format::Table && plane.count() > MOST_TO_READ {
+        return Err(CliError::Options(
+            "more than 100000 rows make no table to read; choose --format csv, json or none",
+        ));
     }
-    let text = match arguments.format {
-        Format::Json => json(&rows)?,
-        Format::Csv => csv(&heads, &cells(&rows, |value| value.to_string()))?,
-        Format::Table => table(&heads, &cells(&rows, short)),
-    };
-    let plot = match (&arguments.plot, &arguments.map) {
-        (Some(path), _) => Some(PlotFile { path: path.clone(), svg: plot::lines(&rows, &plane)? }),
-        (_, Some(path)) => Some(PlotFile { path: path.clone(), svg: plot::map(&rows, &plane)? }),
+    plane.check()?;
+    let values = follow(&plane, arguments, map.is_some(), results)?;
+    let picture = match (lines, map) {
+        (Some(to), _) => Some((to, plot::lines(&plane)?)),
+        (_, Some(to)) => Some((to, plot::map(values, &plane)?)),
         _ => None,
     };
-    Ok(Answer { text, warnings: Vec::new(), plot })
+    Ok(Answer { picture, ..Answer::default() })
 }
 
-/// All pairs in their order, in parallel.
-fn rows(plane: &Plane<'_>, tensor: Option<Tensor>, ratio: f64) -> Result<Vec<Row>, CliError> {
-    let inputs = plane
-        .pairs()
-        .map(|[a, b]| Ok(([a, b], (plane.groups)(a, b)?)))
-        .collect::<Result<Vec<_>, RangeError>>()?;
-    let bar = progress(inputs.len());
-    let rows = inputs
-        .into_par_iter()
-        .map(|(numbers, groups)| {
-            let impact = ObliqueImpact::new(groups)?;
-            let regimes = impact.regimes().map(Regime::name).collect();
-            let restitution = impact.restitution();
-            let tensor = tensor.map(|tensor| tensor.record(groups, ratio)).transpose()?;
-            bar.inc(1);
-            Ok(Row { names: plane.names, numbers, restitution, regimes, tensor })
-        })
-        .collect();
+/// Computes and writes all rows in their order; keeps R_x if it `is_mapped`.
+fn follow(
+    plane: &Plane<'_>,
+    arguments: &Arguments,
+    is_mapped: bool,
+    results: &mut Results,
+) -> Result<Vec<f64>, CliError> {
+    let ratio = arguments.velocity_ratio.map(tensor::velocity_ratio).transpose()?;
+    let ratio = ratio.unwrap_or_default();
+    let mut values = Vec::with_capacity(if is_mapped { plane.count() } else { 0 });
+    if arguments.format == Format::None && !is_mapped {
+        return Ok(values);
+    }
+    let mut printer = Printer::new(arguments.format, plane, arguments.tensor);
+    let bar = progress(plane.count());
+    for from in (0..plane.count()).step_by(BLOCK) {
+        let rows = (from..plane.count().min(from + BLOCK))
+            .into_par_iter()
+            .map(|place| {
+                bar.inc(1);
+                Row::new(plane, plane.pair(place), arguments.tensor, ratio)
+            })
+            .collect::<Result<Vec<_>, _>>()?;
+        if is_mapped {
+            values.extend(rows.iter().map(|row| row.restitution));
+        }
+        printer.print(&rows, results)?;
+        // Nobody reads, nobody looks.
+        if results.is_closed() && !is_mapped {
+            break;
+        }
+    }
     bar.finish_and_clear();
-    rows
+    printer.finish(results)?;
+    Ok(values)
 }
 
 /// A bar for many impacts; it hides where standard error is no terminal.
@@ -185,16 +188,4 @@ fn progress(count: usize) -> ProgressBar {
         Ok(style) => bar.with_style(style),
         Err(_) => bar,
     }
-}
-
-fn cells(rows: &[Row], number: impl Fn(f64) -> String) -> Vec<Vec<String>> {
-    let cells = rows.iter().map(|row| {
-        let numbers = row.numbers.into_iter().chain([row.restitution]).map(&number);
-        let mut cells: Vec<String> = numbers.chain([row.regimes.join(" ")]).collect();
-        if let Some(tensor) = &row.tensor {
-            cells.extend(tensor.cells(&number));
-        }
-        cells
-    });
-    cells.collect()
 }

@@ -4,32 +4,31 @@ mod plot;
 mod view;
 
 use crate::case::SceneCase;
-use crate::command::CaseArguments;
+use crate::command::theory::{Excess, caution, warnings};
+use crate::command::{self, CaseArguments};
 use crate::error::CliError;
-use crate::output::{Answer, Format, PlotFile, csv, json, read_case, table};
-use std::path::PathBuf;
+use crate::output::{Answer, Format, csv, json, table};
 
 /// Path and bounces of a ball between walls, from a case file.
 ///
-/// The file is TOML in SI units; see the cases scene_*.toml under examples/.
+/// The file is TOML in SI units, others as texts such as "2.5 mm"; see the cases scene_*.toml under
+/// examples/. The picture shows walls, path and bounces.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
-    /// Draw walls, path and bounces into this file, as SVG.
-    #[arg(long, value_name = "FILE")]
-    plot: Option<PathBuf>,
     /// Give the ball at this many instants of every flight, too; as CSV, instead of the bounces.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
     points: Option<u32>,
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let case = read_case(&arguments.given.case, SceneCase::parse)?;
+    let command::Given { case: file, plot } = arguments.given.read()?;
+    let case = file.parse(SceneCase::parse)?;
     let path = case
         .scene
         .run(&case.ball, case.limits)
-        .map_err(|source| CliError::Scene { path: arguments.given.case.clone(), source })?;
+        .map_err(|source| CliError::Scene { path: file.path.clone(), source })?;
     let report = view::report(&case, &path, arguments.points.map(|count| count as usize))?;
     let text = match arguments.given.format {
         Format::Json => json(&report)?,
@@ -38,19 +37,20 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
             None => csv(&view::HEADS, &view::rows(&report, f64::to_string))?,
         },
         Format::Table => read(&report),
+        Format::None => String::new(),
     };
-    let mut warnings: Vec<String> = Vec::new();
-    for warning in path.bounces().iter().flat_map(|bounce| &bounce.rebound.warnings) {
-        let warning = warning.to_string();
-        if !warnings.contains(&warning) {
-            warnings.push(warning);
-        }
-    }
-    let plot = match &arguments.plot {
-        Some(file) => Some(PlotFile { path: file.clone(), svg: plot::draw(&case, &path)? }),
+    let picture = match plot {
+        Some(to) => Some((to, plot::draw(&case, &path)?)),
         None => None,
     };
-    Ok(Answer { text, warnings, plot })
+    let bounces = || path.bounces().iter().enumerate();
+    let concerned = bounces()
+        .map(|(i, bounce)| (format!("at bounce {}", i + 1), bounce.rebound.warnings.as_slice()));
+    let answer =
+        Answer { text, warnings: warnings(concerned, "bounces"), picture, ..Answer::default() };
+    let excesses: Vec<Excess> =
+        bounces().map(|(_, bounce)| Excess::of_impact(&bounce.rebound)).collect();
+    Ok(answer.cautioned(caution(&excesses, "bounces"), arguments.given.format))
 }
 
 fn read(report: &view::Report) -> String {

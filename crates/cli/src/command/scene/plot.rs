@@ -1,9 +1,10 @@
-//! Walls, path and bounces as SVG, seen along the axis on which least happens.
+//! Walls, path and bounces as a picture, seen along the axis on which least happens.
 
 use crate::case::SceneCase;
 use crate::error::CliError;
+use crate::output::Picture;
 use carom_impact::scene::{Bounce, Path, Wall};
-use carom_plot::{Axis, Marker, Panel, Series, render};
+use carom_plot::{Axis, Marker, Panel, Series};
 use std::f64::consts::TAU;
 
 /// Instants drawn of every flight.
@@ -19,7 +20,7 @@ struct View {
     high: [f64; 2],
 }
 
-pub(super) fn draw(case: &SceneCase, path: &Path) -> Result<String, CliError> {
+pub(super) fn draw(case: &SceneCase, path: &Path) -> Result<Picture, CliError> {
     let centres: Vec<[f64; 3]> =
         path.points(INSTANTS)?.iter().map(|point| point.position.into()).collect();
     let start = [case.ball.position().into()];
@@ -45,7 +46,7 @@ pub(super) fn draw(case: &SceneCase, path: &Path) -> Result<String, CliError> {
     if !contacts.is_empty() {
         panel.add(Series::markers("bounces", Marker::Dot, contacts).coloured(1));
     }
-    Ok(render("Path of the ball", &[panel])?)
+    Ok(Picture::new("Path of the ball", [panel]))
 }
 
 /// The two axes along which the ball goes farthest; x and z if it goes nowhere.

@@ -1,6 +1,7 @@
 //! A path as records for JSON and rows for tables.
 
 use crate::case::SceneCase;
+use crate::command::theory::Excess;
 use crate::error::CliError;
 use carom_impact::scene::{Bounce, Ending, Path, PathPoint};
 use serde::Serialize;
@@ -33,6 +34,8 @@ pub(super) struct BounceRecord {
     pub(super) energy_dissipated: f64,
     pub(super) regimes: Vec<&'static str>,
     pub(super) warnings: Vec<String>,
+    /// What lies outside the theory, if anything.
+    pub(super) outside_theory: Vec<String>,
 }
 
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -85,6 +88,7 @@ fn record(case: &SceneCase, bounce: &Bounce) -> BounceRecord {
         energy_dissipated: rebound.energy.dissipated,
         regimes: rebound.log.iter().map(|entry| entry.regime.name()).collect(),
         warnings: rebound.warnings.iter().map(ToString::to_string).collect(),
+        outside_theory: Excess::of_impact(rebound).reasons(),
     }
 }
 

@@ -1,0 +1,262 @@
+//! Units: a quantity may stand as a plain number in its first unit, or as a text with one of the
+//! others, such as `"380 GPa"`.
+
+use super::range::Range;
+
+/// What a number measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Dimension {
+    /// Nothing: a pure number.
+    None,
+    /// A length.
+    Length,
+    /// A mass.
+    Mass,
+    /// A mass in a volume.
+    Density,
+    /// A modulus of elasticity.
+    Pressure,
+    /// A force.
+    Force,
+    /// A velocity.
+    Speed,
+    /// An angular velocity.
+    Spin,
+    /// An acceleration.
+    Acceleration,
+    /// A time.
+    Time,
+    /// A moment of inertia.
+    Inertia,
+    /// An angle, plain in degrees.
+    Degrees,
+    /// An angle, plain in radians.
+    Radians,
+}
+
+/// How a unit becomes the plain one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Scale {
+    /// By this power of ten: exactly, as the number is written.
+    Ten(i32),
+    /// By this factor.
+    Times(f64),
+}
+use Scale::{Ten, Times};
+
+/// Letters of a number with its unit, at most.
+const MOST_LETTERS: usize = 100;
+const DEGREE: f64 = std::f64::consts::PI / 180.0;
+const TURN: f64 = std::f64::consts::TAU;
+
+impl Dimension {
+    /// All units, the plain one first. Micro is also written `u` and `µ`, powers also raised.
+    const fn units(self) -> &'static [(&'static str, Scale)] {
+        match self {
+            Self::None => &[],
+            Self::Length => &[
+                ("m", Ten(0)),
+                ("km", Ten(3)),
+                ("cm", Ten(-2)),
+                ("mm", Ten(-3)),
+                ("um", Ten(-6)),
+                ("nm", Ten(-9)),
+            ],
+            Self::Mass => {
+                &[("kg", Ten(0)), ("t", Ten(3)), ("g", Ten(-3)), ("mg", Ten(-6)), ("ug", Ten(-9))]
+            }
+            Self::Density => &[
+                ("kg/m3", Ten(0)),
+                ("g/cm3", Ten(3)),
+                ("kg/dm3", Ten(3)),
+                ("t/m3", Ten(3)),
+                ("g/m3", Ten(-3)),
+            ],
+            Self::Pressure => &[
+                ("Pa", Ten(0)),
+                ("kPa", Ten(3)),
+                ("MPa", Ten(6)),
+                ("GPa", Ten(9)),
+                ("TPa", Ten(12)),
+                ("bar", Ten(5)),
+                ("N/m2", Ten(0)),
+                ("N/mm2", Ten(6)),
+                ("kN/mm2", Ten(9)),
+            ],
+            Self::Force => &[
+                ("N", Ten(0)),
+                ("kN", Ten(3)),
+                ("MN", Ten(6)),
+                ("mN", Ten(-3)),
+                ("uN", Ten(-6)),
+                ("nN", Ten(-9)),
+            ],
+            Self::Speed => &[
+                ("m/s", Ten(0)),
+                ("km/s", Ten(3)),
+                ("cm/s", Ten(-2)),
+                ("mm/s", Ten(-3)),
+                ("um/s", Ten(-6)),
+                ("km/h", Times(1.0 / 3.6)),
+            ],
+            Self::Spin => &[
+                ("rad/s", Ten(0)),
+                ("deg/s", Times(DEGREE)),
+                ("rpm", Times(TURN / 60.0)),
+                ("1/min", Times(TURN / 60.0)),
+                ("rev/s", Times(TURN)),
+            ],
+            Self::Acceleration => &[("m/s2", Ten(0)), ("cm/s2", Ten(-2)), ("mm/s2", Ten(-3))],
+            Self::Time => &[
+                ("s", Ten(0)),
+                ("ms", Ten(-3)),
+                ("us", Ten(-6)),
+                ("ns", Ten(-9)),
+                ("min", Times(60.0)),
+            ],
+            Self::Inertia => &[
+                ("kg m2", Ten(0)),
+                ("kg cm2", Ten(-4)),
+                ("kg mm2", Ten(-6)),
+                ("g cm2", Ten(-7)),
+                ("g mm2", Ten(-9)),
+            ],
+            Self::Degrees => {
+                &[("deg", Ten(0)), ("rad", Times(1.0 / DEGREE)), ("rev", Times(360.0))]
+            }
+            Self::Radians => {
+                &[("rad", Ten(0)), ("mrad", Ten(-3)), ("deg", Times(DEGREE)), ("rev", Times(TURN))]
+            }
+        }
+    }
+
+    /// The number in the plain unit; none if the text is no number with a unit of this dimension.
+    #[must_use]
+    pub fn read(self, text: &str) -> Option<f64> {
+        let (number, unit) = split(text)?;
+        let (_, scale) = self.units().iter().find(|(name, _)| *name == unit)?;
+        scale.apply(number)
+    }
+
+    /// What is allowed for a number in `range`, in words.
+    #[must_use]
+    pub fn allowed(self, range: Range) -> String {
+        let range = range.allowed();
+        let units: Vec<&str> = self.units().iter().map(|(name, _)| *name).collect();
+        match units.as_slice() {
+            [] => format!("a number, {range}"),
+            [plain, ..] => format!(
+                "a number, {range}, plain in {plain} or as a text with a unit of {}",
+                units.join(", ")
+            ),
+        }
+    }
+}
+
+impl Scale {
+    fn apply(self, number: &str) -> Option<f64> {
+        let value: f64 = number.parse().ok()?;
+        match self {
+            Times(factor) => Some(value * factor),
+            Ten(_) if !value.is_finite() => Some(value),
+            Ten(power) => {
+                let (digits, exponent) = number.split_once(['e', 'E']).unwrap_or((number, "0"));
+                let exponent = exponent.parse::<i32>().ok()?.checked_add(power)?;
+                format!("{digits}e{exponent}").parse().ok()
+            }
+        }
+    }
+}
+
+/// A number and the unit after it, in the letters of the table.
+fn split(text: &str) -> Option<(&str, String)> {
+    let text = text.trim();
+    if text.len() > MOST_LETTERS {
+        return None;
+    }
+    let mut ends = text.char_indices().map(|(at, _)| at).chain([text.len()]);
+    // The longest number: in 1e3 m the e belongs to it.
+    let end = ends.rfind(|end| text[..*end].trim_end().parse::<f64>().is_ok())?;
+    let unit = text[end..].trim().replace(['µ', 'μ'], "u").replace('°', "deg");
+    let unit = unit.replace('²', "2").replace('³', "3").replace('^', "").replace(['·', '*'], " ");
+    Some((text[..end].trim_end(), unit))
+}
+
+/// The range of a number and what it measures.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Measure {
+    /// The range, in the plain unit.
+    pub range: Range,
+    /// The dimension.
+    pub dimension: Dimension,
+}
+
+impl From<Range> for Measure {
+    /// A pure number.
+    fn from(range: Range) -> Self {
+        Self { range, dimension: Dimension::None }
+    }
+}
+
+impl Range {
+    /// The range of a quantity with a unit.
+    #[must_use]
+    pub const fn of(self, dimension: Dimension) -> Measure {
+        Measure { range: self, dimension }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn texts_with_units_are_the_numbers_they_stand_for() {
+        for (dimension, text, value) in [
+            (Dimension::Pressure, "380 GPa", 380e9),
+            (Dimension::Pressure, "2.1e2GPa", 210e9),
+            (Dimension::Pressure, "70 kN/mm²", 70e9),
+            (Dimension::Length, "2.5 mm", 0.0025),
+            (Dimension::Length, "0.3 mm", 0.0003),
+            (Dimension::Length, " -7 µm ", -7e-6),
+            (Dimension::Length, "7 μm", 7e-6),
+            (Dimension::Length, "1e3m", 1e3),
+            (Dimension::Length, "inf m", f64::INFINITY),
+            (Dimension::Mass, "5 g", 0.005),
+            (Dimension::Mass, "5e-1 t", 500.0),
+            (Dimension::Density, "7.85 g/cm^3", 7850.0),
+            (Dimension::Spin, "3000 rpm", 100.0 * std::f64::consts::PI),
+            (Dimension::Spin, "180 deg/s", std::f64::consts::PI),
+            (Dimension::Degrees, "30 deg", 30.0),
+            (Dimension::Degrees, "30°", 30.0),
+            (Dimension::Radians, "90 deg", std::f64::consts::FRAC_PI_2),
+            (Dimension::Speed, "36 km/h", 10.0),
+            (Dimension::Inertia, "12 g·cm²", 12e-7),
+            (Dimension::Acceleration, "9.81 m/s^2", 9.81),
+        ] {
+            let read = dimension.read(text);
+            let is_close = |read: f64| (read - value).abs() <= 4e-16 * value.abs();
+            assert!(read.is_some_and(|read| read == value || is_close(read)), "{text}: {read:?}");
+        }
+        assert_eq!(Dimension::Length.read("0.3 mm"), Some(0.0003), "to the last digit");
+    }
+
+    #[test]
+    fn wrong_units_and_no_numbers_are_none() {
+        for (dimension, text) in [
+            (Dimension::Length, "2.5 kg"),
+            (Dimension::Length, "2.5"),
+            (Dimension::Length, "2,5 mm"),
+            (Dimension::Length, "mm"),
+            (Dimension::Length, ""),
+            (Dimension::Length, "2 MM"),
+            (Dimension::Length, "2 m m"),
+            (Dimension::Length, "1e m"),
+            (Dimension::Pressure, "380 gpa"),
+            (Dimension::None, "0.3"),
+            (Dimension::None, "30 %"),
+        ] {
+            assert_eq!(dimension.read(text), None, "{text}");
+        }
+    }
+}

@@ -1,0 +1,177 @@
+//! Whether results lie within the theory, and what they leave out: told once, with the worst.
+
+use crate::output::short;
+use carom_impact::{Rebound, Warning};
+
+/// Approach over the radius of curvature from which on bodies are no half-spaces.
+const MOST_APPROACH: f64 = 0.1;
+/// Share of the energy that waves may carry away: the theory leaves them out.
+const MOST_WAVES: f64 = 0.1;
+
+const ROUGH: &str = "Take the results as rough.";
+const ABSURD: &str = "The results mean nothing. Is a unit wrong? Plain numbers are SI, others are \
+                      texts such as \"380 GPa\" or \"2.5 mm\".";
+
+/// How far results lie outside the theory; nothing where they lie within.
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
+pub(super) struct Excess {
+    /// Approach over radius of curvature.
+    approach: Option<f64>,
+    /// Energy of waves over that of the approach.
+    waves: Option<f64>,
+}
+
+impl Excess {
+    /// Of a contact: `approach` and the smallest radius of curvature.
+    pub(super) fn of_contact(approach: f64, radius: f64) -> Self {
+        let share = approach / radius;
+        Self { approach: (share > MOST_APPROACH).then_some(share), waves: None }
+    }
+
+    /// Of an impact, by its warnings.
+    pub(super) fn of_impact(rebound: &Rebound) -> Self {
+        rebound.warnings.iter().fold(Self::default(), |worst, warning| match warning {
+            Warning::LargeContact { ratio } => {
+                let contact = rebound.maximal_contact;
+                let radius = contact.semi_axis_a().max(contact.semi_axis_b()) / ratio;
+                worst.and(Self::of_contact(rebound.maximal_approach, radius))
+            }
+            Warning::WaveLoss { share } if *share > MOST_WAVES => {
+                worst.and(Self { approach: None, waves: Some(*share) })
+            }
+            _ => worst,
+        })
+    }
+
+    /// The worst of both.
+    pub(super) fn and(self, other: Self) -> Self {
+        let worst = |one: Option<f64>, other: Option<f64>| match (one, other) {
+            (Some(one), Some(other)) => Some(one.max(other)),
+            (one, other) => one.or(other),
+        };
+        Self {
+            approach: worst(self.approach, other.approach),
+            waves: worst(self.waves, other.waves),
+        }
+    }
+
+    /// Pressed flat, or more energy than there is.
+    fn is_absurd(self) -> bool {
+        [self.approach, self.waves].into_iter().flatten().any(|share| share > 1.0)
+    }
+
+    fn is_some(self) -> bool {
+        self != Self::default()
+    }
+
+    /// What exceeds which limit, one text each.
+    pub(super) fn reasons(self) -> Vec<String> {
+        let approach = self.approach.map(|share| {
+            format!("the approach is {} times the radius, more than a tenth", readable(share))
+        });
+        let waves = self.waves.map(|share| {
+            let percent = readable(100.0 * share);
+            format!("elastic waves would carry away {percent} % of the energy, more than 10 %")
+        });
+        approach.into_iter().chain(waves).collect()
+    }
+}
+
+/// With three digits.
+fn readable(value: f64) -> String {
+    short(format!("{value:.2e}").parse().unwrap_or(value))
+}
+
+/// The plain first line on results outside the theory; none if all lie within. `what` names several.
+pub(super) fn caution(excesses: &[Excess], what: &str) -> Option<String> {
+    let worst = excesses.iter().fold(Excess::default(), |worst, excess| worst.and(*excess));
+    if !worst.is_some() {
+        return None;
+    }
+    let place = match excesses.len() {
+        1 => String::new(),
+        all => {
+            let count = excesses.iter().filter(|excess| excess.is_some()).count();
+            format!(" at {count} of {all} {what}")
+        }
+    };
+    let reasons = worst.reasons().join("; ");
+    let advice = if worst.is_absurd() { ABSURD } else { ROUGH };
+    Some(format!("OUTSIDE THE THEORY{place}: {reasons}. {advice}"))
+}
+
+/// Every kind of warning once, in the order they first came, in its worst form and with the
+/// number of those it concerns: each with its place, such as `at 5°`. `what` names them all.
+pub(super) fn warnings<'a>(
+    concerned: impl Iterator<Item = (String, &'a [Warning])>,
+    what: &str,
+) -> Vec<String> {
+    let mut kinds: Vec<(Warning, String, usize)> = Vec::new();
+    let mut all = 0;
+    for (place, warnings) in concerned {
+        all += 1;
+        for warning in warnings {
+            let kind = std::mem::discriminant(warning);
+            match kinds.iter_mut().find(|(known, ..)| std::mem::discriminant(known) == kind) {
+                None => kinds.push((*warning, place.clone(), 1)),
+                Some((worst, at, count)) => {
+                    *count += 1;
+                    if severity(warning) > severity(worst) {
+                        (*worst, *at) = (*warning, place.clone());
+                    }
+                }
+            }
+        }
+    }
+    let told = kinds.into_iter().map(|(worst, place, count)| match all {
+        1 => worst.to_string(),
+        _ if severity(&worst).is_none() => format!("{worst} ({count} of {all} {what})"),
+        _ => format!("{worst} ({count} of {all} {what} concerned, the worst {place})"),
+    });
+    told.collect()
+}
+
+/// What makes one warning worse than another of its kind.
+fn severity(warning: &Warning) -> Option<f64> {
+    match warning {
+        Warning::WaveLoss { share } | Warning::SpinLeftAlone { share } => Some(*share),
+        Warning::LargeContact { ratio } => Some(*ratio),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_kind_of_warning_is_told_once_in_its_worst_form() {
+        let shares = [0.02, 0.05, 0.03].map(|share| vec![Warning::WaveLoss { share }]);
+        let places = ["at 5°", "at 10°", "at 15°", "at 20°"].map(str::to_owned);
+        let concerned = places.into_iter().zip(shares.iter().map(Vec::as_slice).chain([&[][..]]));
+        let told = warnings(concerned, "angles");
+        assert_eq!(
+            told,
+            [
+                "elastic waves carry away about 5.00 % of the normal energy (3 of 4 angles concerned, \
+              the worst at 10°)"
+            ]
+        );
+    }
+
+    #[test]
+    fn what_lies_outside_the_theory_is_said_with_its_limit() {
+        let within = Excess::of_contact(0.1, 1.0);
+        let outside =
+            Excess::of_contact(0.5, 2.0).and(Excess { approach: None, waves: Some(11.6) });
+        assert_eq!(caution(&[within], "angles"), None);
+        let text = caution(&[within, outside], "angles").unwrap();
+        assert!(
+            text.starts_with("OUTSIDE THE THEORY at 1 of 2 angles: the approach is 0.25 times")
+        );
+        assert!(text.contains("carry away 1160 % of the energy, more than 10 %"), "{text}");
+        assert!(text.contains("Is a unit wrong?"), "{text}");
+        let rough = Excess { approach: None, waves: Some(0.16) };
+        assert!(caution(&[rough], "").unwrap().ends_with("Take the results as rough."));
+    }
+}
