@@ -1,7 +1,7 @@
 //! Drawing one series.
 
 use crate::series::{Marker, Point, Series, Stroke, Style};
-use crate::svg::{Frame, Pixel, Svg};
+use crate::svg::{Anchor, Frame, Pixel, Svg};
 
 /// Okabe and Ito's colours, in an order that keeps neighbours apart; black last.
 const PALETTE: [&str; 7] =
@@ -9,6 +9,9 @@ const PALETTE: [&str; 7] =
 
 /// Half the size of a marker, in pixels.
 const MARKER: f64 = 3.6;
+
+/// Size of the letters of a note, in pixels.
+const NOTE: f64 = 13.0;
 
 /// Points on a line that are closer than this to the last one drawn are left out.
 const CLOSE: f64 = 0.25;
@@ -52,6 +55,17 @@ pub(crate) fn series(
             }
             svg.close();
         }
+        Style::Note => {
+            let look = format!("fill=\"{colour}\" font-size=\"{NOTE}\"");
+            for pixel in pixels.into_iter().filter(|pixel| frame.holds(*pixel)) {
+                // Above the point, and towards the middle of the frame.
+                let is_right = pixel.x > frame.x + 0.8 * frame.width;
+                let (anchor, aside) =
+                    if is_right { (Anchor::End, -4.0) } else { (Anchor::Start, 4.0) };
+                let at = Pixel { x: pixel.x + aside, y: pixel.y - 5.0 };
+                svg.text(at, anchor, &series.label, &look);
+            }
+        }
     }
 }
 
@@ -73,6 +87,7 @@ pub(crate) fn sample(svg: &mut Svg, series: &Series, colour: &str, frame: Frame)
             arrow(svg, left, right);
             svg.close();
         }
+        Style::Note => {}
     }
 }
 
