@@ -75,6 +75,12 @@ impl SliderLaw {
         self.shift
     }
 
+    /// The springs from the centre outwards: the approach at which each touches and its anchor,
+    /// the shift at which it would be free of traction. Those not yet touched are at rest.
+    pub fn springs(&self) -> impl ExactSizeIterator<Item = (f64, [f64; 2])> + '_ {
+        self.springs.iter().copied()
+    }
+
     /// The force Phi: `(3/2) int (X - W(t^2)) dt` over the springs in contact.
     #[must_use]
     pub fn force(&self) -> [f64; 2] {

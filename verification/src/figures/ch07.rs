@@ -1,10 +1,12 @@
 //! Chapter 7: load histories with varying direction.
 
+mod directions;
 mod ellipsoid_traction;
 mod examples;
 mod led;
 mod oblique_impact;
 mod regimes;
+mod ring_contact;
 mod torsion;
 
 use crate::catalogue::Entry;
@@ -29,6 +31,5 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::figure("7.12", "Example 1: forces and displacements").by(examples::draw_first),
     Entry::figure("7.13", "Example 2: forces and displacements").by(examples::draw_second),
     Entry::figure("7.14", "Example 3: forces and displacements").by(examples::draw_third),
-    Entry::figure("7.15", "Example 3: slip and stress directions at step 21")
-        .by(examples::draw_directions),
+    Entry::figure("7.15", "Example 3: slip and stress directions at step 21").by(directions::draw),
 ];

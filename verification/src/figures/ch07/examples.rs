@@ -1,4 +1,4 @@
-//! Figs. 7.12 to 7.15: three histories of turning shifts.
+//! Figs. 7.12 to 7.14: three histories of turning shifts.
 
 use super::led::{distance, polar};
 use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
@@ -6,7 +6,7 @@ use carom_laws::memory::{Lateral, Regime, VectorMemory};
 use carom_laws::sliders::SliderLaw;
 
 /// A path of the thesis: so many steps to e_1, then so many of the second direction.
-struct Example {
+pub(super) struct Example {
     first: [f64; 2],
     second: [f64; 2],
     steps: usize,
@@ -16,7 +16,7 @@ struct Example {
 }
 
 impl Example {
-    fn new(number: usize) -> Self {
+    pub(super) fn new(number: usize) -> Self {
         match number {
             1 => Self {
                 first: [0.5, 0.0],
@@ -43,7 +43,7 @@ impl Example {
     }
 
     /// All points e, the first being the compression.
-    fn path(&self) -> Vec<[f64; 2]> {
+    pub(super) fn path(&self) -> Vec<[f64; 2]> {
         let n = self.steps;
         let part = |i: usize| i as f64 / n as f64;
         let first = (0..=n).map(|i| self.first.times(part(i)));
@@ -145,63 +145,4 @@ pub(super) fn draw_second() -> FigureResult {
 
 pub(super) fn draw_third() -> FigureResult {
     draw(3)
-}
-
-pub(super) fn draw_directions() -> FigureResult {
-    let mut figure = Figure::new();
-    figure.stated("history", "example 3, step 21");
-    figure.assumed("slip of the markers", "of the sliders, by the depth at which they touch");
-    let path = Example::new(3).path();
-    let mut memory = VectorMemory::new();
-    for &e in &path {
-        memory.advance(1.0, e)?;
-    }
-    let theory = memory.slip_direction().unwrap_or_default().times(-1.0);
-    let angle = |v: [f64; 2]| v[1].atan2(v[0]).to_degrees();
-    // Directions of the traction, from the pointwise stress of both laws.
-    let radii: Vec<f64> = (0..40).map(|i| 0.0125 + 0.025 * f64::from(i)).collect();
-    let mut panel = Panel::new(Axis::linear("ρ/a"), Axis::linear("angle of slip, degrees"));
-    let closed: Vec<(f64, f64)> =
-        radii.iter().map(|&rho| (rho, angle(memory.traction(rho * rho).times(-1.0)))).collect();
-    panel.add(Series::line("closed law", closed.clone()));
-    // A half-space of rings, nu = 0: radius and slip angle in the last substep.
-    let rings = [
-        (0.997, -18.82),
-        (0.903, -19.21),
-        (0.750, -20.56),
-        (0.503, -25.81),
-        (0.250, -35.63),
-        (0.143, -39.29),
-        (0.103, -40.15),
-        (0.003, -41.30),
-    ];
-    panel.add(Series::markers("half-space of rings", Marker::Circle, rings));
-    figure.panel(panel);
-    figure.claim(
-        Claim::close(
-            "the closed law slips at −30° everywhere",
-            angle(theory),
-            -30.0,
-            Tolerance::Absolute(1e-4),
-        )
-        .source("text of 7.7"),
-    );
-    figure.claim(
-        Claim::all_close(
-            "its traction is opposite",
-            closed[1..].iter().map(|p| (p.1, -30.0)),
-            Tolerance::Absolute(1e-3),
-        )
-        .source("(7.16)"),
-    );
-    figure.claim(
-        Claim::decreasing("the true slip turns from the edge to the centre", rings.map(|r| r.1))
-            .source("200 rings, 4 substeps a step; the thesis's −15° to −35°"),
-    );
-    let mean = rings.iter().map(|r| r.1).sum::<f64>() / 8.0;
-    figure.claim(
-        Claim::close("and is −30° on the way", mean, -30.0, Tolerance::Absolute(2.0))
-            .source("mean over eight radii"),
-    );
-    Ok(figure)
 }
