@@ -297,12 +297,12 @@ fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
         Claim::all_close(
             "work of the shift, stored and lost, over f F_z ξ at sliding",
             work,
-            Tolerance::Absolute(1e-13),
+            Tolerance::Absolute(1e-11),
         )
         .source("∫F_x dξ of (6.14); compression stored (2/5) F_z ζ"),
     );
     figure.claim(
-        Claim::all_close("and turned into heat", heat, Tolerance::Absolute(1e-13))
+        Claim::all_close("and turned into heat", heat, Tolerance::Absolute(1e-11))
             .source("2 ∫F_x dξ - F_x ξ: elastic energy is half of traction times displacement"),
     );
     Ok(())

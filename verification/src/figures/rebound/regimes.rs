@@ -291,7 +291,7 @@ fn spring_claim(figure: &mut Figure, boundaries: &Boundaries) -> Result<(), Fail
     let edges = [&boundaries.forward_stuck, &boundaries.forward_slid];
     let both: Result<Vec<_>, Failure> = places
         .par_iter()
-        .map(|&(chi, psi)| Ok((impact(chi, psi)?, spring_impact::impact(chi, psi))))
+        .map(|&(chi, psi)| Ok((impact(chi, psi)?, spring_impact::course(chi, psi))))
         .collect();
     let both = both?;
     let restitutions = both.iter().map(|(walk, step)| (walk.restitution(), step.restitution));
