@@ -1,9 +1,9 @@
 //! Fig. 3.7: a rubber ball thrown under a book held over a table.
 
 use carom_halfspace::Material;
-use carom_impact::closed_form::tangential_energy_loss;
+use carom_impact::closed_form::{normal_energy_loss, tangential_energy_loss};
 use carom_impact::restitution::of_spheres;
-use carom_impact::{Body, Collision, Motion};
+use carom_impact::{Body, Collision, Inertia, Motion};
 use carom_laws::friction::Friction;
 
 use super::super::Failure;
@@ -134,6 +134,32 @@ pub(super) fn draw() -> FigureResult {
             Tolerance::Absolute(2e-7),
         )
         .source("(9.59) with R_x of an independent program"),
+    );
+    let normal = normal_energy_loss([MASS, f64::INFINITY], 0.6, 1.0)?;
+    figure.claim(
+        Claim::close(
+            "(9.60) for R_z = 0.6, over the mass",
+            normal / MASS,
+            0.32,
+            Tolerance::Absolute(1e-15),
+        )
+        .source("(1 - 0.36)/2"),
+    );
+    // A hollow ball has θ = (2/3) m R², so that D_xx/D_zz = 5/2.
+    let rubber = Material::from_shear(1e6, 0.5)?;
+    let hollow = Body::sphere(RADIUS, rubber, MASS)?
+        .with_inertia(Inertia::spherical_shell(MASS, RADIUS)?)
+        .moving(Motion::new([1.0, 0.0, -1.0], [0.0; 3])?);
+    let outcome =
+        Collision::new(hollow, Body::plane(Material::RIGID), Friction::new(0.1)?)?.solve()?;
+    let [ball, _] = outcome.motions();
+    figure.claim(
+        Claim::all_close(
+            "a hollow ball that slides throughout, f = 0.1: velocity and rim velocity",
+            [(ball.velocity.x, 0.8), (RADIUS * ball.spin.y, 0.3)],
+            Tolerance::Absolute(1e-12),
+        )
+        .source("impulse 2 f m v_n; moment of inertia (2/3) m R²"),
     );
     let restitutions = [(3.0, 0.595_052), (10.0 / 3.0, 0.580_998), (2.8325, 0.597_008_7)];
     let restitutions: Result<Vec<(f64, f64)>, Failure> =

@@ -3,7 +3,7 @@
 use carom_impact::coupled::CoulombRings;
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Shift};
-use carom_laws::shift::CattaneoMindlin;
+use carom_laws::shift::{CattaneoMindlin, turned_stiffness};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::{AxisRatio, RangeError};
@@ -141,6 +141,51 @@ fn energy_claim(figure: &mut Figure, stiffness: &ContactStiffness) -> Result<(),
         law.advance(Shift { zeta: 1.0, xi: shift, eta: shift, omega: 0.0 })?;
     }
     add(law.stored_energy(), law.dissipated(), [pressed + 0.4 * along, 0.2 * along + slid]);
+    // Rings with one stiffness, along x: the same law, to 1.5 times the shift of sliding.
+    let even = ContactStiffness::new(0.8, 0.8, 1.2)?;
+    let mut rings = CoulombRings::new(even, 0.3, 0.002)?;
+    let onset = 0.3 * 1.2 / 0.8;
+    rings.advance(Shift { zeta: 1.0, ..Shift::default() })?;
+    for step in 1..=300 {
+        let xi = 1.5 * onset * f64::from(step) / 300.0;
+        rings.advance(Shift { zeta: 1.0, xi, ..Shift::default() })?;
+    }
+    let force = 2.0 / 3.0 * 0.3 * 1.2;
+    let limit = rings.load().f_x / force;
+    let (stored, lost) = (rings.stored_energy(), rings.dissipated());
+    let expected =
+        [4.0 / 15.0 * 1.2 + 0.4 * force * onset, 0.2 * force * onset + 0.5 * force * onset];
+    figure.claim(
+        Claim::all_close(
+            "rings of one stiffness: energy stored and lost, over those of Cattaneo",
+            [(stored / expected[0], 1.0), (lost / expected[1], 1.0)],
+            Tolerance::Absolute(2e-3),
+        )
+        .source("∫F dξ of (5.28) and the work of sliding"),
+    );
+    figure.claim(
+        Claim::close("and F_x/(f F_z) in sliding", limit, 1.0, Tolerance::Absolute(1e-12))
+            .source("Coulomb"),
+    );
+    let turned = turned_stiffness(stiffness, 0.7);
+    let (sin, cos) = (0.7_f64.sin(), 0.7_f64.cos());
+    let axes = [[cos, sin], [-sin, cos]];
+    let mut entries = Vec::new();
+    for i in 0..2 {
+        for j in 0..2 {
+            let sum =
+                stiffness.c_x * axes[i][0] * axes[j][0] + stiffness.c_y * axes[i][1] * axes[j][1];
+            entries.push((turned[i][j], sum));
+        }
+    }
+    figure.claim(
+        Claim::all_close(
+            "stiffness in axes turned by 0.7 rad",
+            entries,
+            Tolerance::Absolute(1e-15),
+        )
+        .source("proposition 1: a tensor of second order"),
+    );
     figure.claim(
         Claim::all_close(
             "energy stored and lost at ξ = η = 1.5 ζ by Cattaneo",

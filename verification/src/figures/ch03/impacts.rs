@@ -258,6 +258,7 @@ fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
         )
         .source("momenta of solid balls, R_x of the springs"),
     );
+    history_claim(figure, &oblique, stepped)?;
     let taken = 0.5 * MASS / 7.0 * (1.0 - stepped * stepped) * SLIP * SLIP;
     let budget = oblique.energy;
     let closed = tangential_energy_loss([MASS, MASS], oblique.tangential_restitution, SLIP)?;
@@ -301,6 +302,42 @@ fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
             Tolerance::Absolute(2e-3),
         )
         .source("first slider of the springs to give way"),
+    );
+    Ok(())
+}
+
+/// The course that is drawn, against the outcome and the springs.
+fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result<(), Failure> {
+    let history = collision(SLIP)?.history(4001)?;
+    let (mut normal_sum, mut tangential) = (0.0, 0.0);
+    for pair in history.windows(2) {
+        let dt = pair[1].time - pair[0].time;
+        normal_sum += 0.5 * dt * (pair[0].normal_force + pair[1].normal_force);
+        tangential += 0.5 * dt * (pair[0].tangential_force + pair[1].tangential_force);
+    }
+    let push = 0.5 * MASS * (1.0 + stepped) * SLIP * 2.0 / 7.0;
+    let kappa = (2.0 - POISSON) / (2.0 * (1.0 - POISSON));
+    let course = spring_impact::course(3.5 / kappa, 1.0 / kappa);
+    let last = history.last().ok_or("an impact has a course")?;
+    // The springs count shifts in f κ ζ_max.
+    let unit = FRICTION * kappa * outcome.maximal_approach;
+    let early = &history[200];
+    let middle = &history[2000];
+    figure.claim(
+        Claim::all_close(
+            "the course: impulses, last shift, velocity, contact and stick radii, over those expected",
+            [
+                (normal_sum / (MASS * APPROACH), 1.0),
+                (tangential / push, 1.0),
+                (last.shift / unit, course.last),
+                (last.shift_velocity / SLIP, -stepped),
+                (early.stick_radius / early.contact_radius, 1.0),
+                (early.contact_radius / (0.5 * RADIUS * early.approach).sqrt(), 1.0),
+                (middle.contact_radius / (0.5 * RADIUS * outcome.maximal_approach).sqrt(), 1.0),
+            ],
+            Tolerance::Absolute(1e-3),
+        )
+        .source("∫F dt, momentum; shift by the springs; a² = R ζ/2; all sticks at first"),
     );
     Ok(())
 }

@@ -86,11 +86,10 @@ fn stress_claims(figure: &mut Figure, contact: &Contact) -> Result<(), Failure> 
         }
     }
     figure.claim(Claim::at_most("σ_zx never exceeds f p_z", excess, 1e-15).source("Coulomb"));
-    figure.claim(Claim::all_close(
-        "and equals it in the slip ring",
-        ring,
-        Tolerance::Absolute(1e-15),
-    ));
+    figure.claim(
+        Claim::all_close("and equals it in the slip ring", ring, Tolerance::Absolute(1e-15))
+            .source("Coulomb"),
+    );
     figure.claim(
         Claim::all_close("σ₁ - σ₂", shape, Tolerance::Absolute(1e-14)).source("(3.11), corrected"),
     );
@@ -149,7 +148,17 @@ fn force_claims(figure: &mut Figure, contact: &Contact) -> Result<(), Failure> {
     let state = contact.at(0.6)?;
     let stick = state.stick_radius();
     let steep = (contact.stress(&state, stick) - contact.stress(&state, stick - 1e-8)) / 1e-8;
-    figure.claim(Claim::at_least("the inner slope at a* is vertical: over 1e-8 a", steep, 1e3));
+    // sqrt(2 a* h) over h, and the slope of the limit.
+    let expected = (2.0 * stick / 1e-8).sqrt() - stick / (1.0 - stick * stick).sqrt();
+    figure.claim(
+        Claim::close(
+            "slope just inside a*, over 1e-8 a",
+            steep,
+            expected,
+            Tolerance::Relative(1e-5),
+        )
+        .source("vertical: the square root of σ₂ at a*"),
+    );
     Ok(())
 }
 

@@ -39,7 +39,7 @@ fn centre([column, row]: [usize; 2]) -> (f64, f64) {
 
 fn mesh() -> Panel {
     let mut panel = Panel::new(
-        Axis::linear("x").between(-0.8, COLUMNS as f64 + 0.4),
+        Axis::linear("x").between(-1.2, COLUMNS as f64 + 0.4),
         Axis::linear("y").between(-0.6, 2.6),
     )
     .titled("Rows j in y, columns k in x")
@@ -73,7 +73,7 @@ fn mesh() -> Panel {
         .coloured(3),
     );
     panel.add(Series::note("2Δx", (0.25, below - 0.38)).coloured(3));
-    panel.add(Series::note("2Δy", (left - 0.58, 0.2)).coloured(3));
+    panel.add(Series::note("2Δy", (left - 0.85, 0.1)).coloured(3));
     panel
 }
 

@@ -275,7 +275,7 @@ pub(super) fn virgin_curve() -> FigureResult {
 fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
     let (c_x, c_z, f, zeta) = (0.9, 1.3, 0.25, 0.8_f64);
     let stiffness = ContactStiffness::new(c_x, c_x, c_z)?;
-    let (mut work, mut heat) = (Vec::new(), Vec::new());
+    let (mut work, mut heat, mut tangents) = (Vec::new(), Vec::new(), Vec::new());
     for share in [0.2_f64, 0.5, 0.9, 1.0] {
         let mut law = ShiftLaw::<f64>::new(stiffness, Friction::new(f)?);
         law.advance(Shift { zeta, ..Shift::default() })?;
@@ -292,6 +292,15 @@ fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
         let scale = force * end;
         work.push(((law.stored_energy() + law.dissipated() - pressed) / scale, done));
         heat.push((law.dissipated() / scale, lost));
+        if share < 1.0 {
+            let (stick, tangent) = ((rest * zeta).sqrt(), law.tangent());
+            tangents.extend([
+                (tangent[0][0], c_x * stick),
+                (tangent[0][2], f * c_z * (zeta.sqrt() - stick)),
+                (tangent[2][2], c_z * zeta.sqrt()),
+                (law.stick_depth(), rest),
+            ]);
+        }
     }
     figure.claim(
         Claim::all_close(
@@ -300,6 +309,14 @@ fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
             Tolerance::Absolute(1e-11),
         )
         .source("∫F_x dξ of (6.14); compression stored (2/5) F_z ζ"),
+    );
+    figure.claim(
+        Claim::all_close(
+            "dF_x/dξ, dF_x/dζ, dF_z/dζ and (a*/a)²",
+            tangents,
+            Tolerance::Absolute(1e-13),
+        )
+        .source("derivatives of (2/3) f c_z [ζ^(3/2) - (ζ - c_x ξ/(f c_z))^(3/2)]"),
     );
     figure.claim(
         Claim::all_close("and turned into heat", heat, Tolerance::Absolute(1e-11))

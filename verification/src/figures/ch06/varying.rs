@@ -72,11 +72,20 @@ pub(super) fn within_cone() -> FigureResult {
         )
         .source("(6.23)"),
     );
-    figure.claim(Claim::holds(
-        "the slip ring lies outside the old contact",
-        memory.stick_depth() > 1.0,
-        memory.stick_depth(),
-    ));
+    // The adhesive step: dF/dX is that of the discs that joined, (6.27).
+    let tangent = straight.tangent();
+    let chord = (libm::pow(1.2, 1.5) - 1.0) / 0.2;
+    figure.claim(
+        Claim::all_close(
+            "both together: dF_x/dX and dF_x/dζ of the step",
+            [
+                (tangent.by_shift[0][0], chord),
+                (tangent.by_approach[0], 0.5 * (1.5 * 1.2_f64.sqrt() - chord)),
+            ],
+            Tolerance::Absolute(1e-13),
+        )
+        .source("derivatives of F₁ + (ΔX/Δζ) (ζ^(3/2) - ζ₁^(3/2)), (6.27)"),
+    );
     let distance = |steps: u32| -> Result<f64, Failure> {
         let memory = follow(&staircase(steps))?;
         let radii = linspace(0.0, 1.0, 41);

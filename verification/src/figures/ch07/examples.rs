@@ -109,6 +109,7 @@ fn draw(number: usize) -> FigureResult {
         shifts.add(Series::line(name, curves[2 + k].clone()));
     }
     figure.panel(shifts);
+    figure.claim(work_claim(&example)?);
     let end = memory.force();
     figure.claim(
         Claim::all_close(
@@ -166,6 +167,32 @@ fn draw(number: usize) -> FigureResult {
     let caption = format!("text names fig. 7.{}", 12 + number);
     figure.deviation(caption, format!("fig. 7.{}", 11 + number), "numbers of figures in 7.7");
     Ok(figure)
+}
+
+/// Work of the force along the path against what the memory stores and turns into heat.
+fn work_claim(example: &Example) -> Result<Claim, carom_special::RangeError> {
+    const PARTS: usize = 400;
+    let (mut whole, mut fine) = (VectorMemory::new(), VectorMemory::new());
+    let (mut work, mut heat) = (0.0, 0.0);
+    for e in example.path() {
+        heat += whole.dissipation(1.0, e).dot([1.0; 2]);
+        whole.advance(1.0, e)?;
+        let from = fine.shift();
+        for part in 1..=PARTS {
+            let (before, at) = (fine.force(), fine.shift());
+            let to = from.plus(e.minus(from).times(part as f64 / PARTS as f64));
+            let after = fine.advance(1.0, to)?;
+            work += 0.5 * before.plus(after).dot(to.minus(at));
+        }
+    }
+    let stored = whole.stored_energy().dot([1.0; 2]);
+    Ok(Claim::close(
+        "energy stored and turned into heat by the closed law, over f F_z ζ",
+        stored + heat,
+        work,
+        Tolerance::Absolute(2e-3),
+    )
+    .source("work of its force along the path, in 400 parts a step"))
 }
 
 pub(super) fn draw_first() -> FigureResult {

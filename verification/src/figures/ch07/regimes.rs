@@ -20,7 +20,7 @@ fn path(panel: &mut Panel, shifts: &[[f64; 2]], names: &[&str]) {
     let arrows: Vec<Arrow> = tails.zip(shifts).map(|(tail, head)| arrow(tail, *head)).collect();
     panel.add(Series::arrows("path of the shift", arrows).coloured(6));
     for (shift, name) in shifts.iter().zip(names) {
-        panel.add(Series::note(*name, (shift[0], shift[1])).coloured(6));
+        panel.add(Series::note(*name, (shift[0] + 0.01, shift[1])).coloured(6));
     }
 }
 
@@ -170,7 +170,6 @@ pub(super) fn draw_reflection() -> FigureResult {
     let mut panel = e_plane().titled("Slip of body 1 after e₁ at 20° and de₂ at 170°");
     let last = first.plus(polar(0.3, 170.0));
     path(&mut panel, &[first, last], &["e₁", ""]);
-    panel.add(Series::note("de₂, six lengths", (last[0] - 0.06, last[1] + 0.015)).coloured(6));
     let before = first.minus(polar(0.12, 20.0));
     panel.add(Series::arrows("slip after e₁, at β₁ = 200°", [arrow(first, before)]).coloured(1));
     panel.add(Series::arrows("slip after de₂, at β₂ = 320°", arrows).coloured(0));
@@ -207,7 +206,7 @@ pub(super) fn draw_condition() -> FigureResult {
     let mut figure = Figure::new();
     let shifts = [[0.6, 0.0], [0.4, 0.15], [0.45, 0.05]];
     figure.assumed("e₁, e₂, e₃", "(0.6, 0), (0.4, 0.15), (0.45, 0.05), ζ = 1");
-    let mut panel = e_plane().titled("Where the N-th shift ends if it makes a new point P_N-1");
+    let mut panel = e_plane().titled("Inside its circle the N-th shift makes a new point");
     path(&mut panel, &shifts, &["e₁", "e₂", "e₃"]);
     let (mut nested, mut radii) = (Vec::new(), Vec::new());
     for n in 1..=shifts.len() {
@@ -217,7 +216,7 @@ pub(super) fn draw_condition() -> FigureResult {
         // The points from which zeta_{N+1}* stays above zeta_N*: a ball that touches e.
         let radius = 1.0 - state.stick_depth();
         let centre = state.shift().minus(m.times(radius));
-        panel.add(Series::line(format!("N = {}: inside", n + 1), circle(centre, radius)));
+        panel.add(Series::line(format!("N = {}", n + 1), circle(centre, radius)).coloured(n - 1));
         nested.push((centre, radius));
         radii.push((radius, condition_radius(&shifts[..n])));
         let found = disagreements(&state, 1.0, 0.5, |d| {

@@ -115,8 +115,9 @@ pub(super) fn draw() -> FigureResult {
     let turns = [(z, gamma, [0, 1]), (y, beta, [0, 2]), (x, alpha, [1, 2])];
     for (i, title) in titles.iter().enumerate() {
         let mut panel = Panel::new(
-            Axis::bare("parallel projection: e_x to the front, e_y to the right, e_z up"),
-            Axis::bare(""),
+            Axis::bare("parallel projection: e_x to the front, e_y to the right, e_z up")
+                .between(-0.9, 1.5),
+            Axis::bare("").between(-0.75, 1.2),
         )
         .titled(*title)
         .equal_aspect();

@@ -54,6 +54,15 @@ pub(super) fn draw() -> FigureResult {
         draw_sphere(&mut figure, sphere)?;
     }
     fast_spin(&mut figure, &SPHERES[0])?;
+    figure.claim(
+        Claim::close(
+            "impulse of the torque of a constant spin, Ω = 0.3",
+            limits::first_order_loss(0.3)?,
+            0.970_346_115,
+            Tolerance::Absolute(1e-9),
+        )
+        .source("independent program"),
+    );
     figure.deviation(
         "(10.40), (10.63): [1 - 5/2 δ(T - 2)] [1 - 5 δ(T - 2)]",
         "2 y_1² - 1, to first order 1 - 10 δ(T - 2)",
@@ -105,6 +114,19 @@ fn draw_sphere(figure: &mut Figure, sphere: &Sphere) -> Result<(), Failure> {
             Tolerance::Relative(4e-5),
         )
         .source("independent program"),
+    );
+    let spin = 3.0 * shift;
+    let omega = sphere.collision(spin)?.groups()?.map_or(f64::NAN, |groups| groups.omega());
+    figure.claim(
+        Claim::all_close(
+            format!("{name}: asymptotes in the groups ε, Ω: sliding and no slip"),
+            [
+                (limits::sliding(epsilon, omega), 1.0 - sphere.expected[3] / spin),
+                (limits::no_slip_first_order(epsilon), sphere.first_order()),
+            ],
+            Tolerance::Absolute(2e-5),
+        )
+        .source("d by an independent program; 2 (1 - (5/2) δ (1 - ν) (T - 2))² - 1"),
     );
     figure.claim(
         Claim::at_least(format!("{name}: spin above both asymptotes"), above, -1e-9 * d)
@@ -217,6 +239,16 @@ impl Sphere {
             }
         }
         Err("the ball does not rebound".into())
+    }
+
+    /// (10.63), corrected, with δ = ζ_max/R of Hertz's formulas at 1 m/s.
+    fn first_order(&self) -> f64 {
+        let modulus = 2.0 * self.shear_modulus / (1.0 - self.poisson);
+        let root = self.radius.sqrt();
+        let deepest = libm::pow(15.0 * self.mass() / (16.0 * modulus * root), 0.4);
+        let duration = 2.943_275_184_324_705;
+        let y_1 = 1.0 - 2.5 * deepest / self.radius * (1.0 - self.poisson) * (duration - 2.0);
+        2.0 * y_1 * y_1 - 1.0
     }
 
     fn mass(&self) -> f64 {

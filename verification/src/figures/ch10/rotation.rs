@@ -48,6 +48,16 @@ pub(super) fn draw() -> FigureResult {
         Claim::close("spin at the end", end, 0.404_980_700_744, Tolerance::Absolute(2e-11))
             .source("independent program"),
     );
+    let whole = TorsionalImpact::new(TorsionalGroups::new(0.5, 0.1)?)?;
+    figure.claim(
+        Claim::close(
+            "energy lost over that of the spin",
+            whole.energy_loss(),
+            1.0 - 0.404_980_700_744 * 0.404_980_700_744,
+            Tolerance::Absolute(4e-11),
+        )
+        .source("1 less the square of the spin at the end, independent program"),
+    );
     let falling = course.iter().filter(|p| p.time > 1.5).map(|p| p.stick_radius);
     figure.claim(Claim::decreasing("stick radius in restitution", falling).source("section 10.2"));
     figure.claim(reversal()?);

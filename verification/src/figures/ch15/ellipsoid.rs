@@ -291,6 +291,42 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
         )
         .source("energy (2/5) F ζ = m v²/2; T_N of (9.8)"),
     );
+    let course = body.encounter(slip)?.history()?;
+    let (mut tangential, mut normal) = (0.0, 0.0);
+    for pair in course.windows(2) {
+        let impulse = 0.5 * (pair[0].force + pair[1].force) * (pair[1].time - pair[0].time);
+        tangential += impulse.x + impulse.y;
+        normal += impulse.z;
+    }
+    figure.claim(
+        Claim::all_close(
+            "impulses of the course, over those expected",
+            [(f64::abs(tangential) / push, 1.0), (normal / (2.0 * MASS * APPROACH), 1.0)],
+            Tolerance::Absolute(2e-3),
+        )
+        .source("∫F dt of 200 instants; one axis of the contact lies along the slip"),
+    );
+    // A twist as well: the heat is what the bodies lose.
+    let rubber = Material::from_shear(1e6, 0.5)?;
+    let surface = Surface::sphere(0.02)?;
+    let inertia = surface.solid(MASS)?;
+    let spun = PlacedBody::new(surface, rubber, inertia)
+        .at([0.0, 0.0, 0.02])?
+        .moving(Motion::new([0.0, 0.0, -APPROACH], [0.0, 0.0, 100.0])?);
+    let plane = PlacedBody::plane(Material::RIGID);
+    let spun = Encounter::find(spun, plane, Friction::new(FRICTION)?)?.with_torsion().solve()?;
+    let spun = spun.rebound().ok_or("the ball falls")?;
+    let theta = 0.4 * MASS * 0.02 * 0.02;
+    let left = spun.motions[0].spin.z;
+    figure.claim(
+        Claim::close(
+            "a ball that spins about the normal: heat over the spin's energy",
+            spun.energy.dissipated / (0.5 * theta * 1e4),
+            1.0 - left * left / 1e4,
+            Tolerance::Absolute(1e-9),
+        )
+        .source("θ (ω² - ω'²)/2 of the spin it keeps"),
+    );
     let ball = Ellipsoid::of_revolution(1.0);
     let round = ball.encounter(0.1)?.solve()?;
     let round = round.rebound().ok_or("the ball falls")?;
