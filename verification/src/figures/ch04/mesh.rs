@@ -135,10 +135,10 @@ fn coefficient_claims(figure: &mut Figure) -> Result<(), Failure> {
             let expected = quadrature(&rule, f64::from(n) * dx, f64::from(m) * dy);
             let (here, back) = (table.coefficients(n, m), table.coefficients(-n, -m));
             let largest = expected[2][2];
-            for i in 0..3 {
-                for l in 0..3 {
-                    stored.push((here.rows[i][l] / largest, expected[i][l] / largest));
-                    reciprocal.push((back.rows[l][i] / largest, expected[i][l] / largest));
+            for (i, row) in expected.iter().enumerate() {
+                for (l, value) in row.iter().enumerate() {
+                    stored.push((here.rows[i][l] / largest, value / largest));
+                    reciprocal.push((back.rows[l][i] / largest, value / largest));
                 }
             }
         }
