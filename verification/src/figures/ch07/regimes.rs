@@ -102,6 +102,30 @@ fn agreement(statement: &str, (wrong, tested): (u32, u32)) -> Claim {
     )
 }
 
+/// Heat of a step that turns the slip ring, found from the slip, against the work of the force in
+/// small parts less what is stored.
+fn turning_claim(from: [f64; 2], to: [f64; 2]) -> Result<Claim, carom_special::RangeError> {
+    const PARTS: usize = 4000;
+    let mut fine = led(1.0, &[(1.0, from)])?;
+    let heat = fine.dissipation(1.0, to).dot([1.0; 2]);
+    let stored = fine.stored_energy().dot([1.0; 2]);
+    let mut work = 0.0;
+    for part in 1..=PARTS {
+        let (force, at) = (fine.force(), fine.shift());
+        let next = from.plus(to.minus(from).times(part as f64 / PARTS as f64));
+        let mean = force.plus(fine.advance(1.0, next)?).times(0.5);
+        work += mean.dot(next.minus(at));
+    }
+    let kept = fine.stored_energy().dot([1.0; 2]) - stored;
+    Ok(Claim::close(
+        "heat of a shift from e₁ to (0.6, 0.6), whose slip turns, over f F_z ζ",
+        heat,
+        work - kept,
+        Tolerance::Absolute(1e-5),
+    )
+    .source("work of the force in 4000 parts less the energy stored"))
+}
+
 pub(super) fn draw_circle() -> FigureResult {
     let mut figure = Figure::new();
     let e_1 = [0.5, 0.0];
@@ -134,6 +158,7 @@ pub(super) fn draw_circle() -> FigureResult {
         Claim::all_close("ζ₂* at the two ends drawn", depths, Tolerance::Absolute(1e-14))
             .source("(7.20), corrected, inside; (7.5) outside"),
     );
+    figure.claim(turning_claim(e_1, [0.6, 0.6])?);
     let state = led(1.0, &[(1.0, e_1)])?;
     let found = disagreements(&state, 1.0, 1.2, |d| {
         let size = e_1.plus(d).length();
