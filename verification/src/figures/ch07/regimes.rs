@@ -107,20 +107,19 @@ fn agreement(statement: &str, (wrong, tested): (u32, u32)) -> Claim {
 fn turning_claim(from: [f64; 2], to: [f64; 2]) -> Result<Claim, carom_special::RangeError> {
     const PARTS: usize = 4000;
     let mut fine = led(1.0, &[(1.0, from)])?;
-    let heat = fine.dissipation(1.0, to).dot([1.0; 2]);
-    let stored = fine.stored_energy().dot([1.0; 2]);
-    let mut work = 0.0;
+    let (heat, stored) = (fine.dissipation(1.0, to), fine.stored_energy());
+    let mut work = [0.0; 2];
     for part in 1..=PARTS {
         let (force, at) = (fine.force(), fine.shift());
         let next = from.plus(to.minus(from).times(part as f64 / PARTS as f64));
         let mean = force.plus(fine.advance(1.0, next)?).times(0.5);
-        work += mean.dot(next.minus(at));
+        let way = next.minus(at);
+        work = work.plus([mean[0] * way[0], mean[1] * way[1]]);
     }
-    let kept = fine.stored_energy().dot([1.0; 2]) - stored;
-    Ok(Claim::close(
-        "heat of a shift from e₁ to (0.6, 0.6), whose slip turns, over f F_z ζ",
-        heat,
-        work - kept,
+    let lost = work.minus(fine.stored_energy().minus(stored));
+    Ok(Claim::all_close(
+        "heat of a shift from e₁ to (0.6, 0.6), whose slip turns, along x and y, over f F_z ζ",
+        (0..2).map(|i| (heat[i], lost[i])),
         Tolerance::Absolute(1e-5),
     )
     .source("work of the force in 4000 parts less the energy stored"))
