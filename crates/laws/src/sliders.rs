@@ -75,6 +75,25 @@ impl SliderLaw {
         self.shift
     }
 
+    /// The springs from the centre outwards: the approach at which each touches and its anchor,
+    /// the shift at which it would be free of traction. Those not yet touched are at rest.
+    ///
+    /// ```
+    /// use carom_laws::sliders::SliderLaw;
+    /// let mut law = SliderLaw::new(100, 1.0, 1.0)?;
+    /// law.advance(1.0, [0.0, 0.0])?;
+    /// law.advance(1.0, [0.5, 0.0])?;
+    /// // Beyond half the depth a spring carries its limit, the rest of the depth.
+    /// let held = law.springs().all(|(depth, anchor)| {
+    ///     (0.5 - anchor[0] - 0.5_f64.min(1.0 - depth)).abs() < 1e-15
+    /// });
+    /// assert!(held);
+    /// # Ok::<(), carom_special::RangeError>(())
+    /// ```
+    pub fn springs(&self) -> impl ExactSizeIterator<Item = (f64, [f64; 2])> + '_ {
+        self.springs.iter().copied()
+    }
+
     /// The force Phi: `(3/2) int (X - W(t^2)) dt` over the springs in contact.
     #[must_use]
     pub fn force(&self) -> [f64; 2] {

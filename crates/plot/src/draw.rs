@@ -1,7 +1,8 @@
 //! Drawing one series.
 
 use crate::series::{Marker, Point, Series, Stroke, Style};
-use crate::svg::{Frame, Pixel, Svg};
+use crate::svg::{Anchor, Frame, Pixel, Svg};
+use crate::text::Type;
 
 /// Okabe and Ito's colours, in an order that keeps neighbours apart; black last.
 const PALETTE: [&str; 7] =
@@ -52,6 +53,18 @@ pub(crate) fn series(
             }
             svg.close();
         }
+        Style::Note => {
+            svg.open(&format!("fill=\"{colour}\""));
+            for pixel in pixels.into_iter().filter(|pixel| frame.holds(*pixel)) {
+                // Above the point, and towards the middle of the frame.
+                let is_right = pixel.x > frame.x + 0.8 * frame.width;
+                let (anchor, aside) =
+                    if is_right { (Anchor::End, -4.0) } else { (Anchor::Start, 4.0) };
+                let at = Pixel { x: pixel.x + aside, y: pixel.y - 5.0 };
+                svg.text(at, anchor, &series.label, Type::TICK);
+            }
+            svg.close();
+        }
     }
 }
 
@@ -73,6 +86,7 @@ pub(crate) fn sample(svg: &mut Svg, series: &Series, colour: &str, frame: Frame)
             arrow(svg, left, right);
             svg.close();
         }
+        Style::Note => {}
     }
 }
 

@@ -2,7 +2,7 @@
 
 use crate::draw;
 use crate::panel::Panel;
-use crate::series::Series;
+use crate::series::{Series, Style};
 use crate::svg::{Anchor, Frame, Pixel, Svg};
 use crate::text::{Type, text_width};
 
@@ -25,7 +25,8 @@ impl<'a> Legend<'a> {
             let is_known = entries.iter().any(|(known, shade)| {
                 known.label == series.label && known.style == series.style && *shade == colour
             });
-            if !series.label.is_empty() && !is_known {
+            let is_note = series.style == Style::Note;
+            if !series.label.is_empty() && !is_known && !is_note {
                 entries.push((series, colour));
             }
         }

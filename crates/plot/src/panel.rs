@@ -88,6 +88,12 @@ impl Axis {
         Self { label: label.into(), scale: Scale::Log, limits: None }
     }
 
+    /// An axis without numbers, for a sketch.
+    #[must_use]
+    pub fn bare(label: impl Into<String>) -> Self {
+        Self { label: label.into(), scale: Scale::Bare, limits: None }
+    }
+
     /// With fixed limits.
     #[must_use]
     pub const fn between(mut self, low: f64, high: f64) -> Self {
@@ -103,6 +109,8 @@ pub enum Scale {
     Linear,
     /// Equal ratios.
     Log,
+    /// Equal steps without ticks.
+    Bare,
 }
 
 /// Ends of an axis.

@@ -151,7 +151,7 @@ impl<'a> Plot<'a> {
         let mut inked = Vec::new();
         for series in &self.panel.series {
             let pixels: Vec<Pixel> = series.points.iter().map(|p| self.place(*p, frame)).collect();
-            if !matches!(series.style, Style::Markers(_)) {
+            if !matches!(series.style, Style::Markers(_) | Style::Note) {
                 inked.extend(pixels.windows(2).flat_map(|ends| between(ends[0], ends[1])));
             }
             inked.extend(pixels);
@@ -316,6 +316,16 @@ mod tests {
             text.parse::<f64>().unwrap()
         };
         assert_eq!(width(&svg) - width(&bare), ASIDE);
+    }
+
+    #[test]
+    fn a_sketch_has_names_and_no_numbers() {
+        let mut sketch = Panel::new(Axis::bare("aside"), Axis::bare(""));
+        sketch.add(Series::line("", [(0.0, 0.0), (1.0, 1.0)]));
+        sketch.add(Series::note("e_x", (0.5, 0.5)));
+        let svg = render("", &[sketch]).unwrap();
+        assert!(svg.contains("e<tspan") && svg.contains(">aside<"));
+        assert_eq!(svg.matches("<text").count(), 2, "no tick, no legend");
     }
 
     fn titled() -> Panel {

@@ -3,7 +3,7 @@
 /// A labelled set of points with the way to draw it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// Name in the legend; empty for none.
+    /// Name in the legend, empty for none; the words of a note.
     pub label: String,
     /// How the points are drawn.
     pub style: Style,
@@ -64,6 +64,12 @@ impl Series {
         outline: impl IntoIterator<Item = P>,
     ) -> Self {
         Self::new(label, Style::Area, outline)
+    }
+
+    /// Words beside a point, in place of an entry in the legend.
+    #[must_use]
+    pub fn note<P: Into<Point>>(words: impl Into<String>, at: P) -> Self {
+        Self::new(words, Style::Note, [at])
     }
 
     fn new<P: Into<Point>>(
@@ -130,6 +136,8 @@ pub enum Style {
     Arrows,
     /// The inside of a polygon.
     Area,
+    /// The label, written at each point.
+    Note,
 }
 
 /// Pattern of a line.

@@ -89,6 +89,7 @@ impl Span {
     pub(crate) fn ticks(&self) -> (Vec<Tick>, i32) {
         match self.scale {
             Scale::Linear => self.linear_ticks(),
+            Scale::Bare => (Vec::new(), 0),
             Scale::Log => {
                 let ticks = self.log_ticks();
                 if ticks.len() < 2 { self.linear_ticks() } else { (ticks, 0) }
@@ -98,7 +99,7 @@ impl Span {
 
     fn scaled(&self, value: f64) -> f64 {
         match self.scale {
-            Scale::Linear => value,
+            Scale::Linear | Scale::Bare => value,
             Scale::Log => libm::log10(value),
         }
     }

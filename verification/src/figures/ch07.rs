@@ -1,10 +1,12 @@
 //! Chapter 7: load histories with varying direction.
 
+mod directions;
 mod ellipsoid_traction;
 mod examples;
 mod led;
 mod oblique_impact;
 mod regimes;
+mod ring_contact;
 mod torsion;
 
 use crate::catalogue::Entry;
@@ -37,6 +39,6 @@ pub(super) const ENTRIES: &[Entry] = &[
         .by(examples::draw_third)
         .partial("the markers of the numerical solution"),
     Entry::figure("7.15", "Example 3: slip and stress directions at step 21")
-        .by(examples::draw_directions)
+        .by(directions::draw)
         .partial("slip and stress of the numerical solution"),
 ];

@@ -30,6 +30,8 @@ struct Spring {
 pub(super) struct Load {
     pub(super) normal: f64,
     pub(super) tangential: f64,
+    /// Whether a spring slid.
+    pub(super) slides: bool,
 }
 
 impl SpringBed {
@@ -55,7 +57,7 @@ impl SpringBed {
     pub(super) fn advance(&mut self, approach: f64, shift: f64) -> Load {
         let [normal, tangential] = self.stiffness;
         let grip = self.friction * normal / tangential;
-        let mut sums = [0.0; 2];
+        let (mut sums, mut slides) = ([0.0; 2], false);
         for spring in &mut self.springs {
             let pressed = approach - spring.depth;
             if pressed <= 0.0 {
@@ -68,7 +70,10 @@ impl SpringBed {
                 spring.anchor = self.shift + part * (shift - self.shift);
             }
             let reach = grip * pressed;
-            spring.anchor = spring.anchor.clamp(shift - reach, shift + reach);
+            let held = spring.anchor.clamp(shift - reach, shift + reach);
+            // A spring that touches within the step may stretch by rounding.
+            slides |= before > 0.0 && held != spring.anchor;
+            spring.anchor = held;
             sums[0] += pressed;
             sums[1] += shift - spring.anchor;
         }
@@ -76,6 +81,7 @@ impl SpringBed {
         Load {
             normal: self.spacing * normal * sums[0],
             tangential: self.spacing * tangential * sums[1],
+            slides,
         }
     }
 }
@@ -83,44 +89,60 @@ impl SpringBed {
 const SPRINGS: usize = 400;
 const STEPS: usize = 1600;
 
-/// What a stepped impact leaves.
-#[derive(Clone, Copy)]
+/// What a stepped impact leaves, in the units of [`course`].
+#[derive(Clone, Copy, Default)]
 pub(super) struct Stepped {
     /// R_x, to about 2e-6.
     pub(super) restitution: f64,
     /// The tangential force shortly before separation.
     pub(super) last_force: f64,
+    /// The time at which the shift is largest.
+    pub(super) peak: f64,
+    /// The least shift, and that at separation.
+    pub(super) least: f64,
+    pub(super) last: f64,
+    /// When the first spring slid.
+    pub(super) slips_at: f64,
 }
 
 /// R_x of the impact of groups chi and psi, to about 2e-6.
 pub(super) fn restitution(chi: f64, psi: f64) -> f64 {
-    impact(chi, psi).restitution
+    course(chi, psi).restitution
 }
 
 /// The impact of groups chi and psi.
 ///
 /// Units: zeta_max, zeta_max/zeta'_A, and f c_z zeta_max/c_x for the shift; then
 /// F_z = (2/3) zeta^(3/2), zeta'' = -(15/8) F_z and e'' = -(15/8) chi F_t.
-pub(super) fn impact(chi: f64, psi: f64) -> Stepped {
+pub(super) fn course(chi: f64, psi: f64) -> Stepped {
     let mut bed = SpringBed::new(SPRINGS, 1.001, 1.0, [1.0; 2], 1.0);
     let dt = carom_impact::normal::DURATION / STEPS as f64;
     let (mut zeta, mut e) = (0.0, 0.0);
     let (mut w, mut u) = (1.0, psi);
-    let mut last_force = 0.0;
+    let mut found = Stepped::default();
+    let (mut time, mut most) = (0.0, 0.0);
     // Leapfrog.
     loop {
         zeta += 0.5 * dt * w;
         e += 0.5 * dt * u;
         let load = bed.advance(zeta, e);
         if load.tangential != 0.0 {
-            last_force = load.tangential;
+            found.last_force = load.tangential;
         }
         w -= 1.875 * dt * load.normal;
         u -= 1.875 * chi * dt * load.tangential;
         zeta += 0.5 * dt * w;
         e += 0.5 * dt * u;
+        time += dt;
+        if load.slides && found.slips_at == 0.0 {
+            found.slips_at = time;
+        }
+        if e > most {
+            (most, found.peak) = (e, time);
+        }
+        found.least = e.min(found.least);
         if zeta <= 0.0 {
-            return Stepped { restitution: -u / psi, last_force };
+            return Stepped { restitution: -u / psi, last: e, ..found };
         }
     }
 }

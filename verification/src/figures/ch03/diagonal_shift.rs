@@ -3,7 +3,7 @@
 use carom_impact::coupled::CoulombRings;
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Shift};
-use carom_laws::shift::CattaneoMindlin;
+use carom_laws::shift::{CattaneoMindlin, turned_stiffness};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::{AxisRatio, RangeError};
@@ -51,7 +51,8 @@ pub(super) fn draw() -> FigureResult {
     panels(&mut figure, &thesis, &coulomb);
     let complete = 1.0 / libm::hypot(stiffness.c_x, stiffness.c_y);
     partial_slip_claims(&mut figure, &stiffness, &thesis, complete)?;
-    sliding_claims(&mut figure, &thesis, &coulomb, complete);
+    sliding_claims(&mut figure, &stiffness, &thesis, &coulomb, complete);
+    energy_claim(&mut figure, &stiffness)?;
     figure.deviation(
         "force of the numerical solution",
         "the laws of Cattaneo and of Coulomb on rings",
@@ -119,7 +120,90 @@ fn partial_slip_claims(
     Ok(())
 }
 
-fn sliding_claims(figure: &mut Figure, thesis: &Curve, coulomb: &Curve, complete: f64) {
+/// Energies of both laws at ξ = η = 1.5 ζ beside the work done.
+fn energy_claim(figure: &mut Figure, stiffness: &ContactStiffness) -> Result<(), Failure> {
+    let mut pairs = Vec::new();
+    let mut add = |stored: f64, lost: f64, expected: [f64; 2]| {
+        pairs.extend([(stored, expected[0]), (lost, expected[1])]);
+    };
+    // Straight in the direction of the normalised shift: Cattaneo's law, with k = f c_z ζ and
+    // C e = k p at sliding; then sliding at the constant force f F_z p.
+    let size = libm::hypot(stiffness.c_x, stiffness.c_y);
+    let (onset, end) = (stiffness.c_z / size, 1.5);
+    let direction = [stiffness.c_x / size, stiffness.c_y / size];
+    let force = 2.0 / 3.0 * stiffness.c_z;
+    let along = force * onset * (direction[0] + direction[1]);
+    // Up to the onset the work is 3/5 of force times shift, 1/5 of it lost.
+    let slid = force * (end - onset) * (direction[0] + direction[1]);
+    let pressed = 4.0 / 15.0 * stiffness.c_z;
+    let mut law = ShiftLaw::<[f64; 2]>::new(*stiffness, Friction::new(1.0)?);
+    for shift in [0.0, 0.5 * onset, onset, end] {
+        law.advance(Shift { zeta: 1.0, xi: shift, eta: shift, omega: 0.0 })?;
+    }
+    add(law.stored_energy(), law.dissipated(), [pressed + 0.4 * along, 0.2 * along + slid]);
+    // Rings with one stiffness, along x: the same law, to 1.5 times the shift of sliding.
+    let even = ContactStiffness::new(0.8, 0.8, 1.2)?;
+    let mut rings = CoulombRings::new(even, 0.3, 0.002)?;
+    let onset = 0.3 * 1.2 / 0.8;
+    rings.advance(Shift { zeta: 1.0, ..Shift::default() })?;
+    for step in 1..=300 {
+        let xi = 1.5 * onset * f64::from(step) / 300.0;
+        rings.advance(Shift { zeta: 1.0, xi, ..Shift::default() })?;
+    }
+    let force = 2.0 / 3.0 * 0.3 * 1.2;
+    let limit = rings.load().f_x / force;
+    let (stored, lost) = (rings.stored_energy(), rings.dissipated());
+    let expected =
+        [4.0 / 15.0 * 1.2 + 0.4 * force * onset, 0.2 * force * onset + 0.5 * force * onset];
+    figure.claim(
+        Claim::all_close(
+            "rings of one stiffness: energy stored and lost, over those of Cattaneo",
+            [(stored / expected[0], 1.0), (lost / expected[1], 1.0)],
+            Tolerance::Absolute(2e-3),
+        )
+        .source("∫F dξ of (5.28) and the work of sliding"),
+    );
+    figure.claim(
+        Claim::close("and F_x/(f F_z) in sliding", limit, 1.0, Tolerance::Absolute(1e-12))
+            .source("Coulomb"),
+    );
+    let turned = turned_stiffness(stiffness, 0.7);
+    let (sin, cos) = (0.7_f64.sin(), 0.7_f64.cos());
+    let axes = [[cos, sin], [-sin, cos]];
+    let mut entries = Vec::new();
+    for i in 0..2 {
+        for j in 0..2 {
+            let sum =
+                stiffness.c_x * axes[i][0] * axes[j][0] + stiffness.c_y * axes[i][1] * axes[j][1];
+            entries.push((turned[i][j], sum));
+        }
+    }
+    figure.claim(
+        Claim::all_close(
+            "stiffness in axes turned by 0.7 rad",
+            entries,
+            Tolerance::Absolute(1e-15),
+        )
+        .source("proposition 1: a tensor of second order"),
+    );
+    figure.claim(
+        Claim::all_close(
+            "energy stored and lost at ξ = η = 1.5 ζ by Cattaneo",
+            pairs,
+            Tolerance::Relative(1e-9),
+        )
+        .source("∫F dξ of (5.28): 2/5 of force times shift stored at sliding, 1/5 lost before"),
+    );
+    Ok(())
+}
+
+fn sliding_claims(
+    figure: &mut Figure,
+    stiffness: &ContactStiffness,
+    thesis: &Curve,
+    coulomb: &Curve,
+    complete: f64,
+) {
     let bounds = |curve: &Curve| {
         let ratios = curve.iter().skip(1).map(|(_, force)| force[0] / force[1]);
         ratios.fold([f64::INFINITY, 0.0], |[low, high], r| [r.min(low), r.max(high)])
@@ -147,17 +231,61 @@ fn sliding_claims(figure: &mut Figure, thesis: &Curve, coulomb: &Curve, complete
         Claim::decreasing("Coulomb's force turns towards the slip", turning)
             .source("slip along the traction: 45° in rigid sliding"),
     );
-    let at = |share: f64| {
-        let place = coulomb.partition_point(|(x, _)| *x < share * complete);
-        angle(coulomb[place.min(coulomb.len() - 1)].1)
-    };
-    let (partial, sliding) = (at(0.05) - at(1.0), at(1.0) - at(2.9));
     figure.claim(
-        Claim::at_least("turn in sliding over that before", sliding / partial, 2.0)
-            .source("the direction changes much only in gross slip"),
+        Claim::all_close(
+            "F_x and F_y of Coulomb's rings over f F_z at ten shifts",
+            dragged_rings(stiffness, coulomb),
+            Tolerance::Absolute(1e-3),
+        )
+        .source("500 rings dragged by steps of ζ/2000, each along its own traction"),
     );
-    figure.claim(
-        Claim::close("angle at ξ = 3 ζ", at(2.97), 45.0, Tolerance::Absolute(1.5))
-            .source("rigid sliding: F along the shift"),
-    );
+}
+
+/// F_x, F_y of the law at every 30th point beside those of rings dragged in small steps.
+fn dragged_rings(stiffness: &ContactStiffness, coulomb: &Curve) -> Vec<(f64, f64)> {
+    const RINGS: usize = 500;
+    const STEPS: usize = 20; // between two points of the curve
+    let c = [stiffness.c_x, stiffness.c_y];
+    let radii: Vec<f64> = (0..RINGS).map(|i| (i as f64 + 0.5) / RINGS as f64).collect();
+    let mut anchors = vec![[0.0; 2]; RINGS];
+    let (mut pairs, mut last) = (Vec::new(), 0.0);
+    for (number, (x, force)) in coulomb.iter().enumerate().skip(1) {
+        for step in 1..=STEPS {
+            let shift = last + (x - last) * step as f64 / STEPS as f64;
+            for (anchor, r) in anchors.iter_mut().zip(&radii) {
+                *anchor = dragged(*anchor, shift, c, stiffness.c_z * (1.0 - r * r));
+            }
+        }
+        last = *x;
+        if number % 30 == 0 {
+            for i in 0..2 {
+                let sum: f64 = anchors.iter().map(|anchor| c[i] * (x - anchor[i])).sum();
+                // F_z = (2/3) c_z at the approach 1.
+                let whole = sum / RINGS as f64 / (2.0 / 3.0 * stiffness.c_z);
+                pairs.push((force[i], whole));
+            }
+        }
+    }
+    pairs
+}
+
+/// The anchor of a ring after a small step of the shift (x, x): it slips by λ t until the
+/// traction t = C (x - W) is back at its limit.
+fn dragged(anchor: [f64; 2], shift: f64, c: [f64; 2], limit: f64) -> [f64; 2] {
+    let trial = [0, 1].map(|i| c[i] * (shift - anchor[i]));
+    let at = |slip: f64| [0, 1].map(|i| trial[i] / (1.0 + slip * c[i]));
+    let size = |t: [f64; 2]| libm::hypot(t[0], t[1]);
+    if size(trial) <= limit {
+        return anchor;
+    }
+    let (mut low, mut high) = (0.0, 1.0);
+    while size(at(high)) > limit && high < 1e9 {
+        high *= 2.0;
+    }
+    for _ in 0..40 {
+        let middle = 0.5 * (low + high);
+        if size(at(middle)) > limit { low = middle } else { high = middle }
+    }
+    let held = at(high);
+    [0, 1].map(|i| shift - held[i] / c[i])
 }

@@ -1,8 +1,10 @@
 //! Fig. 3.6: the three types of impact, sketched and computed for two steel balls.
 
 use carom_halfspace::Material;
+use carom_impact::closed_form::{tangential_energy_loss, wave_loss};
+use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
 use carom_impact::torsional::{SpinCollision, Spinner, TorsionalImpact, TorsionalPhase};
-use carom_impact::{Body, Collision, Motion, Rebound, normal};
+use carom_impact::{Body, Collision, Motion, Rebound, Warning, normal};
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::torsion::law::TorsionLaw;
@@ -167,30 +169,65 @@ fn normal_claims(figure: &mut Figure) -> Result<(), Failure> {
         )
         .source("Hertz's formulas with E*, R*, m*"),
     );
+    let share = libm::tgamma(0.4) / libm::tgamma(0.9);
+    let duration = 0.8 * std::f64::consts::PI.sqrt() * share * deepest / APPROACH;
+    let pressed = (radius * deepest).sqrt();
     figure.claim(
-        Claim::at_most(
-            "a/R of this impact is below Hertz's 1/10",
-            straight.maximal_contact.semi_axis_b() / RADIUS,
-            0.1,
+        Claim::all_close(
+            "duration, greatest contact radius and impulse",
+            [
+                (straight.duration, duration),
+                (straight.maximal_contact.semi_axis_b(), pressed),
+                (straight.impulse.z, 2.0 * mass * APPROACH),
+            ],
+            Tolerance::Relative(1e-13),
         )
-        .source("text below the figure"),
+        .source("Hertz's formulas; (9.8); momentum"),
+    );
+    let before = 0.25 * MASS * APPROACH * APPROACH;
+    figure.claim(
+        Claim::all_close(
+            "kinetic energy before and after, heat, over that before",
+            [
+                (straight.energy.before / before, 1.0),
+                (straight.energy.after / before, 1.0),
+                (straight.energy.dissipated / before, 0.0),
+                (collision(0.0)?.hertz().normal_energy(deepest) / before, 1.0),
+            ],
+            Tolerance::Absolute(1e-13),
+        )
+        .source("m v²/2 of both balls; all of it elastic at the greatest approach"),
+    );
+    // Lamb's integral with 20 digits at nu = 0.3.
+    let coefficient = 1.131_809_722_782_67;
+    let expected = |velocity: f64, density: f64| {
+        coefficient * libm::pow(velocity / (YOUNG / density).sqrt(), 0.6)
+    };
+    let density = MASS / (4.0 / 3.0 * std::f64::consts::PI * RADIUS * RADIUS * RADIUS);
+    let ball =
+        Body::sphere(RADIUS, steel()?, MASS)?.moving(Motion::new([0.0, 0.0, -5.0], [0.0; 3])?);
+    let thrown = Collision::new(ball, Body::plane(steel()?), Friction::new(FRICTION)?)?.solve()?;
+    let warned = thrown.rebound().ok_or("the ball flies at the plane")?.warnings.iter();
+    let warned = warned.filter_map(|warning| match warning {
+        Warning::WaveLoss { share } => Some(*share),
+        _ => None,
+    });
+    figure.claim(
+        Claim::all_close(
+            "share of the energy that waves carry away: 1 m/s, and a ball at 5 m/s on its own steel",
+            [
+                (wave_loss(POISSON, 1.0, (YOUNG / 7850.0).sqrt())?, expected(1.0, 7850.0)),
+                (warned.sum::<f64>(), expected(5.0, density)),
+            ],
+            Tolerance::Relative(1e-12),
+        )
+        .source("(3.2) with the coefficient of Lamb's integral in 20 digits"),
     );
     Ok(())
 }
 
 fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
     let oblique = rebound(SLIP)?;
-    let regimes: Vec<&str> = oblique.log.iter().map(|entry| entry.regime.name()).collect();
-    figure.claim(
-        Claim::holds(
-            format!("the tangential impact goes: {}", regimes.join(", ")),
-            regimes.first() == Some(&"adhesion")
-                && regimes.get(1).is_some_and(|name| name.starts_with("slip"))
-                && regimes.last().is_some_and(|name| name.starts_with("slide")),
-            regimes.len() as f64,
-        )
-        .source("text below the figure: adhesion, partial slip, complete sliding at the end"),
-    );
     let kappa = (2.0 - POISSON) / (2.0 * (1.0 - POISSON));
     let stepped = spring_impact::restitution(3.5 / kappa, 1.0 / kappa);
     figure.claim(
@@ -202,11 +239,106 @@ fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
         )
         .source("springs with sliders, stepped in time"),
     );
-    let [one, _] = oblique.motions;
-    let turned = one.spin.norm() * oblique.duration;
+    // The impulse changes the slip by 7/2 of what it changes the velocities by: reduced mass m/2.
+    let push = 0.5 * MASS * (1.0 + stepped) * SLIP * 2.0 / 7.0;
+    let [one, two] = oblique.motions;
+    let spin = 2.5 * push / (MASS * RADIUS);
     figure.claim(
-        Claim::at_most("the balls turn by little during the impact: ω T", turned, 1e-3)
-            .source("condition T << 1/ω above the figure"),
+        Claim::all_close(
+            "impulse along the surface and the spins it makes, over those of R_x = 0",
+            [
+                (oblique.impulse.x, push),
+                (one.spin.y * MASS * RADIUS, -spin * MASS * RADIUS),
+                (two.spin.y * MASS * RADIUS, -spin * MASS * RADIUS),
+                (MASS * (one.velocity.x + 0.5 * SLIP), push),
+                (MASS * (two.velocity.x - 0.5 * SLIP), -push),
+            ]
+            .map(|(found, wanted)| (found / (MASS * SLIP / 7.0), wanted / (MASS * SLIP / 7.0))),
+            Tolerance::Absolute(2e-5),
+        )
+        .source("momenta of solid balls, R_x of the springs"),
+    );
+    history_claim(figure, &oblique, stepped)?;
+    let taken = 0.5 * MASS / 7.0 * (1.0 - stepped * stepped) * SLIP * SLIP;
+    let budget = oblique.energy;
+    let restitution = oblique.tangential_restitution.ok_or("no R_x")?;
+    let closed = tangential_energy_loss([MASS, MASS], restitution, SLIP)?;
+    figure.claim(
+        Claim::all_close(
+            "energy that friction takes, the loss of kinetic energy and (9.59), over m v²/14",
+            [budget.dissipated, budget.before - budget.after, closed].map(|found| {
+                (found / (0.5 * MASS / 7.0 * SLIP * SLIP), taken / (0.5 * MASS / 7.0 * SLIP * SLIP))
+            }),
+            Tolerance::Absolute(2e-5),
+        )
+        .source("(9.59) with R_x of the springs"),
+    );
+    let groups = Groups::of_spheres(kappa, 1.0)?;
+    let walk = ObliqueImpact::new(groups)?;
+    let times: Vec<(f64, f64)> = oblique
+        .log
+        .iter()
+        .zip(walk.phases())
+        .map(|(entry, phase)| {
+            (entry.time / oblique.duration, normal::time(phase.start) / normal::DURATION)
+        })
+        .collect();
+    let starts = spring_impact::course(3.5 / kappa, 1.0 / kappa);
+    figure.claim(
+        Claim::holds(
+            "adhesion, then partial slip, complete sliding against the first slip at the end",
+            walk.phases().first().is_some_and(|phase| phase.regime == Regime::Adhesion)
+                && walk.phases().last().is_some_and(|phase| phase.regime == Regime::SlideBackward)
+                && starts.last_force < 0.0
+                && times.len() == walk.phases().len(),
+            starts.last_force,
+        )
+        .source("text below the figure; last force of the springs"),
+    );
+    figure.claim(
+        Claim::close(
+            "slip begins where the shift no longer keeps up with the approach: t/T",
+            times[1].0,
+            starts.slips_at / normal::DURATION,
+            Tolerance::Absolute(2e-3),
+        )
+        .source("first slider of the springs to give way"),
+    );
+    Ok(())
+}
+
+/// The course that is drawn, against the outcome and the springs.
+fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result<(), Failure> {
+    let history = collision(SLIP)?.history(4001)?;
+    let (mut normal_sum, mut tangential) = (0.0, 0.0);
+    for pair in history.windows(2) {
+        let dt = pair[1].time - pair[0].time;
+        normal_sum += 0.5 * dt * (pair[0].normal_force + pair[1].normal_force);
+        tangential += 0.5 * dt * (pair[0].tangential_force + pair[1].tangential_force);
+    }
+    let push = 0.5 * MASS * (1.0 + stepped) * SLIP * 2.0 / 7.0;
+    let kappa = (2.0 - POISSON) / (2.0 * (1.0 - POISSON));
+    let course = spring_impact::course(3.5 / kappa, 1.0 / kappa);
+    let last = history.last().ok_or("an impact has a course")?;
+    // The springs count shifts in f κ ζ_max.
+    let unit = FRICTION * kappa * outcome.maximal_approach;
+    let early = &history[200];
+    let middle = &history[2000];
+    figure.claim(
+        Claim::all_close(
+            "the course: impulses, last shift, velocity, contact and stick radii, over those expected",
+            [
+                (normal_sum / (MASS * APPROACH), 1.0),
+                (tangential / push, 1.0),
+                (last.shift / unit, course.last),
+                (last.shift_velocity / SLIP, -stepped),
+                (early.stick_radius / early.contact_radius, 1.0),
+                (early.contact_radius / (0.5 * RADIUS * early.approach).sqrt(), 1.0),
+                (middle.contact_radius / (0.5 * RADIUS * outcome.maximal_approach).sqrt(), 1.0),
+            ],
+            Tolerance::Absolute(1e-3),
+        )
+        .source("∫F dt, momentum; shift by the springs; a² = R ζ/2; all sticks at first"),
     );
     Ok(())
 }
@@ -244,6 +376,47 @@ fn torsional_claims(figure: &mut Figure) -> Result<(), Failure> {
             Tolerance::Absolute(1e-6),
         )
         .source("Newton's equations stepped in time with Lubkin's law"),
+    );
+    let (ratio, inertia) = (stepped_spin(APPROACH, SPIN, 2000)?, 0.4 * MASS * RADIUS * RADIUS);
+    // The reduced moment of inertia is half of one ball's.
+    let [impulse, loss] = [
+        -0.5 * inertia * (1.0 - ratio) * SPIN,
+        0.25 * inertia * (1.0 - ratio * ratio) * SPIN * SPIN,
+    ];
+    figure.claim(
+        Claim::all_close(
+            "impulse of the torque, energy lost and spins, over those expected",
+            [
+                (outcome.torque_impulse / impulse, 1.0),
+                (outcome.energy_loss / loss, 1.0),
+                (outcome.spins[0] / (0.5 * ratio * SPIN), 1.0),
+                (outcome.spins[1] / (-0.5 * ratio * SPIN), 1.0),
+            ],
+            Tolerance::Absolute(1e-3),
+        )
+        .source("momentum about the normal, with the spin ratio stepped in time"),
+    );
+    // The same by two bodies in space.
+    let ball = |side: f64| -> Result<Body, Failure> {
+        let motion =
+            Motion::new([0.0, 0.0, -0.5 * side * APPROACH], [0.0, 0.0, 0.5 * side * SPIN])?;
+        Ok(Body::sphere(RADIUS, steel()?, MASS)?.moving(motion))
+    };
+    let both = Collision::new(ball(1.0)?, ball(-1.0)?, Friction::new(FRICTION)?)?.with_torsion();
+    let both = both.solve()?;
+    let both = both.rebound().ok_or("the balls approach each other")?;
+    figure.claim(
+        Claim::all_close(
+            "the same impact of two bodies in space: spins and heat, over those expected",
+            [
+                (both.motions[0].spin.z / (0.5 * ratio * SPIN), 1.0),
+                (both.motions[1].spin.z / (-0.5 * ratio * SPIN), 1.0),
+                (both.energy.dissipated / loss, 1.0),
+                ((both.energy.before - both.energy.after) / loss, 1.0),
+            ],
+            Tolerance::Absolute(1e-3),
+        )
+        .source("momentum about the normal, with the spin ratio stepped in time"),
     );
     // Omega, the spin over the velocity times the contact radius, is kept.
     let base = spinning(APPROACH, SPIN)?;

@@ -86,11 +86,10 @@ fn stress_claims(figure: &mut Figure, contact: &Contact) -> Result<(), Failure> 
         }
     }
     figure.claim(Claim::at_most("σ_zx never exceeds f p_z", excess, 1e-15).source("Coulomb"));
-    figure.claim(Claim::all_close(
-        "and equals it in the slip ring",
-        ring,
-        Tolerance::Absolute(1e-15),
-    ));
+    figure.claim(
+        Claim::all_close("and equals it in the slip ring", ring, Tolerance::Absolute(1e-15))
+            .source("Coulomb"),
+    );
     figure.claim(
         Claim::all_close("σ₁ - σ₂", shape, Tolerance::Absolute(1e-14)).source("(3.11), corrected"),
     );
@@ -128,6 +127,23 @@ fn force_claims(figure: &mut Figure, contact: &Contact) -> Result<(), Failure> {
         Claim::all_close("and is the force of the law", inner, Tolerance::Relative(1e-9))
             .source("quadrature of the drawn stress"),
     );
+    let mut inverse = Vec::new();
+    for share in [0.2_f64, 0.4, 0.6, 0.8] {
+        let rest = 1.0 - share;
+        // F_z = (2/3) c_z ζ^(3/2), and the force of (3.12).
+        let force = FRICTION * 2.0 / 3.0 * (1.0 - rest * rest.sqrt());
+        let state = contact.law.at_force(1.0, force, 0.0)?;
+        let xi = share * FRICTION / contact.stiffness.c_x;
+        inverse.extend([(state.shift[0], xi), (state.stick_depth(), rest)]);
+    }
+    figure.claim(
+        Claim::all_close(
+            "shift and stick area under that force",
+            inverse,
+            Tolerance::Absolute(1e-13),
+        )
+        .source("(5.28), (5.29): the inverse of (3.12) worked out"),
+    );
     // c_z = 4 G a/(1 - ν) at ζ = 1, a = 1, and σ_z0 = c_z/π.
     let nu = 0.3;
     let (modulus, peak) = (0.25 * (1.0 - nu), std::f64::consts::FRAC_1_PI);
@@ -149,7 +165,17 @@ fn force_claims(figure: &mut Figure, contact: &Contact) -> Result<(), Failure> {
     let state = contact.at(0.6)?;
     let stick = state.stick_radius();
     let steep = (contact.stress(&state, stick) - contact.stress(&state, stick - 1e-8)) / 1e-8;
-    figure.claim(Claim::at_least("the inner slope at a* is vertical: over 1e-8 a", steep, 1e3));
+    // sqrt(2 a* h) over h, and the slope of the limit.
+    let expected = (2.0 * stick / 1e-8).sqrt() - stick / (1.0 - stick * stick).sqrt();
+    figure.claim(
+        Claim::close(
+            "slope just inside a*, over 1e-8 a",
+            steep,
+            expected,
+            Tolerance::Relative(1e-5),
+        )
+        .source("vertical: the square root of σ₂ at a*"),
+    );
     Ok(())
 }
 

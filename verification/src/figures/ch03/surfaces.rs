@@ -67,19 +67,5 @@ pub(super) fn draw() -> FigureResult {
         )
         .source("eigenvalue in 25 digits by an independent program"),
     );
-    // A sphere of radius R lies R - sqrt(R² - x²) from its tangent plane.
-    let ball = Paraboloid::new(PrincipalRadii::sphere(1.0)?, 0.0);
-    let errors = [0.1_f64, 0.05, 0.025].map(|x| {
-        let exact = x * x / (1.0 + (1.0 - x * x).sqrt());
-        ((exact - ball.height(x, 0.0)) / exact, 0.25 * x * x)
-    });
-    figure.claim(
-        Claim::all_close(
-            "the parabola errs by (x/R)²/4 of the height of a sphere",
-            errors,
-            Tolerance::Relative(0.01),
-        )
-        .source("R - sqrt(R² - x²)"),
-    );
     Ok(figure)
 }

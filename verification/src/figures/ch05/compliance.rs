@@ -3,8 +3,13 @@
 use std::f64::consts::TAU;
 
 use carom_halfspace::{Material, MaterialPair};
+use carom_laws::curvature::RelativeCurvature;
 use carom_laws::ellipse::ContactEllipse;
+use carom_laws::friction::Friction;
+use carom_laws::hertz::Hertz;
+use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::torsion::adhesion::AdhesiveTorsion;
+use carom_laws::torsion::law::TorsionLaw;
 use carom_special::RangeError;
 use carom_special::quadrature::GaussLegendre;
 
@@ -64,15 +69,19 @@ pub(super) fn draw() -> FigureResult {
     let fall = (0..ratios.len() - 1)
         .flat_map(|i| curves.windows(2).map(move |pair| pair[0][i] - pair[1][i]))
         .fold(f64::INFINITY, f64::min);
-    figure.claim(Claim::holds("it falls with ν where a < b", fall > 0.0, fall));
+    figure.claim(
+        Claim::holds("it falls with ν where a < b", fall > 0.0, fall)
+            .source("(5.35) by an independent program"),
+    );
     for (nu, curve) in POISSON.into_iter().zip(&curves) {
-        figure.claim(Claim::decreasing(
-            format!("ν = {nu}: it falls with a/b"),
-            curve.iter().copied(),
-        ));
+        figure.claim(
+            Claim::decreasing(format!("ν = {nu}: it falls with a/b"), curve.iter().copied())
+                .source("(5.35) by an independent program"),
+        );
     }
     symmetry_claims(&mut figure)?;
     moment_claim(&mut figure)?;
+    law_claim(&mut figure)?;
     figure.deviation(
         "σ_zy = +T″x/s with u = βy, v = -βx in (5.32)",
         "σ_zy = -T″x/s",
@@ -98,6 +107,42 @@ fn symmetry_claims(figure: &mut Figure) -> Result<(), Failure> {
     figure.claim(
         Claim::all_close("T′ = T″ for ν = 0.5", equal, Tolerance::Relative(1e-13))
             .source("errata of (5.34)"),
+    );
+    Ok(())
+}
+
+/// The law of a contact that cannot slip: each disc that joins twists from there on.
+fn law_claim(figure: &mut Figure) -> Result<(), Failure> {
+    let body = Material::from_shear(2.0, 0.3)?;
+    let pair = MaterialPair::new(body, body)?;
+    let gap = RelativeCurvature::from_coefficients(1.0, 0.4)?;
+    let hertz = Hertz::new(gap, pair)?;
+    let mut law = TorsionLaw::new(&hertz, Friction::new(f64::INFINITY)?)?;
+    let stiffness = |zeta: f64| -> Result<f64, Failure> {
+        let ellipse = hertz.ellipse(zeta)?;
+        let (a, b) = (ellipse.semi_axis_a(), ellipse.semi_axis_b());
+        // From the ordinate of the figure.
+        Ok(16.0 / 3.0 * b * b * b / compliance(a / b, 1.0, 0.3)?)
+    };
+    let (first, second) = (stiffness(0.01)?, stiffness(0.02)?);
+    let mut pairs = Vec::new();
+    let mut at = |zeta: f64, omega: f64| law.advance(Shift { zeta, omega, ..Shift::default() });
+    at(0.01, 0.0)?;
+    pairs.push((at(0.01, 1e-3)?.m_z / (1e-3 * first), 1.0));
+    at(0.02, 1e-3)?;
+    let load = at(0.02, 3e-3)?;
+    pairs.push((load.m_z / (1e-3 * first + 2e-3 * second), 1.0));
+    // Discs of the first compression carry 3e-3, those that joined 2e-3.
+    let energy = 0.5 * (9e-6 * first + 4e-6 * (second - first));
+    pairs.push((law.twist_energy() / energy, 1.0));
+    pairs.push((law.dissipated() / energy, 0.0));
+    figure.claim(
+        Claim::all_close(
+            "torque and energy of a twist, a compression and a twist without slip, over (5.35)",
+            pairs,
+            Tolerance::Absolute(1e-12),
+        )
+        .source("M_z = K₁ β₁ + K₂ (β - β₁) and half of Σ K β² with K of the figure"),
     );
     Ok(())
 }

@@ -105,18 +105,28 @@ pub(super) fn contact() -> FigureResult {
         let ([z_1, z_2], z) = (Spheres::undeformed(x), spheres.contact_surface(x));
         (z - z_1).min(APPROACH - z_2 - z)
     });
-    figure.claim(Claim::at_least(
-        "it lies between z₁ and ζ - z₂",
-        between.fold(f64::INFINITY, f64::min),
-        -1e-15,
-    ));
+    // Nearest to z_1, that of the softer body's share, at the edge: one or the other of the shares of
+    // the gap ζ - z_1 - z_2, which is half of ζ there.
+    let [one, two] = spheres.shares;
+    figure.claim(
+        Claim::close(
+            "it lies between z₁ and ζ - z₂, by at least",
+            between.fold(f64::INFINITY, f64::min),
+            0.5 * APPROACH * one.min(two),
+            Tolerance::Absolute(1e-15),
+        )
+        .source("(5.17): the gap in the ratio of both compliances"),
+    );
     let a = spheres.state.ellipse.semi_axis_a();
     let outside = xs.iter().filter(|x| x.abs() > 1.02 * a).map(|&x| {
         let [above, below] = spheres.surfaces(x);
         above - below
     });
     let gap = outside.fold(f64::INFINITY, f64::min);
-    figure.claim(Claim::holds("the bodies are apart outside the contact", gap > 0.0, gap));
+    figure.claim(
+        Claim::at_least("the bodies are apart outside the contact, from 1.02 a on", gap, 5e-4)
+            .source("text above (5.15)"),
+    );
     limit_claims(&mut figure)?;
     let [one, two] = spheres.shares;
     let printed = |x: f64| {
@@ -125,8 +135,13 @@ pub(super) fn contact() -> FigureResult {
     };
     let miss = (printed(0.0) - spheres.contact_surface(0.0)).abs() / APPROACH;
     figure.claim(
-        Claim::at_least("(5.17) as printed misses at the centre by, over ζ", miss, 0.3)
-            .source("errata"),
+        Claim::close(
+            "(5.17) as printed misses at the centre by, over ζ",
+            miss,
+            (0.7 - 0.8 / 3.0) / (0.7 + 0.8 / 3.0),
+            Tolerance::Absolute(1e-14),
+        )
+        .source("difference of both compliances (1 - ν)/G over their sum"),
     );
     figure.deviation(
         "… + φ₂ ξ as last term of (5.17)",
@@ -221,7 +236,9 @@ pub(super) fn shifted() -> FigureResult {
             .source("(5.19) by the displacement (6.6) of two ellipsoids of traction"),
     );
     let lag: Vec<f64> = linspace(stick, a, 31).into_iter().map(|x| relative(x) / xi).collect();
-    figure.claim(Claim::decreasing("the slip grows from its border to the edge", lag));
+    figure.claim(
+        Claim::decreasing("the slip grows from its border to the edge", lag).source("(6.11)"),
+    );
     figure.claim(
         Claim::close(
             "(a*/a)² = 1 - c_x ξ/(f c_z ζ)",
@@ -232,7 +249,10 @@ pub(super) fn shifted() -> FigureResult {
         .source("(5.26)"),
     );
     let order = linspace(-0.4, 0.4, 81).into_iter().map(|x| x + 0.5 * relative(x));
-    figure.claim(Claim::increasing("no two surface points of body 1 cross", order));
+    figure.claim(
+        Claim::increasing("no two surface points of body 1 cross", order)
+            .source("displacements are continuous and small"),
+    );
     let curvature = 0.5 / RADII[0] + 0.5 / RADII[1];
     figure.claim(
         Claim::close(

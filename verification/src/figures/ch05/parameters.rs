@@ -52,11 +52,12 @@ pub(super) fn draw() -> FigureResult {
     );
     for (i, name) in NAMES.into_iter().enumerate() {
         let column = curves.iter().map(|curve| curve[i]);
-        figure.claim(if i < 2 {
+        let claim = if i < 2 {
             Claim::increasing(format!("{name} rises with a/b"), column)
         } else {
             Claim::decreasing(format!("{name} falls with a/b"), column)
-        });
+        };
+        figure.claim(claim.source("limits 0, 0, 1, 1 for a slender ellipse, (5.12), (5.25a)"));
     }
     limit_claims(&mut figure)?;
     definition_claims(&mut figure)?;

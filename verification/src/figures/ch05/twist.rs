@@ -2,9 +2,16 @@
 
 use std::f64::consts::{PI, TAU};
 
+use carom_halfspace::{Material, MaterialPair};
+use carom_laws::curvature::RelativeCurvature;
+use carom_laws::friction::Friction;
+use carom_laws::hertz::Hertz;
+use carom_laws::law::{ContactLaw, Shift};
+use carom_laws::torsion::history::TwistHistory;
+use carom_laws::torsion::law::TorsionLaw;
 use carom_laws::torsion::lubkin::{Lubkin, SLIDING_TORQUE, approximate_torque};
 use carom_special::RangeError;
-use carom_special::quadrature::{Tolerance as Within, adaptive, tanh_sinh};
+use carom_special::quadrature::{GaussLegendre, Tolerance as Within, adaptive, tanh_sinh};
 
 use super::super::Failure;
 use crate::reference::rows;
@@ -40,7 +47,11 @@ pub(super) fn draw() -> FigureResult {
     table_claims(&mut figure, &table)?;
     error_claims(&mut figure)?;
     traction_claims(&mut figure)?;
-    figure.claim(Claim::increasing("the torque rises", curve));
+    history_claims(&mut figure, &table)?;
+    energy_claims(&mut figure)?;
+    figure.claim(
+        Claim::increasing("the torque rises", curve).source("its slope (16/3) G a*³ is positive"),
+    );
     figure.deviation(
         "k'²/(4π) before the bracket of (5.41)",
         "k'k²/(4π)",
@@ -114,8 +125,13 @@ fn error_claims(figure: &mut Figure) -> Result<(), Failure> {
         Claim::at_most("error of (5.42) over the sliding moment", of_sliding, 0.03)
             .source("text: maximal error 3 %"),
     );
-    figure.claim(Claim::close("exactly", of_sliding, 0.027_560, Tolerance::Absolute(1e-6)));
-    figure.claim(Claim::close("at", at, 0.195_29, Tolerance::Absolute(1e-4)));
+    figure.claim(
+        Claim::close("exactly", of_sliding, 0.027_560, Tolerance::Absolute(1e-6))
+            .source("independent program"),
+    );
+    figure.claim(
+        Claim::close("at", at, 0.195_29, Tolerance::Absolute(1e-4)).source("independent program"),
+    );
     figure.claim(
         Claim::close(
             "error over the moment itself",
@@ -125,8 +141,14 @@ fn error_claims(figure: &mut Figure) -> Result<(), Failure> {
         )
         .source("independent program; the 3 % of the text do not hold for it"),
     );
-    figure.claim(Claim::close("at", at_own, 0.153_79, Tolerance::Absolute(1e-4)));
-    figure.claim(Claim::at_least("(5.42) lies below (5.41) everywhere", least, 0.0));
+    figure.claim(
+        Claim::close("at", at_own, 0.153_79, Tolerance::Absolute(1e-4))
+            .source("independent program"),
+    );
+    figure.claim(
+        Claim::at_least("(5.42) lies below (5.41) everywhere", least, 0.0)
+            .source("independent program"),
+    );
     Ok(())
 }
 
@@ -160,6 +182,63 @@ fn traction_claims(figure: &mut Figure) -> Result<(), Failure> {
     figure.claim(
         Claim::all_close("dM_z/dβ = (16/3) G a*³", slopes, Tolerance::Relative(1e-6))
             .source("a further slip ring twists the stick area as a rigid disc"),
+    );
+    Ok(())
+}
+
+/// The memory of a twisted contact in its first loading: M_z is 2 mu f F_z a, G a² β/(f F_z) is
+/// 3/8 of its twist.
+fn history_claims(figure: &mut Figure, table: &[[f64; 4]]) -> Result<(), Failure> {
+    let mut pairs = Vec::new();
+    for &[stick, twist, torque, _] in table {
+        let mut history = TwistHistory::new();
+        history.advance(1.0, 0.0)?;
+        pairs.push((2.0 * history.advance(1.0, 8.0 / 3.0 * twist)?, torque));
+        pairs.push((history.stick_radius(), stick));
+        pairs.push((history.tangent(), stick * stick * stick));
+    }
+    figure.claim(
+        Claim::all_close(
+            "torque, stick radius and slope by the memory of a twisted contact",
+            pairs,
+            Tolerance::Absolute(1e-9),
+        )
+        .source("integration of (5.37) in 25 digits; slope (16/3) G a*³"),
+    );
+    Ok(())
+}
+
+/// Energies of a first twist in physical units. Friction is constant and slip goes one way: the
+/// heat is 2 ∫M dβ - M β, what is stored M β - ∫M dβ.
+fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
+    let body = Material::from_shear(3.0, 0.3)?;
+    let gap = RelativeCurvature::from_coefficients(1.0, 1.0)?;
+    let hertz = Hertz::new(gap, MaterialPair::new(body, body)?)?;
+    let (friction, zeta) = (0.4, 0.01);
+    let state = hertz.at_approach(zeta)?;
+    let (a, limit) = (state.ellipse.semi_axis_a(), friction * state.force);
+    // β of G a² β/(f F_z) = 1; G of (4.7) is 3/2.
+    let unit = limit / (1.5 * a * a);
+    let rule = GaussLegendre::new(60)?;
+    let mut pairs = Vec::new();
+    for twist in [0.05, 0.2, 0.6] {
+        let mut law = TorsionLaw::new(&hertz, Friction::new(friction)?)?;
+        law.advance(Shift { zeta, ..Shift::default() })?;
+        let torque = law.advance(Shift { zeta, omega: twist * unit, ..Shift::default() })?.m_z;
+        let end = exact(twist)?;
+        let sum = rule.integrate(0.0, twist, |at| exact(at).unwrap_or(f64::NAN));
+        let scale = limit * a * unit * twist;
+        pairs.push((torque / (limit * a), end));
+        pairs.push((law.twist_energy() / scale, (end * twist - sum) / twist));
+        pairs.push((law.dissipated() / scale, (2.0 * sum - end * twist) / twist));
+    }
+    figure.claim(
+        Claim::all_close(
+            "torque, energy stored and turned into heat by three twists",
+            pairs,
+            Tolerance::Absolute(1e-4),
+        )
+        .source("M β - ∫M dβ and 2 ∫M dβ - M β of (5.41)"),
     );
     Ok(())
 }

@@ -172,7 +172,8 @@ pub(super) fn reference_claim(figure: &mut Figure, name: &str, csv: &str) -> Res
     Ok(())
 }
 
-/// The forces at the corners of a history are those of a bed of springs.
+/// Forces, stored and dissipated energies at the corners of a history are those of a bed of
+/// springs.
 pub(super) fn springs_claim(
     figure: &mut Figure,
     name: &str,
@@ -180,9 +181,12 @@ pub(super) fn springs_claim(
 ) -> Result<(), Failure> {
     let deepest = history.iter().map(|place| place.0).fold(0.0, f64::max);
     let (mut memory, mut springs) = (ScalarMemory::new(), Springs::new(deepest));
-    let mut pairs = Vec::new();
+    let (mut pairs, mut energies, mut heat) = (Vec::new(), Vec::new(), 0.0);
     for &place in history {
+        heat += memory.dissipation(place.0, place.1);
         pairs.push((memory.advance(place.0, place.1)?, springs.advance(place)));
+        energies.push((memory.stored_energy(), springs.energy()));
+        energies.push((heat, springs.heat()));
     }
     figure.claim(
         Claim::all_close(
@@ -191,6 +195,14 @@ pub(super) fn springs_claim(
             Tolerance::Absolute(1e-3),
         )
         .source("2000 independent springs with friction, 1000 steps a side"),
+    );
+    figure.claim(
+        Claim::all_close(
+            format!("{name}: energy stored and turned into heat up to the corners"),
+            energies,
+            Tolerance::Absolute(1e-3),
+        )
+        .source("the same springs: half of stiffness times stretch squared, friction times slip"),
     );
     Ok(())
 }

@@ -70,15 +70,27 @@ impl Bar {
         Ok(pieces)
     }
 
-    /// Draws the bar; `name` says what each regime is called.
+    /// (a*/a)² after the step.
+    fn stick(&self, at: f64) -> Result<f64, RangeError> {
+        let mut memory = self.memory.clone();
+        memory.advance(self.zeta, self.origin + at)?;
+        Ok(memory.stick_depth() / self.zeta)
+    }
+
+    /// Draws the regimes as stripes behind the size of the stick area; `name` says what each
+    /// regime is called, `marks` names places on the abscissa.
     fn panel(
         &self,
         title: &str,
         axis: &str,
         name: impl Fn(Kind) -> &'static str,
+        marks: &[(&str, f64)],
     ) -> Result<Panel, RangeError> {
-        let mut panel =
-            Panel::new(Axis::linear(axis), Axis::linear("").between(0.0, 1.5)).titled(title);
+        let mut panel = Panel::new(
+            Axis::linear(axis),
+            Axis::linear("stick area over contact area, (a*/a)²").between(0.0, 1.75),
+        )
+        .titled(title);
         let mut seen: Vec<&'static str> = Vec::new();
         for (kind, low, high) in self.pieces()? {
             let name = name(kind);
@@ -88,11 +100,44 @@ impl Bar {
                 seen.push(name);
             }
             let label = if known.is_none() { name } else { "" };
-            let corners = [(low, 0.2), (high, 0.2), (high, 0.8), (low, 0.8), (low, 0.2)];
+            let corners = [(low, 0.0), (high, 0.0), (high, 1.0), (low, 1.0), (low, 0.0)];
             panel.add(Series::area(label, corners).coloured(colour));
-            panel.add(Series::line("", corners).coloured(colour));
+        }
+        let mut curve = Vec::new();
+        for (_, low, high) in self.pieces()? {
+            // Short of the ends, where the size may jump.
+            for part in linspace(1e-6, 1.0 - 1e-6, 41) {
+                let at = low + part * (high - low);
+                curve.push((at, self.stick(at)?));
+            }
+        }
+        panel.add(Series::line("(a*/a)²", curve).coloured(6));
+        for &(mark, at) in marks {
+            panel.add(Series::line("", [(at, 1.0), (at, 1.05)]).coloured(6));
+            panel.add(Series::note(mark, (at - 0.05, 1.06)).coloured(6));
         }
         Ok(panel)
+    }
+
+    /// The size of the stick area beside that expected, all over the bar.
+    fn stick_claim(
+        &self,
+        name: &str,
+        expected: impl Fn(Kind, f64) -> f64,
+    ) -> Result<Claim, RangeError> {
+        let mut pairs = Vec::new();
+        for (kind, low, high) in self.pieces()? {
+            for part in linspace(0.01, 0.99, 25) {
+                let shift = low + part * (high - low);
+                let depth = expected(kind, self.origin + shift);
+                pairs.push((self.stick(shift)?, depth / self.zeta));
+            }
+        }
+        Ok(Claim::all_close(
+            format!("{name}: size of the stick area"),
+            pairs,
+            Tolerance::Absolute(1e-12),
+        ))
     }
 
     /// The inner ends of the pieces, beside those expected.
@@ -131,10 +176,11 @@ pub(super) fn second() -> FigureResult {
     };
     let memory = follow(&[(1.0, 0.0), (1.0, 0.5)])?;
     let end = f64::NAN;
-    for (title, step, borders) in [
+    for (title, step, marks, borders) in [
         (
             "a) Δζ₂ > 0",
             0.1,
+            [("A", -0.6), ("P₁", 0.4)],
             vec![
                 (Kind::Sliding, -1.1),
                 (Kind::Decrease(1, -1), -0.6),
@@ -147,6 +193,7 @@ pub(super) fn second() -> FigureResult {
         (
             "b) Δζ₂ < 0",
             -0.1,
+            [("A", -0.4), ("P₁", 0.4)],
             vec![
                 (Kind::Sliding, -0.9),
                 (Kind::Decrease(1, -1), -0.4),
@@ -158,7 +205,15 @@ pub(super) fn second() -> FigureResult {
     ] {
         let bar =
             Bar { memory: memory.clone(), zeta: 1.0 + step, range: (-1.29, 1.28), origin: 0.0 };
-        figure.panel(bar.panel(title, "ξ₂ / (f κ ζ₁)", name)?);
+        figure.panel(bar.panel(title, "ξ₂ / (f κ ζ₁)", name, &marks)?);
+        let (zeta, grown) = (1.0 + step, step);
+        let depth = |kind, shift: f64| match kind {
+            Kind::Sliding => 0.0,
+            Kind::Adhesion => zeta,
+            Kind::Decrease(2, _) => zeta + 0.5 * (shift - 0.5 - grown),
+            Kind::Decrease(..) => zeta - shift.abs(),
+        };
+        figure.claim(bar.stick_claim(title, depth)?.source("(6.13), (6.29), (6.40)"));
         let source = "(6.44), (6.45), (6.47): A at -ξ₁ - Δζ₂, P₁ at ξ₁ - |Δζ₂|; sliding at ±ζ₂";
         for claim in bar.claim(title, &borders, source)? {
             figure.claim(claim);
@@ -229,11 +284,12 @@ pub(super) fn nth() -> FigureResult {
         Kind::Sliding => "sliding",
     };
     let end = f64::NAN;
-    for (title, (step, shift), most, borders) in [
+    for (title, (step, shift), most, mark, borders) in [
         (
             "a) Δζ > 0 in both steps",
             (0.1, -0.3),
             1.68,
+            1.1,
             vec![
                 (Kind::Decrease(2, -1), -0.1),
                 (Kind::Adhesion, 0.1),
@@ -246,6 +302,7 @@ pub(super) fn nth() -> FigureResult {
             "b) Δζ < 0 in both steps",
             (-0.1, -0.1),
             1.28,
+            0.5,
             vec![
                 (Kind::Decrease(2, -1), 0.1),
                 (Kind::Decrease(3, 1), 0.7 - 0.1 - 0.1),
@@ -261,7 +318,18 @@ pub(super) fn nth() -> FigureResult {
             range: (-0.29, most),
             origin: shift,
         };
-        figure.panel(bar.panel(title, "Δξ_N / (f κ ζ₁)", name)?);
+        let marks = [("A", mark), ("P_2", step.abs())];
+        figure.panel(bar.panel(title, "Δξ_N / (f κ ζ₁)", name, &marks)?);
+        let (second, zeta) = (1.0 + step, 1.0 + 2.0 * step);
+        let depth = |kind, to: f64| match kind {
+            Kind::Sliding => 0.0,
+            Kind::Adhesion => zeta,
+            Kind::Decrease(3, _) => 0.5 * (zeta + second - (to - shift)),
+            // It goes on from P_1 as if there had been no second step.
+            Kind::Decrease(2, _) => 0.5 * (zeta + 1.0 + (to - 0.6)),
+            Kind::Decrease(..) => zeta - to.abs(),
+        };
+        figure.claim(bar.stick_claim(title, depth)?.source("(6.13), (6.40), (6.48)"));
         let source = "(6.51): f κ |Δζ_N| and A = |Δξ_N-1| + f κ (Δζ_N-1 + Δζ_N)";
         for claim in bar.claim(title, &borders, source)? {
             figure.claim(claim);

@@ -16,6 +16,7 @@ pub(super) struct Springs {
     anchors: Vec<f64>,
     spacing: f64,
     place: Place,
+    heat: f64,
 }
 
 impl Springs {
@@ -31,6 +32,7 @@ impl Springs {
             anchors: vec![0.0; SPRINGS],
             spacing,
             place: (0.0, 0.0),
+            heat: 0.0,
         }
     }
 
@@ -48,10 +50,14 @@ impl Springs {
     }
 
     fn relax(&mut self, (zeta, shift): Place) {
+        let mut slid = 0.0;
         for (&depth, anchor) in self.depths.iter().zip(&mut self.anchors) {
             let reach = (zeta - depth).max(0.0);
+            let before = *anchor;
             *anchor = anchor.clamp(shift - reach, shift + reach);
+            slid += reach * (*anchor - before).abs();
         }
+        self.heat += 1.5 * self.spacing * slid;
         self.place = (zeta, shift);
     }
 
@@ -60,5 +66,18 @@ impl Springs {
         let (zeta, shift) = self.place;
         let touching = self.depths.iter().zip(&self.anchors).filter(|(depth, _)| **depth < zeta);
         1.5 * self.spacing * touching.map(|(_, anchor)| shift - anchor).sum::<f64>()
+    }
+
+    /// `int (3/8) u^2 s^(-1/2) ds`, what the springs hold.
+    pub(super) fn energy(&self) -> f64 {
+        let (zeta, shift) = self.place;
+        let touching = self.depths.iter().zip(&self.anchors).filter(|(depth, _)| **depth < zeta);
+        let squares = touching.map(|(_, anchor)| (shift - anchor) * (shift - anchor));
+        0.75 * self.spacing * squares.sum::<f64>()
+    }
+
+    /// Friction times slip of every spring, summed over all steps.
+    pub(super) const fn heat(&self) -> f64 {
+        self.heat
     }
 }

@@ -27,12 +27,15 @@ pub(super) fn stress() -> FigureResult {
             .source("(6.20), corrected"),
     );
     let inner: Vec<f64> = memory.instantaneous_adhesions().collect();
-    figure.claim(Claim::close(
-        "live points of instantaneous adhesion",
-        inner.len() as f64,
-        1.0,
-        Tolerance::Absolute(0.0),
-    ));
+    figure.claim(
+        Claim::close(
+            "live points of instantaneous adhesion",
+            inner.len() as f64,
+            1.0,
+            Tolerance::Absolute(0.0),
+        )
+        .source("P₁ of (6.17)"),
+    );
     let outside = super::history::stress(&memory, 0.95) + (1.0 - 0.95_f64 * 0.95).sqrt();
     figure.claim(
         Claim::close("-f p_z in the outer ring", outside, 0.0, Tolerance::Absolute(1e-15))

@@ -72,11 +72,20 @@ pub(super) fn within_cone() -> FigureResult {
         )
         .source("(6.23)"),
     );
-    figure.claim(Claim::holds(
-        "the slip ring lies outside the old contact",
-        memory.stick_depth() > 1.0,
-        memory.stick_depth(),
-    ));
+    // The adhesive step: dF/dX is that of the discs that joined, (6.27).
+    let tangent = straight.tangent();
+    let chord = (libm::pow(1.2, 1.5) - 1.0) / 0.2;
+    figure.claim(
+        Claim::all_close(
+            "both together: dF_x/dX and dF_x/dζ of the step",
+            [
+                (tangent.by_shift[0][0], chord),
+                (tangent.by_approach[0], 0.5 * (1.5 * 1.2_f64.sqrt() - chord)),
+            ],
+            Tolerance::Absolute(1e-13),
+        )
+        .source("derivatives of F₁ + (ΔX/Δζ) (ζ^(3/2) - ζ₁^(3/2)), (6.27)"),
+    );
     let distance = |steps: u32| -> Result<f64, Failure> {
         let memory = follow(&staircase(steps))?;
         let radii = linspace(0.0, 1.0, 41);
@@ -116,20 +125,26 @@ pub(super) fn beyond_cone() -> FigureResult {
     figure.panel(panel);
     let history = after(&[(1.2, 0.9)]);
     stress_claims(&mut figure, "sum", &history, &terms, "(6.10) + (6.28) + (6.30)")?;
-    superposition_claim(&mut figure, &terms, (1.2, 0.3));
+    superposition_claim(&mut figure, &history, (1.2, 0.3))?;
     springs_claim(&mut figure, "path", &history)?;
     Ok(figure)
 }
 
 /// (6.9): the parts add up to one Cattaneo-Mindlin function.
-fn superposition_claim(figure: &mut Figure, terms: &[(f64, f64, f64)], (outer, inner): (f64, f64)) {
-    let pairs = linspace(0.0, 1.2, 121)
+fn superposition_claim(
+    figure: &mut Figure,
+    history: &[Place],
+    (outer, inner): (f64, f64),
+) -> Result<(), Failure> {
+    let memory = follow(history)?;
+    let pairs = linspace(0.0, 0.999 * outer.sqrt(), 121)
         .into_iter()
-        .map(|rho| (sum(terms, rho), sum(&[(1.0, outer, inner)], rho)));
+        .map(|rho| (stress(&memory, rho), sum(&[(1.0, outer, inner)], rho)));
     figure.claim(
-        Claim::all_close("the parts make σ_CM(a, a*)", pairs, Tolerance::Absolute(1e-15))
+        Claim::all_close("the parts make σ_CM(a, a*)", pairs, Tolerance::Absolute(1e-14))
             .source("(6.9)"),
     );
+    Ok(())
 }
 
 /// Fig. 6.8.
@@ -233,7 +248,7 @@ pub(super) fn stress_shrinking() -> FigureResult {
     figure.panel(panel);
     let history = after(&[(0.8, 0.6)]);
     stress_claims(&mut figure, "sum", &history, &terms, "(6.35)")?;
-    superposition_claim(&mut figure, &terms, (0.8, 0.2));
+    superposition_claim(&mut figure, &history, (0.8, 0.2))?;
     springs_claim(&mut figure, "path", &history)?;
     figure.deviation(
         "heading 6.4: decreasing ξ, increasing ξ",
@@ -265,10 +280,10 @@ pub(super) fn force_shrinking() -> FigureResult {
 
     figure.claim(
         Claim::close(
-            "2 lies on the virgin curve of ζ",
+            "straight to 2, which lies on the virgin curve of ζ",
+            follow(&after(&[(zeta, two.0)]))?.force(),
             two.1,
-            virgin_force(zeta, two.0),
-            Tolerance::Absolute(1e-15),
+            Tolerance::Absolute(1e-14),
         )
         .source("(6.5), (6.36)"),
     );

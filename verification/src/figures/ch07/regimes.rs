@@ -4,8 +4,24 @@ use super::led::{circle, distance, led, polar};
 use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance, linspace};
 use carom_laws::memory::{Lateral, Regime, VectorMemory};
 
+/// The plane of the shifts e = (c_x ξ, c_y η)/(f c_z ζ₁).
 fn e_plane() -> Panel {
-    Panel::new(Axis::linear("e_x"), Axis::linear("e_y")).equal_aspect()
+    Panel::new(Axis::linear("e_x = c_x ξ/(f c_z ζ₁)"), Axis::linear("e_y = c_y η/(f c_z ζ₁)"))
+        .equal_aspect()
+}
+
+fn arrow(tail: [f64; 2], head: [f64; 2]) -> Arrow {
+    Arrow { tail: Point::from((tail[0], tail[1])), head: Point::from((head[0], head[1])) }
+}
+
+/// The way from the origin through all shifts, as arrows with names at their ends.
+fn path(panel: &mut Panel, shifts: &[[f64; 2]], names: &[&str]) {
+    let tails = std::iter::once([0.0; 2]).chain(shifts.iter().copied());
+    let arrows: Vec<Arrow> = tails.zip(shifts).map(|(tail, head)| arrow(tail, *head)).collect();
+    panel.add(Series::arrows("path of the shift", arrows).coloured(6));
+    for (shift, name) in shifts.iter().zip(names) {
+        panel.add(Series::note(*name, (shift[0] + 0.01, shift[1])).coloured(6));
+    }
 }
 
 pub(super) fn draw_stress() -> FigureResult {
@@ -86,19 +102,62 @@ fn agreement(statement: &str, (wrong, tested): (u32, u32)) -> Claim {
     )
 }
 
+/// Heat of a step that turns the slip ring, found from the slip, against the work of the force in
+/// small parts less what is stored.
+fn turning_claim(from: [f64; 2], to: [f64; 2]) -> Result<Claim, carom_special::RangeError> {
+    const PARTS: usize = 4000;
+    let mut fine = led(1.0, &[(1.0, from)])?;
+    let (heat, stored) = (fine.dissipation(1.0, to), fine.stored_energy());
+    let mut work = [0.0; 2];
+    for part in 1..=PARTS {
+        let (force, at) = (fine.force(), fine.shift());
+        let next = from.plus(to.minus(from).times(part as f64 / PARTS as f64));
+        let mean = force.plus(fine.advance(1.0, next)?).times(0.5);
+        let way = next.minus(at);
+        work = work.plus([mean[0] * way[0], mean[1] * way[1]]);
+    }
+    let lost = work.minus(fine.stored_energy().minus(stored));
+    Ok(Claim::all_close(
+        "heat of a shift from e₁ to (0.6, 0.6), whose slip turns, along x and y, over f F_z ζ",
+        (0..2).map(|i| (heat[i], lost[i])),
+        Tolerance::Absolute(1e-5),
+    )
+    .source("work of the force in 4000 parts less the energy stored"))
+}
+
 pub(super) fn draw_circle() -> FigureResult {
     let mut figure = Figure::new();
     let e_1 = [0.5, 0.0];
     figure.assumed("e₁, ζ", "(0.5, 0), 1");
-    let mut panel = e_plane();
+    let mut panel = e_plane().titled("Where the second shift e₂ may end");
     // |e_2| < |e_1|: a new point of instantaneous adhesion (7.23).
-    panel.add(Series::area("P₁", circle([0.0, 0.0], 0.5)));
-    panel.add(Series::line("|e₂| = |e₁|", circle([0.0, 0.0], 0.5)));
-    panel.add(Series::arrows(
-        "e₁",
-        [Arrow { tail: Point::from((0.0, 0.0)), head: Point::from((0.5, 0.0)) }],
-    ));
+    panel.add(
+        Series::area("|e₂| < |e₁|: a point P₁ of instantaneous adhesion", circle([0.0; 2], 0.5))
+            .coloured(2),
+    );
+    panel.add(Series::line("|e₂| = |e₁|", circle([0.0; 2], 0.5)).coloured(2));
+    panel.add(Series::dotted("|e₂| = 1: complete sliding", circle([0.0; 2], 1.0)).coloured(1));
+    path(&mut panel, &[e_1], &["e₁"]);
+    let examples = [(polar(0.3, 120.0), "e₂: P₁"), (polar(0.75, 60.0), "e₂: slip goes on")];
+    for (to, name) in examples {
+        panel.add(Series::arrows("", [arrow(e_1, to)]).coloured(0));
+        panel.add(Series::note(name, (to[0], to[1])).coloured(0));
+    }
     figure.panel(panel);
+    // The examples: zeta_2* of (7.20), and 1 - |e_2| of (7.5).
+    let mut depths = Vec::new();
+    for (to, _) in examples {
+        let memory = led(1.0, &[(1.0, e_1), (1.0, to)])?;
+        let step = to.minus(e_1);
+        let turned = 1.0 + e_1.length() * step.dot(step) / (2.0 * e_1.dot(step));
+        let expected = if to.length() < 0.5 { turned } else { 1.0 - to.length() };
+        depths.push((memory.stick_depth(), expected));
+    }
+    figure.claim(
+        Claim::all_close("ζ₂* at the two ends drawn", depths, Tolerance::Absolute(1e-14))
+            .source("(7.20), corrected, inside; (7.5) outside"),
+    );
+    figure.claim(turning_claim(e_1, [0.6, 0.6])?);
     let state = led(1.0, &[(1.0, e_1)])?;
     let found = disagreements(&state, 1.0, 1.2, |d| {
         let size = e_1.plus(d).length();
@@ -117,26 +176,37 @@ pub(super) fn draw_reflection() -> FigureResult {
     figure.assumed("e₁", "0.5 at 20°");
     figure.assumed("de₂", "0.05 to 0.3 at 170°");
     let first = polar(0.5, 20.0);
-    let mut pairs = Vec::new();
-    let mut arrows = Vec::new();
-    for size in linspace(0.05, 0.3, 6) {
-        let memory = led(1.0, &[(1.0, first), (1.0, first.plus(polar(size, 170.0)))])?;
+    let (mut pairs, mut depths, mut arrows) = (Vec::new(), Vec::new(), Vec::new());
+    let ends = linspace(0.05, 0.3, 6).into_iter().map(|size| first.plus(polar(size, 170.0)));
+    for end in ends {
+        let memory = led(1.0, &[(1.0, first), (1.0, end)])?;
         let Some(m) = memory.slip_direction() else { return Err("no slip".into()) };
         // Slip directions are opposite to tractions: beta_2 = 2 alpha_2 + 180 - beta_1, with
         // beta_1 = 200 degrees and alpha_2 = 170 degrees.
         let slip = polar(1.0, 2.0 * 170.0 + 180.0 - 200.0);
-        pairs.push((distance(m, slip.times(-1.0)), 0.0));
-        let tail = first.plus(polar(size, 170.0));
-        let head = tail.plus(slip.times(0.1));
-        arrows.push(Arrow {
-            tail: Point::from((tail[0], tail[1])),
-            head: Point::from((head[0], head[1])),
-        });
+        pairs.extend([(m[0], -slip[0]), (m[1], -slip[1])]);
+        let step = end.minus(first);
+        let depth = 1.0 + first.length() * step.dot(step) / (2.0 * first.dot(step));
+        depths.push((memory.stick_depth(), depth));
+        // Body 1 slips against the traction that it feels.
+        arrows.push(arrow(end, end.minus(m.times(0.1))));
     }
-    let mut panel = e_plane();
-    panel.add(Series::line("path", [(0.0, 0.0), (first[0], first[1])]));
-    panel.add(Series::arrows("slip direction", arrows));
+    let mut panel = e_plane().titled("Slip of body 1 after e₁ at 20° and de₂ at 170°");
+    let last = first.plus(polar(0.3, 170.0));
+    path(&mut panel, &[first, last], &["e₁", ""]);
+    let before = first.minus(polar(0.12, 20.0));
+    panel.add(Series::arrows("slip after e₁, at β₁ = 200°", [arrow(first, before)]).coloured(1));
+    panel.add(Series::arrows("slip after de₂, at β₂ = 320°", arrows).coloured(0));
+    // The mirror of (7.29): across de_2.
+    let mirror = [-0.1, 0.12].map(|length| last.plus(polar(length, 170.0)));
+    panel.add(Series::dotted("line of de₂", mirror.map(|p| (p[0], p[1]))).coloured(2));
+    let across = [-0.12, 0.12].map(|length| last.plus(polar(length, 80.0)));
+    panel.add(Series::dashed("mirror, across de₂", across.map(|p| (p[0], p[1]))).coloured(2));
     figure.panel(panel);
+    figure.claim(
+        Claim::all_close("ζ₂* for the six lengths", depths, Tolerance::Absolute(1e-14))
+            .source("(7.20), corrected"),
+    );
     figure.claim(
         Claim::all_close("β₂ = 2 α₂ + π − β₁, whatever |de₂|", pairs, Tolerance::Absolute(1e-13))
             .source("(7.29), a reflection"),
@@ -144,21 +214,35 @@ pub(super) fn draw_reflection() -> FigureResult {
     Ok(figure)
 }
 
+/// 1 - ζ_N* of (7.38), the slip directions by reflection (7.29).
+fn condition_radius(shifts: &[[f64; 2]]) -> f64 {
+    let first = shifts[0];
+    let (mut slip, mut radius) = (first.times(-1.0 / first.length()), first.length());
+    for pair in shifts.windows(2) {
+        let step = pair[1].minus(pair[0]);
+        radius = step.dot(step) / (2.0 * step.dot(slip));
+        slip = slip.minus(step.times(2.0 * slip.dot(step) / step.dot(step)));
+    }
+    radius
+}
+
 pub(super) fn draw_condition() -> FigureResult {
     let mut figure = Figure::new();
-    let path = [[0.6, 0.0], [0.4, 0.15], [0.45, 0.05]];
+    let shifts = [[0.6, 0.0], [0.4, 0.15], [0.45, 0.05]];
     figure.assumed("e₁, e₂, e₃", "(0.6, 0), (0.4, 0.15), (0.45, 0.05), ζ = 1");
-    let mut panel = e_plane();
-    let mut nested = Vec::new();
-    for n in 1..=path.len() {
-        let steps: Vec<(f64, [f64; 2])> = path[..n].iter().map(|&e| (1.0, e)).collect();
+    let mut panel = e_plane().titled("Inside its circle the N-th shift makes a new point");
+    path(&mut panel, &shifts, &["e₁", "e₂", "e₃"]);
+    let (mut nested, mut radii) = (Vec::new(), Vec::new());
+    for n in 1..=shifts.len() {
+        let steps: Vec<(f64, [f64; 2])> = shifts[..n].iter().map(|&e| (1.0, e)).collect();
         let state = led(1.0, &steps)?;
         let Some(m) = state.slip_direction() else { return Err("no slip".into()) };
         // The points from which zeta_{N+1}* stays above zeta_N*: a ball that touches e.
         let radius = 1.0 - state.stick_depth();
         let centre = state.shift().minus(m.times(radius));
-        panel.add(Series::line(format!("N = {}", n + 1), circle(centre, radius)));
+        panel.add(Series::line(format!("N = {}", n + 1), circle(centre, radius)).coloured(n - 1));
         nested.push((centre, radius));
+        radii.push((radius, condition_radius(&shifts[..n])));
         let found = disagreements(&state, 1.0, 0.5, |d| {
             let size = distance(state.shift().plus(d), centre);
             ((size - radius).abs() > 1e-3 && size < radius).then_some(Regime::Reversal)
@@ -171,6 +255,10 @@ pub(super) fn draw_condition() -> FigureResult {
         }
     }
     figure.panel(panel);
+    figure.claim(
+        Claim::all_close("radii of the circles", radii, Tolerance::Absolute(1e-14))
+            .source("(7.40): |e₁|, then |de_N-1|/(2 cos γ_N-1) with slip mirrored at each step"),
+    );
     let outside = nested.windows(2).map(|pair| {
         let ((outer, big), (inner, small)) = (pair[0], pair[1]);
         distance(outer, inner) + small - big
@@ -194,11 +282,39 @@ pub(super) fn draw_varying() -> FigureResult {
         let state = led(1.0, &[(1.0, e_1)])?;
         let outer = 0.5 + dz;
         let mut panel = e_plane().titled(title);
-        panel.add(Series::line("(7.51)", circle([0.0, 0.0], outer)));
+        panel.add(
+            Series::area("inside (7.51): a point P₁ appears", circle([0.0; 2], outer)).coloured(2),
+        );
         if dz > 0.0 {
-            panel.add(Series::line("(7.53)", circle(e_1, dz)));
+            let label = "inside (7.53): complete adhesion";
+            panel.add(Series::area(label, circle(e_1, dz)).coloured(0));
         }
+        let limit = circle([0.0; 2], 1.0 + dz);
+        panel.add(Series::dotted("|e₂| = ζ₂: complete sliding", limit).coloured(1));
+        path(&mut panel, &[e_1], &["e₁"]);
         figure.panel(panel);
+        // Between the circles, on the far side and on the near one.
+        let mut depths = Vec::new();
+        for degrees in [30.0, 100.0, 180.0, 250.0] {
+            for share in [0.3, 0.7, 0.95] {
+                let to = polar(share * outer, degrees);
+                let memory = led(1.0, &[(1.0, e_1), (1.0 + dz, to)])?;
+                // (7.48): with s_1 = -e_1/|e_1| and de'' = de_2 + s_1 dζ_2.
+                let step = to.minus(e_1).plus([-dz, 0.0]);
+                let depth = 1.0 + dz + step.dot(step) / (2.0 * step[0]);
+                if to.minus(e_1).length() > dz.abs() {
+                    depths.push((memory.stick_depth(), depth));
+                }
+            }
+        }
+        figure.claim(
+            Claim::all_close(
+                format!("{title}: ζ₂* inside the first circle"),
+                depths,
+                Tolerance::Absolute(1e-13),
+            )
+            .source("(7.48)"),
+        );
         let found = disagreements(&state, 1.0 + dz, 1.1, |d| {
             let (size, step) = (e_1.plus(d).length(), d.length());
             let border = (size - outer).abs() < 1e-3 || (step - dz.abs()).abs() < 1e-3;
@@ -231,14 +347,19 @@ pub(super) fn draw_equal_radii() -> FigureResult {
         let centre = state.shift().minus(m.times(depth));
         let mut panel = e_plane().titled(title);
         let radius = depth + dz;
-        panel.add(Series::line("ζ₃* = ζ₂*", circle(centre, radius)));
+        panel.add(Series::line("(7.64): ζ₃* = ζ₂*", circle(centre, radius)).coloured(2));
         if dz > 0.0 {
-            panel.add(Series::dashed("adhesion", circle(state.shift(), dz)));
+            let label = "inside: complete adhesion";
+            panel.add(Series::dashed(label, circle(state.shift(), dz)).coloured(0));
         }
+        self::path(&mut panel, &path.map(|(_, e)| e), &["e₁", "e₂"]);
         figure.panel(panel);
         // On the circle the new ring is exactly as deep as the old one.
         let mut pairs = Vec::new();
-        let old = state.stick_depth();
+        // Of (7.20), not of the state itself.
+        let [first, second] = path.map(|(_, e)| e);
+        let turn = second.minus(first);
+        let old = 1.0 + first.length() * turn.dot(turn) / (2.0 * first.dot(turn));
         for degrees in (0..360).step_by(10) {
             let inside = centre.plus(polar(radius * (1.0 - 1e-9), f64::from(degrees)));
             let step = distance(inside, state.shift());

@@ -1,5 +1,6 @@
 //! Figs. 7.9 to 7.11: torsion of an ellipse by the exponential law.
 
+use super::super::Failure;
 use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace, logspace};
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::ellipse::ContactEllipse;
@@ -156,6 +157,7 @@ pub(super) fn draw_reversals() -> FigureResult {
         Claim::close("the outer loop closes", at[5], at[0], Tolerance::Absolute(1e-15))
             .source("Madelung's rule"),
     );
+    exponential_claims(&mut figure)?;
     let mut unload = law(0.1, 0.0)?;
     unload.advance(0.5)?;
     let first = unload.torque();
@@ -176,4 +178,61 @@ pub(super) fn draw_reversals() -> FigureResult {
         "sign of the exponent",
     );
     Ok(figure)
+}
+
+/// (7.65), (7.66) written out: torque, slope and energies of loading, unloading and beyond.
+fn exponential_claims(figure: &mut Figure) -> Result<(), Failure> {
+    // By 40-digit arithmetic, a/b = 0.1: M_zS over f F_z b, and M_zA' = (3/8) E δ_T.
+    let sliding = 0.380_997_579_384_459;
+    let slope = law(0.1, 0.3)?.initial_stiffness();
+    figure.claim(
+        Claim::close(
+            "initial stiffness at ν = 0.3",
+            slope,
+            sliding * DELTA[3][2],
+            Tolerance::Relative(1e-13),
+        )
+        .source("(7.65): (3/8) G b³ E δ_T in 40-digit arithmetic"),
+    );
+    let decay = |twist: f64| libm::exp(-slope * twist / sliding);
+    let first = |twist: f64| sliding * (1.0 - decay(twist));
+    let (mut torques, mut energies) = (Vec::new(), Vec::new());
+    let mut torsion = law(0.1, 0.3)?;
+    torsion.advance(0.5)?;
+    torques.extend([(torsion.torque(), first(0.5)), (torsion.tangent(), slope * decay(0.5))]);
+    // W = ∫M dβ; the heat of a first loading is 2 W - M β, that of a whole loop four times it.
+    let work = sliding * 0.5 - sliding * sliding / slope * (1.0 - decay(0.5));
+    let heat = 2.0 * work - 0.5 * first(0.5);
+    energies.push((torsion.stored_energy(), 0.5 * first(0.5) - work));
+    energies.push((torsion.dissipated(), heat));
+    torsion.advance(0.1)?;
+    // Masing: the branch is the first loading, twice as large.
+    torques.push((torsion.torque(), first(0.5) - 2.0 * first(0.2)));
+    torques.push((torsion.tangent(), slope * decay(0.2)));
+    torsion.advance(-0.5)?;
+    torsion.advance(0.5)?;
+    energies.push((torsion.stored_energy(), 0.5 * first(0.5) - work));
+    energies.push((torsion.dissipated(), 5.0 * heat));
+    // Beyond the turning points the first loading goes on, in either sense.
+    torsion.advance(0.7)?;
+    torques.extend([(torsion.torque(), first(0.7)), (torsion.tangent(), slope * decay(0.7))]);
+    torsion.advance(-0.9)?;
+    torques.extend([(torsion.torque(), -first(0.9)), (torsion.tangent(), slope * decay(0.9))]);
+    figure.claim(
+        Claim::all_close(
+            "torque and slope in loading, unloading, and beyond both turning points",
+            torques,
+            Tolerance::Absolute(1e-13),
+        )
+        .source("(7.65), (7.66), corrected, written out; Masing's and Madelung's rules"),
+    );
+    figure.claim(
+        Claim::all_close(
+            "energy stored and turned into heat, after loading and after a whole loop",
+            energies,
+            Tolerance::Absolute(1e-13),
+        )
+        .source("M β - ∫M dβ and 2 ∫M dβ - M β of (7.65); four times that for the loop"),
+    );
+    Ok(())
 }

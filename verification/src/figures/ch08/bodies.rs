@@ -5,6 +5,7 @@ use carom_impact::{Attitude, Encounter, Lever, Motion, PlacedBody, Rebound, Surf
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
 
+use super::super::Failure;
 use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance, linspace};
 
 const UPPER: [f64; 3] = [0.03, 0.02, 0.015];
@@ -21,7 +22,7 @@ fn body(
     angles: [f64; 3],
     outward: Vector3<f64>,
     motion: Motion,
-) -> Result<PlacedBody, Box<dyn std::error::Error + Send + Sync>> {
+) -> Result<PlacedBody, Failure> {
     let steel = Material::from_shear(80e9, 0.3)?;
     let surface = Surface::ellipsoid(axes)?;
     let volume = 4.0 / 3.0 * std::f64::consts::PI * axes[0] * axes[1] * axes[2];
@@ -67,19 +68,48 @@ fn relative(levers: &[Lever; 2], motions: &[Motion; 2]) -> Vector3<f64> {
     of(1) - of(0)
 }
 
+/// Kinetic energy of both bodies.
+fn kinetic(encounter: &Encounter, motions: &[Motion; 2]) -> f64 {
+    encounter.bodies().iter().zip(motions).fold(0.0, |sum, (body, motion)| {
+        let turned = body.attitude();
+        let spin = turned.to_body(&motion.spin);
+        let turning = Vector3::from(body.inertia().moments()).dot(&spin.component_mul(&spin));
+        sum + 0.5 * (body.inertia().mass() * motion.velocity.norm_squared() + turning)
+    })
+}
+
 fn claims(figure: &mut Figure, encounter: &Encounter, rebound: &Rebound) {
     let before = encounter.bodies().each_ref().map(PlacedBody::motion);
     let (p, l) = momenta(encounter, &before);
     let (q, m) = momenta(encounter, &rebound.motions);
-    figure.claim(Claim::at_most("momentum kept", (p - q).norm() / p.norm(), 1e-13));
-    figure.claim(Claim::at_most("angular momentum kept", (l - m).norm() / l.norm(), 1e-12));
+    figure.claim(
+        Claim::at_most("momentum kept", (p - q).norm() / p.norm(), 1e-13)
+            .source("equal and opposite forces"),
+    );
+    figure.claim(
+        Claim::at_most("angular momentum kept", (l - m).norm() / l.norm(), 1e-12)
+            .source("equal and opposite forces through one point"),
+    );
+    let given =
+        encounter.bodies()[0].inertia().mass() * (rebound.motions[0].velocity - before[0].velocity);
+    figure.claim(
+        Claim::at_most(
+            "the impulse is what body 1 gained",
+            (rebound.impulse - given).norm() / given.norm(),
+            1e-13,
+        )
+        .source("momentum"),
+    );
     let levers = encounter.levers();
     let after = relative(levers, &rebound.motions);
-    figure.claim(Claim::at_most(
-        "the bodies after the impulse part with v_E at the contact point",
-        (after - rebound.velocity_after).norm(),
-        1e-13,
-    ));
+    figure.claim(
+        Claim::at_most(
+            "the bodies after the impulse part with v_E at the contact point",
+            (after - rebound.velocity_after).norm(),
+            1e-13,
+        )
+        .source("(8.27)"),
+    );
     let d = encounter.mobility().matrix();
     let change = encounter.frame().to_contact(&(rebound.velocity_before - after));
     let impulse = encounter.frame().to_contact(&rebound.impulse);
@@ -87,15 +117,89 @@ fn claims(figure: &mut Figure, encounter: &Encounter, rebound: &Rebound) {
         Claim::at_most("v_A - v_E = D J", (d * impulse - change).norm() / change.norm(), 1e-13)
             .source("(8.29), motion of both bodies under J and -J"),
     );
+    let [first, last] = [kinetic(encounter, &before), kinetic(encounter, &rebound.motions)];
     let energy = rebound.energy;
-    let lost = energy.before - energy.after;
-    figure.claim(Claim::close(
-        "loss of kinetic energy is the friction work",
-        lost / energy.before,
-        energy.dissipated / energy.before,
-        Tolerance::Absolute(1e-13),
-    ));
-    figure.claim(Claim::at_least("energy is lost", lost / energy.before, 1e-3));
+    figure.claim(
+        Claim::all_close(
+            "kinetic energy before, after, and friction work, over that before",
+            [
+                (energy.before / first, 1.0),
+                (energy.after / first, last / first),
+                (energy.dissipated / first, 1.0 - last / first),
+            ],
+            Tolerance::Absolute(1e-13),
+        )
+        .source("m v²/2 and θ ω²/2 of both bodies"),
+    );
+    // Pressed together to rest at the contact point, the bodies would lose v D^-1 v/2.
+    let approach = encounter.frame().to_contact(&rebound.velocity_before);
+    let most =
+        d.try_inverse().map_or(f64::NAN, |inverse| 0.5 * approach.dot(&(inverse * approach)));
+    figure.claim(
+        Claim::close(
+            "energy of the relative motion, over that before",
+            encounter.mobility().energy(&approach) / first,
+            most / first,
+            Tolerance::Absolute(1e-14),
+        )
+        .source("v D⁻¹ v/2"),
+    );
+}
+
+/// The forces of the course add up to the impulse, their work along the slip to the heat; without
+/// friction the impulse is that along the normal.
+fn course_claims(
+    figure: &mut Figure,
+    encounter: &Encounter,
+    rebound: &Rebound,
+    smooth: &Encounter,
+) -> Result<(), Failure> {
+    let history = encounter.history()?;
+    let (mut impulse, mut work) = (Vector3::zeros(), 0.0);
+    for pair in history.windows(2) {
+        let mean = 0.5 * (pair[0].force + pair[1].force);
+        impulse += mean * (pair[1].time - pair[0].time);
+        work += mean.dot(&(pair[1].shift - pair[0].shift));
+    }
+    let expected = encounter.frame().to_contact(&rebound.impulse);
+    let size = expected.norm();
+    let mut pairs: Vec<(f64, f64)> =
+        (0..3).map(|i| (impulse[i] / size, expected[i] / size)).collect();
+    let before = encounter.bodies().each_ref().map(PlacedBody::motion);
+    let lost = kinetic(encounter, &before) - kinetic(encounter, &rebound.motions);
+    pairs.push((work / lost, 1.0));
+    let peak = history.iter().map(|p| p.force.z).fold(0.0, f64::max);
+    pairs.push((rebound.maximal_force / peak, 1.0));
+    let last = history.last().map_or(f64::NAN, |p| p.time);
+    pairs.push((rebound.duration / last, 1.0));
+    figure.claim(
+        Claim::all_close(
+            "impulse and work of the forces drawn, their peak and duration, over those of the impact",
+            pairs,
+            Tolerance::Absolute(2e-3),
+        )
+        .source("∫F dt and ∫F·dx by the trapezoidal rule"),
+    );
+    let outcome = smooth.solve()?;
+    let free = outcome.rebound().ok_or("the bodies approach each other")?;
+    let approach = smooth.frame().to_contact(&free.velocity_before).z;
+    let along = 2.0 * approach / smooth.mobility().matrix().m33;
+    let impulse = smooth.frame().to_contact(&free.impulse);
+    figure.claim(
+        Claim::all_close(
+            "without friction: impulse over 2 v_z/D_zz along the normal, and heat",
+            [
+                (impulse.x / along, 0.0),
+                (impulse.y / along, 0.0),
+                (impulse.z / along, 1.0),
+                (free.energy.dissipated / free.energy.before, 0.0),
+                (1.0 - free.energy.after / free.energy.before, 0.0),
+            ],
+            Tolerance::Absolute(1e-12),
+        )
+        .source("an elastic impact reverses v_z (9.1)"),
+    );
+    Ok(())
 }
 
 pub(super) fn draw() -> FigureResult {
@@ -105,6 +209,7 @@ pub(super) fn draw() -> FigureResult {
     let upper =
         body(UPPER, [0.2, -0.5, 0.3], -up, Motion::new([-0.8, 0.2, -2.0], [9.0, 5.0, 0.0])?)?;
     let lower = body(LOWER, [-0.1, 0.4, 0.9], up, Motion::new([0.2, 0.0, 0.5], [0.0, -7.0, 4.0])?)?;
+    let smooth = Encounter::find(upper.clone(), lower.clone(), Friction::new(0.0)?)?;
     let encounter = Encounter::find(upper, lower, Friction::new(0.2)?)?;
     let outcome = encounter.solve()?;
     let rebound = outcome.rebound().ok_or("the bodies approach each other")?;
@@ -130,18 +235,34 @@ pub(super) fn draw() -> FigureResult {
         figure.panel(panel);
     }
     let z = encounter.frame().z();
-    figure.claim(Claim::at_most("the search finds the touch", encounter.point().norm(), 1e-12));
-    figure.claim(Claim::at_most("e_z is the common normal into body 1", (z - up).norm(), 1e-9));
+    figure.claim(
+        Claim::at_most("the search finds the touch", encounter.point().norm(), 1e-12)
+            .source("both bodies were placed with it in the origin"),
+    );
+    figure.claim(
+        Claim::at_most("e_z is the common normal into body 1", (z - up).norm(), 1e-9)
+            .source("both bodies were placed with it upright"),
+    );
+    // From the supports of the two ellipsoids, turned back.
     let arms = encounter.levers().each_ref().map(Lever::arm);
-    figure.claim(Claim::at_most("R₁z < 0", arms[0].dot(&z), 0.0));
-    figure.claim(Claim::at_least("R₂z > 0", arms[1].dot(&z), 0.0));
+    let mut pairs = Vec::new();
+    for (i, (axes, normal)) in [(UPPER, -up), (LOWER, up)].into_iter().enumerate() {
+        let attitude = encounter.bodies()[i].attitude();
+        let inside = attitude.to_body(&normal);
+        let height = Vector3::from(axes).component_mul(&inside).norm();
+        pairs.push((arms[i].dot(&z), [-height, height][i]));
+    }
+    figure.claim(Claim::all_close("R₁z < 0, R₂z > 0", pairs, Tolerance::Absolute(1e-12)).source(
+        "distance of a tangent plane from the middle of an ellipsoid, |(a n_x, b n_y, c n_z)|",
+    ));
     let gap = encounter.frame().relative_curvature();
-    figure.claim(Claim::decreasing("A > B > 0", [gap.a(), gap.b(), 0.0]));
+    figure.claim(Claim::decreasing("A > B > 0", [gap.a(), gap.b(), 0.0]).source("(5.2)"));
     figure.claim(
         Claim::at_most("A x² + B y² is the gap, error at 0.1 mm", gap_error(&encounter), 1e-3)
             .source("distance between the ellipsoids along the normal"),
     );
     claims(&mut figure, &encounter, rebound);
+    course_claims(&mut figure, &encounter, rebound, &smooth)?;
     figure.deviation(
         "D and E of (8.43) with the inertia tensors missing",
         "D = Σ Gᵀ θ⁻¹ G + 1/m, E = Fᵀ G",

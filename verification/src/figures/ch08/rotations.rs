@@ -3,7 +3,8 @@
 use carom_impact::{Attitude, Side, Surface, angle_matrix};
 use nalgebra::{Matrix3, Vector3};
 
-use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance};
+use super::super::Failure;
+use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance, linspace};
 
 const ANGLES: [f64; 3] = [0.45, 0.3, 0.6]; // alpha, beta, gamma
 
@@ -12,12 +13,52 @@ fn projected(v: &Vector3<f64>) -> Point {
     Point::new(v.y - 0.5 * v.x, v.z - 0.35 * v.x)
 }
 
-fn base(label: &str, columns: &Matrix3<f64>) -> Series {
+/// The three axes as arrows with their names at the tips.
+fn base(panel: &mut Panel, colour: usize, label: &str, columns: &Matrix3<f64>, names: [&str; 3]) {
     let tail = Point::new(0.0, 0.0);
-    let arrows: Vec<Arrow> =
-        (0..3).map(|i| Arrow { tail, head: projected(&columns.column(i).into_owned()) }).collect();
-    Series::arrows(label, arrows)
+    let heads = [0, 1, 2].map(|i| projected(&columns.column(i).into_owned()));
+    let arrows = heads.map(|head| Arrow { tail, head });
+    panel.add(Series::arrows(label, arrows).coloured(colour));
+    for (name, head) in names.into_iter().zip(heads).filter(|(name, _)| !name.is_empty()) {
+        // Beyond the tip; below it for an axis that points down.
+        let below = if head.y < 0.0 { 0.16 } else { 0.0 };
+        let at = Point::new(1.04 * head.x, 1.02 * head.y - below);
+        panel.add(Series::note(name, at).coloured(colour));
+    }
 }
+
+/// The way of the tips from one base to the other, about `axis`.
+fn arcs(
+    panel: &mut Panel,
+    from: &Attitude,
+    axis: [f64; 3],
+    angle: f64,
+    moved: [usize; 2],
+) -> Result<(), Failure> {
+    for column in moved {
+        let mut way = Vec::new();
+        for share in linspace(0.0, 1.0, 25) {
+            let turned = from.matrix() * Attitude::about(axis, share * angle)?.matrix();
+            let tip = projected(&(0.55 * turned.column(column)));
+            way.push((tip.x, tip.y));
+        }
+        panel.add(Series::dotted("", way).coloured(6));
+    }
+    Ok(())
+}
+
+/// Elementary turns about x, y and z, as they stand in every textbook.
+fn elementary(axis: usize, angle: f64) -> Matrix3<f64> {
+    let (s, c) = (angle.sin(), angle.cos());
+    match axis {
+        0 => Matrix3::new(1.0, 0.0, 0.0, 0.0, c, -s, 0.0, s, c),
+        1 => Matrix3::new(c, 0.0, s, 0.0, 1.0, 0.0, -s, 0.0, c),
+        _ => Matrix3::new(c, -s, 0.0, s, c, 0.0, 0.0, 0.0, 1.0),
+    }
+}
+
+/// Names of the axes that a stage takes over.
+const INHERITED: [[&str; 3]; 2] = [["e_x'", "e_y'", "e_z"], ["e_x''", "e_y'", "e_z''"]];
 
 /// (8.5) as printed: the third row of the first column with a minus.
 fn printed([alpha, beta, gamma]: [f64; 3]) -> Matrix3<f64> {
@@ -32,7 +73,7 @@ fn off_orthogonal(matrix: &Matrix3<f64>) -> f64 {
 
 /// Worst deviation of principal curvatures found by quadratic surfaces z = c(a, b) tilted by
 /// slopes, against the eigenvalues of II/I from their first and second fundamental forms.
-fn worst_curvature() -> Result<f64, Box<dyn std::error::Error + Send + Sync>> {
+fn worst_curvature() -> Result<f64, Failure> {
     let mut worst: f64 = 0.0;
     for i in 0..200 {
         let wave = |k: f64| libm::sin(k * (f64::from(i) + 0.7));
@@ -68,41 +109,56 @@ pub(super) fn draw() -> FigureResult {
         Attitude::from_angles(0.0, beta, gamma)?,
         Attitude::from_angles(alpha, beta, gamma)?,
     ];
+    let names =
+        [["e_x", "e_y", "e_z"], ["e_x'", "e_y'", ""], ["e_x''", "", "e_z''"], ["", "e_b", "e_c"]];
+    let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
+    let turns = [(z, gamma, [0, 1]), (y, beta, [0, 2]), (x, alpha, [1, 2])];
     for (i, title) in titles.iter().enumerate() {
-        let mut panel =
-            Panel::new(Axis::linear("projection"), Axis::linear("")).titled(*title).equal_aspect();
-        panel.add(base("before", stages[i].matrix()));
-        panel.add(base("after", stages[i + 1].matrix()));
+        let mut panel = Panel::new(
+            Axis::bare("parallel projection: e_x to the front, e_y to the right, e_z up")
+                .between(-0.9, 1.5),
+            Axis::bare("").between(-0.75, 1.2),
+        )
+        .titled(*title)
+        .equal_aspect();
+        let stage_names = if i == 0 { names[0] } else { INHERITED[i - 1] };
+        base(&mut panel, 0, "before", stages[i].matrix(), stage_names);
+        base(&mut panel, 1, "after", stages[i + 1].matrix(), names[i + 1]);
+        let (axis, angle, moved) = turns[i];
+        arcs(&mut panel, &stages[i], axis, angle, moved)?;
         figure.panel(panel);
     }
 
-    let turn = |axis, angle| Attitude::about(axis, angle).map(|a| *a.matrix());
-    let (x, y, z) = ([1.0, 0.0, 0.0], [0.0, 1.0, 0.0], [0.0, 0.0, 1.0]);
-    let product = turn(z, gamma)? * turn(y, beta)? * turn(x, alpha)?;
+    let product = elementary(2, gamma) * elementary(1, beta) * elementary(0, alpha);
     let pi = angle_matrix(alpha, beta, gamma);
     figure.claim(
         Claim::at_most("Π of (8.5) is z-y'-x'' in turn", (pi.transpose() - product).amax(), 1e-15)
-            .source("product of quaternion rotations"),
+            .source("product of three textbook matrices"),
     );
-    figure.claim(Claim::at_most("Π Πᵀ = 1", off_orthogonal(&pi), 1e-15));
-    figure.claim(Claim::at_least("(8.5) as printed is not", off_orthogonal(&printed(ANGLES)), 0.1));
-    let about_x = turn(x, gamma)? * turn(y, beta)? * turn(x, alpha)?;
-    figure.claim(Claim::at_least(
-        "with the first turn about e_x, as the text says, Π differs",
-        (pi.transpose() - about_x).amax(),
-        0.1,
-    ));
+    let last = stages[3].matrix();
+    figure.claim(
+        Claim::at_most("so is the attitude of these angles", (last - product).amax(), 1e-15)
+            .source("product of three textbook matrices"),
+    );
+    let printed = off_orthogonal(&printed(ANGLES));
+    figure.claim(Claim::at_most("Π Πᵀ = 1", off_orthogonal(&pi), 1e-15).source("Π turns, (8.4)"));
+    // Row 3 times row 1 of the printed matrix is 2 sin α sin γ cos β cos γ off.
+    let off = 2.0 * alpha.sin() * gamma.sin() * beta.cos() * gamma.cos();
+    figure.claim(
+        Claim::close("Π Πᵀ - 1 of (8.5) as printed", printed, off, Tolerance::Absolute(1e-14))
+            .source("one wrong sign in the entry (c, x), worked out"),
+    );
     // Euler's angles z-x-z of the rows (e_b, e_c, e_a).
     let right = std::f64::consts::FRAC_PI_2;
-    let euler = turn(z, gamma + right)? * turn(x, beta + right)? * turn(z, alpha)?;
-    let rows = Matrix3::from_columns(&[product.column(1), product.column(2), product.column(0)]);
+    let euler = elementary(2, gamma + right) * elementary(0, beta + right) * elementary(2, alpha);
+    let rows = Matrix3::from_columns(&[pi.row(1), pi.row(2), pi.row(0)].map(|row| row.transpose()));
     figure.claim(
         Claim::at_most(
             "Euler's angles (γ + π/2, β + π/2, α) give (e_b, e_c, e_a)",
             (euler - rows).amax(),
             1e-15,
         )
-        .source("product of quaternion rotations"),
+        .source("product of three textbook matrices"),
     );
     figure.claim(
         Claim::at_most(

@@ -1,8 +1,10 @@
 //! Fig. 9.2: the restitution of an impact without slip.
 
-use carom_impact::closed_form::restitution_without_slip;
+use carom_halfspace::Material;
+use carom_impact::closed_form::{ImpactConstants, restitution_without_slip};
 use carom_impact::restitution::of_groups;
 
+use super::super::Failure;
 use crate::reference::rows;
 use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace};
 
@@ -70,8 +72,15 @@ pub(super) fn draw() -> FigureResult {
         .into_iter()
         .map(|phi| (phi, by_phi(phi)))
         .fold((0.0, f64::INFINITY), |best, point| if point.1 < best.1 { point } else { best });
-    figure.claim(Claim::close("least R_x", least, -0.390_03, Tolerance::Absolute(1e-5)));
-    figure.claim(Claim::close("φ of the least R_x", at, 20.82, Tolerance::Absolute(0.01)));
+    figure.claim(
+        Claim::close("least R_x", least, -0.390_03, Tolerance::Absolute(1e-5))
+            .source("independent program"),
+    );
+    figure.claim(
+        Claim::close("φ of the least R_x", at, 20.82, Tolerance::Absolute(0.01))
+            .source("independent program"),
+    );
+    constants_claim(&mut figure)?;
     figure.claim(
         Claim::all_close(
             "full reversal at φ = 11 and 31",
@@ -82,6 +91,34 @@ pub(super) fn draw() -> FigureResult {
     );
     figure.deviation("fig. 9.1 named in section 15.4", "fig. 9.2", "slip of the text");
     Ok(figure)
+}
+
+/// (9.49): the constants of two spheres, and χ of the text.
+fn constants_claim(figure: &mut Figure) -> Result<(), Failure> {
+    let (masses, radii, shear) = ([0.4, 0.1], [0.03, 0.015], 2e9);
+    let mut pairs = Vec::new();
+    for nu in [0.0, 0.2, 0.5] {
+        let body = Material::from_shear(shear, nu)?;
+        let found = ImpactConstants::of_spheres(masses, radii, [body, body])?;
+        // Mindlin and Hertz: 8 G* sqrt(R*), 2 E* sqrt(R*) with R* = 10 mm.
+        let root = 0.1;
+        pairs.extend([
+            (found.d_zz, 12.5),
+            (found.d_xx, 43.75),
+            (found.d_yy, 43.75),
+            (found.c_x / (8.0 * shear / (2.0 * (2.0 - nu)) * root), 1.0),
+            (found.c_z / (2.0 * shear / (1.0 - nu) * root), 1.0),
+        ]);
+    }
+    figure.claim(
+        Claim::all_close(
+            "constants of two unlike spheres, three ν",
+            pairs,
+            Tolerance::Relative(1e-14),
+        )
+        .source("1/m₁ + 1/m₂, 7/2 of it; Hertz's and Mindlin's stiffness with E*, G*, R*"),
+    );
+    Ok(())
 }
 
 fn bisect(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {

@@ -1,16 +1,17 @@
 //! Fig. 10.2: the spin after an impact against that before it, and its asymptotes.
 
-use std::f64::consts::PI;
+use std::f64::consts::{PI, TAU};
 
 use carom_halfspace::{Material, MaterialPair};
 use carom_impact::torsional::{SpinCollision, Spinner, limits};
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
+use carom_laws::law::{ContactLaw, Shift};
+use carom_laws::torsion::law::TorsionLaw;
 
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
-
-type Failure = Box<dyn std::error::Error + Send + Sync>;
+use super::super::Failure;
+use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace, logspace};
 
 struct Sphere {
     name: &'static str,
@@ -52,6 +53,16 @@ pub(super) fn draw() -> FigureResult {
     for sphere in &SPHERES {
         draw_sphere(&mut figure, sphere)?;
     }
+    fast_spin(&mut figure, &SPHERES[0])?;
+    figure.claim(
+        Claim::close(
+            "impulse of the torque of a constant spin, Ω = 0.3",
+            limits::first_order_loss(0.3)?,
+            0.970_346_115,
+            Tolerance::Absolute(1e-9),
+        )
+        .source("independent program"),
+    );
     figure.deviation(
         "(10.40), (10.63): [1 - 5/2 δ(T - 2)] [1 - 5 δ(T - 2)]",
         "2 y_1² - 1, to first order 1 - 10 δ(T - 2)",
@@ -104,28 +115,156 @@ fn draw_sphere(figure: &mut Figure, sphere: &Sphere) -> Result<(), Failure> {
         )
         .source("independent program"),
     );
+    let spin = 3.0 * shift;
+    let omega = sphere.collision(spin)?.groups()?.map_or(f64::NAN, |groups| groups.omega());
+    figure.claim(
+        Claim::all_close(
+            format!("{name}: asymptotes in the groups ε, Ω: sliding and no slip"),
+            [
+                (limits::sliding(epsilon, omega), 1.0 - sphere.expected[3] / spin),
+                (limits::no_slip_first_order(epsilon), sphere.first_order()),
+            ],
+            Tolerance::Absolute(2e-5),
+        )
+        .source("d by an independent program; 2 (1 - (5/2) δ (1 - ν) (T - 2))² - 1"),
+    );
     figure.claim(
         Claim::at_least(format!("{name}: spin above both asymptotes"), above, -1e-9 * d)
             .source("the text at fig. 10.2"),
     );
     let fast = 1e4 * shift;
-    let lost = fast - sphere.collision(fast)?.solve()?.spins[0];
+    let outcome = sphere.collision(fast)?.solve()?;
+    let lost = fast - outcome.spins[0];
     figure.claim(
         Claim::close(format!("{name}: spin lost in sliding"), lost, d, Tolerance::Relative(1e-8))
             .source("(10.64), corrected"),
+    );
+    let inertia = 0.4 * sphere.mass() * sphere.radius * sphere.radius;
+    let taken = 0.5 * inertia * (fast * fast - (fast - d) * (fast - d));
+    figure.claim(
+        Claim::all_close(
+            format!("{name}: energy and impulse of the torque in sliding, over those of d"),
+            [(outcome.energy_loss / taken, 1.0), (outcome.torque_impulse / (-inertia * d), 1.0)],
+            Tolerance::Absolute(1e-7),
+        )
+        .source("(2/5) m R² and the spin lost in (10.64), corrected"),
+    );
+    Ok(())
+}
+
+/// "Very large angular velocities of several thousand rotations per second": how far the loss of the
+/// steel sphere lies below d of (10.64) up to 10 000 of them.
+fn fast_spin(figure: &mut Figure, sphere: &Sphere) -> Result<(), Failure> {
+    let d = {
+        let delta = sphere.collision(0.0)?.normal().maximal_approach() / sphere.radius;
+        sphere.friction / sphere.radius * delta.sqrt() * limits::SLIDING_LOSS
+    };
+    let lost = |turns: f64| -> Result<f64, Failure> {
+        let spin = TAU * turns;
+        Ok((spin - sphere.collision(spin)?.solve()?.spins[0]) / d)
+    };
+    let mut curve = Vec::new();
+    for turns in logspace(1.0, 1e4, 81) {
+        curve.push((turns, lost(turns)?));
+    }
+    let mut panel = Panel::new(
+        Axis::log("spin before / (rotations per second)"),
+        Axis::linear("lost spin over d of (10.64)"),
+    )
+    .titled(format!("{}: when complete sliding is reached", sphere.name));
+    panel.add(Series::line("computed", curve));
+    panel.add(Series::dashed("(10.64) corrected", [(1.0, 1.0), (1e4, 1.0)]));
+    let band = [(1e3, 0.0), (5e3, 0.0), (5e3, 1.05), (1e3, 1.05)];
+    panel.add(Series::area("several thousand rotations per second", band));
+    figure.panel(panel);
+
+    let mut shares = Vec::new();
+    for (turns, steps) in [(20.0, 4000), (162.0, 4000), (1000.0, 8000), (5000.0, 16_000)] {
+        shares.push((lost(turns)?, sphere.stepped_loss(TAU * turns, steps)? / d));
+    }
+    figure.claim(
+        Claim::all_close(
+            "steel: loss over d at 20, 162, 1000 and 5000 rotations per second",
+            shares,
+            Tolerance::Absolute(1e-3),
+        )
+        .source("Newton's equations stepped in time with Lubkin's law; d of (10.64), corrected"),
+    );
+    // Where one per cent is left.
+    let (mut low, mut high) = (1.0, 1e5);
+    for _ in 0..50 {
+        let middle = f64::sqrt(low * high);
+        if lost(middle)? < 0.99 { low = middle } else { high = middle }
+    }
+    let turns = f64::sqrt(low * high);
+    figure.derived("rotations per second at 99 % of d, steel", format!("{turns:.0}"));
+    let there = sphere.stepped_loss(TAU * turns, 8000)? / d;
+    figure.claim(
+        Claim::close("99 % of d there", there, 0.99, Tolerance::Absolute(1e-3))
+            .source("Newton's equations stepped in time with Lubkin's law"),
+    );
+    figure.claim(
+        Claim::at_most(
+            "loss at several thousand, 1000 to 5000, short of d by",
+            1.0 - lost(1e3)?,
+            0.01,
+        )
+        .source("text: (10.64) is valid for several thousand rotations per second"),
+    );
+    figure.claim(
+        Claim::at_least("and at 100 rotations per second by", 1.0 - lost(100.0)?, 0.05)
+            .source("text: only for very large angular velocities"),
     );
     Ok(())
 }
 
 impl Sphere {
-    fn collision(&self, spin: f64) -> Result<SpinCollision, Failure> {
+    /// The spin that the ball loses, by Newton's equations stepped in time with the law of a twist.
+    fn stepped_loss(&self, spin: f64, steps: usize) -> Result<f64, Failure> {
+        let mut law = TorsionLaw::new(&self.hertz()?, Friction::new(self.friction)?)?;
+        let mass = self.mass();
+        let inertia = 0.4 * mass * self.radius * self.radius;
+        let dt = self.collision(spin)?.normal().duration() / steps as f64;
+        let (mut zeta, mut twist, mut speed, mut rate) = (0.0, 0.0, 1.0, spin);
+        for _ in 0..2 * steps {
+            zeta += 0.5 * dt * speed;
+            twist += 0.5 * dt * rate;
+            let load = law.advance(Shift { zeta, omega: twist, ..Shift::default() })?;
+            speed -= dt * load.f_z / mass;
+            rate -= dt * load.m_z / inertia;
+            zeta += 0.5 * dt * speed;
+            twist += 0.5 * dt * rate;
+            if zeta <= 0.0 {
+                return Ok(spin - rate);
+            }
+        }
+        Err("the ball does not rebound".into())
+    }
+
+    /// (10.63), corrected, with δ = ζ_max/R of Hertz's formulas at 1 m/s.
+    fn first_order(&self) -> f64 {
+        let modulus = 2.0 * self.shear_modulus / (1.0 - self.poisson);
+        let root = self.radius.sqrt();
+        let deepest = libm::pow(15.0 * self.mass() / (16.0 * modulus * root), 0.4);
+        let duration = 2.943_275_184_324_705;
+        let y_1 = 1.0 - 2.5 * deepest / self.radius * (1.0 - self.poisson) * (duration - 2.0);
+        2.0 * y_1 * y_1 - 1.0
+    }
+
+    fn mass(&self) -> f64 {
+        4.0 / 3.0 * PI * self.radius.powi(3) * self.density
+    }
+
+    fn hertz(&self) -> Result<Hertz, Failure> {
         let material = Material::from_shear(self.shear_modulus, self.poisson)?;
         let sphere = PrincipalRadii::sphere(self.radius)?;
         let gap = RelativeCurvature::new(sphere, PrincipalRadii::PLANE, 0.0)?;
-        let hertz = Hertz::new(gap, MaterialPair::new(material, Material::RIGID)?)?;
-        let mass = 4.0 / 3.0 * PI * self.radius.powi(3) * self.density;
-        let ball = Spinner::solid_sphere(mass, self.radius)?.spinning(spin)?;
+        Ok(Hertz::new(gap, MaterialPair::new(material, Material::RIGID)?)?)
+    }
+
+    fn collision(&self, spin: f64) -> Result<SpinCollision, Failure> {
+        let ball = Spinner::solid_sphere(self.mass(), self.radius)?.spinning(spin)?;
         let friction = Friction::new(self.friction)?;
-        Ok(SpinCollision::new(&hertz, friction, [ball, Spinner::held_fast()], 1.0)?)
+        Ok(SpinCollision::new(&self.hertz()?, friction, [ball, Spinner::held_fast()], 1.0)?)
     }
 }

@@ -117,14 +117,19 @@ fn mobility(figure: &mut Figure) -> Result<(), Failure> {
         Claim::all_close("D_xx/D_zz of 21 encounters", ratio, Tolerance::Relative(1e-12))
             .source("(15.6)"),
     );
-    let ends = [1e-9, 1e9].map(|ratio| Ellipsoid::of_revolution(ratio).mobility_ratio());
+    let mut ends = Vec::new();
+    for (ratio, expected) in [(0.01, 1.000_499_950_005), (100.0, 5.999_500_049_995)] {
+        let encounter = Ellipsoid::of_revolution(ratio).encounter(0.0)?;
+        let d = encounter.mobility().matrix();
+        ends.push((d.m11 / d.m33, expected));
+    }
     figure.claim(
         Claim::all_close(
-            "D_xx/D_zz for c << d and c >> d",
-            ends.into_iter().zip([1.0, 6.0]),
-            Tolerance::Absolute(1e-15),
+            "D_xx/D_zz at c/d = 0.01 and 100, near the limits 1 and 6",
+            ends,
+            Tolerance::Relative(1e-11),
         )
-        .source("(15.7)"),
+        .source("(15.6), (15.7): 1 + 5/10001 and 6 - 5/10001"),
     );
     Ok(())
 }
@@ -218,6 +223,7 @@ fn restitution(figure: &mut Figure) -> Result<(), Failure> {
         let r = outcome.rebound().and_then(|r| r.tangential_restitution).ok_or("the ball falls")?;
         sphere.push((r, carom_impact::restitution::of_spheres(1.5, lambda)?));
     }
+    energy_claim(figure)?;
     figure.claim(
         Claim::all_close(
             "R_x of four ellipsoids, three slips each",
@@ -241,6 +247,104 @@ fn restitution(figure: &mut Figure) -> Result<(), Failure> {
             Tolerance::Absolute(1e-12),
         )
         .source("the walk for spheres"),
+    );
+    Ok(())
+}
+
+/// Impulse, spin, heat and extremes of an encounter, with R_x by the springs.
+fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
+    let body = Ellipsoid { d: 0.03, e: 0.015, c: 0.02 };
+    let (ratio, psi) = (body.mobility_ratio(), 1.5);
+    let slip = psi / body.stiffness_ratio()? * FRICTION * APPROACH;
+    let outcome = body.encounter(slip)?.solve()?;
+    let rebound = outcome.rebound().ok_or("the body falls")?;
+    let restitution = spring_impact::restitution(body.chi()?, psi);
+    let push = (1.0 + restitution) * slip * MASS / ratio;
+    let heat = 0.5 * MASS / ratio * (1.0 - restitution * restitution) * slip * slip;
+    let theta = MASS / 5.0 * (body.c * body.c + body.d * body.d);
+    let (energy, motion) = (rebound.energy, rebound.motions[0]);
+    let before = 0.5 * MASS * (slip * slip + APPROACH * APPROACH);
+    // F_max ζ_max is 5/4 of m v², and T = 2.943275 ζ_max/v.
+    let product = rebound.maximal_force * rebound.maximal_approach;
+    let clock = rebound.duration * APPROACH / rebound.maximal_approach;
+    figure.claim(
+        Claim::all_close(
+            "impulse, velocity, spin and heat of an ellipsoid, over those expected",
+            [
+                (rebound.impulse.x / -push, 1.0),
+                (rebound.impulse.z / (2.0 * MASS * APPROACH), 1.0),
+                ((slip - motion.velocity.x) * MASS / push, 1.0),
+                (motion.spin.y * theta / (push * body.c), 1.0),
+                (energy.dissipated / heat, 1.0),
+                ((energy.before - energy.after) / heat, 1.0),
+                (energy.before / before, 1.0),
+            ],
+            Tolerance::Absolute(2e-5),
+        )
+        .source("momenta with (15.5), (15.6), R_x of springs with sliders, stepped in time"),
+    );
+    figure.claim(
+        Claim::all_close(
+            "F_max ζ_max over m v², T v/ζ_max",
+            [(product / (MASS * APPROACH * APPROACH), 1.25), (clock, 2.943_275_184_324_705)],
+            Tolerance::Relative(1e-12),
+        )
+        .source("energy (2/5) F ζ = m v²/2; T_N of (9.8)"),
+    );
+    let course = body.encounter(slip)?.history()?;
+    let (mut tangential, mut normal) = (0.0, 0.0);
+    for pair in course.windows(2) {
+        let impulse = 0.5 * (pair[0].force + pair[1].force) * (pair[1].time - pair[0].time);
+        tangential += impulse.x + impulse.y;
+        normal += impulse.z;
+    }
+    figure.claim(
+        Claim::all_close(
+            "impulses of the course, over those expected",
+            [(f64::abs(tangential) / push, 1.0), (normal / (2.0 * MASS * APPROACH), 1.0)],
+            Tolerance::Absolute(2e-3),
+        )
+        .source("∫F dt of 200 instants; one axis of the contact lies along the slip"),
+    );
+    // A twist as well: the heat is what the bodies lose.
+    let rubber = Material::from_shear(1e6, 0.5)?;
+    let surface = Surface::sphere(0.02)?;
+    let inertia = surface.solid(MASS)?;
+    let spun = PlacedBody::new(surface, rubber, inertia)
+        .at([0.0, 0.0, 0.02])?
+        .moving(Motion::new([0.0, 0.0, -APPROACH], [0.0, 0.0, 100.0])?);
+    let plane = PlacedBody::plane(Material::RIGID);
+    let spun = Encounter::find(spun, plane, Friction::new(FRICTION)?)?.with_torsion().solve()?;
+    let spun = spun.rebound().ok_or("the ball falls")?;
+    let theta = 0.4 * MASS * 0.02 * 0.02;
+    let left = spun.motions[0].spin.z;
+    figure.claim(
+        Claim::close(
+            "a ball that spins about the normal: heat over the spin's energy",
+            spun.energy.dissipated / (0.5 * theta * 1e4),
+            1.0 - left * left / 1e4,
+            Tolerance::Absolute(1e-9),
+        )
+        .source("θ (ω² - ω'²)/2 of the spin it keeps"),
+    );
+    let ball = Ellipsoid::of_revolution(1.0);
+    let round = ball.encounter(0.1)?.solve()?;
+    let round = round.rebound().ok_or("the ball falls")?;
+    // Hertz's formulas: E* = 2 G/(1 - ν) of rubber on a rigid plane.
+    let modulus = 2.0 * 1e6 / 0.5;
+    let root = ball.d.sqrt();
+    let deepest = libm::pow(15.0 * MASS * APPROACH * APPROACH / (16.0 * modulus * root), 0.4);
+    figure.claim(
+        Claim::all_close(
+            "ζ_max, F_max and a_max of the sphere",
+            [
+                (round.maximal_approach, deepest),
+                (round.maximal_force, 4.0 / 3.0 * modulus * root * deepest * deepest.sqrt()),
+                (round.maximal_contact.semi_axis_b(), (ball.d * deepest).sqrt()),
+            ],
+            Tolerance::Relative(1e-12),
+        )
+        .source("Hertz's formulas with E* and R"),
     );
     Ok(())
 }

@@ -29,6 +29,46 @@ fn outside(polygon: &[(f64, f64)], pair: &MaterialPair) -> f64 {
     distances.fold(f64::NEG_INFINITY, f64::max)
 }
 
+/// Left side less right side of the four inequalities (15.3), positive where they hold.
+fn margins(stiffness: f64, pair: &MaterialPair) -> [f64; 4] {
+    let (kappa, gamma, delta) = (pair.kappa(), pair.gamma(), stiffness);
+    [
+        gamma - (kappa - 1.5),
+        kappa * (1.0 + 3.0 * delta) - 1.5 - 2.5 * delta - gamma * (1.0 + delta),
+        1.5 - kappa - gamma,
+        gamma * (1.0 + delta) - (2.5 + 1.5 * delta - kappa * (3.0 + delta)),
+    ]
+}
+
+type Pairs = Vec<(f64, f64)>;
+
+/// The inequalities (15.3): on their borders, and within.
+fn inequalities(stiffness: f64) -> Result<(Pairs, Pairs), RangeError> {
+    let (mut borders, mut inside) = (Vec::new(), Vec::new());
+    for i in 0..=20 {
+        let nu = f64::from(i) / 40.0;
+        let at_limit = [(0.5, nu), (0.0, nu), (nu, 0.5), (nu, 0.0)];
+        for (k, (nu_1, nu_2)) in at_limit.into_iter().enumerate() {
+            let margins = margins(stiffness, &pair(stiffness, nu_1, nu_2)?);
+            borders.push((margins[k], 0.0));
+        }
+        for j in 0..=20 {
+            let (nu_1, nu_2) = (nu, f64::from(j) / 40.0);
+            let found = margins(stiffness, &pair(stiffness, nu_1, nu_2)?);
+            // Compliances 1/G_1 = 1 and 1/G_2 = 1/δ.
+            let sum = (1.0 - nu_1) + (1.0 - nu_2) / stiffness;
+            let expected = [
+                (1.0 - 2.0 * nu_1) / sum,
+                2.0 * (1.0 + stiffness) * nu_1 / sum,
+                (1.0 - 2.0 * nu_2) / (stiffness * sum),
+                2.0 * (1.0 + stiffness) * nu_2 / (stiffness * sum),
+            ];
+            inside.extend(found.into_iter().zip(expected));
+        }
+    }
+    Ok((borders, inside))
+}
+
 pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
     figure.stated("δ = G₂/G₁", "1 and 10");
@@ -62,6 +102,27 @@ pub(super) fn draw() -> FigureResult {
         let statement = format!("all ν₁, ν₂ from 0 to 1/2 lie inside the corners, δ = {stiffness}");
         figure.claim(Claim::at_most(statement, farthest, 1e-14).source("the map is projective"));
         panel.add(Series::area(format!("δ = {stiffness}"), polygon));
+    }
+    for stiffness in [0.2, 1.0, 10.0] {
+        let (borders, margins) = inequalities(stiffness)?;
+        figure.claim(
+            Claim::all_close(
+                format!("each of (15.3) is an equality at its limit of ν, δ = {stiffness}"),
+                borders,
+                Tolerance::Absolute(1e-13),
+            )
+            .source("(15.3) as printed"),
+        );
+        figure.claim(
+            Claim::all_close(
+                format!("and holds inside by as much as ν is away from the limit, δ = {stiffness}"),
+                margins,
+                Tolerance::Absolute(1e-13),
+            )
+            .source(
+                "(15.1), (15.2) put into (15.3): 1 - 2 ν, 2.5 ν and their like over Σ (1 - ν)/G",
+            ),
+        );
     }
     let largest = pair(1e9, 0.0, 0.0)?.gamma();
     figure.claim(

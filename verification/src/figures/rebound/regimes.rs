@@ -211,7 +211,10 @@ fn grid_claim(figure: &mut Figure, boundaries: &Boundaries) -> Result<(), Failur
     let wrong = judged.iter().filter(|agrees| !**agrees).count();
     let statement = format!("{} impacts outside the drawn areas that they belong to", judged.len());
     figure.claim(Claim::at_most(statement, wrong as f64, 0.0).source("the walks themselves"));
-    figure.claim(Claim::at_least("judged of 2491", judged.len() as f64, 2400.0));
+    figure.claim(
+        Claim::at_least("judged of 2491", judged.len() as f64, 2400.0)
+            .source("all but those within 0.03 of a numerical boundary"),
+    );
     Ok(())
 }
 
@@ -253,7 +256,10 @@ fn flip_claims(figure: &mut Figure) -> Result<(), Failure> {
         )
         .source("zero of 1/Γ((19 - φ)/20): the odd solution of the equation of adhesion"),
     );
-    figure.claim(Claim::close("φ there", phi(3.0), 19.0, Tolerance::Absolute(1e-14)));
+    figure.claim(
+        Claim::close("φ there", phi(3.0), 19.0, Tolerance::Absolute(1e-14))
+            .source("sqrt(1 + 120 · 3)"),
+    );
     let walk = impact(7.0 * 0.7 / 1.7, 0.3)?;
     figure.claim(
         Claim::holds(
@@ -291,7 +297,7 @@ fn spring_claim(figure: &mut Figure, boundaries: &Boundaries) -> Result<(), Fail
     let edges = [&boundaries.forward_stuck, &boundaries.forward_slid];
     let both: Result<Vec<_>, Failure> = places
         .par_iter()
-        .map(|&(chi, psi)| Ok((impact(chi, psi)?, spring_impact::impact(chi, psi))))
+        .map(|&(chi, psi)| Ok((impact(chi, psi)?, spring_impact::course(chi, psi))))
         .collect();
     let both = both?;
     let restitutions = both.iter().map(|(walk, step)| (walk.restitution(), step.restitution));
