@@ -22,6 +22,8 @@ mod batch;
 mod energy;
 mod lateral;
 mod report;
+mod slip_in_line;
+mod slip_in_plane;
 mod stack;
 
 pub use adhesion::AdhesionMemory;

@@ -10,7 +10,7 @@ use crate::bounds::in_contact;
 use crate::friction::Friction;
 use crate::hertz::Hertz;
 use crate::law::{ContactLaw, ContactLoad, Shift};
-use crate::memory::AdhesionMemory;
+use crate::memory::{AdhesionMemory, Growing};
 use crate::profile::PowerLaw;
 use crate::shift_law::ShiftLaw;
 
@@ -63,7 +63,7 @@ pub struct TorsionLaw {
 enum State {
     Free,
     Rubbing(TwistHistory),
-    Stuck(Box<AdhesionMemory<f64, PowerLaw>>),
+    Stuck(Box<AdhesionMemory<f64, Growing<f64>, PowerLaw>>),
 }
 
 impl TorsionLaw {
