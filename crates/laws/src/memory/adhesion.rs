@@ -86,6 +86,12 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         let [x, y] = shift.components();
         in_memory("shift", x)?;
         in_memory("shift", y)?;
+        self.step(zeta, shift);
+        Ok(self.force)
+    }
+
+    /// A step that was checked.
+    pub(crate) fn step(&mut self, zeta: f64, shift: V) {
         if zeta <= 0.0 {
             self.stack.truncate(0);
             self.force = V::default();
@@ -100,7 +106,6 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
                 top.force_at(zeta, &self.profile).plus(stretch.times(self.profile.stiffness(zeta)));
         }
         (self.zeta, self.shift) = (zeta, shift);
-        Ok(self.force)
     }
 
     fn touch(&mut self, zeta: f64, shift: V) {
