@@ -284,4 +284,19 @@ mod tests {
             max_relative = 1e-10
         );
     }
+
+    #[test]
+    fn force_of_a_power_indenter_is_that_of_its_springs() {
+        // One-dimensional foundation: the spring at x touches at the approach x^shape, so that
+        // F is proportional to int (zeta - x^shape) dx.
+        for shape in [0.5, 1.0, 2.0, 3.0, 6.0] {
+            let law = PowerLaw::of_shape(shape).unwrap();
+            let springs = |zeta: f64| {
+                integrate(|x| zeta - libm::pow(x, shape), 0.0, libm::pow(zeta, 1.0 / shape))
+            };
+            let want = springs(0.7) / springs(0.2);
+            assert_relative_eq!(law.force(0.7) / law.force(0.2), want, max_relative = 1e-5);
+        }
+        assert_eq!(PowerLaw::of_shape(1.0).unwrap(), PowerLaw::CONE);
+    }
 }
