@@ -3,8 +3,12 @@
 //! The heat comes from the tractions and the slip, the work from the loads by quadrature, so that
 //! neither is the remainder of the other. `CAROM_BALANCE_STEPS` takes more steps.
 
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw, Dissipative, Shift};
 use carom_laws::memory::{AdhesionMemory, Fixed, Growing, Lateral, Memory, VertexStack};
 use carom_laws::profile::{Hertzian, NormalProfile, PowerLaw, RoundedFlat};
+use carom_laws::shift_law::ShiftLaw;
+use carom_laws::stiffness::ContactStiffness;
 
 mod common;
 use common::balance::{Energetic, Place, Wanderer, between, step};
@@ -169,6 +173,57 @@ fn other_profiles() {
     profile("cone", PowerLaw::CONE);
     profile("nearly flat", PowerLaw::of_shape(4.0).unwrap());
     profile("rounded flat", RoundedFlat::new(0.6).unwrap());
+}
+
+/// The law in its own units, which are chosen so that X is the shift; one sum for both directions.
+#[derive(Clone)]
+struct Shifted(ShiftLaw<[f64; 2]>);
+
+impl Energetic for Shifted {
+    fn place(&self) -> Place {
+        (self.0.shift().zeta, [self.0.shift().xi, self.0.shift().eta])
+    }
+
+    fn go(&mut self, (zeta, [xi, eta]): Place) -> [f64; 2] {
+        let load = self.0.advance(Shift { zeta, xi, eta, omega: 0.0 }).unwrap();
+        [load.f_x, load.f_y]
+    }
+
+    fn stored(&self) -> [f64; 2] {
+        let normal = 0.4 * self.0.load().f_z * self.0.shift().zeta.max(0.0);
+        [self.0.stored_energy() - normal, 0.0]
+    }
+
+    fn heat(&self, (zeta, [xi, eta]): Place) -> [f64; 2] {
+        [self.0.dissipation(Shift { zeta, xi, eta, omega: 0.0 }), 0.0]
+    }
+
+    fn limit(&self, zeta: f64) -> f64 {
+        zeta * zeta.sqrt()
+    }
+
+    fn vertices(&self) -> Vec<(f64, [f64; 2], [f64; 2])> {
+        self.0.memory().unwrap().vertices()
+    }
+
+    fn merges(&self) -> u32 {
+        0
+    }
+}
+
+#[test]
+fn law_in_its_own_units() {
+    let stiffness = ContactStiffness::new(0.3, 0.3, 1.0).unwrap();
+    let mut law = Shifted(ShiftLaw::new(stiffness, Friction::new(0.3).unwrap()));
+    let mut wanderer = Wanderer::new(32);
+    for _ in 0..steps() / 2 {
+        let to = wanderer.next(&law);
+        let to = if (to.0 - law.place().0).abs() < 1e-9 { (law.place().0, to.1) } else { to };
+        let balance = step(&mut law, to);
+        assert!(balance.heat >= 0.0, "{balance:?}");
+        let allowed = IN_PLANE[0] * balance.largest + 8.0 * balance.rounding;
+        assert!(balance.total <= allowed, "{balance:?} on the way to {to:?}");
+    }
 }
 
 #[test]
