@@ -7,7 +7,14 @@
 use std::hint::black_box;
 use std::time::Duration;
 
+use carom_halfspace::operator::Threads;
+use carom_laws::accounted::Accounted;
+use carom_laws::batch::Batch;
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_laws::memory::{Fixed, Growing, Lateral, Memory, VertexStack};
+use carom_laws::shift_law::ShiftLaw;
+use carom_laws::stiffness::ContactStiffness;
 use carom_laws::torsion::history::TwistHistory;
 use criterion::{Criterion, Throughput, criterion_group, criterion_main};
 
@@ -96,6 +103,92 @@ fn law<V: Lateral, S: VertexStack<V>>(c: &mut Criterion, name: &str) {
     group.finish();
 }
 
+/// A law in SI units on the paths of the memories, which it meets again as normalised shifts.
+fn shift_law<V: Lateral, S: VertexStack<V>>() -> ShiftLaw<V, S> {
+    let stiffness = ContactStiffness { c_x: 2e9, c_y: 2e9, c_z: 2.5e9 };
+    ShiftLaw::new(stiffness, Friction::new(0.3).unwrap_or(Friction::NONE))
+}
+
+fn in_si_units<V: Lateral>(paths: &[Path<V>]) -> Vec<Vec<Shift>> {
+    let (length, per_shift) = (1e-6, 0.3 * 2.5e9 / 2e9);
+    let shift = |&(zeta, x): &(f64, V)| {
+        let [xi, eta] = x.times(length * per_shift).components();
+        Shift { zeta: length * zeta, xi, eta, omega: 0.0 }
+    };
+    paths.iter().map(|path| path.iter().map(shift).collect()).collect()
+}
+
+fn laws_contact_by_contact<L: ContactLaw>(fresh: &L, paths: &[Vec<Shift>]) -> f64 {
+    let mut sum = 0.0;
+    for contact in 0..CONTACTS {
+        let mut law = fresh.clone();
+        for &shift in &paths[contact % PATHS] {
+            if let Ok(load) = law.advance(shift) {
+                sum += load.f_x + load.f_y + load.f_z;
+            }
+        }
+    }
+    sum
+}
+
+/// The memory and the law in SI units on the same paths, contact by contact and in a batch.
+fn against_memory<V: Lateral + Send + Sync, S: VertexStack<V> + Send + Sync>(
+    c: &mut Criterion,
+    name: &str,
+) {
+    let mut group = c.benchmark_group(name);
+    group
+        .throughput(Throughput::Elements((CONTACTS * STEPS) as u64))
+        .sample_size(10)
+        .warm_up_time(Duration::from_millis(300))
+        .measurement_time(Duration::from_secs(1));
+    let normalised = paths::<V>(smooth);
+    let shifts = in_si_units(&normalised);
+    group.bench_function("memory", |b| {
+        b.iter(|| contact_by_contact::<V, S>(black_box(&normalised)));
+    });
+    let law = shift_law::<V, S>();
+    group.bench_function("law", |b| {
+        b.iter(|| laws_contact_by_contact(&law, black_box(&shifts)));
+    });
+    let mut memories = vec![Memory::<V, S>::new(); CONTACTS];
+    group.bench_function("memory, step by step", |b| {
+        b.iter(|| step_by_step(&mut memories, black_box(&normalised)));
+    });
+    let steps: Vec<Vec<Shift>> = (0..STEPS)
+        .map(|step| (0..CONTACTS).map(|contact| shifts[contact % PATHS][step]).collect())
+        .collect();
+    for (kind, threads) in [("batch", Threads::One), ("batch on threads", Threads::Pool)] {
+        let mut batch = Batch::new(vec![law.clone(); CONTACTS], threads);
+        let mut loads = vec![ContactLoad::default(); CONTACTS];
+        group.bench_function(kind, |b| {
+            b.iter(|| {
+                for shifts in &steps {
+                    if batch.advance(black_box(shifts), &mut loads).is_err() {
+                        loads.clear();
+                    }
+                }
+                loads.len()
+            });
+        });
+    }
+    group.throughput(Throughput::Elements((PATHS * STEPS) as u64));
+    let accounted = Accounted::new(law);
+    group.bench_function("law with heat", |b| {
+        b.iter(|| {
+            let mut sum = 0.0;
+            for path in black_box(&shifts) {
+                let mut law = accounted.clone();
+                for &shift in path {
+                    sum += law.advance(shift).map_or(0.0, |load| load.f_x);
+                }
+            }
+            sum
+        });
+    });
+    group.finish();
+}
+
 /// A twist that swings, at constant load and with a load that swings as well, as radius and twist.
 fn twists(depth: f64) -> Vec<Path<f64>> {
     (0..PATHS)
@@ -134,6 +227,9 @@ fn twist(c: &mut Criterion) {
 
 fn benches(c: &mut Criterion) {
     twist(c);
+    against_memory::<f64, Growing<f64>>(c, "SI units, one direction");
+    against_memory::<[f64; 2], Growing<[f64; 2]>>(c, "SI units, two directions");
+    against_memory::<f64, Fixed<f64, 16>>(c, "SI units, one direction, 16 vertices");
     law::<f64, Growing<f64>>(c, "scalar, exact");
     law::<f64, Fixed<f64, 16>>(c, "scalar, 16 vertices");
     law::<[f64; 2], Growing<[f64; 2]>>(c, "vector, exact");

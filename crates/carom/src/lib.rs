@@ -39,11 +39,13 @@ pub mod prelude {
     pub use carom_halfspace::{Material, MaterialPair};
     pub use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
     pub use carom_impact::{Body, Collision, Inertia, Motion, Outcome, Rebound, Shape};
+    pub use carom_laws::accounted::Accounted;
     pub use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
     pub use carom_laws::ellipse::ContactEllipse;
     pub use carom_laws::friction::Friction;
     pub use carom_laws::hertz::Hertz;
-    pub use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+    pub use carom_laws::law::{ContactLaw, ContactLoad, Energies, Shift};
+    pub use carom_laws::shift_law::ShiftLaw;
     pub use carom_laws::stiffness::ContactStiffness;
     pub use carom_special::{AxisRatio, RangeError};
 }

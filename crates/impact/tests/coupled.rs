@@ -257,7 +257,7 @@ proptest! {
 #[test]
 fn rings_converge_with_the_square_of_their_distance() {
     use carom_impact::coupled::CoulombRings;
-    use carom_laws::law::{ContactLaw, Shift};
+    use carom_laws::law::{ContactLaw, Energies, Shift};
     let stiffness = ContactStiffness::new(0.9, 0.6, 1.0).unwrap();
     let run = |rings: usize| {
         let mut law = CoulombRings::new(stiffness, 0.3, 1.3_f64.sqrt() / rings as f64).unwrap();

@@ -7,7 +7,10 @@ pub(crate) fn in_memory(field: &'static str, value: f64) -> Result<f64, RangeErr
     RangeError::check(field, value, value.abs() <= 1e100, "of size up to 1e100")
 }
 
+/// The largest of the user's own units.
+pub(crate) const LARGEST: f64 = 1e60;
+
 /// Shifts and twists in the user's units, and contact radii, of which energies are fifth powers.
 pub(crate) fn in_contact(field: &'static str, value: f64) -> Result<f64, RangeError> {
-    RangeError::check(field, value, value.abs() <= 1e60, "of size up to 1e60")
+    RangeError::check(field, value, value.abs() <= LARGEST, "of size up to 1e60")
 }

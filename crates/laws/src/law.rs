@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-use crate::bounds::in_contact;
+use crate::bounds::{LARGEST, in_contact};
 
 /// The rigid shift of body 2 against body 1 in the contact frame (z into body 1).
 ///
@@ -28,7 +28,17 @@ impl Shift {
     ///
     /// # Errors
     /// [`RangeError`] that names the first one that is not.
+    #[inline]
     pub fn check_finite(&self) -> Result<(), RangeError> {
+        let size = |value: f64| value.abs() <= LARGEST;
+        if size(self.zeta) & size(self.xi) & size(self.eta) & size(self.omega) {
+            return Ok(());
+        }
+        self.name_the_wrong_one()
+    }
+
+    #[cold]
+    fn name_the_wrong_one(&self) -> Result<(), RangeError> {
         in_contact("zeta", self.zeta)?;
         in_contact("xi", self.xi)?;
         in_contact("eta", self.eta)?;
@@ -50,7 +60,7 @@ pub struct ContactLoad {
     pub m_z: f64,
 }
 
-/// A law that turns a history of rigid shifts into loads.
+/// A law that turns a history of rigid shifts into loads; its energies are traits on top of it.
 ///
 /// The state clones cheaply, so that a step can be tried and thrown away. A failed step leaves
 /// the state as it was.
@@ -94,7 +104,32 @@ pub trait ContactLaw: Clone {
 
     /// The present load.
     fn load(&self) -> ContactLoad;
+}
 
+/// A law that knows beforehand whether a step is possible, so that many contacts step together or
+/// not at all ([`crate::batch::Batch`]).
+pub trait Checked: ContactLaw {
+    /// Whether [`ContactLaw::advance`] would go to this shift. Nothing moves.
+    ///
+    /// # Errors
+    /// Those of `advance`.
+    fn check(&self, to: Shift) -> Result<(), Self::Error>;
+}
+
+/// A law that knows its elastic energy, and the heat of a step before it is taken.
+///
+/// Heat costs more than force; [`crate::accounted::Accounted`] adds it up for those who ask.
+pub trait Dissipative: ContactLaw {
+    /// The elastic energy of the contact, compression included.
+    fn stored_energy(&self) -> f64;
+
+    /// The energy that the straight step to a new shift would turn into heat, or release at a
+    /// receding edge. Nothing moves; a step that would fail gives zero.
+    fn dissipation(&self, to: Shift) -> f64;
+}
+
+/// A law that keeps account of its energies: work is what is stored and what is dissipated.
+pub trait Energies: ContactLaw {
     /// The elastic energy of the contact, compression included.
     fn stored_energy(&self) -> f64;
 

@@ -4,12 +4,12 @@
 //! shifts into loads. The code is unit-free: any consistent set of units will do.
 //!
 //! - Statics: [`curvature`], [`ellipse`], [`stiffness`], [`hertz`], [`shift`], [`field`].
-//! - Memory: [`memory`] is the law of load histories, exact and of fixed capacity, for one contact
-//!   or many; [`history`] holds the thesis's own formulas beside it, [`sliders`] the incremental
+//! - Memory: [`memory`] is the law of load histories, exact and of fixed capacity; [`history`] holds the thesis's own formulas beside it, [`sliders`] the incremental
 //!   law for turning directions, [`profile`] other indenters.
 //! - Twist: [`torsion`] and, for sliding as a whole, [`rigid_slip`].
 //! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
-//!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`].
+//!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`]. [`accounted`] adds up the heat,
+//!   [`batch`] steps many contacts together.
 //!
 //! ```
 //! use carom_halfspace::{Material, MaterialPair};
@@ -30,6 +30,8 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub mod accounted;
+pub mod batch;
 mod bounds;
 pub mod curvature;
 pub mod ellipse;

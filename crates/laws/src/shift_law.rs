@@ -2,9 +2,10 @@
 
 use carom_special::RangeError;
 
+use crate::bounds::in_memory;
 use crate::friction::Friction;
-use crate::law::{ContactLaw, ContactLoad, Shift};
-use crate::memory::{AdhesionMemory, Growing, Lateral, Memory, Regime, Tangent, VertexStack};
+use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, Shift};
+use crate::memory::{AdhesionMemory, Growing, Lateral, Memory, Regime, Tangent, Turn, VertexStack};
 use crate::profile::{Hertzian, NormalProfile};
 use crate::stiffness::ContactStiffness;
 
@@ -13,6 +14,13 @@ use crate::stiffness::ContactStiffness;
 /// Exact for uncoupled pairs (epsilon = 0, (5.20)) on straight paths within Cattaneo's and
 /// Mindlin's assumptions; an approximation where the direction turns, and where c_x differs from
 /// c_y and the whole contact slides. The twist Omega is carried along without effect.
+///
+/// Heat is for those who ask: [`crate::accounted::Accounted`] adds it up. It is not negative where
+/// c_x = c_y; else, as the law slips along the traction in normalised shifts, not in lengths, a
+/// step of turning direction may give some back.
+///
+/// On a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices 888 bytes
+/// in one direction and 1432 in two.
 ///
 /// ```
 /// use carom_laws::friction::Friction;
@@ -24,16 +32,14 @@ use crate::stiffness::ContactStiffness;
 /// law.advance(Shift { zeta: 1.0, ..Shift::default() })?;
 /// let load = law.advance(Shift { zeta: 1.0, xi: 9.0, ..Shift::default() })?;
 /// assert!((load.f_x - 0.3 * load.f_z).abs() < 1e-15); // gross sliding
-/// assert!(law.dissipated() > 0.0);
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShiftLaw<V, S = Growing<V>> {
     stiffness: ContactStiffness,
     scale: Scale<V>,
     state: State<V, S>,
     shift: Shift,
-    dissipated: f64,
 }
 
 /// Between physical and normalised quantities, per direction.
@@ -47,14 +53,14 @@ struct Scale<V> {
     energy: V,
 }
 
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 enum State<V, S> {
     /// No friction: no tangential load.
     Free,
     /// Coulomb's friction.
     Rubbing(Memory<V, S>),
     /// Infinite friction.
-    Stuck(AdhesionMemory<V>),
+    Stuck(AdhesionMemory<V, S>),
 }
 
 impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
@@ -71,7 +77,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         let force = 2.0 / 3.0 * limit;
         let scale =
             Scale { shift: along.times(1.0 / limit), force, energy: inverse.times(force * limit) };
-        Self { stiffness, scale, state, shift: Shift::default(), dissipated: 0.0 }
+        Self { stiffness, scale, state, shift: Shift::default() }
     }
 
     /// The stiffness coefficients.
@@ -133,10 +139,26 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         [row(0), row(1), [0.0, 0.0, normal]]
     }
 
+    #[inline]
     fn normalised(&self, shift: Shift) -> V {
         V::from_components([shift.xi, shift.eta]).by_component(self.scale.shift)
     }
 
+    /// The normalised shift, if the law can go there.
+    #[inline]
+    fn reachable(&self, shift: Shift) -> Result<V, RangeError> {
+        shift.check_finite()?;
+        if V::DIMENSION == 1 && shift.eta != 0.0 {
+            return Err(RangeError::new("eta", shift.eta, "0 in a law of one direction"));
+        }
+        let to = self.normalised(shift);
+        let [x, y] = to.components();
+        in_memory("shift", x)?;
+        in_memory("shift", y)?;
+        Ok(to)
+    }
+
+    #[inline]
     fn force(&self) -> [f64; 2] {
         let phi = match &self.state {
             State::Free => V::default(),
@@ -150,26 +172,14 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
 impl<V: Lateral, S: VertexStack<V>> ContactLaw for ShiftLaw<V, S> {
     type Error = RangeError;
 
+    #[inline]
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
-        shift.check_finite()?;
-        if V::DIMENSION == 1 && shift.eta != 0.0 {
-            return Err(RangeError::new("eta", shift.eta, "0 in a law of one direction"));
+        let to = self.reachable(shift)?;
+        match &mut self.state {
+            State::Free => {}
+            State::Rubbing(memory) => memory.step(shift.zeta, to),
+            State::Stuck(memory) => memory.step(shift.zeta, to),
         }
-        let to = self.normalised(shift);
-        let heat = match &mut self.state {
-            State::Free => V::default(),
-            State::Rubbing(memory) => {
-                let heat = memory.dissipation(shift.zeta, to);
-                memory.advance(shift.zeta, to)?;
-                heat
-            }
-            State::Stuck(memory) => {
-                let heat = memory.dissipation(shift.zeta, to);
-                memory.advance(shift.zeta, to)?;
-                heat
-            }
-        };
-        self.dissipated += heat.dot(self.scale.energy);
         self.shift = shift;
         Ok(self.load())
     }
@@ -178,13 +188,23 @@ impl<V: Lateral, S: VertexStack<V>> ContactLaw for ShiftLaw<V, S> {
         self.shift
     }
 
+    #[inline]
     fn load(&self) -> ContactLoad {
         let zeta = self.shift.zeta.max(0.0);
         let [f_x, f_y] = self.force();
         let f_z = 2.0 / 3.0 * self.stiffness.c_z * (zeta * zeta.sqrt());
         ContactLoad { f_x, f_y, f_z, m_z: 0.0 }
     }
+}
 
+impl<V: Lateral, S: VertexStack<V>> Checked for ShiftLaw<V, S> {
+    #[inline]
+    fn check(&self, to: Shift) -> Result<(), RangeError> {
+        self.reachable(to).map(|_| ())
+    }
+}
+
+impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
     fn stored_energy(&self) -> f64 {
         let tangential = match &self.state {
             State::Free => V::default(),
@@ -196,19 +216,55 @@ impl<V: Lateral, S: VertexStack<V>> ContactLaw for ShiftLaw<V, S> {
         normal + tangential.dot(self.scale.energy)
     }
 
-    fn dissipated(&self) -> f64 {
-        self.dissipated
+    fn dissipation(&self, to: Shift) -> f64 {
+        match (self.reachable(to), &self.state) {
+            (Err(_), _) | (_, State::Free) => 0.0,
+            (Ok(x), State::Rubbing(memory)) => memory.heat(to.zeta, x, self.scale.energy),
+            (Ok(x), State::Stuck(memory)) => memory.dissipation(to.zeta, x).dot(self.scale.energy),
+        }
+    }
+}
+
+impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
+    /// Turns the frame in the contact plane: shift and tractions are expressed in axes that are
+    /// rotated by `angle` (radians, counter-clockwise).
+    ///
+    /// Carries the law along when the contact frame of two rolling bodies turns, and the contact
+    /// ellipse with it. Loads are the same vectors as before; so is the stored energy where
+    /// c_x = c_y, else the ellipse turns beneath its tractions.
+    pub fn turn_frame(&mut self, angle: f64) {
+        let [xi, eta] = Turn::by(angle).of([self.shift.xi, self.shift.eta]);
+        self.shift = Shift { xi, eta, ..self.shift };
+        let to = self.normalised(self.shift);
+        match &mut self.state {
+            State::Free => {}
+            State::Rubbing(memory) => {
+                memory.turn_frame(angle);
+                memory.translate(to.minus(memory.shift()));
+            }
+            State::Stuck(memory) => {
+                memory.turn_frame(angle);
+                memory.translate(to.minus(memory.shift()));
+            }
+        }
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::accounted::Accounted;
+    use crate::law::Energies;
+    use crate::memory::Fixed;
     use approx::assert_relative_eq;
 
     fn law<V: Lateral>(friction: f64) -> ShiftLaw<V> {
         let stiffness = ContactStiffness::new(0.9, 0.7, 1.1).unwrap();
         ShiftLaw::new(stiffness, Friction::new(friction).unwrap())
+    }
+
+    fn accounted(friction: f64) -> Accounted<ShiftLaw<[f64; 2]>> {
+        Accounted::new(law(friction))
     }
 
     fn at(zeta: f64, xi: f64, eta: f64) -> Shift {
@@ -227,7 +283,7 @@ mod tests {
     #[test]
     fn work_is_stored_or_lost_in_every_limit_of_friction() {
         for friction in [0.0, 0.3, 5.0, f64::INFINITY] {
-            let mut law = law::<[f64; 2]>(friction);
+            let mut law = accounted(friction);
             let mut work = 0.0;
             for (zeta, xi, eta) in PATH {
                 let from = law.shift();
@@ -256,7 +312,7 @@ mod tests {
 
     #[test]
     fn heat_of_a_step_is_that_of_its_parts() {
-        let (mut whole, mut parts) = (law::<[f64; 2]>(0.3), law::<[f64; 2]>(0.3));
+        let (mut whole, mut parts) = (accounted(0.3), accounted(0.3));
         for (zeta, xi, eta) in PATH {
             let from = whole.shift();
             whole.advance(at(zeta, xi, eta)).unwrap();
@@ -273,7 +329,7 @@ mod tests {
 
     #[test]
     fn infinite_friction_is_the_limit_of_much() {
-        let (mut much, mut stuck) = (law::<[f64; 2]>(1e9), law::<[f64; 2]>(f64::INFINITY));
+        let (mut much, mut stuck) = (accounted(1e9), accounted(f64::INFINITY));
         for (zeta, xi, eta) in PATH {
             much.advance(at(zeta, xi, eta)).unwrap();
             stuck.advance(at(zeta, xi, eta)).unwrap();
@@ -324,5 +380,49 @@ mod tests {
         assert_eq!(law.advance(at(f64::NAN, 0.1, 0.0)).unwrap_err().field, "zeta");
         assert_eq!(law.advance(at(1.0, f64::INFINITY, 0.0)).unwrap_err().field, "xi");
         assert_eq!(law, before);
+    }
+
+    #[test]
+    fn is_plain_data_on_a_fixed_stack() {
+        fn plain<T: Copy + Send + Sync>() -> usize {
+            size_of::<T>()
+        }
+        assert_eq!(plain::<ShiftLaw<f64, Fixed<f64, 16>>>(), 888);
+        assert_eq!(plain::<ShiftLaw<[f64; 2], Fixed<[f64; 2], 16>>>(), 1432);
+        assert_eq!(plain::<ShiftLaw<f64, Fixed<f64, 4>>>(), 312);
+        assert!(size_of::<ShiftLaw<f64>>() <= 528 && size_of::<ShiftLaw<[f64; 2]>>() <= 816);
+    }
+
+    #[test]
+    fn turned_frame_carries_the_law_along() {
+        for friction in [0.0, 0.3, f64::INFINITY] {
+            let stiffness = ContactStiffness::new(0.9, 0.9, 1.1).unwrap();
+            let round = ShiftLaw::<[f64; 2]>::new(stiffness, Friction::new(friction).unwrap());
+            let (mut fixed, mut turning) = (Accounted::new(round.clone()), Accounted::new(round));
+            let mut angle = 0.0_f64;
+            for (i, (zeta, xi, eta)) in PATH.into_iter().enumerate() {
+                let (s, c) = angle.sin_cos();
+                let want = fixed.advance(at(zeta, xi, eta)).unwrap();
+                let got = turning.advance(at(zeta, c * xi + s * eta, c * eta - s * xi)).unwrap();
+                assert_relative_eq!(got.f_x, c * want.f_x + s * want.f_y, epsilon = 1e-14);
+                assert_relative_eq!(got.f_y, c * want.f_y - s * want.f_x, epsilon = 1e-14);
+                let by = 0.4 + 0.3 * i as f64;
+                turning.turn_frame(by);
+                angle += by;
+            }
+            assert_relative_eq!(fixed.dissipated(), turning.dissipated(), max_relative = 1e-11);
+            assert_relative_eq!(fixed.stored_energy(), turning.stored_energy(), epsilon = 1e-13);
+        }
+        // On an ellipse the load is the same vector, and the next step begins where the last ended.
+        let mut law = law::<[f64; 2]>(0.3);
+        for (zeta, xi, eta) in PATH {
+            law.advance(at(zeta, xi, eta)).unwrap();
+        }
+        let (before, angle) = (law.load(), 0.7_f64);
+        law.turn_frame(angle);
+        let again = law.advance(law.shift()).unwrap();
+        let (s, c) = angle.sin_cos();
+        assert_relative_eq!(again.f_x, c * before.f_x + s * before.f_y, epsilon = 1e-14);
+        assert_relative_eq!(again.f_y, c * before.f_y - s * before.f_x, epsilon = 1e-14);
     }
 }

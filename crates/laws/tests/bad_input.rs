@@ -9,7 +9,7 @@ use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::memory::{
-    AdhesionMemory, Batch, BatchError, Fixed, Growing, Lateral, Memory, ScalarMemory, VectorMemory,
+    AdhesionMemory, Fixed, Growing, Lateral, Memory, ScalarMemory, VectorMemory,
 };
 use carom_laws::profile::{PowerLaw, RoundedFlat};
 use carom_laws::shift_law::ShiftLaw;
@@ -222,34 +222,6 @@ fn every_component_is_looked_at() {
         assert_eq!(memory.advance(1.0, bad).unwrap_err().field, "shift");
         assert_eq!(memory, before);
     }
-}
-
-#[test]
-fn batches_name_the_contact_and_change_none() {
-    let mut batch = Batch::<[f64; 2]>::new(3);
-    let mut forces = [[7.0; 2]; 3];
-    batch.advance(&[1.0; 3], &[[0.2, 0.1]; 3], &mut forces).unwrap();
-    let (before, written) = (batch.clone(), forces);
-    for bad in BAD {
-        let shifts = [[0.0, 0.0], [0.0, bad], [0.0, 0.0]];
-        let error = batch.advance(&[1.0; 3], &shifts, &mut forces).unwrap_err();
-        let BatchError::Range { contact: 1, error } = error else { panic!("{error}") };
-        assert_eq!(error.field, "shift");
-        let error = batch.advance(&[1.0, 1.0, bad], &[[0.0; 2]; 3], &mut forces).unwrap_err();
-        let BatchError::Range { contact: 2, error } = error else { panic!("{error}") };
-        assert_eq!(error.field, "zeta");
-        assert!(batch == before && forces == written);
-    }
-    for (zeta, shift, force) in [(2, 3, 3), (3, 4, 3), (3, 3, 0)] {
-        let (zeta, shift, mut force) =
-            (vec![1.0; zeta], vec![[0.0; 2]; shift], vec![[0.0; 2]; force]);
-        let error = batch.advance(&zeta, &shift, &mut force).unwrap_err();
-        assert!(matches!(error, BatchError::Length { contacts: 3, .. }));
-        assert_eq!(batch, before);
-    }
-    // Separation of one contact is none of the others' business.
-    batch.advance(&[1.0, -1.0, 1.0], &[[0.3, 0.0]; 3], &mut forces).unwrap();
-    assert!(forces[1] == [0.0; 2] && forces[0] == forces[2] && forces[0][0] > 0.0);
 }
 
 #[test]

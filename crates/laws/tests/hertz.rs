@@ -165,3 +165,20 @@ fn pressure_carries_the_force_and_the_tangent_is_its_derivative() {
     assert_eq!(hertz.at_approach(f64::NAN).unwrap_err().field, "approach");
     assert_eq!(hertz.at_force(-1.0).unwrap_err().field, "force");
 }
+
+#[test]
+fn compression_stores_the_work_of_the_force() {
+    let body = Material::from_shear(1.0, 0.2).unwrap();
+    let gap = RelativeCurvature::from_coefficients(3.0, 1.0).unwrap();
+    let hertz = Hertz::new(gap, MaterialPair::new(body, body).unwrap()).unwrap();
+    // Two points of Gauss in the root of the approach, of which F dzeta is a quartic.
+    let (mut work, parts, root) = (0.0, 200, 0.1_f64);
+    for i in 0..parts {
+        for node in [0.5 - 0.75_f64.sqrt() / 3.0, 0.5 + 0.75_f64.sqrt() / 3.0] {
+            let t = root * (f64::from(i) + node) / f64::from(parts);
+            work += hertz.force(t * t) * 2.0 * t * root / f64::from(2 * parts);
+        }
+    }
+    close("energy", hertz.normal_energy(0.01), work, 1e-9);
+    assert_eq!(hertz.normal_energy(-0.01), 0.0);
+}

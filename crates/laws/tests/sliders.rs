@@ -43,3 +43,14 @@ fn straight_paths_agree_with_the_closed_law_whatever_the_stiffness() {
         assert_eq!(law.advance(2.0, [0.0, 0.0]).unwrap_err().field, "zeta");
     }
 }
+
+#[test]
+fn ring_at_the_edge_counts_by_the_part_that_touches() {
+    // Two rings of width 1/2 at the radii 1/4 and 3/4, both sticking: F = (3/2) X sqrt(zeta).
+    for zeta in [0.6_f64, 0.7, 0.99, 1.0] {
+        let mut law = SliderLaw::new(2, 1.0, 1.0).unwrap();
+        law.advance(zeta, [0.0, 0.0]).unwrap();
+        let force = law.advance(zeta, [0.03, 0.0]).unwrap();
+        assert!((force[0] - 1.5 * 0.03 * zeta.sqrt()).abs() < 1e-16, "{zeta}: {force:?}");
+    }
+}

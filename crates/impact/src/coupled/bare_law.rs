@@ -1,5 +1,4 @@
-//! The thesis's law in one direction or two, without the energy accounts that the motion does not
-//! need at every step and that cost ten times the forces.
+//! The thesis's law in one direction or two.
 
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
@@ -17,8 +16,6 @@ pub(super) struct BareLaw<V: Lateral> {
     scale: V,
     /// F = Phi times this.
     unit: f64,
-    /// Energy = that of the memory times this, by component.
-    energy: V,
     memory: Recall<V>,
     shift: Shift,
     load: ContactLoad,
@@ -40,13 +37,11 @@ impl<V: Lateral> BareLaw<V> {
             Some(f) => (Recall::Rubbing(Memory::new()), f * stiffness.c_z),
         };
         let along = V::from_components([stiffness.c_x, stiffness.c_y]);
-        let inverse = V::from_components([1.0 / stiffness.c_x, 1.0 / stiffness.c_y]);
         let unit = 2.0 / 3.0 * limit;
         Self {
             stiffness,
             scale: along.times(1.0 / limit),
             unit,
-            energy: inverse.times(unit * limit),
             memory,
             shift: Shift::default(),
             load: ContactLoad::default(),
@@ -77,22 +72,6 @@ impl<V: Lateral> ContactLaw for BareLaw<V> {
 
     fn load(&self) -> ContactLoad {
         self.load
-    }
-
-    fn stored_energy(&self) -> f64 {
-        let zeta = self.shift.zeta.max(0.0);
-        let tangential = match &self.memory {
-            Recall::Free => V::default(),
-            Recall::Rubbing(memory) => memory.stored_energy(),
-            Recall::Stuck(memory) => memory.stored_energy(),
-        };
-        let normal = 4.0 / 15.0 * self.stiffness.c_z * (zeta * zeta * zeta.sqrt());
-        normal + tangential.dot(self.energy)
-    }
-
-    /// Not kept: the energies of the motion tell it.
-    fn dissipated(&self) -> f64 {
-        0.0
     }
 }
 

@@ -488,14 +488,6 @@ impl ContactLaw for AnyLaw {
     fn load(&self) -> ContactLoad {
         each!(self, law => law.load())
     }
-
-    fn stored_energy(&self) -> f64 {
-        each!(self, law => law.stored_energy())
-    }
-
-    fn dissipated(&self) -> f64 {
-        each!(self, law => law.dissipated())
-    }
 }
 
 impl Staged for AnyLaw {

@@ -7,7 +7,7 @@
 //! direction is constant it is the thesis's law of chapter 7.
 
 use carom_laws::friction::Friction;
-use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use carom_laws::law::{ContactLaw, ContactLoad, Energies, Shift};
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::Vector3;
@@ -182,7 +182,9 @@ impl ContactLaw for CoulombRings {
         let f_z = 2.0 / 3.0 * self.stiffness.c_z * (zeta * zeta.sqrt());
         ContactLoad { f_x: self.force[0], f_y: self.force[1], f_z, m_z: 0.0 }
     }
+}
 
+impl Energies for CoulombRings {
     fn stored_energy(&self) -> f64 {
         let zeta = self.shift.zeta.max(0.0);
         let mut sum = 4.0 / 15.0 * self.stiffness.c_z * (zeta * zeta * zeta.sqrt());

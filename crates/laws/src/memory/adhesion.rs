@@ -2,6 +2,8 @@
 
 use carom_special::RangeError;
 
+use super::energy::{flat_energy, spring_energy};
+use super::report::Turn;
 use super::{Growing, Lateral, Vertex, VertexStack};
 use crate::bounds::in_memory;
 use crate::profile::{Hertzian, NormalProfile};
@@ -20,22 +22,22 @@ use crate::profile::{Hertzian, NormalProfile};
 /// assert_eq!(memory.advance(1.0, 1.0)?, 1.5); // the outer rings let go
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
-pub struct AdhesionMemory<V, P = Hertzian> {
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AdhesionMemory<V, S = Growing<V>, P = Hertzian> {
     zeta: f64,
     shift: V,
     force: V,
-    stack: Growing<V>,
+    stack: S,
     profile: P,
 }
 
-impl<V: Lateral> Default for AdhesionMemory<V> {
+impl<V: Lateral, S: VertexStack<V>> Default for AdhesionMemory<V, S> {
     fn default() -> Self {
         Self::new()
     }
 }
 
-impl<V: Lateral> AdhesionMemory<V> {
+impl<V: Lateral, S: VertexStack<V>> AdhesionMemory<V, S> {
     /// Two bodies that just touch, unshifted.
     #[must_use]
     pub fn new() -> Self {
@@ -43,12 +45,12 @@ impl<V: Lateral> AdhesionMemory<V> {
     }
 }
 
-impl<V: Lateral, P: NormalProfile> AdhesionMemory<V, P> {
+impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
     /// Two bodies of another normal law that just touch, unshifted.
     #[must_use]
     pub fn with_profile(profile: P) -> Self {
         let (shift, force) = (V::default(), V::default());
-        Self { zeta: 0.0, shift, force, stack: Growing::default(), profile }
+        Self { zeta: 0.0, shift, force, stack: S::default(), profile }
     }
 
     /// The approach.
@@ -69,6 +71,12 @@ impl<V: Lateral, P: NormalProfile> AdhesionMemory<V, P> {
         self.force
     }
 
+    /// How often two segments were merged for want of room.
+    #[must_use]
+    pub fn merges(&self) -> u32 {
+        self.stack.merges()
+    }
+
     /// Goes straight to a new approach and shift and returns the force Phi.
     ///
     /// # Errors
@@ -78,6 +86,12 @@ impl<V: Lateral, P: NormalProfile> AdhesionMemory<V, P> {
         let [x, y] = shift.components();
         in_memory("shift", x)?;
         in_memory("shift", y)?;
+        self.step(zeta, shift);
+        Ok(self.force)
+    }
+
+    /// A step that was checked.
+    pub(crate) fn step(&mut self, zeta: f64, shift: V) {
         if zeta <= 0.0 {
             self.stack.truncate(0);
             self.force = V::default();
@@ -92,7 +106,6 @@ impl<V: Lateral, P: NormalProfile> AdhesionMemory<V, P> {
                 top.force_at(zeta, &self.profile).plus(stretch.times(self.profile.stiffness(zeta)));
         }
         (self.zeta, self.shift) = (zeta, shift);
-        Ok(self.force)
     }
 
     fn touch(&mut self, zeta: f64, shift: V) {
@@ -148,22 +161,44 @@ impl<V: Lateral, P: NormalProfile> AdhesionMemory<V, P> {
     /// The energy of the rings deeper than the edge and no deeper than `from` when the shift of
     /// the ring s is `at(s)`, linear in s.
     fn energy_between(&self, from: f64, at: impl Fn(f64) -> V) -> V {
-        let mut sum = [0.0; 2];
+        let mut sum = V::default();
         let mut to = self.zeta;
         for i in (0..self.stack.len()).rev() {
             let segment = self.stack.get(i);
             let low = segment.depth.max(from);
-            let ends = [low, to].map(|s| at(s).minus(segment.anchor_at(s)).components());
-            for (k, sum) in sum.iter_mut().enumerate().take(V::DIMENSION) {
-                let u = [ends[0][k], ends[1][k]];
-                *sum += 0.5 * self.profile.spring_product(low, to.max(low), u, u);
-            }
+            let ends = [low, to].map(|s| at(s).minus(segment.anchor_at(s)));
+            sum = sum.plus(spring_energy(&self.profile, [low, to.max(low)], ends));
             to = segment.depth;
+            if i == 0 && from <= 0.0 {
+                sum = sum.plus(flat_energy(&self.profile, ends[0]));
+            }
             if to <= from {
                 break;
             }
         }
-        V::from_components(sum)
+        sum
+    }
+
+    /// Moves the origin of the shifts: X and every anchor grow by `by`. Forces do not change.
+    pub fn translate(&mut self, by: V) {
+        self.shift = self.shift.plus(by);
+        for i in 0..self.stack.len() {
+            let vertex = self.stack.get_mut(i);
+            vertex.anchor = vertex.anchor.plus(by);
+        }
+    }
+}
+
+impl<S: VertexStack<[f64; 2]>, P: NormalProfile> AdhesionMemory<[f64; 2], S, P> {
+    /// Turns the frame in the contact plane: all components are expressed in axes that are
+    /// rotated by `angle` (radians, counter-clockwise).
+    pub fn turn_frame(&mut self, angle: f64) {
+        let turn = Turn::by(angle);
+        self.shift = turn.of(self.shift);
+        self.force = turn.of(self.force);
+        for i in 0..self.stack.len() {
+            turn.vertex(self.stack.get_mut(i));
+        }
     }
 }
 

@@ -245,16 +245,33 @@ impl Lateral for [f64; 2] {
 /// The parameter t >= 0 at which `|offset + t dx|` outgrows `depth + t dz`, both given inside the
 /// cone at t = 0; at most 1.
 pub(crate) fn cone_exit<V: Lateral>(offset: V, dx: V, depth: f64, dz: f64) -> f64 {
-    // (dx.dx - dz^2) t^2 + 2 (offset.dx - depth dz) t + (offset.offset - depth^2) = 0
+    // (dx.dx - dz^2) t^2 + 2 (offset.dx - depth dz) t + (offset.offset - depth^2) = 0, in units in
+    // which no fourth power underflows.
+    let largest = [offset.components(), dx.components(), [depth, dz]]
+        .iter()
+        .flatten()
+        .fold(0.0_f64, |largest, value| largest.max(value.abs()));
+    if largest == 0.0 {
+        return 1.0;
+    }
+    let unit = 1.0 / largest.max(f64::MIN_POSITIVE);
+    let (offset, dx, depth, dz) = (offset.times(unit), dx.times(unit), depth * unit, dz * unit);
     let (square, excess) = (offset.length(), dx.length());
     let curve = (excess - dz) * (excess + dz);
     let slope = offset.dot(dx) - depth * dz;
     let inside = ((square - depth) * (square + depth)).min(0.0);
-    let discriminant = slope * slope - curve * inside;
-    let root = discriminant.max(0.0).sqrt();
-    let exit = if discriminant < 0.0 {
-        1.0
-    } else if slope > 0.0 {
+    // Along the cone the roots are those of round-off, but no path leaves it after its tip.
+    let tip = if dz < 0.0 { (depth / -dz).max(0.0) } else { 1.0 };
+    outgrown(curve, slope, inside).min(tip)
+}
+
+/// The parameter t >= 0 from which `curve t^2 + 2 slope t + inside`, not positive at t = 0, is; at
+/// most 1.
+pub(crate) fn outgrown(curve: f64, slope: f64, inside: f64) -> f64 {
+    // Not negative but by round-off: where the path is steeper than the cone and goes through its
+    // tip, both roots are one.
+    let root = (slope * slope - curve * inside).max(0.0).sqrt();
+    let exit = if slope > 0.0 {
         -inside / (slope + root)
     } else if curve > 0.0 {
         (root - slope) / curve

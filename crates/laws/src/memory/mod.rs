@@ -18,15 +18,16 @@
 //! [`crate::sliders`].
 
 mod adhesion;
-mod batch;
 mod energy;
 mod lateral;
 mod report;
+mod slip_in_line;
+mod slip_in_plane;
 mod stack;
 
 pub use adhesion::AdhesionMemory;
-pub use batch::{Batch, BatchError};
 pub use lateral::Lateral;
+pub(crate) use report::Turn;
 pub use report::{Segment, Tangent};
 pub use stack::{Fixed, Growing, Vertex, VertexStack};
 
@@ -137,8 +138,9 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         Ok(self.force)
     }
 
+    /// A step that was checked.
     #[inline]
-    fn step(&mut self, zeta: f64, shift: V) {
+    pub(crate) fn step(&mut self, zeta: f64, shift: V) {
         if zeta <= 0.0 {
             self.separate(zeta, shift);
             return;

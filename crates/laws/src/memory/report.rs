@@ -1,6 +1,6 @@
 //! What a memory can tell: the quantities of the thesis, tractions, tangents.
 
-use super::{Lateral, Memory, Regime, VertexStack};
+use super::{Lateral, Memory, Regime, Vertex, VertexStack};
 use crate::profile::NormalProfile;
 
 /// A straight piece of the memory polyline.
@@ -279,17 +279,40 @@ impl<S: VertexStack<[f64; 2]>, P: NormalProfile> Memory<[f64; 2], S, P> {
     ///
     /// Carries the memory along when the contact frame of two rolling bodies turns.
     pub fn turn_frame(&mut self, angle: f64) {
-        let (s, c) = libm::sincos(angle);
-        let turn = |v: &mut [f64; 2]| *v = [c * v[0] + s * v[1], c * v[1] - s * v[0]];
-        turn(&mut self.shift);
-        turn(&mut self.force);
+        let turn = Turn::by(angle);
+        self.shift = turn.of(self.shift);
+        self.force = turn.of(self.force);
         for i in 0..self.stack.len() {
-            let vertex = self.stack.get_mut(i);
-            turn(&mut vertex.anchor);
-            turn(&mut vertex.slope);
-            turn(&mut vertex.force_slope);
-            turn(&mut vertex.force);
+            turn.vertex(self.stack.get_mut(i));
         }
+    }
+}
+
+/// A turn of the axes in the contact plane.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Turn {
+    sin: f64,
+    cos: f64,
+}
+
+impl Turn {
+    /// Axes that are rotated by `angle`, counter-clockwise.
+    pub(crate) fn by(angle: f64) -> Self {
+        let (sin, cos) = libm::sincos(angle);
+        Self { sin, cos }
+    }
+
+    /// The components of a vector in the new axes.
+    pub(crate) fn of(self, [x, y]: [f64; 2]) -> [f64; 2] {
+        [self.cos * x + self.sin * y, self.cos * y - self.sin * x]
+    }
+
+    /// A vertex in the new axes.
+    pub(super) fn vertex(self, vertex: &mut Vertex<[f64; 2]>) {
+        vertex.anchor = self.of(vertex.anchor);
+        vertex.slope = self.of(vertex.slope);
+        vertex.force_slope = self.of(vertex.force_slope);
+        vertex.force = self.of(vertex.force);
     }
 }
 

@@ -163,42 +163,43 @@ impl<V: Lateral, const N: usize> Fixed<V, N> {
 
     /// Takes out the vertex between the two segments that are most nearly one.
     #[cold]
-    fn merge<P: NormalProfile>(&mut self, next_depth: f64, next_anchor: V, profile: &P) {
-        let upper_end = |i: usize, all: &[Vertex<V>; N]| {
-            if i + 1 < N {
-                (all[i + 1].depth, all[i + 1].anchor)
-            } else {
-                (next_depth, next_anchor)
-            }
-        };
-        let cost = |i: usize| {
-            let (below, here) = (&self.vertices[i - 1], &self.vertices[i]);
-            let lower = here.depth - below.depth;
-            let upper = upper_end(i, &self.vertices).0 - here.depth;
-            here.slope.minus(below.slope).length() * (lower * upper / (lower + upper))
-        };
+    fn merge<P: NormalProfile>(&mut self, next_depth: f64, profile: &P) {
         let mut best = (f64::INFINITY, 1);
         for i in 1..N {
-            let cost = cost(i);
+            let end = self.vertices.get(i + 1).map_or(next_depth, |above| above.depth);
+            let cost = self.deviation(i, end);
             if cost < best.0 {
                 best = (cost, i);
             }
         }
         let i = best.1;
+        let end = self.vertices.get(i + 1).map_or(next_depth, |above| above.depth);
         let (below, here) = (self.vertices[i - 1], self.vertices[i]);
-        let (end_depth, end_anchor) = upper_end(i, &self.vertices);
-        let length = end_depth - below.depth;
-        let slope = end_anchor.minus(below.anchor).times(1.0 / length);
-        let growth = here.force_at(end_depth, profile).minus(below.force);
+        let slope = self.chord(i, end);
+        let growth = here.force_at(end, profile).minus(below.force);
         self.vertices[i - 1] = Vertex {
             slope,
-            force_slope: growth.times(1.0 / profile.growth(below.depth, length)),
+            force_slope: growth.times(1.0 / profile.growth(below.depth, end - below.depth)),
             curb: (1.0 - slope.dot(slope)).max(0.0),
             ..below
         };
         self.vertices.copy_within(i + 1.., i);
         self.len -= 1;
         self.merges = self.merges.saturating_add(1);
+    }
+
+    /// The slope of one segment in place of the two that meet at vertex i and reach up to `end`.
+    fn chord(&self, i: usize, end: f64) -> V {
+        let (below, here) = (&self.vertices[i - 1], &self.vertices[i]);
+        here.anchor_at(end).minus(below.anchor).times(1.0 / (end - below.depth))
+    }
+
+    /// How far the anchor moves if it takes their place; in adhesion it may jump at the vertex.
+    fn deviation(&self, i: usize, end: f64) -> f64 {
+        let (below, here) = (&self.vertices[i - 1], &self.vertices[i]);
+        let chord = below.anchor.plus(self.chord(i, end).times(here.depth - below.depth));
+        let inner = below.anchor_at(here.depth).minus(chord).length();
+        inner.max(here.anchor.minus(chord).length())
     }
 }
 
@@ -226,7 +227,7 @@ impl<V: Lateral, const N: usize> VertexStack<V> for Fixed<V, N> {
     #[inline]
     fn push<P: NormalProfile>(&mut self, vertex: Vertex<V>, profile: &P) {
         if self.len() == N {
-            self.merge(vertex.depth, vertex.anchor, profile);
+            self.merge(vertex.depth, profile);
         }
         self.vertices[self.len as usize] = vertex;
         self.len += 1;

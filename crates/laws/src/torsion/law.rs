@@ -6,11 +6,12 @@ use carom_special::RangeError;
 
 use super::adhesion::{AdhesiveTorsion, sliding_torque_arm};
 use super::history::TwistHistory;
+use crate::accounted::Accounted;
 use crate::bounds::in_contact;
 use crate::friction::Friction;
 use crate::hertz::Hertz;
-use crate::law::{ContactLaw, ContactLoad, Shift};
-use crate::memory::AdhesionMemory;
+use crate::law::{ContactLaw, ContactLoad, Energies, Shift};
+use crate::memory::{AdhesionMemory, Growing};
 use crate::profile::PowerLaw;
 use crate::shift_law::ShiftLaw;
 
@@ -63,7 +64,7 @@ pub struct TorsionLaw {
 enum State {
     Free,
     Rubbing(TwistHistory),
-    Stuck(Box<AdhesionMemory<f64, PowerLaw>>),
+    Stuck(Box<AdhesionMemory<f64, Growing<f64>, PowerLaw>>),
 }
 
 impl TorsionLaw {
@@ -195,7 +196,9 @@ impl ContactLaw for TorsionLaw {
         let f_z = 2.0 / 3.0 * self.c_z * (zeta * zeta.sqrt());
         ContactLoad { f_z, m_z: self.torque() * self.per_torque, ..ContactLoad::default() }
     }
+}
 
+impl Energies for TorsionLaw {
     fn stored_energy(&self) -> f64 {
         let zeta = self.shift.zeta.max(0.0);
         4.0 / 15.0 * self.c_z * (zeta * zeta * zeta.sqrt()) + self.twist_energy()
@@ -213,7 +216,7 @@ impl ContactLaw for TorsionLaw {
 /// [`crate::rigid_slip`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShiftTwistLaw {
-    tangential: ShiftLaw<[f64; 2]>,
+    tangential: Accounted<ShiftLaw<[f64; 2]>>,
     torsion: TorsionLaw,
 }
 
@@ -224,13 +227,14 @@ impl ShiftTwistLaw {
     /// As [`TorsionLaw::new`].
     pub fn new(hertz: &Hertz, friction: Friction) -> Result<Self, RangeError> {
         let torsion = TorsionLaw::new(hertz, friction)?;
-        Ok(Self { tangential: ShiftLaw::new(hertz.stiffness(), friction), torsion })
+        let shift = ShiftLaw::new(hertz.stiffness(), friction);
+        Ok(Self { tangential: Accounted::new(shift), torsion })
     }
 
     /// The law of the shift.
     #[must_use]
     pub fn tangential(&self) -> &ShiftLaw<[f64; 2]> {
-        &self.tangential
+        self.tangential.law()
     }
 
     /// The law of the twist.
@@ -258,7 +262,9 @@ impl ContactLaw for ShiftTwistLaw {
     fn load(&self) -> ContactLoad {
         ContactLoad { m_z: self.torsion.load().m_z, ..self.tangential.load() }
     }
+}
 
+impl Energies for ShiftTwistLaw {
     fn stored_energy(&self) -> f64 {
         self.tangential.stored_energy() + self.torsion.twist_energy()
     }

@@ -3,6 +3,7 @@
 
 use serde_json::Value;
 
+pub(crate) mod balance;
 pub(crate) mod load;
 
 /// A number given as a JSON number, or as a string of more digits than a double holds.

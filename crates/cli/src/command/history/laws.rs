@@ -1,9 +1,10 @@
 //! The laws of a history: shift and, if there is one, twist.
 
 use crate::case::HistoryCase;
+use carom_laws::accounted::Accounted;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::{Hertz, HertzState};
-use carom_laws::law::{ContactLaw as _, ContactLoad, Shift};
+use carom_laws::law::{ContactLaw as _, ContactLoad, Energies as _, Shift};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::torsion::law::TorsionLaw;
 use carom_special::RangeError;
@@ -12,7 +13,7 @@ use carom_special::RangeError;
 #[derive(Debug, Clone)]
 pub(super) struct Laws {
     hertz: Hertz,
-    shift: ShiftLaw<[f64; 2]>,
+    shift: Accounted<ShiftLaw<[f64; 2]>>,
     torsion: Option<TorsionLaw>,
     contact: Option<HertzState>,
 }
@@ -28,7 +29,7 @@ impl Laws {
             true => Some(TorsionLaw::new(&case.hertz, friction)?),
             false => None,
         };
-        let shift = ShiftLaw::new(case.hertz.stiffness(), friction);
+        let shift = Accounted::new(ShiftLaw::new(case.hertz.stiffness(), friction));
         Ok(Self { hertz: case.hertz, shift, torsion, contact: None })
     }
 
@@ -43,7 +44,7 @@ impl Laws {
     }
 
     pub(super) fn shift(&self) -> &ShiftLaw<[f64; 2]> {
-        &self.shift
+        self.shift.law()
     }
 
     pub(super) fn torsion(&self) -> Option<&TorsionLaw> {

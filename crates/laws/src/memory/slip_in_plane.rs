@@ -1,0 +1,205 @@
+//! The heat of a step in two directions, by quadrature over the step.
+//!
+//! A ring of stick depth s* and direction m slides at `W' = X' - m zeta' - m' (zeta - s)`. Its
+//! geometry is smooth while the cone cuts one segment, but for the moment at which the edge meets
+//! the segment's own line and the traction turns round; the step is parted there and wherever the
+//! cone leaves a vertex behind.
+
+use carom_special::quadrature::{QuadratureError, Tolerance, adaptive};
+
+use super::energy::Path;
+use super::lateral::outgrown;
+use super::{Lateral, Memory, VertexStack};
+use crate::profile::NormalProfile;
+
+/// The error allowed to the heat of a part of the step, relative to it.
+const RELATIVE: f64 = 1e-13;
+/// The same, relative to the heat if all the motion were slip of the widest ring.
+const OF_RING: f64 = 1e-15;
+/// The same, relative to the friction limit times the motion: where round-off alone makes heat.
+const OF_LIMIT: f64 = 1e-20;
+
+impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
+    /// The heat of a straight step, in the given units of energy per direction.
+    pub(super) fn heat_in_plane(&self, path: &Path<V>, unit: V) -> f64 {
+        let mut heat = 0.0;
+        let (mut start, mut end, mut anchor) = (0.0, path.zeta, path.shift);
+        for i in (0..self.stack.len()).rev() {
+            let base = self.stack.get(i);
+            let line = Line {
+                base: base.depth,
+                slope: base.slope,
+                curb: base.curb,
+                distance: path.shift.minus(anchor).minus(base.slope.times(path.zeta - end)),
+                drift: path.dx.minus(base.slope.times(path.dz)),
+                beyond: path.zeta - end,
+            };
+            let exit = line.exit(path).max(start);
+            let turn = line.nearest().clamp(start, exit);
+            let ring = |t: f64| line.ring(path, t);
+            heat += path.heat(&self.profile, unit, [start, turn], ring);
+            heat += path.heat(&self.profile, unit, [turn, exit], ring);
+            if exit >= 1.0 {
+                return heat;
+            }
+            (start, end, anchor) = (exit, base.depth, base.anchor);
+        }
+        let arm = path.at(start).minus(anchor);
+        let foot = if self.stack.is_empty() { V::default() } else { self.stack.get(0).slope };
+        let before = V::slip_slope(arm, foot, 0.0);
+        heat + path.heat(&self.profile, unit, [start, 1.0], |t| path.sliding(start, t, before))
+    }
+}
+
+/// A segment as the moving edge sees it.
+struct Line<V> {
+    base: f64,
+    slope: V,
+    curb: f64,
+    /// The distance of the shift from the segment's line at the start, and its growth.
+    distance: V,
+    drift: V,
+    /// How far the edge lies beyond the segment's upper end at the start.
+    beyond: f64,
+}
+
+/// A slip ring at one instant.
+struct Ring<V> {
+    /// Its width zeta - s*; none in gross sliding, where the flat end slips too.
+    width: Option<f64>,
+    slope: V,
+    /// `m.X' - zeta'`, the rate of the slip along the traction.
+    rate: f64,
+    /// The width times m'.
+    turn: V,
+}
+
+impl<V: Lateral> Line<V> {
+    /// The moment at which the edge is nearest to the line.
+    fn nearest(&self) -> f64 {
+        let square = self.drift.dot(self.drift);
+        if square > 0.0 { -self.distance.dot(self.drift) / square } else { 0.0 }
+    }
+
+    /// The moment at which the cone leaves the segment's lower end behind.
+    fn exit(&self, path: &Path<V>) -> f64 {
+        // |d + m0 L|^2 = L^2 with L from the base to the edge, in units in which no fourth power
+        // underflows.
+        let unit = 1.0 / (path.zeta.max(path.end).max(path.dx.length())).max(f64::MIN_POSITIVE);
+        let (from, drift) = (self.distance.times(unit), self.drift.times(unit));
+        let (length, dz) = ((path.zeta - self.base) * unit, path.dz * unit);
+        let (m, q) = (self.slope, self.curb);
+        let curve = drift.dot(drift) + dz * (2.0 * m.dot(drift) - q * dz);
+        let slope = from.dot(drift) + length * m.dot(drift) + dz * m.dot(from) - q * length * dz;
+        let inside = from.dot(from) + length * (2.0 * m.dot(from) - q * length);
+        let tip = if dz < 0.0 { (length / -dz).max(0.0) } else { 1.0 };
+        outgrown(curve, slope, inside.min(0.0)).min(tip)
+    }
+
+    /// The ring that cuts the segment.
+    fn ring(&self, path: &Path<V>, t: f64) -> Ring<V> {
+        let length = path.depth(t) - self.base;
+        let beyond = (self.beyond + path.dz * t).max(0.0);
+        let d = self.distance.plus(self.drift.times(t));
+        let cut = V::reach(d, self.slope, self.curb, length).filter(|_| d != V::default());
+        let width = cut.unwrap_or(if d == V::default() { beyond } else { length });
+        if width <= 0.0 {
+            return Ring { width: Some(0.0), slope: self.slope, rate: 0.0, turn: V::default() };
+        }
+        let slope = V::slip_slope(d, self.slope, width);
+        // With e = d/r = m - m0: 1 - m.m0 = (e.e + 1 - m0.m0)/2 and r m' = d' - e r' lose no digits
+        // where the ring nearly continues the segment.
+        let e = d.times(1.0 / width);
+        let bend = e.dot(e) + self.curb;
+        let along = slope.dot(self.drift);
+        let turn = match cut {
+            Some(_) if bend > 0.0 => self.drift.minus(e.times(2.0 * along / bend)),
+            _ => across(path.dx, slope),
+        };
+        Ring { width: Some(width), slope, rate: along - 0.5 * path.dz * bend, turn }
+    }
+}
+
+impl<V: Lateral> Path<V> {
+    fn at(&self, t: f64) -> V {
+        self.shift.plus(self.dx.times(t))
+    }
+
+    fn depth(&self, t: f64) -> f64 {
+        self.zeta + self.dz * t
+    }
+
+    /// The whole contact, sliding since the parameter `onset`.
+    fn sliding(&self, onset: f64, t: f64, before: V) -> Ring<V> {
+        let slope = V::dragged(before, self.dx.times(t - onset), self.depth(onset), self.depth(t));
+        let rate = slope.dot(self.dx) - self.dz;
+        Ring { width: None, slope, rate, turn: across(self.dx, slope) }
+    }
+
+    /// The heat of a part of the step, after a substitution that smooths square roots at both ends.
+    fn heat<P: NormalProfile>(
+        &self,
+        profile: &P,
+        unit: V,
+        [from, to]: [f64; 2],
+        ring: impl Fn(f64) -> Ring<V>,
+    ) -> f64 {
+        let span = to - from;
+        if span <= 0.0 {
+            return 0.0;
+        }
+        let widest = [from, from + 0.5 * span, to]
+            .map(|t| self.moments(profile, &ring(t), t)[0])
+            .into_iter()
+            .fold(0.0, f64::max);
+        let [x, y] = unit.components().map(f64::abs);
+        let limit = profile.force(self.zeta.max(self.end));
+        let motion = (self.dx.length() + self.dz.abs()) * x.max(y);
+        let largest = (OF_RING * widest).max(OF_LIMIT * limit) * motion;
+        let Ok(tolerance) = Tolerance::new(largest, RELATIVE) else {
+            return 0.0; // not finite: refused before
+        };
+        let rate = |v: f64| {
+            let t = from + span * v * v * (3.0 - 2.0 * v);
+            self.heat_rate(profile, &ring(t), t, unit) * (6.0 * v * (1.0 - v))
+        };
+        span * match adaptive(0.0, 1.0, tolerance, rate) {
+            Ok(integral) | Err(QuadratureError::NotConverged { integral }) => integral.value,
+            Err(_) => 0.0,
+        }
+    }
+
+    /// The integrals over the ring of (zeta - s) and of (zeta - s)^2.
+    fn moments<P: NormalProfile>(&self, profile: &P, ring: &Ring<V>, t: f64) -> [f64; 2] {
+        let zeta = self.depth(t).max(0.0);
+        match ring.width {
+            Some(width) => profile.slip_moments(zeta, (zeta - width).max(0.0)),
+            None => [profile.force(zeta), 2.0 * profile.energy(zeta)],
+        }
+    }
+
+    /// `int F'' (zeta - s) m_i W_i' ds` over the ring, in the units given per direction.
+    fn heat_rate<P: NormalProfile>(&self, profile: &P, ring: &Ring<V>, t: f64, unit: V) -> f64 {
+        let width = ring.width.unwrap_or(self.depth(t));
+        if width <= 0.0 {
+            return 0.0;
+        }
+        let [first, second] = self.moments(profile, ring, t);
+        let [x, y] = unit.components();
+        let rate = ring.rate.max(0.0); // negative by round-off
+        let heat = 0.5 * (x + y) * rate * first;
+        if x == y {
+            return heat; // m.m' = 0
+        }
+        // Slip is parallel to the traction in the mean of the ring only.
+        let slip = across(self.dx, ring.slope).plus(ring.slope.times(rate)).times(first);
+        let slip = slip.minus(ring.turn.times(second / width));
+        let [along, aside] = ring.slope.by_component(slip).components();
+        heat + 0.5 * (x - y) * (along - aside)
+    }
+}
+
+/// The part of v across the unit vector m.
+fn across<V: Lateral>(v: V, m: V) -> V {
+    v.minus(m.times(m.dot(v)))
+}
