@@ -5,7 +5,11 @@
 //! `M_z = int (y t_x - x t_y) dS`, of the same sign. G and nu are combined (4.7).
 
 pub mod adhesion;
+mod apart;
+mod complementarity;
 pub mod ellipse;
+mod grow;
+mod heat;
 pub mod history;
 pub mod law;
 pub mod lubkin;

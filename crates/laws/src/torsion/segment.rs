@@ -38,6 +38,9 @@ pub(super) struct Segment {
     /// outside `from` added, from which those outside another radius are taken.
     pub(super) twist: f64,
     pub(super) torque: f64,
+    /// A contact radius at which sliding covers the densities here and below: `|b| <= bF(s; demand)`
+    /// for all s, so that their traction is within friction there and at all greater radii.
+    pub(super) demand: f64,
 }
 
 impl Segment {
@@ -86,7 +89,8 @@ impl Segment {
             at = excess(v);
             if at.value > 0.0 { low = v } else { high = v }
         }
-        (radius * libm::exp(-v)).clamp(self.from, upper)
+        // Never quite the centre, where the sliding density would turn without end.
+        (radius * libm::exp(-v)).max(f64::MIN_POSITIVE).clamp(self.from, upper)
     }
 
     /// What the twist `target = sign bh` still lacks when all slides above the depth v:

@@ -6,7 +6,7 @@
 //! strip of half-width pi. They are tabled once as polynomials on pieces of unit length, with
 //! errors below 1e-14.
 
-use std::f64::consts::{FRAC_2_PI, PI};
+use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
 use std::sync::LazyLock;
 
 use carom_special::AxisRatio;
@@ -29,6 +29,12 @@ struct Table {
     torque: [Piece; PIECES],
 }
 
+/// Likewise p(v) and g(v) of [`super::heat`].
+static HEAT_OF_TWIST: LazyLock<[Piece; PIECES]> =
+    LazyLock::new(|| std::array::from_fn(|i| fitted(i, slip_work)));
+static HEAT_OF_GROWTH: LazyLock<[Piece; PIECES]> =
+    LazyLock::new(|| std::array::from_fn(|i| fitted(i, growth_work)));
+
 static TABLE: LazyLock<Table> = LazyLock::new(|| Table {
     twist: std::array::from_fn(|i| fitted(i, twist_at)),
     torque: std::array::from_fn(|i| fitted(i, |v| Lubkin::at_depth(v).torque())),
@@ -36,6 +42,9 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| Table {
 
 static RULE: LazyLock<GaussLegendre> =
     LazyLock::new(|| GaussLegendre::new(16).unwrap_or_else(|_| unreachable!("16 is an order")));
+
+static FINE: LazyLock<GaussLegendre> =
+    LazyLock::new(|| GaussLegendre::new(32).unwrap_or_else(|_| unreachable!("32 is an order")));
 
 /// `G = K - E` at the depth v, by the integral D.
 fn twist_at(v: f64) -> f64 {
@@ -107,13 +116,69 @@ pub(super) fn twist_of_depth(v: f64) -> Sloped {
 
 /// The normalised torque `m(v)`, for v >= 0.
 fn torque_of_depth(v: f64) -> f64 {
-    if v >= PIECES as f64 {
-        return SLIDING_TORQUE;
-    }
+    if v >= PIECES as f64 { SLIDING_TORQUE } else { tabled(&TABLE.torque, v) }
+}
+
+/// A tabled function at `0 <= v < PIECES`.
+fn tabled(pieces: &[Piece; PIECES], v: f64) -> f64 {
     let piece = v as usize;
     let t = 2.0 * (v - piece as f64) - 1.0;
-    let value = TABLE.torque[piece].iter().rev().fold(0.0, |sum, term| sum * t + term);
+    let value = pieces[piece].iter().rev().fold(0.0, |sum, term| sum * t + term);
     if piece == 0 { v * value } else { value }
+}
+
+/// Heat by twist, p(v) of [`super::heat`].
+pub(super) fn heat_of_twist(v: f64) -> f64 {
+    if v >= PIECES as f64 { 0.5 * SLIDING_TORQUE } else { tabled(&HEAT_OF_TWIST, v) }
+}
+
+/// Heat by growth, g(v) of [`super::heat`]; at great depth constant.
+pub(super) fn heat_of_growth(v: f64) -> f64 {
+    let deepest = (1.0 - f64::EPSILON) * PIECES as f64;
+    tabled(&HEAT_OF_GROWTH, v.min(deepest))
+}
+
+/// Panels by which integrals over the slip ring grow towards the rim.
+const DOUBLING: f64 = std::f64::consts::LN_2;
+
+/// `p = (3/2) int_c^1 rho^2 sqrt(1 - rho^2) W(c/rho) drho` at the depth v.
+fn slip_work(v: f64) -> f64 {
+    let c = libm::exp(-v);
+    let panels = (v / DOUBLING).ceil().max(1.0);
+    let edge = |i: f64| if i >= panels { 1.0 } else { libm::exp((i / panels - 1.0) * v) };
+    (0..panels as u32)
+        .map(|i| {
+            let (low, high) = (edge(f64::from(i)), edge(f64::from(i + 1)));
+            // Powers 3/2 and 1/2 at the ends become even ones.
+            FINE.integrate(0.0, FRAC_PI_2, |angle| {
+                let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+                let rho = low + (high - low) * sin * sin;
+                let rim = (1.0 - high) + (high - low) * cos * cos;
+                let slip = slip_by_disc((c / rho).min(1.0));
+                3.0 * (high - low) * sin * cos * rho * rho * (rim * (1.0 + rho)).sqrt() * slip
+            })
+        })
+        .sum()
+}
+
+/// `g = p(c) + int_c^1 (dbF/dal) (p(c) - p(s)) ds` at the depth v, with `dbF/dal = (2/pi) B/s`.
+fn growth_work(v: f64) -> f64 {
+    let own = slip_work(v);
+    let panels = v.ceil().max(1.0);
+    let rest: f64 = (0..panels as u32)
+        .map(|i| {
+            let at = |i: u32| v * f64::from(i) / panels;
+            RULE.integrate(at(i), at(i + 1), |u| {
+                FRAC_2_PI * with_ratio(libm::exp(-u), complete::b) * (own - heat_of_twist(u))
+            })
+        })
+        .sum();
+    own + rest
+}
+
+/// `W(x) = 1 - (2/pi) [asin x - x sqrt(1 - x^2)]`: slip outside a disc that turns.
+fn slip_by_disc(x: f64) -> f64 {
+    1.0 - FRAC_2_PI * (libm::asin(x) - x * ((1.0 - x) * (1.0 + x)).sqrt())
 }
 
 /// `ln(al/c)`, zero outside the contact and infinite at the centre.
@@ -148,14 +213,13 @@ pub(super) fn with_ratio(ratio: f64, integral: fn(AxisRatio) -> f64) -> f64 {
 /// The greatest rate of back-twist, relative to the receding edge, at which the slip ring keeps
 /// its sign: from 1 at the rim to 1.1023 at the centre. Found from no slip at the rim.
 pub(super) fn threshold(stick: f64) -> f64 {
-    let weight = |x: f64| 1.0 - FRAC_2_PI * (libm::asin(x) - x * ((1.0 - x) * (1.0 + x)).sqrt());
-    let w_stick = weight(stick);
+    let w_stick = slip_by_disc(stick);
     if w_stick <= 1e-12 {
         return 1.0;
     }
     let integral = RULE.integrate(stick, 1.0, |s| {
         // (E - s^2 K)/(1 - s^2) is the integral B.
-        FRAC_2_PI * with_ratio(s, complete::b) / s * weight(s)
+        FRAC_2_PI * with_ratio(s, complete::b) / s * slip_by_disc(s)
     });
     FRAC_2_PI * with_ratio(stick, complete::k) - integral / w_stick
 }
@@ -179,5 +243,23 @@ mod tests {
         assert_eq!(sliding_twist(1.0, 1.0), 0.0);
         assert_eq!(sliding_twist(0.0, 1.0), f64::INFINITY);
         assert!((sliding_torque(0.0, 2.0) - sliding_limit(2.0)).abs() < 1e-15);
+    }
+
+    #[test]
+    fn heat_of_twist_is_what_the_springs_outside_lose() {
+        // Traction times slip against 3 int s^2 B ds, which energy demands.
+        for v in [0.01, 0.3, 0.9, 2.0, 5.5, 11.0] {
+            let panels = 8 * (1 + v as u32);
+            let lost: f64 = (0..panels)
+                .map(|i| {
+                    let at = |i: u32| v * f64::from(i) / f64::from(panels);
+                    RULE.integrate(at(i), at(i + 1), |u| {
+                        3.0 * libm::exp(-3.0 * u) * sliding_twist(libm::exp(-u), 1.0)
+                    })
+                })
+                .sum();
+            let got = heat_of_twist(v);
+            assert!((got - lost).abs() < 2e-14 * (1.0 + lost), "{v}: {got:e} {lost:e}");
+        }
     }
 }

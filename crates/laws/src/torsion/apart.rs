@@ -1,0 +1,238 @@
+//! A part of a step in which slip rings may lie apart.
+//!
+//! The stack's own solutions are tried first and held against the friction law on rings of finite
+//! width: traction within its limit, and slip along it. Where none holds the rings themselves are
+//! solved, for any pattern of slip, and their densities are laid on the stack.
+
+use super::heat::{Meter, RingHeat};
+use super::history::{TwistHistory, Way};
+use super::recede::lowest_rate;
+use super::rings::{RingSolution, Rings};
+use super::segment::{Density, Segment};
+use super::sliding::{sliding_torque, sliding_twist};
+
+/// Rings reach at least to this part of the radius at which slip may go on, but not below
+/// [`LOWEST`] of the contact radius: the torque of what lies there is below 3e-5 of that of
+/// sliding, and it slips as a whole.
+const MARGIN: f64 = 0.8;
+const LOWEST: f64 = 0.0302;
+
+/// By how much of its limit a traction may be off in the stack's solution.
+const TRACTION: f64 = 1e-4;
+/// The slip against its sense, over the step's, that is put down to the width of rings.
+const SLIP: f64 = 1e-4;
+
+/// A change of density that counts.
+const CHANGE: f64 = 1e-11;
+
+impl TwistHistory {
+    /// Goes through a part of a step; whether rings lay apart.
+    pub(super) fn tried(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) -> bool {
+        let mut lowest = MARGIN * self.restless().min(radius).min(self.stick);
+        loop {
+            let rings = Rings::new(radius, lowest.max(LOWEST * radius), self.level);
+            let before = Cells::averaged(rings.edges(), self);
+            if let Some(way) = self.way_on(&rings, &before, radius, twist) {
+                match way {
+                    Some(way) => self.metered(way, radius, twist, meter),
+                    None => self.grow(radius, twist, meter),
+                }
+                return false;
+            }
+            let Some(solution) = rings.turn(&before.densities, twist - before.below[0]) else {
+                // Unreached so far: the stack's solution, within friction by its torque.
+                self.metered(Way::FromRim, radius, twist, meter);
+                return false;
+            };
+            if solution.slips[solution.slips.len() - 3..].iter().any(|slip| *slip != 0.0)
+                && lowest > LOWEST * radius
+            {
+                lowest *= 0.4;
+                continue;
+            }
+
+            let slips = rings.slips(&solution.changes, solution.core);
+            let signs = &solution.slips;
+            meter.slides(RingHeat { rings: &rings, from: self.radius, signs, slips: &slips });
+            self.lay(&rings, &before, &solution, twist);
+            return true;
+        }
+    }
+
+    /// The radius outside which slip may go on as the contact recedes.
+    fn restless(&self) -> f64 {
+        let calm = self.segments.partition_point(|segment| segment.demand < self.radius);
+        self.segments.get(calm).map_or(self.stick, |segment| segment.from)
+    }
+
+    /// A way with one slip ring that obeys the friction law on rings: None if there is none, and
+    /// Some(None) for growth.
+    fn way_on(
+        &self,
+        rings: &Rings,
+        before: &Cells,
+        radius: f64,
+        twist: f64,
+    ) -> Option<Option<Way>> {
+        if radius > self.radius {
+            let mut grown = self.clone();
+            grown.grow(radius, twist, &mut super::heat::Unmetered);
+            return grown.obeys(rings, before).then_some(None);
+        }
+        let inward = self.slip_sign().filter(|sign| {
+            let back = -sign * (twist - self.twist) / (self.radius - radius);
+            back <= lowest_rate(back, self.stick / self.radius)
+                && self.goes_on_slipping(radius, twist, *sign)
+        });
+        let way = inward.map_or(Way::FromRim, Way::Inward);
+        let mut moved = self.clone();
+        moved.follow(way, radius, twist);
+        moved.obeys(rings, before).then_some(Some(way))
+    }
+
+    /// Whether this state may follow that of the cells.
+    fn obeys(&self, rings: &Rings, before: &Cells) -> bool {
+        if !self.is_admissible() {
+            return false;
+        }
+        let after = Cells::averaged(rings.edges(), self);
+        let tractions = rings.tractions(&after.densities);
+        let within = |(traction, limit): (&f64, &f64)| traction.abs() <= (1.0 + TRACTION) * limit;
+        if !tractions.iter().zip(rings.limits()).all(within) {
+            return false;
+        }
+        let Some(sign) = self.slip_sign() else { return true };
+        let changes: Vec<f64> =
+            after.densities.iter().zip(&before.densities).map(|(a, b)| a - b).collect();
+        let core = after.core() - before.core();
+        let slips = rings.slips(&changes, core);
+        let most = slips.iter().fold(0.0_f64, |most, slip| most.max(slip.abs()));
+        slips.iter().all(|slip| sign * slip >= -SLIP * most)
+    }
+
+    /// Puts new densities on the rings, and on the outer slip ring that of sliding itself, down to
+    /// where the twist demands: within a ring, so that one narrower than a ring has its place.
+    fn lay(&mut self, rings: &Rings, before: &Cells, solution: &RingSolution, twist: f64) {
+        let edges = rings.edges();
+        let changed = solution.changes.iter().rposition(|change| change.abs() > CHANGE);
+        let lowest = changed.map_or(0, |i| i + 1);
+        let outer = outer_ring(&solution.slips).min(lowest);
+        let old = self.clone();
+        let (mut below, mut torque) = (before.below[lowest], old.torque_below(edges[lowest]));
+        if lowest == solution.slips.len() && solution.core != 0.0 {
+            below += solution.core;
+            torque = self.slip_in_core(below, rings);
+        }
+        self.truncate(edges[lowest]);
+        let mut start = (below, torque);
+        let mut ring = |next: &mut Self, i: usize| {
+            let (from, to) = (edges[i + 1], edges[i]);
+            let density = before.densities[i] + solution.changes[i];
+            let demand = demand_of(density.abs(), rings.sliding()[i], rings.radius(), to);
+            let laid = Density::Stick(density);
+            next.push(Segment { from, density: laid, twist: below, torque, demand });
+            below += density * (to - from);
+            torque += old.torque_below(to) - old.torque_below(from)
+                + solution.changes[i] * moment(to, from);
+            (below, torque)
+        };
+        for i in (outer + 1..lowest).rev() {
+            start = ring(self, i);
+        }
+        self.lay_old(&old, edges[lowest.min(outer + 1)], start);
+        let radius = rings.radius();
+        if outer == 0 {
+            return self.follow(Way::FromRim, radius, twist);
+        }
+        let (sign, edge) = (solution.slips[0], edges[outer]);
+        let outside = sign * sliding_twist(edge, radius);
+        if sign * (twist - outside - self.twist_below(edge)) > 0.0 || outer == lowest {
+            self.cut(radius, twist, sign, edge);
+        } else {
+            self.truncate(edges[outer + 1]);
+            let (_, torque) = ring(self, outer);
+            let torque = torque + sign * sliding_torque(edge, radius);
+            let density = Density::Slip { sign, radius };
+            self.truncate(edge);
+            self.push(Segment { from: edge, density, twist, torque, demand: radius });
+            self.set_torque(torque, radius);
+            self.stick = edge;
+        }
+        (self.radius, self.twist) = (radius, twist);
+    }
+
+    /// Lays the densities of another state from a radius outwards.
+    fn lay_old(&mut self, old: &Self, from: f64, (twist, torque): (f64, f64)) {
+        let (lift, gain) = (twist - old.twist_below(from), torque - old.torque_below(from));
+        let first = old.segments.partition_point(|segment| segment.from <= from);
+        for (i, segment) in old.segments.iter().enumerate().skip(first.saturating_sub(1)) {
+            let start = segment.from.max(from);
+            let end = old.segments.get(i + 1).map_or(old.radius, |next| next.from);
+            if start >= end {
+                continue;
+            }
+            // A constant density counts from where it begins, that of sliding from its rim.
+            let (twist, torque) = match segment.density {
+                Density::Stick(_) => (segment.twist_to(start), segment.torque_to(start)),
+                Density::Slip { .. } => (segment.twist, segment.torque),
+            };
+            let (twist, torque) = (twist + lift, torque + gain);
+            self.push(Segment { from: start, twist, torque, ..*segment });
+        }
+    }
+
+    /// Below the rings slip goes on down to a stick radius that takes the twist. The torque of what
+    /// lies there.
+    fn slip_in_core(&mut self, twist: f64, rings: &Rings) -> f64 {
+        let (radius, edge) = (rings.radius(), rings.edges()[rings.edges().len() - 1]);
+        let sign = 1.0_f64.copysign(twist - self.twist_below(edge));
+        self.cut(radius, twist + sign * sliding_twist(edge, radius), sign, edge);
+        self.torque_below(edge)
+    }
+}
+
+/// How many rings from the rim inwards slip in one sense.
+fn outer_ring(slips: &[f64]) -> usize {
+    if slips[0] == 0.0 {
+        return 0;
+    }
+    slips.iter().position(|slip| *slip != slips[0]).unwrap_or(slips.len())
+}
+
+/// `int s^3 b ds` of a ring over the mean density, for densities that fall as 1/s.
+fn moment(outer: f64, inner: f64) -> f64 {
+    let width = outer - inner;
+    let cubes = width * (outer * outer + outer * inner + inner * inner) / 3.0;
+    cubes * width / libm::log(outer / inner)
+}
+
+/// A contact radius at which sliding has a density of at least this between the edges of a ring,
+/// from what it has at another one.
+fn demand_of(density: f64, sliding: f64, radius: f64, edge: f64) -> f64 {
+    let over = density - sliding;
+    if over <= 1e-9 * sliding {
+        return radius;
+    }
+    // dbF/dal >= 1/(2 s), and bF >= (2/pi) al/s.
+    (radius + 2.0 * edge * over).min(std::f64::consts::FRAC_PI_2 * density * edge)
+}
+
+/// Densities averaged over rings, and the twist of all discs below their edges.
+struct Cells {
+    below: Vec<f64>,
+    densities: Vec<f64>,
+}
+
+impl Cells {
+    fn averaged(edges: &[f64], history: &TwistHistory) -> Self {
+        let below: Vec<f64> = edges.iter().map(|&s| history.twist_up_to(s)).collect();
+        let slope = |(s, t): (&[f64], &[f64])| (t[0] - t[1]) / (s[0] - s[1]);
+        let densities = edges.windows(2).zip(below.windows(2)).map(slope).collect();
+        Self { below, densities }
+    }
+
+    /// The twist below all rings.
+    fn core(&self) -> f64 {
+        self.below[self.below.len() - 1]
+    }
+}

@@ -1,0 +1,135 @@
+//! A contact that grows, in closed form: in adhesion, or with a slip ring.
+//!
+//! Twisted at the rate r > 1 relative to its edge, a contact slips in a ring from its rim inwards.
+//! Its inner edge c first moves in, over densities that lie there, until its depth is that of
+//! `(2/pi) K(k) = r`, `k' = c/al`; then it moves out with the contact at this ratio, and leaves the
+//! constant density `(2/pi) E(k)/k'` behind.
+
+use std::f64::consts::{FRAC_2_PI, LN_2};
+
+use carom_special::elliptic::complete;
+
+use super::heat::Meter;
+use super::history::{TwistHistory, Way};
+use super::segment::{Density, Segment};
+use super::sliding::{sliding_torque, sliding_twist, with_ratio};
+
+/// Beyond this depth a stick radius is as good as none.
+const DEEPEST: f64 = 690.0;
+
+impl TwistHistory {
+    /// New area laid down in complete adhesion.
+    pub(super) fn adhere(&mut self, radius: f64, twist: f64) {
+        let density = Density::Stick((twist - self.twist) / (radius - self.radius));
+        let segment = Segment {
+            from: self.radius,
+            density,
+            twist: self.twist,
+            torque: self.torque,
+            demand: 0.0,
+        };
+        let same = self.segments.last().is_some_and(|last| last.density == density);
+        if !same {
+            self.push(segment);
+        }
+        self.set_torque(segment.torque_to(radius), radius);
+        self.stick = radius;
+    }
+
+    /// Growth with a slip ring.
+    pub(super) fn grow(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) {
+        let grown = radius - self.radius;
+        let rate = (twist - self.twist) / grown;
+        let sign = 1.0_f64.copysign(rate);
+        let depth = steady_depth(rate.abs());
+        let ratio = if depth < DEEPEST { libm::exp(-depth) } else { 0.0 };
+        let slips = self.radius == 0.0 || self.slip_sign() == Some(sign);
+        if !slips || self.stick >= ratio * self.radius {
+            let turn = self.turns_outward(radius, rate, ratio);
+            let between = self.twist + rate * (turn - self.radius);
+            if turn >= radius {
+                return self.metered(Way::FromRim, radius, twist, meter);
+            }
+            if turn > self.radius {
+                self.metered(Way::FromRim, turn, between, meter);
+            }
+        }
+        self.metered(Way::Outward { sign, depth }, radius, twist, meter);
+    }
+
+    /// The contact radius, up to `radius`, at which the inner edge of the ring begins to move out.
+    fn turns_outward(&self, radius: f64, rate: f64, ratio: f64) -> f64 {
+        if ratio == 0.0 || self.radius == 0.0 {
+            return if ratio == 0.0 { radius } else { self.radius };
+        }
+        let sign = 1.0_f64.copysign(rate);
+        // What the twist lacks when all slides outside the steady ratio; it grows.
+        let excess = |al: f64| {
+            let twist = self.twist + rate * (al - self.radius);
+            sign * (twist - self.twist_below(ratio * al)) - sliding_twist(ratio * al, al)
+        };
+        let (mut low, mut high) = (self.radius, radius.min(self.radius / ratio));
+        if excess(high) < 0.0 {
+            return radius;
+        }
+        while high - low > 1e-15 * high {
+            let middle = 0.5 * (low + high);
+            if middle <= low || middle >= high {
+                break;
+            }
+            if excess(middle) < 0.0 { low = middle } else { high = middle }
+        }
+        high
+    }
+
+    /// The inner edge of the slip ring moves out with the contact.
+    pub(super) fn lay_out(&mut self, radius: f64, twist: f64, sign: f64, depth: f64) {
+        let ratio = libm::exp(-depth);
+        let (start, end) = (ratio * self.radius, ratio * radius);
+        let density = Density::Stick(sign * FRAC_2_PI * with_ratio(ratio, complete::e) / ratio);
+        let below = if self.radius == 0.0 { self.twist } else { self.twist_below(start) };
+        let (twist_to, torque_to) = (below, self.torque_below(start));
+        if self.radius == 0.0 {
+            self.segments.clear();
+        }
+        self.truncate(start);
+        let laid =
+            Segment { from: start, density, twist: twist_to, torque: torque_to, demand: radius };
+        match self.segments.last_mut() {
+            Some(last) if last.density == density => last.demand = last.demand.max(radius),
+            _ => self.push(laid),
+        }
+        let torque = laid.torque_to(end) + sign * sliding_torque(end, radius);
+        let density = Density::Slip { sign, radius };
+        self.set_torque(torque, radius);
+        self.stick = end;
+        self.push(Segment { from: end, density, twist, torque, demand: radius });
+    }
+}
+
+/// The depth at which `(2/pi) K` has a given value, above 1.
+fn steady_depth(rate: f64) -> f64 {
+    // K = ln(4/k') at great depth; at small k, K = (pi/2) (1 + k^2/4).
+    let mut v = (rate / FRAC_2_PI - 2.0 * LN_2).max(2.0 * (rate - 1.0)).min(1e3);
+    if v >= 40.0 {
+        return v;
+    }
+    for _ in 0..40 {
+        let ratio = libm::exp(-v);
+        // dK/dv is the integral B.
+        let step =
+            (rate / FRAC_2_PI - with_ratio(ratio, complete::k)) / with_ratio(ratio, complete::b);
+        let next = (v + step).max(0.5 * v);
+        let done = (next - v).abs() <= 4e-16 * v;
+        v = next;
+        if done {
+            break;
+        }
+    }
+    v
+}
+
+/// `(2/pi) K` at a depth, the rate of twist at which a ring keeps it.
+pub(super) fn steady_rate(depth: f64) -> f64 {
+    FRAC_2_PI * with_ratio(libm::exp(-depth), complete::k)
+}

@@ -1,0 +1,147 @@
+//! The energy that slip turns into heat: traction times slip.
+//!
+//! A disc of radius s that is given the density db turns rings outside it against the surface by
+//! `W(s/rho) db`. Where all slides outside s, the friction does the work
+//! `P(s; al) db`, `P = (3/2) int_s^al rho^2 sqrt(al^2 - rho^2) W(s/rho) drho`, in the units of
+//! [`super::history`]. With a slip ring of depth v = ln(al/c) a step therefore costs
+//! `al^4 [p(v) sign dbh - g(v) dal]`, where p = P/al^4 and
+//! `g = p(c) + int_c^al (dbF/dal) (p(c) - p(s)) ds`.
+
+use super::grow::steady_rate;
+use super::history::{TwistHistory, Way};
+use super::rings::Rings;
+use super::sliding::{heat_of_growth, heat_of_twist};
+
+/// Gauss's nodes on (0, 1) and weights.
+const SIX: [(f64, f64); 6] = [
+    (0.033_765_242_898_423_99, 0.085_662_246_189_585_17),
+    (0.169_395_306_766_867_74, 0.180_380_786_524_069_3),
+    (0.380_690_406_958_401_55, 0.233_956_967_286_345_52),
+    (0.619_309_593_041_598_5, 0.233_956_967_286_345_52),
+    (0.830_604_693_233_132_3, 0.180_380_786_524_069_3),
+    (0.966_234_757_101_576, 0.085_662_246_189_585_17),
+];
+
+/// Parts that a way is halved into at most, and the accuracy over the torque of sliding times the
+/// step at which a part is left whole.
+const PARTS: u32 = 150;
+const ACCURACY: f64 = 3e-14;
+
+/// Sees what a step does.
+pub(super) trait Meter {
+    /// A way from the state `before`.
+    fn follows(&mut self, before: &TwistHistory, way: Way, radius: f64, twist: f64);
+    /// A part solved by rings.
+    fn slides(&mut self, heat: RingHeat<'_>);
+}
+
+/// Looks away.
+pub(super) struct Unmetered;
+
+impl Meter for Unmetered {
+    fn follows(&mut self, _: &TwistHistory, _: Way, _: f64, _: f64) {}
+    fn slides(&mut self, _: RingHeat<'_>) {}
+}
+
+/// Adds up the heat.
+#[derive(Debug, Default)]
+pub(super) struct Heat(pub(super) f64);
+
+impl Meter for Heat {
+    fn follows(&mut self, before: &TwistHistory, way: Way, radius: f64, twist: f64) {
+        self.0 += match way {
+            Way::Adhere => 0.0,
+            Way::Outward { depth, .. } => {
+                let fifth = |a: f64| a.powi(5) / 5.0;
+                let rate = steady_rate(depth);
+                (fifth(radius) - fifth(before.radius))
+                    * (rate * heat_of_twist(depth) - heat_of_growth(depth))
+            }
+            Way::FromRim | Way::Inward(_) => Path { before, way, radius, twist }.heat(),
+        };
+    }
+
+    fn slides(&mut self, heat: RingHeat<'_>) {
+        self.0 += heat.sum();
+    }
+}
+
+/// Rings that slip, and the contact radius from which they came.
+pub(super) struct RingHeat<'a> {
+    pub(super) rings: &'a Rings,
+    pub(super) from: f64,
+    pub(super) signs: &'a [f64],
+    pub(super) slips: &'a [f64],
+}
+
+impl RingHeat<'_> {
+    fn sum(&self) -> f64 {
+        let (edges, middles) = (self.rings.edges(), self.rings.middles());
+        let limit = |al: f64, rho: f64| ((al - rho) * (al + rho)).max(0.0).sqrt();
+        (0..middles.len())
+            .map(|i| {
+                let rho = middles[i];
+                let inner = if i + 1 == middles.len() { 0.0 } else { edges[i + 1] };
+                // sqrt(al^2 - rho^2) falls to the rim within its ring.
+                let area = |al: f64| {
+                    let outer = edges[i].min(al);
+                    if i == 0 {
+                        let rest = (al - inner) * (al + inner);
+                        return rho * rest * rest.max(0.0).sqrt() / 3.0;
+                    }
+                    limit(al, rho) * (outer.powi(3) - inner.powi(3)) / 3.0
+                };
+                let mean = 0.5 * (area(self.rings.radius()) + area(self.from));
+                1.5 * mean * (self.signs[i] * self.slips[i]).max(0.0)
+            })
+            .sum()
+    }
+}
+
+/// A way with one slip ring.
+struct Path<'a> {
+    before: &'a TwistHistory,
+    way: Way,
+    radius: f64,
+    twist: f64,
+}
+
+impl Path<'_> {
+    fn heat(&self) -> f64 {
+        let (from, to) = (self.before, self.radius);
+        let scale = from.radius.max(to).powi(4)
+            * ((self.twist - from.twist).abs() + (to - from.radius).abs());
+        let whole = self.sum(0.0, 1.0);
+        let mut left = PARTS;
+        self.halve(0.0, 1.0, whole, ACCURACY * scale, &mut left)
+    }
+
+    /// By halves as long as that changes the sum: a stick area that passes an old one has a kink.
+    fn halve(&self, low: f64, high: f64, whole: f64, accuracy: f64, left: &mut u32) -> f64 {
+        let middle = 0.5 * (low + high);
+        let halves = [self.sum(low, middle), self.sum(middle, high)];
+        let sum = halves[0] + halves[1];
+        if (sum - whole).abs() <= accuracy || *left == 0 {
+            return sum;
+        }
+        *left -= 1;
+        self.halve(low, middle, halves[0], accuracy, left)
+            + self.halve(middle, high, halves[1], accuracy, left)
+    }
+
+    fn sum(&self, low: f64, high: f64) -> f64 {
+        let part = high - low;
+        SIX.iter().map(|(node, weight)| weight * part * self.rate(low + node * part)).sum()
+    }
+
+    /// Heat by the step's parameter from 0 to 1.
+    fn rate(&self, t: f64) -> f64 {
+        let (grown, turned) = (self.radius - self.before.radius, self.twist - self.before.twist);
+        let mut at = self.before.clone();
+        at.follow(self.way, at.radius + t * grown, at.twist + t * turned);
+        let Some(sign) = at.slip_sign() else { return 0.0 };
+        let depth = if at.stick > 0.0 { libm::log(at.radius / at.stick) } else { f64::INFINITY };
+        let square = at.radius * at.radius;
+        square * square * (heat_of_twist(depth) * sign * turned - heat_of_growth(depth) * grown)
+    }
+}
