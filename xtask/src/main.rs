@@ -1,5 +1,5 @@
 #![forbid(unsafe_code)]
-//! Tasks of the workspace: `cargo xtask verify`, `test`, `ci`, `bench`.
+//! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `ci`, `bench`.
 //!
 //! Knows only how to call cargo: whatever computes lives in the crates it calls, so that this
 //! one builds in seconds.
@@ -7,6 +7,7 @@
 mod cargo;
 mod ci;
 mod flags;
+mod mutants;
 mod test;
 
 use std::process::ExitCode;
@@ -29,6 +30,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
             return Ok(ExitCode::from(code));
         }
         flags::XtaskCmd::Test(_) => test::run()?,
+        flags::XtaskCmd::Mutants(options) => mutants::run(&options)?,
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }
