@@ -1,6 +1,6 @@
 //! What continuous integration checks.
 
-use crate::{cargo, test};
+use crate::{cargo, mutants, test};
 use anyhow::{Context as _, bail};
 use std::time::Instant;
 
@@ -12,6 +12,7 @@ const STEPS: &[(&str, Step)] = &[
     ("documentation", documentation),
     ("tests, with the examples of README and documentation", test::run),
     ("quick figures", quick_figures),
+    ("mutants, each against the test known to notice it", mutants::quick),
 ];
 
 /// Runs every step; stops at the first that fails.

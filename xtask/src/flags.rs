@@ -35,8 +35,8 @@ xflags::xflags! {
             /// Note which test notices which mutant, for --quick.
             optional --record
         }
-        /// What continuous integration checks: form, lints, documentation, tests, and the
-        /// quick figures.
+        /// What continuous integration checks: form, lints, documentation, tests, the quick
+        /// figures, and the mutants.
         cmd ci {}
         /// Runs the benchmarks.
         cmd bench {

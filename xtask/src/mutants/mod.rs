@@ -55,7 +55,15 @@ pub(crate) fn run(options: &flags::Mutants) -> anyhow::Result<()> {
         list::write_killers(&killers_path, &killers)?;
     }
     let judged: Vec<_> = chosen.iter().map(|number| &mutants[number - 1]).zip(verdicts).collect();
-    report::report(&judged)
+    if !options.quick {
+        report::table(&judged);
+    }
+    report::survivors(&judged)
+}
+
+/// All mutants, each against the test known to notice it: what continuous integration runs.
+pub(crate) fn quick() -> anyhow::Result<()> {
+    run(&flags::Mutants { only: None, sample: None, seed: None, quick: true, record: false })
 }
 
 /// The numbers, from 1, of the mutants that the options choose.
