@@ -102,10 +102,13 @@ fn quickly(
     reach: &Path,
 ) -> anyhow::Result<Vec<Verdict>> {
     let clock = Instant::now();
-    let mut verdicts = round::side_by_side(chosen, |_, &number| {
+    let known_to = |number: usize| {
         let name = killers.get(&mutants[number - 1].key());
-        let trial = trials.iter().find(|trial| Some(&trial.name) == name);
-        let Some(trial) = trial else { return Ok(None) };
+        trials.iter().find(|trial| Some(&trial.name) == name)
+    };
+    round::all_pass(trials.iter().filter(|t| chosen.iter().any(|n| known_to(*n) == Some(t))))?;
+    let mut verdicts = round::side_by_side(chosen, |_, &number| {
+        let Some(trial) = known_to(number) else { return Ok(None) };
         let noticed = round::notices(number, trial, Duration::from_secs(4))?;
         Ok(noticed.then(|| by(trial)))
     })?;

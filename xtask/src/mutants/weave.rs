@@ -23,7 +23,7 @@ pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Res
         sources.extend(place::sources(root, folder)?);
     }
     let places = places(mutants, &sources)?;
-    let mut copy = Copy { root, tree, kept: BTreeSet::new() };
+    let mut copy = Mirror { root, tree, kept: BTreeSet::new() };
     for (index, source) in sources.iter().enumerate() {
         copy.write(&source.path, &woven(source, index, mutants, &places))?;
     }
@@ -108,13 +108,13 @@ fn rewrite(text: &str, range: Range<usize>, edits: &[Edit<'_>], switch: &str) ->
 }
 
 /// The copy of the workspace.
-struct Copy<'a> {
+struct Mirror<'a> {
     root: &'a Path,
     tree: &'a Path,
     kept: BTreeSet<PathBuf>,
 }
 
-impl Copy<'_> {
+impl Mirror<'_> {
     fn write(&mut self, path: &Path, text: &str) -> anyhow::Result<()> {
         self.write_bytes(path, text.as_bytes())
     }
