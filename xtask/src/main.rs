@@ -1,8 +1,8 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `ci`, `bench`.
 //!
-//! Knows only how to call cargo: whatever computes lives in the crates it calls, so that this
-//! one builds in seconds.
+//! Calls cargo, and reads the sources for `mutants`: whatever computes lives in the crates, so
+//! that this one builds soon.
 
 mod cargo;
 mod ci;
