@@ -1,6 +1,6 @@
 //! What continuous integration checks.
 
-use crate::{cargo, test};
+use crate::{cargo, mutants, test};
 use anyhow::{Context as _, bail};
 use std::time::Instant;
 
@@ -13,6 +13,7 @@ const STEPS: &[(&str, Step)] = &[
     ("tests, with the examples of README and documentation", test::run),
     ("tests with overflow checks and debug assertions", test::checked),
     ("quick figures", quick_figures),
+    ("mutants, each against the test known to notice it", mutants::quick),
 ];
 
 /// Runs every step; stops at the first that fails.

@@ -38,8 +38,22 @@ xflags::xflags! {
             /// Also the tests that take minutes, which are ignored otherwise.
             optional --all
         }
+        /// Breaks the physics in each way of xtask/mutants.toml, one at a time, and shows which
+        /// test and which claim notices; fails if a mutant survives that the list does not explain.
+        cmd mutants {
+            /// Only the mutants whose item or name contains this.
+            optional --only text: String
+            /// Only so many, drawn by the seed.
+            optional --sample count: usize
+            /// Draws the sample; without it, the commit.
+            optional --seed number: u64
+            /// Only the tests that are known to notice, and others where these do not.
+            optional --quick
+            /// Note which test notices which mutant, for --quick.
+            optional --record
+        }
         /// What continuous integration checks: form, lints, documentation, tests, tests with
-        /// overflow checks, and the quick figures.
+        /// overflow checks, the quick figures, and the mutants.
         cmd ci {}
         /// Runs the benchmarks.
         cmd bench {

@@ -1,12 +1,13 @@
 #![forbid(unsafe_code)]
-//! Tasks of the workspace: `cargo xtask verify`, `test`, `ci`, `bench`.
+//! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `ci`, `bench`.
 //!
-//! Knows only how to call cargo: whatever computes lives in the crates it calls, so that this
-//! one builds in seconds.
+//! Calls cargo, and reads the sources for `mutants`: whatever computes lives in the crates, so
+//! that this one builds soon.
 
 mod cargo;
 mod ci;
 mod flags;
+mod mutants;
 mod test;
 
 use std::process::ExitCode;
@@ -30,6 +31,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         }
         flags::XtaskCmd::Test(test) if test.all => test::all()?,
         flags::XtaskCmd::Test(_) => test::run()?,
+        flags::XtaskCmd::Mutants(options) => mutants::run(&options)?,
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }

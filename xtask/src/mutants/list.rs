@@ -1,0 +1,115 @@
+//! The list of mutants, `xtask/mutants.toml`, and the tests known to notice them.
+
+use anyhow::{Context as _, bail, ensure};
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+
+/// The list holds at most so many.
+const MOST: usize = 150;
+
+/// One way in which the physics is broken.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Mutant {
+    /// Crate and function, `carom_laws::Hertz::normal_energy`; modules may be left out.
+    pub(super) item: String,
+    /// What is wrong then.
+    pub(super) name: String,
+    /// An expression of the function.
+    pub(super) find: String,
+    /// What stands in its place.
+    pub(super) replace: String,
+    /// Which of the places where the expression stands, from 1; needed if there are several.
+    pub(super) nth: Option<usize>,
+    /// Why no test can notice it.
+    pub(super) explained: Option<String>,
+}
+
+impl Mutant {
+    /// Item and name: what the list and the killers know it by.
+    pub(super) fn key(&self) -> String {
+        format!("{}: {}", self.item, self.name)
+    }
+}
+
+/// Reads the list.
+pub(super) fn read(path: &Path) -> anyhow::Result<Vec<Mutant>> {
+    let text =
+        std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
+    parse(&text).with_context(|| path.display().to_string())
+}
+
+fn parse(text: &str) -> anyhow::Result<Vec<Mutant>> {
+    let table: toml::Table = text.parse()?;
+    let entries = table.get("mutant").and_then(toml::Value::as_array).context("no [[mutant]]")?;
+    let mutants = entries.iter().map(mutant).collect::<anyhow::Result<Vec<_>>>()?;
+    ensure!(mutants.len() <= MOST, "{} mutants; at most {MOST}", mutants.len());
+    let mut keys = BTreeSet::new();
+    for mutant in &mutants {
+        ensure!(keys.insert(mutant.key()), "twice: {}", mutant.key());
+    }
+    Ok(mutants)
+}
+
+fn mutant(entry: &toml::Value) -> anyhow::Result<Mutant> {
+    let table = entry.as_table().context("a mutant is a table")?;
+    let known = ["item", "name", "find", "replace", "nth", "explained"];
+    if let Some(key) = table.keys().find(|key| !known.contains(&key.as_str())) {
+        bail!("unknown key `{key}`; there are: {}", known.join(", "));
+    }
+    let text = |key: &str| table.get(key).and_then(toml::Value::as_str).map(str::to_owned);
+    let needed = |key: &str| text(key).with_context(|| format!("no `{key}` in {table}"));
+    let nth = table.get("nth").map(|nth| {
+        let nth = nth.as_integer().and_then(|nth| usize::try_from(nth).ok());
+        nth.filter(|nth| *nth > 0).with_context(|| format!("nth is 1, 2, ...: {table}"))
+    });
+    Ok(Mutant {
+        item: needed("item")?,
+        name: needed("name")?,
+        find: needed("find")?,
+        replace: needed("replace")?,
+        nth: nth.transpose()?,
+        explained: text("explained"),
+    })
+}
+
+/// Which test is known to notice a mutant, by the mutant's key.
+pub(super) type Killers = BTreeMap<String, String>;
+
+/// Reads the killers; none if there is no such file.
+pub(super) fn read_killers(path: &Path) -> anyhow::Result<Killers> {
+    let Ok(text) = std::fs::read_to_string(path) else { return Ok(Killers::new()) };
+    let table: toml::Table = text.parse().with_context(|| path.display().to_string())?;
+    let entry = |(key, value): (String, toml::Value)| Some((key, value.as_str()?.to_owned()));
+    Ok(table.into_iter().filter_map(entry).collect())
+}
+
+/// Writes the killers.
+pub(super) fn write_killers(path: &Path, killers: &Killers) -> anyhow::Result<()> {
+    let mut text = String::from("# Written by `cargo xtask mutants --record`.\n");
+    for (key, test) in killers {
+        text += &format!("{} = {}\n", quoted(key), quoted(test));
+    }
+    std::fs::write(path, text).with_context(|| format!("cannot write {}", path.display()))
+}
+
+fn quoted(text: &str) -> String {
+    toml::Value::String(text.to_owned()).to_string()
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_list_is_read_and_a_slip_in_it_named() {
+        let good = "[[mutant]]\nitem = 'carom_laws::f'\nname = 'n'\nfind = '1'\nreplace = '2'\n";
+        let mutants = parse(good).unwrap();
+        assert_eq!(mutants[0].key(), "carom_laws::f: n");
+        assert_eq!(mutants[0].nth, None);
+        let twice = parse(&good.repeat(2)).unwrap_err();
+        assert_eq!(twice.to_string(), "twice: carom_laws::f: n");
+        let unknown = parse(&format!("{good}wy = 'x'\n")).unwrap_err();
+        assert!(unknown.to_string().starts_with("unknown key `wy`"), "{unknown}");
+        assert!(parse(&format!("{good}nth = 0\n")).is_err());
+    }
+}

@@ -1,0 +1,155 @@
+//! Mutants: the physics broken in many small ways, to see whether a test or a claim notices.
+//!
+//! `xtask/mutants.toml` lists them: a function, an expression in it, and what stands in its place.
+//! They are named by the function, so that a move of code between files keeps them; one whose
+//! place is gone is an error. A copy of the workspace below `target/mutants/` gets all of them
+//! woven in, each behind a switch that the environment turns on, and is built once. The sources,
+//! and so every release, hold none.
+//!
+//! First every test and every page runs without a mutant, each as a process of its own, and notes
+//! which mutants it reaches. Then, mutant by mutant, the tests that reach it run until one fails,
+//! and the claims of the pages that reach it; snapshots do not count. A mutant that nobody notices
+//! is a gap in the tests: it fails the task, unless the list explains it.
+//!
+//! With `--record` the test that noticed is noted in `xtask/mutants-noticed.toml`; with `--quick`
+//! that one runs first, and the others only if it no longer notices. This is what continuous
+//! integration does.
+
+mod list;
+mod place;
+mod report;
+mod round;
+mod sample;
+mod trial;
+mod weave;
+
+use crate::flags;
+use anyhow::ensure;
+use list::{Killers, Mutant};
+use round::Verdict;
+use std::path::Path;
+use std::time::{Duration, Instant};
+use trial::Trial;
+
+/// Runs the mutants that the options choose.
+pub(crate) fn run(options: &flags::Mutants) -> anyhow::Result<()> {
+    let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).canonicalize()?;
+    let mutants = list::read(&root.join("xtask/mutants.toml"))?;
+    let chosen = chosen(&mutants, options, &root)?;
+    let folder = root.join("target/mutants");
+    let tree = folder.join("tree");
+    weave::weave(&root, &tree, &mutants)?;
+    let clock = Instant::now();
+    let trials = trial::build(&root, &tree)?;
+    println!("built with {} mutants in {:.0} s", mutants.len(), clock.elapsed().as_secs_f64());
+    let killers_path = root.join("xtask/mutants-noticed.toml");
+    let mut killers = list::read_killers(&killers_path)?;
+    let reach = folder.join("reach");
+    let verdicts = if options.quick {
+        quickly(&chosen, &mutants, &killers, trials, &reach)?
+    } else {
+        thoroughly(&chosen, trials, &reach)?
+    };
+    if options.record {
+        record(&mut killers, &mutants, &chosen, &verdicts);
+        list::write_killers(&killers_path, &killers)?;
+    }
+    let judged: Vec<_> = chosen.iter().map(|number| &mutants[number - 1]).zip(verdicts).collect();
+    if !options.quick {
+        report::table(&judged);
+    }
+    report::survivors(&judged)
+}
+
+/// All mutants, each against the test known to notice it: what continuous integration runs.
+pub(crate) fn quick() -> anyhow::Result<()> {
+    run(&flags::Mutants { only: None, sample: None, seed: None, quick: true, record: false })
+}
+
+/// The numbers, from 1, of the mutants that the options choose.
+fn chosen(mutants: &[Mutant], options: &flags::Mutants, root: &Path) -> anyhow::Result<Vec<usize>> {
+    let is_chosen =
+        |mutant: &Mutant| options.only.as_ref().is_none_or(|text| mutant.key().contains(text));
+    let mut chosen: Vec<usize> =
+        (1..=mutants.len()).filter(|number| is_chosen(&mutants[number - 1])).collect();
+    ensure!(!chosen.is_empty(), "no mutant of the list has that name");
+    if let Some(count) = options.sample {
+        let seed = options.seed.unwrap_or_else(|| sample::seed_of_commit(root));
+        println!("a sample of {count} of {} mutants, --seed {seed}", chosen.len());
+        chosen = sample::draw(chosen, count, seed);
+    }
+    Ok(chosen)
+}
+
+/// All tests and pages that reach a mutant, until one of each notices.
+fn thoroughly(chosen: &[usize], trials: Vec<Trial>, reach: &Path) -> anyhow::Result<Vec<Verdict>> {
+    let clock = Instant::now();
+    let count = trials.len();
+    let known = round::reach(trials, reach)?;
+    println!("{count} tests and pages without a mutant in {:.0} s", clock.elapsed().as_secs_f64());
+    let clock = Instant::now();
+    let verdicts = round::judge(chosen, &known, &[false, true])?;
+    println!("{} mutants in {:.0} s", chosen.len(), clock.elapsed().as_secs_f64());
+    Ok(verdicts)
+}
+
+/// The test known to notice, and all others only where it does not.
+fn quickly(
+    chosen: &[usize],
+    mutants: &[Mutant],
+    killers: &Killers,
+    trials: Vec<Trial>,
+    reach: &Path,
+) -> anyhow::Result<Vec<Verdict>> {
+    let clock = Instant::now();
+    let known_to = |number: usize| {
+        let name = killers.get(&mutants[number - 1].key());
+        trials.iter().find(|trial| Some(&trial.name) == name)
+    };
+    round::all_pass(trials.iter().filter(|t| chosen.iter().any(|n| known_to(*n) == Some(t))))?;
+    let mut verdicts = round::side_by_side(chosen, |_, &number| {
+        let Some(trial) = known_to(number) else { return Ok(None) };
+        let noticed = round::notices(number, trial, Duration::from_secs(4))?;
+        Ok(noticed.then(|| by(trial)))
+    })?;
+    let known = verdicts.iter().flatten().count();
+    println!("{known} noticed by the tests known in {:.0} s", clock.elapsed().as_secs_f64());
+    let open: Vec<usize> = (0..chosen.len())
+        .filter(|i| verdicts[*i].is_none() && !explained(mutants, chosen[*i]))
+        .collect();
+    if !open.is_empty() {
+        println!("{} need others: `cargo xtask mutants --record` makes them known", open.len());
+        let numbers: Vec<usize> = open.iter().map(|i| chosen[*i]).collect();
+        for (i, verdict) in open.into_iter().zip(thoroughly(&numbers, trials, reach)?) {
+            verdicts[i] = Some(verdict);
+        }
+    }
+    Ok(verdicts.into_iter().map(Option::unwrap_or_default).collect())
+}
+
+fn explained(mutants: &[Mutant], number: usize) -> bool {
+    mutants[number - 1].explained.is_some()
+}
+
+/// The verdict of one trial that notices.
+fn by(trial: &Trial) -> Verdict {
+    let name = Some(trial.name.clone());
+    let verdict = Verdict { is_reached: true, ..Verdict::default() };
+    if trial.is_page {
+        Verdict { page: name, ..verdict }
+    } else {
+        Verdict { test: name, ..verdict }
+    }
+}
+
+/// Notes who notices; forgets the mutants that the list no longer has.
+fn record(killers: &mut Killers, mutants: &[Mutant], chosen: &[usize], verdicts: &[Verdict]) {
+    for (number, verdict) in chosen.iter().zip(verdicts) {
+        let key = mutants[number - 1].key();
+        match verdict.test.as_ref().or(verdict.page.as_ref()) {
+            Some(name) => killers.insert(key, name.clone()),
+            None => killers.remove(&key),
+        };
+    }
+    killers.retain(|key, _| mutants.iter().any(|mutant| mutant.key() == *key));
+}

@@ -1,0 +1,44 @@
+//! What became of the mutants.
+
+use super::list::Mutant;
+use super::round::Verdict;
+use anyhow::bail;
+
+/// Prints who notices each mutant, and how many tests and claims do.
+pub(super) fn table(judged: &[(&Mutant, Verdict)]) {
+    for (mutant, verdict) in judged.iter().filter(|(_, verdict)| !verdict.survives()) {
+        let both = [&verdict.test, &verdict.page].into_iter().flatten();
+        let shown = both.map(String::as_str).collect::<Vec<_>>().join(", ");
+        println!("{}\n    {shown}", mutant.key());
+    }
+    let count = |holds: fn(&Verdict) -> bool| judged.iter().filter(|(_, v)| holds(v)).count();
+    println!(
+        "noticed by tests and claims: {}, by tests only: {}, by claims only: {}",
+        count(|v| v.test.is_some() && v.page.is_some()),
+        count(|v| v.test.is_some() && v.page.is_none()),
+        count(|v| v.test.is_none() && v.page.is_some()),
+    );
+}
+
+/// Prints the mutants that survive; fails if there is one that the list does not explain.
+pub(super) fn survivors(judged: &[(&Mutant, Verdict)]) -> anyhow::Result<()> {
+    let mut unexplained = 0;
+    for (mutant, verdict) in judged {
+        match (verdict.survives(), &mutant.explained) {
+            (true, Some(reason)) => println!("{}\n    survives: {reason}", mutant.key()),
+            (true, None) => {
+                unexplained += 1;
+                let why = if verdict.is_reached { "" } else { ", nothing reaches it" };
+                let Mutant { find, replace, .. } = mutant;
+                println!("{}\n    SURVIVES{why}: {find} -> {replace}", mutant.key());
+            }
+            (false, Some(_)) => println!("{}\n    explained in vain", mutant.key()),
+            (false, None) => {}
+        }
+    }
+    println!("{} mutants, {unexplained} unexplained survivors", judged.len());
+    if unexplained > 0 {
+        bail!("{unexplained} mutants survive and are not explained");
+    }
+    Ok(())
+}

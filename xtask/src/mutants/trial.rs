@@ -1,0 +1,163 @@
+//! The tests of the woven copy and the pages, each run as a process of its own.
+
+use crate::cargo;
+use anyhow::{Context as _, bail};
+use std::io::Read as _;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+use std::time::{Duration, Instant};
+
+/// The packages whose tests run; the last holds the pages.
+const PACKAGES: [&str; 6] = [
+    "carom-special",
+    "carom-halfspace",
+    "carom-laws",
+    "carom-solver",
+    "carom-impact",
+    PAGES_PACKAGE,
+];
+const PAGES_PACKAGE: &str = "carom-mutant-pages";
+
+/// The seed of the property tests, so that what notices a mutant once does so again.
+const PROPERTY_SEED: &str = "7";
+
+/// A test, or the claims of a page.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Trial {
+    /// `carom-laws::hertz a_test`, as cargo-nextest writes it, or `page 5.3`.
+    pub(super) name: String,
+    /// Whether it is the claims of a page.
+    pub(super) is_page: bool,
+    executable: PathBuf,
+    folder: PathBuf,
+    test: String,
+}
+
+/// How a trial ended.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum End {
+    Passed,
+    Failed,
+    TimedOut,
+}
+
+/// What the environment tells the woven code.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Switch<'a> {
+    /// No mutant; each that is reached leaves a file in this folder.
+    Reach(&'a Path),
+    /// This mutant.
+    On(usize),
+    /// No mutant.
+    Off,
+}
+
+impl Trial {
+    /// Runs it; one that takes longer than `limit` is stopped.
+    pub(super) fn run(
+        &self,
+        switch: Switch<'_>,
+        limit: Duration,
+    ) -> anyhow::Result<(End, Duration)> {
+        let mut command = Command::new(&self.executable);
+        command.args(["--exact", &self.test]).current_dir(&self.folder);
+        command.env("PROPTEST_RNG_SEED", PROPERTY_SEED);
+        command.env("PROPTEST_MAX_SHRINK_ITERS", "0");
+        command.env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "true");
+        match switch {
+            Switch::Reach(folder) => command.env("CAROM_MUTANT_REACH", folder),
+            Switch::On(number) => command.env("CAROM_MUTANT", number.to_string()),
+            Switch::Off => command.env("CAROM_MUTANT", "0"),
+        };
+        command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null());
+        let start = Instant::now();
+        let mut child = command.spawn().with_context(|| format!("cannot start {}", self.name))?;
+        let mut pause = Duration::from_millis(1);
+        loop {
+            if let Some(status) = child.try_wait()? {
+                let end = if status.success() { End::Passed } else { End::Failed };
+                return Ok((end, start.elapsed()));
+            }
+            if start.elapsed() > limit {
+                child.kill()?;
+                child.wait()?;
+                return Ok((End::TimedOut, start.elapsed()));
+            }
+            std::thread::sleep(pause);
+            pause = (pause * 2).min(Duration::from_millis(20));
+        }
+    }
+}
+
+/// Builds the tests of the copy at `tree`, once for all mutants; their dependencies are those
+/// that the workspace has built.
+pub(super) fn build(root: &Path, tree: &Path) -> anyhow::Result<Vec<Trial>> {
+    let mut command = cargo::command(&["test", "--release", "--no-run", "--lib", "--tests"]);
+    command.arg("--message-format=json-render-diagnostics").arg("--quiet");
+    command.arg("--target-dir").arg(root.join("target"));
+    for package in PACKAGES {
+        command.args(["--package", package]);
+    }
+    let mut child =
+        command.current_dir(tree).stdout(Stdio::piped()).spawn().context("cannot start cargo")?;
+    let mut messages = String::new();
+    child.stdout.take().context("no output of cargo")?.read_to_string(&mut messages)?;
+    if !child.wait()?.success() {
+        bail!("the workspace does not build with its mutants; the errors name them");
+    }
+    let mut trials = Vec::new();
+    for line in messages.lines() {
+        let message: serde_json::Value = serde_json::from_str(line)?;
+        if let Some(binary) = Binary::of(&message) {
+            trials.extend(binary.trials()?);
+        }
+    }
+    Ok(trials)
+}
+
+/// An executable of tests.
+struct Binary {
+    executable: PathBuf,
+    folder: PathBuf,
+    name: String,
+}
+
+impl Binary {
+    /// That of a message of cargo, if it is about one.
+    fn of(message: &serde_json::Value) -> Option<Self> {
+        let is_test = message["profile"]["test"].as_bool()?;
+        let executable = PathBuf::from(message["executable"].as_str()?);
+        let folder = Path::new(message["manifest_path"].as_str()?).parent()?.to_owned();
+        let package = format!("carom-{}", folder.file_name()?.to_str()?);
+        let name = match message["target"]["kind"][0].as_str()? {
+            "test" => format!("{package}::{}", message["target"]["name"].as_str()?),
+            _ => package,
+        };
+        is_test.then_some(Self { executable, folder, name })
+    }
+
+    /// Its tests, without those that are ignored.
+    fn trials(&self) -> anyhow::Result<Vec<Trial>> {
+        let listed = |arguments: &[&str]| -> anyhow::Result<Vec<String>> {
+            let output = Command::new(&self.executable).args(arguments).output()?;
+            let text = String::from_utf8_lossy(&output.stdout).into_owned();
+            Ok(text
+                .lines()
+                .filter_map(|line| line.strip_suffix(": test"))
+                .map(str::to_owned)
+                .collect())
+        };
+        let is_page = self.name.starts_with(PAGES_PACKAGE);
+        let ignored = if is_page { Vec::new() } else { listed(&["--list", "--ignored"])? };
+        let mut tests = listed(&["--list"])?;
+        tests.retain(|test| !ignored.contains(test));
+        let trial = |test: String| Trial {
+            name: if is_page { format!("page {test}") } else { format!("{} {test}", self.name) },
+            is_page,
+            executable: self.executable.clone(),
+            folder: self.folder.clone(),
+            test,
+        };
+        Ok(tests.into_iter().map(trial).collect())
+    }
+}

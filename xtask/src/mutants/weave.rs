@@ -1,0 +1,184 @@
+//! A copy of the workspace with all mutants woven in, each behind its switch.
+
+use super::list::Mutant;
+use super::place::{self, Place, Source};
+use anyhow::{Context as _, bail};
+use std::collections::BTreeSet;
+use std::ops::Range;
+use std::path::{Path, PathBuf};
+
+/// The crates that hold physics, below the workspace; the first has the switch.
+const CRATES: [&str; 5] =
+    ["crates/special", "crates/halfspace", "crates/laws", "crates/solver", "crates/impact"];
+
+const SWITCH: &str = include_str!("woven/switch.rs");
+const PAGES: &str = include_str!("woven/pages.rs");
+const PAGES_MANIFEST: &str = include_str!("woven/pages.toml");
+
+/// Brings the copy at `tree` up to date with the workspace at `root` and weaves the mutants in;
+/// files that stay the same are not touched, so that cargo does not build them again.
+pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Result<()> {
+    let mut sources = Vec::new();
+    for folder in CRATES {
+        sources.extend(place::sources(root, folder)?);
+    }
+    let places = places(mutants, &sources)?;
+    let mut copy = Mirror { root, tree, kept: BTreeSet::new() };
+    for (index, source) in sources.iter().enumerate() {
+        copy.write(&source.path, &woven(source, index, mutants, &places))?;
+    }
+    let special = Path::new(CRATES[0]).join("src");
+    let count = format!("const COUNT: usize = {};", mutants.len() + 1);
+    copy.write(&special.join("mutant.rs"), &SWITCH.replace("const COUNT: usize = 2;", &count))?;
+    let pages = Path::new("crates/mutant-pages");
+    copy.write(&pages.join("Cargo.toml"), PAGES_MANIFEST)?;
+    copy.write(&pages.join("pages.rs"), PAGES)?;
+    copy.write(&pages.join("src/lib.rs"), "")?;
+    copy.rest(Path::new(""))?;
+    copy.prune(Path::new(""))
+}
+
+fn places(mutants: &[Mutant], sources: &[Source]) -> anyhow::Result<Vec<Place>> {
+    let mut errors = Vec::new();
+    let mut places = Vec::new();
+    for mutant in mutants {
+        match place::find(mutant, sources) {
+            Ok(place) => places.push(place),
+            Err(error) => errors.push(format!("{}: {error:#}", mutant.key())),
+        }
+    }
+    if !errors.is_empty() {
+        bail!("places of the list that are not found:\n  {}", errors.join("\n  "));
+    }
+    Ok(places)
+}
+
+/// The source with its mutants, numbered from 1.
+fn woven(source: &Source, index: usize, mutants: &[Mutant], places: &[Place]) -> String {
+    let here = places.iter().zip(mutants).enumerate();
+    let mut edits: Vec<Edit<'_>> = here
+        .filter(|(_, (place, _))| place.source == index)
+        .map(|(i, (place, mutant))| Edit {
+            range: place.range.clone(),
+            number: i + 1,
+            replace: &mutant.replace,
+        })
+        .collect();
+    let is_special = source.path.starts_with(CRATES[0]);
+    let mut text = String::new();
+    if source.path.ends_with("src/lib.rs") {
+        text += "#![allow(warnings)]\n";
+    }
+    edits.sort_by_key(|edit| (edit.range.start, usize::MAX - edit.range.end, edit.number));
+    let switch = if is_special { "crate::mutant" } else { "::carom_special::mutant" };
+    text += &rewrite(&source.text, 0..source.text.len(), &edits, switch);
+    if is_special && source.path.ends_with("src/lib.rs") {
+        text += "\npub mod mutant;\n";
+    }
+    text
+}
+
+/// An expression and what stands in its place.
+struct Edit<'a> {
+    range: Range<usize>,
+    number: usize,
+    replace: &'a str,
+}
+
+/// The text of `range` with its edits, which are in the order of their places, outer before inner.
+fn rewrite(text: &str, range: Range<usize>, edits: &[Edit<'_>], switch: &str) -> String {
+    let mut out = String::new();
+    let mut at = range.start;
+    let mut rest = edits;
+    while let Some(first) = rest.first() {
+        let outer = &first.range;
+        let inside = rest.iter().take_while(|edit| edit.range.end <= outer.end).count();
+        let same = rest[..inside].iter().take_while(|edit| edit.range == *outer).count();
+        out += &text[at..outer.start];
+        out.push('(');
+        for edit in &rest[..same] {
+            out += &format!("if {switch}::is_on({}) {{ {} }} else ", edit.number, edit.replace);
+        }
+        let inner = rewrite(text, outer.clone(), &rest[same..inside], switch);
+        out += &format!("{{ {inner} }})");
+        at = outer.end;
+        rest = &rest[inside..];
+    }
+    out + &text[at..range.end]
+}
+
+/// The copy of the workspace.
+struct Mirror<'a> {
+    root: &'a Path,
+    tree: &'a Path,
+    kept: BTreeSet<PathBuf>,
+}
+
+impl Mirror<'_> {
+    fn write(&mut self, path: &Path, text: &str) -> anyhow::Result<()> {
+        self.write_bytes(path, text.as_bytes())
+    }
+
+    /// Writes a file of the copy, unless it is there and the same.
+    fn write_bytes(&mut self, path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
+        let target = self.tree.join(path);
+        self.kept.insert(path.to_owned());
+        if std::fs::read(&target).is_ok_and(|old| old == bytes) {
+            return Ok(());
+        }
+        if let Some(folder) = target.parent() {
+            std::fs::create_dir_all(folder)?;
+        }
+        std::fs::write(&target, bytes).with_context(|| format!("cannot write {}", target.display()))
+    }
+
+    /// Copies what is not written yet; build results and the history stay behind.
+    fn rest(&mut self, folder: &Path) -> anyhow::Result<()> {
+        for entry in std::fs::read_dir(self.root.join(folder))? {
+            let entry = entry?;
+            let path = folder.join(entry.file_name());
+            let name = entry.file_name();
+            if entry.file_type()?.is_dir() {
+                if name != "target" && name != ".git" {
+                    self.rest(&path)?;
+                }
+            } else if name != ".git" && !self.kept.contains(&path) {
+                let bytes = std::fs::read(entry.path())
+                    .with_context(|| format!("cannot read {}", entry.path().display()))?;
+                self.write_bytes(&path, &bytes)?;
+            }
+        }
+        Ok(())
+    }
+
+    /// Removes the files of the copy that the workspace no longer has.
+    fn prune(&self, folder: &Path) -> anyhow::Result<()> {
+        for entry in std::fs::read_dir(self.tree.join(folder))? {
+            let entry = entry?;
+            let path = folder.join(entry.file_name());
+            if entry.file_type()?.is_dir() {
+                self.prune(&path)?;
+            } else if !self.kept.contains(&path) {
+                std::fs::remove_file(entry.path())?;
+            }
+        }
+        Ok(())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn edits_nest_and_share_a_place() {
+        let text = "a * (b + 1)";
+        let edit = |range, number, replace| Edit { range, number, replace };
+        let edits = [edit(0..11, 3, "c"), edit(0..11, 4, "d"), edit(9..10, 1, "2")];
+        assert_eq!(
+            rewrite(text, 0..text.len(), &edits, "m"),
+            "(if m::is_on(3) { c } else if m::is_on(4) { d } else \
+             { a * (b + (if m::is_on(1) { 2 } else { 1 })) })"
+        );
+    }
+}
