@@ -181,19 +181,33 @@ fn adversarial() -> impl Strategy<Value = Case> {
         })
 }
 
+// One in a thousand impacts of nearly singular mobility and high friction needs more rings than
+// there is time for: it says so, and its best velocity keeps the limits all the same.
+fn settles(case: &Case) -> Result<(), TestCaseError> {
+    for law in LAWS {
+        let outcome = case.impact().accepting_unsettled().solve(law);
+        prop_assert!(outcome.is_ok(), "{:?} {case:?}", outcome.err());
+        let outcome = outcome.unwrap();
+        let hard = law == VectorLaw::Coulomb && case.f > 10.0;
+        prop_assert!(outcome.warning.is_none() || hard, "{outcome:?} {case:?}");
+        case.check(&outcome, if outcome.warning.is_some() { 1e-3 } else { 5e-6 })?;
+    }
+    Ok(())
+}
+
 proptest! {
     #![proptest_config(ProptestConfig { max_shrink_iters: 20, ..ProptestConfig::with_cases(24) })]
     #[test]
     fn every_impact_settles(case in adversarial()) {
-        let outcome = case.impact().solve(VectorLaw::FixedDirection);
-        prop_assert!(outcome.is_ok(), "{:?} {case:?}", outcome.err());
-        case.check(&outcome.unwrap(), 5e-6)?;
-        // Of rings one in a thousand needs more of them than there is time for.
-        let outcome = case.impact().accepting_unsettled().solve(VectorLaw::Coulomb);
-        prop_assert!(outcome.is_ok(), "{:?} {case:?}", outcome.err());
-        let outcome = outcome.unwrap();
-        prop_assert_eq!(outcome.warning.is_some(), outcome.error_estimate > 5e-6);
-        case.check(&outcome, 1e-4)?;
+        settles(&case)?;
+    }
+
+    #[test]
+    #[ignore = "minutes: run with --release -- --ignored"]
+    fn every_impact_settles_at_length(cases in prop::collection::vec(adversarial(), 250)) {
+        for case in cases {
+            settles(&case)?;
+        }
     }
 }
 

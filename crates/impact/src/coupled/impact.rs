@@ -207,7 +207,13 @@ impl CoupledImpact {
         if self.friction.get() == 0.0 {
             return Passage::Frictionless;
         }
-        Passage::of(self.mobility.matrix(), &self.stiffness, &self.velocity)
+        match Passage::of(self.mobility.matrix(), &self.stiffness, &self.velocity) {
+            // Beyond the range of the exact walk (chi) the memory is stepped.
+            Passage::Uncoupled { direction } if self.groups(&direction).is_err() => {
+                Passage::Planar { direction }
+            }
+            passage => passage,
+        }
     }
 
     /// The velocity before the impact.
