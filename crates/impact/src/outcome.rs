@@ -176,6 +176,14 @@ pub enum Warning {
         /// About that share, from above.
         share: f64,
     },
+    /// The outcome did not settle to the tolerance asked for and was accepted all the same
+    /// ([`crate::coupled::CoupledImpact::accepting_unsettled`]).
+    NotSettled {
+        /// How far the velocity may be off, over that before.
+        error_estimate: f64,
+        /// What was asked for.
+        tolerance: f64,
+    },
     /// The contact point was searched for from many starts on a body that need not be convex
     /// ([`crate::Certainty::Sampled`]): the bodies may touch elsewhere too.
     PointSampled,
@@ -202,6 +210,13 @@ impl std::fmt::Display for Warning {
                     f,
                     "torsion is left out: it would take up to {percent:.2} % of the relative spin \
                      about the normal"
+                )
+            }
+            Self::NotSettled { error_estimate, tolerance } => {
+                write!(
+                    f,
+                    "not settled: the velocity may be off by {error_estimate:.1e} of that before, \
+                     not {tolerance:.1e} as asked"
                 )
             }
             Self::PointSampled => f.write_str(

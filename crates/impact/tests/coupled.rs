@@ -201,8 +201,12 @@ proptest! {
         let v = speed.map(|(back, x)| if back { -power(x) } else { power(x) });
         let impact = impact(a, c.map(power), power(f), v);
         for law in [VectorLaw::Coulomb, VectorLaw::FixedDirection] {
-            let outcome = impact.solve(law).unwrap();
-            prop_assert!(outcome.velocity.z <= 0.0, "{outcome:?}");
+            let outcome = impact.accepting_unsettled().solve(law).unwrap();
+            prop_assert!(outcome.velocity.z < 0.0, "{outcome:?}");
+            // Rings of high friction and nearly singular D: one in a thousand is left unsettled.
+            let hard = law == VectorLaw::Coulomb && f > 1.0;
+            let settled = outcome.warning.is_none() && outcome.error_estimate <= 5e-6;
+            prop_assert!(settled || hard && outcome.error_estimate < 1e-3, "{outcome:?}");
             let (before, after) =
                 (matrix(a).energy(&impact.velocity()), matrix(a).energy(&outcome.velocity));
             prop_assert!(after <= before * (1.0 + 1e-12), "{before:e} {after:e} {outcome:?}");

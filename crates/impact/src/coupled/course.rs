@@ -1,7 +1,10 @@
 //! The motion through one contact: dv/dt = -D F with a law that remembers (8.29).
 
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
+
+use super::pace::Pace;
 
 /// The initial value problem of an impact in any consistent units, contact axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -10,10 +13,10 @@ pub struct Course {
     pub mobility: Matrix3<f64>,
     /// Velocity of body 2 against body 1 at first touch; z > 0.
     pub velocity: Vector3<f64>,
-    /// The expected duration: steps are fine at both of its ends, where the force begins and
-    /// ends with the power 3/2 of time.
-    pub duration: f64,
-    /// Steps within it.
+    /// Of the law in adhesion; it chooses the steps.
+    pub stiffness: ContactStiffness,
+    /// About how many steps a free impact takes. Coupled ones take more where friction drives the
+    /// normal motion and where the tangential one oscillates fast.
     pub steps: usize,
 }
 
@@ -30,13 +33,13 @@ pub struct Point {
     pub force: Vector3<f64>,
 }
 
-/// Contact lasting longer than this many expected durations is given up.
-const PATIENCE: usize = 200;
+/// Contact lasting longer than this many times the steps of a free impact is given up.
+const PATIENCE: usize = 1 << 14;
 
 impl Course {
     /// Follows the impact with this law to separation and returns the instant of separation;
-    /// none if the bodies do not part within 200 expected durations. `observe` sees every
-    /// instant, touch and separation included, with the law's state there.
+    /// none if the bodies do not part within 2^14 times the steps of a free impact. `observe` sees
+    /// every instant, touch and separation included, with the law's state there.
     ///
     /// Steps of the Verlet kind: one evaluation of the law each, second order in the step, and
     /// the path between two instants is straight.
@@ -55,9 +58,11 @@ impl Course {
             force: Vector3::zeros(),
         };
         observe(&now, law);
-        for step in 0..PATIENCE * self.steps {
-            let length = self.step_length(step, &now);
-            let half = now.velocity - self.mobility * now.force * (0.5 * length);
+        let pace = Pace::new(&self.mobility, &self.stiffness, self.velocity.z, self.steps);
+        let mut pull = Vector3::zeros();
+        for _ in 0..PATIENCE * self.steps {
+            let length = pace.step(&now);
+            let half = now.velocity - pull * (0.5 * length);
             let shift = now.shift + half * length;
             if shift.z <= 0.0 {
                 let last = self.separation(&now, &half, length);
@@ -68,26 +73,12 @@ impl Course {
                 return Ok(Some(last));
             }
             let force = as_vector(&law.advance(as_shift(&shift))?);
-            let velocity = half - self.mobility * force * (0.5 * length);
+            pull = self.mobility * force;
+            let velocity = half - pull * (0.5 * length);
             now = Point { time: now.time + length, shift, velocity, force };
             observe(&now, law);
         }
         Ok(None)
-    }
-
-    // t = T u^2 (3 - 2 u) within the expected duration; then as far as separation seems to be,
-    // or a mean step if the bodies still approach.
-    fn step_length(&self, step: usize, now: &Point) -> f64 {
-        let mean = self.duration / self.steps as f64;
-        if step < self.steps {
-            let at = |i: usize| {
-                let u = i as f64 / self.steps as f64;
-                u * u * (3.0 - 2.0 * u)
-            };
-            return self.duration * (at(step + 1) - at(step));
-        }
-        let outward = -now.velocity.z;
-        if outward > 0.0 { (now.shift.z / outward * (1.0 + 1e-9)).min(mean) } else { mean }
     }
 
     // The force falls to zero with the power 3/2 of the time left: its mean is 2/5.

@@ -1,23 +1,26 @@
 //! The oblique impact of a full mobility matrix, from the velocities before to those after.
 
 use carom_laws::friction::Friction;
-use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use carom_laws::law::ContactLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
+use super::any_law::AnyLaw;
 use super::bare_law::BareLaw;
-use super::refine::{Failure, Problem, Settled};
+use super::limits::Limits;
+use super::log::Log;
+use super::refine::{Failure, Grain, Problem, Settled};
 use super::{CoulombRings, Passage, Point, Stage, Staged};
 use crate::mobility::Mobility;
 use crate::normal::{self, NormalImpact};
 use crate::oblique::{Event, Groups, ObliqueError, ObliqueImpact, Regime};
-use crate::outcome::LogEntry;
+use crate::outcome::{LogEntry, Warning};
 
-/// Default changes between refinements, over |v_A|, at which the outcome counts as settled: the
-/// memory is exact and cheap, the rings are not.
-const MEMORY: f64 = 1e-8;
-const RINGS: f64 = 5e-6;
+/// Default tolerances over |v_A|: the memory of one direction is exact and its runs converge fast,
+/// those of the vector laws do not.
+const PLANAR: f64 = 1e-8;
+const SPATIAL: f64 = 5e-6;
 
 /// Why a coupled impact cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -28,11 +31,28 @@ pub enum CoupledError {
     /// The exact walk of an uncoupled impact failed.
     #[error(transparent)]
     Oblique(#[from] ObliqueError),
-    /// The bodies stay together: they were followed for 200 times the expected duration.
-    #[error("the bodies do not separate within 200 expected durations of {duration:e}")]
+    /// The bodies stay together for 2^14 times the steps of a free impact.
+    #[error(
+        "the bodies do not separate within 2^14 times the steps of a free impact of {duration:e}"
+    )]
     NoSeparation {
-        /// The expected duration.
+        /// The duration of the free impact.
         duration: f64,
+    },
+    /// Ever finer runs did not agree to the tolerance before they became too long.
+    #[error(
+        "not settled: {steps} steps and {rings} rings leave an error of {error_estimate:e} of |v_A|, \
+         asked for {tolerance:e}"
+    )]
+    NotSettled {
+        /// How far the best velocity may be off, over |v_A|.
+        error_estimate: f64,
+        /// What was asked for.
+        tolerance: f64,
+        /// Steps of the finest run.
+        steps: usize,
+        /// Its rings, where the law has rings.
+        rings: usize,
     },
 }
 
@@ -77,6 +97,14 @@ pub struct CoupledImpact {
     velocity: Vector3<f64>,
     normal: NormalImpact,
     tolerance: Option<f64>,
+    unsettled: Unsettled,
+}
+
+/// What becomes of an impact that does not settle.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Unsettled {
+    Refused,
+    Accepted,
 }
 
 /// Where an impact leads.
@@ -94,8 +122,12 @@ pub struct CoupledOutcome {
     pub compressions: u32,
     /// How it was solved.
     pub passage: Passage,
-    /// Last change of the velocity under refinement over |v_A|; 0 for exact passages.
+    /// How far the velocity may be off, over |v_A|: the change under the last refinements; 0 for
+    /// exact passages.
     pub error_estimate: f64,
+    /// That it did not settle, where [`CoupledImpact::accepting_unsettled`] asked for it all the
+    /// same.
+    pub warning: Option<Warning>,
 }
 
 /// One instant of the impact, contact axes.
@@ -137,13 +169,21 @@ impl CoupledImpact {
         RangeError::finite("velocity", velocity.x)?;
         RangeError::finite("velocity", velocity.y)?;
         let normal = NormalImpact::new(mobility.matrix().m33, stiffness.c_z, velocity.z)?;
-        Ok(Self { mobility, stiffness, friction, velocity, normal, tolerance: None })
+        Ok(Self {
+            mobility,
+            stiffness,
+            friction,
+            velocity,
+            normal,
+            tolerance: None,
+            unsettled: Unsettled::Refused,
+        })
     }
 
-    /// The same impact, settled to another tolerance than the default (5e-6 for Coulomb's law in
-    /// space, else 1e-8): the outcome counts when refinement changes its velocity by less than this
-    /// times |v_A|. The true error is mostly a few times smaller. At most 2048 steps and 1024 rings
-    /// are used; [`CoupledOutcome::error_estimate`] says what they reached.
+    /// The same impact, settled to another tolerance than the default (5e-6 where the motion is
+    /// spatial, 1e-8 in a plane): how far its velocity may be off over |v_A|, judged by the change
+    /// under the last refinements. The true error is mostly several times smaller, and seldom three
+    /// times as large.
     ///
     /// # Errors
     /// [`RangeError`] unless it is finite and positive.
@@ -152,9 +192,16 @@ impl CoupledImpact {
         Ok(Self { tolerance: Some(tolerance), ..self })
     }
 
-    fn tolerance(&self, law: VectorLaw) -> f64 {
-        let rings = law == VectorLaw::Coulomb && matches!(self.passage(), Passage::Spatial { .. });
-        self.tolerance.unwrap_or(if rings { RINGS } else { MEMORY })
+    /// The same impact, with the best velocity found where it does not settle to the tolerance, and
+    /// [`CoupledOutcome::warning`] that says so, instead of [`CoupledError::NotSettled`].
+    #[must_use]
+    pub const fn accepting_unsettled(self) -> Self {
+        Self { unsettled: Unsettled::Accepted, ..self }
+    }
+
+    fn tolerance(&self) -> f64 {
+        let spatial = matches!(self.passage(), Passage::Spatial { .. });
+        self.tolerance.unwrap_or(if spatial { SPATIAL } else { PLANAR })
     }
 
     /// How this impact is solved.
@@ -163,7 +210,13 @@ impl CoupledImpact {
         if self.friction.get() == 0.0 {
             return Passage::Frictionless;
         }
-        Passage::of(self.mobility.matrix(), &self.stiffness, &self.velocity)
+        match Passage::of(self.mobility.matrix(), &self.stiffness, &self.velocity) {
+            // Beyond the range of the exact walk (chi) the memory is stepped.
+            Passage::Uncoupled { direction } if self.groups(&direction).is_err() => {
+                Passage::Planar { direction }
+            }
+            passage => passage,
+        }
     }
 
     /// The velocity before the impact.
@@ -174,8 +227,11 @@ impl CoupledImpact {
 
     /// Follows the impact to separation; the vector law matters for [`Passage::Spatial`] only.
     ///
+    /// The velocity keeps the friction limit of the impulse, |J_t| <= f J_z, and never gains energy,
+    /// both to rounding.
+    ///
     /// # Errors
-    /// [`CoupledError`] if the walk fails.
+    /// [`CoupledError`] if the walk fails or does not settle to the tolerance.
     pub fn solve(&self, law: VectorLaw) -> Result<CoupledOutcome, CoupledError> {
         match self.passage() {
             Passage::Frictionless => Ok(self.frictionless()),
@@ -191,11 +247,11 @@ impl CoupledImpact {
     }
 
     /// The same with any contact law, in the units of the data. `make` gives a fresh law; it is
-    /// told a resolution that doubles from run to run, 16, 32, .., for laws that have one. The
-    /// default tolerance is that of [`CoupledImpact::within`] for Coulomb's law.
+    /// told a resolution that doubles from run to run, 4, 8, .., and begins anew with more where
+    /// those do not settle, for laws that have one.
     ///
     /// # Errors
-    /// [`CoupledError::NoSeparation`]; a failing step of the law ends the impact with
+    /// As [`CoupledImpact::solve`]; a failing step of the law ends the impact with
     /// [`RangeError`] `law step`.
     pub fn solve_with<L: ContactLaw>(
         &self,
@@ -204,12 +260,15 @@ impl CoupledImpact {
         let problem = Problem {
             mobility: *self.mobility.matrix(),
             velocity: self.velocity,
-            duration: self.normal.duration(),
+            stiffness: self.stiffness,
             peak: self.normal.maximal_approach(),
+            grain: Grain::Rings,
         };
+        let problem = problem.with_grain_of(&make).map_err(|failure| self.failed(&failure))?;
         let settled = problem
-            .settle(self.tolerance(VectorLaw::Coulomb), |_, resolution| make(resolution))
+            .settle(self.tolerance(), |_, resolution| make(resolution), |velocity| *velocity)
             .map_err(|failure| self.failed(&failure))?;
+        let settled = self.checked(settled)?;
         let units = Units { time: 1.0, length: 1.0, speed: 1.0, force: 1.0 };
         Ok(self.outcome_in(&settled, &units))
     }
@@ -298,14 +357,32 @@ impl CoupledImpact {
             compressions: 1,
             passage: self.passage(),
             error_estimate: 0.0,
+            warning: None,
         }
     }
 
     fn settled(&self, law: VectorLaw) -> Result<Settled, CoupledError> {
-        let problem = self.problem();
-        problem
-            .settle(self.tolerance(law), |peak, rings| self.law(law, peak, rings))
-            .map_err(|failure| self.failed(&failure))
+        let problem = self.problem(law);
+        let apart = self.passage() == Passage::Spatial { coupled: false };
+        let limits = Limits::new(&problem.mobility, self.friction, &problem.velocity, apart);
+        let make = |peak: f64, rings: usize| self.law(law, peak, rings);
+        let settled = problem
+            .settle(self.tolerance(), make, |velocity| limits.hold(velocity))
+            .map_err(|failure| self.failed(&failure))?;
+        self.checked(settled)
+    }
+
+    // Settled, or accepted as it is.
+    fn checked(&self, settled: Settled) -> Result<Settled, CoupledError> {
+        if settled.settled || self.unsettled == Unsettled::Accepted {
+            return Ok(settled);
+        }
+        Err(CoupledError::NotSettled {
+            error_estimate: settled.error,
+            tolerance: self.tolerance(),
+            steps: settled.run.steps,
+            rings: settled.level.rings,
+        })
     }
 
     fn replay(
@@ -325,7 +402,7 @@ impl CoupledImpact {
                 stage: law.stage(),
             });
         };
-        match self.problem().replay(settled, make, see) {
+        match self.problem(law).replay(settled, make, see) {
             Ok(_) => Ok(()),
             Err(failure) => Err(self.failed(&failure)),
         }
@@ -377,7 +454,7 @@ impl CoupledImpact {
     }
 
     // In units of the uncoupled normal impact: dv/dt = -(5/4) D/D_zz F, F_z = zeta^(3/2).
-    fn problem(&self) -> Problem {
+    fn problem(&self, law: VectorLaw) -> Problem {
         let frame = self.frame();
         let d = self.mobility.matrix();
         let mut mobility = frame.transpose() * (d * (1.25 / d.m33)) * frame;
@@ -391,30 +468,43 @@ impl CoupledImpact {
         if matches!(self.passage(), Passage::Planar { .. }) {
             velocity.y = 0.0;
         }
-        Problem { mobility, velocity, duration: normal::DURATION, peak: 1.0 }
+        let spatial = matches!(self.passage(), Passage::Spatial { .. });
+        let ringed = spatial && law == VectorLaw::Coulomb && self.friction.coefficient().is_some();
+        let grain = if ringed { Grain::Rings } else { Grain::None };
+        let stiffness = self.scaled();
+        Problem { mobility, velocity, stiffness, peak: 1.0, grain }
+    }
+
+    // As the problem is; in a plane c_x is that along its tangent.
+    fn scaled(&self) -> ContactStiffness {
+        let ContactStiffness { c_x, c_y, c_z } = self.stiffness;
+        let (c_x, c_y) = match self.passage() {
+            Passage::Planar { direction: e } => {
+                let along = c_x * e.x * e.x + c_y * e.y * e.y;
+                (along, along)
+            }
+            _ => (c_x, c_y),
+        };
+        let unit = 1.5 / c_z;
+        ContactStiffness { c_x: c_x * unit, c_y: c_y * unit, c_z: 1.5 }
     }
 
     fn law(&self, law: VectorLaw, peak: f64, rings: usize) -> AnyLaw {
-        let ContactStiffness { c_x, c_y, c_z } = self.stiffness;
-        let scaled = |c: f64| 1.5 * c / c_z;
-        let plane = ContactStiffness { c_x: scaled(c_x), c_y: scaled(c_y), c_z: 1.5 };
-        let friction = self.friction;
+        let (stiffness, friction) = (self.scaled(), self.friction);
         match (self.passage(), law) {
-            (Passage::Planar { direction }, _) => {
-                let along = c_x * direction.x * direction.x + c_y * direction.y * direction.y;
-                let line = ContactStiffness { c_x: scaled(along), ..plane };
-                AnyLaw::Line(Box::new(BareLaw::new(line, friction)))
+            (Passage::Planar { .. }, _) => {
+                AnyLaw::Line(Box::new(BareLaw::new(stiffness, friction)))
             }
             (_, VectorLaw::Coulomb) => {
                 let spacing = (peak * 1.0001).sqrt() / rings as f64;
                 // Without a limit every direction is on its own, and without friction none acts.
-                CoulombRings::new(plane, friction.get(), spacing).map_or_else(
-                    |_| AnyLaw::Plane(Box::new(BareLaw::new(plane, friction))),
-                    AnyLaw::Rings,
+                CoulombRings::new(stiffness, friction.get(), spacing).map_or_else(
+                    |_| AnyLaw::Plane(Box::new(BareLaw::new(stiffness, friction))),
+                    |rings| AnyLaw::Rings(Box::new(rings)),
                 )
             }
             (_, VectorLaw::FixedDirection) => {
-                AnyLaw::Plane(Box::new(BareLaw::new(plane, friction)))
+                AnyLaw::Plane(Box::new(BareLaw::new(stiffness, friction)))
             }
         }
     }
@@ -443,6 +533,10 @@ impl CoupledImpact {
             compressions: run.compressions,
             passage: self.passage(),
             error_estimate: settled.error,
+            warning: (!settled.settled).then(|| Warning::NotSettled {
+                error_estimate: settled.error,
+                tolerance: self.tolerance(),
+            }),
         }
     }
 
@@ -453,73 +547,5 @@ impl CoupledImpact {
             }
             Failure::Law(_) => RangeError::new("law step", f64::NAN, "possible").into(),
         }
-    }
-}
-
-/// One of the laws at hand.
-#[derive(Debug, Clone)]
-enum AnyLaw {
-    Line(Box<BareLaw<f64>>),
-    Plane(Box<BareLaw<[f64; 2]>>),
-    Rings(CoulombRings),
-}
-
-macro_rules! each {
-    ($any:expr, $law:ident => $call:expr) => {
-        match $any {
-            AnyLaw::Line($law) => $call,
-            AnyLaw::Plane($law) => $call,
-            AnyLaw::Rings($law) => $call,
-        }
-    };
-}
-
-impl ContactLaw for AnyLaw {
-    type Error = RangeError;
-
-    fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
-        each!(self, law => law.advance(shift))
-    }
-
-    fn shift(&self) -> Shift {
-        each!(self, law => law.shift())
-    }
-
-    fn load(&self) -> ContactLoad {
-        each!(self, law => law.load())
-    }
-}
-
-impl Staged for AnyLaw {
-    fn stage(&self) -> Stage {
-        each!(self, law => law.stage())
-    }
-}
-
-/// Writes down each change of stage.
-#[derive(Debug, Default)]
-struct Log {
-    entries: Vec<LogEntry>,
-    stage: Option<(Stage, bool)>,
-}
-
-impl Log {
-    fn see(&mut self, sample: &Sample, initial: &Vector3<f64>) {
-        if sample.shift.z <= 0.0 {
-            return;
-        }
-        let forward = sample.force.x * initial.x + sample.force.y * initial.y >= 0.0;
-        // The sign matters where a ring slips.
-        let forward = forward || sample.stage == Stage::Adhesion;
-        let now = (sample.stage, forward);
-        let event = match self.stage {
-            None => Event::Touch,
-            Some(before) if before == now => return,
-            Some((Stage::Slide, _)) if now.0 == Stage::Slide => return,
-            Some((before, _)) => Stage::event(before, now.0),
-        };
-        let time = if self.stage.is_none() { 0.0 } else { sample.time };
-        self.entries.push(LogEntry { time, event, regime: now.0.regime(now.1) });
-        self.stage = Some(now);
     }
 }

@@ -4,10 +4,24 @@
 //! The motion dv/dt = -D F is followed with any contact law. Two are at hand: rings in parallel
 //! with Coulomb's friction, the true vector law, and the thesis's memory with one direction per
 //! slip ring. Motion in one plane through the normal needs no choice: the memory is exact there.
+//!
+//! Where f |D_tz| exceeds D_zz, sliding one way drives the bodies together (Painleve's wedging):
+//! the force grows by its own work until the sliding stops, and the impact may grow a thousandfold
+//! within a small part of the time of a free one; often the bodies are pressed together again.
+//! Sliding the other way drives them apart. With elastic contacts each of these has one solution:
+//! the normal impulse grows while they touch, and a positive definite D lets them part. Steps are
+//! chosen from the state, so that such an impact is resolved like any other; high friction with a
+//! turning direction is what needs most rings. One impact in a thousand of nearly singular D and
+//! friction of a hundred, pressed together again many times, is refused as not settled.
 
+mod any_law;
 mod bare_law;
 mod course;
+mod extrapolation;
 mod impact;
+mod limits;
+mod log;
+mod pace;
 mod passage;
 mod refine;
 mod rings;

@@ -1,30 +1,56 @@
 //! Refinement of an impact in steps and rings until its outcome settles.
 
 use carom_laws::law::ContactLaw;
+use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
 use super::course::{Course, Point};
+use super::extrapolation::Extrapolation;
 
-/// Steps of the first runs, which find duration and greatest approach.
-const SCOUT: Level = Level { steps: 32, rings: 16 };
-const SCOUTS: usize = 2;
 /// Steps and rings of the coarsest run; each further one has twice as many.
-const COARSEST: Level = Level { steps: 32, rings: 16 };
-const LEVELS: u32 = 7;
+const COARSEST: Level = Level { steps: 8, rings: 4 };
+/// The first level at which an outcome may count.
+const LEAST: usize = 64;
+/// Series of runs, tried until one settles.
+const RINGED: [Series; 3] = [
+    Series { rings: 1, budget: 1 << 25 },
+    Series { rings: 16, budget: 1 << 28 },
+    Series { rings: 4, budget: 1 << 34 },
+];
+const PLAIN: Series = Series { rings: 1, budget: 1 << 24 };
 
-/// The initial value problem and first guesses of what it leads to.
+/// Runs that double from the coarsest, with more rings by this factor, while steps times rings
+/// (steps alone of a law without rings) of the next run fit the budget.
+///
+/// Where friction is high or turns far what the rings leave out at the edge counts most, where the
+/// tangential motion is stiff what the steps do.
+#[derive(Debug, Clone, Copy)]
+struct Series {
+    rings: usize,
+    budget: usize,
+}
+
+/// Whether a law has rings that are refined with the steps.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Grain {
+    Rings,
+    None,
+}
+
+/// The initial value problem and a first guess of the greatest approach.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Problem {
     pub(super) mobility: Matrix3<f64>,
     pub(super) velocity: Vector3<f64>,
-    pub(super) duration: f64,
+    pub(super) stiffness: ContactStiffness,
     pub(super) peak: f64,
+    pub(super) grain: Grain,
 }
 
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Level {
-    steps: usize,
-    rings: usize,
+    pub(super) steps: usize,
+    pub(super) rings: usize,
 }
 
 /// What one run, or the limit of finer runs, gives.
@@ -34,14 +60,17 @@ pub(super) struct Run {
     pub(super) duration: f64,
     pub(super) peak: f64,
     pub(super) compressions: u32,
+    pub(super) steps: usize,
 }
 
-/// The settled run, how far it may be off, and the finest level used.
+/// Where the runs lead, how far it may be off over |v_A|, and the finest level used.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Settled {
     pub(super) run: Run,
     pub(super) error: f64,
     pub(super) level: Level,
+    /// To the tolerance asked for.
+    pub(super) settled: bool,
 }
 
 /// Why the runs gave nothing.
@@ -52,46 +81,93 @@ pub(super) enum Failure<E> {
 }
 
 impl Problem {
-    /// Runs of twice as many steps and rings until their limit changes by less than the tolerance
-    /// times |v_A|, or the levels end.
+    /// Runs of twice as many steps and rings until their limit is sure to the tolerance times
+    /// |v_A|, or further ones would take too long: then the best.
     ///
-    /// `make` gives a fresh law whose rings reach up to the approach given.
+    /// `make` gives a fresh law whose rings reach up to the approach given; `hold` moves the
+    /// velocity of a limit to where it may be.
     pub(super) fn settle<L: ContactLaw>(
         &self,
         tolerance: f64,
         make: impl Fn(f64, usize) -> L,
+        hold: impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Settled, Failure<L::Error>> {
-        let mut problem = *self;
-        for _ in 0..SCOUTS {
-            problem = problem.scouted(problem.run(SCOUT, &make, |_, _| ())?);
-        }
-        let scale = self.velocity.norm();
-        let mut level = COARSEST;
-        let mut table = Extrapolation::new(problem.run(level, &make, |_, _| ())?);
-        for round in 1..LEVELS {
-            problem = problem.scouted(table.plain);
-            level = Level { steps: 2 * level.steps, rings: 2 * level.rings };
-            table.refine(problem.run(level, &make, |_, _| ())?);
-            if round > 1 && table.error <= tolerance * scale {
+        let mut problem = self.scouted(&self.run(COARSEST, &make, |_, _| ())?);
+        let (first, others) = match self.grain {
+            Grain::Rings => (RINGED[0], &RINGED[1..]),
+            Grain::None => (PLAIN, &[][..]),
+        };
+        let mut best = problem.refined(&first, tolerance, &make, &hold)?;
+        for series in others {
+            if best.settled {
                 break;
             }
+            problem = problem.scouted(&best.run);
+            let other = problem.refined(series, tolerance, &make, &hold)?;
+            if other.settled || other.error < best.error {
+                best = other;
+            }
         }
-        let (best, error) = (table.best(), table.error / scale);
-        Ok(Settled { run: best, error, level })
+        Ok(best)
     }
 
-    /// One run with the duration and the peak of another as guesses, seen by `observe`.
+    fn refined<L: ContactLaw>(
+        &self,
+        series: &Series,
+        tolerance: f64,
+        make: &impl Fn(f64, usize) -> L,
+        hold: &impl Fn(&Vector3<f64>) -> Vector3<f64>,
+    ) -> Result<Settled, Failure<L::Error>> {
+        let scale = self.velocity.norm();
+        let mut problem = *self;
+        let mut level = Level { rings: series.rings * COARSEST.rings, ..COARSEST };
+        let mut table = Extrapolation::new(problem.run(level, make, |_, _| ())?);
+        loop {
+            problem = problem.scouted(table.finest());
+            level = level.doubled();
+            table.refine(problem.run(level, make, |_, _| ())?);
+            let mut run = table.best();
+            let held = hold(&run.velocity);
+            let error = table.error().max((held - run.velocity).norm()) / scale;
+            run.velocity = held;
+            let settled = error <= tolerance && held.z < 0.0 && level.steps >= LEAST;
+            if settled || self.work(table.finest(), level) > series.budget {
+                return Ok(Settled { run, error, level, settled });
+            }
+        }
+    }
+
+    // Of the next run.
+    const fn work(&self, run: &Run, level: Level) -> usize {
+        match self.grain {
+            Grain::Rings => 4 * run.steps * level.rings,
+            Grain::None => 2 * run.steps,
+        }
+    }
+
+    /// The same for a law that may ignore its resolution.
+    pub(super) fn with_grain_of<L: ContactLaw>(
+        &self,
+        make: impl Fn(usize) -> L,
+    ) -> Result<Self, Failure<L::Error>> {
+        let make = |_: f64, resolution| make(resolution);
+        let run = |rings| self.run(Level { rings, ..COARSEST }, &make, |_, _| ());
+        let same = run(COARSEST.rings)?.velocity == run(2 * COARSEST.rings)?.velocity;
+        Ok(Self { grain: if same { Grain::None } else { Grain::Rings }, ..*self })
+    }
+
+    /// One run with the peak of another as a guess, seen by `observe`.
     pub(super) fn replay<L: ContactLaw>(
         &self,
         settled: &Settled,
         make: impl Fn(f64, usize) -> L,
         observe: impl FnMut(&Point, &L),
     ) -> Result<Run, Failure<L::Error>> {
-        self.scouted(settled.run).run(settled.level, &make, observe)
+        self.scouted(&settled.run).run(settled.level, &make, observe)
     }
 
-    fn scouted(&self, run: Run) -> Self {
-        Self { duration: run.duration, peak: run.peak, ..*self }
+    fn scouted(&self, run: &Run) -> Self {
+        Self { peak: run.peak, ..*self }
     }
 
     fn run<L: ContactLaw>(
@@ -105,7 +181,7 @@ impl Problem {
         let course = Course {
             mobility: self.mobility,
             velocity: self.velocity,
-            duration: self.duration,
+            stiffness: self.stiffness,
             steps: level.steps,
         };
         let end = course
@@ -120,64 +196,27 @@ impl Problem {
             duration: end.time,
             peak: peaks.highest,
             compressions: peaks.compressions,
+            steps: peaks.steps,
         })
     }
 }
 
-/// Runs of twice as many steps and rings each, and their limit.
-///
-/// The error of a run falls with the square of the step. What Richardson's extrapolation leaves
-/// falls with its cube while the contact's stages change smoothly, which the last three limits
-/// show; then a second extrapolation counts.
-#[derive(Debug)]
-struct Extrapolation {
-    plain: Run,
-    once: Option<Run>,
-    twice: Option<Run>,
-    change: f64,
-    error: f64,
-    smooth: bool,
-}
-
-/// Ratio of successive changes that passes for 2^3.
-const CUBIC: std::ops::Range<f64> = 5.0..12.0;
-
-impl Extrapolation {
-    const fn new(plain: Run) -> Self {
-        let (change, error) = (f64::INFINITY, f64::INFINITY);
-        Self { plain, once: None, twice: None, change, error, smooth: false }
-    }
-
-    fn refine(&mut self, run: Run) {
-        let once = run.beyond(&self.plain, 3.0);
-        let twice = self.once.map(|before| once.beyond(&before, 7.0));
-        let moved = |now: &Run, before: Option<Run>| {
-            before.map_or(f64::INFINITY, |before| (now.velocity - before.velocity).norm())
-        };
-        let change = moved(&once, self.once);
-        self.smooth = twice.is_some() && CUBIC.contains(&(self.change / change));
-        self.error = match &twice {
-            Some(twice) if self.smooth => moved(twice, self.twice),
-            _ => change,
-        };
-        *self = Self { plain: run, once: Some(once), twice, change, ..*self };
-    }
-
-    fn best(&self) -> Run {
-        let smooth = self.twice.filter(|_| self.smooth);
-        smooth.or(self.once).unwrap_or(self.plain)
+impl Level {
+    const fn doubled(self) -> Self {
+        Self { steps: 2 * self.steps, rings: 2 * self.rings }
     }
 }
 
 impl Run {
     /// Extrapolated from a run of half as many steps, whose error is this much + 1 times as large.
-    fn beyond(&self, coarse: &Self, gain: f64) -> Self {
+    pub(super) fn beyond(&self, coarse: &Self, gain: f64) -> Self {
         let limit = |fine: f64, coarse: f64| fine + (fine - coarse) / gain;
         Self {
             velocity: self.velocity + (self.velocity - coarse.velocity) / gain,
             duration: limit(self.duration, coarse.duration),
             peak: limit(self.peak, coarse.peak),
             compressions: self.compressions,
+            steps: self.steps,
         }
     }
 }
@@ -188,10 +227,12 @@ struct Peaks {
     last: Option<Point>,
     highest: f64,
     compressions: u32,
+    steps: usize,
 }
 
 impl Peaks {
     fn see(&mut self, point: &Point) {
+        self.steps += 1;
         let before = self.last.replace(*point);
         let Some(last) = before else {
             self.compressions = 1;
@@ -205,43 +246,5 @@ impl Peaks {
         } else if last.velocity.z <= 0.0 && point.velocity.z > 0.0 {
             self.compressions += 1;
         }
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    fn run(error: f64) -> Run {
-        let velocity = Vector3::new(1.0 + error, -error, -1.0 - 2.0 * error);
-        Run { velocity, duration: 3.0 + error, peak: 1.0 - error, compressions: 1 }
-    }
-
-    fn after(rounds: i32, error: impl Fn(f64) -> f64) -> Extrapolation {
-        let mut table = Extrapolation::new(run(error(0.1)));
-        for round in 1..=rounds {
-            table.refine(run(error(0.1 * 0.5_f64.powi(round))));
-        }
-        table
-    }
-
-    #[test]
-    fn square_and_cube_of_the_step_cancel() {
-        let table = after(3, |h| 0.3 * h * h - 0.2 * h * h * h);
-        assert!(table.smooth && table.error < 1e-15);
-        let best = table.best();
-        assert!((best.velocity - Vector3::new(1.0, 0.0, -1.0)).norm() < 1e-15);
-        assert!((best.duration - 3.0).abs() < 1e-15 && (best.peak - 1.0).abs() < 1e-15);
-    }
-
-    #[test]
-    fn the_second_extrapolation_waits_for_smooth_errors() {
-        // A remainder that jumps from run to run, as where an event falls between steps.
-        let table = after(4, |h| 0.3 * h * h * (1.0 + 0.5 * (1.0 / h).sin()));
-        assert!(!table.smooth);
-        let best = (table.best().velocity.x - 1.0).abs();
-        assert!(best <= table.error, "{best:e} {:e}", table.error);
-        // Too few runs tell nothing.
-        assert!(!after(1, |h| h * h).smooth && after(0, |h| h * h).error.is_infinite());
     }
 }

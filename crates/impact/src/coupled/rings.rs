@@ -14,8 +14,9 @@ use nalgebra::Vector3;
 
 /// The vector law of Coulomb friction on rings at equal distances.
 ///
-/// Between rings the traction is linear in r^2, so that sliding is exact and |F_t| <= f F_z
-/// always; otherwise the error falls with the square of the distance.
+/// Between rings the traction is linear in r^2, with a bend where slip begins and a ring of its own
+/// where the edge turned back, so that sliding is exact and |F_t| <= f F_z always; otherwise the
+/// error falls with the square of the distance.
 ///
 /// ```
 /// use carom_impact::coupled::CoulombRings;
@@ -35,8 +36,14 @@ pub struct CoulombRings {
     spacing: f64,
     shift: Shift,
     rings: Vec<Ring>,
+    /// How many of them are at equal distances.
+    regular: usize,
     touching: usize,
     slipping: usize,
+    /// The outermost ring that did not slip.
+    stuck: Option<usize>,
+    core: Core,
+    receding: bool,
     force: [f64; 2],
     dissipated: f64,
 }
@@ -44,9 +51,28 @@ pub struct CoulombRings {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Ring {
     depth: f64,
+    radius: f64,
+    /// Share in the integral over r, the outer half that of an even spacing.
     weight: f64,
     traction: [f64; 2],
 }
+
+/// The innermost rings, which adhere far from their limits: what they have in common is added to
+/// all of them at once.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+struct Core {
+    rings: usize,
+    /// What the traction of each has gained.
+    gain: [f64; 2],
+    /// What the limit leaves to the one nearest to it.
+    room: f64,
+    weight: f64,
+    /// Integral of the tractions without the gain.
+    sum: [f64; 2],
+}
+
+/// Steps as large as the last that a core is to last for.
+const LASTING: f64 = 64.0;
 
 /// The straight step all rings share.
 #[derive(Debug, Clone, Copy)]
@@ -79,8 +105,12 @@ impl CoulombRings {
             spacing,
             shift: Shift::default(),
             rings: Vec::new(),
+            regular: 0,
             touching: 0,
             slipping: 0,
+            stuck: None,
+            core: Core::default(),
+            receding: false,
             force: [0.0; 2],
             dissipated: 0.0,
         })
@@ -100,35 +130,194 @@ impl CoulombRings {
 
     // Rings up to the approach; those not yet touched carry no traction.
     fn provide(&mut self, zeta: f64) {
-        let h = self.spacing;
-        let mut j = self.rings.len() as f64;
-        while (h * j) * (h * j) < zeta {
-            let before = if j == 0.0 { 0.0 } else { (3.0 * j - 2.0) / (3.0 * (2.0 * j - 1.0)) };
-            let after = (3.0 * j + 2.0) / (3.0 * (2.0 * j + 1.0));
-            let weight = h * (before + after);
-            self.rings.push(Ring { depth: (h * j) * (h * j), weight, traction: [0.0; 2] });
-            j += 1.0;
+        loop {
+            let radius = self.spacing * self.regular as f64;
+            if radius * radius >= zeta {
+                break;
+            }
+            self.regular += 1;
+            let ring = Ring { depth: radius * radius, radius, weight: 0.0, traction: [0.0; 2] };
+            match self.rings.last() {
+                Some(last) if last.radius >= radius => {
+                    let at = self.rings.partition_point(|other| other.radius < radius);
+                    self.insert(at, ring);
+                }
+                _ => self.insert(self.rings.len(), ring),
+            }
         }
     }
 
-    // Integral of a traction linear in r^2 between rings, zero at the edge of the contact.
-    fn total(&self, zeta: f64) -> [f64; 2] {
-        let mut sum = [0.0; 2];
-        for (j, ring) in self.rings[..self.touching].iter().enumerate() {
-            let weight =
-                if j + 1 == self.touching { self.last_weight(j, zeta) } else { ring.weight };
-            sum[0] += weight * ring.traction[0];
-            sum[1] += weight * ring.traction[1];
+    fn insert(&mut self, at: usize, ring: Ring) {
+        if self.rings.get(at).is_some_and(|other| other.radius == ring.radius) {
+            return;
+        }
+        self.rings.insert(at, ring);
+        for i in at.saturating_sub(1)..(at + 2).min(self.rings.len()) {
+            let radius = self.rings[i].radius;
+            let inner = if i > 0 { span(self.rings[i - 1].radius, radius)[1] } else { 0.0 };
+            let outer = self.rings.get(i + 1).map_or(0.0, |next| span(radius, next.radius)[0]);
+            self.rings[i].weight = inner + outer;
+        }
+    }
+
+    // Every ring on its own.
+    fn dissolve(&mut self) {
+        let [x, y] = self.core.gain;
+        for ring in &mut self.rings[..self.core.rings] {
+            ring.traction[0] += x;
+            ring.traction[1] += y;
+        }
+        self.core = Core::default();
+    }
+
+    // The inner rings whose limits leave this room.
+    fn condense(&mut self, zeta: f64, least: f64) {
+        let mut core = Core { room: f64::INFINITY, ..Core::default() };
+        // The outermost weighs by the edge.
+        for ring in &self.rings[..self.touching.saturating_sub(1)] {
+            let [x, y] = ring.traction;
+            let bound = self.limit * (zeta - ring.depth);
+            let room = (bound - (x * x + y * y).sqrt()) * (1.0 - 1e-12);
+            if room.is_nan() || room <= least {
+                break;
+            }
+            core.room = core.room.min(room);
+            core.weight += ring.weight;
+            core.sum[0] += ring.weight * x;
+            core.sum[1] += ring.weight * y;
+            core.rings += 1;
+        }
+        if core.rings > 0 {
+            self.core = core;
+        }
+    }
+
+    fn traction(&self, i: usize) -> [f64; 2] {
+        let [x, y] = self.rings[i].traction;
+        if i < self.core.rings { [x + self.core.gain[0], y + self.core.gain[1]] } else { [x, y] }
+    }
+
+    // The integral of the traction.
+    fn pulled(&self, zeta: f64) -> [f64; 2] {
+        let Core { rings, gain, weight, sum, .. } = self.core;
+        let outer = self.total(zeta, rings, |traction| traction);
+        [0, 1].map(|i| sum[i] + weight * gain[i] + outer[i])
+    }
+
+    // A ring at the edge where it turns back, and one where slip begins.
+    fn mark(&mut self) {
+        let zeta = self.shift.zeta;
+        let edge = Ring { depth: zeta, radius: zeta.sqrt(), weight: 0.0, traction: [0.0; 2] };
+        let bend = self.bend(zeta);
+        let at = self.rings.partition_point(|ring| ring.depth < zeta);
+        self.insert(at, edge);
+        if let Some((inner, bend)) = bend {
+            self.insert(inner + 1, bend);
+        }
+    }
+
+    // Integral over r of what is linear in r^2 between rings and bend, zero at the edge, without the
+    // first rings.
+    fn total<const N: usize>(
+        &self,
+        zeta: f64,
+        first: usize,
+        of: impl Fn([f64; 2]) -> [f64; N],
+    ) -> [f64; N] {
+        let mut sum = [0.0; N];
+        let Some(last) = self.touching.checked_sub(1) else { return sum };
+        let mut add = |value: [f64; N], weight: f64| {
+            for i in 0..N {
+                sum[i] += weight * value[i];
+            }
+        };
+        for i in first..last {
+            add(of(self.traction(i)), self.rings[i].weight);
+        }
+        let radius = self.rings[last].radius;
+        let inner = last.checked_sub(1).map_or(0.0, |i| span(self.rings[i].radius, radius)[1]);
+        add(of(self.traction(last)), inner + span(radius, zeta.sqrt())[0]);
+        // A bend between two places moves the value there from the line between them.
+        if let Some((i, bend)) = self.bend(zeta) {
+            let ring = &self.rings[i];
+            let (outer, far) = if i < last {
+                (self.rings[i + 1].radius, of(self.traction(i + 1)))
+            } else {
+                (zeta.sqrt(), [0.0; N])
+            };
+            let near = of(self.traction(i));
+            let share = (bend.depth - ring.depth) / (outer * outer - ring.depth);
+            let weight = span(ring.radius, bend.radius)[1] + span(bend.radius, outer)[0];
+            add(of(bend.traction), weight);
+            add(near, -weight * (1.0 - share));
+            add(far, -weight * share);
         }
         sum
     }
 
-    fn last_weight(&self, j: usize, zeta: f64) -> f64 {
-        let (h, k) = (self.spacing, j as f64);
-        let before = if j == 0 { 0.0 } else { h * (3.0 * k - 2.0) / (3.0 * (2.0 * k - 1.0)) };
-        let (inner, edge) = (h * k, zeta.sqrt());
-        before + (edge - inner) * (2.0 * edge + inner) / (3.0 * (edge + inner))
+    // Where the traction, continued from the rings that stick, meets the limit.
+    fn bend(&self, zeta: f64) -> Option<(usize, Ring)> {
+        let last = self.touching.checked_sub(1)?;
+        let stuck = self.stuck?;
+        if stuck == last && !self.receding {
+            return None;
+        }
+        let (depth, [x, y]) = (self.rings[stuck].depth, self.traction(stuck));
+        let (end, left) = if stuck == last {
+            (zeta, 0.0)
+        } else {
+            let next = self.rings[stuck + 1].depth;
+            (next, self.limit * (zeta - next))
+        };
+        let start = self.limit * (zeta - depth);
+        let [p, q] = self.slope(stuck).map(|slope| slope * (end - depth));
+        let growth = left - start;
+        // |t + s g| = start + s growth, its first root.
+        let room = start * start - x * x - y * y;
+        let a = p * p + q * q - growth * growth;
+        let b = x * p + y * q - start * growth;
+        let meets = libm::hypot(x + p, y + q) > left;
+        if room <= 1e-14 * start * start || !meets {
+            return None;
+        }
+        let root = (b * b + a * room).max(0.0).sqrt();
+        let s = if b >= 0.0 { room / (b + root) } else { (root - b) / a };
+        let depth = depth + s.clamp(0.0, 1.0) * (end - depth);
+        let traction = [x + s * p, y + s * q];
+        Some((stuck, Ring { depth, radius: depth.sqrt(), weight: 0.0, traction }))
     }
+
+    // The lesser of the last two slopes of the traction over depth.
+    fn slope(&self, ring: usize) -> [f64; 2] {
+        let between = |i: usize| {
+            let depth = self.rings[i].depth - self.rings[i - 1].depth;
+            let (near, far) = (self.traction(i - 1), self.traction(i));
+            [0, 1].map(|k| (far[k] - near[k]) / depth)
+        };
+        match ring {
+            0 => return [0.0; 2],
+            1 => return between(1),
+            _ => {}
+        }
+        let (last, before) = (between(ring), between(ring - 1));
+        let square = |s: &[f64; 2]| s[0] * s[0] + s[1] * s[1];
+        match (last[0] * before[0] + last[1] * before[1] > 0.0, square(&last) < square(&before)) {
+            (false, _) => [0.0; 2],
+            (true, true) => last,
+            (true, false) => before,
+        }
+    }
+}
+
+// Integrals over r of what is linear in r^2 and one at the inner radius, zero at the outer, and the
+// other way round.
+fn span(inner: f64, outer: f64) -> [f64; 2] {
+    let sum = outer + inner;
+    if sum <= 0.0 {
+        return [0.0; 2];
+    }
+    let unit = (outer - inner) / (3.0 * sum);
+    [unit * (2.0 * outer + inner), unit * (outer + 2.0 * inner)]
 }
 
 impl ContactLaw for CoulombRings {
@@ -137,6 +326,10 @@ impl ContactLaw for CoulombRings {
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
         shift.check_finite()?;
         let (from, to) = (self.shift.zeta.max(0.0), shift.zeta.max(0.0));
+        if self.receding && to > from && from > 0.0 {
+            self.dissolve();
+            self.mark();
+        }
         self.provide(to);
         let moved = [shift.xi - self.shift.xi, shift.eta - self.shift.eta];
         let stiffness = [self.stiffness.c_x, self.stiffness.c_y];
@@ -151,8 +344,19 @@ impl ContactLaw for CoulombRings {
             stiffness,
             limit: self.limit,
         };
-        let (mut touching, mut slipping, mut heat) = (0, 0, 0.0);
-        for ring in &mut self.rings {
+        let moves = libm::hypot(pull[0], pull[1]) + self.limit * (from - to).max(0.0);
+        self.core.room -= moves;
+        if self.core.room >= 0.0 {
+            self.core.gain[0] += pull[0];
+            self.core.gain[1] += pull[1];
+        } else {
+            self.dissolve();
+        }
+        let whole = self.core.rings == 0;
+        let mut touching = self.core.rings;
+        let mut stuck = touching.checked_sub(1);
+        let (mut slipping, mut heat) = (0, 0.0);
+        for (i, ring) in self.rings.iter_mut().enumerate().skip(touching) {
             if ring.depth >= from && ring.depth >= to {
                 break;
             }
@@ -164,12 +368,24 @@ impl ContactLaw for CoulombRings {
             if let Some(loss) = step.advance(ring) {
                 slipping += 1;
                 heat += ring.weight * loss;
+            } else {
+                stuck = Some(i);
             }
         }
-        (self.touching, self.slipping) = (touching, slipping);
+        (self.touching, self.slipping, self.stuck) = (touching, slipping, stuck);
+        if to != from {
+            self.receding = to < from;
+        }
         self.dissipated += heat;
         self.shift = shift;
-        self.force = self.total(to);
+        if self.core.rings == touching {
+            // The outermost weighs by the edge.
+            self.dissolve();
+        }
+        if whole {
+            self.condense(to, LASTING * moves);
+        }
+        self.force = self.pulled(to);
         Ok(self.load())
     }
 
@@ -187,14 +403,10 @@ impl ContactLaw for CoulombRings {
 impl Energies for CoulombRings {
     fn stored_energy(&self) -> f64 {
         let zeta = self.shift.zeta.max(0.0);
-        let mut sum = 4.0 / 15.0 * self.stiffness.c_z * (zeta * zeta * zeta.sqrt());
-        for (j, ring) in self.rings[..self.touching].iter().enumerate() {
-            let weight =
-                if j + 1 == self.touching { self.last_weight(j, zeta) } else { ring.weight };
-            let [x, y] = ring.traction;
-            sum += 0.5 * weight * (x * x / self.stiffness.c_x + y * y / self.stiffness.c_y);
-        }
-        sum
+        let normal = 4.0 / 15.0 * self.stiffness.c_z * (zeta * zeta * zeta.sqrt());
+        let ContactStiffness { c_x, c_y, .. } = self.stiffness;
+        let [tangential] = self.total(zeta, 0, |[x, y]| [0.5 * (x * x / c_x + y * y / c_y)]);
+        normal + tangential
     }
 
     /// By the mean traction of every step: accurate to the square of the step and the spacing.

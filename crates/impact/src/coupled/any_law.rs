@@ -1,0 +1,47 @@
+//! One of the laws at hand, chosen while the program runs.
+
+use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use carom_special::RangeError;
+
+use super::bare_law::BareLaw;
+use super::{CoulombRings, Stage, Staged};
+
+/// A law of one direction, of two, or of rings.
+#[derive(Debug, Clone)]
+pub(super) enum AnyLaw {
+    Line(Box<BareLaw<f64>>),
+    Plane(Box<BareLaw<[f64; 2]>>),
+    Rings(Box<CoulombRings>),
+}
+
+macro_rules! each {
+    ($any:expr, $law:ident => $call:expr) => {
+        match $any {
+            AnyLaw::Line($law) => $call,
+            AnyLaw::Plane($law) => $call,
+            AnyLaw::Rings($law) => $call,
+        }
+    };
+}
+
+impl ContactLaw for AnyLaw {
+    type Error = RangeError;
+
+    fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
+        each!(self, law => law.advance(shift))
+    }
+
+    fn shift(&self) -> Shift {
+        each!(self, law => law.shift())
+    }
+
+    fn load(&self) -> ContactLoad {
+        each!(self, law => law.load())
+    }
+}
+
+impl Staged for AnyLaw {
+    fn stage(&self) -> Stage {
+        each!(self, law => law.stage())
+    }
+}

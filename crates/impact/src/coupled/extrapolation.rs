@@ -1,0 +1,121 @@
+//! The limit of runs of ever more steps and rings.
+
+use super::refine::Run;
+
+/// Runs of twice as many steps and rings each, and their limit.
+///
+/// The error of a run falls with the square of the step. What Richardson's extrapolation leaves
+/// falls with its cube while the contact's stages change smoothly, which the last three limits
+/// show; then a second extrapolation counts. Two limits may agree by chance: no change counts for
+/// less than a small part of the one before.
+#[derive(Debug)]
+pub(super) struct Extrapolation {
+    plain: Run,
+    once: Column,
+    twice: Column,
+    smooth: bool,
+}
+
+/// Limits from ever finer runs, and how much they still change.
+#[derive(Debug, Clone, Copy)]
+struct Column {
+    limit: Option<Run>,
+    /// The last change.
+    change: f64,
+    /// The greatest of the changes, each divided by `FADING` for every later one.
+    error: f64,
+}
+
+/// Ratio of successive changes that passes for 2^3.
+const CUBIC: std::ops::Range<f64> = 5.0..12.0;
+
+/// Twice what a change of the first and of the second extrapolation falls by, at least, where the
+/// errors are smooth.
+const FADING: [f64; 2] = [16.0, 32.0];
+
+impl Extrapolation {
+    pub(super) const fn new(plain: Run) -> Self {
+        Self { plain, once: Column::EMPTY, twice: Column::EMPTY, smooth: false }
+    }
+
+    /// Takes a run of twice as many steps and rings as the last.
+    pub(super) fn refine(&mut self, run: Run) {
+        let before = self.once;
+        let once = run.beyond(&self.plain, 3.0);
+        self.once = before.then(once, FADING[0]);
+        if let Some(limit) = before.limit {
+            self.twice = self.twice.then(once.beyond(&limit, 7.0), FADING[1]);
+        }
+        self.smooth = CUBIC.contains(&(before.change / self.once.change));
+        self.plain = run;
+    }
+
+    /// The finest run.
+    pub(super) const fn finest(&self) -> &Run {
+        &self.plain
+    }
+
+    /// The limit.
+    pub(super) fn best(&self) -> Run {
+        self.column().limit.unwrap_or(self.plain)
+    }
+
+    /// How far the velocity of the limit may be off; infinite after less than three runs.
+    pub(super) const fn error(&self) -> f64 {
+        self.column().error
+    }
+
+    const fn column(&self) -> &Column {
+        if self.smooth && self.twice.error < self.once.error { &self.twice } else { &self.once }
+    }
+}
+
+impl Column {
+    const EMPTY: Self = Self { limit: None, change: f64::INFINITY, error: f64::INFINITY };
+
+    fn then(&self, limit: Run, fading: f64) -> Self {
+        let Some(before) = &self.limit else { return Self { limit: Some(limit), ..Self::EMPTY } };
+        let change = (limit.velocity - before.velocity).norm();
+        let memory = if self.error.is_finite() { self.error / fading } else { 0.0 };
+        Self { limit: Some(limit), change, error: change.max(memory) }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use nalgebra::Vector3;
+
+    fn run(error: f64) -> Run {
+        let velocity = Vector3::new(1.0 + error, -error, -1.0 - 2.0 * error);
+        Run { velocity, duration: 3.0 + error, peak: 1.0 - error, compressions: 1, steps: 1 }
+    }
+
+    fn after(rounds: i32, error: impl Fn(f64) -> f64) -> Extrapolation {
+        let mut table = Extrapolation::new(run(error(0.1)));
+        for round in 1..=rounds {
+            table.refine(run(error(0.1 * 0.5_f64.powi(round))));
+        }
+        table
+    }
+
+    #[test]
+    fn square_and_cube_of_the_step_cancel() {
+        let table = after(3, |h| 0.3 * h * h - 0.2 * h * h * h);
+        assert!(table.smooth && table.error() < 1e-15);
+        let best = table.best();
+        assert!((best.velocity - Vector3::new(1.0, 0.0, -1.0)).norm() < 1e-15);
+        assert!((best.duration - 3.0).abs() < 1e-15 && (best.peak - 1.0).abs() < 1e-15);
+    }
+
+    #[test]
+    fn the_second_extrapolation_waits_for_smooth_errors() {
+        // A remainder that jumps from run to run, as where an event falls between steps.
+        let table = after(4, |h| 0.3 * h * h * (1.0 + 0.5 * (1.0 / h).sin()));
+        assert!(!table.smooth);
+        let best = (table.best().velocity.x - 1.0).abs();
+        assert!(best <= table.error(), "{best:e} {:e}", table.error());
+        // Too few runs tell nothing.
+        assert!(!after(1, |h| h * h).smooth && after(0, |h| h * h).error().is_infinite());
+    }
+}
