@@ -1,8 +1,9 @@
 //! Fig. 3.5: the tangential force for a diagonal shift of a slender contact.
 
 use carom_impact::coupled::CoulombRings;
+use carom_laws::accounted::Accounted;
 use carom_laws::friction::Friction;
-use carom_laws::law::{ContactLaw, Shift};
+use carom_laws::law::{ContactLaw, Energies as _, Shift};
 use carom_laws::shift::{CattaneoMindlin, turned_stiffness};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
@@ -136,7 +137,7 @@ fn energy_claim(figure: &mut Figure, stiffness: &ContactStiffness) -> Result<(),
     // Up to the onset the work is 3/5 of force times shift, 1/5 of it lost.
     let slid = force * (end - onset) * (direction[0] + direction[1]);
     let pressed = 4.0 / 15.0 * stiffness.c_z;
-    let mut law = ShiftLaw::<[f64; 2]>::new(*stiffness, Friction::new(1.0)?);
+    let mut law = Accounted::new(ShiftLaw::<[f64; 2]>::new(*stiffness, Friction::new(1.0)?));
     for shift in [0.0, 0.5 * onset, onset, end] {
         law.advance(Shift { zeta: 1.0, xi: shift, eta: shift, omega: 0.0 })?;
     }

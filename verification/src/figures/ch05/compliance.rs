@@ -7,7 +7,7 @@ use carom_laws::curvature::RelativeCurvature;
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
-use carom_laws::law::{ContactLaw, Shift};
+use carom_laws::law::{ContactLaw, Energies as _, Shift};
 use carom_laws::torsion::adhesion::AdhesiveTorsion;
 use carom_laws::torsion::law::TorsionLaw;
 use carom_special::RangeError;

@@ -6,7 +6,7 @@ use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
-use carom_laws::law::{ContactLaw, Shift};
+use carom_laws::law::{ContactLaw, Energies as _, Shift};
 use carom_laws::torsion::history::TwistHistory;
 use carom_laws::torsion::law::TorsionLaw;
 use carom_laws::torsion::lubkin::{Lubkin, SLIDING_TORQUE, approximate_torque};

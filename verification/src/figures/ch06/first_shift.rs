@@ -3,12 +3,13 @@
 use std::f64::consts::{PI, TAU};
 
 use carom_halfspace::{Material, MaterialPair};
+use carom_laws::accounted::Accounted;
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::field::{memory_displacement, normal_displacement};
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
-use carom_laws::law::{ContactLaw, Shift};
+use carom_laws::law::{ContactLaw, Energies as _, Shift};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::quadrature::{Tolerance as Within, tanh_sinh};
@@ -277,7 +278,7 @@ fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
     let stiffness = ContactStiffness::new(c_x, c_x, c_z)?;
     let (mut work, mut heat, mut tangents) = (Vec::new(), Vec::new(), Vec::new());
     for share in [0.2_f64, 0.5, 0.9, 1.0] {
-        let mut law = ShiftLaw::<f64>::new(stiffness, Friction::new(f)?);
+        let mut law = Accounted::new(ShiftLaw::<f64>::new(stiffness, Friction::new(f)?));
         law.advance(Shift { zeta, ..Shift::default() })?;
         // ∫ (2/3) c_z sqrt(ζ) ζ dζ.
         let pressed = 4.0 / 15.0 * c_z * libm::pow(zeta, 2.5);
@@ -293,12 +294,12 @@ fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
         work.push(((law.stored_energy() + law.dissipated() - pressed) / scale, done));
         heat.push((law.dissipated() / scale, lost));
         if share < 1.0 {
-            let (stick, tangent) = ((rest * zeta).sqrt(), law.tangent());
+            let (stick, tangent) = ((rest * zeta).sqrt(), law.law().tangent());
             tangents.extend([
                 (tangent[0][0], c_x * stick),
                 (tangent[0][2], f * c_z * (zeta.sqrt() - stick)),
                 (tangent[2][2], c_z * zeta.sqrt()),
-                (law.stick_depth(), rest),
+                (law.law().stick_depth(), rest),
             ]);
         }
     }
