@@ -19,6 +19,9 @@ fn shifted(xi: f64) -> Vec<Shift> {
     path
 }
 
+/// Where a punch is.
+type Outline = fn(f64, f64) -> bool;
+
 fn square(_: f64, _: f64) -> bool {
     true
 }
@@ -28,7 +31,7 @@ fn triangle(x: f64, y: f64) -> bool {
     x.abs() < 0.5 * (1.0 - y)
 }
 
-fn punch(semi_axes: [f64; 2], elements: [usize; 2], inside: fn(f64, f64) -> bool) -> Mesh {
+fn punch(semi_axes: [f64; 2], elements: [usize; 2], inside: Outline) -> Mesh {
     Mesh { poisson: [0.5; 2], shape: Shape::Punch(inside), ..Mesh::of(semi_axes, elements) }
 }
 
@@ -49,8 +52,8 @@ pub(super) fn square_and_triangle() -> FigureResult {
     figure.stated("ζ, ν", "0.1, 0.5; ξ = 0.145 (rectangle), 0.14 (triangle)");
     figure.assumed("outlines", "square [-1, 1]², triangle of base 2 and height 2; f = 1");
     figure.assumed("elements", "40 × 40; 5 steps of shift");
-    let cases: [(&str, fn(f64, f64) -> bool, f64, f64); 2] =
-        [("square", square, 0.145, 0.40), ("triangle", triangle, 0.14, 0.52)];
+    let cases =
+        [("square", square as Outline, 0.145, 0.40), ("triangle", triangle as Outline, 0.14, 0.52)];
     for (name, outline, xi, stick) in cases {
         let run = punch([1.0; 2], [40; 2], outline).follow(&shifted(xi))?;
         let last = &run[5];
