@@ -19,8 +19,7 @@ pub(super) const ENTRIES: &[Entry] = &[
     Entry::figure("3.4", "Displacements under a semispherical tangential traction, ν = 0.5")
         .by(semisphere::draw),
     Entry::figure("3.5", "Tangential force for a diagonal shift of a slender contact, ν = 0.5")
-        .by(diagonal_shift::draw)
-        .partial("the curve of the numerical solution"),
+        .by(diagonal_shift::draw),
     Entry::figure("3.6", "Normal, tangential and torsional impact").by(impacts::draw),
     Entry::figure("3.7", "A rubber ball between table and book").by(ball_under_book::draw),
 ];

@@ -26,19 +26,10 @@ pub(super) const ENTRIES: &[Entry] = &[
         .by(regimes::draw_equal_radii),
     Entry::figure("7.9", "Torsional stiffness δ_T of the ellipse").by(torsion::draw_stiffness),
     Entry::figure("7.10", "Torque against twist, formula and numerical solution")
-        .by(torsion::draw_loading)
-        .partial("the numerical solution: a/b = 10, and 50 against 400 points"),
+        .by(torsion::draw_loading),
     Entry::figure("7.11", "Varying torque, a/b = 1/10, ν = 0").by(torsion::draw_reversals),
-    Entry::figure("7.12", "Example 1: forces and displacements")
-        .by(examples::draw_first)
-        .partial("the markers of the numerical solution"),
-    Entry::figure("7.13", "Example 2: forces and displacements")
-        .by(examples::draw_second)
-        .partial("the markers of the numerical solution"),
-    Entry::figure("7.14", "Example 3: forces and displacements")
-        .by(examples::draw_third)
-        .partial("the markers of the numerical solution"),
-    Entry::figure("7.15", "Example 3: slip and stress directions at step 21")
-        .by(directions::draw)
-        .partial("slip and stress of the numerical solution"),
+    Entry::figure("7.12", "Example 1: forces and displacements").by(examples::draw_first),
+    Entry::figure("7.13", "Example 2: forces and displacements").by(examples::draw_second),
+    Entry::figure("7.14", "Example 3: forces and displacements").by(examples::draw_third),
+    Entry::figure("7.15", "Example 3: slip and stress directions at step 21").by(directions::draw),
 ];

@@ -1,8 +1,11 @@
 //! Figs. 7.12 to 7.14: three histories of turning shifts.
 
+use super::super::Failure;
+use super::super::mesh::{APPROACH, Mesh, Step};
 use super::led::{distance, polar};
 use super::ring_contact::RingContact;
 use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use carom_laws::law::Shift;
 use carom_laws::memory::{Lateral, Regime, VectorMemory};
 use carom_laws::sliders::SliderLaw;
 
@@ -14,6 +17,8 @@ pub(super) struct Example {
     /// End of the closed theory and of a half-space of rings.
     theory: [f64; 2],
     rings: [f64; 2],
+    /// End on a mesh of 60 by 60, by an independent half-space program.
+    mesh: [f64; 2],
 }
 
 impl Example {
@@ -25,6 +30,7 @@ impl Example {
                 steps: 5,
                 theory: [0.0, 1.0 - 0.5_f64.powf(1.5)],
                 rings: [-0.037_01, 0.635_93],
+                mesh: [-0.035_1, 0.636_6],
             },
             2 => Self {
                 first: [1.0, 0.0],
@@ -32,6 +38,7 @@ impl Example {
                 steps: 10,
                 theory: [0.0, 1.0],
                 rings: [-0.205_22, 0.939_30],
+                mesh: [-0.198_8, 0.940_4],
             },
             _ => Self {
                 first: [1.0, 0.0],
@@ -39,6 +46,7 @@ impl Example {
                 steps: 10,
                 theory: [-0.75_f64.sqrt(), 0.5],
                 rings: [-0.899_92, 0.423_15],
+                mesh: [-0.899_0, 0.425_3],
             },
         }
     }
@@ -59,10 +67,8 @@ fn draw(number: usize) -> FigureResult {
     figure.stated("contact", "spheres, ν = 0, equal G, f = 1, ζ constant");
     figure.derived("e₁", format!("({}, 0) ζ in {} steps", example.first[0], example.steps));
     figure.derived("end", "in as many steps along 135° (examples 1, 2) or 165° (3)");
-    figure.assumed(
-        "numerical markers",
-        "60 rings on a half-space instead of 100 elements, and springs with sliders",
-    );
+    figure.stated("numerical markers", "100 elements: 12 × 12 on the square, 112 in the circle");
+    figure.assumed("other markers", "60 rings on a half-space, and springs with sliders");
     let (mut memory, mut sliders) = (VectorMemory::new(), SliderLaw::new(400, 1.0, 1.0)?);
     let mut rings = RingContact::new(60)?;
     let mut from = [0.0; 2];
@@ -103,7 +109,14 @@ fn draw(number: usize) -> FigureResult {
             ring_markers[k].clone(),
         ));
     }
+    let run = example.numerical(12)?;
+    for k in 0..2 {
+        let points = run.iter().enumerate().map(|(i, step)| ((i + 1) as f64, mesh_force(step)[k]));
+        let name = ["F_x, numerical", "F_y, numerical"][k];
+        forces.add(Series::markers(name, Marker::Square, points));
+    }
     figure.panel(forces);
+    numerical_claims(&mut figure, &example, number)?;
     let mut shifts = Panel::new(Axis::linear("step"), Axis::linear("e, ζ*/ζ"));
     for (k, name) in ["e_x", "e_y", "ζ*/ζ"].into_iter().enumerate() {
         shifts.add(Series::line(name, curves[2 + k].clone()));
@@ -167,6 +180,55 @@ fn draw(number: usize) -> FigureResult {
     let caption = format!("text names fig. 7.{}", 12 + number);
     figure.deviation(caption, format!("fig. 7.{}", 11 + number), "numbers of figures in 7.7");
     Ok(figure)
+}
+
+/// Forces over f F_z.
+fn mesh_force(step: &Step) -> [f64; 2] {
+    [step.load.f_x / step.load.f_z, step.load.f_y / step.load.f_z]
+}
+
+/// The numerical solution on a finer mesh against another program's.
+fn numerical_claims(figure: &mut Figure, example: &Example, number: usize) -> Result<(), Failure> {
+    let (run, source) = (example.numerical(40)?, "an independent half-space program, 60 by 60");
+    let end = mesh_force(&run[run.len() - 1]);
+    figure.claim(
+        Claim::all_close(
+            "F_x, F_y over f F_z of the numerical solution at the end",
+            end.into_iter().zip(example.mesh),
+            Tolerance::Absolute(2e-3),
+        )
+        .source(source),
+    );
+    // Parts of the contact that stick before the turn, after it, and at the end.
+    let turn = example.steps;
+    let sticks = [turn, turn + 1, 2 * turn].map(|i| run[i].stick());
+    let known = match number {
+        1 => [0.5049, 0.8945, 0.4824],
+        2 => [0.0, 0.8945, 0.0],
+        _ => [0.0, 0.9058, 0.0],
+    };
+    figure.claim(
+        Claim::all_close(
+            "parts that stick before the turn, after it, at the end",
+            sticks.into_iter().zip(known),
+            Tolerance::Absolute(0.03),
+        )
+        .source(source),
+    );
+    Ok(())
+}
+
+impl Example {
+    /// The history on a mesh of so many elements along each side.
+    pub(super) fn numerical(&self, elements: usize) -> Result<Vec<Step>, Failure> {
+        let shifts = self.path().into_iter().map(|[x, y]| Shift {
+            zeta: APPROACH,
+            xi: x * APPROACH,
+            eta: y * APPROACH,
+            ..Shift::default()
+        });
+        Mesh::of([1.0; 2], [elements; 2]).follow(&shifts.collect::<Vec<_>>())
+    }
 }
 
 /// Work of the force along the path against what the memory stores and turns into heat.
