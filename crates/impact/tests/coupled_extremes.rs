@@ -108,6 +108,9 @@ fn uniform_fine_steps_lead_to_the_same() {
         v: [v, 0.0, 1.0],
     };
     for (name, case) in [
+        ("mild, slips", planar([3.0, 0.3, 1.0], 0.8, 0.3, 0.5)),
+        ("mild, slides", planar([3.0, -0.5, 1.0], 0.8, 0.2, 3.0)),
+        ("mild, stiff", planar([9.0, 0.5, 1.0], 1.0, 0.9, -1.0)),
         ("wedging", planar([4.0, 1.5, 1.0], 0.8, 3.0, -60.0)),
         ("wedging", planar([2.0, 1.0, 1.0], 1.2, 10.0, -8.0)),
         ("apart", planar([4.0, 1.5, 1.0], 0.8, 3.0, 60.0)),
@@ -181,16 +184,11 @@ fn adversarial() -> impl Strategy<Value = Case> {
         })
 }
 
-// One in a thousand impacts of nearly singular mobility and high friction needs more rings than
-// there is time for: it says so, and its best velocity keeps the limits all the same.
 fn settles(case: &Case) -> Result<(), TestCaseError> {
     for law in LAWS {
-        let outcome = case.impact().accepting_unsettled().solve(law);
+        let outcome = case.impact().solve(law);
         prop_assert!(outcome.is_ok(), "{:?} {case:?}", outcome.err());
-        let outcome = outcome.unwrap();
-        let hard = law == VectorLaw::Coulomb && case.f > 10.0;
-        prop_assert!(outcome.warning.is_none() || hard, "{outcome:?} {case:?}");
-        case.check(&outcome, if outcome.warning.is_some() { 1e-3 } else { 5e-6 })?;
+        case.check(&outcome.unwrap(), 5e-6)?;
     }
     Ok(())
 }

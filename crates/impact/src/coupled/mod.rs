@@ -11,8 +11,7 @@
 //! Sliding the other way drives them apart. With elastic contacts each of these has one solution:
 //! the normal impulse grows while they touch, and a positive definite D lets them part. Steps are
 //! chosen from the state, so that such an impact is resolved like any other; high friction with a
-//! turning direction is what needs most rings. One impact in a thousand of nearly singular D and
-//! friction of a hundred, pressed together again many times, is refused as not settled.
+//! turning direction is what needs most rings.
 
 mod any_law;
 mod bare_law;
@@ -25,9 +24,11 @@ mod pace;
 mod passage;
 mod refine;
 mod rings;
+mod schedule;
 mod stage;
 
 pub use course::{Course, Point};
+pub(crate) use impact::Unsettled;
 pub use impact::{CoupledError, CoupledImpact, CoupledOutcome, Sample, VectorLaw};
 pub use passage::Passage;
 pub(crate) use passage::is_coupled;

@@ -11,21 +11,28 @@ use super::extrapolation::Extrapolation;
 const COARSEST: Level = Level { steps: 8, rings: 4 };
 /// The first level at which an outcome may count.
 const LEAST: usize = 64;
+/// Runs by the clock, which find duration and greatest approach, and those that count.
+const TIMED_SCOUT: Level = Level { steps: 16, rings: 8 };
+const TIMED: Series = Series { steps: 32, rings: 16, budget: 1 << 22 };
 /// Series of runs, tried until one settles.
-const RINGED: [Series; 3] = [
-    Series { rings: 1, budget: 1 << 25 },
-    Series { rings: 16, budget: 1 << 28 },
-    Series { rings: 4, budget: 1 << 34 },
+const RINGED: [Series; 6] = [
+    Series { steps: 8, rings: 4, budget: 1 << 25 },
+    Series { steps: 8, rings: 64, budget: 1 << 28 },
+    Series { steps: 8, rings: 16, budget: 1 << 34 },
+    Series { steps: 8, rings: 256, budget: 1 << 35 },
+    Series { steps: 8, rings: 64, budget: 1 << 36 },
+    Series { steps: 8, rings: 16, budget: 1 << 38 },
 ];
-const PLAIN: Series = Series { rings: 1, budget: 1 << 24 };
+const PLAIN: Series = Series { steps: 8, rings: 4, budget: 1 << 24 };
 
-/// Runs that double from the coarsest, with more rings by this factor, while steps times rings
-/// (steps alone of a law without rings) of the next run fit the budget.
+/// Runs that double from these steps and rings, while steps times rings (steps alone of a law
+/// without rings) of the next run fit the budget.
 ///
 /// Where friction is high or turns far what the rings leave out at the edge counts most, where the
 /// tangential motion is stiff what the steps do.
 #[derive(Debug, Clone, Copy)]
 struct Series {
+    steps: usize,
     rings: usize,
     budget: usize,
 }
@@ -44,6 +51,8 @@ pub(super) struct Problem {
     pub(super) velocity: Vector3<f64>,
     pub(super) stiffness: ContactStiffness,
     pub(super) peak: f64,
+    /// And of the duration, where steps by the clock may do.
+    pub(super) expected: Option<f64>,
     pub(super) grain: Grain,
 }
 
@@ -69,6 +78,8 @@ pub(super) struct Settled {
     pub(super) run: Run,
     pub(super) error: f64,
     pub(super) level: Level,
+    /// As the finest run saw it.
+    problem: Problem,
     /// To the tolerance asked for.
     pub(super) settled: bool,
 }
@@ -92,7 +103,11 @@ impl Problem {
         make: impl Fn(f64, usize) -> L,
         hold: impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Settled, Failure<L::Error>> {
-        let mut problem = self.scouted(&self.run(COARSEST, &make, |_, _| ())?);
+        if let Some(settled) = self.timed(tolerance, &make, &hold)? {
+            return Ok(settled);
+        }
+        let mut problem = Self { expected: None, ..*self };
+        problem = problem.scouted(&problem.run(COARSEST, &make, |_, _| ())?);
         let (first, others) = match self.grain {
             Grain::Rings => (RINGED[0], &RINGED[1..]),
             Grain::None => (PLAIN, &[][..]),
@@ -111,6 +126,30 @@ impl Problem {
         Ok(best)
     }
 
+    // The cheapest way, where it may do and does.
+    fn timed<L: ContactLaw>(
+        &self,
+        tolerance: f64,
+        make: &impl Fn(f64, usize) -> L,
+        hold: &impl Fn(&Vector3<f64>) -> Vector3<f64>,
+    ) -> Result<Option<Settled>, Failure<L::Error>> {
+        if self.expected.is_none() {
+            return Ok(None);
+        }
+        let refined = || {
+            let mut problem = *self;
+            for _ in 0..2 {
+                problem = problem.scouted(&problem.run(TIMED_SCOUT, make, |_, _| ())?);
+            }
+            problem.refined(&TIMED, tolerance, make, hold)
+        };
+        match refined() {
+            Ok(settled) => Ok(settled.settled.then_some(settled)),
+            Err(Failure::NoSeparation) => Ok(None),
+            Err(failure) => Err(failure),
+        }
+    }
+
     fn refined<L: ContactLaw>(
         &self,
         series: &Series,
@@ -120,7 +159,7 @@ impl Problem {
     ) -> Result<Settled, Failure<L::Error>> {
         let scale = self.velocity.norm();
         let mut problem = *self;
-        let mut level = Level { rings: series.rings * COARSEST.rings, ..COARSEST };
+        let mut level = Level { steps: series.steps, rings: series.rings };
         let mut table = Extrapolation::new(problem.run(level, make, |_, _| ())?);
         loop {
             problem = problem.scouted(table.finest());
@@ -132,7 +171,7 @@ impl Problem {
             run.velocity = held;
             let settled = error <= tolerance && held.z < 0.0 && level.steps >= LEAST;
             if settled || self.work(table.finest(), level) > series.budget {
-                return Ok(Settled { run, error, level, settled });
+                return Ok(Settled { run, error, level, problem, settled });
             }
         }
     }
@@ -156,18 +195,18 @@ impl Problem {
         Ok(Self { grain: if same { Grain::None } else { Grain::Rings }, ..*self })
     }
 
-    /// One run with the peak of another as a guess, seen by `observe`.
+    /// The finest run again, with what it led to as a guess, seen by `observe`.
     pub(super) fn replay<L: ContactLaw>(
-        &self,
         settled: &Settled,
         make: impl Fn(f64, usize) -> L,
         observe: impl FnMut(&Point, &L),
     ) -> Result<Run, Failure<L::Error>> {
-        self.scouted(&settled.run).run(settled.level, &make, observe)
+        settled.problem.scouted(&settled.run).run(settled.level, &make, observe)
     }
 
     fn scouted(&self, run: &Run) -> Self {
-        Self { peak: run.peak, ..*self }
+        let expected = self.expected.map(|_| run.duration);
+        Self { peak: run.peak, expected, ..*self }
     }
 
     fn run<L: ContactLaw>(
@@ -183,6 +222,7 @@ impl Problem {
             velocity: self.velocity,
             stiffness: self.stiffness,
             steps: level.steps,
+            expected: self.expected,
         };
         let end = course
             .follow(&mut law, |point, law| {
