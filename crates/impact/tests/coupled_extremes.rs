@@ -81,6 +81,44 @@ fn wedging_gains_no_energy() {
     }
 }
 
+/// Nearly singular mobilities, friction of hundreds, pressed together again up to a dozen times: what
+/// slips is thinner than the 10^4th part of the contact and asks for more rings than steps.
+#[test]
+fn thin_slip_of_high_friction_settles() {
+    for (a, c, f, v) in [
+        (
+            [0.7783196254, 1.166388974, 2.841245898, 1.915718267, 0.06731183538, -0.8970186392],
+            [1.52103066534, 2.88798660],
+            219.676469926,
+            [-71664.670064, 45.6191284],
+        ),
+        (
+            [2.07400056816, -0.0837662088, 0.1837846229, 2.34696032, 1.0886005321, -0.92659854564],
+            [0.132270768, 1.09875139],
+            937.310552824,
+            [0.271831599, -12.3598481673],
+        ),
+        (
+            [
+                0.4241687647,
+                -0.39776552884,
+                1.3918714267,
+                0.05737034823,
+                1.521040059,
+                -0.85032050947,
+            ],
+            [5.9486037, 0.226518750],
+            984.255894,
+            [0.202112518, -3.57532347e-4],
+        ),
+    ] {
+        let case = Case::of(a, c, f, v);
+        let outcome = case.impact().solve(VectorLaw::Coulomb).unwrap();
+        assert!(outcome.compressions > 5, "{outcome:?}");
+        case.check(&outcome, 5e-6).unwrap();
+    }
+}
+
 // Uniform steps of Verlet's kind.
 fn uniform<L: ContactLaw>(case: &Case, mut law: L, step: f64) -> Vector3<f64> {
     let (mut shift, mut v) = (Vector3::zeros(), Vector3::from(case.v));

@@ -288,3 +288,48 @@ impl Peaks {
         }
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::bare_law::BareLaw;
+    use super::*;
+    use crate::normal;
+    use carom_laws::friction::Friction;
+
+    // In a plane, in units of the free impact.
+    fn planar(tangential: f64, coupling: f64, slip: f64) -> Problem {
+        Problem {
+            mobility: 1.25
+                * Matrix3::new(tangential, 0.0, coupling, 0.0, 1.0, 0.0, coupling, 0.0, 1.0),
+            velocity: Vector3::new(slip, 0.0, 1.0),
+            stiffness: ContactStiffness { c_x: 1.2, c_y: 1.2, c_z: 1.5 },
+            peak: 1.0,
+            expected: Some(normal::DURATION),
+            grain: Grain::None,
+        }
+    }
+
+    #[test]
+    fn steps_by_the_clock_and_by_the_state_agree() {
+        let friction = Friction::new(0.4).expect("positive");
+        for tangential in [1.0, 3.5, 9.0] {
+            for coupling in [-0.5, 0.2, 0.9] {
+                for slip in [-2.0, -0.1, 0.6, 5.0] {
+                    let problem = planar(tangential, coupling, slip);
+                    let settle = |problem: Problem| {
+                        let make = |_, _| BareLaw::<f64>::new(problem.stiffness, friction);
+                        problem.settle(1e-8, make, |velocity| *velocity).expect("separates")
+                    };
+                    let clock = settle(problem);
+                    let state = settle(Problem { expected: None, ..problem });
+                    assert!(clock.settled && state.settled);
+                    let apart = (clock.run.velocity - state.run.velocity).norm();
+                    let scale = problem.velocity.norm();
+                    assert!(apart <= 1e-7 * scale, "{tangential} {coupling} {slip}: {apart:e}");
+                    assert!((clock.run.duration - state.run.duration).abs() < 1e-6);
+                    assert!((clock.run.peak - state.run.peak).abs() < 1e-6);
+                }
+            }
+        }
+    }
+}
