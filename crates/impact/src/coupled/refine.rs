@@ -15,8 +15,9 @@ const LEAST: usize = 64;
 const TIMED_SCOUT: Level = Level { steps: 16, rings: 8 };
 const TIMED: Series = Series { steps: 32, rings: 16, budget: 1 << 22 };
 /// Series of runs, tried until one settles.
-const RINGED: [Series; 6] = [
+const RINGED: [Series; 7] = [
     Series { steps: 8, rings: 4, budget: 1 << 25 },
+    Series { steps: 64, rings: 4, budget: 1 << 26 },
     Series { steps: 8, rings: 64, budget: 1 << 28 },
     Series { steps: 8, rings: 16, budget: 1 << 34 },
     Series { steps: 8, rings: 256, budget: 1 << 35 },
@@ -29,7 +30,8 @@ const PLAIN: Series = Series { steps: 8, rings: 4, budget: 1 << 24 };
 /// without rings) of the next run fit the budget.
 ///
 /// Where friction is high or turns far what the rings leave out at the edge counts most, where the
-/// tangential motion is stiff what the steps do.
+/// tangential motion is stiff or sliding is fast, so that its direction lags half a step behind,
+/// what the steps do.
 #[derive(Debug, Clone, Copy)]
 struct Series {
     steps: usize,
