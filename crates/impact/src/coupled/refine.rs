@@ -15,7 +15,7 @@ const LEAST: usize = 64;
 const TIMED_SCOUT: Level = Level { steps: 16, rings: 8 };
 const TIMED: Series = Series { steps: 32, rings: 16, budget: 1 << 22 };
 /// Series of runs, tried until one settles.
-const RINGED: [Series; 7] = [
+const RINGED: [Series; 8] = [
     Series { steps: 8, rings: 4, budget: 1 << 25 },
     Series { steps: 64, rings: 4, budget: 1 << 26 },
     Series { steps: 8, rings: 64, budget: 1 << 28 },
@@ -23,6 +23,7 @@ const RINGED: [Series; 7] = [
     Series { steps: 8, rings: 256, budget: 1 << 35 },
     Series { steps: 8, rings: 64, budget: 1 << 36 },
     Series { steps: 8, rings: 16, budget: 1 << 38 },
+    Series { steps: 8, rings: 512, budget: 1 << 39 },
 ];
 const PLAIN: Series = Series { steps: 8, rings: 4, budget: 1 << 24 };
 
