@@ -2,7 +2,7 @@
 //!
 //! Planar: an ellipsoid in a plane of symmetry on a plane, law of one direction, settled to 1e-8
 //! of |v_A| (the default) and to 1e-5. Spatial: the same upright with a turning direction, the
-//! law of fixed directions settled to 1e-8 (the default) and to 5e-6, Coulomb's vector law to 5e-6
+//! law of fixed directions settled to 1e-8 and to 5e-6 (the default), Coulomb's vector law to 5e-6
 //! (the default) and to 1e-4.
 
 use std::hint::black_box;

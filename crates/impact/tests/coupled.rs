@@ -1,7 +1,10 @@
 //! Coupled oblique impacts against independent reference values and invariants.
 
 use carom_impact::Mobility;
-use carom_impact::coupled::{CoupledImpact, CoupledOutcome, Passage, VectorLaw};
+use carom_impact::coupled::{
+    CoupledError, CoupledImpact, CoupledOutcome, Passage, Stage, VectorLaw,
+};
+use carom_impact::oblique::Regime;
 use carom_laws::friction::Friction;
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
@@ -161,6 +164,33 @@ fn pressed_together_again() {
     assert!(found > 0);
 }
 
+/// At touch and at separation nothing bears a load: the stage there is that beside them, as in the
+/// log.
+#[test]
+fn a_history_begins_and_ends_as_its_log() {
+    let slides = impact([0.3, 0.2, 0.5, 0.1, -0.2, 0.0], [0.9, 0.8], 0.1, [2.0, 1.5]);
+    let mut planar = [0.3, 0.0, 0.5, 0.2, 0.0, 0.0];
+    let straight = impact(planar, [0.9, 0.8], 0.1, [2.0, 0.0]);
+    assert!(matches!(straight.passage(), Passage::Planar { .. }));
+    planar[3] = -0.2;
+    let sticks = impact(planar, [0.9, 0.8], 1.0, [0.1, 0.0]);
+    for (impact, first) in
+        [(slides, Stage::Slide), (straight, Stage::Slide), (sticks, Stage::Adhesion)]
+    {
+        for law in [VectorLaw::Coulomb, VectorLaw::FixedDirection] {
+            let samples = impact.history(law).unwrap();
+            let (_, log) = impact.solve_with_log(law).unwrap();
+            assert_eq!(log[0].regime == Regime::Adhesion, first == Stage::Adhesion);
+            assert_eq!(samples[0].stage, first);
+            let count = samples.len();
+            assert_eq!(samples[count - 1].stage, samples[count - 2].stage);
+            let slides =
+                matches!(log.last().unwrap().regime, Regime::SlideForward | Regime::SlideBackward);
+            assert_eq!(samples[count - 1].stage == Stage::Slide, slides);
+        }
+    }
+}
+
 fn random() -> impl Strategy<Value = ([f64; 6], [f64; 2], f64, [f64; 2])> {
     (
         prop::array::uniform6(-0.4..0.8f64),
@@ -201,12 +231,17 @@ proptest! {
         let v = speed.map(|(back, x)| if back { -power(x) } else { power(x) });
         let impact = impact(a, c.map(power), power(f), v);
         for law in [VectorLaw::Coulomb, VectorLaw::FixedDirection] {
-            let outcome = impact.accepting_unsettled().solve(law).unwrap();
+            let outcome = match impact.solve(law) {
+                // One in ten thousand: rings of friction in the hundreds, a few times from settled.
+                Err(CoupledError::NotSettled { error_estimate, .. })
+                    if law == VectorLaw::Coulomb && f > 2.0 && error_estimate < 5e-5 =>
+                {
+                    continue;
+                }
+                outcome => outcome.unwrap(),
+            };
             prop_assert!(outcome.velocity.z < 0.0, "{outcome:?}");
-            // Rings of high friction and nearly singular D: one in a thousand is left unsettled.
-            let hard = law == VectorLaw::Coulomb && f > 1.0;
-            let settled = outcome.warning.is_none() && outcome.error_estimate <= 5e-6;
-            prop_assert!(settled || hard && outcome.error_estimate < 1e-3, "{outcome:?}");
+            prop_assert!(outcome.warning.is_none() && outcome.error_estimate <= 5e-6, "{outcome:?}");
             let (before, after) =
                 (matrix(a).energy(&impact.velocity()), matrix(a).energy(&outcome.velocity));
             prop_assert!(after <= before * (1.0 + 1e-12), "{before:e} {after:e} {outcome:?}");

@@ -81,6 +81,44 @@ fn wedging_gains_no_energy() {
     }
 }
 
+/// Nearly singular mobilities, friction of hundreds, pressed together again up to a dozen times: what
+/// slips is thinner than the 10^4th part of the contact and asks for more rings than steps.
+#[test]
+fn thin_slip_of_high_friction_settles() {
+    for (a, c, f, v) in [
+        (
+            [0.7783196254, 1.166388974, 2.841245898, 1.915718267, 0.06731183538, -0.8970186392],
+            [1.52103066534, 2.88798660],
+            219.676469926,
+            [-71664.670064, 45.6191284],
+        ),
+        (
+            [2.07400056816, -0.0837662088, 0.1837846229, 2.34696032, 1.0886005321, -0.92659854564],
+            [0.132270768, 1.09875139],
+            937.310552824,
+            [0.271831599, -12.3598481673],
+        ),
+        (
+            [
+                0.4241687647,
+                -0.39776552884,
+                1.3918714267,
+                0.05737034823,
+                1.521040059,
+                -0.85032050947,
+            ],
+            [5.9486037, 0.226518750],
+            984.255894,
+            [0.202112518, -3.57532347e-4],
+        ),
+    ] {
+        let case = Case::of(a, c, f, v);
+        let outcome = case.impact().solve(VectorLaw::Coulomb).unwrap();
+        assert!(outcome.compressions > 5, "{outcome:?}");
+        case.check(&outcome, 5e-6).unwrap();
+    }
+}
+
 // Uniform steps of Verlet's kind.
 fn uniform<L: ContactLaw>(case: &Case, mut law: L, step: f64) -> Vector3<f64> {
     let (mut shift, mut v) = (Vector3::zeros(), Vector3::from(case.v));
@@ -108,6 +146,9 @@ fn uniform_fine_steps_lead_to_the_same() {
         v: [v, 0.0, 1.0],
     };
     for (name, case) in [
+        ("mild, slips", planar([3.0, 0.3, 1.0], 0.8, 0.3, 0.5)),
+        ("mild, slides", planar([3.0, -0.5, 1.0], 0.8, 0.2, 3.0)),
+        ("mild, stiff", planar([9.0, 0.5, 1.0], 1.0, 0.9, -1.0)),
         ("wedging", planar([4.0, 1.5, 1.0], 0.8, 3.0, -60.0)),
         ("wedging", planar([2.0, 1.0, 1.0], 1.2, 10.0, -8.0)),
         ("apart", planar([4.0, 1.5, 1.0], 0.8, 3.0, 60.0)),
@@ -181,16 +222,18 @@ fn adversarial() -> impl Strategy<Value = Case> {
         })
 }
 
-// One in a thousand impacts of nearly singular mobility and high friction needs more rings than
-// there is time for: it says so, and its best velocity keeps the limits all the same.
+// About one in ten thousand of the widest ranges is refused after a minute: rings of friction in
+// the hundreds, nearly singular D, a few times from settled. Nothing else may be.
 fn settles(case: &Case) -> Result<(), TestCaseError> {
     for law in LAWS {
-        let outcome = case.impact().accepting_unsettled().solve(law);
-        prop_assert!(outcome.is_ok(), "{:?} {case:?}", outcome.err());
-        let outcome = outcome.unwrap();
-        let hard = law == VectorLaw::Coulomb && case.f > 10.0;
-        prop_assert!(outcome.warning.is_none() || hard, "{outcome:?} {case:?}");
-        case.check(&outcome, if outcome.warning.is_some() { 1e-3 } else { 5e-6 })?;
+        match case.impact().solve(law) {
+            Ok(outcome) => case.check(&outcome, 5e-6)?,
+            Err(CoupledError::NotSettled { error_estimate, .. }) => {
+                let hardest = law == VectorLaw::Coulomb && case.f > 100.0;
+                prop_assert!(hardest && error_estimate < 5e-5, "{error_estimate:e} {case:?}");
+            }
+            Err(error) => prop_assert!(false, "{error} {case:?}"),
+        }
     }
     Ok(())
 }

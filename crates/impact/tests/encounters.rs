@@ -1,8 +1,10 @@
 //! Invariants of whole encounters of random ellipsoids.
 
 use carom_halfspace::Material;
-use carom_impact::coupled::Passage;
-use carom_impact::{Attitude, Encounter, Motion, Outcome, PlacedBody, Rebound, Surface};
+use carom_impact::coupled::{CoupledError, Passage};
+use carom_impact::{
+    Attitude, Encounter, EncounterError, Motion, Outcome, PlacedBody, Rebound, Surface, Warning,
+};
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
@@ -405,4 +407,30 @@ mod at_length {
     fn turned_round() {
         run(10_000, pair(), check_turn);
     }
+}
+
+/// An egg that slides in its plane of symmetry, asked for more than steps can give.
+#[test]
+fn an_encounter_that_does_not_settle_is_refused_or_marked() {
+    let egg = Half {
+        axes: [0.03, 0.02, 0.015],
+        mass: 0.296,
+        attitude: Attitude::about([0.0, 1.0, 0.0], 0.4).unwrap(),
+        velocity: [-0.6, 0.0, -2.0],
+        spin: [0.0; 3],
+    };
+    let lowest = egg.support(&-Vector3::z());
+    let body = egg.body().at((-lowest).into()).unwrap();
+    let encounter = meet(body, PlacedBody::plane(steel()), 0.3).within(1e-18).unwrap();
+    assert!(matches!(encounter.impact().unwrap().unwrap().passage(), Passage::Planar { .. }));
+    let Err(EncounterError::Coupled(CoupledError::NotSettled {
+        error_estimate, tolerance, ..
+    })) = encounter.solve()
+    else {
+        panic!("settled to 1e-18")
+    };
+    let accepted = encounter.accepting_unsettled().solve().unwrap();
+    let Outcome::Rebound(rebound) = accepted else { panic!("no impact") };
+    assert!(rebound.warnings.contains(&Warning::NotSettled { error_estimate, tolerance }));
+    assert_eq!(rebound.error_estimate, error_estimate);
 }

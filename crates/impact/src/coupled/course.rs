@@ -5,6 +5,7 @@ use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
 use super::pace::Pace;
+use super::schedule::Schedule;
 
 /// The initial value problem of an impact in any consistent units, contact axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -18,6 +19,9 @@ pub struct Course {
     /// About how many steps a free impact takes. Coupled ones take more where friction drives the
     /// normal motion and where the tangential one oscillates fast.
     pub steps: usize,
+    /// The duration to be expected, where the impact passes much like a free one: its steps then
+    /// follow the clock. None: every step is chosen from the state.
+    pub expected: Option<f64>,
 }
 
 /// An instant of an impact.
@@ -35,6 +39,13 @@ pub struct Point {
 
 /// Contact lasting longer than this many times the steps of a free impact is given up.
 const PATIENCE: usize = 1 << 14;
+
+/// How the next step is found.
+#[derive(Debug, Clone, Copy)]
+enum Steps {
+    Timed(Schedule),
+    Chosen(Pace),
+}
 
 impl Course {
     /// Follows the impact with this law to separation and returns the instant of separation;
@@ -58,10 +69,13 @@ impl Course {
             force: Vector3::zeros(),
         };
         observe(&now, law);
-        let pace = Pace::new(&self.mobility, &self.stiffness, self.velocity.z, self.steps);
+        let steps = self.steps();
         let mut pull = Vector3::zeros();
-        for _ in 0..PATIENCE * self.steps {
-            let length = pace.step(&now);
+        for number in 0..PATIENCE * self.steps {
+            let length = match &steps {
+                Steps::Timed(schedule) => schedule.step(number, &now),
+                Steps::Chosen(pace) => pace.step(&now),
+            };
             let half = now.velocity - pull * (0.5 * length);
             let shift = now.shift + half * length;
             if shift.z <= 0.0 {
@@ -79,6 +93,20 @@ impl Course {
             observe(&now, law);
         }
         Ok(None)
+    }
+
+    fn steps(&self) -> Steps {
+        self.expected.map_or_else(
+            || {
+                Steps::Chosen(Pace::new(
+                    &self.mobility,
+                    &self.stiffness,
+                    self.velocity.z,
+                    self.steps,
+                ))
+            },
+            |duration| Steps::Timed(Schedule::new(duration, self.steps)),
+        )
     }
 
     // The force falls to zero with the power 3/2 of the time left: its mean is 2/5.

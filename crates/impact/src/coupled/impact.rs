@@ -18,7 +18,8 @@ use crate::oblique::{Event, Groups, ObliqueError, ObliqueImpact, Regime};
 use crate::outcome::{LogEntry, Warning};
 
 /// Default tolerances over |v_A|: the memory of one direction is exact and its runs converge fast,
-/// those of the vector laws do not.
+/// those of the vector laws do not. Fifteen of a hundred everyday impacts with fixed directions end
+/// short of 1e-8 after 2^24 steps.
 const PLANAR: f64 = 1e-8;
 const SPATIAL: f64 = 5e-6;
 
@@ -102,7 +103,7 @@ pub struct CoupledImpact {
 
 /// What becomes of an impact that does not settle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Unsettled {
+pub(crate) enum Unsettled {
     Refused,
     Accepted,
 }
@@ -180,8 +181,9 @@ impl CoupledImpact {
         })
     }
 
-    /// The same impact, settled to another tolerance than the default (5e-6 where the motion is
-    /// spatial, 1e-8 in a plane): how far its velocity may be off over |v_A|, judged by the change
+    /// The same impact, settled to another tolerance than the default (1e-8 in a plane, 5e-6 with
+    /// either law where the motion is spatial: fifteen of a hundred everyday impacts in space do not
+    /// settle to 1e-8): how far its velocity may be off over |v_A|, judged by the change
     /// under the last refinements. The true error is mostly several times smaller, and seldom three
     /// times as large.
     ///
@@ -262,6 +264,7 @@ impl CoupledImpact {
             velocity: self.velocity,
             stiffness: self.stiffness,
             peak: self.normal.maximal_approach(),
+            expected: self.is_mild().then(|| self.normal.duration()),
             grain: Grain::Rings,
         };
         let problem = problem.with_grain_of(&make).map_err(|failure| self.failed(&failure))?;
@@ -315,6 +318,10 @@ impl CoupledImpact {
         let mut samples = Vec::new();
         let settled = self.settled(law)?;
         self.replay(&settled, law, |sample| samples.push(sample))?;
+        // At touch and separation no ring bears a load: what slips beside them does there.
+        if let [first, second, .., last_but_one, last] = &mut samples[..] {
+            (first.stage, last.stage) = (second.stage, last_but_one.stage);
+        }
         Ok(samples)
     }
 }
@@ -402,7 +409,7 @@ impl CoupledImpact {
                 stage: law.stage(),
             });
         };
-        match self.problem(law).replay(settled, make, see) {
+        match Problem::replay(settled, make, see) {
             Ok(_) => Ok(()),
             Err(failure) => Err(self.failed(&failure)),
         }
@@ -472,7 +479,18 @@ impl CoupledImpact {
         let ringed = spatial && law == VectorLaw::Coulomb && self.friction.coefficient().is_some();
         let grain = if ringed { Grain::Rings } else { Grain::None };
         let stiffness = self.scaled();
-        Problem { mobility, velocity, stiffness, peak: 1.0, grain }
+        let expected = self.is_mild().then_some(normal::DURATION);
+        Problem { mobility, velocity, stiffness, peak: 1.0, expected, grain }
+    }
+
+    // Whether it passes much like a free impact: friction hardly drives the normal motion, and the
+    // tangential one takes no less than a third of its time.
+    fn is_mild(&self) -> bool {
+        let d = self.mobility.matrix();
+        let ContactStiffness { c_x, c_y, c_z } = self.stiffness;
+        let driven = self.friction.get() * libm::hypot(d.m13, d.m23);
+        let stiff = (c_x * d.m11).max(c_y * d.m22);
+        driven <= 0.5 * d.m33 && stiff <= 10.0 * c_z * d.m33
     }
 
     // As the problem is; in a plane c_x is that along its tangent.

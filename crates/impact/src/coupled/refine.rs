@@ -11,21 +11,31 @@ use super::extrapolation::Extrapolation;
 const COARSEST: Level = Level { steps: 8, rings: 4 };
 /// The first level at which an outcome may count.
 const LEAST: usize = 64;
+/// Runs by the clock, which find duration and greatest approach, and those that count.
+const TIMED_SCOUT: Level = Level { steps: 16, rings: 8 };
+const TIMED: Series = Series { steps: 32, rings: 16, budget: 1 << 22 };
 /// Series of runs, tried until one settles.
-const RINGED: [Series; 3] = [
-    Series { rings: 1, budget: 1 << 25 },
-    Series { rings: 16, budget: 1 << 28 },
-    Series { rings: 4, budget: 1 << 34 },
+const RINGED: [Series; 8] = [
+    Series { steps: 8, rings: 4, budget: 1 << 25 },
+    Series { steps: 64, rings: 4, budget: 1 << 26 },
+    Series { steps: 8, rings: 64, budget: 1 << 28 },
+    Series { steps: 8, rings: 16, budget: 1 << 34 },
+    Series { steps: 8, rings: 256, budget: 1 << 35 },
+    Series { steps: 8, rings: 64, budget: 1 << 36 },
+    Series { steps: 8, rings: 16, budget: 1 << 38 },
+    Series { steps: 8, rings: 512, budget: 1 << 39 },
 ];
-const PLAIN: Series = Series { rings: 1, budget: 1 << 24 };
+const PLAIN: Series = Series { steps: 8, rings: 4, budget: 1 << 24 };
 
-/// Runs that double from the coarsest, with more rings by this factor, while steps times rings
-/// (steps alone of a law without rings) of the next run fit the budget.
+/// Runs that double from these steps and rings, while steps times rings (steps alone of a law
+/// without rings) of the next run fit the budget.
 ///
 /// Where friction is high or turns far what the rings leave out at the edge counts most, where the
-/// tangential motion is stiff what the steps do.
+/// tangential motion is stiff or sliding is fast, so that its direction lags half a step behind,
+/// what the steps do.
 #[derive(Debug, Clone, Copy)]
 struct Series {
+    steps: usize,
     rings: usize,
     budget: usize,
 }
@@ -44,6 +54,8 @@ pub(super) struct Problem {
     pub(super) velocity: Vector3<f64>,
     pub(super) stiffness: ContactStiffness,
     pub(super) peak: f64,
+    /// And of the duration, where steps by the clock may do.
+    pub(super) expected: Option<f64>,
     pub(super) grain: Grain,
 }
 
@@ -69,6 +81,8 @@ pub(super) struct Settled {
     pub(super) run: Run,
     pub(super) error: f64,
     pub(super) level: Level,
+    /// As the finest run saw it.
+    problem: Problem,
     /// To the tolerance asked for.
     pub(super) settled: bool,
 }
@@ -92,7 +106,11 @@ impl Problem {
         make: impl Fn(f64, usize) -> L,
         hold: impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Settled, Failure<L::Error>> {
-        let mut problem = self.scouted(&self.run(COARSEST, &make, |_, _| ())?);
+        if let Some(settled) = self.timed(tolerance, &make, &hold)? {
+            return Ok(settled);
+        }
+        let mut problem = Self { expected: None, ..*self };
+        problem = problem.scouted(&problem.run(COARSEST, &make, |_, _| ())?);
         let (first, others) = match self.grain {
             Grain::Rings => (RINGED[0], &RINGED[1..]),
             Grain::None => (PLAIN, &[][..]),
@@ -111,6 +129,30 @@ impl Problem {
         Ok(best)
     }
 
+    // The cheapest way, where it may do and does.
+    fn timed<L: ContactLaw>(
+        &self,
+        tolerance: f64,
+        make: &impl Fn(f64, usize) -> L,
+        hold: &impl Fn(&Vector3<f64>) -> Vector3<f64>,
+    ) -> Result<Option<Settled>, Failure<L::Error>> {
+        if self.expected.is_none() {
+            return Ok(None);
+        }
+        let refined = || {
+            let mut problem = *self;
+            for _ in 0..2 {
+                problem = problem.scouted(&problem.run(TIMED_SCOUT, make, |_, _| ())?);
+            }
+            problem.refined(&TIMED, tolerance, make, hold)
+        };
+        match refined() {
+            Ok(settled) => Ok(settled.settled.then_some(settled)),
+            Err(Failure::NoSeparation) => Ok(None),
+            Err(failure) => Err(failure),
+        }
+    }
+
     fn refined<L: ContactLaw>(
         &self,
         series: &Series,
@@ -120,7 +162,7 @@ impl Problem {
     ) -> Result<Settled, Failure<L::Error>> {
         let scale = self.velocity.norm();
         let mut problem = *self;
-        let mut level = Level { rings: series.rings * COARSEST.rings, ..COARSEST };
+        let mut level = Level { steps: series.steps, rings: series.rings };
         let mut table = Extrapolation::new(problem.run(level, make, |_, _| ())?);
         loop {
             problem = problem.scouted(table.finest());
@@ -132,7 +174,7 @@ impl Problem {
             run.velocity = held;
             let settled = error <= tolerance && held.z < 0.0 && level.steps >= LEAST;
             if settled || self.work(table.finest(), level) > series.budget {
-                return Ok(Settled { run, error, level, settled });
+                return Ok(Settled { run, error, level, problem, settled });
             }
         }
     }
@@ -156,18 +198,18 @@ impl Problem {
         Ok(Self { grain: if same { Grain::None } else { Grain::Rings }, ..*self })
     }
 
-    /// One run with the peak of another as a guess, seen by `observe`.
+    /// The finest run again, with what it led to as a guess, seen by `observe`.
     pub(super) fn replay<L: ContactLaw>(
-        &self,
         settled: &Settled,
         make: impl Fn(f64, usize) -> L,
         observe: impl FnMut(&Point, &L),
     ) -> Result<Run, Failure<L::Error>> {
-        self.scouted(&settled.run).run(settled.level, &make, observe)
+        settled.problem.scouted(&settled.run).run(settled.level, &make, observe)
     }
 
     fn scouted(&self, run: &Run) -> Self {
-        Self { peak: run.peak, ..*self }
+        let expected = self.expected.map(|_| run.duration);
+        Self { peak: run.peak, expected, ..*self }
     }
 
     fn run<L: ContactLaw>(
@@ -183,6 +225,7 @@ impl Problem {
             velocity: self.velocity,
             stiffness: self.stiffness,
             steps: level.steps,
+            expected: self.expected,
         };
         let end = course
             .follow(&mut law, |point, law| {
@@ -245,6 +288,51 @@ impl Peaks {
             self.highest = self.highest.max(last.shift.z + rise);
         } else if last.velocity.z <= 0.0 && point.velocity.z > 0.0 {
             self.compressions += 1;
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::bare_law::BareLaw;
+    use super::*;
+    use crate::normal;
+    use carom_laws::friction::Friction;
+
+    // In a plane, in units of the free impact.
+    fn planar(tangential: f64, coupling: f64, slip: f64) -> Problem {
+        Problem {
+            mobility: 1.25
+                * Matrix3::new(tangential, 0.0, coupling, 0.0, 1.0, 0.0, coupling, 0.0, 1.0),
+            velocity: Vector3::new(slip, 0.0, 1.0),
+            stiffness: ContactStiffness { c_x: 1.2, c_y: 1.2, c_z: 1.5 },
+            peak: 1.0,
+            expected: Some(normal::DURATION),
+            grain: Grain::None,
+        }
+    }
+
+    #[test]
+    fn steps_by_the_clock_and_by_the_state_agree() {
+        let friction = Friction::new(0.4).expect("positive");
+        for tangential in [1.0, 3.5, 9.0] {
+            for coupling in [-0.5, 0.2, 0.9] {
+                for slip in [-2.0, -0.1, 0.6, 5.0] {
+                    let problem = planar(tangential, coupling, slip);
+                    let settle = |problem: Problem| {
+                        let make = |_, _| BareLaw::<f64>::new(problem.stiffness, friction);
+                        problem.settle(1e-8, make, |velocity| *velocity).expect("separates")
+                    };
+                    let clock = settle(problem);
+                    let state = settle(Problem { expected: None, ..problem });
+                    assert!(clock.settled && state.settled);
+                    let apart = (clock.run.velocity - state.run.velocity).norm();
+                    let scale = problem.velocity.norm();
+                    assert!(apart <= 1e-7 * scale, "{tangential} {coupling} {slip}: {apart:e}");
+                    assert!((clock.run.duration - state.run.duration).abs() < 1e-6);
+                    assert!((clock.run.peak - state.run.peak).abs() < 1e-6);
+                }
+            }
         }
     }
 }

@@ -52,6 +52,8 @@ impl Encounter {
             dissipated,
         };
         let maximal_contact = self.hertz.ellipse(outcome.maximal_approach)?;
+        let mut warnings = self.warnings(maximal_contact.semi_axis_b(), before.z)?;
+        warnings.extend(outcome.warning);
         Ok(Rebound {
             motions,
             impulse: self.frame.to_space(&impulse),
@@ -67,7 +69,7 @@ impl Encounter {
             compressions: outcome.compressions,
             error_estimate: outcome.error_estimate,
             log: Vec::new(),
-            warnings: self.warnings(maximal_contact.semi_axis_b(), before.z)?,
+            warnings,
         })
     }
 

@@ -13,7 +13,7 @@ use nalgebra::Vector3;
 use crate::contact_point::{
     Certainty, SearchError, TOUCH_TOLERANCE, nearest_points, origin_of_search,
 };
-use crate::coupled::{CoupledError, CoupledImpact, Sample, VectorLaw};
+use crate::coupled::{CoupledError, CoupledImpact, Sample, Unsettled, VectorLaw};
 use crate::frame::{ContactFrame, FrameError};
 use crate::meeting::brought_together;
 use crate::mobility::{Lever, Mobility};
@@ -67,6 +67,8 @@ pub struct Encounter {
     friction: Friction,
     law: VectorLaw,
     torsion: TorsionMode,
+    tolerance: Option<f64>,
+    unsettled: Unsettled,
     point: Vector3<f64>,
     frame: ContactFrame,
     materials: MaterialPair,
@@ -195,6 +197,8 @@ impl Encounter {
             friction,
             law: VectorLaw::default(),
             torsion: TorsionMode::default(),
+            tolerance: None,
+            unsettled: Unsettled::Refused,
             point,
             frame,
             materials,
@@ -222,6 +226,24 @@ impl Encounter {
     #[must_use]
     pub fn with_torsion(self) -> Self {
         Self { torsion: TorsionMode::Included, ..self }
+    }
+
+    /// The same encounter, its impact settled to another tolerance than the default; as
+    /// [`CoupledImpact::within`].
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it is finite and positive.
+    pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
+        RangeError::positive("tolerance", tolerance)?;
+        Ok(Self { tolerance: Some(tolerance), ..self })
+    }
+
+    /// The same encounter, with the best outcome found where its impact does not settle to the
+    /// tolerance, and [`crate::Warning::NotSettled`] among the warnings, instead of
+    /// [`CoupledError::NotSettled`].
+    #[must_use]
+    pub fn accepting_unsettled(self) -> Self {
+        Self { unsettled: Unsettled::Accepted, ..self }
     }
 
     /// The bodies.
@@ -289,7 +311,14 @@ impl Encounter {
             return Ok(None);
         }
         let stiffness = self.hertz.stiffness();
-        Ok(Some(CoupledImpact::new(self.mobility, stiffness, self.friction, velocity)?))
+        let mut impact = CoupledImpact::new(self.mobility, stiffness, self.friction, velocity)?;
+        if let Some(tolerance) = self.tolerance {
+            impact = impact.within(tolerance)?;
+        }
+        Ok(Some(match self.unsettled {
+            Unsettled::Refused => impact,
+            Unsettled::Accepted => impact.accepting_unsettled(),
+        }))
     }
 
     /// Follows the encounter to separation. The spin about the normal is left alone, apart from
