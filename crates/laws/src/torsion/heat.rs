@@ -142,6 +142,7 @@ impl Path<'_> {
         let Some(sign) = at.slip_sign() else { return 0.0 };
         let depth = if at.stick > 0.0 { libm::log(at.radius / at.stick) } else { f64::INFINITY };
         let square = at.radius * at.radius;
-        square * square * (heat_of_twist(depth) * sign * turned - heat_of_growth(depth) * grown)
+        let rate = heat_of_twist(depth) * sign * turned - heat_of_growth(depth) * grown;
+        square * square * rate.max(0.0) // below zero by rounding of the twist
     }
 }

@@ -203,22 +203,26 @@ impl TwistHistory {
         if step.is_err() {
             return 0.0;
         }
-        self.clone().metered_advance(radius, twist)
+        self.clone().metered_advance(radius, twist).unwrap_or(0.0)
     }
 
     /// Goes to a new radius and twist and returns the heat.
-    pub(super) fn metered_advance(&mut self, radius: f64, twist: f64) -> f64 {
+    pub(super) fn metered_advance(
+        &mut self,
+        radius: f64,
+        twist: f64,
+    ) -> Result<f64, RangeError> {
         let mut heat = Heat::default();
         if radius > 0.0 {
-            self.travel(radius, twist, &mut heat);
+            self.travel(radius, twist, &mut heat)?;
         } else if self.radius > 0.0 {
             let last = self.twist + (1.0 - LAST_TOUCH) * (twist - self.twist);
-            self.travel(LAST_TOUCH * self.radius, last, &mut heat);
+            self.travel(LAST_TOUCH * self.radius, last, &mut heat)?;
             self.separate(twist);
         } else {
             self.separate(twist);
         }
-        heat.0
+        Ok(heat.0)
     }
 
     /// Goes straight to a new contact radius and twist and returns the torque.
@@ -226,8 +230,8 @@ impl TwistHistory {
     /// A radius of zero separates the bodies and forgets their past.
     ///
     /// # Errors
-    /// [`RangeError`] for a radius that is negative and a value above 1e60 in size or not a number;
-    /// the state is then unchanged.
+    /// [`RangeError`] for a radius that is negative and a value above 1e60 in size or not a number,
+    /// and should rings of slip not settle, of which no case is known; the state is then unchanged.
     pub fn advance(&mut self, radius: f64, twist: f64) -> Result<f64, RangeError> {
         RangeError::non_negative("radius", radius)?;
         in_contact("radius", radius)?;
@@ -236,7 +240,7 @@ impl TwistHistory {
             self.separate(twist);
             return Ok(0.0);
         }
-        self.travel(radius, twist, &mut Unmetered);
+        self.travel(radius, twist, &mut Unmetered)?;
         Ok(self.torque)
     }
 
