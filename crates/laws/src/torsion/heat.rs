@@ -24,7 +24,7 @@ const SIX: [(f64, f64); 6] = [
 
 /// Parts that a way is halved into at most, and the accuracy over the torque of sliding times the
 /// step at which a part is left whole.
-const PARTS: u32 = 150;
+const PARTS: u32 = 40;
 const ACCURACY: f64 = 3e-14;
 
 /// Sees what a step does.
@@ -109,11 +109,13 @@ struct Path<'a> {
 impl Path<'_> {
     fn heat(&self) -> f64 {
         let (from, to) = (self.before, self.radius);
-        let scale = from.radius.max(to).powi(4)
-            * ((self.twist - from.twist).abs() + (to - from.radius).abs());
+        let way = (self.twist - from.twist).abs() + (to - from.radius).abs();
+        // A twist that is large beside the step is known to its rounding.
+        let rounding = f64::EPSILON * self.twist.abs().max(from.twist.abs());
+        let accuracy = from.radius.max(to).powi(4) * (ACCURACY * way + rounding);
         let whole = self.sum(0.0, 1.0);
         let mut left = PARTS;
-        self.halve(0.0, 1.0, whole, ACCURACY * scale, &mut left)
+        self.halve(0.0, 1.0, whole, accuracy, &mut left)
     }
 
     /// By halves as long as that changes the sum: a stick area that passes an old one has a kink.

@@ -103,9 +103,9 @@ impl TwistHistory {
     /// # Errors
     /// [`RangeError`] for a width outside 1/256 to 1/4.
     pub fn with_ring_width(width: f64) -> Result<Self, RangeError> {
-        let holds = (rings::FINEST..=0.25).contains(&width);
+        let holds = (rings::NARROWEST..=0.25).contains(&width);
         RangeError::check("width", width, holds, "from 1/256 to 1/4")?;
-        Ok(Self::at_level((width / rings::FINEST).log2() as usize))
+        Ok(Self::at_level((width / rings::NARROWEST).log2() as usize))
     }
 
     const fn at_level(level: usize) -> Self {
