@@ -16,7 +16,7 @@ const ADHESION: f64 = 1.0 + 1e-12;
 /// known to be all.
 const PART: f64 = 1.0 / 40.0;
 
-/// How often such a part is halved where rings do not settle; none did in 20 000 random paths.
+/// How often such a part is halved where rings do not settle; none did in 6000 random paths.
 const HALVINGS: u32 = 10;
 
 impl TwistHistory {
