@@ -45,10 +45,21 @@ fn twisting_back_after_sliding_agrees_with_rings() {
 
 #[test]
 fn twisting_back_just_above_the_threshold_stays_near_sliding() {
-    // The outer ring is thinner than a ring of the mesh: 2e-3 is what that leaves.
     for steps in [1, 10, 100] {
         let got = shares(&[(1.0, 0.0), (1.0, 40.0), (0.74, 39.7114)], steps)[2];
-        assert!((got - 0.9998).abs() < 2e-3, "{steps}: {got}");
+        assert!((got - 0.9998).abs() < 1e-3, "{steps}: {got}");
+    }
+}
+
+#[test]
+fn one_step_just_above_the_threshold_is_as_good_as_many() {
+    let mut random = Random(101);
+    for _ in 0..16 {
+        let twist = 10_f64.powf(random.between(-0.3, 2.0));
+        let (rate, end) = (random.between(1.05, 1.15), random.between(0.1, 0.95));
+        let path = [(1.0, 0.0), (1.0, twist), (end, twist - rate * (1.0 - end))];
+        let [one, few, many] = [1, 30, 300].map(|steps| shares(&path, steps)[2]);
+        assert!((one - many).abs() < 1e-3 && (few - many).abs() < 1e-3, "{path:?} {one} {many}");
     }
 }
 

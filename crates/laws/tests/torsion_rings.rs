@@ -6,6 +6,9 @@ use std::f64::consts::{FRAC_2_PI, PI};
 use carom_laws::torsion::history::{TwistHistory, sliding_limit};
 use carom_laws::torsion::lubkin::Lubkin;
 
+mod common;
+use common::Random;
+
 /// Tractions of rings in equal spacing, and the rotations that they cause.
 struct Rings {
     edges: Vec<f64>,
@@ -123,11 +126,39 @@ fn torque_of_two_rings_is_that_of_an_independent_solver() {
             }
         }
     }
-    assert!(worst[0] < 1e-3 && worst[1] < 5e-4 && worst[2] < 1.5e-4, "{worst:?}");
+    // The solver's own error is the 1.6e-4 in which both narrower widths agree.
+    assert!(worst[0] < 4e-4 && worst[1] < 2e-4 && worst[2] < 2e-4, "{worst:?}");
     let usual = run(TwistHistory::new(), 0.6, 1.2, 7);
     let asked = run(TwistHistory::with_ring_width(1.0 / 128.0).unwrap(), 0.6, 1.2, 7);
     assert_eq!(usual, asked);
     assert_eq!(TwistHistory::with_ring_width(1e-3).unwrap_err().field, "width");
+}
+
+/// Random ways to two rings, in one step, against two meshes of the solver, the difference of
+/// which is taken for its error. `CAROM_RING_PATHS` takes more.
+#[test]
+fn random_ways_to_two_rings_agree_with_an_independent_solver() {
+    let count = std::env::var("CAROM_RING_PATHS").map_or(16, |count| count.parse().unwrap());
+    let (coarse, fine) = (Rings::new(100), Rings::new(200));
+    let mut random = Random(19);
+    let mut worst = [0.0_f64; 2];
+    for _ in 0..count {
+        let twist = 10_f64.powf(random.between(-0.6, 0.5));
+        let rate = random.between(1.0, 2.0);
+        let end = f64::from(25 + random.pick(22) as u32) / 50.0; // an edge of both meshes
+        let limit = sliding_limit(end);
+        let wants = [coarse.torque(twist, end, rate, 20), fine.torque(twist, end, rate, 40)];
+        let error = (wants[1] - wants[0]).abs() / limit;
+        let mut history = TwistHistory::new();
+        for (radius, twist) in [(1.0, 0.0), (1.0, twist), (end, twist - rate * (1.0 - end))] {
+            history.advance(radius, twist).unwrap();
+        }
+        let off = (history.torque() - wants[1]).abs() / limit;
+        worst = [worst[0].max(off), worst[1].max(error)];
+        // Beside its difference the solver's coarse rim is 7e-4 off.
+        assert!(off < error + 7e-4, "{twist} {rate} {end}: {off:e}, the solver {error:e}");
+    }
+    println!("worst of {count}: {:e}, the solver {:e}", worst[0], worst[1]);
 }
 
 #[test]

@@ -19,6 +19,10 @@ const OF_RING: f64 = 1e-15;
 /// The same, relative to the friction limit times the motion: where round-off alone makes heat.
 const OF_LIMIT: f64 = 1e-20;
 
+/// Where an integral is parted to confirm it, and how often at most.
+const UNEVEN: f64 = 0.382;
+const CONFIRMATIONS: u32 = 4;
+
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     /// The heat of a straight step, in the given units of energy per direction.
     pub(super) fn heat_in_plane(&self, path: &Path<V>, unit: V) -> f64 {
@@ -163,10 +167,7 @@ impl<V: Lateral> Path<V> {
             let t = from + span * v * v * (3.0 - 2.0 * v);
             self.heat_rate(profile, &ring(t), t, unit) * (6.0 * v * (1.0 - v))
         };
-        span * match adaptive(0.0, 1.0, tolerance, rate) {
-            Ok(integral) | Err(QuadratureError::NotConverged { integral }) => integral.value,
-            Err(_) => 0.0,
-        }
+        span * settled(&rate, [0.0, 1.0], tolerance, largest, CONFIRMATIONS)
     }
 
     /// The integrals over the ring of (zeta - s) and of (zeta - s)^2.
@@ -197,6 +198,32 @@ impl<V: Lateral> Path<V> {
         let [along, aside] = ring.slope.by_component(slip).components();
         heat + 0.5 * (x - y) * (along - aside)
     }
+}
+
+/// An integral that its two parts confirm: where the traction turns within a small part of the
+/// step, the estimate of one quadrature in ten thousand is small by chance.
+fn settled(
+    rate: &impl Fn(f64) -> f64,
+    [low, high]: [f64; 2],
+    tolerance: Tolerance,
+    least: f64,
+    left: u32,
+) -> f64 {
+    let middle = low + UNEVEN * (high - low);
+    let parts = [[low, middle], [middle, high]];
+    let over = |[low, high]: [f64; 2]| adaptive(low, high, tolerance, rate);
+    let whole = match over([low, high]) {
+        Ok(integral) => integral.value,
+        // Round-off stands in the way, not chance.
+        Err(QuadratureError::NotConverged { integral }) => return integral.value,
+        Err(_) => return 0.0,
+    };
+    let [Ok(one), Ok(two)] = parts.map(over) else { return whole };
+    let sum = one.value + two.value;
+    if left == 0 || (sum - whole).abs() <= 2.0 * (RELATIVE * sum.abs()).max(least) {
+        return sum;
+    }
+    parts.map(|part| settled(rate, part, tolerance, least, left - 1)).iter().sum()
 }
 
 /// The part of v across the unit vector m.

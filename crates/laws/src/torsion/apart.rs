@@ -26,8 +26,14 @@ const SLIP: f64 = 1e-4;
 const CHANGE: f64 = 1e-11;
 
 impl TwistHistory {
-    /// Goes through a part of a step; whether rings lay apart.
-    pub(super) fn tried(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) -> bool {
+    /// Goes through a part of a step; whether rings lay apart. None if the rings do not settle:
+    /// nothing has moved then.
+    pub(super) fn tried(
+        &mut self,
+        radius: f64,
+        twist: f64,
+        meter: &mut impl Meter,
+    ) -> Option<bool> {
         let mut lowest = MARGIN * self.restless().min(radius).min(self.stick);
         loop {
             let rings = Rings::new(radius, lowest.max(LOWEST * radius), self.level);
@@ -37,13 +43,9 @@ impl TwistHistory {
                     Some(way) => self.metered(way, radius, twist, meter),
                     None => self.grow(radius, twist, meter),
                 }
-                return false;
+                return Some(false);
             }
-            let Some(solution) = rings.turn(&before.densities, twist - before.below[0]) else {
-                // Unreached so far: the stack's solution, within friction by its torque.
-                self.metered(Way::FromRim, radius, twist, meter);
-                return false;
-            };
+            let solution = rings.turn(&before.densities, twist - before.below[0])?;
             if solution.slips[solution.slips.len() - 3..].iter().any(|slip| *slip != 0.0)
                 && lowest > LOWEST * radius
             {
@@ -55,7 +57,7 @@ impl TwistHistory {
             let signs = &solution.slips;
             meter.slides(RingHeat { rings: &rings, from: self.radius, signs, slips: &slips });
             self.lay(&rings, &before, &solution, twist);
-            return true;
+            return Some(true);
         }
     }
 

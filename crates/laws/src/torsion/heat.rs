@@ -10,7 +10,7 @@
 use super::grow::steady_rate;
 use super::history::{TwistHistory, Way};
 use super::rings::Rings;
-use super::sliding::{heat_of_growth, heat_of_twist};
+use super::sliding::{heat_of_growth, heat_of_twist, sliding_twist};
 
 /// Gauss's nodes on (0, 1) and weights.
 const SIX: [(f64, f64); 6] = [
@@ -26,6 +26,8 @@ const SIX: [(f64, f64); 6] = [
 /// step at which a part is left whole.
 const PARTS: u32 = 150;
 const ACCURACY: f64 = 3e-14;
+/// Ends of parts that are halved each by itself: thin rings of steps before lie at the rim.
+const START: [f64; 6] = [0.0, 1e-6, 1e-4, 3e-3, 0.06, 1.0];
 
 /// Sees what a step does.
 pub(super) trait Meter {
@@ -109,11 +111,45 @@ struct Path<'a> {
 impl Path<'_> {
     fn heat(&self) -> f64 {
         let (from, to) = (self.before, self.radius);
-        let scale = from.radius.max(to).powi(4)
-            * ((self.twist - from.twist).abs() + (to - from.radius).abs());
-        let whole = self.sum(0.0, 1.0);
+        let way = (self.twist - from.twist).abs() + (to - from.radius).abs();
+        // A twist that is large beside the step is known to its rounding.
+        let rounding = f64::EPSILON * self.twist.abs().max(from.twist.abs());
+        let accuracy = from.radius.max(to).powi(4) * (ACCURACY * way + rounding);
         let mut left = PARTS;
-        self.halve(0.0, 1.0, whole, ACCURACY * scale, &mut left)
+        let part = |ends: &[f64]| {
+            let whole = self.sum(ends[0], ends[1]);
+            self.halve(ends[0], ends[1], whole, accuracy, &mut left)
+        };
+        self.ends().windows(2).map(part).sum()
+    }
+
+    /// Where the stick area passes an old one, from 0 to 1, and [`START`].
+    fn ends(&self) -> Vec<f64> {
+        let before = self.before;
+        let (grown, turned) = (self.radius - before.radius, self.twist - before.twist);
+        let mut ends = START.to_vec();
+        for segment in &before.segments {
+            let below = before.twist_below(segment.from);
+            // What the twist of the discs up to there lacks when all slides outside.
+            let excess = |sign: f64, t: f64| {
+                let twist = before.twist + t * turned - below;
+                sign * twist - sliding_twist(segment.from, before.radius + t * grown)
+            };
+            for sign in [1.0, -1.0] {
+                let (mut low, mut high) = (0.0, 1.0);
+                let rises = excess(sign, low) < 0.0;
+                if segment.from == 0.0 || rises == (excess(sign, high) < 0.0) {
+                    continue;
+                }
+                for _ in 0..50 {
+                    let middle = 0.5 * (low + high);
+                    if (excess(sign, middle) < 0.0) == rises { low = middle } else { high = middle }
+                }
+                ends.push(high);
+            }
+        }
+        ends.sort_by(f64::total_cmp);
+        ends
     }
 
     /// By halves as long as that changes the sum: a stick area that passes an old one has a kink.
@@ -142,6 +178,7 @@ impl Path<'_> {
         let Some(sign) = at.slip_sign() else { return 0.0 };
         let depth = if at.stick > 0.0 { libm::log(at.radius / at.stick) } else { f64::INFINITY };
         let square = at.radius * at.radius;
-        square * square * (heat_of_twist(depth) * sign * turned - heat_of_growth(depth) * grown)
+        let rate = heat_of_twist(depth) * sign * turned - heat_of_growth(depth) * grown;
+        square * square * rate.max(0.0) // below zero by rounding of the twist
     }
 }

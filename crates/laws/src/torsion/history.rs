@@ -54,8 +54,8 @@ pub(super) enum Way {
 /// edge, more exactly from a threshold between 1 and 1.1023, or over older slip) the stack's
 /// solution is held against the friction law on rings, and where that fails the rings are solved
 /// ([`TwistHistory::with_ring_width`], [`TwistHistory::ring_steps`]): of 200 random paths, one step
-/// and a hundred were within 4e-4 of the sliding torque of each other; just above the threshold,
-/// where the outer ring is thinner than the mesh, within 2e-3. Such a step takes some 0.2 ms for
+/// and a hundred were within 4e-4 of the sliding torque of each other; of 300 just above the
+/// threshold, where the outer ring is thin, one and a thousand within 1e-3. Such a step takes some 0.2 ms for
 /// each fortieth of the radius; all others 0.5 us.
 ///
 /// ```
@@ -93,9 +93,9 @@ impl TwistHistory {
         Self::default()
     }
 
-    /// As [`TwistHistory::new`], with rings of a given width where two slip rings may form: at the
-    /// rim, the greatest of 1/256, 1/128 and so on that is not above `width`, as a part of the
-    /// radius; further in they are wider.
+    /// As [`TwistHistory::new`], with rings of a given width where two slip rings may form: near
+    /// the rim, the greatest of 1/256, 1/128 and so on that is not above `width`, as a part of the
+    /// radius; at the rim itself they are four times narrower, further in wider.
     ///
     /// The usual width is 1/128. Against an independent solver the torque was then within 5e-4 of
     /// that of sliding, with 1/64 within 1e-3; the cost falls as the square of the width.
@@ -103,9 +103,9 @@ impl TwistHistory {
     /// # Errors
     /// [`RangeError`] for a width outside 1/256 to 1/4.
     pub fn with_ring_width(width: f64) -> Result<Self, RangeError> {
-        let holds = (rings::FINEST..=0.25).contains(&width);
+        let holds = (rings::NARROWEST..=0.25).contains(&width);
         RangeError::check("width", width, holds, "from 1/256 to 1/4")?;
-        Ok(Self::at_level((width / rings::FINEST).log2() as usize))
+        Ok(Self::at_level((width / rings::NARROWEST).log2() as usize))
     }
 
     const fn at_level(level: usize) -> Self {
@@ -191,8 +191,8 @@ impl TwistHistory {
     /// The energy that the straight step to a new radius and twist would turn into heat, conjugate
     /// to mu and bh. Nothing moves.
     ///
-    /// It is found from traction times slip, to 1e-11 of the torque of sliding times the step; where
-    /// rings are needed, to 1e-3 of it.
+    /// It is found from traction times slip, to 1e-9 of the torque of sliding times the step, one step
+    /// in some thousands to 1e-6; where rings are needed or slip rings may lie apart, to 1e-3 of it.
     ///
     /// Arguments that [`TwistHistory::advance`] refuses give zero.
     #[must_use]
@@ -203,22 +203,22 @@ impl TwistHistory {
         if step.is_err() {
             return 0.0;
         }
-        self.clone().metered_advance(radius, twist)
+        self.clone().metered_advance(radius, twist).unwrap_or(0.0)
     }
 
     /// Goes to a new radius and twist and returns the heat.
-    pub(super) fn metered_advance(&mut self, radius: f64, twist: f64) -> f64 {
+    pub(super) fn metered_advance(&mut self, radius: f64, twist: f64) -> Result<f64, RangeError> {
         let mut heat = Heat::default();
         if radius > 0.0 {
-            self.travel(radius, twist, &mut heat);
+            self.travel(radius, twist, &mut heat)?;
         } else if self.radius > 0.0 {
             let last = self.twist + (1.0 - LAST_TOUCH) * (twist - self.twist);
-            self.travel(LAST_TOUCH * self.radius, last, &mut heat);
+            self.travel(LAST_TOUCH * self.radius, last, &mut heat)?;
             self.separate(twist);
         } else {
             self.separate(twist);
         }
-        heat.0
+        Ok(heat.0)
     }
 
     /// Goes straight to a new contact radius and twist and returns the torque.
@@ -226,8 +226,8 @@ impl TwistHistory {
     /// A radius of zero separates the bodies and forgets their past.
     ///
     /// # Errors
-    /// [`RangeError`] for a radius that is negative and a value above 1e60 in size or not a number;
-    /// the state is then unchanged.
+    /// [`RangeError`] for a radius that is negative and a value above 1e60 in size or not a number,
+    /// and should rings of slip not settle, of which no case is known; the state is then unchanged.
     pub fn advance(&mut self, radius: f64, twist: f64) -> Result<f64, RangeError> {
         RangeError::non_negative("radius", radius)?;
         in_contact("radius", radius)?;
@@ -236,7 +236,7 @@ impl TwistHistory {
             self.separate(twist);
             return Ok(0.0);
         }
-        self.travel(radius, twist, &mut Unmetered);
+        self.travel(radius, twist, &mut Unmetered)?;
         Ok(self.torque)
     }
 

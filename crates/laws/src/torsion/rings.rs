@@ -8,22 +8,26 @@
 //! another depends on their distance and width alone, and its numbers are found once.
 
 use std::f64::consts::FRAC_2_PI;
-use std::sync::LazyLock;
+use std::sync::OnceLock;
 
 use super::complementarity::Friction;
 use super::sliding::sliding_twist;
 
+/// The least width of rings that may be asked for, and by how many levels those at the rim itself
+/// are narrower: just above the threshold of the rate the outer slip ring is thin.
+pub(super) const NARROWEST: f64 = 1.0 / 256.0;
+const AT_RIM: usize = 2;
 /// ln of the ratio of neighbouring edges on the finest rings; those of a level are twice as wide
 /// as those of the one before.
-pub(super) const FINEST: f64 = 1.0 / 256.0;
-/// The level at the rim of 1/128, unless another is asked for, and the widest there.
+const FINEST: f64 = NARROWEST / (1 << AT_RIM) as f64;
+/// The level of 1/128, unless another is asked for, and the widest.
 pub(super) const USUAL_LEVEL: usize = 1;
 const WIDEST_LEVEL: usize = 6;
 
 /// Depths below the rim, in units of [`FINEST`], from which on rings are wider by one level each.
-const WIDER: [i32; 3] = [96, 192, 384];
+const WIDER: [i32; 5] = [16, 48, 384, 768, 1536];
 /// The depth, in those units, that rings do not exceed: a part 0.03 of the radius.
-const DEEPEST: i32 = 896;
+const DEEPEST: i32 = 3584;
 
 const LEVELS: usize = WIDEST_LEVEL + WIDER.len() + 1;
 /// Distances of edges: the deepest, and a ring more at the rim and at the bottom.
@@ -70,8 +74,11 @@ pub(super) struct RingSolution {
     pub(super) slips: Vec<f64>,
 }
 
-static INFLUENCES: LazyLock<[Influence; LEVELS]> =
-    LazyLock::new(|| std::array::from_fn(Influence::new));
+static INFLUENCES: [OnceLock<Influence>; LEVELS] = [const { OnceLock::new() }; LEVELS];
+
+fn influence(level: usize) -> &'static Influence {
+    INFLUENCES[level].get_or_init(|| Influence::new(level))
+}
 
 /// Rings from the rim of the contact inwards. The edges but the rim are powers of one number, the
 /// same at every radius of contact, so that a contact that recedes keeps its rings.
@@ -91,7 +98,7 @@ pub(super) struct Rings {
 
 impl Rings {
     /// Rings of a contact of given radius down to `inner`, as far as they go, of the given level of
-    /// width at the rim.
+    /// width near the rim.
     pub(super) fn new(radius: f64, inner: f64, level: usize) -> Self {
         let places = Places::new(radius, inner, level.min(WIDEST_LEVEL));
         let n = places.levels.len();
@@ -238,7 +245,7 @@ impl Places {
 
     /// Tractions over radius of ring i by the densities of those from the rim to itself.
     fn tractions(&self, i: usize, rim: f64, row: &mut [f64]) {
-        let table = &INFLUENCES[self.levels[i]].traction;
+        let table = &influence(self.levels[i]).traction;
         let outer = |j: usize| match j {
             0 => arc(rim),
             j => table[(self.units[i] - self.units[j]) as usize],
@@ -253,7 +260,7 @@ impl Places {
 
     /// Slips of ring i by the densities of those from itself inwards.
     fn slips(&self, i: usize, edges: &[f64], middle: f64, row: &mut [f64]) {
-        let table = &INFLUENCES[self.levels[i]].slip;
+        let table = &influence(self.levels[i]).slip;
         let below = |j: usize| match i {
             0 => slip_integral((edges[j] / middle).min(1.0)),
             i => table[(self.units[j] - self.units[i]) as usize],
