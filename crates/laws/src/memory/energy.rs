@@ -30,8 +30,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     /// digits, and equals the work of the force less the growth of [`Memory::stored_energy`]. In
     /// one direction it is a closed form, a sum of terms that are not negative; in two an adaptive
     /// quadrature over the step: the balance holds to 1e-11 of its largest term, nearly always to
-    /// 1e-12; of either direction alone mostly to 1e-10, in one step of 150 000 to 4e-8 only. A merge of a [`super::Fixed`] stack changes the state beside all steps, and is in
-    /// no balance.
+    /// 1e-12; of either direction alone mostly to 1e-10, in one step of 150 000 to 4e-8 only. A
+    /// merge of a [`super::Fixed`] stack changes the state beside all steps, and is in no balance.
     ///
     /// Not finite arguments give zero.
     #[must_use]
