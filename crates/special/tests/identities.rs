@@ -173,7 +173,7 @@ proptest! {
         let z = UnitArgument::from_complement(y).expect("in range");
         prop_assume!(z.value() > 0.01);
         let function = Gauss::new(a, b, c).expect("in range");
-        let integral = tanh_sinh(0.0, z.value(), Tolerance::new(1e-12, 1e-12).expect("positive"), |at| {
+        let integral = tanh_sinh(0.0, z.value(), Tolerance::new(1e-14, 1e-13).expect("positive"), |at| {
             let t = UnitArgument::from_complement(y + at.to_upper).or(UnitArgument::new(at.position));
             libm::pow(at.from_lower, s - 1.0) * t.map_or(f64::NAN, |t| function.at(t).unwrap_or(f64::NAN))
         });
