@@ -140,6 +140,15 @@ impl Svg {
         self.body.push_str("\"/>\n");
     }
 
+    /// One shape at many places: relative moves of a path, from each of them.
+    pub(crate) fn repeated(&mut self, places: &[Pixel], shape: &str, attributes: &str) {
+        let _ = write!(self.body, "<path {attributes} d=\"");
+        for Pixel { x, y } in places {
+            let _ = write!(self.body, "M{x:.1},{y:.1}{shape}");
+        }
+        self.body.push_str("\"/>\n");
+    }
+
     /// An image that fills the frame.
     pub(crate) fn image(&mut self, frame: Frame, png: &[u8]) {
         let Frame { x, y, width, height } = frame;
