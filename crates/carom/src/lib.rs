@@ -35,6 +35,7 @@ pub use carom_impact as impact;
 pub use carom_laws as laws;
 pub use carom_solver as solver;
 pub use carom_special as special;
+pub use carom_table as table;
 
 /// The names most programs need.
 pub mod prelude {
