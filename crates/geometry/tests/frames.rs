@@ -1,15 +1,14 @@
-//! Attitudes, contact frames and mobility against geometry and rigid-body mechanics.
+//! Attitudes and contact frames against geometry.
 
 mod random;
 
-use carom_impact::{
-    Attitude, ContactFrame, Encounter, EncounterError, FrameError, Inertia, Lever, Mobility,
-    Motion, Outcome, PlacedBody, SearchError, Surface, SurfaceError,
+use carom_geometry::curvature::{CurvatureError, PrincipalRadii};
+use carom_geometry::{
+    Attitude, ContactFrame, ContactPoint, FrameError, Inertia, Placed, SearchError, Surface,
+    SurfaceError,
 };
-use carom_laws::curvature::{CurvatureError, PrincipalRadii};
-use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
-use random::{Numbers, steel};
+use random::Numbers;
 
 #[test]
 fn quaternion_and_three_angles_are_one_attitude() {
@@ -63,7 +62,7 @@ fn umbilic_points_of_a_triaxial_ellipsoid() {
 
 // Height of an ellipsoid over its tangent plane at the origin, on the line through `across` along
 // z, on the side of its body (sign).
-fn height(semi_axes: [f64; 3], body: &PlacedBody, across: &Vector3<f64>, z: &Vector3<f64>) -> f64 {
+fn height(semi_axes: [f64; 3], body: &Placed, across: &Vector3<f64>, z: &Vector3<f64>) -> f64 {
     let axes = Vector3::from(semi_axes);
     let scaled = |v: &Vector3<f64>| body.attitude().to_body(v).component_div(&axes);
     let (p, d) = (scaled(&(across - body.centre())), scaled(z));
@@ -84,13 +83,12 @@ fn the_gap_is_a_x_squared_plus_b_y_squared() {
             let support =
                 turn.to_space(&Vector3::from(axes).component_mul(&scaled)) / scaled.norm();
             let surface = Surface::ellipsoid(axes).unwrap();
-            let inertia = surface.solid(1.0).unwrap();
-            PlacedBody::new(surface, steel(), inertia).turned(turn).at((-support).into()).unwrap()
+            Placed::new(surface).turned(turn).at((-support).into()).unwrap()
         };
         let one = place(axes[0], -normal, numbers.attitude());
         let two = place(axes[1], normal, numbers.attitude());
-        let encounter = Encounter::at(one.clone(), two.clone(), [0.0; 3], Friction::NONE).unwrap();
-        let frame = encounter.frame();
+        let contact = ContactPoint::at(&one, &two, [0.0; 3]).unwrap();
+        let frame = contact.frame();
         let gap = frame.relative_curvature();
         assert!(gap.a() >= gap.b() && gap.b() > 0.0);
         assert!((frame.axes() * frame.axes().transpose() - Matrix3::identity()).amax() < 1e-15);
@@ -109,68 +107,6 @@ fn the_gap_is_a_x_squared_plus_b_y_squared() {
         let twist = mean(h, h) - mean(h, -h);
         assert!(twist.abs() < 1e-4 * scale, "{:e}", twist / scale);
     }
-}
-
-#[test]
-fn levers_follow_newton_and_euler() {
-    let mut numbers = Numbers(6);
-    for _ in 0..50 {
-        let inertia =
-            Inertia::new(numbers.between(0.1, 5.0), [(); 3].map(|()| numbers.between(1.0, 1.9)))
-                .unwrap();
-        let (attitude, arm) = (numbers.attitude(), numbers.direction() * numbers.between(0.1, 3.0));
-        let impulse = numbers.direction() * numbers.between(0.1, 3.0);
-        let lever = Lever::new(inertia, &attitude, arm).unwrap();
-        let moments = Matrix3::from_diagonal(&Vector3::from(inertia.moments()));
-        let tensor = attitude.matrix() * moments * attitude.matrix().transpose();
-        let spin = tensor.lu().solve(&arm.cross(&impulse)).unwrap();
-        // (8.36), (8.43): E J; (8.31): the velocity of the point.
-        assert!((lever.turning() * impulse - spin).norm() < 1e-14 * (1.0 + spin.norm()));
-        let velocity = impulse / inertia.mass() + spin.cross(&arm);
-        assert!((lever.mobility() * impulse - velocity).norm() < 1e-13 * (1.0 + velocity.norm()));
-    }
-}
-
-#[test]
-fn a_body_on_a_pivot_turns_and_a_guided_one_does_not() {
-    // Infinite mass with finite moments, and the other way round.
-    let (far, free) = (f64::INFINITY, [0.5, 0.6, 0.7]);
-    let arm = Vector3::new(0.0, 0.8, -0.5);
-    let push = Vector3::new(0.3, -0.2, 1.0);
-    let at = |inertia| Lever::new(inertia, &Attitude::ALIGNED, arm).unwrap();
-    let pivot = at(Inertia::new(far, free).unwrap());
-    let spin = arm.cross(&push).component_div(&Vector3::from(free));
-    assert!((pivot.turning() * push - spin).norm() < 1e-15);
-    assert!((pivot.mobility() * push - spin.cross(&arm)).norm() < 1e-15);
-    // Nothing moves along the arm: alone it has no mobility, with a free body it has.
-    let held = at(Inertia::FIXED);
-    assert_eq!(held.mobility(), Matrix3::zeros());
-    let axes = Matrix3::identity();
-    assert_eq!(Mobility::new(&[held, held], &axes).unwrap_err().field, "determinant of mobility D");
-    let guided = at(Inertia::new(2.0, [far; 3]).unwrap());
-    assert_eq!(guided.mobility(), Matrix3::identity() * 0.5);
-    assert_eq!(guided.turning(), Matrix3::zeros());
-    assert!(Mobility::new(&[pivot, guided], &axes).is_ok());
-    // A whole encounter: a pivoted ellipsoid hit off its centre by a ball.
-    let egg = Surface::ellipsoid([1.0, 0.8, 0.6]).unwrap();
-    let point = Vector3::new(0.5, 0.0, 0.6 * 0.75_f64.sqrt());
-    let normal = egg.local(&point).unwrap().normal();
-    let swing = PlacedBody::new(egg, steel(), Inertia::new(far, free).unwrap());
-    let ball = Surface::sphere(0.3).unwrap();
-    let inertia = ball.solid(0.1).unwrap();
-    let ball = PlacedBody::new(ball, steel(), inertia)
-        .at((point + normal * 0.3).into())
-        .unwrap()
-        .moving(Motion::new((-normal).into(), [0.0; 3]).unwrap());
-    let encounter = Encounter::find(ball, swing, Friction::new(0.3).unwrap()).unwrap();
-    let Outcome::Rebound(rebound) = encounter.solve().unwrap() else { panic!("no impact") };
-    assert_eq!(rebound.motions[1].velocity, Vector3::zeros());
-
-    let spin = point.cross(&-rebound.impulse).component_div(&Vector3::from(free));
-    assert!((rebound.motions[1].spin - spin).norm() < 1e-13 * spin.norm());
-    assert!(spin.norm() > 0.01);
-    let kept = rebound.energy.after + rebound.energy.dissipated;
-    assert!((kept / rebound.energy.before - 1.0).abs() < 1e-14);
 }
 
 #[test]
@@ -215,17 +151,13 @@ fn bad_input_is_named_with_its_value() {
     assert!(ContactFrame::new(&ball, &socket(1.25)).is_ok());
     // Apart, with the gap; at a point off both, with the body's number.
     let sphere = Surface::sphere(1.0).unwrap();
-    let inertia = sphere.solid(1.0).unwrap();
-    let lifted = PlacedBody::new(sphere, steel(), inertia).at([0.0, 0.0, 1.5]).unwrap();
-    let plane = PlacedBody::plane(steel());
-    let apart = Encounter::find(lifted.clone(), plane.clone(), Friction::NONE).unwrap_err();
-    assert_eq!(apart, EncounterError::Search(SearchError::NotTouching { gap: 0.5, allowed: 1e-6 }));
-    let off = Encounter::at(lifted, plane, [0.0, 0.0, 0.5], Friction::NONE).unwrap_err();
+    let lifted = Placed::new(sphere).at([0.0, 0.0, 1.5]).unwrap();
+    let plane = Placed::new(Surface::plane());
+    let apart = ContactPoint::find(&lifted, &plane).unwrap_err();
+    assert_eq!(apart, SearchError::NotTouching { gap: 0.5, allowed: 1e-6 });
+    let off = ContactPoint::at(&lifted, &plane, [0.0, 0.0, 0.5]).unwrap_err();
     assert!(matches!(
         off,
-        EncounterError::Search(SearchError::Surface {
-            body: 2,
-            source: SurfaceError::OffSurface { distance: 0.5, .. }
-        })
+        SearchError::Surface { body: 2, source: SurfaceError::OffSurface { distance: 0.5, .. } }
     ));
 }

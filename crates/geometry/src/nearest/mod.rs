@@ -5,26 +5,24 @@
 //! direction ([`separate`]). All others are taken by [`parts`], faces, curved sides and edges, and
 //! a smooth surface slides down the distance from the other body ([`slide`]).
 
+pub(crate) mod approach;
 mod parts;
-mod placed;
 mod scan;
 mod separate;
 mod slide;
+mod target;
 
-pub(crate) use placed::Placed;
-
+use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use crate::placed_body::PlacedBody;
+use crate::frame::FrameError;
+use crate::placed::Placed;
 use crate::surface::{Kind, SurfaceError};
 use parts::Face;
-use placed::Target;
 use scan::Rail;
+use target::Target;
 
-/// How far apart (or into each other) bodies that touch may be, over the smaller one's size.
-pub const TOUCH_TOLERANCE: f64 = 1e-6;
-
-/// Why no contact point was found.
+/// Why two surfaces have no contact point.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SearchError {
     /// The bodies are apart, or overlap.
@@ -43,6 +41,12 @@ pub enum SearchError {
         /// What is wrong there.
         source: SurfaceError,
     },
+    /// They touch, but not like an elliptical contact.
+    #[error(transparent)]
+    Frame(#[from] FrameError),
+    /// A place or attitude out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
     /// No search is possible for these two kinds of surface.
     #[error("no contact search for {one} and {two}, since {why}: give the contact point")]
     NoSearch {
@@ -111,12 +115,9 @@ pub struct NearestPoints {
 /// within four sizes of its origin, an explicit one also near the other body.
 ///
 /// ```
-/// use carom_halfspace::Material;
-/// use carom_impact::{Certainty, Inertia, PlacedBody, Surface, nearest_points};
-/// let steel = Material::from_shear(80e9, 0.3)?;
-/// let body = |surface| PlacedBody::new(surface, steel, Inertia::FIXED);
-/// let ring = body(Surface::torus(3.0, 0.5)?);
-/// let ball = body(Surface::sphere(1.0)?).at([1.0, 0.0, 0.0])?;
+/// use carom_geometry::{Certainty, Placed, Surface, nearest_points};
+/// let ring = Placed::new(Surface::torus(3.0, 0.5)?);
+/// let ball = Placed::new(Surface::sphere(1.0)?).at([1.0, 0.0, 0.0])?;
 /// let near = nearest_points(&ring, &ball)?;
 /// assert!((near.gap - 0.5).abs() < 1e-15);
 /// assert!((near.points[0].x - 2.5).abs() < 1e-15);
@@ -128,16 +129,9 @@ pub struct NearestPoints {
 /// [`SearchError::NoSearch`] for two planes and for a surface given at one point,
 /// [`SearchError::NoPoints`] for a function without a surface near its origin, and
 /// [`SearchError::NotConverged`], [`SearchError::NothingFound`] if the searches fail.
-pub fn nearest_points(
-    body_1: &PlacedBody,
-    body_2: &PlacedBody,
-) -> Result<NearestPoints, SearchError> {
-    let origin = origin_of_search(body_1, body_2);
-    let [one, two] = [body_1, body_2].map(|body| Placed {
-        surface: body.surface(),
-        centre: body.centre() - origin,
-        attitude: body.attitude(),
-    });
+pub fn nearest_points(one: &Placed, two: &Placed) -> Result<NearestPoints, SearchError> {
+    let origin = origin_of_search(one, two);
+    let [one, two] = [one.seen_from(&origin), two.seen_from(&origin)];
     let Nearest { points, gap } = nearest(&one, &two)?;
     let points = points.map(|point| origin + point);
     Ok(NearestPoints { points, gap, certainty: certainty(&one, &two) })
@@ -145,18 +139,18 @@ pub fn nearest_points(
 
 /// The centre of the smaller body: seen from there, neither a place far from the origin nor a large
 /// partner costs digits of where on it the contact lies.
-pub(crate) fn origin_of_search(body_1: &PlacedBody, body_2: &PlacedBody) -> Vector3<f64> {
-    let [one, two] = [body_1, body_2].map(|body| body.surface().size());
+pub(crate) fn origin_of_search(one: &Placed, two: &Placed) -> Vector3<f64> {
+    let sizes = [one, two].map(|placed| placed.surface().size());
     // A plane has no size.
-    let first = two == 0.0 || (one > 0.0 && one <= two);
-    if first { body_1.centre() } else { body_2.centre() }
+    let first = sizes[1] == 0.0 || (sizes[0] > 0.0 && sizes[0] <= sizes[1]);
+    if first { one.centre() } else { two.centre() }
 }
 
-fn certainty(one: &Placed<'_>, two: &Placed<'_>) -> Certainty {
+fn certainty(one: &Placed, two: &Placed) -> Certainty {
     let unknown =
-        |p: &Placed<'_>| matches!(p.surface.kind(), Kind::Implicit { .. } | Kind::Explicit { .. });
-    let torus = |p: &Placed<'_>| matches!(p.surface.kind(), Kind::Torus { .. });
-    let round = |p: &Placed<'_>| matches!(p.surface.kind(), Kind::Sphere { .. } | Kind::Plane);
+        |p: &Placed| matches!(p.surface().kind(), Kind::Implicit { .. } | Kind::Explicit { .. });
+    let torus = |p: &Placed| matches!(p.surface().kind(), Kind::Torus { .. });
+    let round = |p: &Placed| matches!(p.surface().kind(), Kind::Sphere { .. } | Kind::Plane);
     let hollow = (torus(one) && !round(two)) || (torus(two) && !round(one));
     if hollow || unknown(one) || unknown(two) { Certainty::Sampled } else { Certainty::Proven }
 }
@@ -190,10 +184,10 @@ impl Touch {
 }
 
 /// The nearest points of two bodies, by the search that fits their kinds.
-pub(crate) fn nearest(one: &Placed<'_>, two: &Placed<'_>) -> Result<Nearest, SearchError> {
+pub(crate) fn nearest(one: &Placed, two: &Placed) -> Result<Nearest, SearchError> {
     searchable(one, two)?;
     if let (Kind::Ellipsoid { semi_axes: axes_1 }, Kind::Ellipsoid { semi_axes: axes_2 }) =
-        (one.surface.kind(), two.surface.kind())
+        (one.surface().kind(), two.surface().kind())
     {
         let found = separate::separate((one, axes_1), (two, axes_2));
         return apart_or_again(found, one, two);
@@ -207,7 +201,7 @@ pub(crate) fn nearest(one: &Placed<'_>, two: &Placed<'_>) -> Result<Nearest, Sea
         (None, Some(rail)) => first(rail.scan(&target_1)).map(Nearest::exchanged),
         (None, None) => by_parts(&target_1, &target_2),
     };
-    let (one, two) = (one.surface.name(), two.surface.name());
+    let (one, two) = (one.surface().name(), two.surface().name());
     found.ok_or(SearchError::NothingFound { one, two })
 }
 
@@ -216,10 +210,10 @@ pub(crate) fn nearest(one: &Placed<'_>, two: &Placed<'_>) -> Result<Nearest, Sea
 // overlap there is one place only where they face each other.
 fn apart_or_again(
     found: Result<Nearest, SearchError>,
-    one: &Placed<'_>,
-    two: &Placed<'_>,
+    one: &Placed,
+    two: &Placed,
 ) -> Result<Nearest, SearchError> {
-    let slack = 1e-12 * one.surface.size().min(two.surface.size());
+    let slack = 1e-12 * one.surface().size().min(two.surface().size());
     if found.is_ok_and(|near| near.gap >= -slack) {
         return found;
     }
@@ -227,7 +221,8 @@ fn apart_or_again(
     let mut touches = slide::slide(&target_1, &target_2);
     touches.extend(slide::slide(&target_2, &target_1).into_iter().map(Touch::exchanged));
     let facing = |near: &Nearest| {
-        let normals = (one.local(&near.points[0])?.normal(), two.local(&near.points[1])?.normal());
+        let normal = |body: &Placed, i: usize| Some(body.local(&near.points[i]).ok()?.normal());
+        let normals = (normal(one, 0)?, normal(two, 1)?);
         Some(normals.0.dot(&normals.1) < 0.0)
     };
     let near = touches.into_iter().map(|touch| touch.near).filter(|n| facing(n) == Some(true));
@@ -235,18 +230,18 @@ fn apart_or_again(
     best.map_or(found, Ok)
 }
 
-fn searchable(one: &Placed<'_>, two: &Placed<'_>) -> Result<(), SearchError> {
-    let why = match (one.surface.kind(), two.surface.kind()) {
+fn searchable(one: &Placed, two: &Placed) -> Result<(), SearchError> {
+    let why = match (one.surface().kind(), two.surface().kind()) {
         (Kind::Given { .. }, _) | (_, Kind::Given { .. }) => {
             "a surface given at one point is known nowhere else"
         }
         (Kind::Plane, Kind::Plane) => "two half-spaces overlap or lie apart without an end",
         _ => return Ok(()),
     };
-    Err(SearchError::NoSearch { one: one.surface.name(), two: two.surface.name(), why })
+    Err(SearchError::NoSearch { one: one.surface().name(), two: two.surface().name(), why })
 }
 
-fn prepared<'a>(placed: &Placed<'a>, body: u8) -> Result<Target<'a>, SearchError> {
+fn prepared<'a>(placed: &'a Placed, body: u8) -> Result<Target<'a>, SearchError> {
     let target = Target::new(placed);
     if target.is_smooth() && target.starts.is_empty() {
         return Err(SearchError::NoPoints { body, reach: 4.0 * target.size() });
@@ -263,9 +258,9 @@ fn first(touches: Vec<Touch>) -> Option<Nearest> {
 fn by_parts(one: &Target<'_>, two: &Target<'_>) -> Option<Nearest> {
     let mut touches = of_first(one, two);
     touches.extend(of_first(two, one).into_iter().map(Touch::exchanged));
-    for face in parts::faces(&one.placed) {
+    for face in parts::faces(one.placed) {
         let onto = |other: &Face| face.onto(other);
-        touches.extend(parts::faces(&two.placed).iter().filter_map(onto));
+        touches.extend(parts::faces(two.placed).iter().filter_map(onto));
     }
     touches.retain(|touch| touch.within);
     let convex = one.is_convex() && two.is_convex();
@@ -276,8 +271,8 @@ fn by_parts(one: &Target<'_>, two: &Target<'_>) -> Option<Nearest> {
     let along = |edges: Vec<Rail<'_>>, other: &Target<'_>| -> Vec<Touch> {
         edges.iter().flat_map(|edge| edge.scan(other)).collect()
     };
-    touches.extend(along(parts::edges(&one.placed), two));
-    let exchanged = along(parts::edges(&two.placed), one).into_iter().map(Touch::exchanged);
+    touches.extend(along(parts::edges(one.placed), two));
+    let exchanged = along(parts::edges(two.placed), one).into_iter().map(Touch::exchanged);
     touches.extend(exchanged);
     first(touches)
 }
@@ -289,9 +284,9 @@ fn of_first(one: &Target<'_>, two: &Target<'_>) -> Vec<Touch> {
         touches.extend(slide::slide(one, two));
     }
     if two.is_smooth() {
-        touches.extend(parts::faces(&one.placed).iter().flat_map(|face| slide::lower(two, face)));
+        touches.extend(parts::faces(one.placed).iter().flat_map(|face| slide::lower(two, face)));
     }
-    if let Some(side) = parts::side(&one.placed) {
+    if let Some(side) = parts::side(one.placed) {
         touches.extend(side.scan(two));
     }
     touches

@@ -6,8 +6,9 @@
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-use super::placed::{Placed, Target};
+use super::target::Target;
 use super::{Nearest, Touch};
+use crate::placed::Placed;
 
 /// Slopes of the distance along the curve below this count as none: parallel lines.
 const LEVEL: f64 = 1e-12;
@@ -48,7 +49,7 @@ impl Curve {
 /// A body's curve and the radius of the ball on it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rail<'a> {
-    pub(super) body: Placed<'a>,
+    pub(super) body: &'a Placed,
     pub(super) curve: Curve,
     pub(super) radius: f64,
 }
@@ -95,7 +96,7 @@ impl Rail<'_> {
     fn trend(&self, t: f64, other: &Target<'_>) -> Option<Trend> {
         let (point, tangent) = self.curve.at(t);
         let closest = other.closest(&self.body.space_point(&point))?;
-        let slope = closest.normal.dot(&self.body.attitude.to_space(&tangent));
+        let slope = closest.normal.dot(&self.body.attitude().to_space(&tangent));
         Some(match slope {
             _ if slope < -LEVEL => Trend::Falling,
             _ if slope > LEVEL => Trend::Rising,

@@ -1,8 +1,7 @@
 //! Inertias and volumes of all shapes against quadrature.
 
 use approx::assert_relative_eq;
-use carom_impact::torsional::{SpinCollision, Spinner};
-use carom_impact::{Inertia, Surface};
+use carom_geometry::{Inertia, Surface};
 use carom_special::quadrature::GaussLegendre;
 use nalgebra::Vector3;
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -170,25 +169,4 @@ fn boxes_are_what_quadrature_gives() {
     agree(brick.solid(MASS).unwrap(), &whole);
     agree(brick.shell(MASS).unwrap(), &faces);
     assert_relative_eq!(brick.volume().unwrap(), whole.measure, max_relative = 1e-13);
-}
-
-#[test]
-fn a_spinner_is_the_solid_sphere() {
-    use carom_halfspace::{Material, MaterialPair};
-    use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
-    use carom_laws::friction::Friction;
-    use carom_laws::hertz::Hertz;
-    let (mass, radius) = (0.04, 0.02);
-    let theta = Inertia::solid_sphere(mass, radius).unwrap().moments()[2];
-    let rubber = Material::from_shear(1e6, 0.4).unwrap();
-    let sphere = PrincipalRadii::sphere(radius).unwrap();
-    let gap = RelativeCurvature::new(sphere, PrincipalRadii::PLANE, 0.0).unwrap();
-    let hertz = Hertz::new(gap, MaterialPair::new(rubber, rubber).unwrap()).unwrap();
-    let groups = |ball: Spinner| {
-        let bodies = [ball.spinning(31.0).unwrap(), Spinner::held_fast()];
-        let friction = Friction::new(0.7).unwrap();
-        SpinCollision::new(&hertz, friction, bodies, 1.3).unwrap().groups().unwrap()
-    };
-    let own = groups(Spinner::solid_sphere(mass, radius).unwrap());
-    assert_eq!(own, groups(Spinner::new(mass, theta).unwrap()));
 }

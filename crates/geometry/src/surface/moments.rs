@@ -3,16 +3,16 @@
 use nalgebra::Vector3;
 
 use super::{Kind, Surface, SurfaceError};
-use crate::body::Inertia;
+use crate::inertia::Inertia;
 
 impl Surface {
     /// The inertia of a homogeneous solid of this shape.
     ///
     /// ```
-    /// use carom_impact::Surface;
+    /// use carom_geometry::Surface;
     /// let egg = Surface::ellipsoid([3.0, 2.0, 1.5])?.solid(1.0)?;
     /// assert!((egg.moments()[0] - 1.25).abs() < 1e-15); // m (B^2 + C^2)/5
-    /// # Ok::<(), carom_impact::SurfaceError>(())
+    /// # Ok::<(), carom_geometry::SurfaceError>(())
     /// ```
     ///
     /// # Errors

@@ -1,7 +1,7 @@
 //! Surfaces with their parametrisations, and the distance between two by walking over both.
 
-use crate::random::{Numbers, steel};
-use carom_impact::{Attitude, Inertia, PlacedBody, Side, Surface};
+use crate::random::Numbers;
+use carom_geometry::{Attitude, Placed, Side, Surface};
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -132,19 +132,14 @@ pub(crate) fn plane() -> Shape {
     shape("plane", Surface::plane(), |u, v| Vector3::new(12.0 * u - 6.0, 12.0 * v - 6.0, 0.0))
 }
 
-pub(crate) fn placed(shape: &Shape, centre: Vector3<f64>, attitude: Attitude) -> PlacedBody {
-    let inertia = Inertia::new(1.0, [1.0, 1.1, 1.2]).unwrap();
-    let inertia = if shape.name == "plane" { Inertia::FIXED } else { inertia };
-    PlacedBody::new(shape.surface.clone(), steel(), inertia)
-        .turned(attitude)
-        .at(centre.into())
-        .unwrap()
+pub(crate) fn placed(shape: &Shape, centre: Vector3<f64>, attitude: Attitude) -> Placed {
+    Placed::new(shape.surface.clone()).turned(attitude).at(centre.into()).unwrap()
 }
 
 /// The distance of two surfaces that lie apart, by a coarse net over both and a walk with ever
 /// smaller random steps from the nearest pairs of it. No derivative, closest point or support.
-pub(crate) fn walked_distance(one: (&Shape, &PlacedBody), two: (&Shape, &PlacedBody)) -> f64 {
-    let at = |(shape, body): (&Shape, &PlacedBody), place: [f64; 3]| {
+pub(crate) fn walked_distance(one: (&Shape, &Placed), two: (&Shape, &Placed)) -> f64 {
+    let at = |(shape, body): (&Shape, &Placed), place: [f64; 3]| {
         body.centre() + body.attitude().to_space(&(shape.walk)(place))
     };
     let n = 20;

@@ -2,13 +2,13 @@
 
 use std::f64::consts::PI;
 
-use crate::surface::{Kind, Surface};
+use super::{Kind, Surface};
 
 impl Surface {
     /// The volume inside the surface; none for a shape that does not say what lies inside it.
     ///
     /// ```
-    /// use carom_impact::Surface;
+    /// use carom_geometry::Surface;
     /// let ball = Surface::sphere(2.0)?;
     /// let egg = Surface::ellipsoid([1.0, 2.0, 4.0])?;
     /// assert_eq!(ball.volume(), egg.volume());

@@ -1,6 +1,6 @@
 //! The contact frame: common normal, principal directions of the relative curvature, A >= B.
 
-use carom_laws::curvature::{CurvatureError, PrincipalRadii, RelativeCurvature};
+use crate::curvature::{CurvatureError, PrincipalRadii, RelativeCurvature};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::surface::LocalSurface;
@@ -28,7 +28,7 @@ pub enum FrameError {
 /// The gap between the undeformed surfaces is A x^2 + B y^2. Where A = B any x serves.
 ///
 /// ```
-/// use carom_impact::{Attitude, ContactFrame, Surface};
+/// use carom_geometry::{Attitude, ContactFrame, Surface};
 /// use nalgebra::Vector3;
 /// let egg = Surface::ellipsoid([3.0, 2.0, 1.5])?.local(&Vector3::new(0.0, 0.0, -1.5))?;
 /// let table = Surface::plane().local(&Vector3::zeros())?;

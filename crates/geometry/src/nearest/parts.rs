@@ -3,9 +3,9 @@
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
-use super::placed::Placed;
 use super::scan::{Curve, Rail};
 use super::{Nearest, Touch};
+use crate::placed::Placed;
 use crate::surface::{Kind, perpendicular};
 
 /// Faces turned by less than this from each other touch over an area, radians.
@@ -98,14 +98,14 @@ impl Face {
 }
 
 /// The faces of a body.
-pub(super) fn faces(body: &Placed<'_>) -> Vec<Face> {
+pub(super) fn faces(body: &Placed) -> Vec<Face> {
     let at = |centre: Vector3<f64>, normal: Vector3<f64>, outline: Outline, depth: f64| Face {
         centre: body.space_point(&centre),
-        normal: body.attitude.to_space(&normal),
+        normal: body.attitude().to_space(&normal),
         outline,
         depth,
     };
-    match body.surface.kind() {
+    match body.surface().kind() {
         Kind::Plane => {
             vec![at(Vector3::zeros(), Vector3::z(), Outline::Endless, f64::INFINITY)]
         }
@@ -119,7 +119,7 @@ pub(super) fn faces(body: &Placed<'_>) -> Vec<Face> {
             .map(|(axis, sign)| {
                 let normal = Vector3::ith(axis, sign);
                 let (i, j) = ((axis + 1) % 3, (axis + 2) % 3);
-                let axes = [i, j].map(|i| body.attitude.to_space(&Vector3::ith(i, 1.0)));
+                let axes = [i, j].map(|i| body.attitude().to_space(&Vector3::ith(i, 1.0)));
                 let outline = Outline::Rectangle { axes, half: [half[i], half[j]] };
                 at(normal * half[axis], normal, outline, 2.0 * half[axis])
             })
@@ -129,29 +129,29 @@ pub(super) fn faces(body: &Placed<'_>) -> Vec<Face> {
 }
 
 /// The curved side of a cylinder.
-pub(super) fn side<'a>(body: &Placed<'a>) -> Option<Rail<'a>> {
-    match body.surface.kind() {
+pub(super) fn side<'a>(body: &'a Placed) -> Option<Rail<'a>> {
+    match body.surface().kind() {
         Kind::Cylinder { radius, half_length } => {
-            Some(Rail { body: *body, curve: Curve::axis(*half_length), radius: *radius })
+            Some(Rail { body, curve: Curve::axis(*half_length), radius: *radius })
         }
         _ => None,
     }
 }
 
 /// A body that a ball sweeps as a whole: sphere, capsule, torus.
-pub(super) fn swept<'a>(body: &Placed<'a>) -> Option<Rail<'a>> {
-    let (curve, radius) = match body.surface.kind() {
+pub(super) fn swept<'a>(body: &'a Placed) -> Option<Rail<'a>> {
+    let (curve, radius) = match body.surface().kind() {
         Kind::Sphere { radius } => (Curve::axis(0.0), *radius),
         Kind::Capsule { radius, half_length } => (Curve::axis(*half_length), *radius),
         Kind::Torus { major, minor } => (Curve::Round { height: 0.0, radius: *major }, *minor),
         _ => return None,
     };
-    Some(Rail { body: *body, curve, radius })
+    Some(Rail { body, curve, radius })
 }
 
 /// The edges of a body, corners as their ends.
-pub(super) fn edges<'a>(body: &Placed<'a>) -> Vec<Rail<'a>> {
-    let curves = match body.surface.kind() {
+pub(super) fn edges<'a>(body: &'a Placed) -> Vec<Rail<'a>> {
+    let curves = match body.surface().kind() {
         Kind::Cylinder { radius, half_length } => [1.0, -1.0]
             .map(|sign| Curve::Round { height: sign * half_length, radius: *radius })
             .to_vec(),
@@ -169,7 +169,7 @@ pub(super) fn edges<'a>(body: &Placed<'a>) -> Vec<Rail<'a>> {
             .collect(),
         _ => Vec::new(),
     };
-    curves.into_iter().map(|curve| Rail { body: *body, curve, radius: 0.0 }).collect()
+    curves.into_iter().map(|curve| Rail { body, curve, radius: 0.0 }).collect()
 }
 
 fn sides() -> impl Iterator<Item = (usize, f64)> {

@@ -2,8 +2,8 @@
 
 use nalgebra::{Matrix3, Vector3};
 
-use super::placed::Placed;
 use super::{Nearest, SearchError};
+use crate::placed::Placed;
 use crate::surface::{invert_in_plane, support_of_ellipsoid};
 
 const MAX_STEPS: usize = 200;
@@ -12,12 +12,12 @@ const MAX_STEPS: usize = 200;
 const LONGEST_STEP: f64 = 0.3;
 
 /// A placed ellipsoid by its semi-axes.
-pub(super) type Egg<'a> = (&'a Placed<'a>, &'a Vector3<f64>);
+pub(super) type Egg<'a> = (&'a Placed, &'a Vector3<f64>);
 
 // Supports for a direction n from body 2 into body 1, and W_1 + W_2, their turning.
 fn supports(one: Egg<'_>, two: Egg<'_>, n: &Vector3<f64>) -> (Nearest, Matrix3<f64>) {
-    let p_1 = support_of_ellipsoid(one.1, &one.0.attitude.to_body(&-n));
-    let p_2 = support_of_ellipsoid(two.1, &two.0.attitude.to_body(n));
+    let p_1 = support_of_ellipsoid(one.1, &one.0.attitude().to_body(&-n));
+    let p_2 = support_of_ellipsoid(two.1, &two.0.attitude().to_body(n));
     let points = [one.0.space_point(&p_1.point), two.0.space_point(&p_2.point)];
     let turning = one.0.tensor(&p_1.turning) + two.0.tensor(&p_2.turning);
     (Nearest { points, gap: n.dot(&(points[0] - points[1])) }, turning)
@@ -32,7 +32,7 @@ fn across(near: &Nearest, n: &Vector3<f64>) -> Vector3<f64> {
 /// g(n) = n.(p_1(-n) - p_2(n)) of the supports: Newton's method on the sphere, where
 /// grad g = tangential part of p_1 - p_2 and hess g = -(W_1 + W_2) - g I.
 pub(super) fn separate(one: Egg<'_>, two: Egg<'_>) -> Result<Nearest, SearchError> {
-    let start = (one.0.centre - two.0.centre).try_normalize(0.0).unwrap_or(Vector3::z());
+    let start = (one.0.centre() - two.0.centre()).try_normalize(0.0).unwrap_or(Vector3::z());
     let mut normal = start;
     let (mut now, mut turning) = supports(one, two, &normal);
     let size = one.1.max().max(two.1.max());

@@ -11,7 +11,7 @@ const LINE_CONTACT: f64 = 1e-30;
 /// where it is straight. The first radius belongs to the direction from which angles count.
 ///
 /// ```
-/// use carom_laws::curvature::PrincipalRadii;
+/// use carom_geometry::curvature::PrincipalRadii;
 /// let barrel = PrincipalRadii::new(0.02, 0.5)?;
 /// let cylinder = PrincipalRadii::cylinder(0.02)?;
 /// let socket = PrincipalRadii::sphere(-0.03)?;
@@ -119,12 +119,12 @@ pub enum CurvatureError {
 /// curvature and so along the smaller semi-axis a of the contact ellipse.
 ///
 /// ```
-/// use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
+/// use carom_geometry::curvature::{PrincipalRadii, RelativeCurvature};
 /// // Equal crossed cylinders touch like a sphere on a plane.
 /// let cylinder = PrincipalRadii::cylinder(2.0)?;
 /// let gap = RelativeCurvature::new(cylinder, cylinder, std::f64::consts::FRAC_PI_2)?;
 /// assert!((gap.a() - 0.25).abs() < 1e-15 && (gap.b() - 0.25).abs() < 1e-15);
-/// # Ok::<(), carom_laws::curvature::CurvatureError>(())
+/// # Ok::<(), carom_geometry::curvature::CurvatureError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RelativeCurvature {

@@ -3,14 +3,12 @@
 
 mod random;
 
-use carom_impact::{
-    Attitude, Encounter, EncounterError, FrameError, Height, Inertia, PlacedBody, SearchError,
-    Side, Surface, SurfaceError,
+use carom_geometry::curvature::CurvatureError;
+use carom_geometry::{
+    Attitude, ContactPoint, FrameError, Height, Placed, SearchError, Side, Surface, SurfaceError,
 };
-use carom_laws::curvature::CurvatureError;
-use carom_laws::friction::Friction;
 use nalgebra::Vector3;
-use random::{Numbers, steel};
+use random::Numbers;
 
 // Both surfaces agree at the point of the first one next to `near`.
 fn same(exact: &Surface, own: &Surface, point: &Vector3<f64>) {
@@ -74,12 +72,8 @@ fn shapes_are_what_their_functions_say() {
     assert_eq!(part(&capsule, [0.7, 0.0, 2.0]), "the seam of side and end of a capsule");
 }
 
-fn fixed(surface: Surface, centre: [f64; 3]) -> PlacedBody {
-    PlacedBody::new(surface, steel(), Inertia::FIXED).at(centre).unwrap()
-}
-
-fn free(surface: Surface, centre: [f64; 3]) -> PlacedBody {
-    PlacedBody::new(surface, steel(), Inertia::new(1.0, [1.0; 3]).unwrap()).at(centre).unwrap()
+fn body(surface: Surface, centre: [f64; 3]) -> Placed {
+    Placed::new(surface).at(centre).unwrap()
 }
 
 #[test]
@@ -95,56 +89,54 @@ fn two_explicit_surfaces_touch() {
     };
     let lower = |a: f64, b: f64| 0.3 * a * a * a - a * a - b * b;
     let turn = Attitude::about([0.0, 0.0, 1.0], 0.4).unwrap();
-    let one = free(Surface::explicit_with(1.0, Side::Above, upper).unwrap(), [0.1, 0.2, 3.0]);
-    let two = fixed(Surface::explicit(1.0, Side::Below, lower).unwrap(), [0.1, 0.2, 3.0]);
-    let encounter = Encounter::find(one.turned(turn), two, Friction::NONE).unwrap();
-    assert!((encounter.point() - Vector3::new(0.1, 0.2, 3.0)).norm() < 1e-9);
-    let gap = encounter.frame().relative_curvature();
+    let one = body(Surface::explicit_with(1.0, Side::Above, upper).unwrap(), [0.1, 0.2, 3.0]);
+    let two = body(Surface::explicit(1.0, Side::Below, lower).unwrap(), [0.1, 0.2, 3.0]);
+    let contact = ContactPoint::find(&one.turned(turn), &two).unwrap();
+    assert!((contact.point() - Vector3::new(0.1, 0.2, 3.0)).norm() < 1e-9);
+    let gap = contact.frame().relative_curvature();
     assert!((gap.a() - 2.0).abs() < 1e-8 && (gap.b() - 1.5).abs() < 1e-8);
-    assert!(encounter.frame().x().dot(&turn.to_space(&Vector3::x())).abs() > 1.0 - 1e-12);
+    assert!(contact.frame().x().dot(&turn.to_space(&Vector3::x())).abs() > 1.0 - 1e-12);
 }
 
 #[test]
 fn a_ball_in_a_bowl_and_in_a_tighter_one() {
     let bowl = |radius: f64| {
         let depth = move |a: f64, b: f64| -(radius * radius - a * a - b * b).sqrt();
-        fixed(Surface::explicit(radius, Side::Below, depth).unwrap(), [0.0; 3])
+        body(Surface::explicit(radius, Side::Below, depth).unwrap(), [0.0; 3])
     };
     // A ball of radius 0.6 on the wall of a bowl of radius 1, 50 degrees up.
     let (sin, cos) = 50_f64.to_radians().sin_cos();
     let out = Vector3::new(0.6 * sin, 0.8 * sin, -cos);
-    let ball = |radius: f64, at: Vector3<f64>| free(Surface::sphere(radius).unwrap(), at.into());
-    let encounter = Encounter::find(ball(0.6, out * 0.4), bowl(1.0), Friction::NONE).unwrap();
+    let ball = |radius: f64, at: Vector3<f64>| body(Surface::sphere(radius).unwrap(), at.into());
+    let contact = ContactPoint::find(&ball(0.6, out * 0.4), &bowl(1.0)).unwrap();
     // Differences of the steep wall: 2e-9 are measured.
-    assert!((encounter.point() - out).norm() < 1e-8);
-    assert!((encounter.frame().z() + out).norm() < 1e-8);
-    let gap = encounter.frame().relative_curvature();
+    assert!((contact.point() - out).norm() < 1e-8);
+    assert!((contact.frame().z() + out).norm() < 1e-8);
+    let gap = contact.frame().relative_curvature();
     let expected = 0.5 * (1.0 / 0.6 - 1.0);
     assert!((gap.a() - expected).abs() < 1e-7 && (gap.b() - expected).abs() < 1e-7);
     // One that fits.
     let at = [0.0, 0.0, -1.0];
-    let fit = Encounter::at(ball(1.1, Vector3::z() * 0.1), bowl(1.0), at, Friction::NONE);
+    let fit = ContactPoint::at(&ball(1.1, Vector3::z() * 0.1), &bowl(1.0), at);
     assert!(matches!(
         fit,
-        Err(EncounterError::Frame(FrameError::Curvature(CurvatureError::Conforming { .. })))
+        Err(SearchError::Frame(FrameError::Curvature(CurvatureError::Conforming { .. })))
     ));
 }
 
 #[test]
 fn rings_that_lie_flat_touch_along_a_circle() {
-    let ring = |height: f64| free(Surface::torus(2.0, 0.5).unwrap(), [0.3, 0.1, height]);
-    let along_circle = |found: Result<Encounter, EncounterError>| {
+    let ring = |height: f64| body(Surface::torus(2.0, 0.5).unwrap(), [0.3, 0.1, height]);
+    let along_circle = |found: Result<ContactPoint, SearchError>| {
         matches!(
             found,
-            Err(EncounterError::Frame(FrameError::Curvature(CurvatureError::LineContact { .. })))
+            Err(SearchError::Frame(FrameError::Curvature(CurvatureError::LineContact { .. })))
         )
     };
-    let plane = PlacedBody::plane(steel());
-    assert!(along_circle(Encounter::find(ring(0.5), plane.clone(), Friction::NONE)));
-    assert!(along_circle(Encounter::find(ring(1.5), ring(0.5), Friction::NONE)));
-    let above = Encounter::find(ring(0.75), plane, Friction::NONE).unwrap_err();
-    let EncounterError::Search(SearchError::NotTouching { gap, allowed }) = above else {
-        panic!("{above}")
-    };
+    let plane = Placed::new(Surface::plane());
+    assert!(along_circle(ContactPoint::find(&ring(0.5), &plane)));
+    assert!(along_circle(ContactPoint::find(&ring(1.5), &ring(0.5))));
+    let above = ContactPoint::find(&ring(0.75), &plane).unwrap_err();
+    let SearchError::NotTouching { gap, allowed } = above else { panic!("{above}") };
     assert!(gap == 0.25 && (allowed - 2.5e-6).abs() < 1e-20);
 }

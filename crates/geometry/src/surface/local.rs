@@ -79,10 +79,6 @@ impl LocalSurface {
         self.curvatures
     }
 
-    pub(crate) fn curvatures_abs(&self) -> [f64; 2] {
-        self.curvatures.map(f64::abs)
-    }
-
     /// Unit vector along the direction of the larger curvature; any tangent at an umbilic.
     #[must_use]
     pub const fn direction(&self) -> Vector3<f64> {
@@ -124,7 +120,8 @@ impl LocalSurface {
 }
 
 /// A unit vector at right angles to a unit vector.
-pub(crate) fn perpendicular(normal: &Vector3<f64>) -> Vector3<f64> {
+#[must_use]
+pub fn perpendicular(normal: &Vector3<f64>) -> Vector3<f64> {
     let axis = Vector3::ith(normal.iamin(), 1.0);
     (axis - normal * normal.dot(&axis)).normalize()
 }

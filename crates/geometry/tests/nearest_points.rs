@@ -4,18 +4,17 @@
 mod random;
 mod shapes;
 
-use carom_impact::{
-    Attitude, Certainty, Encounter, EncounterError, FrameError, Inertia, Motion, NearestPoints,
-    PlacedBody, SearchError, Surface, SurfaceError, Warning, nearest_points,
+use carom_geometry::curvature::{CurvatureError, PrincipalRadii};
+use carom_geometry::{
+    Attitude, Certainty, ContactPoint, FrameError, NearestPoints, Placed, SearchError, Side,
+    Surface, SurfaceError, nearest_points,
 };
-use carom_laws::curvature::{CurvatureError, PrincipalRadii};
-use carom_laws::friction::Friction;
 use nalgebra::Vector3;
-use random::{Numbers, steel};
+use random::Numbers;
 use shapes::*;
 
 // Two bodies in any attitude, 0.05 apart.
-fn apart(one: &Shape, two: &Shape, numbers: &mut Numbers) -> [PlacedBody; 2] {
+fn apart(one: &Shape, two: &Shape, numbers: &mut Numbers) -> [Placed; 2] {
     let floor = |shape: &Shape| matches!(shape.name, "plane" | "explicit waves");
     let up = Attitude::about([1.0, 0.4, 0.0], numbers.between(-0.3, 0.3)).unwrap();
     let attitude = |shape: &Shape, numbers: &mut Numbers| {
@@ -36,7 +35,7 @@ fn apart(one: &Shape, two: &Shape, numbers: &mut Numbers) -> [PlacedBody; 2] {
     [placed(one, away * 5.0 + shift, turn_1), body_2]
 }
 
-fn moved(body: &PlacedBody, turn: &Attitude, shift: &Vector3<f64>) -> PlacedBody {
+fn moved(body: &Placed, turn: &Attitude, shift: &Vector3<f64>) -> Placed {
     let turned = turn.matrix() * body.attitude().matrix();
     let attitude = Attitude::from_matrix(turned.transpose()).unwrap();
     let centre = turn.to_space(&body.centre()) + shift;
@@ -127,13 +126,15 @@ fn bodies_that_need_not_be_convex() {
     }
 }
 
-// A body of this surface, aligned.
-fn body(surface: Surface, centre: [f64; 3]) -> PlacedBody {
-    let inertia = Inertia::new(1.0, [1.0, 1.1, 1.2]).unwrap();
-    PlacedBody::new(surface, steel(), inertia).at(centre).unwrap()
+fn body(surface: Surface, centre: [f64; 3]) -> Placed {
+    Placed::new(surface).at(centre).unwrap()
 }
 
-fn gap(one: &PlacedBody, two: &PlacedBody) -> f64 {
+fn flat() -> Placed {
+    Placed::new(Surface::plane())
+}
+
+fn gap(one: &Placed, two: &Placed) -> f64 {
     nearest_points(one, two).unwrap().gap
 }
 
@@ -163,35 +164,20 @@ fn tori_in_closed_form() {
 }
 
 #[test]
-fn a_touching_ellipsoid_inside_a_torus_makes_an_encounter() {
+fn a_touching_ellipsoid_inside_a_torus_makes_a_contact() {
     let ring = body(Surface::torus(2.0, 0.3).unwrap(), [0.0; 3]);
     let egg = body(Surface::ellipsoid([0.8, 0.6, 0.4]).unwrap(), [0.9, 0.0, 0.0]);
-    let encounter = Encounter::find(egg, ring, Friction::NONE).unwrap();
-    assert!((encounter.point() - Vector3::x() * 1.7).norm() < 1e-12);
+    let contact = ContactPoint::find(&egg, &ring).unwrap();
+    assert!((contact.point() - Vector3::x() * 1.7).norm() < 1e-12);
     // k = A/C^2 + 1/r along c, A/B^2 - 1/(R - r) along b.
-    let curvature = encounter.frame().relative_curvature();
+    let curvature = contact.frame().relative_curvature();
     assert!((2.0 * curvature.a() - (5.0 + 1.0 / 0.3)).abs() < 1e-12);
     assert!((2.0 * curvature.b() - (0.8 / 0.36 - 1.0 / 1.7)).abs() < 1e-12);
     // One that fits the hole conforms.
     let ring = body(Surface::torus(2.0, 0.3).unwrap(), [0.0; 3]);
     let fit = body(Surface::ellipsoid([1.7, 1.7, 0.4]).unwrap(), [0.0; 3]);
-    let fit = Encounter::at(fit, ring, [1.7, 0.0, 0.0], Friction::NONE).unwrap_err();
-    assert!(matches!(fit, EncounterError::Frame(FrameError::Curvature(_))), "{fit}");
-}
-
-#[test]
-fn an_outcome_says_that_its_point_is_not_proven() {
-    let falling = Motion::new([-1.0, 0.0, 0.0], [0.0; 3]).unwrap();
-    let egg = || Surface::ellipsoid([0.8, 0.6, 0.4]).unwrap();
-    let inertia = egg().solid(1.0).unwrap();
-    let warned = |other: Surface, x: f64| {
-        let egg = PlacedBody::new(egg(), steel(), inertia).at([x, 0.0, 0.0]).unwrap();
-        let other = PlacedBody::new(other, steel(), Inertia::FIXED);
-        let encounter = Encounter::find(egg.moving(falling), other, Friction::NONE).unwrap();
-        encounter.solve().unwrap().rebound().unwrap().warnings.contains(&Warning::PointSampled)
-    };
-    assert!(warned(Surface::torus(2.0, 0.3).unwrap(), 3.1));
-    assert!(!warned(Surface::sphere(2.3).unwrap(), 3.1));
+    let fit = ContactPoint::at(&fit, &ring, [1.7, 0.0, 0.0]).unwrap_err();
+    assert!(matches!(fit, SearchError::Frame(FrameError::Curvature(_))), "{fit}");
 }
 
 #[test]
@@ -200,7 +186,7 @@ fn planes_rest_on_hollow_and_wavy_surfaces() {
     let round = |p: &Vector3<f64>| (p.xy().norm() - 2.0).hypot(p.z) - 0.5;
     let tilt = Attitude::about([1.0, 0.3, 0.2], 0.6).unwrap();
     let lift = |surface| body(surface, [0.3, 0.1, 4.0]).turned(tilt);
-    let plane = PlacedBody::plane(steel());
+    let plane = flat();
     let exact = nearest_points(&lift(Surface::torus(2.0, 0.5).unwrap()), &plane).unwrap();
     let own = nearest_points(&lift(Surface::implicit(2.5, round).unwrap()), &plane).unwrap();
     let sin = tilt.to_body(&Vector3::z()).xy().norm();
@@ -213,7 +199,7 @@ fn planes_rest_on_hollow_and_wavy_surfaces() {
         let bump = |x: f64, depth: f64| depth * (-4.0 * ((a - x).powi(2) + b * b)).exp();
         0.05 * (a * a + b * b) - bump(-1.0, 0.4) - bump(1.0, 0.5)
     };
-    let bumpy = || Surface::explicit(1.0, carom_impact::Side::Above, bumps).unwrap();
+    let bumpy = || Surface::explicit(1.0, Side::Above, bumps).unwrap();
     let near = nearest_points(&body(bumpy(), [0.0, 0.0, 2.0]), &plane).unwrap();
     // Where dc/da = 0 next to a = 1.
     let (mut low, mut high) = (0.9_f64, 1.1);
@@ -251,14 +237,14 @@ fn what_touches_is_found_to_touch() {
             let touching = nearest_points(&at(1.0), &body_2).unwrap();
             assert!(touching.gap.abs() < 1e-13, "{names:?} {:e}", touching.gap);
             let over = nearest_points(&at(1.0 + 2e-6), &body_2).unwrap();
-            match Encounter::find(at(1.0), body_2.clone(), Friction::NONE) {
-                Ok(encounter) => {
+            match ContactPoint::find(&at(1.0), &body_2) {
+                Ok(contact) => {
                     made += 1;
                     assert!((over.gap + 1e-7).abs() < 2e-12, "{names:?} {:e}", over.gap);
-                    assert!((encounter.point() - near.points[1]).norm() < 1e-7, "{names:?}");
-                    assert!(encounter.frame().z().dot(&shift) < 0.0);
+                    assert!((contact.point() - near.points[1]).norm() < 1e-7, "{names:?}");
+                    assert!(contact.frame().z().dot(&shift) < 0.0);
                 }
-                Err(EncounterError::Search(SearchError::Surface { source, .. })) => {
+                Err(SearchError::Surface { source, .. }) => {
                     // An edge may be less deep in the other body than it was pushed.
                     assert!(over.gap < -1e-8 && over.gap > -1.0001e-7, "{names:?} {:e}", over.gap);
                     let edge =
@@ -282,7 +268,7 @@ fn the_unit_of_length_does_not_matter() {
             };
             let clover = || Surface::implicit(1.2 * s, clover).unwrap();
             let wave = move |a: f64, b: f64| 0.2 * s * (1.3 * a / s).sin() * (0.9 * b / s).cos();
-            let wave = Surface::explicit(2.0 * s, carom_impact::Side::Below, wave).unwrap();
+            let wave = Surface::explicit(2.0 * s, Side::Below, wave).unwrap();
             let egg = || Surface::ellipsoid([1.5, 1.0, 0.6].map(|x| x * s)).unwrap();
             let at = |surface, centre: [f64; 3]| {
                 let tilt = Attitude::about([0.3, 1.0, -0.2], 0.8).unwrap();
@@ -332,7 +318,7 @@ fn thin_ellipsoids_are_not_lost() {
 fn cylinders_touch_with_side_lid_and_edge() {
     let rod = |centre| body(Surface::cylinder(0.5, 2.0).unwrap(), centre);
     let egg = |centre| body(Surface::ellipsoid([1.0, 0.8, 0.6]).unwrap(), centre);
-    let find = |one, two| Encounter::find(one, two, Friction::NONE);
+    let find = |one: Placed, two: Placed| ContactPoint::find(&one, &two);
     // On the side of a standing cylinder, beyond the middle.
     let side = find(egg([1.5, 0.0, 0.7]), rod([0.0; 3])).unwrap();
     assert!((side.point() - Vector3::new(0.5, 0.0, 0.7)).norm() < 1e-14);
@@ -344,13 +330,13 @@ fn cylinders_touch_with_side_lid_and_edge() {
     let edge = Vector3::new(0.5, 0.0, 1.0);
     let tip = Vector3::new(-1.0, 0.0, -0.6) * 0.5_f64.sqrt();
     let refused = find(egg((edge - tip).into()), rod([0.0; 3])).unwrap_err();
-    let at_edge = |error: &EncounterError, own: u8| {
+    let at_edge = |error: &SearchError, own: u8| {
         matches!(
             error,
-            EncounterError::Search(SearchError::Surface {
+            SearchError::Surface {
                 body,
                 source: SurfaceError::Edge { part: "the edge of a cylinder" },
-            }) if *body == own
+            } if *body == own
         )
     };
     assert!(at_edge(&refused, 2), "{refused}");
@@ -359,10 +345,10 @@ fn cylinders_touch_with_side_lid_and_edge() {
     let crossed = find(rod([0.3, 1.0, -0.4]), rod([0.0; 3]).turned(lying)).unwrap();
     assert!((crossed.point() - Vector3::new(0.3, 0.5, 0.0)).norm() < 1e-14);
     // Flat on a plane along a line, standing on an area, tilted on an edge.
-    let plane = || PlacedBody::plane(steel());
+    let plane = || flat();
     let line = find(rod([0.0, 0.0, 0.5]).turned(lying), plane()).unwrap_err();
-    let kind = |error: &EncounterError| match error {
-        EncounterError::Frame(FrameError::Curvature(source)) => *source,
+    let kind = |error: &SearchError| match error {
+        SearchError::Frame(FrameError::Curvature(source)) => *source,
         other => panic!("{other}"),
     };
     assert!(matches!(kind(&line), CurvatureError::LineContact { .. }), "{line}");
@@ -387,7 +373,7 @@ fn what_cannot_be_searched_says_why() {
     let error = nearest_points(&ball(), &body(known, [0.0; 3])).unwrap_err();
     assert!(matches!(error, SearchError::NoSearch { one: "sphere", .. }));
     assert!(error.to_string().ends_with("known nowhere else: give the contact point"), "{error}");
-    let planes = nearest_points(&PlacedBody::plane(steel()), &PlacedBody::plane(steel()));
+    let planes = nearest_points(&flat(), &flat());
     assert!(matches!(planes, Err(SearchError::NoSearch { one: "plane", two: "plane", .. })));
     // No surface at all, and one out of reach.
     let nothing = Surface::implicit(1.0, |p| p.norm_squared() + 1.0).unwrap();
@@ -396,13 +382,13 @@ fn what_cannot_be_searched_says_why() {
     let far = Surface::implicit(1.0, |p| (p - Vector3::x() * 30.0).norm() - 1.0).unwrap();
     let error = nearest_points(&body(far, [0.0; 3]), &ball()).unwrap_err();
     assert_eq!(error, SearchError::NoPoints { body: 1, reach: 4.0 });
-    let nan = Surface::explicit(1.0, carom_impact::Side::Above, |_, _| f64::NAN).unwrap();
+    let nan = Surface::explicit(1.0, Side::Above, |_, _| f64::NAN).unwrap();
     assert!(matches!(
         nearest_points(&body(nan, [0.0; 3]), &ball()),
         Err(SearchError::NoPoints { body: 1, .. })
     ));
     // A slope that falls for ever has no lowest point.
-    let slope = Surface::explicit(1.0, carom_impact::Side::Above, |a, _| 0.3 * a).unwrap();
-    let error = nearest_points(&body(slope, [0.0; 3]), &PlacedBody::plane(steel())).unwrap_err();
+    let slope = Surface::explicit(1.0, Side::Above, |a, _| 0.3 * a).unwrap();
+    let error = nearest_points(&body(slope, [0.0; 3]), &flat()).unwrap_err();
     assert!(matches!(error, SearchError::NothingFound { one: "explicit surface", .. }));
 }

@@ -9,7 +9,7 @@ const UNIT: f64 = 1e-6;
 /// The rotation that takes a body's axes (a, b, c) to the axes of space (x, y, z).
 ///
 /// ```
-/// use carom_impact::Attitude;
+/// use carom_geometry::Attitude;
 /// use nalgebra::Vector3;
 /// let half = std::f64::consts::FRAC_1_SQRT_2;
 /// let turned = Attitude::from_quaternion([half, 0.0, 0.0, half])?; // 90 degrees about z
@@ -108,7 +108,7 @@ impl Attitude {
 /// Pi of (8.5), corrected: turns components in (x, y, z) into components in (a, b, c).
 ///
 /// ```
-/// let pi = carom_impact::angle_matrix(0.4, 0.3, 1.2);
+/// let pi = carom_geometry::angle_matrix(0.4, 0.3, 1.2);
 /// assert!((pi * pi.transpose() - nalgebra::Matrix3::identity()).amax() < 1e-15);
 /// ```
 #[must_use]

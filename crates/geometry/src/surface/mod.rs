@@ -6,21 +6,21 @@
 mod closest;
 mod error;
 mod evaluate;
-mod inertia;
 mod jet;
 mod least;
 mod local;
+mod moments;
 mod sample;
+mod volume;
 
 pub use error::SurfaceError;
 pub use jet::{Height, Jet};
-pub use local::LocalSurface;
+pub use local::{LocalSurface, perpendicular};
 
 pub(crate) use closest::{Closest, invert_in_plane, support_of_ellipsoid};
 pub(crate) use least::Objective;
-pub(crate) use local::perpendicular;
 
-use carom_laws::curvature::PrincipalRadii;
+use crate::curvature::PrincipalRadii;
 use carom_special::RangeError;
 use jet::{Field, Source};
 use nalgebra::Vector3;
@@ -28,14 +28,14 @@ use nalgebra::Vector3;
 /// The surface of a body, in its own axes.
 ///
 /// ```
-/// use carom_impact::Surface;
+/// use carom_geometry::Surface;
 /// use nalgebra::Vector3;
 /// let egg = Surface::ellipsoid([3.0, 2.0, 1.5])?;
 /// let bottom = egg.local(&Vector3::new(0.0, 0.0, -1.5))?;
 /// // k = c/a^2 and c/b^2 at the end of axis c.
 /// assert!((bottom.curvatures()[0] - 0.375).abs() < 1e-15);
 /// assert!((bottom.curvatures()[1] - 1.0 / 6.0).abs() < 1e-15);
-/// # Ok::<(), carom_impact::SurfaceError>(())
+/// # Ok::<(), carom_geometry::SurfaceError>(())
 /// ```
 #[derive(Debug, Clone)]
 pub struct Surface {
@@ -156,12 +156,12 @@ impl Surface {
     /// looks for it within four sizes of the origin.
     ///
     /// ```
-    /// use carom_impact::Surface;
+    /// use carom_geometry::Surface;
     /// use nalgebra::Vector3;
     /// let ball = Surface::implicit(2.0, |p| p.norm_squared() - 4.0)?;
     /// let local = ball.local(&Vector3::new(0.0, 0.0, -2.0))?;
     /// assert!((local.curvatures()[1] - 0.5).abs() < 1e-9);
-    /// # Ok::<(), carom_impact::SurfaceError>(())
+    /// # Ok::<(), carom_geometry::SurfaceError>(())
     /// ```
     ///
     /// # Errors
@@ -248,6 +248,29 @@ impl Surface {
 
     pub(crate) const fn kind(&self) -> &Kind {
         &self.kind
+    }
+
+    /// The radius of a sphere; none for any other surface.
+    #[must_use]
+    pub const fn radius(&self) -> Option<f64> {
+        match &self.kind {
+            Kind::Sphere { radius } => Some(*radius),
+            _ => None,
+        }
+    }
+
+    /// Whether it is a plane.
+    #[must_use]
+    pub const fn is_plane(&self) -> bool {
+        matches!(self.kind, Kind::Plane)
+    }
+
+    /// Whether it is convex whatever its numbers.
+    pub(crate) const fn is_convex(&self) -> bool {
+        !matches!(
+            self.kind,
+            Kind::Torus { .. } | Kind::Implicit { .. } | Kind::Explicit { .. } | Kind::Given { .. }
+        )
     }
 
     /// The kind of surface in a word.

@@ -3,8 +3,9 @@
 use nalgebra::{Matrix3, Vector3};
 
 use super::parts::Face;
-use super::placed::{Placed, Target};
+use super::target::Target;
 use super::{Nearest, Touch};
+use crate::placed::Placed;
 use crate::surface::{Closest, Kind, LocalSurface, Objective, support_of_ellipsoid};
 
 /// Minima that are looked for.
@@ -20,7 +21,7 @@ const PARALLEL: f64 = 1e-8;
 pub(super) fn slide(body: &Target<'_>, other: &Target<'_>) -> Vec<Touch> {
     let place = |point: &Vector3<f64>| {
         let closest = other.closest(point)?;
-        Some((closest, bend(&closest, &other.placed.local(&closest.point)?)))
+        Some((closest, bend(&closest, &other.placed.local(&closest.point).ok()?)))
     };
     minima(body, &body.starts, other.size(), &place)
 }
@@ -28,7 +29,7 @@ pub(super) fn slide(body: &Target<'_>, other: &Target<'_>) -> Vec<Touch> {
 /// The minima of the height of a smooth body over a face, first the points on the face.
 pub(super) fn lower(body: &Target<'_>, face: &Face) -> Vec<Touch> {
     if let Kind::Ellipsoid { semi_axes } = body.kind() {
-        let down = body.placed.attitude.to_body(&-face.normal);
+        let down = body.placed.attitude().to_body(&-face.normal);
         let lowest = support_of_ellipsoid(semi_axes, &down).point;
         return vec![face.under(&body.placed.space_point(&lowest))];
     }
@@ -68,13 +69,13 @@ fn minima(
         let (closest, hessian) = place(&body.placed.space_point(point))?;
         Some(Objective {
             value: closest.distance,
-            gradient: body.placed.attitude.to_body(&closest.normal),
-            hessian: turned_back(&body.placed, &hessian),
+            gradient: body.placed.attitude().to_body(&closest.normal),
+            hessian: turned_back(body.placed, &hessian),
             noise,
         })
     };
     let follow = |start: &Vector3<f64>| {
-        let least = body.placed.surface.least(start, 1e-15, objective)?;
+        let least = body.placed.surface().least(start, 1e-15, objective)?;
         let point = body.placed.space_point(&least.local.point());
         let closest = place(&point)?.0;
         let near = Nearest { points: [point, closest.point], gap: closest.distance };
@@ -105,7 +106,7 @@ fn low_starts(
     chosen
 }
 
-fn turned_back(placed: &Placed<'_>, in_space: &Matrix3<f64>) -> Matrix3<f64> {
-    let turned = placed.attitude.matrix();
+fn turned_back(placed: &Placed, in_space: &Matrix3<f64>) -> Matrix3<f64> {
+    let turned = placed.attitude().matrix();
     turned.transpose() * in_space * turned
 }
