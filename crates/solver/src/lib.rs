@@ -5,12 +5,15 @@
 //! a history, each given by a [`Drive`], and says with a [`Convergence`] how it went.
 #![forbid(unsafe_code)]
 
+mod chart;
 mod convergence;
+mod direct;
 mod drive;
 mod friction;
 mod frictional;
 mod frictionless;
 mod gap;
+pub mod kalker;
 mod method;
 mod nested;
 mod normal;
@@ -18,7 +21,9 @@ mod problem;
 mod state;
 mod tangential;
 
+pub use chart::{Block, Entry, Step, Trace};
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
+pub use direct::DirectError;
 pub use drive::{Drive, Driven};
 pub use friction::{CellFriction, SurfaceFriction};
 pub use frictional::{Frictional, FrictionalError, FrictionalScratch};
