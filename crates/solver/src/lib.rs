@@ -5,6 +5,7 @@
 //! a history, each given by a [`Drive`], and says with a [`Convergence`] how it went.
 #![forbid(unsafe_code)]
 
+mod contour;
 mod convergence;
 mod drive;
 mod friction;
@@ -19,6 +20,7 @@ mod problem;
 mod state;
 mod tangential;
 
+pub use contour::{Contour, contours};
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
 pub use drive::{Drive, Driven};
 pub use friction::{CellFriction, SurfaceFriction};
