@@ -65,10 +65,9 @@ fn similar_bodies_tend_to_the_analytic_law() {
     let coarse = misfit(10, 8);
     let fine = misfit(20, 16);
     let finest = misfit(40, 32);
-    // F_z with the square of the cells' width, F_x with the length of the steps.
     let text = format!("{coarse:?} {fine:?} {finest:?}");
-    assert!(finest[0] < 0.004 && finest[1] < 3e-4, "{text}");
-    assert!(finest[0] < 0.55 * fine[0] && fine[0] < 0.55 * coarse[0], "{text}");
+    assert!(finest[0] < 6e-4 && finest[1] < 3e-4, "{text}");
+    assert!(finest[0] < 0.7 * fine[0] && fine[0] < 0.5 * coarse[0], "{text}");
     assert!(finest[1] < 0.35 * fine[1] && fine[1] < 0.35 * coarse[1], "{text}");
 }
 
@@ -77,10 +76,14 @@ fn windows_that_follow_the_contact_give_what_one_large_grid_gives() {
     for poisson in [[0.3, 0.3], [0.0, 0.5]] {
         let hertz = hertz(poisson, 3.0);
         let mut law = law(poisson, 3.0, 0.2, 18);
-        let path: Vec<Shift> = path(4)
-            .into_iter()
-            .map(|to| Shift { eta: -0.3 * to.xi, omega: 0.2 * to.xi, ..to })
-            .collect();
+        // No shifts while the contact grows: the law parts those among the cells that enter.
+        let corners =
+            [(0.3, 0.0), (0.6, 0.0), (0.6, 0.05), (0.5, 0.1), (1.0, 0.1), (1.0, 0.2), (0.8, 0.0)];
+        let path = corners.into_iter().chain([(0.3, -0.1), (0.6, -0.1), (0.6, 0.2), (0.1, 0.1)]);
+        let path = path.map(|(zeta, xi)| {
+            let to = shift(zeta, xi, -0.3 * xi);
+            Shift { omega: 0.2 * to.xi, ..to }
+        });
         // The same cells, 32 of them along both sides.
         let ellipse = hertz.ellipse(APPROACH).unwrap();
         let width = |semi_axis: f64| 2.0 * semi_axis / 18.0;

@@ -77,6 +77,11 @@ impl Cells {
         (self.doubled, self.count)
     }
 
+    /// Whether all cells of another window are among those of this one.
+    pub(super) const fn contain(&self, other: &Self) -> bool {
+        self.doubled == other.doubled && self.count >= other.count
+    }
+
     /// Whether a cell of the border is in contact, so that more may be beyond it.
     pub(super) fn touch_border(&self, state: &ContactState) -> bool {
         let (n, cells) = (self.count, state.cells.values());

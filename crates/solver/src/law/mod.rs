@@ -1,6 +1,7 @@
 //! The numerical contact as a law: rigid shifts in, loads out (15.1).
 
 mod cells;
+mod entry;
 mod window;
 
 use std::sync::{Arc, Mutex, PoisonError};
@@ -42,9 +43,8 @@ pub enum NumericalLawError {
 /// A clone costs next to nothing and shares all that does not change. What one clone does is never
 /// seen by another.
 ///
-/// With `n` cells across the contact and steps of a `1/m` of the history, forces are off by about
-/// `1/n^2 + 1/m`: a cell that comes into contact counts as if it had been there since the step
-/// began.
+/// Cells that come into contact during a step take part in what is left of it, as the contact grows
+/// from the old to the new approach; so a step along a straight path does nearly as well as many.
 ///
 /// ```
 /// use carom_halfspace::{Material, MaterialPair};
@@ -171,7 +171,7 @@ impl NumericalLaw {
     /// The contact after a step; none if it ends apart.
     fn stepped(&self, to: Shift) -> Result<Option<Touching>, NumericalLawError> {
         let Shared { hertz, friction, method, cells, windows } = &*self.shared;
-        let ellipse = hertz.ellipse(to.zeta)?;
+        let (ellipse, touch) = (hertz.ellipse(to.zeta)?, self.touch(&to));
         let mut cells = self.touching.as_deref().map_or(*cells, |touching| touching.cells);
         while cells.widths_across(&ellipse) > OUTGROWN * self.shared.cells.asked() as f64 {
             cells = cells.coarser();
@@ -185,7 +185,8 @@ impl NumericalLaw {
                 Some(touching) => window.take(touching.cells, &touching.state)?,
                 None => ContactState::apart(window.grid()),
             };
-            from.shift = self.touch(&to);
+            from.shift = touch;
+            entry::anticipate(&mut from, &touch, &to, &ellipse);
             let (state, went) = window.step(method, &from, to)?;
             if !cells.touch_border(&state) {
                 let apart = state.count(CellState::Exterior) == state.cells.values().len();

@@ -4,8 +4,8 @@ use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
 use std::sync::Arc;
 
-use carom_halfspace::Grid;
 use carom_halfspace::operator::{DisplacementField, TractionField};
+use carom_halfspace::{Field, Grid};
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::Shift;
@@ -68,7 +68,7 @@ impl Window {
         self.problem.grid()
     }
 
-    /// The state of another window on this one. The displacements follow from the tractions.
+    /// The state of another window on this one.
     pub(super) fn take(
         &self,
         cells: Cells,
@@ -79,23 +79,33 @@ impl Window {
         }
         let mut own = ContactState::apart(self.grid());
         own.shift = state.shift;
-        let fields = [
-            (&state.pressure, &mut own.pressure),
-            (&state.traction_x, &mut own.traction_x),
-            (&state.traction_y, &mut own.traction_y),
-        ];
-        for (from, to) in fields {
+        let pass = |from: &Field, to: &mut Field| {
             to.values_mut().copy_from_slice(&cells.pass(from.values(), &self.cells));
+        };
+        pass(&state.pressure, &mut own.pressure);
+        pass(&state.traction_x, &mut own.traction_x);
+        pass(&state.traction_y, &mut own.traction_y);
+        if cells.contain(&self.cells) {
+            // Tractions that are left out still displace what stays.
+            pass(&state.displacement_x, &mut own.displacement_x);
+            pass(&state.displacement_y, &mut own.displacement_y);
+        } else {
+            self.displace(&mut own)?;
         }
-        let (x, y) = (own.traction_x.values(), own.traction_y.values());
-        let tractions = TractionField::full(x, y, own.pressure.values());
-        let (u, v) = (own.displacement_x.values_mut(), own.displacement_y.values_mut());
+        Ok(own)
+    }
+
+    /// The displacements by all tractions.
+    fn displace(&self, state: &mut ContactState) -> Result<(), NumericalLawError> {
+        let (x, y) = (state.traction_x.values(), state.traction_y.values());
+        let tractions = TractionField::full(x, y, state.pressure.values());
+        let (u, v) = (state.displacement_x.values_mut(), state.displacement_y.values_mut());
         let displacements = DisplacementField::tangential(u, v);
         let operator = self.problem.operator();
         operator
             .apply(tractions, displacements, &mut operator.workspace())
             .map_err(FrictionalError::from)?;
-        Ok(own)
+        Ok(())
     }
 
     pub(super) fn step(
