@@ -6,6 +6,7 @@
 #![forbid(unsafe_code)]
 
 mod chart;
+mod contour;
 mod convergence;
 mod direct;
 mod drive;
@@ -14,6 +15,7 @@ mod frictional;
 mod frictionless;
 mod gap;
 pub mod kalker;
+mod law;
 mod method;
 mod nested;
 mod normal;
@@ -22,6 +24,7 @@ mod state;
 mod tangential;
 
 pub use chart::{Block, Entry, Step, Trace};
+pub use contour::{Contour, contours};
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
 pub use direct::DirectError;
 pub use drive::{Drive, Driven};
@@ -29,6 +32,7 @@ pub use friction::{CellFriction, SurfaceFriction};
 pub use frictional::{Frictional, FrictionalError, FrictionalScratch};
 pub use frictionless::{Frictionless, NormalError, NormalScratch};
 pub use gap::Gap;
+pub use law::{NumericalLaw, NumericalLawError};
 pub use method::Method;
 pub use problem::{ContactProblem, ProblemError};
 pub use state::{CellState, ContactState};

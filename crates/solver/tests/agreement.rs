@@ -25,12 +25,8 @@ const SHIFTS: &[[f64; 4]] = &[
     [1.0, -0.1, 0.15, 0.0],
     [0.7, -0.3, 0.1, 0.0],
 ];
-const TWISTS: &[[f64; 4]] = &[
-    [1.0, 0.0, 0.0, 0.0],
-    [1.0, 0.0, 0.0, 0.3],
-    [1.0, 0.1, 0.0, 0.4],
-    [0.9, 0.1, 0.0, -0.2],
-];
+const TWISTS: &[[f64; 4]] =
+    &[[1.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.3], [1.0, 0.1, 0.0, 0.4], [0.9, 0.1, 0.0, -0.2]];
 const SIMILAR: [f64; 2] = [0.3, 0.3];
 /// gamma = 1/3 and -1/3.
 const POSITIVE: [f64; 2] = [0.0, 0.5];
@@ -109,18 +105,31 @@ fn all_methods_find_the_same() {
         let problem = problem(&case);
         let today = Frictional::default().within(1e-12).unwrap();
         let (want, today) = follow(&problem, &today, case.history).unwrap();
-        let mut line = format!("{} {:?} nu {:?} f {}: today {today:.1?}", case.name, case.cells, case.poisson, case.friction);
-        let mut check = |name: &str, found: Result<(Vec<ContactState>, Duration), String>| {
-            match found {
-                Ok((found, time)) => line += &format!(", {name} {:.1e} {time:.1?}", difference(&want, &found)),
+        let mut line = format!(
+            "{} {:?} nu {:?} f {}: today {today:.1?}",
+            case.name, case.cells, case.poisson, case.friction
+        );
+        let mut check =
+            |name: &str, found: Result<(Vec<ContactState>, Duration), String>| match found {
+                Ok((found, time)) => {
+                    line += &format!(", {name} {:.1e} {time:.1?}", difference(&want, &found))
+                }
                 Err(error) => line += &format!(", {name} {error}"),
-            }
-        };
+            };
         if !problem.operator().is_coupled() {
-            check("Johnson", follow(&problem, &Johnson::default(), case.history).map_err(|e| e.to_string()));
+            check(
+                "Johnson",
+                follow(&problem, &Johnson::default(), case.history).map_err(|e| e.to_string()),
+            );
         }
-        check("Panagiotopoulos", follow(&problem, &Panagiotopoulos::default(), case.history).map_err(|e| e.to_string()));
-        check("Kombi", follow(&problem, &Kombi::default(), case.history).map_err(|e| e.to_string()));
+        check(
+            "Panagiotopoulos",
+            follow(&problem, &Panagiotopoulos::default(), case.history).map_err(|e| e.to_string()),
+        );
+        check(
+            "Kombi",
+            follow(&problem, &Kombi::default(), case.history).map_err(|e| e.to_string()),
+        );
         println!("{line}");
     }
 }
