@@ -85,10 +85,7 @@ impl<S: Step> Trace<S> {
 }
 
 /// What is left of the entries after the parts of a chart were walked through.
-fn walk<'a, S: Step>(
-    mut entries: &'a [Entry<S>],
-    blocks: &[Block<S>],
-) -> Option<&'a [Entry<S>]> {
+fn walk<'a, S: Step>(mut entries: &'a [Entry<S>], blocks: &[Block<S>]) -> Option<&'a [Entry<S>]> {
     for block in blocks {
         entries = match block {
             Block::Do(step) => entries.split_first().filter(|(entry, _)| entry.step == *step)?.1,
@@ -140,7 +137,10 @@ mod tests {
 
     const INNER: &[Block<char>] = &[Block::Do('a'), Block::Do('b')];
     const CHART: &[Block<char>] = &[
-        Block::Until { body: &[Block::Until { body: INNER, done: '?' }, Block::Do('c')], done: '!' },
+        Block::Until {
+            body: &[Block::Until { body: INNER, done: '?' }, Block::Do('c')],
+            done: '!',
+        },
         Block::Do('d'),
     ];
 

@@ -13,6 +13,7 @@ mod friction;
 mod frictional;
 mod frictionless;
 mod gap;
+pub mod jaeger;
 pub mod kalker;
 mod method;
 mod nested;

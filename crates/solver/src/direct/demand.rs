@@ -69,7 +69,11 @@ impl Demand {
 
     /// f p; zero where nothing touches or rubs.
     pub(crate) fn limit(&self, cell: usize, pressure: f64) -> f64 {
-        if pressure > 0.0 && self.friction[cell] > 0.0 { self.friction[cell] * pressure } else { 0.0 }
+        if pressure > 0.0 && self.friction[cell] > 0.0 {
+            self.friction[cell] * pressure
+        } else {
+            0.0
+        }
     }
 
     /// The slip (12.5) of a cell of this displacement.

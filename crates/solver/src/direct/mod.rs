@@ -1,8 +1,8 @@
 //! What the methods of chapters 11 and 12 share: coefficients instead of transforms, what a step
 //! demands, what is left of its conditions.
 
-pub(crate) mod dense;
 mod demand;
+pub(crate) mod dense;
 mod error;
 mod influence;
 mod outcome;
