@@ -14,6 +14,7 @@ mod friction;
 mod frictional;
 mod frictionless;
 mod gap;
+pub mod jaeger;
 pub mod kalker;
 mod law;
 mod method;
