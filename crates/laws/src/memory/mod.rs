@@ -20,6 +20,7 @@
 mod adhesion;
 mod energy;
 mod lateral;
+mod merge;
 mod report;
 mod slip_in_line;
 mod slip_in_plane;
@@ -27,6 +28,7 @@ mod stack;
 
 pub use adhesion::AdhesionMemory;
 pub use lateral::Lateral;
+pub(crate) use lateral::outgrown;
 pub(crate) use report::Turn;
 pub use report::{Segment, Tangent};
 pub use stack::{Fixed, Growing, Vertex, VertexStack};
@@ -34,6 +36,7 @@ pub use stack::{Fixed, Growing, Vertex, VertexStack};
 use carom_special::RangeError;
 
 use crate::bounds::in_memory;
+use merge::push;
 use crate::profile::{Hertzian, NormalProfile};
 
 /// What the last step did to a contact.
@@ -173,7 +176,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         self.shift = self.shift.plus(shift.minus(self.shift).times(part));
         (self.zeta, self.force) = (0.0, V::default());
         let vertex = Vertex { anchor: self.shift, curb: 1.0, ..Vertex::default() };
-        self.stack.push(vertex, &self.profile);
+        push(&mut self.stack, vertex, &self.profile);
     }
 
     /// The segment laid down in complete adhesion (6.45), (7.54).
@@ -192,7 +195,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         if below.depth >= vertex.depth {
             *below = vertex; // the first segment after touch
         } else if below.slope != slope || below.force_slope != slope {
-            self.stack.push(vertex, &self.profile);
+            push(&mut self.stack, vertex, &self.profile);
         }
         self.finish(zeta, Regime::Adhesion);
     }
@@ -251,7 +254,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         let anchor = below.anchor_at(depth);
         let reversed = rings == 0 && below.is_slip();
         self.stack.truncate(i + 1);
-        self.stack.push(
+        push(
+            &mut self.stack,
             Vertex { depth, anchor, slope, force_slope: slope, force, curb: 0.0 },
             &self.profile,
         );
@@ -276,7 +280,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         let before = V::slip_slope(arm, base.slope, 0.0);
         let slope = V::dragged(before, dx.times(1.0 - onset), from, zeta);
         self.stack.truncate(0);
-        self.stack.push(
+        push(
+            &mut self.stack,
             Vertex {
                 depth: 0.0,
                 anchor: shift.minus(slope.times(zeta)),

@@ -1,0 +1,144 @@
+//! One ring on a straight step: its anchor is dragged, on a tractrix, from where the limit is met.
+
+use crate::memory::{Lateral, outgrown};
+
+/// A straight step of the rigid shift.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Step<V> {
+    /// The approach at the end.
+    pub(super) zeta: f64,
+    /// The shift at the end.
+    pub(super) shift: V,
+    /// The growth of the approach.
+    dz: f64,
+    length: f64,
+    /// The direction of the step; zero if there is none.
+    ahead: V,
+    /// dz over the length, and one less its square.
+    slope: f64,
+    curve: f64,
+}
+
+/// A step so steep that its direction does not matter to round-off.
+const STEEP: f64 = 1e15;
+
+impl<V: Lateral> Step<V> {
+    #[inline]
+    pub(super) fn new(from: (f64, V), to: (f64, V)) -> Self {
+        let (dz, dx) = (to.0 - from.0, to.1.minus(from.1));
+        let length = dx.length();
+        if length == 0.0 || dz.abs() > STEEP * length {
+            let ahead = V::default();
+            return Self {
+                zeta: to.0,
+                shift: to.1,
+                dz,
+                length: 0.0,
+                ahead,
+                slope: 0.0,
+                curve: 0.0,
+            };
+        }
+        let slope = dz / length;
+        Self {
+            zeta: to.0,
+            shift: to.1,
+            dz,
+            length,
+            ahead: dx.times(1.0 / length),
+            slope,
+            curve: (1.0 - slope) * (1.0 + slope),
+        }
+    }
+
+    /// How far the ring of a depth and an anchor is beyond its limit at the end: positive if it
+    /// was dragged. The square of its stretch less that of the limit.
+    #[inline]
+    pub(super) fn excess(&self, depth: f64, anchor: V) -> f64 {
+        let stretch = self.shift.minus(anchor);
+        let limit = self.zeta - depth;
+        stretch.dot(stretch) - limit * limit
+    }
+
+    /// The anchor, at the end, of a ring that lies on the line behind the end.
+    #[inline]
+    pub(super) fn behind(&self, depth: f64) -> V {
+        self.shift.minus(self.ahead.times(self.zeta - depth))
+    }
+
+    /// The anchor of the ring of a depth at the end of the step.
+    ///
+    /// A ring within its limit at both ends never slipped, since the limit is a convex cone. Else
+    /// it leaves its limit once, and from there the traction's direction turns towards that of the
+    /// step, `tan(theta/2)` falling as `exp(-int dl/r)`, r the limit (8.56).
+    #[inline]
+    pub(super) fn drag(&self, depth: f64, anchor: V) -> V {
+        let limit = self.zeta - depth;
+        let stretch = self.shift.minus(anchor);
+        let square = stretch.dot(stretch);
+        if square <= limit * limit {
+            return anchor;
+        }
+        if self.length == 0.0 {
+            return self.shift.minus(stretch.times(limit / square.sqrt()));
+        }
+        let along = stretch.dot(self.ahead);
+        let across = cross(self.ahead, stretch);
+        let [forward, aside] = self.turned(along, across, limit);
+        self.shift.minus(combine(self.ahead, forward, aside))
+    }
+
+    /// The stretch of a slipping ring at the end, along and across the step, from what it would be
+    /// had it not slipped.
+    #[inline]
+    fn turned(&self, along: f64, across: f64, limit: f64) -> [f64; 2] {
+        let (before, start) = (along - self.length, limit - self.dz);
+        // |stretch at the way t| = limit at the way t.
+        let half = before - self.slope * start;
+        let inside = (before * before + across * across - start * start).min(0.0);
+        let way = outgrown(self.curve * self.length, half, inside / self.length) * self.length;
+        let (at, met) = (before + way, start + self.slope * way);
+        let arm = (at * at + across * across).sqrt();
+        if arm == 0.0 || met <= 0.0 {
+            return [limit, 0.0];
+        }
+        if across.abs() < 1e-16 * arm {
+            return [limit.copysign(at), 0.0]; // with the step or against it, on a line
+        }
+        let tangent = if at > 0.0 { across / (arm + at) } else { (arm - at) / across };
+        let tangent = tangent * libm::exp(-(self.length - way) * pull(met, limit));
+        let scale = limit / (1.0 + tangent * tangent);
+        [(1.0 - tangent) * (1.0 + tangent) * scale, 2.0 * tangent * scale]
+    }
+}
+
+/// One over the logarithmic mean of the limits at both ends.
+#[inline]
+fn pull(met: f64, limit: f64) -> f64 {
+    let growth = (limit - met) / met;
+    let part = if growth.abs() < 0.01 {
+        // log(1 + g)/g, the next term is below 2e-15
+        let g = growth;
+        1.0 + g
+            * (-1.0 / 2.0
+                + g * (1.0 / 3.0
+                    + g * (-1.0 / 4.0 + g * (1.0 / 5.0 + g * (-1.0 / 6.0 + g * (1.0 / 7.0))))))
+    } else {
+        libm::log1p(growth) / growth
+    };
+    part / met
+}
+
+/// `a x b`.
+#[inline]
+pub(super) fn cross<V: Lateral>(a: V, b: V) -> f64 {
+    let ([a_x, a_y], [b_x, b_y]) = (a.components(), b.components());
+    a_x * b_y - a_y * b_x
+}
+
+/// The vector of these parts along a unit vector and across it, counter-clockwise.
+#[inline]
+fn combine<V: Lateral>(ahead: V, forward: f64, aside: f64) -> V {
+    let [x, y] = ahead.components();
+    V::from_components([x * forward - y * aside, y * forward + x * aside])
+}

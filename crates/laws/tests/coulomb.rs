@@ -1,0 +1,97 @@
+//! Coulomb's law in two directions against rings of sliders.
+
+use carom_laws::coulomb::{CoulombMemory, Tolerance};
+use carom_laws::memory::VectorMemory;
+
+mod common;
+use common::Random;
+use common::rings::Rings;
+use common::turning::{Kind, Path, divided};
+
+fn law(tolerance: f64) -> CoulombMemory<[f64; 2]> {
+    CoulombMemory::new(Tolerance::new(tolerance).unwrap())
+}
+
+fn off(a: [f64; 2], b: [f64; 2]) -> f64 {
+    (a[0] - b[0]).hypot(a[1] - b[1])
+}
+
+#[derive(Default, Clone, Copy)]
+struct Errors {
+    sum: f64,
+    largest: f64,
+    steps: f64,
+    vertices: f64,
+    most: usize,
+}
+
+impl Errors {
+    fn add(&mut self, error: f64, vertices: usize) {
+        self.sum += error;
+        self.steps += 1.0;
+        self.largest = self.largest.max(error);
+        self.vertices += vertices as f64;
+        self.most = self.most.max(vertices);
+    }
+}
+
+/// Errors over the limit, in collisions over that at the peak.
+fn compare(kind: Kind, path: &Path, parts: usize, rings: usize, tolerance: f64, errors: &mut Errors) {
+    let (mut law, mut oracle) = (law(tolerance), Rings::new(rings, 1.3));
+    let fine = divided(path, parts);
+    for (i, &(zeta, x)) in fine.iter().enumerate() {
+        let got = law.advance(zeta, x).unwrap();
+        if i % parts == 0 {
+            let want = oracle.advance(zeta, x);
+            let limit = if kind == Kind::Collision { 1.0 } else { zeta.powf(1.5) };
+            errors.add(off(got, want) / limit, law.stack().len_of());
+        }
+    }
+}
+
+trait Len {
+    fn len_of(&self) -> usize;
+}
+impl<S: carom_laws::memory::VertexStack<[f64; 2]>> Len for S {
+    fn len_of(&self) -> usize {
+        self.len()
+    }
+}
+
+#[test]
+fn scan() {
+    let env = |name: &str, or: f64| std::env::var(name).map_or(or, |v| v.parse().unwrap());
+    let (paths, tolerance) = (env("PATHS", 100.0) as u64, env("TOL", 1e-2));
+    let (parts, rings) = (env("PARTS", 1.0) as usize, env("RINGS", 600.0) as usize);
+    for kind in Kind::ALL {
+        let mut errors = Errors::default();
+        let mut old = Errors::default();
+        let mut worst = (0.0, 0);
+        for seed in 0..paths {
+            let path = kind.path(&mut Random(seed));
+            let before = errors.largest;
+            compare(kind, &path, parts, rings, tolerance, &mut errors);
+            if errors.largest > before {
+                worst = (errors.largest, seed);
+            }
+            if parts == 1 {
+                let (mut law, mut oracle) = (VectorMemory::new(), Rings::new(rings, 1.3));
+                for &(zeta, x) in &path {
+                    let got = law.advance(zeta, x).unwrap();
+                    let limit = if kind == Kind::Collision { 1.0 } else { zeta.powf(1.5) };
+                    old.add(off(got, oracle.advance(zeta, x)) / limit, 0);
+                }
+            }
+        }
+        println!(
+            "{kind:?}: mean {:.1e} max {:.1e} (seed {}), vertices {:.1} / {}; old {:.1e} {:.1e}",
+            errors.sum / errors.steps,
+            errors.largest,
+            worst.1,
+            errors.vertices / errors.steps,
+            errors.most,
+            old.sum / old.steps,
+            old.largest
+        );
+    }
+}
