@@ -1,12 +1,12 @@
 //! Coulomb's law in two directions against rings of sliders.
 
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
-use carom_laws::memory::VectorMemory;
+use carom_laws::memory::{ScalarMemory, VectorMemory};
 
 mod common;
-use common::Random;
 use common::rings::Rings;
 use common::turning::{Kind, Path, divided};
+use common::{Random, next};
 
 fn law(tolerance: f64) -> CoulombMemory<[f64; 2]> {
     CoulombMemory::new(Tolerance::new(tolerance).unwrap())
@@ -36,7 +36,14 @@ impl Errors {
 }
 
 /// Errors over the limit, in collisions over that at the peak.
-fn compare(kind: Kind, path: &Path, parts: usize, rings: usize, tolerance: f64, errors: &mut Errors) {
+fn compare(
+    kind: Kind,
+    path: &Path,
+    parts: usize,
+    rings: usize,
+    tolerance: f64,
+    errors: &mut Errors,
+) {
     let (mut law, mut oracle) = (law(tolerance), Rings::new(rings, 1.3));
     let fine = divided(path, parts);
     for (i, &(zeta, x)) in fine.iter().enumerate() {
@@ -44,7 +51,8 @@ fn compare(kind: Kind, path: &Path, parts: usize, rings: usize, tolerance: f64, 
         if i % parts == 0 {
             let want = oracle.advance(zeta, x);
             let limit = if kind == Kind::Collision { 1.0 } else { zeta.powf(1.5) };
-            errors.add(off(got, want) / limit, law.stack().len_of());
+            let error = if zeta > 0.0 { off(got, want) / limit } else { off(got, [0.0; 2]) };
+            errors.add(error, law.stack().len_of());
         }
     }
 }
@@ -78,7 +86,7 @@ fn scan() {
                 let (mut law, mut oracle) = (VectorMemory::new(), Rings::new(rings, 1.3));
                 for &(zeta, x) in &path {
                     let got = law.advance(zeta, x).unwrap();
-                    let limit = if kind == Kind::Collision { 1.0 } else { zeta.powf(1.5) };
+                    let limit = if kind == Kind::Collision { 1.0 } else { zeta.abs().powf(1.5) };
                     old.add(off(got, oracle.advance(zeta, x)) / limit, 0);
                 }
             }
@@ -93,5 +101,36 @@ fn scan() {
             old.sum / old.steps,
             old.largest
         );
+    }
+}
+
+#[test]
+fn collinear_paths_are_those_of_the_scalar_law() {
+    for parts in [1, 7, 64] {
+        let mut worst = 0.0_f64;
+        for seed in 0..2000 / parts as u64 {
+            let mut random = Random(seed);
+            let angle = random.between(0.0, 6.3);
+            let (s, c) = angle.sin_cos();
+            let mut law = law([1e-1, 1e-2, 1e-4][seed as usize % 3]);
+            let mut scalar = ScalarMemory::new();
+            let (mut zeta, mut x) = (0.0, [0.0; 2]);
+            let mut farthest = 0.0_f64;
+            let mut path = vec![(zeta, [0.0, 0.0])];
+            for _ in 0..100 {
+                (zeta, x) = next(&mut random, zeta, x);
+                path.push((zeta, [x[0], 0.0]));
+            }
+            for (zeta, x) in divided(&path, parts) {
+                let want = scalar.advance(zeta, x[0]).unwrap();
+                let got = law.advance(zeta, [c * x[0], s * x[0]]).unwrap();
+                farthest = if zeta > 0.0 { x[0].abs().max(farthest) } else { x[0].abs() };
+                let scale = zeta.max(1e-3).sqrt() * zeta.max(farthest).max(1e-3);
+                let error = off(got, [c * want, s * want]) / scale;
+                assert!(error < 1e-12, "{error:e} at {zeta} {x:?}, seed {seed}, parts {parts}");
+                worst = worst.max(error);
+            }
+        }
+        println!("{parts} parts: {worst:e}");
     }
 }

@@ -3,7 +3,7 @@
 use crate::memory::{Lateral, outgrown};
 
 /// A straight step of the rigid shift.
-#[derive(Debug, Clone, Copy)]
+#[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Step<V> {
     /// The approach at the end.
     pub(super) zeta: f64,
@@ -14,6 +14,8 @@ pub(super) struct Step<V> {
     length: f64,
     /// The direction of the step; zero if there is none.
     ahead: V,
+    /// What is across by round-off only.
+    grain: f64,
     /// dz over the length, and one less its square.
     slope: f64,
     curve: f64,
@@ -21,6 +23,8 @@ pub(super) struct Step<V> {
 
 /// A step so steep that its direction does not matter to round-off.
 const STEEP: f64 = 1e15;
+/// What is across by round-off, over approach and shift.
+const GRAIN: f64 = 1e-15;
 
 impl<V: Lateral> Step<V> {
     #[inline]
@@ -28,24 +32,17 @@ impl<V: Lateral> Step<V> {
         let (dz, dx) = (to.0 - from.0, to.1.minus(from.1));
         let length = dx.length();
         if length == 0.0 || dz.abs() > STEEP * length {
-            let ahead = V::default();
-            return Self {
-                zeta: to.0,
-                shift: to.1,
-                dz,
-                length: 0.0,
-                ahead,
-                slope: 0.0,
-                curve: 0.0,
-            };
+            return Self { zeta: to.0, shift: to.1, dz, ..Self::default() };
         }
         let slope = dz / length;
+        let [x, y] = to.1.components();
         Self {
             zeta: to.0,
             shift: to.1,
             dz,
             length,
             ahead: dx.times(1.0 / length),
+            grain: GRAIN * (x.abs() + y.abs() + to.0),
             slope,
             curve: (1.0 - slope) * (1.0 + slope),
         }
@@ -102,8 +99,9 @@ impl<V: Lateral> Step<V> {
         if arm == 0.0 || met <= 0.0 {
             return [limit, 0.0];
         }
-        if across.abs() < 1e-16 * arm {
-            return [limit.copysign(at), 0.0]; // with the step or against it, on a line
+        if across.abs() < 1e-16 * arm || (at < 0.0 && across.abs() < self.grain) {
+            // With the step, or against it, where a ring would not stay but in one direction.
+            return [limit.copysign(at), 0.0];
         }
         let tangent = if at > 0.0 { across / (arm + at) } else { (arm - at) / across };
         let tangent = tangent * libm::exp(-(self.length - way) * pull(met, limit));

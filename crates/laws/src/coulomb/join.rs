@@ -4,12 +4,19 @@ use super::drag::cross;
 use super::piece::{End, Knot, Piece, weights};
 use crate::memory::{Lateral, VertexStack};
 
-/// The share of the tolerance by which a join may move the curve.
-const SHARE: f64 = 0.2;
+/// Lengths that count in a step.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Sizes {
+    /// How far a join may move the curve.
+    pub(super) miss: f64,
+    /// The largest bubble.
+    pub(super) bulge: f64,
+    /// What is no length at all.
+    pub(super) exact: f64,
+}
+
 /// The sine below which three anchors lie on a line.
 const IN_LINE: f64 = 1e-9;
-/// What counts as no move at all, over the approach.
-const EXACT: f64 = 1e-13;
 
 /// Two neighbouring pieces of the curve.
 struct Pair<V> {
@@ -41,10 +48,15 @@ impl<V: Lateral> Pair<V> {
 
     /// Whether both are straight and on one line, to and fro, as all are on a collinear path.
     #[inline]
-    fn in_line(&self) -> bool {
-        let straight = self.below.bubble == V::default() && self.above.bubble == V::default();
+    fn in_line(&self, exact: f64) -> bool {
+        if self.below.bubble != V::default() || self.above.bubble != V::default() {
+            return false;
+        }
         let [rise, first] = self.rises();
-        straight && cross(rise, first).abs() <= IN_LINE * (rise.dot(rise) * first.dot(first)).sqrt()
+        let (long, short) = (rise.dot(rise), first.dot(first));
+        let area = cross(rise, first);
+        let within = (IN_LINE * IN_LINE * short.min(long)).max(exact * exact);
+        area * area <= within * long.max(short)
     }
 
     /// The bubble of the one piece that leaves the force as it is.
@@ -74,30 +86,29 @@ impl<V: Lateral> Pair<V> {
             .sqrt()
     }
 
-    /// The bubble of one piece in the place of both, if the tolerance allows it.
+    /// The bubble of one piece in the place of both, if it may take it.
     #[inline]
-    fn joint(&self, tolerance: f64) -> Option<V> {
-        let scale = self.above.high.depth;
-        if self.in_line() {
+    fn joint(&self, sizes: &Sizes) -> Option<V> {
+        if self.in_line(sizes.exact) {
             let off = self.move_at(self.part(), self.below.high.anchor, V::default());
-            return (off <= (EXACT * scale) * (EXACT * scale)).then(V::default);
+            return (off <= sizes.exact * sizes.exact).then(V::default);
         }
-        let (bulge, allowed) = (tolerance * scale, SHARE * tolerance * scale);
         let bubble = self.bubble();
-        let holds = bubble.dot(bubble) <= bulge * bulge && self.miss(bubble) <= allowed;
+        let holds =
+            bubble.dot(bubble) <= sizes.bulge * sizes.bulge && self.miss(bubble) <= sizes.miss;
         holds.then_some(bubble)
     }
 }
 
-/// Joins the piece below vertex i and that above, if the tolerance allows.
+/// Joins the piece below vertex i and that above, if they may be.
 #[inline]
 pub(super) fn join<V: Lateral, S: VertexStack<V>>(
     stack: &mut S,
     i: usize,
     tip: End<V>,
-    tolerance: f64,
+    sizes: &Sizes,
 ) -> bool {
-    let joint = Pair::at(stack, i, tip).joint(tolerance);
+    let joint = Pair::at(stack, i, tip).joint(sizes);
     if let Some(bubble) = joint {
         stack.get_mut(i - 1).slope = bubble;
         stack.remove(i);

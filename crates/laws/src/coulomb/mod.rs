@@ -50,6 +50,8 @@ pub struct CoulombMemory<V, S = Growing<V>> {
     /// The deepest ring that slipped in the last step.
     front: f64,
     tolerance: f64,
+    /// The largest bubble over the approach.
+    bulge: f64,
     stack: S,
 }
 
@@ -57,6 +59,9 @@ pub struct CoulombMemory<V, S = Growing<V>> {
 /// limit stays below.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct Tolerance(f64);
+
+/// The largest bubble over the power 2/3 of the tolerance.
+const BULGE: f64 = 0.215;
 
 impl Tolerance {
     /// That of many particles: 1e-2.
@@ -71,6 +76,12 @@ impl Tolerance {
     pub fn new(tolerance: f64) -> Result<Self, RangeError> {
         let holds = tolerance > 0.0 && tolerance <= 0.1;
         RangeError::check("tolerance", tolerance, holds, "> 0 and <= 0.1").map(Self)
+    }
+
+    /// The largest bubble: what a parabola then leaves out, of third order, goes as its power 3/2.
+    fn bulge(self) -> f64 {
+        let root = libm::cbrt(self.0);
+        BULGE * root * root
     }
 
     /// The number.
@@ -98,6 +109,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             regime: Regime::Separated,
             front: 0.0,
             tolerance: tolerance.get(),
+            bulge: tolerance.bulge(),
             stack: S::default(),
         }
     }

@@ -1,7 +1,7 @@
 //! A piece of the anchor's curve: a parabola over its chord.
 
 use super::drag::Step;
-use crate::memory::{Lateral, Vertex, outgrown};
+use crate::memory::{Lateral, Vertex};
 
 /// The lower end of a piece of the curve W(s), as the law sees a [`Vertex`].
 ///
@@ -114,15 +114,20 @@ impl<V: Lateral> Piece<V> {
     #[inline]
     pub(super) fn front(&self, step: &Step<V>, within: f64, beyond: f64) -> f64 {
         let (low, high) = (self.at(within), self.at(beyond));
-        let stretch = step.shift.minus(low);
+        let stretch = step.shift.minus(high);
         let rise = high.minus(low);
         let length = (beyond - within) * (self.high.depth - self.low.depth);
-        let limit = step.zeta - self.depth_at(within);
-        // |stretch - t rise|^2 = (limit - t length)^2 on the half chord
+        let limit = step.zeta - self.depth_at(beyond);
+        // |stretch + t rise|^2 = (limit + t length)^2 on the half chord, from above: near the edge
+        // nothing cancels.
         let curve = rise.dot(rise) - length * length;
-        let slope = limit * length - stretch.dot(rise);
-        let inside = (stretch.dot(stretch) - limit * limit).min(0.0);
-        let part = within + (beyond - within) * outgrown(curve, slope, inside);
+        let slope = stretch.dot(rise) - limit * length;
+        let excess = stretch.dot(stretch) - limit * limit;
+        let root = (slope * slope - curve * excess).max(0.0).sqrt();
+        let down = if slope <= 0.0 { excess / (root - slope) } else { (slope + root) / -curve };
+        // Not a number only where all are one point.
+        let down = if down <= 1.0 { down.max(0.0) } else { 1.0 };
+        let part = beyond - (beyond - within) * down;
         if self.bubble == V::default() {
             return part;
         }

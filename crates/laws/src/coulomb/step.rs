@@ -2,12 +2,14 @@
 
 use super::CoulombMemory;
 use super::drag::Step;
-use super::join::{join, make_room};
+use super::join::{Sizes, join, make_room};
 use super::piece::{End, Knot, Piece};
 use crate::memory::{Lateral, Regime, VertexStack};
 
-/// What lies on the line behind the tip, over the approach.
-const EXACT: f64 = 1e-13;
+/// What counts as no length at all, over the approach and over the shift.
+const EXACT: [f64; 2] = [1e-13, 1e-15];
+/// The share of the tolerance by which a join may move the curve.
+const SHARE: f64 = 0.2;
 /// How often a piece may be halved in one step.
 const HALVINGS: u32 = 6;
 /// How near to its upper end a piece is split.
@@ -60,6 +62,16 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         self.stack.push(self.tip().vertex());
     }
 
+    #[inline]
+    fn sizes(&self, end: End<V>) -> Sizes {
+        let [x, y] = end.anchor.components();
+        Sizes {
+            miss: SHARE * self.tolerance * end.depth,
+            bulge: self.bulge * end.depth,
+            exact: EXACT[0] * end.depth + EXACT[1] * (x.abs() + y.abs()),
+        }
+    }
+
     /// The tip of the curve, as a vertex to be.
     #[inline]
     fn tip(&self) -> Knot<V> {
@@ -79,7 +91,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         let top = self.grow();
         self.force = self.force.plus(Piece::new(&self.tip(), end).force());
         if top > 0 {
-            join(&mut self.stack, top, end, self.tolerance);
+            let sizes = self.sizes(end);
+            join(&mut self.stack, top, end, &sizes);
         }
         (self.root, self.regime, self.front) = (end.root, Regime::Adhesion, zeta);
     }
@@ -119,7 +132,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             Front::Bottom => 0,
             Front::On { piece, within, beyond } => self.cut(&step, old, piece, within, beyond),
         };
-        self.drag_from(first, &step, old);
+        self.drag_from(first, &step, old, &self.sizes(end));
         self.report(first, matches!(front, Front::Bottom), zeta);
         self.finish(end, first.saturating_sub(1));
         self.join_from(first.max(1), end);
@@ -206,7 +219,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 
     /// Drags the curve from a vertex up, from the edge down.
-    fn drag_from(&mut self, first: usize, step: &Step<V>, old: End<V>) {
+    fn drag_from(&mut self, first: usize, step: &Step<V>, old: End<V>, sizes: &Sizes) {
         let mut old = old;
         let mut new = step.shift;
         let mut in_line = true;
@@ -214,14 +227,14 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             let knot = Knot::of(self.stack.get(i));
             let piece = Piece::new(&knot, old);
             let anchor = step.drag(knot.depth, knot.anchor);
-            in_line = in_line && self.lies_behind(step, &piece, anchor);
+            in_line = in_line && self.lies_behind(step, &piece, anchor, sizes.exact);
             if in_line {
                 // One piece, straight behind the tip.
                 self.stack.truncate(i + 1);
                 let vertex = self.stack.get_mut(i);
                 (vertex.anchor, vertex.slope) = (anchor, V::default());
             } else {
-                self.lay(i, &piece, [anchor, new], step, HALVINGS);
+                self.lay(i, &piece, [anchor, new], step, (sizes, HALVINGS));
             }
             (old, new) = (piece.low, anchor);
         }
@@ -229,10 +242,10 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
 
     /// Whether the dragged piece lies on the line behind the tip.
     #[inline]
-    fn lies_behind(&self, step: &Step<V>, piece: &Piece<V>, anchor: V) -> bool {
+    fn lies_behind(&self, step: &Step<V>, piece: &Piece<V>, anchor: V, exact: f64) -> bool {
         let near = |depth: f64, anchor: V| {
             let off = anchor.minus(step.behind(depth));
-            off.dot(off) <= (EXACT * step.zeta) * (EXACT * step.zeta)
+            off.dot(off) <= exact * exact
         };
         let depth = piece.middle_depth();
         near(piece.low.depth, anchor)
@@ -240,14 +253,22 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 
     /// The piece in whose place the old one above vertex i was dragged, or several.
-    fn lay(&mut self, i: usize, old: &Piece<V>, new: [V; 2], step: &Step<V>, halvings: u32) {
+    fn lay(
+        &mut self,
+        i: usize,
+        old: &Piece<V>,
+        new: [V; 2],
+        step: &Step<V>,
+        (sizes, halvings): (&Sizes, u32),
+    ) {
         let middle = step.drag(old.middle_depth(), old.middle());
         let bubble = middle.minus(new[0].plus(new[1]).times(0.5));
-        let bulge = self.tolerance * step.zeta;
+        let is_straight = bubble.dot(bubble) <= sizes.exact * sizes.exact;
         let vertex = self.stack.get_mut(i);
-        (vertex.anchor, vertex.slope) = (new[0], bubble);
+        vertex.anchor = new[0];
+        vertex.slope = if is_straight { V::default() } else { bubble };
         let full = self.stack.len() >= self.stack.capacity();
-        let within = bubble.dot(bubble) <= bulge * bulge;
+        let within = bubble.dot(bubble) <= sizes.bulge * sizes.bulge;
         if within || halvings == 0 || full {
             return;
         }
@@ -270,8 +291,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             force: V::default(),
         };
         self.stack.insert(i + 1, knot.vertex());
-        self.lay(i + 1, &above, [anchor, new[1]], step, halvings - 1);
-        self.lay(i, &below, [new[0], anchor], step, halvings - 1);
+        self.lay(i + 1, &above, [anchor, new[1]], step, (sizes, halvings - 1));
+        self.lay(i, &below, [new[0], anchor], step, (sizes, halvings - 1));
     }
 
     /// The forces from a vertex up, and the end of the step.
@@ -294,9 +315,10 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     /// Joins what can be joined from a vertex up.
     #[inline]
     fn join_from(&mut self, first: usize, end: End<V>) {
+        let sizes = self.sizes(end);
         let mut i = first;
         while i < self.stack.len() {
-            if !join(&mut self.stack, i, end, self.tolerance) {
+            if !join(&mut self.stack, i, end, &sizes) {
                 i += 1;
             }
         }

@@ -2,8 +2,8 @@
 
 use carom_special::RangeError;
 
-use super::merge::push;
 use super::energy::{flat_energy, spring_energy};
+use super::merge::push;
 use super::report::Turn;
 use super::{Growing, Lateral, Vertex, VertexStack};
 use crate::bounds::in_memory;

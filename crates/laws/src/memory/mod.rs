@@ -36,8 +36,8 @@ pub use stack::{Fixed, Growing, Vertex, VertexStack};
 use carom_special::RangeError;
 
 use crate::bounds::in_memory;
-use merge::push;
 use crate::profile::{Hertzian, NormalProfile};
+use merge::push;
 
 /// What the last step did to a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]

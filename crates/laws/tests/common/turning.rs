@@ -15,10 +15,11 @@ pub(crate) enum Kind {
     Collision,
     Noise,
     Curls,
+    Adversarial,
 }
 
 impl Kind {
-    pub(crate) const ALL: [Self; 8] = [
+    pub(crate) const ALL: [Self; 9] = [
         Self::Adhesion,
         Self::Collinear,
         Self::Turning,
@@ -27,6 +28,7 @@ impl Kind {
         Self::Collision,
         Self::Noise,
         Self::Curls,
+        Self::Adversarial,
     ];
 
     /// A path of this kind in approaches up to 1.3.
@@ -40,6 +42,7 @@ impl Kind {
             Self::Collision => collision(random),
             Self::Noise => noise(random),
             Self::Curls => curls(random),
+            Self::Adversarial => adversarial(random),
         }
     }
 }
@@ -135,6 +138,52 @@ fn curls(random: &mut Random) -> Path {
         let t = step * f64::from(i);
         let centre = [drift[0] * t, drift[1] * t];
         path.push((1.0, ahead(centre, radius, t)));
+    }
+    path
+}
+
+/// Returns through anchors, reversals, nearly parallel steps, the cone itself, steps of nearly
+/// nothing and of ten approaches, unloading, separation.
+fn adversarial(random: &mut Random) -> Path {
+    let mut path = vec![(0.8, [0.0; 2])];
+    let mut angle = 0.0_f64;
+    for _ in 0..60 {
+        let [(zeta, x), (_, old)] =
+            [path[path.len() - 1], path[path.len().saturating_sub(1 + random.pick(5))]];
+        let size = 10_f64.powf(random.between(-3.0, 0.0));
+        let other = 10_f64.powf(random.between(-13.0, -1.0));
+        let next = match random.pick(14) {
+            0 => (zeta, old),
+            1 => (zeta, [0.0; 2]),
+            2 => {
+                let part = [0.5, 1.0, 2.0][random.pick(3)];
+                (zeta, [0, 1].map(|k| x[k] + part * (old[k] - x[k])))
+            }
+            3 => {
+                angle += other;
+                (zeta, ahead(x, size, angle))
+            }
+            4 => {
+                angle += std::f64::consts::PI + other;
+                (zeta, ahead(x, size, angle))
+            }
+            5 => (zeta, ahead(x, other * other, random.between(0.0, 6.3))),
+            6 => (zeta, ahead(x, 10.0 * zeta, random.between(0.0, 6.3))),
+            7 => (zeta * random.unit(), x),
+            8 => (zeta + 0.5 * size, ahead(x, 0.5 * size, angle)),
+            9 => (zeta - 0.5 * size, ahead(x, 0.5 * size, angle)),
+            10 => {
+                (zeta + 0.2 * random.between(-1.0, 1.0), ahead(x, size, random.between(0.0, 6.3)))
+            }
+            11 if random.pick(3) == 0 => (-0.1, old),
+            _ => {
+                angle = random.between(0.0, 6.3);
+                (zeta, ahead(x, size, angle))
+            }
+        };
+        let next = (if next.0 < 0.0 { next.0 } else { next.0.clamp(0.05, 1.3) }, next.1);
+        // Far from where it began the rounding of the shifts themselves would count.
+        path.push((next.0, next.1.map(|x| x.clamp(-30.0, 30.0))));
     }
     path
 }
