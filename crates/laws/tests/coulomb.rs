@@ -134,3 +134,50 @@ fn collinear_paths_are_those_of_the_scalar_law() {
         println!("{parts} parts: {worst:e}");
     }
 }
+
+/// The work of the force by Simpson's rule over a step, each force from the same start.
+fn work_by_force(start: &CoulombMemory<[f64; 2]>, to: (f64, [f64; 2]), parts: usize) -> f64 {
+    let (zeta, x) = (start.zeta(), start.shift());
+    let dx = [to.1[0] - x[0], to.1[1] - x[1]];
+    let power = |i: usize| {
+        let t = i as f64 / parts as f64;
+        let mut law = start.clone();
+        let force = if i == 0 {
+            law.force()
+        } else {
+            law.advance(zeta + t * (to.0 - zeta), [x[0] + t * dx[0], x[1] + t * dx[1]]).unwrap()
+        };
+        force[0] * dx[0] + force[1] * dx[1]
+    };
+    let sum: f64 = (0..=parts)
+        .map(|i| {
+            let weight = [2.0, 4.0][i % 2];
+            if i == 0 || i == parts { power(i) } else { weight * power(i) }
+        })
+        .sum();
+    sum / (3.0 * parts as f64)
+}
+
+#[test]
+fn work_is_that_of_the_force() {
+    let mut worst = 0.0_f64;
+    for kind in Kind::ALL {
+        for seed in 0..4 {
+            let path = kind.path(&mut Random(seed));
+            let mut law = law(1e-5);
+            for (i, &(zeta, x)) in path.iter().enumerate() {
+                if i % 7 == 3 && zeta > 0.0 && law.zeta() > 0.0 {
+                    let want = work_by_force(&law, (zeta, x), 400);
+                    let got = law.work(zeta, x);
+                    let length = off(x, law.shift()) + (zeta - law.zeta()).abs();
+                    let scale = law.zeta().max(zeta).powf(1.5) * length;
+                    let error = (got - want).abs() / scale.max(1e-9);
+                    assert!(error < 1e-4, "{kind:?} {seed} {i}: {got:e} {want:e}, {error:e}");
+                    worst = worst.max(error);
+                }
+                law.advance(zeta, x).unwrap();
+            }
+        }
+    }
+    println!("work: {worst:e}");
+}

@@ -10,14 +10,14 @@ pub(super) struct Step<V> {
     /// The shift at the end.
     pub(super) shift: V,
     /// The growth of the approach.
-    dz: f64,
-    length: f64,
+    pub(super) dz: f64,
+    pub(super) length: f64,
     /// The direction of the step; zero if there is none.
-    ahead: V,
+    pub(super) ahead: V,
     /// What is across by round-off only.
     grain: f64,
     /// dz over the length, and one less its square.
-    slope: f64,
+    pub(super) slope: f64,
     curve: f64,
 }
 
@@ -85,34 +85,61 @@ impl<V: Lateral> Step<V> {
         self.shift.minus(combine(self.ahead, forward, aside))
     }
 
-    /// The stretch of a slipping ring at the end, along and across the step, from what it would be
-    /// had it not slipped.
+    /// Where a ring meets its limit, from the stretch along and across the step that it would have
+    /// at the end had it not slipped.
     #[inline]
-    fn turned(&self, along: f64, across: f64, limit: f64) -> [f64; 2] {
+    pub(super) fn met(&self, along: f64, across: f64, limit: f64) -> Met {
         let (before, start) = (along - self.length, limit - self.dz);
+        if start <= 0.0 && self.dz > 0.0 {
+            // It touches on the way.
+            let way = self.length * (1.0 - limit / self.dz);
+            return Met { way, at: 0.0, limit: 0.0, tangent: None };
+        }
         // |stretch at the way t| = limit at the way t.
         let half = before - self.slope * start;
         let inside = (before * before + across * across - start * start).min(0.0);
         let way = outgrown(self.curve * self.length, half, inside / self.length) * self.length;
         let (at, met) = (before + way, start + self.slope * way);
         let arm = (at * at + across * across).sqrt();
-        if arm == 0.0 || met <= 0.0 {
-            return [limit, 0.0];
-        }
-        if across.abs() < 1e-16 * arm || (at < 0.0 && across.abs() < self.grain) {
-            // With the step, or against it, where a ring would not stay but in one direction.
-            return [limit.copysign(at), 0.0];
-        }
+        let on_line = if arm == 0.0 || met <= 0.0 {
+            return Met { way, at: 0.0, limit: met, tangent: None };
+        } else if at < 0.0 {
+            // Against the step a ring would not stay, but in one direction.
+            across.abs() < self.grain.max(1e-16 * arm)
+        } else {
+            across.abs() < 1e-16 * arm
+        };
         let tangent = if at > 0.0 { across / (arm + at) } else { (arm - at) / across };
-        let tangent = tangent * libm::exp(-(self.length - way) * pull(met, limit));
+        Met { way, at, limit: met, tangent: (!on_line).then_some(tangent) }
+    }
+
+    /// The stretch of a slipping ring at the end, along and across the step.
+    #[inline]
+    fn turned(&self, along: f64, across: f64, limit: f64) -> [f64; 2] {
+        let met = self.met(along, across, limit);
+        let Some(tangent) = met.tangent else {
+            return [if met.at < 0.0 { -limit } else { limit }, 0.0];
+        };
+        let tangent = tangent * libm::exp(-(self.length - met.way) * pull(met.limit, limit));
         let scale = limit / (1.0 + tangent * tangent);
         [(1.0 - tangent) * (1.0 + tangent) * scale, 2.0 * tangent * scale]
     }
 }
 
+/// A ring where it meets its limit.
+pub(super) struct Met {
+    /// The way until then.
+    pub(super) way: f64,
+    /// The stretch along the step.
+    pub(super) at: f64,
+    pub(super) limit: f64,
+    /// `tan(theta/2)`, theta from the step to the traction; none if they are on one line.
+    pub(super) tangent: Option<f64>,
+}
+
 /// One over the logarithmic mean of the limits at both ends.
 #[inline]
-fn pull(met: f64, limit: f64) -> f64 {
+pub(super) fn pull(met: f64, limit: f64) -> f64 {
     let growth = (limit - met) / met;
     let part = if growth.abs() < 0.01 {
         // log(1 + g)/g, the next term is below 2e-15

@@ -19,6 +19,8 @@
 //! scales them, not in lengths; [`crate::sliders`] knows the difference.
 
 mod drag;
+mod energy;
+mod heat;
 mod join;
 mod piece;
 mod step;

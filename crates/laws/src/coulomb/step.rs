@@ -55,7 +55,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
 
     /// Moves a separated pair to the point of its path at which it touches.
     #[cold]
-    fn touch(&mut self, zeta: f64, shift: V) {
+    pub(super) fn touch(&mut self, zeta: f64, shift: V) {
         let part = self.zeta / (self.zeta - zeta);
         self.shift = self.shift.plus(shift.minus(self.shift).times(part));
         (self.zeta, self.root, self.force) = (0.0, 0.0, V::default());
