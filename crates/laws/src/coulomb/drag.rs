@@ -1,6 +1,6 @@
 //! One ring on a straight step: its anchor is dragged, on a tractrix, from where the limit is met.
 
-use crate::memory::{Lateral, outgrown};
+use crate::memory::Lateral;
 
 /// A straight step of the rigid shift.
 #[derive(Debug, Clone, Copy, Default)]
@@ -89,20 +89,26 @@ impl<V: Lateral> Step<V> {
     /// at the end had it not slipped.
     #[inline]
     pub(super) fn met(&self, along: f64, across: f64, limit: f64) -> Met {
-        let (before, start) = (along - self.length, limit - self.dz);
-        if start <= 0.0 && self.dz > 0.0 {
+        if self.dz > 0.0 && limit <= self.dz {
             // It touches on the way.
-            let way = self.length * (1.0 - limit / self.dz);
-            return Met { way, at: 0.0, limit: 0.0, tangent: None };
+            return Met {
+                rest: self.length * (limit / self.dz),
+                at: 0.0,
+                limit: 0.0,
+                tangent: None,
+            };
         }
-        // |stretch at the way t| = limit at the way t.
-        let half = before - self.slope * start;
-        let inside = (before * before + across * across - start * start).min(0.0);
-        let way = outgrown(self.curve * self.length, half, inside / self.length) * self.length;
-        let (at, met) = (before + way, start + self.slope * way);
+        // |stretch - rest| = limit - slope rest, from the end, where nothing cancels.
+        let half = along - self.slope * limit;
+        let excess = along * along + across * across - limit * limit;
+        let root = (half * half - self.curve * excess).max(0.0).sqrt();
+        let rest = if half > 0.0 { excess / (half + root) } else { (half - root) / self.curve };
+        // Not positive only where it is beyond its limit by round-off, on its way back.
+        let rest = if rest > 0.0 { rest.min(self.length) } else { 0.0 };
+        let (at, met) = (along - rest, limit - self.slope * rest);
         let arm = (at * at + across * across).sqrt();
         let on_line = if arm == 0.0 || met <= 0.0 {
-            return Met { way, at: 0.0, limit: met, tangent: None };
+            return Met { rest, at: 0.0, limit: met, tangent: None };
         } else if at < 0.0 {
             // Against the step a ring would not stay, but in one direction.
             across.abs() < self.grain.max(1e-16 * arm)
@@ -110,7 +116,7 @@ impl<V: Lateral> Step<V> {
             across.abs() < 1e-16 * arm
         };
         let tangent = if at > 0.0 { across / (arm + at) } else { (arm - at) / across };
-        Met { way, at, limit: met, tangent: (!on_line).then_some(tangent) }
+        Met { rest, at, limit: met, tangent: (!on_line).then_some(tangent) }
     }
 
     /// The stretch of a slipping ring at the end, along and across the step.
@@ -120,7 +126,7 @@ impl<V: Lateral> Step<V> {
         let Some(tangent) = met.tangent else {
             return [if met.at < 0.0 { -limit } else { limit }, 0.0];
         };
-        let tangent = tangent * libm::exp(-(self.length - met.way) * pull(met.limit, limit));
+        let tangent = tangent * libm::exp(-met.rest * pull(met.limit, limit));
         let scale = limit / (1.0 + tangent * tangent);
         [(1.0 - tangent) * (1.0 + tangent) * scale, 2.0 * tangent * scale]
     }
@@ -128,8 +134,8 @@ impl<V: Lateral> Step<V> {
 
 /// A ring where it meets its limit.
 pub(super) struct Met {
-    /// The way until then.
-    pub(super) way: f64,
+    /// The way from there to the end.
+    pub(super) rest: f64,
     /// The stretch along the step.
     pub(super) at: f64,
     pub(super) limit: f64,

@@ -6,11 +6,12 @@ use super::CoulombMemory;
 use super::drag::Step;
 use super::piece::{End, Knot, Piece};
 use crate::memory::{Lateral, VertexStack};
-use crate::profile::{GAUSS, Hertzian, NormalProfile};
+use crate::profile::GAUSS;
 
-/// The error allowed to an integral over the rings, relative and over limit times motion.
+/// The error allowed to an integral over the rings, relative and over the energy of the largest
+/// stretch.
 const RELATIVE: f64 = 1e-10;
-const OF_LIMIT: f64 = 1e-13;
+const OF_LARGEST: f64 = 1e-13;
 
 impl<V: Lateral> Piece<V> {
     /// The elastic energy of its rings at a shift, per direction: `(3/4) int |X - W(t^2)|^2 dt`, a
@@ -112,8 +113,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             end = (0.0, self.shift.plus(shift.minus(self.shift).times(part)));
         }
         let step = Step::new((before.zeta, before.shift), end);
-        let motion = shift.minus(before.shift).length() + (zeta - before.zeta).abs();
-        let size = Hertzian.force(before.zeta.max(zeta)) * motion;
+        let stretch = before.extent.max(end.1.minus(before.shift).length());
+        let size = before.zeta.max(end.0).sqrt() * stretch * stretch;
         let mut sum = 0.0;
         for piece in before.chain() {
             sum += over_piece(&piece, &step, size, &f);
@@ -137,7 +138,7 @@ fn over_piece<V: Lateral>(
     f: &impl Fn(&Step<V>, f64, V) -> f64,
 ) -> f64 {
     let length = piece.high.depth - piece.low.depth;
-    let Ok(tolerance) = Tolerance::new((OF_LIMIT * size).max(1e-300), RELATIVE) else {
+    let Ok(tolerance) = Tolerance::new((OF_LARGEST * size).max(1e-300), RELATIVE) else {
         return 0.0; // not finite: refused before
     };
     if length <= 0.0 {

@@ -9,6 +9,10 @@ const ALIGNED: f64 = -18.0;
 /// The widest panel of a quadrature over that logarithm.
 const PANEL: f64 = 1.5;
 
+/// Panels over a limit that shrinks, and how much each shrinks.
+const STEEP_PANELS: u32 = 8;
+const SHRINK: f64 = 0.2;
+
 /// The energies that a unit of heat is, along the step and across it.
 struct Units<V> {
     unit: V,
@@ -50,7 +54,7 @@ impl<V: Lateral> Step<V> {
         }
         let (along, across) = (stretch.dot(self.ahead), cross(self.ahead, stretch));
         let met = self.met(along, across, limit);
-        let rest = self.length - met.way;
+        let rest = met.rest;
         let straight = |way: f64, mean: f64, cos: f64| {
             (way * mean * (cos - self.slope) * units.of(cos, 0.0)).max(0.0)
         };
@@ -58,6 +62,9 @@ impl<V: Lateral> Step<V> {
             let cos = if met.at < 0.0 { -1.0 } else { 1.0 };
             return straight(rest, 0.5 * (met.limit + limit), cos);
         };
+        if self.slope <= -1.0 {
+            return self.steep_heat(tangent, [limit, met.limit], &units);
+        }
         // In x = log tan(theta/2): dx = -dl/r, r = r_0 exp(slope (x_0 - x)).
         let first = libm::log(tangent.abs());
         let fall = rest * super::drag::pull(met.limit, limit);
@@ -83,5 +90,24 @@ impl<V: Lateral> Step<V> {
             rest - (aligned - met.limit) / self.slope
         };
         sum + straight(way.max(0.0), 0.5 * (aligned + limit), 1.0)
+    }
+
+    /// The same where the limit shrinks faster than the shift moves: over the limit r, in panels
+    /// that shrink with it, `tan(theta/2) ~ r^(-1/slope)`.
+    fn steep_heat(&self, tangent: f64, [last, first]: [f64; 2], units: &Units<V>) -> f64 {
+        let rate = |limit: f64| {
+            let tangent = tangent * libm::pow(limit / first, -1.0 / self.slope);
+            let scale = 1.0 / (1.0 + tangent * tangent);
+            let cos = (1.0 - tangent) * (1.0 + tangent) * scale;
+            limit * (1.0 - cos / self.slope) * units.of(cos, 2.0 * tangent * scale)
+        };
+        let (mut high, mut sum) = (first, 0.0);
+        for panel in 1..=STEEP_PANELS {
+            let low = if panel == STEEP_PANELS { last } else { (SHRINK * high).max(last) };
+            let width = high - low;
+            sum += GAUSS.iter().map(|(x, w)| w * rate(low + x * width)).sum::<f64>() * width;
+            high = low;
+        }
+        sum
     }
 }

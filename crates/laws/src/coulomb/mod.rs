@@ -23,7 +23,10 @@ mod energy;
 mod heat;
 mod join;
 mod piece;
+mod report;
 mod step;
+
+pub use report::Arc;
 
 use carom_special::RangeError;
 
@@ -49,16 +52,19 @@ pub struct CoulombMemory<V, S = Growing<V>> {
     shift: V,
     force: V,
     regime: Regime,
-    /// The deepest ring that slipped in the last step.
+    /// The deepest ring that slipped in the last step; after adhesion where that began.
     front: f64,
+    /// The largest stretch of the deepest ring since touch.
+    extent: f64,
     tolerance: f64,
     /// The largest bubble over the approach.
     bulge: f64,
     stack: S,
 }
 
-/// How far the curve of the anchors may be off, over the approach: the error of the force over its
-/// limit stays below.
+/// How far the curve of the anchors may be off, over the approach or, where it is smaller, over the
+/// largest shift since touch: the error of the force over its limit stays below, and friction that
+/// hardly slips is not lost beside a limit that is never met.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct Tolerance(f64);
 
@@ -110,6 +116,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             force: V::default(),
             regime: Regime::Separated,
             front: 0.0,
+            extent: 0.0,
             tolerance: tolerance.get(),
             bulge: tolerance.bulge(),
             stack: S::default(),
@@ -131,36 +138,5 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         in_memory("shift", y)?;
         self.step(zeta, shift);
         Ok(self.force)
-    }
-
-    /// The normalised force Phi; F = (2/3) f c_z Phi.
-    #[inline]
-    #[must_use]
-    pub fn force(&self) -> V {
-        self.force
-    }
-
-    /// The approach zeta; negative while the bodies are apart.
-    #[must_use]
-    pub fn zeta(&self) -> f64 {
-        self.zeta
-    }
-
-    /// The normalised shift X.
-    #[must_use]
-    pub fn shift(&self) -> V {
-        self.shift
-    }
-
-    /// What the last step did.
-    #[must_use]
-    pub fn regime(&self) -> Regime {
-        self.regime
-    }
-
-    /// The stack itself, for state that is stored elsewhere.
-    #[must_use]
-    pub fn stack(&self) -> &S {
-        &self.stack
     }
 }

@@ -38,6 +38,11 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         }
         let dz = zeta - self.zeta;
         let dx = shift.minus(self.shift);
+        if dz == 0.0 && dx == V::default() {
+            return; // not a step at all
+        }
+        let stretch = shift.minus(self.stack.get(0).anchor);
+        self.extent = self.extent.max(stretch.length());
         if dz > 0.0 && dx.dot(dx) <= dz * dz {
             self.adhere(zeta, shift);
         } else {
@@ -59,15 +64,17 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         let part = self.zeta / (self.zeta - zeta);
         self.shift = self.shift.plus(shift.minus(self.shift).times(part));
         (self.zeta, self.root, self.force) = (0.0, 0.0, V::default());
+        self.extent = 0.0;
         self.stack.push(self.tip().vertex());
     }
 
     #[inline]
     fn sizes(&self, end: End<V>) -> Sizes {
         let [x, y] = end.anchor.components();
+        let size = end.depth.min(self.extent);
         Sizes {
-            miss: SHARE * self.tolerance * end.depth,
-            bulge: self.bulge * end.depth,
+            miss: SHARE * self.tolerance * size,
+            bulge: self.bulge * size,
             exact: EXACT[0] * end.depth + EXACT[1] * (x.abs() + y.abs()),
         }
     }
@@ -94,7 +101,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             let sizes = self.sizes(end);
             join(&mut self.stack, top, end, &sizes);
         }
-        (self.root, self.regime, self.front) = (end.root, Regime::Adhesion, zeta);
+        (self.root, self.regime, self.front) = (end.root, Regime::Adhesion, self.zeta);
     }
 
     /// Makes the tip a vertex, the foot of the piece to come, and returns its place.
@@ -132,8 +139,9 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             Front::Bottom => 0,
             Front::On { piece, within, beyond } => self.cut(&step, old, piece, within, beyond),
         };
+        let slides = matches!(front, Front::Bottom) && self.all_beyond(&step, old);
+        self.report(first, slides, zeta);
         self.drag_from(first, &step, old, &self.sizes(end));
-        self.report(first, matches!(front, Front::Bottom), zeta);
         self.finish(end, first.saturating_sub(1));
         self.join_from(first.max(1), end);
     }
@@ -324,17 +332,30 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         }
     }
 
-    /// What the step did: the front is vertex `first`, or below the whole contact.
+    /// Whether no ring sticks, the deepest being known to slip.
+    #[cold]
+    fn all_beyond(&self, step: &Step<V>, old: End<V>) -> bool {
+        (0..self.stack.len()).all(|i| {
+            let knot = Knot::of(self.stack.get(i));
+            let piece = Piece::new(&knot, self.end_of(i, old));
+            let middle = piece.middle_depth();
+            knot.depth >= self.zeta
+                || (step.excess(knot.depth, knot.anchor) > 0.0
+                    && (middle >= self.zeta || step.excess(middle, piece.middle()) > 0.0))
+        })
+    }
+
+    /// What the step did: the front is vertex `first`.
     #[inline]
-    fn report(&mut self, first: usize, bottom: bool, zeta: f64) {
+    fn report(&mut self, first: usize, slides: bool, zeta: f64) {
         let front = self.stack.get(first).depth;
         let slipped = matches!(self.regime, Regime::Slip | Regime::Reversal | Regime::Sliding);
         let back = slipped && front > self.front && front < zeta;
-        self.regime = match (bottom, back) {
+        self.regime = match (slides, back) {
             (true, _) => Regime::Sliding,
             (false, true) => Regime::Reversal,
             (false, false) => Regime::Slip,
         };
-        self.front = if bottom { 0.0 } else { front };
+        self.front = front;
     }
 }

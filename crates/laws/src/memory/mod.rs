@@ -28,7 +28,6 @@ mod stack;
 
 pub use adhesion::AdhesionMemory;
 pub use lateral::Lateral;
-pub(crate) use lateral::outgrown;
 pub(crate) use report::Turn;
 pub use report::{Segment, Tangent};
 pub use stack::{Fixed, Growing, Vertex, VertexStack};
