@@ -4,6 +4,7 @@ use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField,
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
+use crate::anderson::Mixing;
 use crate::convergence::{Convergence, Observer, Products, Residuals, Stop};
 use crate::drive::{Drive, Driven};
 use crate::method::Method;
@@ -14,6 +15,11 @@ use crate::tangential::{Rigid, TangentialScratch, TangentialTask};
 
 /// Up to this relative change of approach or force, pressures start from the last ones.
 const SMALL_STEP: f64 = 0.1;
+
+/// Passes that may go by before the least change is halved.
+const PATIENCE: usize = 40;
+/// Passes that change the displacements by more than this part of the last change are mixed.
+const SLOW: f64 = 0.25;
 
 /// Contact with Coulomb's friction, one step at a time: pressures at the last tractions, tractions
 /// at these pressures, and so on (Panagiotopoulos) until the pressures stand; one pass where the
@@ -100,7 +106,7 @@ pub enum FrictionalError {
 impl Default for Frictional {
     /// To 1e-9 of the greatest displacement and of the greatest friction limit.
     fn default() -> Self {
-        Self { tolerance: 1e-9, iterations: 1000, passes: 100 }
+        Self { tolerance: 1e-9, iterations: 1000, passes: 300 }
     }
 }
 
@@ -136,6 +142,7 @@ pub struct FrictionalScratch {
     /// The normal displacement by tangential tractions, of this pass and the last one.
     by_traction: Vec<f64>,
     last: Vec<f64>,
+    mixing: Mixing,
 }
 
 impl Method for Frictional {
@@ -161,6 +168,7 @@ impl Method for Frictional {
             offset: [zero.clone(), zero.clone()],
             by_traction: zero.clone(),
             last: zero,
+            mixing: Mixing::default(),
         })
     }
 
@@ -229,7 +237,9 @@ impl Pass<'_> {
             self.displace_by_traction(to, scratch)?;
         }
         let mut inner = if coupled { 1e-3_f64.max(0.3 * tolerance) } else { tolerance };
-        let mut iterations = 0;
+        let (mut iterations, mut last_change, mut mixes) = (0, f64::INFINITY, false);
+        let mut least = (0, f64::INFINITY);
+        scratch.mixing.clear();
         for pass in 1..=self.method.passes {
             let normal_part = self.press(inner, pass == 1, to, scratch)?;
             let tangential_part = self.rub(inner, pass == 1, to, scratch)?;
@@ -244,11 +254,21 @@ impl Pass<'_> {
                 let (products, stop) = (self.spent, Stop::Converged);
                 return Ok(Convergence { iterations, products, residuals, stop });
             }
-            if !change.is_finite() || pass == self.method.passes {
-                let (products, stop) = (self.spent, Stop::Exhausted);
+            if change < 0.5 * least.1 {
+                least = (pass, change);
+            }
+            let stalls = !change.is_finite() || pass > least.0 + PATIENCE;
+            if stalls || pass == self.method.passes {
+                let stop = if stalls { Stop::Stalled } else { Stop::Exhausted };
+                let products = self.spent;
                 let reached = Convergence { iterations, products, residuals, stop };
                 let what = "pressures and tractions together";
                 return Err(FrictionalError::NotConverged { what, tolerance, reached });
+            }
+            mixes |= pass > 1 && change > SLOW * last_change;
+            last_change = change;
+            if mixes {
+                scratch.mixing.mix(&scratch.last, &mut scratch.by_traction);
             }
             inner = (0.1 * change).clamp(0.3 * tolerance, 1e-3_f64.max(0.3 * tolerance));
         }

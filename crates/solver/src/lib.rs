@@ -5,6 +5,7 @@
 //! a history, each given by a [`Drive`], and says with a [`Convergence`] how it went.
 #![forbid(unsafe_code)]
 
+mod anderson;
 mod convergence;
 mod drive;
 mod friction;
@@ -16,6 +17,7 @@ mod nested;
 mod normal;
 mod problem;
 mod state;
+mod substeps;
 mod tangential;
 
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
@@ -27,3 +29,4 @@ pub use gap::Gap;
 pub use method::Method;
 pub use problem::{ContactProblem, ProblemError};
 pub use state::{CellState, ContactState};
+pub use substeps::{SubstepError, Substepped};
