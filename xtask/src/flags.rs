@@ -32,8 +32,8 @@ xflags::xflags! {
             /// Stop a page that takes longer than this many seconds (600 unless said).
             optional --time-limit seconds: f64
         }
-        /// Runs all tests and documentation examples, optimised; with cargo-nextest if it is
-        /// installed.
+        /// Runs all tests, documentation examples and example programs, optimised; with
+        /// cargo-nextest if it is installed.
         cmd test {
             /// Also the tests that take minutes, which are ignored otherwise.
             optional --all
