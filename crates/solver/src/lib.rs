@@ -5,6 +5,7 @@
 //! a history, each given by a [`Drive`], and says with a [`Convergence`] how it went.
 #![forbid(unsafe_code)]
 
+mod anderson;
 mod chart;
 mod contour;
 mod convergence;
@@ -22,6 +23,7 @@ mod nested;
 mod normal;
 mod problem;
 mod state;
+mod substeps;
 mod tangential;
 
 pub use chart::{Block, Entry, Step, Trace};
@@ -37,3 +39,4 @@ pub use law::{NumericalLaw, NumericalLawError};
 pub use method::Method;
 pub use problem::{ContactProblem, ProblemError};
 pub use state::{CellState, ContactState};
+pub use substeps::{SubstepError, Substepped};
