@@ -17,6 +17,7 @@ mod method;
 mod nested;
 mod normal;
 mod problem;
+mod result;
 mod state;
 mod tangential;
 
@@ -30,4 +31,5 @@ pub use gap::Gap;
 pub use law::{NumericalLaw, NumericalLawError};
 pub use method::Method;
 pub use problem::{ContactProblem, ProblemError};
+pub use result::{StoredEnergy, Subsurface, dissipated, violations};
 pub use state::{CellState, ContactState};
