@@ -5,13 +5,16 @@
 //! a history, each given by a [`Drive`], and says with a [`Convergence`] how it went.
 #![forbid(unsafe_code)]
 
+mod chart;
 mod contour;
 mod convergence;
+mod direct;
 mod drive;
 mod friction;
 mod frictional;
 mod frictionless;
 mod gap;
+pub mod kalker;
 mod law;
 mod method;
 mod nested;
@@ -21,8 +24,10 @@ mod result;
 mod state;
 mod tangential;
 
+pub use chart::{Block, Entry, Step, Trace};
 pub use contour::{Contour, contours};
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
+pub use direct::DirectError;
 pub use drive::{Drive, Driven};
 pub use friction::{CellFriction, SurfaceFriction};
 pub use frictional::{Frictional, FrictionalError, FrictionalScratch};
