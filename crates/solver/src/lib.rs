@@ -21,6 +21,7 @@ mod normal;
 mod problem;
 mod state;
 mod tangential;
+pub mod theory;
 
 pub use chart::{Block, Entry, Step, Trace};
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
