@@ -52,7 +52,11 @@ xflags::xflags! {
             /// Note which test notices which mutant, for --quick.
             optional --record
         }
-        /// What continuous integration checks: form, lints, documentation, tests, tests with
+        /// Holds the index of the thesis's equations against the code: each item that it names is
+        /// there, each equation and figure that a comment quotes is in the index or the catalogue,
+        /// and none is left out.
+        cmd tidy {}
+        /// What continuous integration checks: form, the index of equations, lints, documentation, tests, tests with
         /// overflow checks, the quick figures, and the mutants.
         cmd ci {}
         /// Runs the benchmarks.

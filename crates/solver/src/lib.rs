@@ -5,6 +5,7 @@
 //! a history, each given by a [`Drive`], and says with a [`Convergence`] how it went.
 #![forbid(unsafe_code)]
 
+mod anderson;
 mod chart;
 mod contour;
 mod convergence;
@@ -14,6 +15,7 @@ mod friction;
 mod frictional;
 mod frictionless;
 mod gap;
+pub mod jaeger;
 pub mod kalker;
 mod law;
 mod method;
@@ -22,6 +24,7 @@ mod normal;
 mod problem;
 mod result;
 mod state;
+mod substeps;
 mod tangential;
 
 pub use chart::{Block, Entry, Step, Trace};
@@ -38,3 +41,4 @@ pub use method::Method;
 pub use problem::{ContactProblem, ProblemError};
 pub use result::{StoredEnergy, Subsurface, dissipated, violations};
 pub use state::{CellState, ContactState};
+pub use substeps::{SubstepError, Substepped};
