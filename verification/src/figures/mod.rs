@@ -29,6 +29,7 @@ mod propositions;
 mod rebound;
 mod sphere_traction;
 mod spring_impact;
+mod structure;
 
 /// The chapters in order.
 pub(crate) const CHAPTERS: &[&[Entry]] = &[

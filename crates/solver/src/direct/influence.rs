@@ -35,6 +35,10 @@ impl Influence {
         Self { grid, blocks }
     }
 
+    pub(crate) const fn grid(&self) -> Grid {
+        self.grid
+    }
+
     /// The displacement of each component of a cell by its own unit traction.
     pub(crate) fn own(&self) -> [f64; 3] {
         [0, 1, 2].map(|axis| self.coefficient(axis, axis, 0, 0))
@@ -143,7 +147,7 @@ mod tests {
         operator.apply(load, out, &mut operator.workspace()).unwrap();
         let mut added = [(); 3].map(|()| vec![0.0; 35]);
         for from in 0..35 {
-            let traction = [0, 1, 2].map(|axis| tractions[axis][from]);
+            let traction = tractions.each_ref().map(|values| values[from]);
             influence.add(from, traction, &mut added);
         }
         for axis in 0..3 {
