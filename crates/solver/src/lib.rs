@@ -19,6 +19,7 @@ mod method;
 mod nested;
 mod normal;
 mod problem;
+pub mod rolling;
 mod state;
 mod tangential;
 pub mod theory;
