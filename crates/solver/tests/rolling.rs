@@ -47,7 +47,7 @@ fn roll_on(
 fn rolling_on_tends_to_steady_rolling() {
     for poisson in [[0.3, 0.3], [0.0, 0.5]] {
         let problem = sphere(12, poisson);
-        for (columns, steps) in [(1.0, 60), (2.0, 40), (0.5, 300), (1.3, 200)] {
+        for (columns, steps) in [(1.0, 160), (2.0, 80), (0.5, 320), (1.3, 120)] {
             for creepage in [
                 Creepage { along: 0.06, across: 0.02, spin: 0.0 },
                 Creepage { along: -0.03, across: 0.0, spin: 0.1 },
@@ -67,7 +67,7 @@ fn rolling_on_tends_to_steady_rolling() {
                     b.f_x / scale,
                     b.f_y / scale
                 );
-                assert!(worst < 1e-6, "{poisson:?} {columns} {creepage:?}: {worst:.1e}");
+                assert!(worst < 1e-9, "{poisson:?} {columns} {creepage:?}: {worst:.1e}");
                 assert_eq!(steady.slides, state.count(CellState::Stick) == 0);
             }
         }
@@ -76,14 +76,10 @@ fn rolling_on_tends_to_steady_rolling() {
 
 #[test]
 fn creep_coefficients_of_a_circle_without_poissons_ratio_are_closed_forms() {
-    for n in [7, 10, 14, 20, 28] {
-        println!("{n}: {:?}", creep_coefficients_on(n, 1.0, 0.0).unwrap());
-    }
     let c = creep_coefficients(1.0, 0.0).unwrap();
-    println!("{c:?}");
     let exact = 32.0 / (3.0 * PI);
-    assert!((c.c11 / exact - 1.0).abs() < 1e-3 && (c.c22 / exact - 1.0).abs() < 1e-3);
-    assert!((c.c23 / (4.0 / 3.0) - 1.0).abs() < 1e-3);
+    assert!((c.c11 / exact - 1.0).abs() < 1e-4 && (c.c22 / exact - 1.0).abs() < 1e-4);
+    assert!((0.5 * (c.c23 + c.c32) / (4.0 / 3.0) - 1.0).abs() < 1e-4);
 }
 
 #[test]
@@ -99,10 +95,14 @@ fn creep_coefficients_agree_with_an_independent_calculation() {
     for ([ratio, poisson], want) in table {
         let CreepCoefficients { c11, c22, c23, c32, c33 } =
             creep_coefficients(ratio, poisson).unwrap();
-        let got = [c11, c22, 0.5 * (c23 - c32), c33];
+        let got = [c11, c22, 0.5 * (c23 + c32), c33];
         let off: Vec<String> =
             got.iter().zip(want).map(|(g, w)| format!("{:.2e}", g / w - 1.0)).collect();
         println!("{ratio} {poisson}: {got:?} {off:?}");
+        for (i, (got, want)) in got.into_iter().zip(want).enumerate() {
+            let allowed = if i == 3 { 5e-3 } else { 2e-3 };
+            assert!((got / want - 1.0).abs() < allowed, "a/b {ratio} nu {poisson}: {got} {want}");
+        }
     }
 }
 

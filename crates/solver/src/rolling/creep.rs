@@ -8,13 +8,15 @@ use faer::linalg::solvers::Solve as _;
 use super::RollingError;
 use crate::direct::DirectError;
 
-/// Elements along each side of the meshes from which is extrapolated.
+/// Strips of the meshes from which is extrapolated.
 const MESHES: [usize; 3] = [14, 20, 28];
+/// Strips longer than this along the direction of rolling, a/b, have twice as many elements.
+const LONG: f64 = 3.0;
 
 /// Forces at vanishing creepage, for two equal bodies of shear modulus G each and a contact with the
 /// semi-axes a along the direction of rolling and b across it:
 /// F_x = G a b C11 xi, F_y = G a b (C22 eta - sqrt(ab) C23 phi),
-/// M_z = G (ab)^(3/2) (-C23 eta + sqrt(ab) C33 phi), in this crate's signs.
+/// M_z = G (ab)^(3/2) (C32 eta + sqrt(ab) C33 phi) with C32 = C23, in this crate's signs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CreepCoefficients {
     /// Force along by creepage along.
@@ -23,7 +25,7 @@ pub struct CreepCoefficients {
     pub c22: f64,
     /// Force across by spin.
     pub c23: f64,
-    /// Torque by creepage across, -C23 of the continuum.
+    /// Torque by creepage across; C23 in the continuum.
     pub c32: f64,
     /// Torque by spin.
     pub c33: f64,
@@ -69,7 +71,7 @@ struct Element {
 }
 
 /// The coefficients on a mesh of `count` strips along the direction of rolling, each of `count`
-/// elements between the edges of the ellipse. A particle comes from one element ahead, the first one
+/// elements between the edges of the ellipse (twice as many where a > 3 b). A particle comes from one element ahead, the first one
 /// from outside, where there is no traction.
 ///
 /// # Errors
@@ -85,7 +87,8 @@ pub fn creep_coefficients_on(
     let (a, b) = (ratio.sqrt(), 1.0 / ratio.sqrt());
     let body = Material::from_shear(1.0, poisson)?;
     let pair = MaterialPair::new(body, body)?;
-    let elements = strips(count, [a, b], pair)?;
+    let along = if ratio > LONG { 2 * count } else { count };
+    let elements = strips([count, along], [a, b], pair)?;
     let tractions = adhere(&elements)?;
     let height = 2.0 * b / count as f64;
     let load = |motion: usize, weigh: &dyn Fn(&Element) -> [f64; 2]| -> f64 {
@@ -96,26 +99,30 @@ pub fn creep_coefficients_on(
         });
         parts.sum()
     };
-    let (along, across) = (|_: &Element| [1.0, 0.0], |_: &Element| [0.0, 1.0]);
+    let (pull, push) = (|_: &Element| [1.0, 0.0], |_: &Element| [0.0, 1.0]);
     let torque = |element: &Element| [element.y, -element.x];
     Ok(CreepCoefficients {
-        c11: load(0, &along),
-        c22: load(1, &across),
-        c23: -load(2, &across),
+        c11: load(0, &pull),
+        c22: load(1, &push),
+        c23: -load(2, &push),
         c32: load(1, &torque),
         c33: load(2, &torque),
     })
 }
 
-fn strips(count: usize, [a, b]: [f64; 2], pair: MaterialPair) -> Result<Vec<Element>, RangeError> {
+fn strips(
+    [count, along]: [usize; 2],
+    [a, b]: [f64; 2],
+    pair: MaterialPair,
+) -> Result<Vec<Element>, RangeError> {
     let height = 2.0 * b / count as f64;
-    let mut elements = Vec::with_capacity(count * count);
+    let mut elements = Vec::with_capacity(count * along);
     for row in 0..count {
         let y = (row as f64 + 0.5) * height - b;
         let half = a * (1.0 - (y / b) * (y / b)).sqrt();
-        let width = 2.0 * half / count as f64;
+        let width = 2.0 * half / along as f64;
         let influence = RectangleInfluence::new(pair, Rectangle::new(width, height)?);
-        for column in 0..count {
+        for column in 0..along {
             let x = (column as f64 + 0.5) * width - half;
             elements.push(Element { x, y, width, influence });
         }
