@@ -1,6 +1,6 @@
 //! What continuous integration checks.
 
-use crate::{cargo, mutants, test};
+use crate::{cargo, mutants, test, tidy};
 use anyhow::{Context as _, bail};
 use std::time::Instant;
 
@@ -8,6 +8,7 @@ type Step = fn() -> anyhow::Result<()>;
 
 const STEPS: &[(&str, Step)] = &[
     ("form", form),
+    ("index of equations", tidy::run),
     ("lints", lints),
     ("documentation", documentation),
     ("tests, with the examples of README and documentation", test::run),

@@ -32,8 +32,8 @@ xflags::xflags! {
             /// Stop a page that takes longer than this many seconds (600 unless said).
             optional --time-limit seconds: f64
         }
-        /// Runs all tests and documentation examples, optimised; with cargo-nextest if it is
-        /// installed.
+        /// Runs all tests, documentation examples and example programs, optimised; with
+        /// cargo-nextest if it is installed.
         cmd test {
             /// Also the tests that take minutes, which are ignored otherwise.
             optional --all
@@ -52,7 +52,11 @@ xflags::xflags! {
             /// Note which test notices which mutant, for --quick.
             optional --record
         }
-        /// What continuous integration checks: form, lints, documentation, tests, tests with
+        /// Holds the index of the thesis's equations against the code: each item that it names is
+        /// there, each equation and figure that a comment quotes is in the index or the catalogue,
+        /// and none is left out.
+        cmd tidy {}
+        /// What continuous integration checks: form, the index of equations, lints, documentation, tests, tests with
         /// overflow checks, the quick figures, and the mutants.
         cmd ci {}
         /// Runs the benchmarks.

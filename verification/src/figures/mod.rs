@@ -19,6 +19,8 @@ mod ch12;
 mod ch13;
 mod ch14;
 mod ch15;
+mod errata;
+mod measured;
 mod mesh;
 mod numbers;
 mod paraboloid;
@@ -44,6 +46,8 @@ pub(crate) const CHAPTERS: &[&[Entry]] = &[
     ch13::ENTRIES,
     ch14::ENTRIES,
     ch15::ENTRIES,
+    errata::ENTRIES,
+    measured::ENTRIES,
     propositions::ENTRIES,
     rebound::ENTRIES,
     particles::ENTRIES,
