@@ -23,6 +23,7 @@ mod nested;
 mod normal;
 mod problem;
 mod result;
+pub mod rolling;
 mod state;
 mod substeps;
 mod tangential;
