@@ -37,7 +37,7 @@ pub use drive::{Drive, Driven};
 pub use friction::{CellFriction, SurfaceFriction};
 pub use frictional::{Frictional, FrictionalError, FrictionalScratch};
 pub use frictionless::{Frictionless, NormalError, NormalScratch};
-pub use gap::Gap;
+pub use gap::{Gap, HeightMap, HeightMapError, Outline, SelfAffine};
 pub use law::{NumericalLaw, NumericalLawError};
 pub use method::Method;
 pub use problem::{ContactProblem, ProblemError};
