@@ -29,6 +29,22 @@ fn a_ball_is_pressed_as_hertz_says() {
 }
 
 #[test]
+fn stresses_below_a_ball_are_those_of_huber() {
+    let both = json(&["solve", &example("solve_hertz.toml"), "--depths", "101"]);
+    let rows = both["depths"].as_array().unwrap();
+    // The rigid body has none.
+    assert_eq!(rows.len(), 101);
+    let last = &both["steps"][3];
+    let (pressure, zeta) = (last["p_max"].as_f64().unwrap(), last["zeta"].as_f64().unwrap());
+    let radius = f64::sqrt(0.01 * zeta);
+    // s_zz = -p_max/(1 + z^2/a^2) on the axis; the greatest pressure is in a cell beside it.
+    for row in rows.iter().skip(5) {
+        let depth = row["depth"].as_f64().unwrap() / radius;
+        close(&row["s_zz"], -pressure / (1.0 + depth * depth), 0.01 * pressure);
+    }
+}
+
+#[test]
 fn a_loop_closes_and_heats() {
     let steps = json(&["solve", &example("solve_cattaneo_loop.toml")]);
     let number = |step: usize, name: &str| steps[step - 1][name].as_f64().unwrap();

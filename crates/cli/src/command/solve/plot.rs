@@ -105,10 +105,9 @@ fn stick_and_slip(state: &ContactState) -> Panel {
     let (x, y) = (state.traction_x.values(), state.traction_y.values());
     let longest = x.iter().zip(y).map(|(x, y)| libm::hypot(*x, *y)).fold(0.0, f64::max);
     let scale = 2.0 * stride as f64 * grid.dx().max(grid.dy()) / longest;
-    let cells = grid
-        .centres()
-        .enumerate()
-        .filter(|(i, _)| (i % grid.nx()) % stride == 0 && (i / grid.nx()) % stride == 0);
+    let cells = grid.centres().enumerate().filter(|(i, _)| {
+        (i % grid.nx()).is_multiple_of(stride) && (i / grid.nx()).is_multiple_of(stride)
+    });
     let arrows = cells.filter(|(i, _)| libm::hypot(x[*i], y[*i]) > 0.02 * longest).map(
         |(i, (at_x, at_y))| Arrow {
             tail: Point::new(at_x, at_y),
