@@ -26,6 +26,7 @@ mod result;
 mod state;
 mod substeps;
 mod tangential;
+pub mod theory;
 
 pub use chart::{Block, Entry, Step, Trace};
 pub use contour::{Contour, contours};

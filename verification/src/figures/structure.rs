@@ -15,7 +15,7 @@ pub(super) fn chart<S: Step>(title: &str, blocks: &[Block<S>]) -> Panel {
         Axis::bare("").between(-height - 0.4, 0.4),
     )
     .titled(title);
-    draw(&mut panel, blocks, 0.0, 0.0);
+    Drawing { panel: &mut panel, drop: 0.5 + 0.028 * height }.blocks(blocks, 0.0, 0.0);
     panel
 }
 
@@ -28,33 +28,31 @@ fn lines<S: Step>(blocks: &[Block<S>]) -> usize {
     blocks.iter().map(of).sum()
 }
 
-/// Draws parts from a height downwards; where they end.
-fn draw<S: Step>(panel: &mut Panel, blocks: &[Block<S>], left: f64, mut top: f64) -> f64 {
-    for block in blocks {
-        match block {
-            Block::Do(step) => {
-                frame(panel, left, top, top - 1.0);
-                words(panel, step.to_string(), left, top);
-                top -= 1.0;
-            }
-            Block::Until { body, done } => {
-                let end = draw(panel, body, left + INDENT, top);
-                frame(panel, left, top, end - 1.0);
-                words(panel, format!("until {done}"), left, end);
-                top = end - 1.0;
-            }
+/// A chart on its panel.
+struct Drawing<'a> {
+    panel: &'a mut Panel,
+    /// From the top of a line to where its words stand, which are of one size in all charts.
+    drop: f64,
+}
+
+impl Drawing<'_> {
+    /// Draws parts from a height downwards; where they end.
+    fn blocks<S: Step>(&mut self, blocks: &[Block<S>], left: f64, mut top: f64) -> f64 {
+        for block in blocks {
+            let (words, line) = match block {
+                Block::Do(step) => (step.to_string(), top),
+                Block::Until { body, done } => {
+                    (format!("until {done}"), self.blocks(body, left + INDENT, top))
+                }
+            };
+            let corners =
+                [(left, top), (WIDTH, top), (WIDTH, line - 1.0), (left, line - 1.0), (left, top)];
+            self.panel.add(Series::line("", corners).coloured(0));
+            self.panel.add(Series::note(words, (left + 0.1, line - self.drop)).coloured(6));
+            top = line - 1.0;
         }
+        top
     }
-    top
-}
-
-fn frame(panel: &mut Panel, left: f64, top: f64, bottom: f64) {
-    let corners = [(left, top), (WIDTH, top), (WIDTH, bottom), (left, bottom), (left, top)];
-    panel.add(Series::line("", corners).coloured(0));
-}
-
-fn words(panel: &mut Panel, words: String, left: f64, top: f64) {
-    panel.add(Series::note(words, (left + 0.1, top - 0.72)).coloured(6));
 }
 
 /// Steps and questions of a trace, in order of first appearance, with how often and how much.

@@ -90,15 +90,15 @@ pub(super) fn draw() -> FigureResult {
     figure.claim(Claim::at_least("and positive definite", least, 1e-3).source("(12.18)"));
     let structures = [
         ("A₁₁: symmetric blocks, symmetric arrangement", [0, 0], [1.0, 1.0], "(12.11), (12.13)"),
-        ("A₁₂: skew blocks, skew arrangement", [0, 1], [-1.0, 1.0], "(12.14)"),
+        ("A₁₂: skew blocks, skew arrangement", [0, 1], [-1.0, -1.0], "(12.14)"),
         ("A₁₃: skew blocks, symmetric arrangement", [0, 2], [1.0, -1.0], "(4.23)"),
-        ("A₂₃: symmetric blocks, skew arrangement", [1, 2], [-1.0, -1.0], "(4.23)"),
+        ("A₂₃: symmetric blocks, skew arrangement", [1, 2], [-1.0, 1.0], "(4.23)"),
     ];
     for (statement, part, signs, source) in structures {
         let worst = deviation(&operator, part, signs);
         figure.claim(Claim::at_most(statement, worst, 1e-15).source(source));
     }
-    let printed = deviation(&operator, [0, 2], [-1.0, -1.0]);
+    let printed = deviation(&operator, [0, 2], [-1.0, 1.0]);
     figure.claim(
         Claim::at_least("printed structure of A₁₃ does not hold", printed, 0.5)
             .source("text before (12.15)"),
