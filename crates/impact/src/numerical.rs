@@ -3,7 +3,9 @@
 use carom_solver::{CellState, NumericalLaw, NumericalLawError};
 use carom_special::RangeError;
 
-use crate::coupled::{CoupledImpact, CoupledOutcome, Course, Passage, Point, Sample, Stage};
+use crate::coupled::{
+    CoupledImpact, CoupledOutcome, Course, LawFailure, Passage, Point, Sample, Stage,
+};
 use crate::encounter::{Encounter, EncounterError};
 use crate::normal::NormalImpact;
 use crate::outcome::{Outcome, Warning};
@@ -25,7 +27,7 @@ pub enum NumericalImpactError {
     Encounter(#[from] EncounterError),
     /// A step of the contact could not be solved.
     #[error(transparent)]
-    Law(#[from] NumericalLawError),
+    Law(#[from] LawFailure<NumericalLawError>),
     /// The bodies do not part.
     #[error("the bodies do not separate within 2^14 times the steps of a free impact")]
     NoSeparation,
