@@ -47,10 +47,12 @@ impl Which {
     }
 }
 
-/// Runs all tests and the documentation examples, and prints their counts; the examples run
-/// even if a test fails.
+/// Runs all tests, the documentation examples and the example programs, and prints their counts;
+/// the examples run even if a test fails.
 pub(crate) fn run() -> anyhow::Result<()> {
-    tests(Which::Usual).and(examples())
+    let tests = tests(Which::Usual);
+    let examples = examples();
+    tests.and(examples).and(programs())
 }
 
 /// Runs the tests that take minutes too, and says how long they took.
@@ -81,6 +83,24 @@ fn tests(which: Which) -> anyhow::Result<()> {
 fn examples() -> anyhow::Result<()> {
     let arguments = ["test", "--workspace", "--release", "--no-fail-fast", "--doc"];
     counted("documentation examples", &arguments)
+}
+
+/// Runs the example programs, one for each floor: each checks what it prints.
+fn programs() -> anyhow::Result<()> {
+    let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/carom/examples");
+    let mut names = Vec::new();
+    for entry in std::fs::read_dir(folder).context("cannot list the example programs")? {
+        let path = entry?.path();
+        if path.extension().is_some_and(|extension| extension == "rs") {
+            names.extend(path.file_stem().map(|stem| stem.to_string_lossy().into_owned()));
+        }
+    }
+    names.sort();
+    for name in &names {
+        cargo::run(&["run", "--release", "--package", "carom", "--example", name])?;
+    }
+    println!("example programs: {} passed", names.len());
+    Ok(())
 }
 
 /// Calls cargo, passing its output on, and prints how many tests passed.

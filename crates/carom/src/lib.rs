@@ -9,6 +9,7 @@
 //! | motion | [`impact`] | ch. 8, 9, 10, 15 |
 //! | numbers | [`solver`] | ch. 11-14 |
 //! | laws | [`laws`] | ch. 5-7, 10.5 |
+//! | geometry | [`geometry`] | 5.1, 8.1 |
 //! | half-space | [`halfspace`] | ch. 4 |
 //! | special functions | [`special`] | |
 //!
@@ -28,11 +29,13 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub use carom_geometry as geometry;
 pub use carom_halfspace as halfspace;
 pub use carom_impact as impact;
 pub use carom_laws as laws;
 pub use carom_solver as solver;
 pub use carom_special as special;
+pub use carom_table as table;
 
 /// The names most programs need.
 pub mod prelude {

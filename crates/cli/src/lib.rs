@@ -6,6 +6,7 @@
 //! file that cannot be read or written.
 
 pub mod case;
+pub mod columns;
 pub mod command;
 pub mod destination;
 pub mod error;

@@ -190,13 +190,17 @@ fn refused(source: std::io::Error) -> CliError {
 ///
 /// # Errors
 /// [`CliError::Overflow`] that names the first.
-pub fn check_finite(path: &Path, heads: &[&str], rows: &[Vec<String>]) -> Result<(), CliError> {
+pub fn check_finite(
+    path: &Path,
+    heads: &[impl AsRef<str>],
+    rows: &[Vec<String>],
+) -> Result<(), CliError> {
     for (i, row) in rows.iter().enumerate() {
         for (cell, head) in row.iter().zip(heads) {
             if let Some(value) = cell.parse().ok().filter(|value: &f64| !value.is_finite()) {
                 let quantity = match rows.len() {
-                    1 => (*head).to_owned(),
-                    _ => format!("{head} in row {}", i + 1),
+                    1 => head.as_ref().to_owned(),
+                    _ => format!("{} in row {}", head.as_ref(), i + 1),
                 };
                 return Err(CliError::Overflow { path: path.to_owned(), quantity, value });
             }
@@ -220,7 +224,7 @@ pub fn json<T: Serialize>(results: &T) -> Result<String, CliError> {
 ///
 /// # Errors
 /// If a row is not as long as the heads.
-pub fn csv(heads: &[&str], rows: &[Vec<String>]) -> Result<String, CliError> {
+pub fn csv(heads: &[impl AsRef<str>], rows: &[Vec<String>]) -> Result<String, CliError> {
     csv_rows(Some(heads), rows)
 }
 
@@ -228,10 +232,15 @@ pub fn csv(heads: &[&str], rows: &[Vec<String>]) -> Result<String, CliError> {
 ///
 /// # Errors
 /// If a row is not as long as the first.
-pub fn csv_rows(heads: Option<&[&str]>, rows: &[Vec<String>]) -> Result<String, CliError> {
+pub fn csv_rows(
+    heads: Option<&[impl AsRef<str>]>,
+    rows: &[Vec<String>],
+) -> Result<String, CliError> {
     let mut writer = csv::Writer::from_writer(Vec::new());
     if let Some(heads) = heads {
-        writer.write_record(heads).map_err(|error| CliError::Format(error.into()))?;
+        writer
+            .write_record(heads.iter().map(AsRef::as_ref))
+            .map_err(|error| CliError::Format(error.into()))?;
     }
     for row in rows {
         writer.write_record(row).map_err(|error| CliError::Format(error.into()))?;
@@ -242,14 +251,16 @@ pub fn csv_rows(heads: Option<&[&str]>, rows: &[Vec<String>]) -> Result<String, 
 
 /// `rows` under their heads as a table to read, numbers to the right.
 #[must_use]
-pub fn table(heads: &[&str], rows: &[Vec<String>]) -> String {
+pub fn table(heads: &[impl AsRef<str>], rows: &[Vec<String>]) -> String {
     let mut table = Table::new();
     table.load_style(UTF8_FULL_CONDENSED);
-    table.set_header(heads);
+    table.set_header(heads.iter().map(AsRef::as_ref));
     table.add_rows(rows);
     for index in 0..heads.len() {
         let is_numeric = rows.iter().all(|row| {
-            row.get(index).is_some_and(|cell| cell == "-" || cell.parse::<f64>().is_ok())
+            row.get(index).is_some_and(|cell| {
+                matches!(cell.as_str(), "" | "-") || cell.parse::<f64>().is_ok()
+            })
         });
         if let (true, Some(column)) = (is_numeric, table.column_mut(index)) {
             column.set_cell_alignment(CellAlignment::Right);

@@ -12,6 +12,8 @@ fn the_commands_of_the_readme_run() {
         .filter_map(|line| line.strip_prefix("cargo run --release -p carom-cli -- "))
         .collect();
     assert!(commands.len() >= 3);
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("readme");
+    std::fs::create_dir_all(folder.join("target")).unwrap();
     for command in commands {
         let arguments =
             command.split_whitespace().map(|argument| match argument.strip_prefix("examples/") {
@@ -20,7 +22,7 @@ fn the_commands_of_the_readme_run() {
             });
         let output = Command::new(env!("CARGO_BIN_EXE_carom"))
             .args(arguments)
-            .current_dir(env!("CARGO_TARGET_TMPDIR"))
+            .current_dir(&folder)
             .output()
             .unwrap();
         let stderr = String::from_utf8_lossy(&output.stderr);

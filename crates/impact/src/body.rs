@@ -1,98 +1,10 @@
 //! Bodies: shape at the contact, material, inertia and motion.
 
+use carom_geometry::Inertia;
 use carom_halfspace::Material;
 use carom_laws::curvature::PrincipalRadii;
 use carom_special::RangeError;
 use nalgebra::Vector3;
-
-/// Mass and principal moments of inertia; infinite ones hold the body fast.
-///
-/// ```
-/// use carom_impact::Inertia;
-/// let ball = Inertia::solid_sphere(0.2, 0.05)?;
-/// assert!((ball.moments()[0] - 0.4 * 0.2 * 0.05 * 0.05).abs() < 1e-18);
-/// # Ok::<(), carom_special::RangeError>(())
-/// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Inertia {
-    mass: f64,
-    moments: [f64; 3],
-}
-
-impl Inertia {
-    /// A body that nothing moves.
-    pub const FIXED: Self = Self { mass: f64::INFINITY, moments: [f64::INFINITY; 3] };
-
-    /// From mass and principal moments; infinite values are allowed.
-    ///
-    /// # Errors
-    /// [`RangeError`] unless the mass and all moments are positive and the moments satisfy the
-    /// triangle inequality that every mass distribution obeys.
-    pub fn new(mass: f64, moments: [f64; 3]) -> Result<Self, RangeError> {
-        RangeError::check("mass", mass, mass > 0.0, "> 0 (inf: held fast)")?;
-        for moment in moments {
-            RangeError::check("moment of inertia", moment, moment > 0.0, "> 0 (inf: held fast)")?;
-        }
-        let [a, b, c] = moments;
-        let slack = 1.0 + 1e-12;
-        for (one, sum) in [(a, b + c), (b, c + a), (c, a + b)] {
-            let holds = one <= slack * sum;
-            RangeError::check("moment of inertia", one, holds, "<= the sum of the other two")?;
-        }
-        Ok(Self { mass, moments })
-    }
-
-    /// A homogeneous solid sphere, theta = (2/5) m R^2.
-    ///
-    /// # Errors
-    /// [`RangeError`] unless mass > 0 (infinity allowed) and radius is finite and positive.
-    pub fn solid_sphere(mass: f64, radius: f64) -> Result<Self, RangeError> {
-        Self::of_gyration(mass, radius, 0.4)
-    }
-
-    /// A thin spherical shell, theta = (2/3) m R^2.
-    ///
-    /// # Errors
-    /// As [`Inertia::solid_sphere`].
-    pub fn spherical_shell(mass: f64, radius: f64) -> Result<Self, RangeError> {
-        Self::of_gyration(mass, radius, 2.0 / 3.0)
-    }
-
-    fn of_gyration(mass: f64, radius: f64, share: f64) -> Result<Self, RangeError> {
-        RangeError::positive("radius", radius)?;
-        Self::new(mass, [share * mass * radius * radius; 3])
-    }
-
-    /// The mass; infinite if nothing moves the body's centre.
-    #[must_use]
-    pub const fn mass(&self) -> f64 {
-        self.mass
-    }
-
-    /// The principal moments of inertia.
-    #[must_use]
-    pub const fn moments(&self) -> [f64; 3] {
-        self.moments
-    }
-
-    /// Whether the moments are the same about all axes.
-    pub(crate) fn is_isotropic(&self) -> bool {
-        let [a, b, c] = self.moments;
-        a == b && b == c
-    }
-
-    /// 1/m, zero for an infinite mass.
-    #[must_use]
-    pub fn inverse_mass(&self) -> f64 {
-        1.0 / self.mass
-    }
-
-    /// theta^-1 in principal axes, zeros for infinite moments.
-    #[must_use]
-    pub fn inverse_moments(&self) -> Vector3<f64> {
-        Vector3::from(self.moments).map(|moment| 1.0 / moment)
-    }
-}
 
 /// Largest component of a velocity or spin: beyond it energies overflow.
 const FASTEST: f64 = 1e100;

@@ -1,5 +1,6 @@
 //! Two spheres, or a sphere and a plane: the uncoupled oblique impact with its dimensions.
 
+use carom_geometry::{Attitude, perpendicular};
 use carom_halfspace::MaterialPair;
 use carom_laws::curvature::{CurvatureError, RelativeCurvature};
 use carom_laws::friction::Friction;
@@ -8,7 +9,6 @@ use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
-use crate::attitude::Attitude;
 use crate::body::{Body, Motion, Shape, kinetic_energy};
 use crate::closed_form::NOTICEABLE;
 use crate::mobility::{Lever, Mobility};
@@ -18,7 +18,6 @@ use crate::oblique::{Groups, ObliqueError, ObliqueImpact};
 use crate::outcome::{
     EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, TorsionMode, Warning,
 };
-use crate::surface::perpendicular;
 use crate::wave_share::wave_share;
 
 /// Why a collision cannot be computed.

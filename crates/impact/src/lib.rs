@@ -6,19 +6,14 @@
 //! one number, [`closed_form`] its limits.
 #![forbid(unsafe_code)]
 
-mod attitude;
 mod body;
 mod collision;
-mod contact_point;
 mod encounter;
-mod frame;
-mod meeting;
 mod mobility;
 mod normal_spin;
+mod numerical;
 mod outcome;
 mod placed_body;
-mod surface;
-mod volume;
 mod wave_share;
 
 pub mod closed_form;
@@ -30,13 +25,15 @@ pub mod scene;
 pub mod torsional;
 pub mod uncertain;
 
-pub use attitude::{Attitude, angle_matrix};
-pub use body::{Body, Inertia, Motion, Shape, kinetic_energy};
+pub use body::{Body, Motion, Shape, kinetic_energy};
+pub use carom_geometry::{
+    Attitude, Certainty, ContactFrame, FrameError, Height, Inertia, Jet, LocalSurface,
+    NearestPoints, SearchError, Side, Surface, SurfaceError, TOUCH_TOLERANCE, angle_matrix,
+    nearest_points,
+};
 pub use collision::{Collision, CollisionError};
-pub use contact_point::{Certainty, NearestPoints, SearchError, TOUCH_TOLERANCE, nearest_points};
 pub use encounter::{Encounter, EncounterError, PlacedBody};
-pub use frame::{ContactFrame, FrameError};
 pub use mobility::{Lever, Mobility};
 pub use normal_spin::NormalSpinError;
+pub use numerical::{NumericalImpact, NumericalImpactError};
 pub use outcome::{EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Torsion, Warning};
-pub use surface::{Height, Jet, LocalSurface, Side, Surface, SurfaceError};

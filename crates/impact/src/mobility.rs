@@ -1,10 +1,10 @@
 //! The mobility of a contact: how its velocity answers an impulse, (8.25)-(8.44).
 
+use carom_geometry::{Attitude, Inertia};
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
-use crate::attitude::Attitude;
-use crate::body::{Inertia, Motion};
+use crate::body::Motion;
 
 /// Couplings below this part of the largest entry that turning gives D are round-off: of arms known
 /// to some hundred roundings of the body's size.

@@ -1,14 +1,12 @@
 //! A body of any smooth shape: surface, material, inertia, place, attitude and motion.
 
+use carom_geometry::{Attitude, Inertia, Placed, Surface};
 use carom_halfspace::Material;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use crate::attitude::Attitude;
-use crate::body::{Inertia, Motion, kinetic_energy};
-use crate::contact_point::Placed;
+use crate::body::{Motion, kinetic_energy};
 use crate::mobility::Lever;
-use crate::surface::{Kind, LocalSurface, Surface, SurfaceError};
 
 /// A body with its surface, place, attitude and motion.
 ///
@@ -27,11 +25,9 @@ use crate::surface::{Kind, LocalSurface, Surface, SurfaceError};
 /// ```
 #[derive(Debug, Clone)]
 pub struct PlacedBody {
-    pub(crate) surface: Surface,
+    pub(crate) placed: Placed,
     pub(crate) material: Material,
     pub(crate) inertia: Inertia,
-    pub(crate) centre: Vector3<f64>,
-    pub(crate) attitude: Attitude,
     pub(crate) motion: Motion,
 }
 
@@ -39,9 +35,7 @@ impl PlacedBody {
     /// A body at rest at the origin, its axes along those of space.
     #[must_use]
     pub fn new(surface: Surface, material: Material, inertia: Inertia) -> Self {
-        let centre = Vector3::zeros();
-        let (attitude, motion) = (Attitude::ALIGNED, Motion::default());
-        Self { surface, material, inertia, centre, attitude, motion }
+        Self { placed: Placed::new(surface), material, inertia, motion: Motion::default() }
     }
 
     /// A plane through the origin, held fast, with the half-space z < 0 behind it.
@@ -55,16 +49,13 @@ impl PlacedBody {
     /// # Errors
     /// [`RangeError`] unless the components are finite.
     pub fn at(self, centre: [f64; 3]) -> Result<Self, RangeError> {
-        for value in centre {
-            RangeError::finite("centre", value)?;
-        }
-        Ok(Self { centre: centre.into(), ..self })
+        Ok(Self { placed: self.placed.at(centre)?, ..self })
     }
 
     /// The same body in this attitude.
     #[must_use]
     pub fn turned(self, attitude: Attitude) -> Self {
-        Self { attitude, ..self }
+        Self { placed: self.placed.turned(attitude), ..self }
     }
 
     /// The same body with this motion, in space axes.
@@ -76,7 +67,7 @@ impl PlacedBody {
     /// Its surface, in its own axes.
     #[must_use]
     pub const fn surface(&self) -> &Surface {
-        &self.surface
+        self.placed.surface()
     }
 
     /// Its material.
@@ -94,33 +85,19 @@ impl PlacedBody {
     /// Its centre of mass.
     #[must_use]
     pub const fn centre(&self) -> Vector3<f64> {
-        self.centre
+        self.placed.centre()
     }
 
     /// Its attitude.
     #[must_use]
     pub const fn attitude(&self) -> Attitude {
-        self.attitude
+        *self.placed.attitude()
     }
 
     /// Its motion.
     #[must_use]
     pub const fn motion(&self) -> Motion {
         self.motion
-    }
-
-    pub(crate) fn placed(&self) -> Placed<'_> {
-        Placed { surface: &self.surface, centre: self.centre, attitude: self.attitude }
-    }
-
-    pub(crate) fn local_at(&self, in_space: &Vector3<f64>) -> Result<LocalSurface, SurfaceError> {
-        let in_body = self.attitude.to_body(&(in_space - self.centre));
-        Ok(self.surface.local(&in_body)?.placed(&self.centre, &self.attitude))
-    }
-
-    /// The same in space whose origin lies there.
-    pub(crate) fn seen_from(&self, origin: &Vector3<f64>) -> Self {
-        Self { centre: self.centre - origin, ..self.clone() }
     }
 
     /// What resists an impulse at the contact point, `arm` from the centre, on this side of it
@@ -131,18 +108,18 @@ impl PlacedBody {
         normal: &Vector3<f64>,
         side: f64,
     ) -> Result<Lever, RangeError> {
-        let upright = |height| Ok(Lever::upright(self.inertia, &self.attitude, normal, height));
-        match self.surface.kind() {
-            // The motion of a plane is given at the contact point.
-            Kind::Plane => upright(0.0),
-            Kind::Sphere { radius } => upright(side * radius),
-            _ => Lever::new(self.inertia, &self.attitude, arm),
+        let attitude = self.placed.attitude();
+        // The motion of a plane is given at the contact point.
+        let flat = self.surface().is_plane().then_some(0.0);
+        match flat.or(self.surface().radius()) {
+            Some(height) => Ok(Lever::upright(self.inertia, attitude, normal, side * height)),
+            None => Lever::new(self.inertia, attitude, arm),
         }
     }
 
     pub(crate) fn kinetic_energy(&self, motion: &Motion) -> f64 {
         // The moments belong to the body's axes.
-        let spin = self.attitude.to_body(&motion.spin);
+        let spin = self.placed.attitude().to_body(&motion.spin);
         kinetic_energy(&self.inertia, &Motion { velocity: motion.velocity, spin })
     }
 }

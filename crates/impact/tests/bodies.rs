@@ -296,7 +296,9 @@ fn what_cannot_touch_says_why() {
     assert!(
         matches!(
             line,
-            EncounterError::Frame(FrameError::Curvature(CurvatureError::LineContact { .. }))
+            EncounterError::Search(SearchError::Frame(FrameError::Curvature(
+                CurvatureError::LineContact { .. }
+            )))
         ),
         "{line}"
     );
@@ -305,12 +307,18 @@ fn what_cannot_touch_says_why() {
     let socket = Surface::given([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], radii).unwrap();
     let socket = PlacedBody::new(socket, steel(), Inertia::FIXED);
     let fit = Encounter::at(ball(1.0), socket, [0.0; 3], none).unwrap_err();
-    assert!(matches!(fit, EncounterError::Frame(FrameError::Curvature(_))), "{fit}");
+    assert!(
+        matches!(fit, EncounterError::Search(SearchError::Frame(FrameError::Curvature(_)))),
+        "{fit}"
+    );
     let held = PlacedBody::new(Surface::sphere(1.0).unwrap(), steel(), Inertia::FIXED);
     let held = Encounter::find(held.at([0.0, 0.0, 1.0]).unwrap(), plane(), none).unwrap_err();
     assert_eq!(held, EncounterError::BothHeldFast);
     let same_side = Encounter::at(ball(-1.0), plane(), [0.0; 3], none).unwrap_err();
-    assert!(matches!(same_side, EncounterError::Frame(FrameError::NotOpposed { .. })));
+    assert!(matches!(
+        same_side,
+        EncounterError::Search(SearchError::Frame(FrameError::NotOpposed { .. }))
+    ));
 }
 
 fn half_turned(centre: [f64; 3], inertia: Inertia) -> PlacedBody {

@@ -2,11 +2,12 @@
 
 use approx::assert_relative_eq;
 use carom_halfspace::{Material, MaterialPair};
+use carom_impact::Inertia;
 use carom_impact::normal::DURATION;
 use carom_impact::torsional::{
     SpinCollision, Spinner, TorsionalGroups, TorsionalImpact, TorsionalPhase, limits,
 };
-use carom_laws::curvature::RelativeCurvature;
+use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::torsion::history::TwistHistory;
@@ -284,4 +285,21 @@ proptest! {
         let (low, high) = (solve(epsilon, omega), solve(epsilon, 1.1 * omega));
         prop_assert!(low.spin_ratio() < high.spin_ratio());
     }
+}
+
+#[test]
+fn a_spinner_is_the_solid_sphere() {
+    let (mass, radius) = (0.04, 0.02);
+    let theta = Inertia::solid_sphere(mass, radius).unwrap().moments()[2];
+    let rubber = Material::from_shear(1e6, 0.4).unwrap();
+    let sphere = PrincipalRadii::sphere(radius).unwrap();
+    let gap = RelativeCurvature::new(sphere, PrincipalRadii::PLANE, 0.0).unwrap();
+    let hertz = Hertz::new(gap, MaterialPair::new(rubber, rubber).unwrap()).unwrap();
+    let groups = |ball: Spinner| {
+        let bodies = [ball.spinning(31.0).unwrap(), Spinner::held_fast()];
+        let friction = Friction::new(0.7).unwrap();
+        SpinCollision::new(&hertz, friction, bodies, 1.3).unwrap().groups().unwrap()
+    };
+    let own = groups(Spinner::solid_sphere(mass, radius).unwrap());
+    assert_eq!(own, groups(Spinner::new(mass, theta).unwrap()));
 }

@@ -5,6 +5,7 @@ use std::f64::consts::PI;
 use carom_halfspace::{Material, MaterialPair};
 use carom_special::elliptic::complete;
 use carom_special::{AxisRatio, RangeError};
+use carom_table::Column;
 
 use crate::curvature::{CurvatureError, RelativeCurvature};
 use crate::ellipse::ContactEllipse;
@@ -89,6 +90,24 @@ pub struct HertzState {
 }
 
 impl HertzState {
+    /// Its quantities in SI units, for whoever shows or stores it.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("force", "N", "normal force F_z", |state| state.force.into()),
+        Column::new("approach", "m", "of distant points, zeta", |state| state.approach.into()),
+        Column::new("semi_axis_a", "m", "of the contact ellipse along x", |state| {
+            state.ellipse.semi_axis_a().into()
+        }),
+        Column::new("semi_axis_b", "m", "of the contact ellipse along y", |state| {
+            state.ellipse.semi_axis_b().into()
+        }),
+        Column::new("peak_pressure", "Pa", "in the middle of the contact", |state| {
+            state.peak_pressure.into()
+        }),
+        Column::new("normal_stiffness", "N/m", "tangent dF_z/dzeta", |state| {
+            state.normal_stiffness.into()
+        }),
+    ];
+
     /// The pressure p_z at a point of the contact plane; zero outside the ellipse (5.10).
     #[must_use]
     pub fn pressure(&self, x: f64, y: f64) -> f64 {

@@ -33,7 +33,7 @@
 pub mod accounted;
 pub mod batch;
 mod bounds;
-pub mod curvature;
+pub mod coulomb;
 pub mod ellipse;
 pub mod field;
 pub mod friction;
@@ -48,3 +48,5 @@ pub mod shift_law;
 pub mod sliders;
 pub mod stiffness;
 pub mod torsion;
+
+pub use carom_geometry::curvature;

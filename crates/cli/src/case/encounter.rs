@@ -199,10 +199,11 @@ fn at_fault(case: &Section<'_>, touch: &Touch, source: EncounterError) -> CaseEr
                 _ => shape(*body),
             }
         }
-        (EncounterError::Frame(FrameError::Curvature(_)), _) => {
+        (EncounterError::Search(SearchError::Frame(FrameError::Curvature(_))), _) => {
             let radii = ["body_1.radii", "body_2.radii"].into_iter().find(|name| case.has(name));
             radii.unwrap_or("body_2.shape")
         }
+        (EncounterError::Search(SearchError::Frame(_)), _) => "contact",
         (EncounterError::Search(_), _) => "body_1.shape",
         _ => "contact",
     };
@@ -229,7 +230,7 @@ fn hint(source: &EncounterError, touch: &Touch) -> &'static str {
         {
             "; with its `velocity` against that of body 2, body 1 goes past it or away from it"
         }
-        (EncounterError::Frame(FrameError::NotOpposed { .. }), _) => {
+        (EncounterError::Search(SearchError::Frame(FrameError::NotOpposed { .. })), _) => {
             "; `quaternion`, `angles` and contact point do not fit together"
         }
         _ => "",

@@ -1,11 +1,12 @@
 //! `carom hertz`: the contact of two surfaces under normal load.
 
 use crate::case::{Given, HertzCase, Numbers};
+use crate::columns::{self, Record};
 use crate::command::plot::{Course, MOST_MARKS};
 use crate::command::theory::{Excess, caution};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
-use crate::output::{Answer, Format, Picture, csv, json, short, table};
+use crate::output::{Answer, Format, Picture, json, short, table};
 use carom_laws::hertz::{Hertz, HertzState};
 use carom_plot::{Axis, Panel, Series, linspace};
 use carom_special::RangeError;
@@ -18,6 +19,7 @@ use std::f64::consts::PI;
 /// the direction of the larger relative curvature, so that a <= b. The picture shows the pressure,
 /// or force and pressure over the approach for several loads.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = columns::help("A row for each load", HertzState::COLUMNS))]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
@@ -25,13 +27,9 @@ pub(super) struct Arguments {
 
 /// A loaded contact. SI units.
 #[derive(Debug, Serialize)]
-struct Row {
-    force: f64,
-    approach: f64,
-    semi_axis_a: f64,
-    semi_axis_b: f64,
-    peak_pressure: f64,
-    normal_stiffness: f64,
+struct Row<'a> {
+    #[serde(flatten)]
+    state: Record<'a, HertzState>,
     /// What lies outside the theory, if anything.
     outside_theory: Vec<String>,
 }
@@ -45,36 +43,7 @@ struct Report<'a> {
     c_x: f64,
     c_y: f64,
     c_z: f64,
-    loads: &'a [Row],
-}
-
-const HEADS: [&str; 6] =
-    ["force", "approach", "semi_axis_a", "semi_axis_b", "peak_pressure", "normal_stiffness"];
-const READ_HEADS: [&str; 6] = ["force N", "approach m", "a m", "b m", "pressure Pa", "dF/dz N/m"];
-
-impl Row {
-    fn new(state: &HertzState, excess: Excess) -> Self {
-        Self {
-            force: state.force,
-            approach: state.approach,
-            semi_axis_a: state.ellipse.semi_axis_a(),
-            semi_axis_b: state.ellipse.semi_axis_b(),
-            peak_pressure: state.peak_pressure,
-            normal_stiffness: state.normal_stiffness,
-            outside_theory: excess.reasons(),
-        }
-    }
-
-    fn numbers(&self) -> [f64; 6] {
-        [
-            self.force,
-            self.approach,
-            self.semi_axis_a,
-            self.semi_axis_b,
-            self.peak_pressure,
-            self.normal_stiffness,
-        ]
-    }
+    loads: &'a [Row<'a>],
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
@@ -91,23 +60,27 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let radius = smallest_radius(&case.hertz);
     let excesses: Vec<Excess> =
         states.iter().map(|state| Excess::of_contact(state.approach, radius)).collect();
-    let rows: Vec<Row> =
-        states.iter().zip(&excesses).map(|(state, excess)| Row::new(state, *excess)).collect();
-    let cells = |number: fn(f64) -> String| -> Vec<Vec<String>> {
-        rows.iter().map(|row| row.numbers().map(number).to_vec()).collect()
-    };
-    let text = match arguments.given.format {
-        Format::Json => json(&report(&case.hertz, &rows))?,
-        Format::Csv => csv(&HEADS, &cells(|value| value.to_string()))?,
-        Format::Table => contact(&case.hertz) + &table(&READ_HEADS, &cells(short)),
-        Format::None => String::new(),
+    columns::check(&file.path, HertzState::COLUMNS, &states)?;
+    let format = arguments.given.format;
+    let loads = columns::rows(format, HertzState::COLUMNS, &states)?;
+    let text = match format {
+        Format::Json => {
+            let row = |(state, excess): (_, &Excess)| Row {
+                state: Record::new(HertzState::COLUMNS, state),
+                outside_theory: excess.reasons(),
+            };
+            let rows: Vec<Row<'_>> = states.iter().zip(&excesses).map(row).collect();
+            json(&report(&case.hertz, &rows))?
+        }
+        Format::Table => contact(&case.hertz) + &loads,
+        Format::Csv | Format::None => loads,
     };
     let picture = match plot {
         Some(to) => Some((to, draw(&case, &states).map_err(at_fault)?)),
         None => None,
     };
     let answer = Answer { text, picture, ..Answer::default() };
-    Ok(answer.cautioned(caution(&excesses, "loads"), arguments.given.format))
+    Ok(answer.cautioned(caution(&excesses, "loads"), format))
 }
 
 /// The smaller principal radius of the gap between the surfaces.
@@ -124,7 +97,7 @@ fn loaded(hertz: &Hertz, given: Given, value: f64) -> Result<HertzState, RangeEr
     }
 }
 
-fn report<'a>(hertz: &Hertz, loads: &'a [Row]) -> Report<'a> {
+fn report<'a>(hertz: &Hertz, loads: &'a [Row<'a>]) -> Report<'a> {
     let stiffness = hertz.stiffness();
     Report {
         axis_ratio: hertz.axis_ratio().get(),

@@ -1,9 +1,8 @@
 //! Mobility and stiffness of two spheres and of equal cylinders that cross, (9.48) and (9.49).
 
+use carom_geometry::Inertia;
 use carom_halfspace::Material;
 use carom_special::RangeError;
-
-use crate::body::Inertia;
 
 /// The constants of an impact without coupling of its directions.
 ///

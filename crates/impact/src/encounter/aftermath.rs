@@ -1,5 +1,6 @@
 //! What an encounter leaves: motions, energy, torsion, warnings.
 
+use carom_geometry::Certainty;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::Vector3;
@@ -7,7 +8,6 @@ use nalgebra::Vector3;
 use super::{Encounter, EncounterError};
 use crate::body::Motion;
 use crate::closed_form::{NOTICEABLE, restitution_without_slip};
-use crate::contact_point::Certainty;
 use crate::coupled::{CoupledImpact, CoupledOutcome, is_coupled};
 use crate::normal::NormalImpact;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
@@ -24,7 +24,7 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const EVEN: f64 = 1e-12;
 
 impl Encounter {
-    pub(super) fn rebound(
+    pub(crate) fn rebound(
         &self,
         impact: &CoupledImpact,
         outcome: &CoupledOutcome,
@@ -33,7 +33,7 @@ impl Encounter {
         let impulse = self.mobility.impulse(&before, &after);
         let mut motions = [0, 1].map(|i| {
             let push = if i == 0 { impulse } else { -impulse };
-            self.levers[i].pushed(self.frame.axes(), &self.bodies[i].motion, &push)
+            self.levers[i].pushed(self.frame().axes(), &self.bodies[i].motion, &push)
         });
         // E_A - E_E of the relative motion, without its cancellation.
         let mut dissipated = 0.5 * impulse.dot(&(before + after));
@@ -56,9 +56,9 @@ impl Encounter {
         warnings.extend(outcome.warning);
         Ok(Rebound {
             motions,
-            impulse: self.frame.to_space(&impulse),
-            velocity_before: self.frame.to_space(&before),
-            velocity_after: self.frame.to_space(&after),
+            impulse: self.frame().to_space(&impulse),
+            velocity_before: self.frame().to_space(&before),
+            velocity_after: self.frame().to_space(&after),
             tangential_restitution: self.restitution(&before, &after),
             duration: outcome.duration,
             maximal_force: outcome.maximal_force,
@@ -93,7 +93,7 @@ impl Encounter {
         NormalSpin {
             hertz: &self.hertz,
             friction: self.friction,
-            normal: self.frame.z(),
+            normal: self.frame().z(),
             pivots: [pivot(0), pivot(1)],
             normal_mobility: self.mobility.matrix().m33,
             velocity,
@@ -131,7 +131,7 @@ impl Encounter {
 
     fn warnings(&self, maximal_radius: f64, velocity: f64) -> Result<Vec<Warning>, RangeError> {
         let mut warnings = Vec::new();
-        if self.certainty == Certainty::Sampled {
+        if self.contact.certainty() == Certainty::Sampled {
             warnings.push(Warning::PointSampled);
         }
         if !self.materials.is_uncoupled() {
@@ -139,14 +139,14 @@ impl Encounter {
             let friction_over_gamma = self.friction.get() / gamma.abs();
             warnings.push(Warning::Coupling { gamma, friction_over_gamma });
         }
-        let ratio = maximal_radius / self.smallest_radius;
+        let ratio = maximal_radius / self.contact.smallest_radius();
         if ratio > 0.1 {
             warnings.push(Warning::LargeContact { ratio });
         }
         let d_zz = self.mobility.matrix().m33;
         let pulse = NormalImpact::new(d_zz, self.hertz.stiffness().c_z, velocity)?;
         let share = self.bodies.iter().filter_map(|body| {
-            let density = body.inertia.mass() / body.surface.volume()?;
+            let density = body.inertia.mass() / body.surface().volume()?;
             wave_share(body.material, density, &pulse)
         });
         let share = share.fold(0.0, f64::max);

@@ -4,22 +4,17 @@ mod aftermath;
 
 pub use crate::placed_body::PlacedBody;
 
+use carom_geometry::{ContactFrame, ContactPoint, SearchError};
 use carom_halfspace::MaterialPair;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use crate::contact_point::{
-    Certainty, SearchError, TOUCH_TOLERANCE, nearest_points, origin_of_search,
-};
 use crate::coupled::{CoupledError, CoupledImpact, Sample, Unsettled, VectorLaw};
-use crate::frame::{ContactFrame, FrameError};
-use crate::meeting::brought_together;
 use crate::mobility::{Lever, Mobility};
 use crate::normal_spin::NormalSpinError;
 use crate::outcome::{Outcome, TorsionMode};
-use crate::surface::{LocalSurface, SurfaceError};
 
 /// Why two bodies have no impact that can be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -27,12 +22,9 @@ pub enum EncounterError {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// No contact point.
+    /// No contact point, or no elliptical contact there.
     #[error(transparent)]
     Search(#[from] SearchError),
-    /// The surfaces do not make a point contact.
-    #[error(transparent)]
-    Frame(#[from] FrameError),
     /// Neither body can move.
     #[error("both bodies are infinitely heavy: mass = inf must be finite for at least one")]
     BothHeldFast,
@@ -69,15 +61,11 @@ pub struct Encounter {
     torsion: TorsionMode,
     tolerance: Option<f64>,
     unsettled: Unsettled,
-    point: Vector3<f64>,
-    frame: ContactFrame,
+    contact: ContactPoint,
     materials: MaterialPair,
     hertz: Hertz,
     levers: [Lever; 2],
     mobility: Mobility,
-    smallest_radius: f64,
-    /// Of the contact point; a given one needs no proof.
-    certainty: Certainty,
 }
 
 impl Encounter {
@@ -92,19 +80,8 @@ impl Encounter {
         body_2: PlacedBody,
         friction: Friction,
     ) -> Result<Self, EncounterError> {
-        let origin = origin_of_search(&body_1, &body_2);
-        let seen = [body_1.seen_from(&origin), body_2.seen_from(&origin)];
-        let found = nearest_points(&seen[0], &seen[1])?;
-        let allowed = allowed_gap(&body_1, &body_2);
-        if found.gap.is_nan() || found.gap.abs() > allowed {
-            return Err(SearchError::NotTouching { gap: found.gap, allowed }.into());
-        }
-        let local = |i: usize| named(i, seen[i].local_at(&found.points[i]));
-        let locals = [local(0)?, local(1)?];
-        let point = 0.5 * (found.points[0] + found.points[1]);
-        let arms = [point - seen[0].centre, point - seen[1].centre];
-        let encounter = Self::build([body_1, body_2], friction, locals, origin + point, arms)?;
-        Ok(Self { certainty: found.certainty, ..encounter })
+        let contact = ContactPoint::find(&body_1.placed, &body_2.placed)?;
+        Self::build([body_1, body_2], friction, contact)
     }
 
     /// Two bodies that lie apart: body 1 goes on straight, along the velocity of its centre against
@@ -117,24 +94,16 @@ impl Encounter {
         body_2: PlacedBody,
         friction: Friction,
     ) -> Result<Self, EncounterError> {
-        // The last digits of the way are those of the touch.
-        let allowed = 1e-6 * allowed_gap(&body_1, &body_2);
-        let origin = body_2.centre;
-        let [one, two] = [body_1.seen_from(&origin), body_2.seen_from(&origin)];
-        let one = brought_together(one, &two, allowed)?;
-        let mut encounter = Self::find(one, two, friction)?;
-        encounter.point += origin;
-        encounter.bodies = encounter.bodies.map(|body| body.seen_from(&-origin));
-        // Its own digits, not those of a sum.
-        encounter.bodies[1].centre = origin;
-        Ok(encounter)
+        let course = body_1.motion.velocity - body_2.motion.velocity;
+        let (placed, contact) = ContactPoint::approaching(&body_1.placed, &body_2.placed, &course)?;
+        Self::build([PlacedBody { placed, ..body_1 }, body_2], friction, contact)
     }
 
     /// Two bodies that touch at a given point of space.
     ///
     /// # Errors
     /// [`SearchError::Surface`] if the point does not lie on both surfaces or one has no tangent
-    /// plane there, [`EncounterError::Frame`] if the normals are not opposite or the surfaces
+    /// plane there, [`SearchError::Frame`] if the normals are not opposite or the surfaces
     /// conform or touch along a line, [`EncounterError::BothHeldFast`],
     /// [`EncounterError::Range`] if both materials are rigid.
     pub fn at(
@@ -143,12 +112,8 @@ impl Encounter {
         point: [f64; 3],
         friction: Friction,
     ) -> Result<Self, EncounterError> {
-        let point = Vector3::from(point);
-        let bodies = [body_1, body_2];
-        let local = |i: usize| named(i, bodies[i].local_at(&point));
-        let locals = [local(0)?, local(1)?];
-        let arms = [point - bodies[0].centre, point - bodies[1].centre];
-        Self::build(bodies, friction, locals, point, arms)
+        let contact = ContactPoint::at(&body_1.placed, &body_2.placed, point)?;
+        Self::build([body_1, body_2], friction, contact)
     }
 
     /// Two bodies that touch with given points of their surfaces, each in its body's axes. Their
@@ -163,35 +128,24 @@ impl Encounter {
         point_2: [f64; 3],
         friction: Friction,
     ) -> Result<Self, EncounterError> {
-        let arms =
-            [body_1.attitude.to_space(&point_1.into()), body_2.attitude.to_space(&point_2.into())];
-        let point = body_2.centre + arms[1];
-        let body_1 = PlacedBody { centre: point - arms[0], ..body_1 };
-        let local = |i: usize, body: &PlacedBody, in_body: [f64; 3]| {
-            let local = named(i, body.surface.local(&in_body.into()))?;
-            Ok::<_, EncounterError>(local.placed(&body.centre, &body.attitude))
-        };
-        let locals = [local(0, &body_1, point_1)?, local(1, &body_2, point_2)?];
-        Self::build([body_1, body_2], friction, locals, point, arms)
+        let (placed, contact) =
+            ContactPoint::at_own_points(&body_1.placed, &body_2.placed, [point_1, point_2])?;
+        Self::build([PlacedBody { placed, ..body_1 }, body_2], friction, contact)
     }
 
     fn build(
         bodies: [PlacedBody; 2],
         friction: Friction,
-        locals: [LocalSurface; 2],
-        point: Vector3<f64>,
-        arms: [Vector3<f64>; 2],
+        contact: ContactPoint,
     ) -> Result<Self, EncounterError> {
-        let frame = ContactFrame::new(&locals[0], &locals[1])?;
         let materials = MaterialPair::new(bodies[0].material, bodies[1].material)?;
-        let hertz = Hertz::new(frame.relative_curvature(), materials)?;
-        let z = frame.z();
+        let hertz = Hertz::new(contact.frame().relative_curvature(), materials)?;
+        let (z, arms) = (contact.frame().z(), contact.arms());
         let levers = [bodies[0].lever(arms[0], &z, -1.0)?, bodies[1].lever(arms[1], &z, 1.0)?];
         if (levers[0].mobility() + levers[1].mobility()).amax() == 0.0 {
             return Err(EncounterError::BothHeldFast);
         }
-        let mobility = Mobility::new(&levers, frame.axes())?;
-        let sharpest = locals.iter().flat_map(LocalSurface::curvatures_abs).fold(0.0, f64::max);
+        let mobility = Mobility::new(&levers, contact.frame().axes())?;
         Ok(Self {
             bodies,
             friction,
@@ -199,14 +153,11 @@ impl Encounter {
             torsion: TorsionMode::default(),
             tolerance: None,
             unsettled: Unsettled::Refused,
-            point,
-            frame,
+            contact,
             materials,
             hertz,
             levers,
             mobility,
-            smallest_radius: 1.0 / sharpest,
-            certainty: Certainty::Proven,
         })
     }
 
@@ -261,13 +212,13 @@ impl Encounter {
     /// The contact point.
     #[must_use]
     pub const fn point(&self) -> Vector3<f64> {
-        self.point
+        self.contact.point()
     }
 
     /// The contact axes.
     #[must_use]
     pub const fn frame(&self) -> &ContactFrame {
-        &self.frame
+        self.contact.frame()
     }
 
     /// The Hertz contact.
@@ -291,13 +242,14 @@ impl Encounter {
     /// Velocity of body 2 against body 1 at the contact point, in space axes (8.27).
     #[must_use]
     pub fn relative_velocity(&self) -> Vector3<f64> {
-        self.frame.to_space(&self.velocity())
+        self.frame().to_space(&self.velocity())
     }
 
     // The same in contact axes.
     fn velocity(&self) -> Vector3<f64> {
-        let of =
-            |i: usize| self.levers[i].point_velocity_in(self.frame.axes(), &self.bodies[i].motion);
+        let of = |i: usize| {
+            self.levers[i].point_velocity_in(self.frame().axes(), &self.bodies[i].motion)
+        };
         of(1) - of(0)
     }
 
@@ -328,14 +280,16 @@ impl Encounter {
     /// [`EncounterError::Coupled`] if the impact could not be followed,
     /// [`EncounterError::NormalSpin`] if torsion was asked for and cannot be given.
     pub fn solve(&self) -> Result<Outcome, EncounterError> {
-        let Some(impact) = self.impact()? else {
-            let motions = [self.bodies[0].motion, self.bodies[1].motion];
-            return Ok(Outcome::NoImpact { motions });
-        };
+        let Some(impact) = self.impact()? else { return Ok(self.missed()) };
         let (coupled, log) = impact.solve_with_log(self.law)?;
         let mut rebound = self.rebound(&impact, &coupled)?;
         rebound.log = log;
         Ok(Outcome::Rebound(Box::new(rebound)))
+    }
+
+    // The bodies do not approach each other.
+    pub(crate) const fn missed(&self) -> Outcome {
+        Outcome::NoImpact { motions: [self.bodies[0].motion, self.bodies[1].motion] }
     }
 
     /// Instants of the impact in contact axes; empty without an impact.
@@ -348,19 +302,4 @@ impl Encounter {
             Some(impact) => Ok(impact.history(self.law)?),
         }
     }
-}
-
-// The largest gap or overlap that counts as touch.
-fn allowed_gap(body_1: &PlacedBody, body_2: &PlacedBody) -> f64 {
-    let sizes = [body_1.surface.size(), body_2.surface.size()];
-    let size = sizes.into_iter().filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min);
-    TOUCH_TOLERANCE * size
-}
-
-fn named(
-    i: usize,
-    local: Result<LocalSurface, SurfaceError>,
-) -> Result<LocalSurface, EncounterError> {
-    let body = if i == 0 { 1 } else { 2 };
-    local.map_err(|source| SearchError::Surface { body, source }.into())
 }

@@ -1,6 +1,6 @@
 //! The normal problem by conjugate gradients on an active set.
 //!
-//! Pressures p >= 0 and gaps g = A p + z - zeta >= 0, one of them zero in each cell (11.5). On the
+//! Pressures p >= 0 and gaps g = A p + z - zeta >= 0, one of them zero in each cell. On the
 //! set I of cells with pressure, preconditioned conjugate gradients solve g = 0. The set changes
 //! when what violates the signs outweighs the last step; pressures that leave are dropped in one
 //! product with a damped step of those that stay. A given force keeps the mean of g free: it is
@@ -122,6 +122,12 @@ impl ActiveSet {
     ) -> Result<Convergence, OperatorError> {
         let mut course = Course::default();
         self.begin(task, &mut course)?;
+        let normal = self.residual(task);
+        if normal <= limits.tolerance && task.pressure.iter().any(|p| *p > 0.0) {
+            finish(task);
+            let (products, residuals) = (course.products, Residuals { normal, tangential: 0.0 });
+            return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
+        }
         let mut iteration = 0;
         loop {
             iteration += 1;

@@ -1,4 +1,4 @@
-//! The normal problem (11.5): pressures without tension, gaps without overlap.
+//! The normal problem: pressures without tension, gaps without overlap.
 
 mod active_set;
 
@@ -62,6 +62,11 @@ impl NormalGrids {
     /// The heights of the finest grid, to be changed.
     pub(crate) fn heights_mut(&mut self) -> &mut [f64] {
         &mut self.levels[0].heights
+    }
+
+    /// A start from a known pressure.
+    pub(crate) fn start_from(&mut self, pressure: &[f64]) {
+        self.levels[0].pressure.copy_from_slice(pressure);
     }
 
     /// From the last pressure; the approach found.

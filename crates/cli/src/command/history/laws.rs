@@ -61,7 +61,8 @@ impl Laws {
     }
 
     pub(super) fn load(&self) -> ContactLoad {
-        self.shift.load()
+        let m_z = self.torsion.as_ref().map_or(0.0, |law| law.load().m_z);
+        ContactLoad { m_z, ..self.shift.load() }
     }
 
     pub(super) fn stored_energy(&self) -> f64 {

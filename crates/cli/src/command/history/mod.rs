@@ -10,12 +10,13 @@ mod view;
 pub use steps::StepsError;
 
 use crate::case::{HistoryCase, Steps};
+use crate::columns;
 use crate::command::hertz::smallest_radius;
 use crate::command::theory::{Excess, caution};
 use crate::command::{self, CaseArguments};
 use crate::destination::{Destination, check_output};
 use crate::error::CliError;
-use crate::output::{Answer, Format, check_finite, csv, json, short, table};
+use crate::output::{Answer, Format, json};
 use carom_laws::law::Shift;
 use carom_laws::stiffness::ContactStiffness;
 use follow::{Wanted, follow};
@@ -29,6 +30,7 @@ use view::Step;
 /// presses it in, omega (radians) twists it about z. The picture shows loads, stick area and energy,
 /// and the last tractions asked for.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = help())]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
@@ -53,30 +55,36 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         CliError::Law { path: path.clone(), source }
     })?;
     let history = &followed.steps;
-    let rows = view::cells(history, |value| value.to_string());
-    check_finite(path, &view::heads(history), &rows)?;
-    let text = match arguments.given.format {
-        Format::Json => json(history)?,
-        Format::Csv if arguments.tractions.is_some() => {
-            csv(&view::TRACTION_HEADS, &view::traction_cells(history, |value| value.to_string()))?
-        }
-        Format::Csv => csv(&view::heads(history), &rows)?,
-        Format::Table => {
-            let mut text = table(&view::heads(history), &view::cells(history, short));
-            if arguments.tractions.is_some() {
-                text += &table(&view::TRACTION_HEADS, &view::traction_cells(history, short));
-            }
-            text
-        }
-        Format::None => String::new(),
+    let columns = view::columns(history);
+    columns::check(path, &columns, history)?;
+    let format = arguments.given.format;
+    let steps = || columns::rows(format, &columns, history);
+    let tractions = || {
+        let tractions: Vec<_> = history.iter().flat_map(|step| step.tractions.clone()).collect();
+        columns::rows(format, view::TRACTION_COLUMNS, &tractions)
+    };
+    let text = match (format, arguments.tractions) {
+        (Format::Json, _) => json(&view::records(&columns, history))?,
+        (Format::Csv, Some(_)) => tractions()?,
+        (Format::Table, Some(_)) => steps()? + &tractions()?,
+        _ => steps()?,
     };
     let picture = plot.map(|to| (to, plot::draw(&followed)));
     let warnings = warnings(&case, history, arguments.tractions.is_some());
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     let radius = smallest_radius(&case.hertz);
     let excesses: Vec<Excess> =
-        history.iter().map(|step| Excess::of_contact(step.zeta, radius)).collect();
-    Ok(answer.cautioned(caution(&excesses, "steps"), arguments.given.format))
+        history.iter().map(|step| Excess::of_contact(step.shift.zeta, radius)).collect();
+    Ok(answer.cautioned(caution(&excesses, "steps"), format))
+}
+
+/// What the rows hold.
+fn help() -> String {
+    let steps = columns::help("A row for each step", view::COLUMNS);
+    let twists = columns::help("with a twist also", view::TWIST_COLUMNS);
+    let tractions =
+        columns::help("With --tractions as CSV, a row for each radius", view::TRACTION_COLUMNS);
+    format!("{steps}{twists}\n{tractions}")
 }
 
 /// The steps in a file, which no output may overwrite either.

@@ -1,7 +1,6 @@
 //! The picture of a history.
 
 use super::follow::Followed;
-use super::twist::Twist;
 use super::view::{Step, Traction};
 use crate::command::plot::{Course, MOST_MARKS, Value};
 use crate::output::Picture;
@@ -16,12 +15,15 @@ pub(super) fn draw(followed: &Followed) -> Picture {
         course.panel(
             "forces on body 1",
             "force / N",
-            &[("F_x", |s| s.f_x), ("F_y", |s| s.f_y), ("F_z", |s| s.f_z)],
+            &[("F_x", |s| s.load.f_x), ("F_y", |s| s.load.f_y), ("F_z", |s| s.load.f_z)],
         ),
         course.paths(
             "loops",
             ["shift / m", "force / N"],
-            &[("F_x against ξ", |s| s.xi, |s| s.f_x), ("F_y against η", |s| s.eta, |s| s.f_y)],
+            &[
+                ("F_x against ξ", |s| s.shift.xi, |s| s.load.f_x),
+                ("F_y against η", |s| s.shift.eta, |s| s.load.f_y),
+            ],
         ),
         areas(&course),
         course.panel(
@@ -64,22 +66,15 @@ fn areas(course: &Course<'_, Step>) -> Panel {
 }
 
 fn torsion(history: &[Step], between: &[Step]) -> [Panel; 2] {
-    let twists = |steps: &[Step]| -> Vec<(f64, Twist)> {
-        steps.iter().filter_map(|step| Some((step.step, step.twist?))).collect()
-    };
-    let (between, given) = (twists(between), twists(history));
-    let course = Course { records: &between, marked: &given, label: "step", at: |(step, _)| *step };
+    let stick: Value<Step> = |s| s.twist.map_or(0.0, |twist| twist.stick_semi_axis_b);
+    let course = Course { records: between, marked: history, label: "step", at: |step| step.step };
     [
         course.paths(
             "torsion",
             ["twist Ω / rad", "torque M_z on body 1 / N m"],
-            &[("", |(_, twist)| twist.omega, |(_, twist)| twist.m_z)],
+            &[("", |s| s.shift.omega, |s| s.load.m_z)],
         ),
-        course.panel(
-            "stick area of the twist",
-            "larger semi-axis / m",
-            &[("", |(_, twist)| twist.twist_stick_semi_axis_b)],
-        ),
+        course.panel("stick area of the twist", "larger semi-axis / m", &[("", stick)]),
     ]
 }
 

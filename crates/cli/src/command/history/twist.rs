@@ -8,7 +8,6 @@ use carom_laws::torsion::adhesion::sliding_torque_arm;
 use carom_laws::torsion::history::TwistHistory;
 use carom_laws::torsion::law::TorsionLaw;
 use carom_special::quadrature::{Tolerance, adaptive};
-use serde::Serialize;
 
 /// Parts of the contact radius below which nothing is told apart.
 const CENTRE: f64 = 1e-9;
@@ -17,16 +16,12 @@ const CENTRE: f64 = 1e-9;
 const TOLERANCES: [f64; 2] = [1e-6, 1e-3];
 
 /// What a twist adds to a step.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Twist {
-    pub(super) omega: f64,
-    #[serde(rename = "M_z")]
-    pub(super) m_z: f64,
-    pub(super) twist_regime: &'static str,
-    pub(super) twist_stick_semi_axis_a: f64,
-    pub(super) twist_stick_semi_axis_b: f64,
+    pub(super) regime: &'static str,
+    pub(super) stick_semi_axis_a: f64,
+    pub(super) stick_semi_axis_b: f64,
     /// The torque over that of complete sliding.
-    #[serde(skip)]
     pub(super) share: f64,
 }
 
@@ -38,16 +33,14 @@ pub(super) fn twist(law: &TorsionLaw, state: Option<&HertzState>, friction: Fric
     let limit = state
         .map_or(0.0, |state| friction.get() * state.force * sliding_torque_arm(&state.ellipse));
     Twist {
-        omega: law.shift().omega,
-        m_z,
-        twist_regime: match stick {
+        regime: match stick {
             _ if state.is_none() => "separated",
             _ if stick < CENTRE => "sliding",
             _ if stick < 1.0 - CENTRE => "slip",
             _ => "adhesion",
         },
-        twist_stick_semi_axis_a: stick * a,
-        twist_stick_semi_axis_b: stick * b,
+        stick_semi_axis_a: stick * a,
+        stick_semi_axis_b: stick * b,
         share: if limit > 0.0 { m_z.abs() / limit } else { 0.0 },
     }
 }

@@ -2,29 +2,24 @@
 
 use super::laws::Laws;
 use super::twist::{self, Twist};
+use crate::columns::Record;
 use crate::command::theory::Excess;
 use crate::error::CliError;
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::HertzState;
+use carom_laws::law::{ContactLoad, Shift};
 use carom_laws::memory::Regime;
 use carom_plot::linspace;
-use serde::{Serialize, Serializer};
+use carom_table::Column;
+use serde::Serialize;
 
 /// The contact after a step. SI units; loads act on body 1.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone)]
 pub(super) struct Step {
-    #[serde(serialize_with = "as_whole")]
     pub(super) step: f64,
-    pub(super) zeta: f64,
-    pub(super) xi: f64,
-    pub(super) eta: f64,
-    #[serde(rename = "F_x")]
-    pub(super) f_x: f64,
-    #[serde(rename = "F_y")]
-    pub(super) f_y: f64,
-    #[serde(rename = "F_z")]
-    pub(super) f_z: f64,
+    pub(super) shift: Shift,
+    pub(super) load: ContactLoad,
     pub(super) regime: &'static str,
     pub(super) semi_axis_a: f64,
     pub(super) semi_axis_b: f64,
@@ -32,34 +27,111 @@ pub(super) struct Step {
     pub(super) stick_semi_axis_b: f64,
     pub(super) stored_energy: f64,
     pub(super) dissipated: f64,
-    #[serde(flatten)]
     pub(super) twist: Option<Twist>,
-    #[serde(skip_serializing_if = "Vec::is_empty")]
     pub(super) tractions: Vec<Traction>,
     /// What lies outside the theory, if anything.
     pub(super) outside_theory: Vec<String>,
     /// The shift's load over that of complete sliding.
-    #[serde(skip)]
     pub(super) share: f64,
 }
 
+/// The columns of every history.
+pub(super) const COLUMNS: &[Column<Step>] = &[
+    // Those drawn between the steps have a broken number.
+    Column::new("step", "", "number of the step, from 1", |step| (step.step as u64).into()),
+    Column::new("zeta", "m", "approach", |step| step.shift.zeta.into()),
+    Column::new("xi", "m", "shift of body 2 against body 1 along x", |step| step.shift.xi.into()),
+    Column::new("eta", "m", "the same along y", |step| step.shift.eta.into()),
+    Column::new("F_x", "N", "force on body 1 along x", |step| step.load.f_x.into()),
+    Column::new("F_y", "N", "the same along y", |step| step.load.f_y.into()),
+    Column::new("F_z", "N", "normal force", |step| step.load.f_z.into()),
+    Column::new("regime", "", "what the step did", |step| step.regime.into()),
+    Column::new("semi_axis_a", "m", "of the contact ellipse along x", |step| {
+        step.semi_axis_a.into()
+    }),
+    Column::new("semi_axis_b", "m", "the same along y", |step| step.semi_axis_b.into()),
+    Column::new("stick_semi_axis_a", "m", "of the stick area along x", |step| {
+        step.stick_semi_axis_a.into()
+    }),
+    Column::new("stick_semi_axis_b", "m", "the same along y", |step| step.stick_semi_axis_b.into()),
+    Column::new("stored_energy", "J", "elastic energy of the contact", |step| {
+        step.stored_energy.into()
+    }),
+    Column::new("dissipated", "J", "friction heat since the start", |step| step.dissipated.into()),
+];
+
+/// Those of a history with a twist.
+pub(super) const TWIST_COLUMNS: &[Column<Step>] = &[
+    Column::new("omega", "rad", "twist about the normal", |step| step.shift.omega.into()),
+    Column::new("M_z", "N m", "torque on body 1", |step| step.load.m_z.into()),
+    Column::new("twist_regime", "", "what the twist does", |step| {
+        step.twist.map(|twist| twist.regime).into()
+    }),
+    Column::new("twist_stick_semi_axis_a", "m", "of the twist's stick area along x", |step| {
+        step.twist.map(|twist| twist.stick_semi_axis_a).into()
+    }),
+    Column::new("twist_stick_semi_axis_b", "m", "the same along y", |step| {
+        step.twist.map(|twist| twist.stick_semi_axis_b).into()
+    }),
+];
+
+/// The columns of this history.
+pub(super) fn columns(history: &[Step]) -> Vec<Column<Step>> {
+    match history.iter().any(|step| step.twist.is_some()) {
+        true => [COLUMNS, TWIST_COLUMNS].concat(),
+        false => COLUMNS.to_vec(),
+    }
+}
+
+/// A step as it stands in JSON.
+#[derive(Serialize)]
+pub(super) struct StepRecord<'a> {
+    #[serde(flatten)]
+    step: Record<'a, Step>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    tractions: Vec<Record<'a, Traction>>,
+    outside_theory: &'a [String],
+}
+
+/// The steps as they stand in JSON.
+pub(super) fn records<'a>(columns: &'a [Column<Step>], history: &'a [Step]) -> Vec<StepRecord<'a>> {
+    let record = |step: &'a Step| StepRecord {
+        step: Record::new(columns, step),
+        tractions: step
+            .tractions
+            .iter()
+            .map(|traction| Record::new(&TRACTION_COLUMNS[1..], traction))
+            .collect(),
+        outside_theory: &step.outside_theory,
+    };
+    history.iter().map(record).collect()
+}
+
 /// The tangential traction on body 1 at a radius: 0 is the centre, 1 the edge of the ellipse.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy)]
 pub(super) struct Traction {
+    pub(super) step: f64,
     pub(super) radius: f64,
     pub(super) t_x: f64,
     pub(super) t_y: f64,
-    /// Around the normal, in the sense of M_z; along a circle only.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    /// Along a circle only.
     pub(super) t_twist: Option<f64>,
-    /// Friction times pressure.
     pub(super) limit: f64,
 }
 
-/// Steps are numbered from 1; only those drawn between them have a broken number.
-fn as_whole<S: Serializer>(step: &f64, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.serialize_u64(*step as u64)
-}
+/// Its columns; the first says to which step it belongs.
+pub(super) const TRACTION_COLUMNS: &[Column<Traction>] = &[
+    Column::new("step", "", "number of the step, from 1", |traction| (traction.step as u64).into()),
+    Column::new("radius", "", "from the centre (0) to the edge (1)", |traction| {
+        traction.radius.into()
+    }),
+    Column::new("t_x", "Pa", "traction on body 1 along x", |traction| traction.t_x.into()),
+    Column::new("t_y", "Pa", "the same along y", |traction| traction.t_y.into()),
+    Column::new("t_twist", "Pa", "around the normal, in the sense of M_z", |traction| {
+        traction.t_twist.into()
+    }),
+    Column::new("limit", "Pa", "friction times pressure", |traction| traction.limit.into()),
+];
 
 /// The present state of the laws, with the traction at `count` radii; `radius` is the smallest of
 /// curvature.
@@ -78,12 +150,8 @@ pub(super) fn step(
     let limit = friction.get() * load.f_z;
     Ok(Step {
         step: number,
-        zeta: shift.zeta,
-        xi: shift.xi,
-        eta: shift.eta,
-        f_x: load.f_x,
-        f_y: load.f_y,
-        f_z: load.f_z,
+        shift,
+        load,
         regime: regime_name(law.regime()),
         semi_axis_a: a,
         semi_axis_b: b,
@@ -92,7 +160,7 @@ pub(super) fn step(
         stored_energy: laws.stored_energy(),
         dissipated: laws.dissipated(),
         twist: laws.torsion().map(|law| twist::twist(law, state.as_ref(), friction)),
-        tractions: tractions(laws, friction, state.as_ref(), count)?,
+        tractions: tractions(number, laws, friction, state.as_ref(), count)?,
         outside_theory: Excess::of_contact(shift.zeta, radius).reasons(),
         share: if limit > 0.0 { libm::hypot(load.f_x, load.f_y) / limit } else { 0.0 },
     })
@@ -100,6 +168,7 @@ pub(super) fn step(
 
 /// The traction at `count` radii, in units of the greatest friction f sigma_z0 before.
 fn tractions(
+    step: f64,
     laws: &Laws,
     friction: Friction,
     state: Option<&HertzState>,
@@ -119,7 +188,7 @@ fn tractions(
             .map(|history| Ok::<f64, CliError>(greatest * twist::traction(history, radius)?))
             .transpose()?;
         let limit = greatest * ((1.0 - radius) * (1.0 + radius)).sqrt();
-        Ok(Traction { radius, t_x, t_y, t_twist, limit })
+        Ok(Traction { step, radius, t_x, t_y, t_twist, limit })
     };
     linspace(0.0, 1.0, count).into_iter().map(traction).collect()
 }
@@ -139,71 +208,4 @@ const fn regime_name(regime: Regime) -> &'static str {
         Regime::Overlay => "overlay",
         Regime::Sliding => "sliding",
     }
-}
-
-/// Heads of the rows of [`cells`].
-pub(super) fn heads(history: &[Step]) -> Vec<&'static str> {
-    let mut heads = vec![
-        "step",
-        "zeta",
-        "xi",
-        "eta",
-        "F_x",
-        "F_y",
-        "F_z",
-        "regime",
-        "semi_axis_a",
-        "semi_axis_b",
-        "stick_semi_axis_a",
-        "stick_semi_axis_b",
-        "stored_energy",
-        "dissipated",
-    ];
-    if history.iter().any(|step| step.twist.is_some()) {
-        heads.extend(["omega", "M_z", "twist_regime"]);
-        heads.extend(["twist_stick_semi_axis_a", "twist_stick_semi_axis_b"]);
-    }
-    heads
-}
-
-/// A row a step.
-pub(super) fn cells(history: &[Step], number: fn(f64) -> String) -> Vec<Vec<String>> {
-    let row = |step: &Step| {
-        let before = [step.zeta, step.xi, step.eta, step.f_x, step.f_y, step.f_z];
-        let after = [
-            step.semi_axis_a,
-            step.semi_axis_b,
-            step.stick_semi_axis_a,
-            step.stick_semi_axis_b,
-            step.stored_energy,
-            step.dissipated,
-        ];
-        let mut row = vec![step.step.to_string()];
-        row.extend(before.map(number));
-        row.push(step.regime.to_owned());
-        row.extend(after.map(number));
-        if let Some(twist) = &step.twist {
-            row.extend([twist.omega, twist.m_z].map(number));
-            row.push(twist.twist_regime.to_owned());
-            row.extend([twist.twist_stick_semi_axis_a, twist.twist_stick_semi_axis_b].map(number));
-        }
-        row
-    };
-    history.iter().map(row).collect()
-}
-
-/// Heads of the rows of [`traction_cells`].
-pub(super) const TRACTION_HEADS: [&str; 6] = ["step", "radius", "t_x", "t_y", "t_twist", "limit"];
-
-/// A row a step and radius.
-pub(super) fn traction_cells(history: &[Step], number: fn(f64) -> String) -> Vec<Vec<String>> {
-    let rows = history.iter().flat_map(|step| {
-        step.tractions.iter().map(move |traction| {
-            let numbers = [traction.radius, traction.t_x, traction.t_y].map(number);
-            let twist = traction.t_twist.map_or_else(|| "-".to_owned(), number);
-            let row = std::iter::once(step.step.to_string()).chain(numbers);
-            row.chain([twist, number(traction.limit)]).collect()
-        })
-    });
-    rows.collect()
 }

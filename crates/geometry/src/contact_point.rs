@@ -1,0 +1,163 @@
+//! Where two surfaces touch: the point, its axes and the arms to it.
+
+use nalgebra::Vector3;
+
+use crate::frame::ContactFrame;
+use crate::nearest::{Certainty, SearchError, approach, nearest_points, origin_of_search};
+use crate::placed::Placed;
+use crate::surface::{LocalSurface, SurfaceError};
+
+/// How far apart (or into each other) surfaces that touch may be, over the smaller one's size.
+pub const TOUCH_TOLERANCE: f64 = 1e-6;
+
+/// The point where two surfaces touch.
+///
+/// ```
+/// use carom_geometry::{ContactPoint, Placed, Surface};
+/// use nalgebra::Vector3;
+/// let ball = Placed::new(Surface::sphere(1.0)?).at([0.5, 0.0, 1.0])?;
+/// let floor = Placed::new(Surface::plane());
+/// let touch = ContactPoint::find(&ball, &floor)?;
+/// assert_eq!(touch.point(), Vector3::new(0.5, 0.0, 0.0));
+/// assert_eq!(touch.frame().z(), Vector3::z());
+/// assert!(ContactPoint::find(&ball.at([0.0, 0.0, 1.1])?, &floor).is_err());
+/// # Ok::<(), carom_geometry::SearchError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct ContactPoint {
+    point: Vector3<f64>,
+    frame: ContactFrame,
+    arms: [Vector3<f64>; 2],
+    sharpest: f64,
+    certainty: Certainty,
+}
+
+impl ContactPoint {
+    /// Searches for it. z will point from surface 2 into surface 1.
+    ///
+    /// # Errors
+    /// [`SearchError`] if the surfaces do not touch, if they touch with an edge, or if no search
+    /// is known for the pair; else as [`ContactPoint::at`].
+    pub fn find(one: &Placed, two: &Placed) -> Result<Self, SearchError> {
+        let origin = origin_of_search(one, two);
+        let seen = [one.seen_from(&origin), two.seen_from(&origin)];
+        let found = nearest_points(&seen[0], &seen[1])?;
+        let allowed = allowed_gap(one, two);
+        if found.gap.is_nan() || found.gap.abs() > allowed {
+            return Err(SearchError::NotTouching { gap: found.gap, allowed });
+        }
+        let locals = locals(|i| seen[i].local(&found.points[i]))?;
+        let point = 0.5 * (found.points[0] + found.points[1]);
+        let arms = [point - seen[0].centre(), point - seen[1].centre()];
+        Ok(Self { certainty: found.certainty, ..Self::of(&locals, origin + point, arms)? })
+    }
+
+    /// A given point of space; it needs no proof.
+    ///
+    /// # Errors
+    /// [`SearchError::Surface`] if the point does not lie on both surfaces or one has no tangent
+    /// plane there, [`SearchError::Frame`] if the normals are not opposite or the surfaces conform
+    /// or touch along a line.
+    pub fn at(one: &Placed, two: &Placed, point: [f64; 3]) -> Result<Self, SearchError> {
+        let point = Vector3::from(point);
+        let locals = locals(|i| [one, two][i].local(&point))?;
+        Self::of(&locals, point, [point - one.centre(), point - two.centre()])
+    }
+
+    /// The place of surface 1 with which both touch with given points, each in its own axes, and
+    /// the contact point there. Their centres need not be known; surface 2 keeps its place.
+    ///
+    /// # Errors
+    /// As [`ContactPoint::at`].
+    pub fn at_own_points(
+        one: &Placed,
+        two: &Placed,
+        points: [[f64; 3]; 2],
+    ) -> Result<(Placed, Self), SearchError> {
+        let points = points.map(Vector3::from);
+        let arms = [one.attitude().to_space(&points[0]), two.attitude().to_space(&points[1])];
+        let point = two.centre() + arms[1];
+        let one = one.clone().moved_to(point - arms[0]);
+        let at = |placed: &Placed, in_body: &Vector3<f64>| {
+            Ok(placed.surface().local(in_body)?.placed(&placed.centre(), placed.attitude()))
+        };
+        let locals = locals(|i| at([&one, two][i], &points[i]))?;
+        let touch = Self::of(&locals, point, arms)?;
+        Ok((one, touch))
+    }
+
+    /// The place where surface 1, moved straight along `course` and not turned, first touches
+    /// surface 2, and the contact point there.
+    ///
+    /// # Errors
+    /// [`SearchError::NotTouching`] if they overlap or pass each other; else as
+    /// [`ContactPoint::find`].
+    pub fn approaching(
+        one: &Placed,
+        two: &Placed,
+        course: &Vector3<f64>,
+    ) -> Result<(Placed, Self), SearchError> {
+        // The last digits of the way are those of the touch.
+        let allowed = 1e-6 * allowed_gap(one, two);
+        let origin = two.centre();
+        let two = two.seen_from(&origin);
+        let one = approach::brought_together(one.seen_from(&origin), &two, course, allowed)?;
+        let touch = Self::find(&one, &two)?;
+        Ok((one.seen_from(&-origin), Self { point: touch.point + origin, ..touch }))
+    }
+
+    fn of(
+        locals: &[LocalSurface; 2],
+        point: Vector3<f64>,
+        arms: [Vector3<f64>; 2],
+    ) -> Result<Self, SearchError> {
+        let frame = ContactFrame::new(&locals[0], &locals[1])?;
+        let curvatures = locals.iter().flat_map(LocalSurface::curvatures);
+        let sharpest = curvatures.map(f64::abs).fold(0.0, f64::max);
+        Ok(Self { point, frame, arms, sharpest, certainty: Certainty::Proven })
+    }
+
+    /// The point in space.
+    #[must_use]
+    pub const fn point(&self) -> Vector3<f64> {
+        self.point
+    }
+
+    /// The contact axes.
+    #[must_use]
+    pub const fn frame(&self) -> &ContactFrame {
+        &self.frame
+    }
+
+    /// From the centre of each surface to the point, in space.
+    #[must_use]
+    pub const fn arms(&self) -> &[Vector3<f64>; 2] {
+        &self.arms
+    }
+
+    /// The smallest radius of curvature of both surfaces there.
+    #[must_use]
+    pub fn smallest_radius(&self) -> f64 {
+        1.0 / self.sharpest
+    }
+
+    /// Whether they may touch elsewhere too.
+    #[must_use]
+    pub const fn certainty(&self) -> Certainty {
+        self.certainty
+    }
+}
+
+// The largest gap or overlap that counts as touch.
+fn allowed_gap(one: &Placed, two: &Placed) -> f64 {
+    let sizes = [one, two].map(|placed| placed.surface().size());
+    let size = sizes.into_iter().filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min);
+    TOUCH_TOLERANCE * size
+}
+
+fn locals(
+    local: impl Fn(usize) -> Result<LocalSurface, SurfaceError>,
+) -> Result<[LocalSurface; 2], SearchError> {
+    let named = |body, i| local(i).map_err(|source| SearchError::Surface { body, source });
+    Ok([named(1, 0)?, named(2, 1)?])
+}

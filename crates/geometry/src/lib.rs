@@ -1,0 +1,31 @@
+//! Geometry of bodies that touch: surfaces, places and attitudes, curvatures of pairs, the search
+//! for nearest and contact points, inertia (section 5.1, section 8.1). It knows no mechanics.
+//!
+//! | item | what |
+//! |---|---|
+//! | [`Surface`] | spheres, ellipsoids, planes, cylinders, capsules, tori, boxes, functions |
+//! | [`LocalSurface`] | normal, principal curvatures and directions at a point of one |
+//! | [`Placed`], [`Attitude`] | a surface somewhere in space |
+//! | [`nearest_points`] | where two of them are nearest, touching or not |
+//! | [`ContactPoint`] | where two of them touch, with its axes [`ContactFrame`] |
+//! | [`curvature`] | the gap A x^2 + B y^2 from the principal radii of both |
+//! | [`Inertia`] | mass and moments, of solids and shells of the known shapes |
+#![forbid(unsafe_code)]
+
+mod attitude;
+mod contact_point;
+mod frame;
+mod inertia;
+mod nearest;
+mod placed;
+mod surface;
+
+pub mod curvature;
+
+pub use attitude::{Attitude, angle_matrix};
+pub use contact_point::{ContactPoint, TOUCH_TOLERANCE};
+pub use frame::{ContactFrame, FrameError};
+pub use inertia::Inertia;
+pub use nearest::{Certainty, NearestPoints, SearchError, nearest_points};
+pub use placed::Placed;
+pub use surface::{Height, Jet, LocalSurface, Side, Surface, SurfaceError, perpendicular};

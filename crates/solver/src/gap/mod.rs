@@ -1,0 +1,91 @@
+//! The gap between the undeformed bodies over a grid.
+
+mod height_map;
+mod outline;
+mod rough;
+mod shapes;
+mod surfaces;
+
+pub use height_map::{HeightMap, HeightMapError};
+pub use outline::Outline;
+pub use rough::SelfAffine;
+
+use carom_halfspace::{Field, Grid};
+use carom_laws::curvature::RelativeCurvature;
+use carom_special::RangeError;
+
+/// Distance of the undeformed surfaces at the centres of the cells, zero at first touch (11.1).
+///
+/// ```
+/// use carom_halfspace::Grid;
+/// use carom_laws::curvature::RelativeCurvature;
+/// use carom_solver::Gap;
+/// let grid = Grid::new(3, 3, 0.1, 0.1)?;
+/// let gap = Gap::of_curvature(grid, &RelativeCurvature::from_coefficients(1.0, 0.5)?);
+/// assert_eq!(gap.heights().get(1, 1), Some(&0.0));
+/// assert!((gap.heights().get(2, 1).unwrap() - 0.01).abs() < 1e-17);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct Gap {
+    heights: Field,
+}
+
+impl Gap {
+    /// The paraboloid A x^2 + B y^2 (3.5) about the middle of the grid.
+    #[must_use]
+    pub fn of_curvature(grid: Grid, curvature: &RelativeCurvature) -> Self {
+        Self { heights: Field::from_function(grid, |x, y| curvature.gap(x, y)) }
+    }
+
+    /// Any shape: `height` at (x, y) from the middle of the grid, infinite where no body is.
+    ///
+    /// # Errors
+    /// As [`Gap::new`].
+    pub fn from_function(grid: Grid, height: impl Fn(f64, f64) -> f64) -> Result<Self, RangeError> {
+        Self::new(Field::from_function(grid, height))
+    }
+
+    /// Given heights, infinite where no body is.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a height that is not a number or minus infinity, and where no height is
+    /// finite.
+    pub fn new(heights: Field) -> Result<Self, RangeError> {
+        for &height in heights.values() {
+            RangeError::check("gap", height, height > f64::NEG_INFINITY, "a number or +inf")?;
+        }
+        let body = heights.values().iter().any(|height| height.is_finite());
+        RangeError::check("gap", f64::INFINITY, body, "finite in at least one cell")?;
+        Ok(Self { heights })
+    }
+
+    /// The grid.
+    #[must_use]
+    pub const fn grid(&self) -> Grid {
+        self.heights.grid()
+    }
+
+    /// The gap at all cells.
+    #[must_use]
+    pub const fn heights(&self) -> &Field {
+        &self.heights
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn a_flat_punch_has_no_body_outside() {
+        let grid = Grid::new(5, 4, 0.5, 0.5).unwrap();
+        let punch = |x: f64, y: f64| if x.hypot(y) < 0.6 { 0.0 } else { f64::INFINITY };
+        let gap = Gap::from_function(grid, punch).unwrap();
+        let solid = gap.heights().values().iter().filter(|height| height.is_finite());
+        assert_eq!(solid.count(), 6);
+        for bad in [f64::NAN, f64::NEG_INFINITY, f64::INFINITY] {
+            assert_eq!(Gap::from_function(grid, |_, _| bad).unwrap_err().field, "gap");
+        }
+    }
+}
