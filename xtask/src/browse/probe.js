@@ -19,6 +19,7 @@ addEventListener('load', () => setTimeout(() => {
   }
   for (const image of document.images) if (!image.naturalWidth) faults.push(`image ${image.src.slice(0, 80)}`);
   for (const wrong of all('merror, math .fail, code.fail')) faults.push(`formula: ${wrong.textContent.slice(0, 80)}`);
+  for (const math of all('math')) if (/[&\\]/.test(math.textContent)) faults.push(`formula: ${math.textContent}`);
   const ids = new Set(all('[id]').map(one => one.id));
   for (const link of all('a[href^="#"]')) {
     const to = decodeURIComponent(link.hash.slice(1));
