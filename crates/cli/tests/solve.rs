@@ -122,12 +122,21 @@ fn what_cannot_be_is_refused_by_name() {
     for (text, parts) in [
         (format!("{ball}{grid}{rest}zeta2 = 1\n"), vec!["step[0].zeta2", "line 13", "`F_z`"]),
         (format!("{ball}{grid}{rest}F_z = 1\n"), vec!["step[0].F_z", "zeta"]),
-        (format!("{ball}{grid}[contact]\nfriction = -1\n[[step]]\nzeta = 1\n"), vec!["contact.friction", "-1"]),
+        (
+            format!("{ball}{grid}[contact]\nfriction = -1\n[[step]]\nzeta = 1\n"),
+            vec!["contact.friction", "-1"],
+        ),
         (format!("{ball}{grid}[contact]\nfriction = 0\n[[step]]\nxi = 1\n"), vec!["step[0].zeta"]),
         (format!("{ball}[grid]\ncells = [0, 3]\nsize = [1, 1]\n{rest}"), vec!["grid.cells.x", "0"]),
         (format!("{ball}slope = 1\n{grid}{rest}"), vec!["gap.slope", "gap.shape"]),
-        (format!("[gap]\nshape = \"ball\"\n{grid}{rest}"), vec!["gap.shape", "\"ball\"", "paraboloid"]),
-        (format!("{ball}{grid}[contact]\nfriction = 0.3\n[[step]]\nzeta = 2\n"), vec!["step 1", "left border", "grid.size"]),
+        (
+            format!("[gap]\nshape = \"ball\"\n{grid}{rest}"),
+            vec!["gap.shape", "\"ball\"", "paraboloid"],
+        ),
+        (
+            format!("{ball}{grid}[contact]\nfriction = 0.3\n[[step]]\nzeta = 2\n"),
+            vec!["step 1", "left border", "grid.size"],
+        ),
         (
             format!("{ball}{grid}{rest}[[step]]\nF_x = 100\n"),
             vec!["step 2", "100", "the bodies slide"],

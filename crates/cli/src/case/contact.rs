@@ -7,7 +7,7 @@ use carom_impact::coupled::VectorLaw;
 
 /// The fields of `[contact]` that every impact may have.
 pub(super) const FIELDS: [&str; 3] = ["friction", "law", "torsion"];
-const LAWS: Words = Words {
+pub(super) const LAWS: Words = Words {
     words: &["coulomb", "fixed-direction"],
     allowed: "\"coulomb\" or \"fixed-direction\" (the laws that exist)",
 };

@@ -284,8 +284,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         let (low, high) = (step.shift.minus(new[0]).length(), step.shift.minus(new[1]).length());
         let part = (low / (low + high)).clamp(1.0 - HIGHEST, HIGHEST);
         let at = old.cut(part);
-        if at.depth <= old.low.depth || at.depth >= old.high.depth {
-            return;
+        if !(at.depth > old.low.depth && at.depth < old.high.depth) {
+            return; // too thin, or at the tip itself
         }
         let rest = 1.0 - part;
         let below = Piece { low: old.low, high: at, bubble: old.bubble.times(part * part) };
