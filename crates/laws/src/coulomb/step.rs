@@ -305,7 +305,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
 
     /// The forces from a vertex up, and the end of the step.
     #[inline]
-    fn finish(&mut self, end: End<V>, first: usize) {
+    pub(super) fn finish(&mut self, end: End<V>, first: usize) {
         let mut knot = Knot::of(self.stack.get(first));
         for i in first..self.stack.len() {
             let high = self.end_of(i, end);
