@@ -12,6 +12,12 @@ const LAWS: Words = Words {
     allowed: "\"coulomb\", \"fixed-direction\" or \"numerical\" (the laws that exist)",
 };
 
+/// The laws of a history of shifts, where these turn.
+pub(super) const LAWS_OF_SHIFTS: Words = Words {
+    words: &["coulomb", "fixed-direction"],
+    allowed: "\"coulomb\" or \"fixed-direction\" (the laws that exist)",
+};
+
 /// Friction, law and torsion of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
