@@ -6,8 +6,9 @@ use carom_impact::coupled::CoupledError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
-use carom_impact::{CollisionError, EncounterError};
+use carom_impact::{CollisionError, EncounterError, NumericalImpactError};
 use carom_plot::PlotError;
+use carom_solver::{FrictionalError, ProblemError};
 use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
 use std::path::{Path, PathBuf};
@@ -39,6 +40,14 @@ pub enum CliError {
         /// Why.
         source: Box<EncounterError>,
     },
+    /// The encounter of a case could not be followed on the numerical contact.
+    #[error("{}: {source}", path.display())]
+    Numerical {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: Box<NumericalImpactError>,
+    },
     /// The scene of a case cannot be run.
     #[error("{}: {source}", path.display())]
     Scene {
@@ -62,6 +71,34 @@ pub enum CliError {
         path: PathBuf,
         /// Which value, and what is allowed.
         source: RangeError,
+    },
+    /// A step on a grid could not be solved.
+    #[error("{}: step {step}: {source}", path.display())]
+    Step {
+        /// The case file.
+        path: PathBuf,
+        /// The number of the step, from 1.
+        step: usize,
+        /// Why.
+        source: Box<FrictionalError>,
+    },
+    /// A contact does not fit on its grid.
+    #[error("{}: step {step}: the contact reaches the {side} border of the grid; `grid.size` must be larger", path.display())]
+    Border {
+        /// The case file.
+        path: PathBuf,
+        /// The number of the step, from 1.
+        step: usize,
+        /// Left, right, lower or upper.
+        side: &'static str,
+    },
+    /// A contact problem could not be set up.
+    #[error("{}: {source}", path.display())]
+    Problem {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: Box<ProblemError>,
     },
     /// A file of steps says something that cannot be.
     #[error("{}: {source}", path.display())]
@@ -152,7 +189,17 @@ impl CliError {
                 EncounterError::Coupled(_) => 1,
                 _ => 2,
             },
+            Self::Numerical { source, .. } => match **source {
+                NumericalImpactError::Range(_) => 2,
+                _ => 1,
+            },
+            Self::Step { source, .. } => match **source {
+                FrictionalError::Range(_) | FrictionalError::Slides { .. } => 2,
+                _ => 1,
+            },
             Self::Case { .. }
+            | Self::Border { .. }
+            | Self::Problem { .. }
             | Self::Overflow { .. }
             | Self::Uncertain { .. }
             | Self::Scene { .. }

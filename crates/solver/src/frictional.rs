@@ -1,4 +1,4 @@
-//! Contact with Coulomb's friction: normal and tangential problem in turn (11.4).
+//! Contact with Coulomb's friction: normal and tangential problem in turn.
 
 use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField, Workspace};
 use carom_laws::law::Shift;

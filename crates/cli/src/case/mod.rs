@@ -13,6 +13,7 @@ mod placed;
 mod range;
 mod scene;
 mod section;
+mod solve;
 mod uncertainty;
 mod unit;
 
@@ -26,5 +27,6 @@ pub use impact::{Approach, ImpactCase};
 pub use range::Range;
 pub use scene::SceneCase;
 pub use section::Numbers;
+pub use solve::{GapCase, HeightMap, Leg, SolveCase, Target};
 pub use uncertainty::UncertainCase;
 pub use unit::{Dimension, Measure};
