@@ -3,7 +3,9 @@
 use carom_solver::{CellState, NumericalLaw, NumericalLawError};
 use carom_special::RangeError;
 
-use crate::coupled::{CoupledImpact, CoupledOutcome, Course, Passage, Point, Sample, Stage};
+use crate::coupled::{
+    CoupledImpact, CoupledOutcome, Course, LawFailure, Passage, Point, Sample, Stage, Staged,
+};
 use crate::encounter::{Encounter, EncounterError};
 use crate::normal::NormalImpact;
 use crate::outcome::{Outcome, Warning};
@@ -24,8 +26,8 @@ pub enum NumericalImpactError {
     #[error(transparent)]
     Encounter(#[from] EncounterError),
     /// A step of the contact could not be solved.
-    #[error(transparent)]
-    Law(#[from] NumericalLawError),
+    #[error("{0}: {}", .0.source)]
+    Law(#[from] LawFailure<NumericalLawError>),
     /// The bodies do not part.
     #[error("the bodies do not separate within 2^14 times the steps of a free impact")]
     NoSeparation,
@@ -150,12 +152,17 @@ impl<'a> NumericalImpact<'a> {
     }
 }
 
+impl Staged for NumericalLaw {
+    fn stage(&self) -> Stage {
+        match (self.count(CellState::Stick), self.count(CellState::Slip)) {
+            (_, 0) => Stage::Adhesion,
+            (0, _) => Stage::Slide,
+            _ => Stage::Slip,
+        }
+    }
+}
+
 fn sample(point: &Point, law: &NumericalLaw) -> Sample {
     let Point { time, shift, velocity, force } = *point;
-    let stage = match (law.count(CellState::Stick), law.count(CellState::Slip)) {
-        (_, 0) => Stage::Adhesion,
-        (0, _) => Stage::Slide,
-        _ => Stage::Slip,
-    };
-    Sample { time, shift, velocity, force, stage }
+    Sample { time, shift, velocity, force, stage: law.stage() }
 }
