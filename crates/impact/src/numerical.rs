@@ -26,8 +26,12 @@ pub enum NumericalImpactError {
     #[error(transparent)]
     Encounter(#[from] EncounterError),
     /// A step of the contact could not be solved.
-    #[error("{0}: {}", .0.source)]
-    Law(#[from] LawFailure<NumericalLawError>),
+    #[error("{failure}: {}", .failure.source)]
+    Law {
+        /// Which step, and why.
+        #[from]
+        failure: LawFailure<NumericalLawError>,
+    },
     /// The bodies do not part.
     #[error("the bodies do not separate within 2^14 times the steps of a free impact")]
     NoSeparation,
