@@ -4,7 +4,7 @@ use carom_solver::{CellState, NumericalLaw, NumericalLawError};
 use carom_special::RangeError;
 
 use crate::coupled::{
-    CoupledImpact, CoupledOutcome, Course, LawFailure, Passage, Point, Sample, Stage,
+    CoupledImpact, CoupledOutcome, Course, LawFailure, Passage, Point, Sample, Stage, Staged,
 };
 use crate::encounter::{Encounter, EncounterError};
 use crate::normal::NormalImpact;
@@ -26,8 +26,12 @@ pub enum NumericalImpactError {
     #[error(transparent)]
     Encounter(#[from] EncounterError),
     /// A step of the contact could not be solved.
-    #[error(transparent)]
-    Law(#[from] LawFailure<NumericalLawError>),
+    #[error("{failure}: {}", .failure.source)]
+    Law {
+        /// Which step, and why.
+        #[from]
+        failure: LawFailure<NumericalLawError>,
+    },
     /// The bodies do not part.
     #[error("the bodies do not separate within 2^14 times the steps of a free impact")]
     NoSeparation,
@@ -154,12 +158,17 @@ impl<'a> NumericalImpact<'a> {
     }
 }
 
+impl Staged for NumericalLaw {
+    fn stage(&self) -> Stage {
+        match (self.count(CellState::Stick), self.count(CellState::Slip)) {
+            (_, 0) => Stage::Adhesion,
+            (0, _) => Stage::Slide,
+            _ => Stage::Slip,
+        }
+    }
+}
+
 fn sample(point: &Point, law: &NumericalLaw) -> Sample {
     let Point { time, shift, velocity, force } = *point;
-    let stage = match (law.count(CellState::Stick), law.count(CellState::Slip)) {
-        (_, 0) => Stage::Adhesion,
-        (0, _) => Stage::Slide,
-        _ => Stage::Slip,
-    };
-    Sample { time, shift, velocity, force, stage }
+    Sample { time, shift, velocity, force, stage: law.stage() }
 }
