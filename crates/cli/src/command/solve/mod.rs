@@ -1,5 +1,6 @@
 //! `carom solve`: a contact with friction on a grid, step by step.
 
+pub(super) mod compare;
 mod follow;
 mod heights;
 mod npz;
