@@ -13,11 +13,8 @@ use carom_solver::theory::{Bounds, ContactArea};
 use carom_solver::{ContactProblem, ContactState, Drive, Gap, Method as _};
 
 /// The page.
-pub(super) const ENTRIES: &[Entry] = &[Entry::check(
-    "convergence",
-    "Convergence: measured rates beside those of the iteration matrices",
-)
-.slowly_by(draw)];
+pub(super) const ENTRIES: &[Entry] =
+    &[Entry::check("convergence", "Rates, measured and predicted").slowly_by(draw)];
 
 /// A shift beyond which all slips along x.
 const FAR: f64 = 1e6;
@@ -167,9 +164,11 @@ fn draw() -> FigureResult {
     let mut table = Table::new("Factor by which the error falls", heads);
     for rate in &rates {
         let bound = rate.bound.map_or(Cell::from(""), Cell::from);
-        let numbers = [rate.gamma, rate.measured, rate.predicted].map(Cell::from);
         let words = [Cell::from(rate.method), Cell::from(rate.area.clone())];
-        table.row(words.into_iter().chain(numbers).chain([bound]));
+        // Measured on the last differences above rounding.
+        let measured = Cell::Remark(format!("{:.4}", rate.measured));
+        let cells = [Cell::from(rate.gamma), measured, Cell::from(rate.predicted), bound];
+        table.row(words.into_iter().chain(cells));
     }
     figure.table(table);
     let pairs = rates.iter().map(|rate| (rate.measured, rate.predicted));

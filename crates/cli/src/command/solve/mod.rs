@@ -1,6 +1,7 @@
 //! `carom solve`: a contact with friction on a grid, step by step.
 
 mod below;
+pub(super) mod compare;
 mod follow;
 mod heights;
 mod npz;
