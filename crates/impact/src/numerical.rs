@@ -145,9 +145,7 @@ impl<'a> NumericalImpact<'a> {
         let mut law = law.within(TOLERANCE)?;
         let course = Course { mobility, velocity, stiffness, steps, expected: None };
         let mut samples: Vec<Sample> = Vec::new();
-        let end = course
-            .follow(&mut law, |point, law| samples.push(sample(point, law)))
-            .map_err(|failure| failure.source)?;
+        let end = course.follow(&mut law, |point, law| samples.push(sample(point, law)))?;
         let end = end.ok_or(NumericalImpactError::NoSeparation)?;
         let greatest = |of: fn(&Sample) -> f64| samples.iter().map(of).fold(0.0, f64::max);
         let (peak, force) = (greatest(|at| at.shift.z), greatest(|at| at.force.z));
