@@ -2,11 +2,11 @@
 
 use crate::case::CaseError;
 use crate::command::StepsError;
+use carom_impact::CollisionError;
 use carom_impact::coupled::CoupledError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
-use carom_impact::{CollisionError, EncounterError};
 use carom_plot::PlotError;
 use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
@@ -33,11 +33,11 @@ pub enum CliError {
     },
     /// The encounter of a case could not be followed.
     #[error("{}: {source}", path.display())]
-    Encounter {
+    Collision {
         /// The case file.
         path: PathBuf,
         /// Why.
-        source: Box<EncounterError>,
+        source: Box<CollisionError>,
     },
     /// The scene of a case cannot be run.
     #[error("{}: {source}", path.display())]
@@ -147,9 +147,9 @@ impl CliError {
                 source: UncertainError::Collision { source: CollisionError::Oblique(_), .. },
                 ..
             } => 1,
-            Self::Encounter { source, .. } => match **source {
-                EncounterError::Coupled(CoupledError::Range(_)) => 2,
-                EncounterError::Coupled(_) => 1,
+            Self::Collision { source, .. } => match **source {
+                CollisionError::Coupled(CoupledError::Range(_)) => 2,
+                CollisionError::Coupled(_) => 1,
                 _ => 2,
             },
             Self::Case { .. }

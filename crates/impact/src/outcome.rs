@@ -4,6 +4,7 @@ use carom_laws::ellipse::ContactEllipse;
 use nalgebra::Vector3;
 
 use crate::body::Motion;
+use crate::coupled::Passage;
 use crate::oblique::{Event, Regime};
 
 /// The outcome of two bodies meeting.
@@ -53,7 +54,7 @@ pub struct Rebound {
     ///
     /// Where there was none before it is the limit for vanishing ones: (9.46), or -1 without
     /// friction. None if that limit depends on their direction, as of an elliptic contact, or if
-    /// the normal motion of an [`crate::Encounter`] itself brings about a tangential velocity; a
+    /// the normal motion of a [`crate::Collision`] itself brings about a tangential velocity; a
     /// tangential velocity within rounding of the motions counts as none there.
     pub tangential_restitution: Option<f64>,
     /// Duration from touch to separation.
@@ -68,6 +69,8 @@ pub struct Rebound {
     pub energy: EnergyBudget,
     /// The torsional impact; none where the spin about the normal was left alone.
     pub torsion: Option<Torsion>,
+    /// How it was followed.
+    pub passage: Passage,
     /// How often the approach grew: 2 or more if the bodies were pressed together again.
     pub compressions: u32,
     /// Last change of the velocity under refinement over |v_A|; 0 where the solution is exact.
@@ -124,28 +127,22 @@ pub struct LogEntry {
     pub regime: Regime,
 }
 
-/// One instant of an impact.
+/// One instant of an impact, in contact axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HistoryPoint {
     /// Time since touch.
     pub time: f64,
-    /// Approach zeta.
-    pub approach: f64,
-    /// Velocity of approach.
-    pub approach_velocity: f64,
-    /// Normal force.
-    pub normal_force: f64,
-    /// Contact radius.
-    pub contact_radius: f64,
-    /// Tangential shift of body 2 against body 1 since touch, along the initial slip direction.
-    pub shift: f64,
-    /// Its velocity.
-    pub shift_velocity: f64,
-    /// Tangential force on body 1 along that direction.
-    pub tangential_force: f64,
-    /// Radius of the stick area.
-    pub stick_radius: f64,
-    /// Regime.
+    /// Shift of body 2 against body 1 since touch: xi, eta, zeta.
+    pub shift: Vector3<f64>,
+    /// Its rate.
+    pub velocity: Vector3<f64>,
+    /// Force on body 1.
+    pub force: Vector3<f64>,
+    /// Semi-axes a and b of the contact, along x and y.
+    pub semi_axes: [f64; 2],
+    /// Radius of the stick area, where the method knows it: of spheres and planes.
+    pub stick_radius: Option<f64>,
+    /// Regime; its sign is that of the traction on body 1 along the initial slip.
     pub regime: Regime,
 }
 

@@ -10,7 +10,8 @@ use super::placed::{self, MARKS, Placed, WORDS};
 use super::range::Range;
 use super::section::{Section, Words, parse};
 use super::unit::Dimension;
-use carom_impact::{Encounter, EncounterError, FrameError, Motion, SearchError, SurfaceError};
+use carom_geometry::{FrameError, SearchError, SurfaceError};
+use carom_impact::{Collision, CollisionError, Motion};
 use carom_laws::friction::Friction;
 use toml::de::{DeTable, DeValue};
 
@@ -28,7 +29,7 @@ const POSITION: &str = "three numbers [x, y, z], the centre of mass (or give `co
 #[derive(Debug, Clone)]
 pub struct EncounterCase {
     /// The bodies, touching.
-    pub encounter: Encounter,
+    pub encounter: Collision,
     /// Their motions before.
     pub before: [Motion; 2],
     /// Friction, law and torsion.
@@ -166,15 +167,15 @@ fn read_own(
     }
 }
 
-fn meet(bodies: [Placed; 2], touch: &Touch, contact: Contact) -> Result<Encounter, EncounterError> {
+fn meet(bodies: [Placed; 2], touch: &Touch, contact: Contact) -> Result<Collision, CollisionError> {
     let [one, two] = bodies.map(|placed| placed.body);
     let friction = Friction::new(contact.friction)?;
     let encounter = match touch {
-        Touch::Found => Encounter::find(one, two, friction),
-        Touch::Approach => Encounter::meeting(one, two, friction),
-        Touch::At(point) => Encounter::at(one, two, *point, friction),
+        Touch::Found => Collision::touching(one, two, friction),
+        Touch::Approach => Collision::meeting(one, two, friction),
+        Touch::At(point) => Collision::at(one, two, *point, friction),
         Touch::Own([first, second]) => {
-            Encounter::at_own_points(one, *first, two, *second, friction)
+            Collision::at_own_points(one, *first, two, *second, friction)
         }
     };
     let encounter = encounter?.with_law(contact.law);
@@ -182,34 +183,34 @@ fn meet(bodies: [Placed; 2], touch: &Touch, contact: Contact) -> Result<Encounte
 }
 
 /// The field that is to blame, with its line.
-fn at_fault(case: &Section<'_>, touch: &Touch, source: EncounterError) -> CaseError {
+fn at_fault(case: &Section<'_>, touch: &Touch, source: CollisionError) -> CaseError {
     let own = |body: u8| if body == 1 { "contact.point_1" } else { "contact.point_2" };
     let shape = |body: u8| if body == 1 { "body_1.shape" } else { "body_2.shape" };
     let field = match (&source, touch) {
-        (EncounterError::Search(SearchError::NotTouching { gap, .. }), Touch::Approach)
+        (CollisionError::Search(SearchError::NotTouching { gap, .. }), Touch::Approach)
             if *gap > 0.0 =>
         {
             "contact.search"
         }
-        (EncounterError::Search(SearchError::NotTouching { .. }), _) => "body_1.position",
-        (EncounterError::Search(SearchError::Surface { body, source }), touch) => {
+        (CollisionError::Search(SearchError::NotTouching { .. }), _) => "body_1.position",
+        (CollisionError::Search(SearchError::Surface { body, source }), touch) => {
             match (source, touch) {
                 (_, Touch::At(_)) => "contact.point",
                 (SurfaceError::OffSurface { .. }, Touch::Own(_)) => own(*body),
                 _ => shape(*body),
             }
         }
-        (EncounterError::Search(SearchError::Frame(FrameError::Curvature(_))), _) => {
+        (CollisionError::Search(SearchError::Frame(FrameError::Curvature(_))), _) => {
             let radii = ["body_1.radii", "body_2.radii"].into_iter().find(|name| case.has(name));
             radii.unwrap_or("body_2.shape")
         }
-        (EncounterError::Search(SearchError::Frame(_)), _) => "contact",
-        (EncounterError::Search(_), _) => "body_1.shape",
+        (CollisionError::Search(SearchError::Frame(_)), _) => "contact",
+        (CollisionError::Search(_), _) => "body_1.shape",
         _ => "contact",
     };
     // A field that the file leaves to its default has no line of its own.
     let field = if case.has(field) { field } else { "contact" };
-    CaseError::Encounter {
+    CaseError::Collision {
         field,
         line: case.line(field),
         hint: hint(&source, touch),
@@ -218,19 +219,19 @@ fn at_fault(case: &Section<'_>, touch: &Touch, source: EncounterError) -> CaseEr
 }
 
 /// What may help.
-fn hint(source: &EncounterError, touch: &Touch) -> &'static str {
+fn hint(source: &CollisionError, touch: &Touch) -> &'static str {
     match (source, touch) {
-        (EncounterError::Search(SearchError::NotTouching { gap, .. }), Touch::Found)
+        (CollisionError::Search(SearchError::NotTouching { gap, .. }), Touch::Found)
             if *gap > 0.0 =>
         {
             "; `contact.search = \"approach\"` lets body 1 go on until they do"
         }
-        (EncounterError::Search(SearchError::NotTouching { gap, .. }), Touch::Approach)
+        (CollisionError::Search(SearchError::NotTouching { gap, .. }), Touch::Approach)
             if *gap > 0.0 =>
         {
             "; with its `velocity` against that of body 2, body 1 goes past it or away from it"
         }
-        (EncounterError::Search(SearchError::Frame(FrameError::NotOpposed { .. })), _) => {
+        (CollisionError::Search(SearchError::Frame(FrameError::NotOpposed { .. })), _) => {
             "; `quaternion`, `angles` and contact point do not fit together"
         }
         _ => "",

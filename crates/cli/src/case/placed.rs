@@ -5,8 +5,9 @@ use super::error::CaseError;
 use super::range::Range;
 use super::section::{Section, Words};
 use super::unit::Dimension;
+use carom_geometry::{Attitude, Inertia, Surface, SurfaceError};
 use carom_halfspace::Material;
-use carom_impact::{Attitude, Inertia, Motion, PlacedBody, Surface, SurfaceError};
+use carom_impact::{Body, Motion};
 use carom_laws::curvature::PrincipalRadii;
 use carom_special::RangeError;
 
@@ -73,7 +74,7 @@ const RADII: [&str; 2] = ["first", "second"];
 /// A body and where it touches, as far as the file says it.
 #[derive(Debug, Clone)]
 pub(super) struct Placed {
-    pub(super) body: PlacedBody,
+    pub(super) body: Body,
     pub(super) motion: Motion,
     /// The only point at which its surface is known, in its axes.
     pub(super) point: Option<[f64; 3]>,
@@ -96,7 +97,7 @@ impl Placed {
         let inertia = read_inertia(body, shape, &surface)?;
         let motion = read_motion(body)?;
         let has_position = body.has("position");
-        let placed = place(body, is_plane, PlacedBody::new(surface, material, inertia))?;
+        let placed = place(body, is_plane, Body::new(surface, material, inertia))?;
         Ok(Self { body: placed.moving(motion), motion, point, is_plane, has_position })
     }
 
@@ -251,7 +252,7 @@ fn read_motion(body: &Section<'_>) -> Result<Motion, CaseError> {
         .map_err(|error| body.out_of_range(error.field, error.value, error.allowed))
 }
 
-fn place(body: &Section<'_>, is_plane: bool, placed: PlacedBody) -> Result<PlacedBody, CaseError> {
+fn place(body: &Section<'_>, is_plane: bool, placed: Body) -> Result<Body, CaseError> {
     let placed = placed.turned(read_attitude(body, is_plane)?);
     if !body.has("position") {
         return Ok(placed);

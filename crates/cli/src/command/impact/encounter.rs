@@ -9,7 +9,7 @@ use crate::destination::Destination;
 use crate::error::CliError;
 use crate::output::{self, Answer, Format, check_finite, csv, json, short};
 use carom_impact::coupled::VectorLaw;
-use carom_impact::{EncounterError, Outcome};
+use carom_impact::{CollisionError, Outcome};
 use serde::Serialize;
 
 /// An encounter and what came of it. SI units.
@@ -83,17 +83,17 @@ pub(super) fn run(
 }
 
 /// The case is to blame for torsion that cannot be given.
-fn blamed(arguments: &Arguments, case: &EncounterCase, source: EncounterError) -> CliError {
+fn blamed(arguments: &Arguments, case: &EncounterCase, source: CollisionError) -> CliError {
     let path = arguments.given.case.clone();
     match (source, case.contact.torsion) {
-        (EncounterError::NormalSpin(source), Some(line)) => {
+        (CollisionError::NormalSpin(source), Some(line)) => {
             CliError::Case { path, source: CaseError::Torsion { line, source: Box::new(source) } }
         }
-        (source, _) => CliError::Encounter { path, source: Box::new(source) },
+        (source, _) => CliError::Collision { path, source: Box::new(source) },
     }
 }
 
-fn contact(case: &EncounterCase, outcome: &Outcome) -> Result<ContactRecord, EncounterError> {
+fn contact(case: &EncounterCase, outcome: &Outcome) -> Result<ContactRecord, CollisionError> {
     let encounter = &case.encounter;
     let (frame, curvature) = (encounter.frame(), encounter.hertz().curvature());
     let [one, two] = encounter.bodies();

@@ -1,7 +1,8 @@
 //! From a case to the collisions of the library.
 
 use crate::case::{BodyCase, ImpactCase, Mass, Shape};
-use carom_impact::{Body, Collision, CollisionError, Inertia, Motion};
+use carom_geometry::Inertia;
+use carom_impact::{Body, Collision, CollisionError, Motion};
 use carom_laws::friction::Friction;
 use carom_special::RangeError;
 

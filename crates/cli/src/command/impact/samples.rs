@@ -1,7 +1,7 @@
 //! The course of an encounter: instants in the axes of the contact.
 
 use carom_impact::coupled::{self, Stage};
-use carom_impact::{Encounter, EncounterError};
+use carom_impact::{Collision, CollisionError};
 use carom_plot::linspace;
 use serde::Serialize;
 
@@ -18,7 +18,7 @@ pub(super) struct Sample {
 
 /// `count` instants equally spaced in time, straight between those that were computed; none
 /// without an impact.
-pub(super) fn samples(encounter: &Encounter, count: usize) -> Result<Vec<Sample>, EncounterError> {
+pub(super) fn samples(encounter: &Collision, count: usize) -> Result<Vec<Sample>, CollisionError> {
     let computed = encounter.history()?;
     let Some(last) = computed.last() else {
         return Ok(Vec::new());
@@ -36,11 +36,11 @@ pub(super) fn samples(encounter: &Encounter, count: usize) -> Result<Vec<Sample>
 }
 
 fn between(
-    encounter: &Encounter,
+    encounter: &Collision,
     one: &coupled::Sample,
     two: &coupled::Sample,
     time: f64,
-) -> Result<Sample, EncounterError> {
+) -> Result<Sample, CollisionError> {
     let length = two.time - one.time;
     let part = if length > 0.0 { ((time - one.time) / length).clamp(0.0, 1.0) } else { 0.0 };
     let shift = one.shift.lerp(&two.shift, part);
