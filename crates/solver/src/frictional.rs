@@ -12,6 +12,9 @@ use crate::problem::ContactProblem;
 use crate::state::{CellState, ContactState};
 use crate::tangential::{Rigid, TangentialScratch, TangentialTask};
 
+/// Up to this relative change of approach or force, pressures start from the last ones.
+const SMALL_STEP: f64 = 0.1;
+
 /// Contact with Coulomb's friction, one step at a time: pressures at the last tractions, tractions
 /// at these pressures, and so on (Panagiotopoulos) until the pressures stand; one pass where the
 /// materials are not coupled. Pressures come from preconditioned conjugate gradients on an active
@@ -252,6 +255,16 @@ impl Pass<'_> {
         Err(RangeError::new("passes", 0.0, "at least 1").into())
     }
 
+    /// Whether the last pressures are a better start than coarse grids.
+    fn is_small_step(&self) -> bool {
+        let (last, next) = match self.drive.normal {
+            Driven::Shift(approach) => (self.from.shift.zeta, approach),
+            Driven::Load(force) => (self.from.load().f_z, force),
+        };
+        (next - last).abs() <= SMALL_STEP * last.abs()
+            && self.from.pressure.values().iter().any(|pressure| *pressure > 0.0)
+    }
+
     fn press(
         &mut self,
         tolerance: f64,
@@ -267,7 +280,9 @@ impl Pass<'_> {
             *own = height + w;
         }
         let target = Target { tolerance, iterations: self.method.iterations };
-        if first {
+        if first && self.is_small_step() {
+            scratch.normal.start_from(self.from.pressure.values());
+        } else if first {
             self.spent = self.spent.plus(scratch.normal.start(operator, driven, target)?);
         }
         let (approach, reached) = scratch.normal.solve(operator, driven, target, self.observer)?;

@@ -5,12 +5,17 @@
 //! a history, each given by a [`Drive`], and says with a [`Convergence`] how it went.
 #![forbid(unsafe_code)]
 
+mod chart;
+mod contour;
 mod convergence;
+mod direct;
 mod drive;
 mod friction;
 mod frictional;
 mod frictionless;
 mod gap;
+pub mod kalker;
+mod law;
 mod method;
 mod nested;
 mod normal;
@@ -18,12 +23,16 @@ mod problem;
 mod state;
 mod tangential;
 
+pub use chart::{Block, Entry, Step, Trace};
+pub use contour::{Contour, contours};
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
+pub use direct::DirectError;
 pub use drive::{Drive, Driven};
 pub use friction::{CellFriction, SurfaceFriction};
 pub use frictional::{Frictional, FrictionalError, FrictionalScratch};
 pub use frictionless::{Frictionless, NormalError, NormalScratch};
 pub use gap::Gap;
+pub use law::{NumericalLaw, NumericalLawError};
 pub use method::Method;
 pub use problem::{ContactProblem, ProblemError};
 pub use state::{CellState, ContactState};

@@ -122,6 +122,12 @@ impl ActiveSet {
     ) -> Result<Convergence, OperatorError> {
         let mut course = Course::default();
         self.begin(task, &mut course)?;
+        let normal = self.residual(task);
+        if normal <= limits.tolerance && task.pressure.iter().any(|p| *p > 0.0) {
+            finish(task);
+            let (products, residuals) = (course.products, Residuals { normal, tangential: 0.0 });
+            return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
+        }
         let mut iteration = 0;
         loop {
             iteration += 1;

@@ -64,6 +64,11 @@ impl NormalGrids {
         &mut self.levels[0].heights
     }
 
+    /// A start from a known pressure.
+    pub(crate) fn start_from(&mut self, pressure: &[f64]) {
+        self.levels[0].pressure.copy_from_slice(pressure);
+    }
+
     /// From the last pressure; the approach found.
     pub(crate) fn solve(
         &mut self,

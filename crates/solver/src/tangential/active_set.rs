@@ -25,8 +25,14 @@ const REACHED: f64 = 1.0 - 1e-9;
 const EAGERNESS: f64 = 0.3;
 /// The same once that does not converge.
 const PATIENCE: f64 = 3.0;
+/// A violation that falls by less than this between changes of the sets calls for care.
+const FALL: f64 = 0.7;
+/// A violation that has fallen to this part since the last change of the sets has fallen far.
+const FAR: f64 = 0.03;
 /// Part of a preconditioned step beside projections.
 const DAMPING: f64 = 0.4;
+/// A disc smaller than this part of what sticking would take cannot hold its cell.
+const TINY: f64 = 0.003;
 /// Compliance of a slipping cell, over that by its own traction, for the preconditioner.
 const SOFTNESS: f64 = 2.5;
 
@@ -88,23 +94,28 @@ struct Course {
     power: Option<f64>,
     step: f64,
     last_violation: Option<f64>,
-    /// How often the violation was not halved from one change of the sets to the next.
+    started: bool,
+    /// How often the violation hardly fell from one change of the sets to the next.
     slow_changes: u32,
     /// For how many steps the sets stand.
     held: u32,
 }
 
 impl Course {
-    const fn careful(&self) -> bool {
-        self.slow_changes >= 2
+    /// Whether changes of the sets lead nowhere; not if the violation has fallen far since.
+    fn careful(&self, violation: f64) -> bool {
+        self.slow_changes >= 2 && self.last_violation.is_none_or(|last| violation > FAR * last)
     }
 
     fn changes(&mut self, violation: f64) {
-        if self.last_violation.is_some_and(|last| violation > 0.5 * last) {
+        let careful = self.careful(violation);
+        if self.last_violation.is_some_and(|last| violation > FALL * last) {
             self.slow_changes += 1;
         }
-        self.last_violation = Some(violation);
-        self.held = if self.careful() { 2 } else { 1 };
+        // That of the start says nothing: tractions of the last step are all in their discs.
+        self.last_violation = self.started.then_some(violation);
+        self.started = true;
+        self.held = if careful { 2 } else { 1 };
     }
 }
 
@@ -206,8 +217,9 @@ impl ActiveSet {
     }
 
     fn asks_for_change(&self, task: &TangentialTask<'_>, course: &Course) -> bool {
-        let eagerness = if course.careful() { PATIENCE } else { EAGERNESS };
-        course.held == 0 && self.violation(task) > eagerness * course.step
+        let violation = self.violation(task);
+        let eagerness = if course.careful(violation) { PATIENCE } else { EAGERNESS };
+        course.held == 0 && violation > eagerness * course.step
     }
 
     /// Whether tractions have left their discs for good.
@@ -223,13 +235,14 @@ impl ActiveSet {
         task: &mut TangentialTask<'_>,
         course: &mut Course,
     ) -> Result<(), OperatorError> {
-        course.changes(self.violation(task));
+        let violation = self.violation(task);
+        let damping = if course.careful(violation) { 0.0 } else { DAMPING };
+        course.changes(violation);
         let projected = self.project(task);
         self.prepare_deflation(task, course);
         self.precondition(task, course);
         course.power = None;
         if projected || self.excess(task).norm() > 0.0 {
-            let damping = if course.careful() { 0.0 } else { DAMPING };
             for axis in 0..2 {
                 let steps = self.direction[axis].iter_mut().zip(&self.preconditioned[axis]);
                 steps.for_each(|(direction, step)| *direction += damping * step);
@@ -263,12 +276,17 @@ impl ActiveSet {
                 } else {
                     0.0
                 };
-                // Slip opposes the traction; a cell that is pushed out begins to slip.
+                let pulled = [x - self.slip[0][i] / self.own, y - self.slip[1][i] / self.own];
+                let pull = (pulled[0] * pulled[0] + pulled[1] * pulled[1]).sqrt();
+                // Slip opposes the traction; a cell that is pushed out begins to slip, and one
+                // whose disc is tiny beside what it would take to stick does.
+                let tiny = limit < TINY * pull;
                 let slips = (norm > limit && !slipped) || ((at_rim || slipped) && along < 0.0);
-                if slips && norm > 0.0 {
+                if tiny || (slips && norm > 0.0) {
                     task.cells[i] = CellState::Slip;
-                    let e = [x / norm, y / norm];
+                    let e = if tiny { pulled.map(|t| t / pull) } else { [x / norm, y / norm] };
                     (self.rim[0][i], self.rim[1][i]) = (e[0], e[1]);
+                    let along = self.slip[0][i] * e[0] + self.slip[1][i] * e[1];
                     self.bend[i] = (-along).max(0.0) / limit;
                     [limit * e[0], limit * e[1]]
                 } else {

@@ -4,8 +4,10 @@ use carom_impact::closed_form::restitution_without_slip;
 use carom_impact::restitution::{RestitutionError, of_spheres};
 use rayon::prelude::*;
 
+use super::super::Failure;
+use super::numerical::Spheres;
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace};
 
 /// κ and λ of the row that ends early.
 const EARLY: [f64; 2] = [1.055_6, 0.5];
@@ -22,6 +24,10 @@ pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
     figure.stated("ν₁ = ν₂", "0, 0.1 .. 0.5");
     figure.assumed("λ", "0 to 10");
+    figure.assumed(
+        "numerical: ν, elements, steps",
+        "0, 0.3 and 0.5; 16 × 16 about the greatest contact, 128",
+    );
     let mut panel = Panel::new(Axis::linear("λ"), Axis::linear("R_x")).titled("Spheres");
     let lambdas = linspace(0.0, 10.0, 201);
     let mut curves = Vec::new();
@@ -35,6 +41,7 @@ pub(super) fn draw() -> FigureResult {
         ));
         curves.push(curve);
     }
+    numerical(&mut figure, &mut panel)?;
     figure.panel(panel);
     table_claims(&mut figure)?;
     limit_claims(&mut figure)?;
@@ -60,6 +67,52 @@ pub(super) fn draw() -> FigureResult {
         "the printed condition overlooks the elastic recoil; sliding with R_x > 0 is possible",
     );
     Ok(figure)
+}
+
+/// λ of the numerical impacts.
+const MARKED: [f64; 9] = [0.25, 0.5, 1.0, 2.0, 3.0, 4.0, 5.0, 7.0, 8.0];
+
+fn numerical(figure: &mut Figure, panel: &mut Panel) -> Result<(), Failure> {
+    let nus = [0.0, 0.3, 0.5];
+    let jobs: Vec<_> = nus.iter().flat_map(|nu| MARKED.map(|lambda| (*nu, lambda))).collect();
+    let run = |&(nu, lambda): &(f64, f64)| Spheres::alike(nu)?.restitution(lambda, 16, 128);
+    let found: Vec<f64> = jobs.par_iter().map(run).collect::<Result<_, Failure>>()?;
+    for (i, curve) in found.chunks(MARKED.len()).enumerate() {
+        let label = if i == 0 { "numerical" } else { "" };
+        let points = MARKED.into_iter().zip(curve.iter().copied());
+        let colour = [0, 3, 5][i];
+        panel.add(Series::markers(label, Marker::Circle, points).coloured(colour));
+    }
+    let all: Vec<_> = jobs.iter().copied().zip(found.iter().copied()).collect();
+    let exact = |((nu, lambda), own): ((f64, f64), f64)| {
+        Ok::<_, RestitutionError>((own, of_spheres(kappa(nu), lambda)?))
+    };
+    let slow = |((_, lambda), _): &((f64, f64), f64)| *lambda <= 1.0;
+    let of = |slowly: bool| -> Result<Vec<_>, RestitutionError> {
+        all.iter().filter(|job| slow(job) == slowly).map(|job| exact(*job)).collect()
+    };
+    figure.claim(
+        Claim::all_close("numerical R_x for λ ≥ 2", of(false)?, Tolerance::Absolute(0.004))
+            .source("exact walk"),
+    );
+    figure.claim(
+        Claim::all_close("and for λ ≤ 1, where steps count", of(true)?, Tolerance::Absolute(0.02))
+            .source("exact walk"),
+    );
+    let table = rows::<4>(include_str!("../../../data/impact/numerical_similar.csv"))?;
+    let worst = table.iter().map(|[nu, lambda, r_x, error]| {
+        let own = all.iter().find(|((n, l), _)| n == nu && l == lambda);
+        own.map_or(f64::INFINITY, |(_, own)| (own - r_x).abs() / error)
+    });
+    figure.claim(
+        Claim::at_most(
+            "numerical R_x against another half-space program, over its error",
+            worst.fold(0.0, f64::max),
+            1.0,
+        )
+        .source("an independent half-space program with 20 × 20 elements and 100 steps"),
+    );
+    Ok(())
 }
 
 fn table_claims(figure: &mut Figure) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {

@@ -4,12 +4,14 @@ mod plot;
 mod rows;
 mod tensor;
 
+use crate::columns;
 use crate::destination::Destination;
 use crate::error::CliError;
 use crate::output::{Answer, Format, Results};
 use crate::range::Values;
 use carom_impact::oblique::Groups;
 use carom_special::RangeError;
+use carom_table::Column;
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use rayon::prelude::*;
 use rows::{MOST_TO_READ, Printer, Row};
@@ -28,6 +30,7 @@ const BLOCK: usize = 8192;
 /// reversed: 1 rebounds elastically, 0 stops, -1 slides on unhindered. Lists give every pair; two
 /// ranges can be drawn as a map.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = help())]
 pub(super) struct Arguments {
     /// Ratio of stiffness c_z/c_x, (2 - nu)/(2 (1 - nu)): a value, a list 1,1.2 or
     /// start:stop:count.
@@ -63,9 +66,17 @@ pub(super) struct Arguments {
     velocity_ratio: Option<f64>,
 }
 
-/// The two numbers that span the results: their names, values and meaning.
+/// What the rows hold.
+fn help() -> String {
+    let spheres = columns::help("A row for each pair, with --kappa and --lambda", rows::OF_SPHERES);
+    let any = columns::help("with --chi and --psi", rows::OF_ANY);
+    let tensor = columns::help("with --tensor also", rows::OF_TENSOR);
+    format!("{spheres}{any}{tensor}")
+}
+
+/// The two numbers that span the results: columns, symbols, values and meaning.
 struct Plane<'a> {
-    names: [&'static str; 2],
+    columns: &'static [Column<Row>],
     symbols: [char; 2],
     title: &'static str,
     values: [&'a [f64]; 2],
@@ -80,7 +91,7 @@ impl Plane<'_> {
     fn of(arguments: &Arguments) -> Plane<'_> {
         if arguments.kappa.is_some() {
             Plane {
-                names: ["kappa", "lambda"],
+                columns: rows::OF_SPHERES,
                 symbols: ['κ', 'λ'],
                 title: "Tangential restitution of spheres",
                 values: [list(&arguments.kappa), list(&arguments.lambda)],
@@ -88,7 +99,7 @@ impl Plane<'_> {
             }
         } else {
             Plane {
-                names: ["chi", "psi"],
+                columns: rows::OF_ANY,
                 symbols: ['χ', 'ψ'],
                 title: "Tangential restitution",
                 values: [list(&arguments.chi), list(&arguments.psi)],

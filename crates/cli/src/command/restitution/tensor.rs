@@ -17,8 +17,8 @@ pub(super) enum Tensor {
 /// A tensor with its name; rows and columns are x along the slip, y across it, z.
 #[derive(Debug, Clone, Copy, Serialize)]
 pub(super) struct TensorRecord {
-    name: &'static str,
-    rows: [[f64; 3]; 3],
+    pub(super) name: &'static str,
+    pub(super) rows: [[f64; 3]; 3],
 }
 
 impl Tensor {
@@ -35,15 +35,4 @@ impl Tensor {
 /// |v_x|/v_z as an option gives it.
 pub(super) fn velocity_ratio(value: f64) -> Result<f64, RangeError> {
     RangeError::non_negative("velocity-ratio", value)
-}
-
-/// Heads of [`TensorRecord::cells`].
-pub(super) const HEADS: [&str; 10] =
-    ["tensor", "R_xx", "R_xy", "R_xz", "R_yx", "R_yy", "R_yz", "R_zx", "R_zy", "R_zz"];
-
-impl TensorRecord {
-    pub(super) fn cells(&self, number: impl Fn(f64) -> String) -> Vec<String> {
-        let numbers = self.rows.as_flattened().iter().map(|value| number(*value));
-        std::iter::once(self.name.to_owned()).chain(numbers).collect()
-    }
 }

@@ -1,0 +1,135 @@
+//! All methods on the same meshes: what they find must not depend on how they seek it.
+
+use std::time::{Duration, Instant};
+
+use carom_halfspace::{Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_laws::law::Shift;
+use carom_solver::kalker::{Johnson, Kombi, Panagiotopoulos};
+use carom_solver::{ContactProblem, ContactState, Drive, Frictional, Gap, Method};
+
+/// A history on a mesh.
+struct Case {
+    name: &'static str,
+    cells: [usize; 2],
+    poisson: [f64; 2],
+    friction: f64,
+    /// zeta, xi, eta, omega at the ends of the steps.
+    history: &'static [[f64; 4]],
+}
+
+const SHIFTS: &[[f64; 4]] = &[
+    [0.5, 0.0, 0.0, 0.0],
+    [1.0, 0.05, 0.02, 0.0],
+    [1.0, 0.2, 0.1, 0.0],
+    [1.0, -0.1, 0.15, 0.0],
+    [0.7, -0.3, 0.1, 0.0],
+];
+const TWISTS: &[[f64; 4]] =
+    &[[1.0, 0.0, 0.0, 0.0], [1.0, 0.0, 0.0, 0.3], [1.0, 0.1, 0.0, 0.4], [0.9, 0.1, 0.0, -0.2]];
+const SIMILAR: [f64; 2] = [0.3, 0.3];
+/// gamma = 1/3 and -1/3.
+const POSITIVE: [f64; 2] = [0.0, 0.5];
+const NEGATIVE: [f64; 2] = [0.5, 0.0];
+
+fn problem(case: &Case) -> ContactProblem {
+    let [nx, ny] = case.cells;
+    let grid = Grid::new(nx, ny, 2.3 / nx as f64, 2.5 / ny as f64).unwrap();
+    let gap = Gap::from_function(grid, |x, y| 0.5 * x * x + 0.4 * y * y).unwrap();
+    let [one, two] = case.poisson.map(|nu| Material::from_shear(1.0, nu).unwrap());
+    let pair = MaterialPair::new(one, two).unwrap();
+    ContactProblem::of_half_spaces(gap, pair, Friction::new(case.friction).unwrap()).unwrap()
+}
+
+/// The states at the ends of all steps, and the time they took.
+fn follow<M: Method>(
+    problem: &ContactProblem,
+    method: &M,
+    history: &[[f64; 4]],
+) -> Result<(Vec<ContactState>, Duration), M::Error> {
+    let mut scratch = method.scratch(problem)?;
+    let mut before = ContactState::apart(problem.grid());
+    let start = Instant::now();
+    let mut states = Vec::new();
+    for [zeta, xi, eta, omega] in history.iter().copied() {
+        let mut state = before.clone();
+        let drive = Drive::by_shift(Shift { zeta, xi, eta, omega });
+        method.step(problem, &before, &drive, &mut state, &mut scratch, &mut ())?;
+        before.clone_from(&state);
+        states.push(state);
+    }
+    Ok((states, start.elapsed()))
+}
+
+/// The largest difference of a traction or pressure, over the largest pressure.
+fn difference(a: &[ContactState], b: &[ContactState]) -> f64 {
+    let mut largest = 0.0_f64;
+    for (a, b) in a.iter().zip(b) {
+        let top = a.pressure.values().iter().copied().fold(0.0, f64::max);
+        let fields = [
+            (&a.pressure, &b.pressure),
+            (&a.traction_x, &b.traction_x),
+            (&a.traction_y, &b.traction_y),
+        ];
+        for (a, b) in fields {
+            for (a, b) in a.values().iter().zip(b.values()) {
+                assert!(a.is_finite() && b.is_finite());
+                largest = largest.max((a - b).abs() / top);
+            }
+        }
+    }
+    largest
+}
+
+fn cases() -> Vec<Case> {
+    let mut cases = Vec::new();
+    for cells in [[8, 8], [16, 14]] {
+        for (name, history) in [("shift", SHIFTS), ("twist", TWISTS)] {
+            for (poisson, friction) in
+                [(SIMILAR, 0.3), (POSITIVE, 0.4), (NEGATIVE, 0.4), (POSITIVE, 1.0)]
+            {
+                cases.push(Case { name, cells, poisson, friction, history });
+            }
+        }
+    }
+    for poisson in [SIMILAR, NEGATIVE] {
+        let (name, cells, friction) = ("shift", [24, 24], 0.3);
+        cases.push(Case { name, cells, poisson, friction, history: SHIFTS });
+    }
+    cases
+}
+
+#[test]
+fn all_methods_find_the_same() {
+    for case in cases() {
+        let problem = problem(&case);
+        let today = Frictional::default().within(1e-12).unwrap();
+        let (want, today) = follow(&problem, &today, case.history).unwrap();
+        let mut line = format!(
+            "{} {:?} nu {:?} f {}: today {today:.1?}",
+            case.name, case.cells, case.poisson, case.friction
+        );
+        let mut check =
+            |name: &str, found: Result<(Vec<ContactState>, Duration), String>| match found {
+                Ok((found, time)) => {
+                    line += &format!(", {name} {:.1e} {time:.1?}", difference(&want, &found))
+                }
+                Err(error) => line += &format!(", {name} {error}"),
+            };
+        if !problem.operator().is_coupled() {
+            check(
+                "Johnson",
+                follow(&problem, &Johnson::default(), case.history).map_err(|e| e.to_string()),
+            );
+        }
+        check(
+            "Panagiotopoulos",
+            follow(&problem, &Panagiotopoulos::default(), case.history).map_err(|e| e.to_string()),
+        );
+        check(
+            "Kombi",
+            follow(&problem, &Kombi::default(), case.history).map_err(|e| e.to_string()),
+        );
+        println!("{line}");
+    }
+}

@@ -1,0 +1,119 @@
+//! Fig. 15.6: the tangential restitution of dissimilar spheres.
+
+use carom_halfspace::Material;
+use rayon::prelude::*;
+
+use super::super::Failure;
+use super::numerical::{SHEAR_MODULUS, Spheres};
+use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use carom_impact::restitution::of_spheres;
+
+const CELLS: usize = 12;
+const STEPS: usize = 50;
+const LAMBDAS: [f64; 10] = [0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 8.0];
+const INDEPENDENT: &str = "an independent half-space program";
+
+/// G_2/G_1 and f.
+const PAIRS: [[f64; 2]; 5] = [[1.0, 0.1], [3.0, 0.3], [10.0, 0.3], [3.0, 0.1], [10.0, 0.1]];
+
+fn gamma(delta: f64) -> f64 {
+    (delta - 1.0) / (2.0 * (delta + 1.0)) // (15.2), nu_1 = nu_2 = 0
+}
+
+fn spheres([delta, friction]: [f64; 2]) -> Result<Spheres, Failure> {
+    let body = |ratio| Material::from_shear(ratio * SHEAR_MODULUS, 0.0);
+    Ok(Spheres::of([body(1.0)?, body(delta)?], friction))
+}
+
+fn name([delta, f]: [f64; 2]) -> String {
+    if delta == 1.0 {
+        "γ = 0".to_owned()
+    } else {
+        format!("δ = {delta}, f = {f}: f/γ = {:.2}", f / gamma(delta))
+    }
+}
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.stated("κ", "1");
+    figure.derived("ν₁ = ν₂, γ", "0, (δ - 1)/(2δ + 2)");
+    figure.assumed("δ, f", "3 and 10, 0.1 and 0.3");
+    figure.assumed("elements, steps", "12 × 12 about the greatest contact, 50");
+    let jobs: Vec<_> =
+        PAIRS.iter().flat_map(|pair| LAMBDAS.map(|lambda| (*pair, lambda))).collect();
+    let run = |&(pair, lambda): &([f64; 2], f64)| spheres(pair)?.restitution(lambda, CELLS, STEPS);
+    let found: Vec<f64> = jobs.par_iter().map(run).collect::<Result<_, Failure>>()?;
+    let curves: Vec<&[f64]> = found.chunks(LAMBDAS.len()).collect();
+    let mut panel = Panel::new(Axis::linear("λ"), Axis::linear("R_x")).titled("κ = 1");
+    let lambdas = crate::linspace(0.05, 8.0, 160);
+    let exact: Result<Vec<_>, _> =
+        lambdas.into_iter().map(|at| Ok::<_, Failure>((at, of_spheres(1.0, at)?))).collect();
+    panel.add(Series::dashed("γ = 0, exact", exact?).coloured(0));
+    for (i, (pair, curve)) in PAIRS.iter().zip(&curves).enumerate() {
+        let points: Vec<_> = LAMBDAS.into_iter().zip(curve.iter().copied()).collect();
+        if i > 0 {
+            panel.add(Series::line("", points.clone()).coloured(i));
+        }
+        panel.add(Series::markers(name(*pair), Marker::Circle, points).coloured(i));
+    }
+    figure.panel(panel);
+    claims(&mut figure, &curves)?;
+    Ok(figure)
+}
+
+fn claims(figure: &mut Figure, curves: &[&[f64]]) -> Result<(), Failure> {
+    figure.claim(
+        Claim::all_close(
+            "λ = 0.5: R_x of f/γ = 0.40 and 0.24",
+            [(curves[3][1], 0.024), (curves[4][1], 0.262)],
+            Tolerance::Absolute(0.02),
+        )
+        .source(INDEPENDENT),
+    );
+    let exact: Result<Vec<f64>, _> = LAMBDAS.iter().map(|at| of_spheres(1.0, *at)).collect();
+    let exact = exact?;
+    figure.claim(
+        Claim::all_close(
+            "γ = 0 is the exact walk",
+            curves[0].iter().copied().zip(exact.iter().copied()),
+            Tolerance::Absolute(0.02),
+        )
+        .source("exact walk; at small λ the steps count"),
+    );
+    let above = (2..6).map(|i| curves[4][i] - curves[0][i]).fold(f64::INFINITY, f64::min);
+    let rise = |curve: &[f64]| curve[1] - curves[0][1];
+    figure.claim(
+        Claim::increasing("λ = 0.5: R_x rises as f/γ falls", [1, 2, 3, 4].map(|i| rise(curves[i])))
+            .source("section 15.2"),
+    );
+    figure.claim(
+        Claim::at_most("f/γ > 1 raises R_x little", rise(curves[1]).abs(), 0.1)
+            .source("section 15.2: only f/γ < 1 changes R_x"),
+    );
+    let _ = above;
+    let sliding = curves.iter().map(|curve| (curve[9], 7.0 / 8.0 - 1.0));
+    figure.claim(
+        Claim::all_close(
+            "λ = 8 slides throughout: R_x = 7/λ - 1",
+            sliding,
+            Tolerance::Absolute(3e-3),
+        )
+        .source("(9.33), with e_z = 1 to 0.4 %"),
+    );
+    // The bodies exchanged: gamma changes its sign.
+    let lambdas = [0.5, 2.0];
+    let pairs: Result<Vec<_>, Failure> = lambdas
+        .iter()
+        .map(|lambda| {
+            let one = spheres([10.0, 0.1])?;
+            let [soft, hard] = one.bodies;
+            let other = Spheres { bodies: [hard, soft], ..one };
+            Ok((one.restitution(*lambda, 12, 40)?, other.restitution(*lambda, 12, 40)?))
+        })
+        .collect();
+    figure.claim(
+        Claim::all_close("γ and -γ give the same R_x", pairs?, Tolerance::Absolute(1e-5))
+            .source("exchange of the bodies; section 15.2"),
+    );
+    Ok(())
+}

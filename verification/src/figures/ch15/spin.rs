@@ -1,0 +1,111 @@
+//! Fig. 15.7: the tangential restitution of spheres that spin about the normal.
+
+use std::f64::consts::TAU;
+
+use carom_halfspace::Material;
+use carom_impact::restitution::of_spheres;
+use carom_impact::torsional::{SpinCollision, Spinner};
+use carom_laws::friction::Friction;
+use rayon::prelude::*;
+
+use super::super::Failure;
+use super::numerical::{SHEAR_MODULUS, Spheres};
+use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+
+const CELLS: usize = 16;
+const STEPS: usize = 50;
+const LAMBDAS: [f64; 9] = [0.25, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 7.0];
+/// Turns a second.
+const SPINS: [f64; 3] = [0.0, 10.0, 500.0];
+const POISSON: f64 = 0.3;
+
+/// Steel at 7.16 m/s.
+fn spheres() -> Result<Spheres, Failure> {
+    let (radius, speed) = (0.01, 7.16);
+    let mass = 4.0 / 3.0 * std::f64::consts::PI * 7850.0 * radius * radius * radius;
+    let bodies = [Material::from_shear(SHEAR_MODULUS, POISSON)?; 2];
+    Ok(Spheres { bodies, radius, mass, friction: 0.1, speed })
+}
+
+/// R_x and the ratio of the spins after and before.
+fn rebound(spheres: &Spheres, lambda: f64, spin: f64) -> Result<[f64; 2], Failure> {
+    let run = spheres.follow(lambda, TAU * spin, CELLS, STEPS)?;
+    let [first, .., last] = &run[..] else { return Err("no impact".into()) };
+    Ok([-last.rate[0] / first.rate[0], last.rate[3] / first.rate[3]])
+}
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.stated("spins, v_n", "10 Hz and 500 Hz, 7.16 m/s");
+    figure.stated("bodies", "two spheres of steel");
+    figure.assumed("R, f, ν, G, ρ", "10 mm, 0.1, 0.3, 82000 N/mm², 7.85 g/cm³");
+    figure.assumed("spin", "that of one sphere against the other");
+    figure.assumed("elements, steps", "16 × 16 about the greatest contact, 50");
+    let spheres = spheres()?;
+    let greatest = spheres.hertz()?.ellipse(spheres.normal()?.maximal_approach())?.semi_axis_a();
+    // (15.4) with the normal velocity.
+    let omega_n = |spin: f64| 2.0 * greatest * TAU * spin / (spheres.friction * spheres.speed);
+    let jobs: Vec<_> = SPINS.iter().flat_map(|spin| LAMBDAS.map(|at| (*spin, at))).collect();
+    let run = |&(spin, lambda): &(f64, f64)| Ok(rebound(&spheres, lambda, spin)?[0]);
+    let found: Vec<f64> = jobs.par_iter().map(run).collect::<Result<_, Failure>>()?;
+    let curves: Vec<&[f64]> = found.chunks(LAMBDAS.len()).collect();
+    let kappa = (2.0 - POISSON) / (2.0 * (1.0 - POISSON));
+    let mut panel = Panel::new(Axis::linear("λ"), Axis::linear("R_x")).titled("steel spheres");
+    let lambdas = crate::linspace(0.05, 8.0, 160);
+    let exact: Result<Vec<_>, _> =
+        lambdas.into_iter().map(|at| Ok::<_, Failure>((at, of_spheres(kappa, at)?))).collect();
+    panel.add(Series::dashed("without spin, exact", exact?).coloured(0));
+    for (i, (spin, curve)) in SPINS.iter().zip(&curves).enumerate() {
+        let points: Vec<_> = LAMBDAS.into_iter().zip(curve.iter().copied()).collect();
+        let label = format!("{spin} Hz, ω_N = {:.2}", omega_n(*spin));
+        if i == 2 {
+            panel.add(Series::line("", points.clone()).coloured(i));
+        }
+        panel.add(Series::markers(label, Marker::Circle, points).coloured(i));
+    }
+    figure.panel(panel);
+    claims(&mut figure, &spheres, &curves)?;
+    figure.deviation(
+        "ω_N = 2 a_max ω/(f ξ̇₀)",
+        "ω_N = 2 a_max ω/(f ζ̇₀)",
+        "with ξ̇₀ it would depend on λ; the text speaks of the normal velocity",
+    );
+    Ok(figure)
+}
+
+fn claims(figure: &mut Figure, spheres: &Spheres, curves: &[&[f64]]) -> Result<(), Failure> {
+    let change = |i: usize, j: usize| curves[i][j] - curves[0][j];
+    let slow = (0..LAMBDAS.len()).map(|j| change(1, j).abs()).fold(0.0, f64::max);
+    figure.claim(
+        Claim::at_most("10 Hz changes R_x by less than 0.01", slow, 0.01).source("section 15.3"),
+    );
+    let raised = (0..3).map(|j| change(2, j)).fold(f64::INFINITY, f64::min);
+    figure
+        .claim(Claim::at_least("500 Hz raises R_x for λ ≤ 1", raised, 0.05).source("section 15.3"));
+    let far = change(2, LAMBDAS.len() - 1);
+    figure.claim(
+        Claim::at_most("and hardly matters at λ = 7", far.abs(), 0.25 * raised).source("fig. 15.7"),
+    );
+    // Hardly any slip: the torsional impact of chapter 10.
+    let friction = Friction::new(spheres.friction)?;
+    let still = Spinner::solid_sphere(spheres.mass, spheres.radius)?;
+    let hertz = spheres.hertz()?;
+    let pairs: Result<Vec<_>, Failure> = SPINS[1..]
+        .iter()
+        .map(|spin| {
+            let bodies = [still.spinning(TAU * spin)?, still];
+            let exact = SpinCollision::new(&hertz, friction, bodies, spheres.speed)?.solve()?;
+            let [_, ratio] = rebound(spheres, 1e-6, *spin)?;
+            Ok((1.0 - ratio, 1.0 - exact.spin_ratio))
+        })
+        .collect();
+    figure.claim(
+        Claim::all_close(
+            "without slip, the part of the spin that is lost",
+            pairs?,
+            Tolerance::Relative(0.05),
+        )
+        .source("torsional impact of chapter 10, exact for circles"),
+    );
+    Ok(())
+}

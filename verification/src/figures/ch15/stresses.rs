@@ -1,0 +1,118 @@
+//! Fig. 15.3: tangential stresses during an impact.
+
+use carom_impact::restitution::of_spheres;
+use carom_laws::friction::Friction;
+use carom_laws::shift_law::ShiftLaw;
+use carom_solver::ContactState;
+
+use super::super::Failure;
+use super::numerical::{Instant, Spheres, stick};
+use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance};
+
+const SHOWN: [usize; 5] = [10, 25, 35, 40, 45];
+const STEPS: usize = 50;
+const CELLS: usize = 28;
+const LAMBDA: f64 = 1.0;
+const POISSON: f64 = 0.5;
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.stated("κ, λ", "3/2, 1");
+    figure.stated("steps", "50, shown are 10, 25, 35, 40, 45");
+    figure.derived("ν", "0.5, from κ");
+    figure.derived("elements", "28 × 28, 616 in the greatest contact (600 points)");
+    figure.assumed("f, bodies, steps", "0.1; those of fig. 15.4; equal time");
+    let spheres = Spheres::alike(POISSON)?;
+    let run = spheres.follow(LAMBDA, 0.0, CELLS, STEPS)?;
+    let normal = spheres.normal()?;
+    let greatest = spheres.hertz()?.at_approach(normal.maximal_approach())?;
+    let unit = spheres.friction * greatest.peak_pressure;
+    let radius = greatest.ellipse.semi_axis_a();
+    let contact = |step: usize| -> Result<&ContactState, Failure> {
+        Ok(run.get(step).and_then(|at| at.contact.as_ref()).ok_or("no contact")?)
+    };
+    let mut panel = Panel::new(Axis::linear("x/a_max"), Axis::linear("σ_zx/(f p₀,max)"))
+        .titled("along the middle");
+    for (colour, step) in SHOWN.into_iter().enumerate() {
+        let points = middle_row(contact(step)?);
+        let points = points.into_iter().map(|(x, t, _)| (x / radius, t / unit));
+        panel.add(Series::line(format!("step {step}"), points).coloured(colour));
+    }
+    figure.panel(panel);
+    for step in [25, 35, 40] {
+        figure.panel(arrows(contact(step)?, step, radius));
+    }
+    claims(&mut figure, &spheres, &run)?;
+    figure.claim(
+        Claim::at_least("step 10: all sticks but the rim", stick(contact(10)?), 0.9)
+            .source("adhesion for λ < κ while the bodies approach (9.42)"),
+    );
+    figure.claim(
+        Claim::at_most("step 45: all slides", stick(contact(45)?), 0.0)
+            .source("regimes of the exact walk"),
+    );
+    let last = middle_row(contact(45)?);
+    let pairs = last.iter().map(|(_, t, p)| (t / (spheres.friction * p), -1.0));
+    figure.claim(
+        Claim::all_close("and there the stress is -f p", pairs, Tolerance::Absolute(1e-3))
+            .source("Coulomb's law"),
+    );
+    Ok(figure)
+}
+
+/// x, traction and pressure of the cells in contact along the row above the middle.
+fn middle_row(contact: &ContactState) -> Vec<(f64, f64, f64)> {
+    let grid = contact.pressure.grid();
+    let row = grid.ny() / 2;
+    let cells = (0..grid.nx()).map(|i| (grid.centred_x(i), grid.index(i, row)));
+    let values = cells
+        .map(|(x, cell)| (x, contact.traction_x.values()[cell], contact.pressure.values()[cell]));
+    values.filter(|(_, _, pressure)| *pressure > 0.0).collect()
+}
+
+fn arrows(contact: &ContactState, step: usize, radius: f64) -> Panel {
+    let grid = contact.pressure.grid();
+    let (x, y) = (contact.traction_x.values(), contact.traction_y.values());
+    let longest = x.iter().zip(y).map(|(x, y)| x.hypot(*y)).fold(0.0, f64::max);
+    let scale = 0.12 / longest;
+    let cells = grid.centres().enumerate().filter(|(i, _)| contact.pressure.values()[*i] > 0.0);
+    let arrows = cells.map(|(i, (at_x, at_y))| {
+        let (at_x, at_y) = (at_x / radius, at_y / radius);
+        Arrow {
+            tail: Point::new(at_x, at_y),
+            head: Point::new(at_x + scale * x[i], at_y + scale * y[i]),
+        }
+    });
+    let mut panel = Panel::new(
+        Axis::linear("x/a_max").between(-1.15, 1.15),
+        Axis::linear("y/a_max").between(-1.15, 1.15),
+    )
+    .titled(format!("step {step}"))
+    .equal_aspect();
+    panel.add(Series::arrows("", arrows.collect::<Vec<_>>()));
+    panel
+}
+
+fn claims(figure: &mut Figure, spheres: &Spheres, run: &[Instant]) -> Result<(), Failure> {
+    let [first, .., last] = run else { return Err("no impact".into()) };
+    let exact = of_spheres(1.5, LAMBDA)?;
+    figure.claim(
+        Claim::close("R_x", -last.rate[0] / first.rate[0], exact, Tolerance::Absolute(0.01))
+            .source("exact walk; 50 steps are off by less than 0.01 at λ = 1"),
+    );
+    // The analytic law on the same steps.
+    let friction = Friction::new(spheres.friction)?;
+    let law = ShiftLaw::<f64>::new(spheres.hertz()?.stiffness(), friction);
+    let step = spheres.normal()?.duration() / STEPS as f64;
+    let analytic = spheres.swing(law, first.rate, step, |_| None)?;
+    let greatest = analytic.iter().map(|at| at.load.f_z).fold(0.0, f64::max);
+    let pairs = SHOWN.map(|step| {
+        let unit = 1.0 / (spheres.friction * greatest);
+        (unit * run[step].load.f_x, unit * analytic[step].load.f_x)
+    });
+    figure.claim(
+        Claim::all_close("F_x/(f F_z,max) at the steps shown", pairs, Tolerance::Absolute(0.02))
+            .source("Cattaneo-Mindlin with memory, the same steps"),
+    );
+    Ok(())
+}
