@@ -3,7 +3,6 @@
 use crate::case::CaseError;
 use crate::command::StepsError;
 use carom_impact::CollisionError;
-use carom_impact::coupled::CoupledError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
@@ -23,15 +22,7 @@ pub enum CliError {
         /// What is wrong with it.
         source: CaseError,
     },
-    /// The bodies of a case cannot collide.
-    #[error("{}: {source}", path.display())]
-    Collision {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: CollisionError,
-    },
-    /// The encounter of a case could not be followed.
+    /// The collision of a case could not be followed.
     #[error("{}: {source}", path.display())]
     Collision {
         /// The case file.
@@ -138,25 +129,15 @@ impl CliError {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Collision { source: CollisionError::Oblique(_), .. } => 1,
-            Self::Scene {
-                source: SceneError::Collision { source: CollisionError::Oblique(_), .. },
-                ..
-            } => 1,
-            Self::Uncertain {
-                source: UncertainError::Collision { source: CollisionError::Oblique(_), .. },
-                ..
-            } => 1,
-            Self::Collision { source, .. } => match **source {
-                CollisionError::Coupled(CoupledError::Range(_)) => 2,
-                CollisionError::Coupled(_) => 1,
-                _ => 2,
-            },
+            Self::Collision { source, .. } => of_collision(source),
+            Self::Scene { source: SceneError::Collision { source, .. }, .. }
+            | Self::Uncertain { source: UncertainError::Collision { source, .. }, .. } => {
+                of_collision(source)
+            }
             Self::Case { .. }
             | Self::Overflow { .. }
             | Self::Uncertain { .. }
             | Self::Scene { .. }
-            | Self::Collision { .. }
             | Self::Law { .. }
             | Self::Steps { .. }
             | Self::Input { .. }
@@ -175,5 +156,13 @@ impl CliError {
     #[must_use]
     pub fn io(action: &'static str, path: &Path, source: std::io::Error) -> Self {
         Self::Io { action, path: path.to_owned(), source }
+    }
+}
+
+/// An impact that could not be followed is no bad input.
+const fn of_collision(error: &CollisionError) -> u8 {
+    match error {
+        CollisionError::Oblique(_) | CollisionError::Coupled(_) => 1,
+        _ => 2,
     }
 }

@@ -1,6 +1,7 @@
 //! What an impact leaves behind: motions, impulse, extremes, energy, log, history, warnings.
 
 use carom_laws::ellipse::ContactEllipse;
+use carom_table::Column;
 use nalgebra::Vector3;
 
 use crate::body::Motion;
@@ -144,6 +145,26 @@ pub struct HistoryPoint {
     pub stick_radius: Option<f64>,
     /// Regime; its sign is that of the traction on body 1 along the initial slip.
     pub regime: Regime,
+}
+
+impl HistoryPoint {
+    /// Its columns.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("time", "s", "since touch", |point| point.time.into()),
+        Column::new("xi", "m", "shift of body 2 against body 1 along x", |p| p.shift.x.into()),
+        Column::new("eta", "m", "the same along y", |point| point.shift.y.into()),
+        Column::new("zeta", "m", "approach", |point| point.shift.z.into()),
+        Column::vector("v", "m/s", "rate of xi, eta, zeta", |p| {
+            <[f64; 3]>::from(p.velocity).into()
+        }),
+        Column::vector("F", "N", "force on body 1", |point| <[f64; 3]>::from(point.force).into()),
+        Column::new("semi_axis_a", "m", "of the contact along x", |p| p.semi_axes[0].into()),
+        Column::new("semi_axis_b", "m", "of the contact along y", |p| p.semi_axes[1].into()),
+        Column::new("stick_radius", "m", "of the stick area of spheres", |p| p.stick_radius.into()),
+        Column::new("regime", "", "sign: traction on body 1 along the first slip", |point| {
+            point.regime.name().into()
+        }),
+    ];
 }
 
 /// A limit of validity that an outcome touches.
