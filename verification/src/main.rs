@@ -4,10 +4,11 @@
 use carom_verification::files::{Folder, WriteError, write_whole};
 use carom_verification::launch::Launch;
 use carom_verification::page::Page;
+use carom_verification::report::Report;
 use carom_verification::selection::{Filter, Selection, Slow};
 use carom_verification::snapshot::{self, Policy};
 use carom_verification::tally::Tally;
-use carom_verification::{Entry, catalogue, ci, report, run, section, terminal};
+use carom_verification::{Entry, catalogue, ci, run, section, terminal};
 use indicatif::{ProgressBar, ProgressStyle};
 use std::path::{Path, PathBuf};
 use std::process::{Command, ExitCode};
@@ -131,7 +132,9 @@ fn verify(flags: &flags::CaromVerify) -> Result<ExitCode, Failure> {
     let found = Found { orphans: snapshot::orphans(&snapshots(), ids)?, pages };
     let is_fresh = |entry: &Entry| found.pages.iter().any(|(fresh, _)| fresh.id == entry.id);
     let all = with_earlier(&catalogue, &found.pages, &folder);
-    let report = folder.report(&report::html(&catalogue, &all, is_fresh))?;
+    let workspace = workspace();
+    let report = Report { catalogue: &catalogue, pages: &all, workspace: &workspace };
+    let report = folder.report(&report.html(is_fresh))?;
     if let Some(path) = &flags.junit {
         write_whole(path, &ci::junit(&found.pages, &found.orphans))?;
     }

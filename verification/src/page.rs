@@ -25,6 +25,8 @@ pub struct Page {
     pub snapshot: Option<Comparison>,
     /// The snapshot as it would be now, if that is another one.
     pub text: Option<String>,
+    /// How many deviations from the thesis it lists.
+    pub deviations: usize,
     /// Its part of the report.
     pub section: String,
 }
@@ -92,6 +94,7 @@ impl Page {
             claims: outcome.claims().iter().map(Verdict::from).collect(),
             snapshot: drawn.map(|drawn| drawn.snapshot.clone()),
             text,
+            deviations: drawn.map_or(0, |drawn| drawn.figure.deviations.len()),
             section,
             ..Self::failed(outcome.entry, String::new(), outcome.time)
         }
@@ -109,6 +112,7 @@ impl Page {
             claims: Vec::new(),
             snapshot: None,
             text: None,
+            deviations: 0,
             section: String::new(),
         }
     }

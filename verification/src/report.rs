@@ -1,154 +1,151 @@
 //! The report: one HTML page with everything in it. A run of all pages gives the same bytes
 //! every time; what a run left as it was bears its date.
 
+mod contents;
+mod equations;
+pub(crate) mod markup;
+pub(crate) mod slim;
+mod texts;
+
 use crate::catalogue::{Entry, State};
 use crate::page::Page;
 use crate::snapshot::Comparison;
 use crate::tally::Tally;
+use markup::{escape, prose};
 use std::fmt::Write as _;
 use std::path::Path;
 
-const STYLE: &str = "
-body{font:15px/1.5 Helvetica,Arial,sans-serif;color:#222;background:#fff;max-width:1300px;\
-margin:2em auto;padding:0 1em}
-h1{font-size:1.6em}h2{font-size:1.25em;margin-top:2.2em;border-top:1px solid #ddd;padding-top:1em}
-h3{font-size:1em;margin-bottom:.3em}
-.headline{font-size:1.15em;font-weight:bold}
-.wide{overflow-x:auto}
-table{border-collapse:collapse;font-size:.92em;margin:.4em 0 1em}
-th,td{text-align:left;padding:.2em .7em;border-bottom:1px solid #e4e4e4;vertical-align:top}
-th{border-bottom:2px solid #bbb}\
-td.number{text-align:right;font-variant-numeric:tabular-nums;white-space:nowrap}
-td.name{white-space:nowrap}
-svg{max-width:100%;height:auto}a{color:#0072B2;text-decoration:none}
-.pass{color:#00734f}.fail{color:#b00020;font-weight:bold}.missing,.old{color:#666}\
-.partial{color:#8a5a00}
-@media(max-width:700px){body{margin:1em auto;padding:0 .6em}th,td{padding:.2em .35em}\
-.wide svg{min-width:560px}\
-.contents td:nth-child(4),.contents th:nth-child(4),\
-.contents td:nth-child(5),.contents th:nth-child(5){display:none}.contents td.name{white-space:normal}}
-";
+const STYLE: &str = include_str!("report/style.css");
+const SCRIPT: &str = include_str!("report/script.js");
 
-/// The report of these pages, with a line for each entry of the catalogue; `is_fresh` says which
-/// pages are of this run.
-#[must_use]
-pub fn html(
-    catalogue: &[Entry],
-    pages: &[(Entry, Page)],
-    is_fresh: impl Fn(&Entry) -> bool,
-) -> String {
-    let mut page = String::new();
-    let _ = write!(
-        page,
-        "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
-         <meta name=\"viewport\" content=\"width=device-width\">\
-         <title>carom: verification</title><style>{STYLE}</style></head><body>\n\
-         <h1>carom: the tables and figures of “Elastic Impact with Friction”</h1>\n"
-    );
-    summary(&mut page, catalogue, pages, &is_fresh);
-    contents(&mut page, catalogue, pages, &is_fresh);
-    for (entry, record) in pages {
-        section(&mut page, entry, record, is_fresh(entry));
-    }
-    page.push_str("</body></html>\n");
-    page
+/// What a report is made of.
+#[derive(Debug, Clone, Copy)]
+pub struct Report<'a> {
+    /// All tables, figures and checks.
+    pub catalogue: &'a [Entry],
+    /// The ones that were computed, in this run or an earlier one.
+    pub pages: &'a [(Entry, Page)],
+    /// The folder of the workspace, below which the sources stand.
+    pub workspace: &'a Path,
 }
 
-fn summary(
-    page: &mut String,
-    catalogue: &[Entry],
-    pages: &[(Entry, Page)],
-    is_fresh: impl Fn(&Entry) -> bool,
-) {
-    let tally = Tally::of(catalogue, pages);
-    let _ = writeln!(page, "<p class=\"headline\">{tally}</p>");
-    let old: Vec<&Page> =
-        pages.iter().filter(|(entry, _)| !is_fresh(entry)).map(|(_, record)| record).collect();
-    if let Some(oldest) = old.iter().min_by_key(|record| record.computed) {
-        let _ = writeln!(
+impl Report<'_> {
+    /// The report, with a line for each entry of the catalogue; `is_fresh` says which pages are of
+    /// this run.
+    #[must_use]
+    pub fn html(&self, is_fresh: impl Fn(&Entry) -> bool) -> String {
+        let mut page = String::new();
+        let _ = write!(
             page,
-            "<p class=\"old\">{} of these pages are from earlier runs, the oldest from {}: each \
-             bears its date.</p>",
-            old.len(),
-            oldest.date()
+            "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\">\
+             <meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\
+             <title>carom: verification</title>\n<style>\n{STYLE}</style></head><body>\n"
         );
-    }
-    let _ = writeln!(
-        page,
-        "<p>A page counts if its claims hold and its snapshot agrees. A <em>partial</em> page \
-         lacks something that the thesis shows; it says what. The rest of the thesis (J. Jaeger, \
-         TU Delft 1992) is <em>missing</em>. Inputs are marked <em>stated</em> (the thesis gives \
-         them), <em>derived</em> (they follow from what it gives) or <em>assumed</em> (our \
-         choice). A claim's deviation is given over its tolerance: up to 1 it holds. For a bound \
-         it is the part used.</p>"
-    );
-}
-
-fn contents(
-    page: &mut String,
-    catalogue: &[Entry],
-    pages: &[(Entry, Page)],
-    is_fresh: impl Fn(&Entry) -> bool,
-) {
-    page.push_str(
-        "<div class=\"wide\"><table class=\"contents\"><tr><th>id</th><th>title</th><th>claims</th><th>worst \
-         deviation / tolerance</th><th>snapshot</th><th>status</th></tr>\n",
-    );
-    for entry in catalogue {
-        match pages.iter().find(|(of, _)| of.id == entry.id) {
-            Some((_, record)) => contents_row(page, entry, record, is_fresh(entry)),
-            None => {
-                let status = if entry.is_computed() { "not run" } else { "missing" };
-                let _ = writeln!(
-                    page,
-                    "<tr class=\"missing\"><td class=\"name\">{}</td><td>{}</td><td></td><td></td><td></td>\
-                     <td>{status}</td></tr>",
-                    escape(&entry.name()),
-                    escape(entry.title),
-                );
+        contents::bar(&mut page, self.catalogue);
+        page.push_str("<div class=\"frame\">\n");
+        contents::list(&mut page, self);
+        page.push_str("<main>\n");
+        self.summary(&mut page, &is_fresh);
+        for entry in self.catalogue {
+            if let Some(record) = self.record(entry) {
+                section(&mut page, entry, record, is_fresh(entry));
             }
         }
+        let _ = write!(
+            page,
+            "<section class=\"page\" id=\"equations-page\" data-page=\"equations\">\
+             <h2>Index of equations</h2>\n{}</section>\n",
+            equations::page(self.workspace)
+        );
+        let _ = write!(page, "</main></div>\n<script>\n{SCRIPT}</script>\n</body></html>\n");
+        page
     }
-    page.push_str("</table></div>\n");
+
+    fn record(&self, entry: &Entry) -> Option<&Page> {
+        self.pages.iter().find(|(of, _)| of.id == entry.id).map(|(_, record)| record)
+    }
+
+    fn summary(&self, page: &mut String, is_fresh: impl Fn(&Entry) -> bool) {
+        let tally = Tally::of(self.catalogue, self.pages);
+        let _ = writeln!(
+            page,
+            "<section class=\"intro\"><h1>The tables and figures of “Elastic Impact with Friction”, \
+             computed</h1>\n<p class=\"headline\">{tally}</p>"
+        );
+        let is_old = |(entry, _): &&(Entry, Page)| !is_fresh(entry);
+        let old: Vec<&Page> = self.pages.iter().filter(is_old).map(|(_, record)| record).collect();
+        if let Some(oldest) = old.iter().min_by_key(|record| record.computed) {
+            let _ = writeln!(
+                page,
+                "<p class=\"old\">{} of these pages are from earlier runs, the oldest from {}: \
+                 each bears its date.</p>",
+                old.len(),
+                oldest.date()
+            );
+        }
+        page.push_str(INTRODUCTION);
+    }
 }
 
-fn contents_row(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
-    let mut status = verdict(record.passes()).to_owned();
-    if entry.state() == State::Partial {
-        status.push_str(" <span class=\"partial\">partial</span>");
-    }
-    if !is_fresh {
-        let _ = write!(status, " <span class=\"old\">{}</span>", record.date());
-    }
-    let _ = writeln!(
-        page,
-        "<tr><td class=\"name\"><a href=\"#{0}\">{1}</a></td><td>{2}</td>\
-         <td class=\"number\">{3}/{4}</td>\
-         <td class=\"number\">{5}</td><td>{6}</td><td>{status}</td></tr>",
-        entry.id,
-        escape(&entry.name()),
-        escape(entry.title),
-        record.held(),
-        record.claims.len(),
-        record.worst().map_or_else(String::new, ratio),
-        record.snapshot.as_ref().map_or("", Comparison::word),
-    );
-}
+const INTRODUCTION: &str = "<p>What happens when two elastic bodies touch, slip, stick, twist and \
+rebound: J. Jaeger's thesis (TU Delft 1992) answers in formulas, tables and figures. carom \
+computes each of them anew, and each page below says what it shows, what went in, and which \
+statements could have failed.</p>\n\
+<p>A page counts if its claims hold and its snapshot agrees. A <span class=\"partial\">partial</span> \
+page lacks something that the thesis shows, and says what; one that is missing stands in the \
+contents in grey. Inputs are <span class=\"origin stated\">stated</span> where the source gives them, \
+<span class=\"origin derived\">derived</span> where they follow from what it gives, \
+<span class=\"origin assumed\">assumed</span> where they are our choice. A claim's deviation is given \
+over its tolerance: up to 1 it holds; for a bound it is the part used. Each claim links to the line \
+of source that makes it. Search knows titles, texts, claims and the numbers of equations, as \
+<kbd>7.48</kbd>; the key <kbd>/</kbd> goes there.</p></section>\n";
 
 fn section(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
-    let (name, title) = (escape(&entry.name()), escape(entry.title));
-    let _ = writeln!(page, "<h2 id=\"{}\">{name}: {title}</h2>", entry.id);
-    if let Some(lacks) = entry.lacks {
-        let _ = writeln!(page, "<p class=\"partial\">Partial, without {}.</p>", escape(lacks));
+    let (id, name) = (entry.id, escape(&entry.name()));
+    let _ = writeln!(
+        page,
+        "<section class=\"page\" id=\"{id}\" data-page=\"{id}\">\
+         <h2><a href=\"#{id}\">{name}</a>{}</h2>",
+        prose(entry.title)
+    );
+    tags(page, entry, record, is_fresh);
+    if let Some(text) = texts::text(id) {
+        let _ = writeln!(page, "<p class=\"why\">{}</p>", prose(text));
     }
-    if !is_fresh {
-        let _ = writeln!(page, "<p class=\"old\">Computed {}.</p>", record.date());
+    if let Some(lacks) = entry.lacks {
+        let _ = writeln!(page, "<p class=\"partial\">Partial, without {}.</p>", prose(lacks));
     }
     if let Some(error) = &record.error {
         let _ = writeln!(page, "<p class=\"fail\">failed: {}</p>", escape(error));
     }
     page.push_str(&record.section);
     snapshot(page, entry, record);
+    page.push_str("</section>\n");
+}
+
+fn tags(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
+    let (held, all) = (record.held(), record.claims.len());
+    let verdict = if record.passes() { "pass" } else { "fail" };
+    let word = if record.passes() { "holds" } else { "FAILS" };
+    let _ = write!(page, "<p class=\"tags\"><span class=\"{verdict}\">{word}</span>");
+    if entry.state() == State::Partial {
+        page.push_str("<span class=\"partial\">partial</span>");
+    }
+    let _ = write!(page, "<span>{held} of {all} claims</span>");
+    if let Some(worst) = record.worst() {
+        let _ = write!(page, "<span>worst deviation {} of its tolerance</span>", ratio(worst));
+    }
+    if let Some(comparison) = &record.snapshot {
+        let _ = write!(page, "<span>snapshot {}</span>", comparison.word());
+    }
+    if record.deviations > 0 {
+        let plural = if record.deviations == 1 { "" } else { "s" };
+        let _ = write!(page, "<span>{} correction{plural} of the print</span>", record.deviations);
+    }
+    if !is_fresh {
+        let _ = write!(page, "<span class=\"old\">Computed {}.</span>", record.date());
+    }
+    page.push_str("</p>\n");
 }
 
 fn snapshot(page: &mut String, entry: &Entry, record: &Page) {
@@ -156,8 +153,9 @@ fn snapshot(page: &mut String, entry: &Entry, record: &Page) {
     let file = crate::snapshot::path(Path::new("verification/snapshots"), entry.id);
     let _ = writeln!(
         page,
-        "<p class=\"fail\">snapshot {} differs in {} rows</p>\n<div class=\"wide\"><table><tr>\
-         <th>line</th><th>of</th><th>stored</th><th>now</th><th>relative change</th></tr>",
+        "<p class=\"fail\">snapshot {} differs in {} rows</p>\n<div class=\"wide\" tabindex=\"0\"><table>\
+         <thead><tr><th>line</th><th>of</th><th>stored</th><th>now</th><th>relative change</th></tr>\
+         </thead><tbody>",
         escape(&file.display().to_string()),
         difference.rows,
     );
@@ -173,12 +171,7 @@ fn snapshot(page: &mut String, entry: &Entry, record: &Page) {
             change.relative.map_or_else(String::new, |relative| format!("{relative:.1e}")),
         );
     }
-    page.push_str("</table></div>\n");
-}
-
-/// The word for a claim or page that passes or not.
-pub(crate) fn verdict(passes: bool) -> &'static str {
-    if passes { "<span class=\"pass\">holds</span>" } else { "<span class=\"fail\">FAILS</span>" }
+    page.push_str("</tbody></table></div>\n");
 }
 
 /// A ratio with three digits.
@@ -193,10 +186,6 @@ pub fn ratio(ratio: f64) -> String {
     } else {
         format!("{ratio:.1e}")
     }
-}
-
-pub(crate) fn escape(text: &str) -> String {
-    text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
 #[cfg(test)]
@@ -232,21 +221,35 @@ mod tests {
         let difference = Difference { line: 4, rows: 7, count: 9, changes: vec![change] };
         let snapshot = Some(Comparison::Differs(difference));
         let section = "<p>the picture</p>".to_owned();
-        let drawn = Page { error: None, snapshot, section, computed: 951_782_400, ..failed(first) };
+        let drawn = Page {
+            error: None,
+            snapshot,
+            section,
+            deviations: 2,
+            computed: 951_782_400,
+            ..failed(first)
+        };
         vec![(first, drawn), (second, failed(second))]
+    }
+
+    fn report(is_fresh: impl Fn(&Entry) -> bool) -> String {
+        let workspace = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+        let (catalogue, pages) = (catalogue(), pages());
+        Report { catalogue: &catalogue, pages: &pages, workspace: &workspace }.html(is_fresh)
     }
 
     #[test]
     fn the_page_holds_everything() {
-        let page = html(&catalogue(), &pages(), |_| true);
+        let page = report(|_| true);
         for part in [
             "0 of 4 of the thesis",
             "one &amp; only",
             "Partial, without markers.",
             "the picture",
             "failed: no root",
-            "missing</td>",
-            "not run</td>",
+            "<li class=\"missing\" data-page=\"1.3\"",
+            "not run",
+            "corrections of the print",
             "verification/snapshots/1.1.txt differs in 7 rows",
             "5.0e-1",
         ] {
@@ -258,8 +261,46 @@ mod tests {
 
     #[test]
     fn what_is_not_of_this_run_bears_its_date() {
-        let page = html(&catalogue(), &pages(), |entry| entry.id == "1.2");
+        let page = report(|entry| entry.id == "1.2");
         assert!(page.contains("1 of these pages are from earlier runs"));
-        assert_eq!(page.matches("2000-02-29 00:00 UTC").count(), 3);
+        assert_eq!(page.matches("2000-02-29 00:00 UTC").count(), 2);
+    }
+
+    /// The colours of the style by name, light and dark.
+    fn colours() -> Vec<(&'static str, [[f64; 3]; 2])> {
+        let parse = |hex: &str| -> [f64; 3] {
+            let hex = hex.trim().trim_start_matches('#');
+            [0, 2, 4].map(|i| f64::from(u8::from_str_radix(&hex[i..i + 2], 16).unwrap()) / 255.0)
+        };
+        let lines = STYLE.lines().filter_map(|line| line.trim().strip_prefix("--"));
+        let pairs = lines.filter_map(|line| line.split_once(": light-dark("));
+        pairs
+            .map(|(name, rest)| {
+                let (light, dark) = rest.trim_end_matches(");").split_once(',').unwrap();
+                (name, [parse(light), parse(dark)])
+            })
+            .collect()
+    }
+
+    /// Relative luminance, as the guidelines for accessible pages (WCAG 2) define it.
+    fn luminance(colour: [f64; 3]) -> f64 {
+        let linear = colour
+            .map(|c| if c <= 0.040_45 { c / 12.92 } else { libm::pow((c + 0.055) / 1.055, 2.4) });
+        0.2126 * linear[0] + 0.7152 * linear[1] + 0.0722 * linear[2]
+    }
+
+    #[test]
+    fn words_stand_out_from_their_ground_in_both_themes() {
+        let colours = colours();
+        let of = |name: &str| colours.iter().find(|(of, _)| *of == name).unwrap().1;
+        for words in ["ink", "soft", "link", "good", "bad", "half"] {
+            for ground in ["page", "card", "sunk"] {
+                for theme in [0, 1] {
+                    let [one, other] = [of(words)[theme], of(ground)[theme]].map(luminance);
+                    let contrast = (one.max(other) + 0.05) / (one.min(other) + 0.05);
+                    assert!(contrast >= 4.5, "{words} on {ground}, theme {theme}: {contrast:.2}");
+                }
+            }
+        }
     }
 }

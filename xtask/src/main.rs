@@ -1,14 +1,16 @@
 #![forbid(unsafe_code)]
-//! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `ci`, `bench`.
+//! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`, `ci`, `bench`.
 //!
-//! Calls cargo, and reads the sources for `mutants`: whatever computes lives in the crates, so
+//! Calls cargo, and reads the sources for `mutants` and `tidy`: whatever computes lives in the crates, so
 //! that this one builds soon.
 
+mod browse;
 mod cargo;
 mod ci;
 mod flags;
 mod mutants;
 mod test;
+mod tidy;
 
 use std::process::ExitCode;
 
@@ -32,6 +34,8 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Test(test) if test.all => test::all()?,
         flags::XtaskCmd::Test(_) => test::run()?,
         flags::XtaskCmd::Mutants(options) => mutants::run(&options)?,
+        flags::XtaskCmd::Tidy(_) => tidy::run()?,
+        flags::XtaskCmd::Browse(_) => browse::run()?,
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }

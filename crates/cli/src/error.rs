@@ -2,11 +2,12 @@
 
 use crate::case::CaseError;
 use crate::command::StepsError;
-use carom_impact::CollisionError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
+use carom_impact::{CollisionError, NumericalImpactError};
 use carom_plot::PlotError;
+use carom_solver::{FrictionalError, ProblemError};
 use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
 use std::path::{Path, PathBuf};
@@ -29,6 +30,14 @@ pub enum CliError {
         path: PathBuf,
         /// Why.
         source: Box<CollisionError>,
+    },
+    /// The collision of a case could not be followed on the numerical contact.
+    #[error("{}: {source}", path.display())]
+    Numerical {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: Box<NumericalImpactError>,
     },
     /// The scene of a case cannot be run.
     #[error("{}: {source}", path.display())]
@@ -53,6 +62,34 @@ pub enum CliError {
         path: PathBuf,
         /// Which value, and what is allowed.
         source: RangeError,
+    },
+    /// A step on a grid could not be solved.
+    #[error("{}: step {step}: {source}", path.display())]
+    Step {
+        /// The case file.
+        path: PathBuf,
+        /// The number of the step, from 1.
+        step: usize,
+        /// Why.
+        source: Box<FrictionalError>,
+    },
+    /// A contact does not fit on its grid.
+    #[error("{}: step {step}: the contact reaches the {side} border of the grid; `grid.size` must be larger", path.display())]
+    Border {
+        /// The case file.
+        path: PathBuf,
+        /// The number of the step, from 1.
+        step: usize,
+        /// Left, right, lower or upper.
+        side: &'static str,
+    },
+    /// A contact problem could not be set up.
+    #[error("{}: {source}", path.display())]
+    Problem {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: Box<ProblemError>,
     },
     /// A file of steps says something that cannot be.
     #[error("{}: {source}", path.display())]
@@ -134,7 +171,17 @@ impl CliError {
             | Self::Uncertain { source: UncertainError::Collision { source, .. }, .. } => {
                 of_collision(source)
             }
+            Self::Numerical { source, .. } => match **source {
+                NumericalImpactError::Range(_) => 2,
+                _ => 1,
+            },
+            Self::Step { source, .. } => match **source {
+                FrictionalError::Range(_) | FrictionalError::Slides { .. } => 2,
+                _ => 1,
+            },
             Self::Case { .. }
+            | Self::Border { .. }
+            | Self::Problem { .. }
             | Self::Overflow { .. }
             | Self::Uncertain { .. }
             | Self::Scene { .. }

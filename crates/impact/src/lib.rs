@@ -9,6 +9,7 @@ mod body;
 mod collision;
 mod mobility;
 mod normal_spin;
+mod numerical;
 mod outcome;
 mod wave_share;
 
@@ -25,4 +26,5 @@ pub use body::{Body, Motion};
 pub use collision::{Collision, CollisionError};
 pub use mobility::{Lever, Mobility};
 pub use normal_spin::NormalSpinError;
+pub use numerical::{NumericalImpact, NumericalImpactError};
 pub use outcome::{EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Torsion, Warning};

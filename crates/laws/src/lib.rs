@@ -33,6 +33,7 @@
 pub mod accounted;
 pub mod batch;
 mod bounds;
+pub mod coulomb;
 pub mod ellipse;
 pub mod field;
 pub mod friction;

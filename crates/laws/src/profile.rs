@@ -8,7 +8,7 @@ use carom_special::RangeError;
 
 /// Gauss's nodes and weights on (0, 1), eight points: exact to round-off for F' over a tenth of the
 /// depth.
-const GAUSS: [(f64, f64); 8] = [
+pub(crate) const GAUSS: [(f64, f64); 8] = [
     (0.019_855_071_751_231_856, 0.050_614_268_145_188_13),
     (0.101_666_761_293_186_64, 0.111_190_517_226_687_24),
     (0.237_233_795_041_835_5, 0.156_853_322_938_943_64),

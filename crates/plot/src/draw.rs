@@ -3,6 +3,7 @@
 use crate::series::{Marker, Point, Series, Stroke, Style};
 use crate::svg::{Anchor, Frame, Pixel, Svg};
 use crate::text::Type;
+use std::collections::HashSet;
 
 /// Okabe and Ito's colours, in an order that keeps neighbours apart; black last.
 const PALETTE: [&str; 7] =
@@ -10,6 +11,9 @@ const PALETTE: [&str; 7] =
 
 /// Half the size of a marker, in pixels.
 const MARKER: f64 = 3.6;
+
+/// More markers than these are drawn as one path, a few bytes each.
+const MANY: usize = 40;
 
 /// Points on a line that are closer than this to the last one drawn are left out.
 const CLOSE: f64 = 0.25;
@@ -31,9 +35,8 @@ pub(crate) fn series(
     let pixels: Vec<Pixel> = series.points.iter().map(|point| place(*point)).collect();
     match series.style {
         Style::Markers(shape) => {
-            for pixel in pixels.into_iter().filter(|pixel| frame.holds(*pixel)) {
-                marker(svg, shape, pixel, colour);
-            }
+            let inside: Vec<_> = pixels.into_iter().filter(|pixel| frame.holds(*pixel)).collect();
+            markers(svg, shape, &inside, colour);
         }
         Style::Line(stroke) => {
             svg.open(&format!("clip-path=\"url(#{clip})\""));
@@ -48,9 +51,7 @@ pub(crate) fn series(
         }
         Style::Arrows => {
             svg.open(&format!("clip-path=\"url(#{clip})\" stroke=\"{colour}\""));
-            for arrow in pixels.chunks_exact(2) {
-                self::arrow(svg, arrow[0], arrow[1]);
-            }
+            arrows(svg, &pixels);
             svg.close();
         }
         Style::Note => {
@@ -83,7 +84,7 @@ pub(crate) fn sample(svg: &mut Svg, series: &Series, colour: &str, frame: Frame)
         ),
         Style::Arrows => {
             svg.open(&format!("stroke=\"{colour}\""));
-            arrow(svg, left, right);
+            arrows(svg, &[left, right]);
             svg.close();
         }
         Style::Note => {}
@@ -116,6 +117,44 @@ pub(crate) fn thinned(pixels: &[Pixel]) -> Vec<Pixel> {
         last
     });
     kept.collect()
+}
+
+fn markers(svg: &mut Svg, shape: Marker, pixels: &[Pixel], colour: &str) {
+    if pixels.len() <= MANY {
+        pixels.iter().for_each(|pixel| marker(svg, shape, *pixel, colour));
+    } else {
+        svg.repeated(&apart(pixels), outline(shape), &look(shape, colour));
+    }
+}
+
+/// Without those that stand within half a pixel of one before.
+fn apart(pixels: &[Pixel]) -> Vec<Pixel> {
+    let cell = |pixel: &Pixel| [pixel.x, pixel.y].map(|value| (2.0 * value).round() as i64);
+    let mut taken = HashSet::new();
+    pixels.iter().filter(|pixel| taken.insert(cell(pixel))).copied().collect()
+}
+
+/// The shape as relative moves of a path from its middle.
+const fn outline(shape: Marker) -> &'static str {
+    match shape {
+        Marker::Dot => "h0",
+        Marker::Circle => "m-3.6,0a3.6,3.6 0 1 0 7.2,0a3.6,3.6 0 1 0-7.2,0",
+        Marker::Square => "m-3.2-3.2h6.4v6.4h-6.4z",
+        Marker::Triangle => "m0-4.3 4,7.2h-8z",
+        Marker::Cross => "m-3.2-3.2 6.4,6.4m-6.4,0 6.4-6.4",
+        Marker::Star => "m-4,0h8m-4-4v8m-2.7-6.7 5.4,5.4m-5.4,0 5.4-5.4",
+    }
+}
+
+fn look(shape: Marker, colour: &str) -> String {
+    match shape {
+        Marker::Dot => format!(
+            "fill=\"none\" stroke=\"{colour}\" stroke-width=\"{}\" stroke-linecap=\"round\"",
+            1.6 * MARKER
+        ),
+        Marker::Triangle => format!("fill=\"{colour}\""),
+        _ => format!("fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.4\""),
+    }
 }
 
 fn marker(svg: &mut Svg, shape: Marker, at: Pixel, colour: &str) {
@@ -152,17 +191,57 @@ fn shifted(at: Pixel, x: f64, y: f64) -> Pixel {
     Pixel { x: at.x + x * MARKER, y: at.y + y * MARKER }
 }
 
-fn arrow(svg: &mut Svg, tail: Pixel, head: Pixel) {
-    svg.line(tail, head, "stroke-width=\"1.3\"");
+/// Arrows, tail and head in turn.
+fn arrows(svg: &mut Svg, ends: &[Pixel]) {
+    let strokes = ends.chunks_exact(2).flat_map(|ends| arrow(ends[0], ends[1]));
+    svg.lines(strokes, "stroke-width=\"1.3\" fill=\"none\"");
+}
+
+fn arrow(tail: Pixel, head: Pixel) -> Vec<Vec<Pixel>> {
     let (dx, dy) = (head.x - tail.x, head.y - tail.y);
     let length = libm::hypot(dx, dy);
     if length < 1.0 {
-        return;
+        return vec![vec![tail, head]];
     }
     let barb = (0.35 * length).min(6.0) / length;
-    for side in [0.5, -0.5] {
-        let end =
-            Pixel { x: head.x - barb * (dx - side * dy), y: head.y - barb * (dy + side * dx) };
-        svg.line(head, end, "stroke-width=\"1.3\"");
+    let end = |side: f64| Pixel {
+        x: head.x - barb * (dx - side * dy),
+        y: head.y - barb * (dy + side * dx),
+    };
+    vec![vec![tail, head], vec![end(0.5), head, end(-0.5)]]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn many_markers_are_one_path() {
+        let row = |count: i32| -> Vec<Pixel> {
+            (0..count).map(|i| Pixel { x: 10.0 * f64::from(i), y: 1.25 }).collect()
+        };
+        let drawn = |pixels: &[Pixel]| {
+            let mut svg = Svg::default();
+            markers(&mut svg, Marker::Dot, pixels, "#000");
+            svg.finish(1.0, 1.0)
+        };
+        let few = drawn(&row(40));
+        assert_eq!((few.matches("<circle").count(), few.matches("<path").count()), (40, 0));
+        let many = drawn(&row(41));
+        assert_eq!((many.matches("<circle").count(), many.matches("<path").count()), (0, 1));
+        assert_eq!(many.matches("h0").count(), 41);
+        let twice = drawn(&[row(41), row(41)].concat());
+        assert_eq!(twice.matches("h0").count(), 41, "what covers another is left out");
+    }
+
+    #[test]
+    fn an_arrow_ends_in_its_head() {
+        let (tail, head) = (Pixel { x: 0.0, y: 0.0 }, Pixel { x: 10.0, y: 0.0 });
+        let strokes = arrow(tail, head);
+        assert_eq!(strokes[0], [tail, head]);
+        assert_eq!(strokes[1][1], head);
+        assert!((strokes[1][0].x - strokes[1][2].x).abs() < 1e-12);
+        assert!((strokes[1][0].y + strokes[1][2].y).abs() < 1e-12);
+        assert_eq!(arrow(tail, Pixel { x: 0.5, y: 0.0 }).len(), 1, "a point has no barbs");
     }
 }

@@ -92,8 +92,11 @@ impl Svg {
         let Frame { x, y, width, height } = frame;
         let _ = writeln!(
             self.body,
-            "<rect x=\"{x:.2}\" y=\"{y:.2}\" width=\"{width:.2}\" height=\"{height:.2}\" \
-             {attributes}/>"
+            "<rect x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" {attributes}/>",
+            Short(x),
+            Short(y),
+            Short(width),
+            Short(height)
         );
     }
 
@@ -101,8 +104,11 @@ impl Svg {
     pub(crate) fn line(&mut self, from: Pixel, to: Pixel, attributes: &str) {
         let _ = writeln!(
             self.body,
-            "<line x1=\"{:.2}\" y1=\"{:.2}\" x2=\"{:.2}\" y2=\"{:.2}\" {attributes}/>",
-            from.x, from.y, to.x, to.y
+            "<line x1=\"{}\" y1=\"{}\" x2=\"{}\" y2=\"{}\" {attributes}/>",
+            Short(from.x),
+            Short(from.y),
+            Short(to.x),
+            Short(to.y)
         );
     }
 
@@ -110,8 +116,10 @@ impl Svg {
     pub(crate) fn circle(&mut self, centre: Pixel, radius: f64, attributes: &str) {
         let _ = writeln!(
             self.body,
-            "<circle cx=\"{:.2}\" cy=\"{:.2}\" r=\"{radius:.2}\" {attributes}/>",
-            centre.x, centre.y
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {attributes}/>",
+            Short(centre.x),
+            Short(centre.y),
+            Short(radius)
         );
     }
 
@@ -124,7 +132,7 @@ impl Svg {
     ) {
         let _ = write!(self.body, "<{element} points=\"");
         for Pixel { x, y } in pixels {
-            let _ = write!(self.body, "{x:.2},{y:.2} ");
+            let _ = write!(self.body, "{},{} ", Short(x), Short(y));
         }
         let _ = writeln!(self.body, "\" {attributes}/>");
     }
@@ -134,8 +142,17 @@ impl Svg {
         let _ = write!(self.body, "<path {attributes} d=\"");
         for line in lines {
             for (i, Pixel { x, y }) in line.into_iter().enumerate() {
-                let _ = write!(self.body, "{}{x:.2},{y:.2}", if i == 0 { 'M' } else { 'L' });
+                let _ = write!(self.body, "{}{x:.1},{y:.1}", if i == 0 { 'M' } else { 'L' });
             }
+        }
+        self.body.push_str("\"/>\n");
+    }
+
+    /// One shape at many places: relative moves of a path, from each of them.
+    pub(crate) fn repeated(&mut self, places: &[Pixel], shape: &str, attributes: &str) {
+        let _ = write!(self.body, "<path {attributes} d=\"");
+        for Pixel { x, y } in places {
+            let _ = write!(self.body, "M{x:.1},{y:.1}{shape}");
         }
         self.body.push_str("\"/>\n");
     }
@@ -223,7 +240,29 @@ impl Svg {
     }
 }
 
+/// A number with two decimals, or fewer where they are zeros.
+struct Short(f64);
+
+impl std::fmt::Display for Short {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        let text = format!("{:.2}", self.0);
+        f.write_str(text.trim_end_matches('0').trim_end_matches('.'))
+    }
+}
+
 /// Text with the characters that XML reserves written out.
 pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn numbers_are_as_short_as_they_can_be() {
+        let short = |value: f64| Short(value).to_string();
+        let found = [100.0, 0.5, 12.345, -0.25, 10.10, 0.0].map(short);
+        assert_eq!(found, ["100", "0.5", "12.35", "-0.25", "10.1", "0"]);
+    }
 }

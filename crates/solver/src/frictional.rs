@@ -1,9 +1,10 @@
-//! Contact with Coulomb's friction: normal and tangential problem in turn (11.4).
+//! Contact with Coulomb's friction: normal and tangential problem in turn.
 
 use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField, Workspace};
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
+use crate::anderson::Mixing;
 use crate::convergence::{Convergence, Observer, Products, Residuals, Stop};
 use crate::drive::{Drive, Driven};
 use crate::method::Method;
@@ -15,6 +16,11 @@ use crate::tangential::{Rigid, TangentialScratch, TangentialTask};
 /// Up to this relative change of approach or force, pressures start from the last ones.
 const SMALL_STEP: f64 = 0.1;
 
+/// Passes that may go by before the least change is halved.
+const PATIENCE: usize = 40;
+/// Passes that change the displacements by more than this part of the last change are mixed.
+const SLOW: f64 = 0.25;
+
 /// Contact with Coulomb's friction, one step at a time: pressures at the last tractions, tractions
 /// at these pressures, and so on (Panagiotopoulos) until the pressures stand; one pass where the
 /// materials are not coupled. Pressures come from preconditioned conjugate gradients on an active
@@ -22,6 +28,15 @@ const SMALL_STEP: f64 = 0.1;
 /// coarser grids where nothing better is known.
 ///
 /// Each of the four motions is driven by its shift or by its load.
+///
+/// Where static friction is above the kinetic one, a cell sticks up to `f_s p`; once it slips its
+/// limit is `f_k p`, within the step at once and in later steps for as long as it slips. A step
+/// without slip heals it. Cells break in turn until none is at its static limit: what each of them
+/// lets go loads its neighbours. No length comes with this law, so that tractions at the tip of the
+/// slipping area are singular without bound and the static friction matters less on each finer grid.
+/// In Cattaneo's problem with `f_s = 1.5 f_k` the tangential force exceeds that of kinetic friction
+/// alone by 0.21, 0.13, 0.056, 0.028 % of the normal force on 16, 32, 64, 128 cells a side: in
+/// proportion to their width. What depends on the difference belongs to its grid.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -71,16 +86,6 @@ pub enum FrictionalError {
         /// The friction limit, the sum of f p.
         limit: f64,
     },
-    /// Static and kinetic friction differ.
-    #[error(
-        "static friction {rest} and kinetic friction {motion} differ: this method takes equal ones"
-    )]
-    TwoFrictions {
-        /// At rest.
-        rest: f64,
-        /// In motion.
-        motion: f64,
-    },
     /// Iterations ended before the tolerance was reached.
     #[error(
         "the {what} are not found within {tolerance:.1e}: {:.1e} (normal), {:.1e} (tangential) after \
@@ -100,7 +105,7 @@ pub enum FrictionalError {
 impl Default for Frictional {
     /// To 1e-9 of the greatest displacement and of the greatest friction limit.
     fn default() -> Self {
-        Self { tolerance: 1e-9, iterations: 1000, passes: 100 }
+        Self { tolerance: 1e-9, iterations: 1000, passes: 300 }
     }
 }
 
@@ -136,6 +141,9 @@ pub struct FrictionalScratch {
     /// The normal displacement by tangential tractions, of this pass and the last one.
     by_traction: Vec<f64>,
     last: Vec<f64>,
+    mixing: Mixing,
+    /// Cells that have slipped since they last stuck.
+    broken: Vec<bool>,
 }
 
 impl Method for Frictional {
@@ -143,13 +151,6 @@ impl Method for Frictional {
     type Scratch = FrictionalScratch;
 
     fn scratch(&self, problem: &ContactProblem) -> Result<FrictionalScratch, FrictionalError> {
-        for cell in 0..problem.grid().cells() {
-            let friction = problem.friction().at(cell);
-            if friction.rest() != friction.motion() {
-                let (rest, motion) = (friction.rest().get(), friction.motion().get());
-                return Err(FrictionalError::TwoFrictions { rest, motion });
-            }
-        }
         let operator = problem.operator();
         let zero = vec![0.0; problem.grid().cells()];
         Ok(FrictionalScratch {
@@ -161,6 +162,8 @@ impl Method for Frictional {
             offset: [zero.clone(), zero.clone()],
             by_traction: zero.clone(),
             last: zero,
+            mixing: Mixing::default(),
+            broken: vec![false; problem.grid().cells()],
         })
     }
 
@@ -192,7 +195,7 @@ impl Method for Frictional {
         let loads = [load(drive.x), load(drive.y), load(drive.twist)];
         let (spent, rigid) = (Products::default(), Rigid { loads, ..Rigid::default() });
         let mut pass = Pass { method: self, problem, from, drive, rigid, observer, spent };
-        pass.until_the_pressures_stand(to, scratch)
+        pass.until_no_cell_breaks(to, scratch)
     }
 }
 
@@ -217,22 +220,57 @@ struct Pass<'a> {
 }
 
 impl Pass<'_> {
-    fn until_the_pressures_stand(
+    /// Cells that begin to slip at static friction go on at kinetic friction, which may make others
+    /// slip.
+    fn until_no_cell_breaks(
         &mut self,
         to: &mut ContactState,
         scratch: &mut FrictionalScratch,
     ) -> Result<Convergence, FrictionalError> {
-        let (coupled, tolerance) = (self.problem.operator().is_coupled(), self.method.tolerance);
         to.clone_from(self.from);
+        for (broken, cell) in scratch.broken.iter_mut().zip(self.from.cells.values()) {
+            *broken = *cell == CellState::Slip;
+        }
         scratch.by_traction.fill(0.0);
-        if coupled {
+        if self.problem.operator().is_coupled() {
             self.displace_by_traction(to, scratch)?;
         }
+        let mut went = self.until_the_pressures_stand(true, to, scratch)?;
+        while self.break_cells(to, scratch) {
+            let more = self.until_the_pressures_stand(false, to, scratch)?;
+            went = Convergence { iterations: went.iterations + more.iterations, ..more };
+        }
+        self.finish(to, scratch);
+        Ok(went)
+    }
+
+    /// Whether any cell slips that did not before, where that lessens its friction.
+    fn break_cells(&self, to: &ContactState, scratch: &mut FrictionalScratch) -> bool {
+        let mut any = false;
+        for (i, (broken, cell)) in scratch.broken.iter_mut().zip(to.cells.values()).enumerate() {
+            let friction = self.problem.friction().at(i);
+            let breaks = !*broken && *cell == CellState::Slip;
+            any |= breaks && friction.rest() > friction.motion();
+            *broken |= breaks;
+        }
+        any
+    }
+
+    fn until_the_pressures_stand(
+        &mut self,
+        fresh: bool,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Convergence, FrictionalError> {
+        let (coupled, tolerance) = (self.problem.operator().is_coupled(), self.method.tolerance);
         let mut inner = if coupled { 1e-3_f64.max(0.3 * tolerance) } else { tolerance };
-        let mut iterations = 0;
+        let (mut iterations, mut last_change, mut mixes) = (0, f64::INFINITY, false);
+        let mut least = (0, f64::INFINITY);
+        scratch.mixing.clear();
         for pass in 1..=self.method.passes {
-            let normal_part = self.press(inner, pass == 1, to, scratch)?;
-            let tangential_part = self.rub(inner, pass == 1, to, scratch)?;
+            let first = fresh && pass == 1;
+            let normal_part = self.press(inner, first, to, scratch)?;
+            let tangential_part = self.rub(inner, first, to, scratch)?;
             iterations += normal_part.iterations + tangential_part.iterations;
             let change = if coupled { self.change(to, scratch)? } else { 0.0 };
             let residuals = Residuals {
@@ -240,15 +278,24 @@ impl Pass<'_> {
                 tangential: tangential_part.residuals.tangential,
             };
             if change <= tolerance && inner <= tolerance {
-                self.finish(to, scratch);
                 let (products, stop) = (self.spent, Stop::Converged);
                 return Ok(Convergence { iterations, products, residuals, stop });
             }
-            if !change.is_finite() || pass == self.method.passes {
-                let (products, stop) = (self.spent, Stop::Exhausted);
+            if change < 0.5 * least.1 {
+                least = (pass, change);
+            }
+            let stalls = !change.is_finite() || pass > least.0 + PATIENCE;
+            if stalls || pass == self.method.passes {
+                let stop = if stalls { Stop::Stalled } else { Stop::Exhausted };
+                let products = self.spent;
                 let reached = Convergence { iterations, products, residuals, stop };
                 let what = "pressures and tractions together";
                 return Err(FrictionalError::NotConverged { what, tolerance, reached });
+            }
+            mixes |= pass > 1 && change > SLOW * last_change;
+            last_change = change;
+            if mixes {
+                scratch.mixing.mix(&scratch.last, &mut scratch.by_traction);
             }
             inner = (0.1 * change).clamp(0.3 * tolerance, 1e-3_f64.max(0.3 * tolerance));
         }
@@ -309,7 +356,9 @@ impl Pass<'_> {
         for (i, (limit, pressure)) in
             scratch.limits.iter_mut().zip(to.pressure.values()).enumerate()
         {
-            let friction = self.problem.friction().at(i).motion().get();
+            let friction = self.problem.friction().at(i);
+            let slides = scratch.broken[i];
+            let friction = if slides { friction.motion() } else { friction.rest() }.get();
             *limit = if *pressure > 0.0 { friction * pressure } else { 0.0 };
         }
         self.refuse_sliding(scratch)?;

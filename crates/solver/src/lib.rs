@@ -5,6 +5,7 @@
 //! a history, each given by a [`Drive`], and says with a [`Convergence`] how it went.
 #![forbid(unsafe_code)]
 
+mod anderson;
 mod chart;
 mod contour;
 mod convergence;
@@ -14,14 +15,19 @@ mod friction;
 mod frictional;
 mod frictionless;
 mod gap;
+pub mod jaeger;
 pub mod kalker;
 mod law;
 mod method;
 mod nested;
 mod normal;
 mod problem;
+mod result;
+pub mod rolling;
 mod state;
+mod substeps;
 mod tangential;
+pub mod theory;
 
 pub use chart::{Block, Entry, Step, Trace};
 pub use contour::{Contour, contours};
@@ -31,8 +37,10 @@ pub use drive::{Drive, Driven};
 pub use friction::{CellFriction, SurfaceFriction};
 pub use frictional::{Frictional, FrictionalError, FrictionalScratch};
 pub use frictionless::{Frictionless, NormalError, NormalScratch};
-pub use gap::Gap;
+pub use gap::{Gap, HeightMap, HeightMapError, Outline, SelfAffine};
 pub use law::{NumericalLaw, NumericalLawError};
 pub use method::Method;
 pub use problem::{ContactProblem, ProblemError};
+pub use result::{StoredEnergy, Subsurface, dissipated, violations};
 pub use state::{CellState, ContactState};
+pub use substeps::{SubstepError, Substepped};

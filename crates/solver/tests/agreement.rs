@@ -5,6 +5,7 @@ use std::time::{Duration, Instant};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
+use carom_solver::jaeger::{DiscGaussSeidel, GaussSeidel, SlipStress};
 use carom_solver::kalker::{Johnson, Kombi, Panagiotopoulos};
 use carom_solver::{ContactProblem, ContactState, Drive, Frictional, Gap, Method};
 
@@ -83,7 +84,7 @@ fn difference(a: &[ContactState], b: &[ContactState]) -> f64 {
 
 fn cases() -> Vec<Case> {
     let mut cases = Vec::new();
-    for cells in [[8, 8], [16, 14]] {
+    for cells in [[8, 8], [12, 10]] {
         for (name, history) in [("shift", SHIFTS), ("twist", TWISTS)] {
             for (poisson, friction) in
                 [(SIMILAR, 0.3), (POSITIVE, 0.4), (NEGATIVE, 0.4), (POSITIVE, 1.0)]
@@ -92,11 +93,23 @@ fn cases() -> Vec<Case> {
             }
         }
     }
-    for poisson in [SIMILAR, NEGATIVE] {
-        let (name, cells, friction) = ("shift", [24, 24], 0.3);
+    for (poisson, cells) in [(SIMILAR, [24, 24]), (NEGATIVE, [18, 20])] {
+        let (name, friction) = ("shift", 0.3);
         cases.push(Case { name, cells, poisson, friction, history: SHIFTS });
     }
     cases
+}
+
+/// Whether a method finds what another one found, to 1e-9 of the largest pressure; the time it took.
+fn agrees<M: Method>(case: &Case, problem: &ContactProblem, method: &M, want: &[ContactState]) {
+    let name = std::any::type_name::<M>().rsplit("::").next().unwrap_or_default();
+    let Case { name: history, cells, poisson, friction, .. } = case;
+    let place = format!("{name}: {history} {cells:?} nu {poisson:?} f {friction}");
+    let (found, time) =
+        follow(problem, method, case.history).unwrap_or_else(|error| panic!("{place}: {error}"));
+    let difference = difference(want, &found);
+    println!("{place}: {difference:.1e} in {time:.1?}");
+    assert!(difference < 1e-9, "{place}: {difference:.1e}");
 }
 
 #[test]
@@ -104,32 +117,20 @@ fn all_methods_find_the_same() {
     for case in cases() {
         let problem = problem(&case);
         let today = Frictional::default().within(1e-12).unwrap();
-        let (want, today) = follow(&problem, &today, case.history).unwrap();
-        let mut line = format!(
-            "{} {:?} nu {:?} f {}: today {today:.1?}",
-            case.name, case.cells, case.poisson, case.friction
-        );
-        let mut check =
-            |name: &str, found: Result<(Vec<ContactState>, Duration), String>| match found {
-                Ok((found, time)) => {
-                    line += &format!(", {name} {:.1e} {time:.1?}", difference(&want, &found))
-                }
-                Err(error) => line += &format!(", {name} {error}"),
-            };
+        let (want, time) = follow(&problem, &today, case.history).unwrap();
+        println!("today in {time:.1?}");
+        let gauss_seidel = GaussSeidel::default().within(1e-11).unwrap();
+        agrees(&case, &problem, &gauss_seidel, &want);
+        agrees(&case, &problem, &gauss_seidel.over_relaxed(1.4).unwrap(), &want);
+        agrees(&case, &problem, &gauss_seidel.with_slip_stress(SlipStress::AtOnce), &want);
+        agrees(&case, &problem, &gauss_seidel.in_blocks_of(10), &want);
+        agrees(&case, &problem, &DiscGaussSeidel::default(), &want);
+        agrees(&case, &problem, &Panagiotopoulos::default().within(1e-11).unwrap(), &want);
         if !problem.operator().is_coupled() {
-            check(
-                "Johnson",
-                follow(&problem, &Johnson::default(), case.history).map_err(|e| e.to_string()),
-            );
+            agrees(&case, &problem, &Johnson::default(), &want);
         }
-        check(
-            "Panagiotopoulos",
-            follow(&problem, &Panagiotopoulos::default(), case.history).map_err(|e| e.to_string()),
-        );
-        check(
-            "Kombi",
-            follow(&problem, &Kombi::default(), case.history).map_err(|e| e.to_string()),
-        );
-        println!("{line}");
+        if problem.grid().cells() < 200 {
+            agrees(&case, &problem, &Kombi::default(), &want);
+        }
     }
 }

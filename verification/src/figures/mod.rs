@@ -19,14 +19,19 @@ mod ch12;
 mod ch13;
 mod ch14;
 mod ch15;
+mod convergence;
+mod errata;
+mod measured;
 mod mesh;
 mod numbers;
 mod paraboloid;
 mod particles;
 mod propositions;
 mod rebound;
+mod rolling;
 mod sphere_traction;
 mod spring_impact;
+mod structure;
 
 /// The chapters in order.
 pub(crate) const CHAPTERS: &[&[Entry]] = &[
@@ -43,8 +48,12 @@ pub(crate) const CHAPTERS: &[&[Entry]] = &[
     ch13::ENTRIES,
     ch14::ENTRIES,
     ch15::ENTRIES,
+    errata::ENTRIES,
+    measured::ENTRIES,
     propositions::ENTRIES,
     rebound::ENTRIES,
     particles::ENTRIES,
+    convergence::ENTRIES,
+    rolling::ENTRIES,
     accuracy::ENTRIES,
 ];

@@ -7,6 +7,7 @@ mod impact;
 mod plot;
 mod restitution;
 mod scene;
+mod solve;
 mod theory;
 
 pub use history::StepsError;
@@ -66,6 +67,7 @@ enum Command {
     Hertz(hertz::Arguments),
     History(history::Arguments),
     Scene(scene::Arguments),
+    Solve(solve::Arguments),
 }
 
 /// Works out what the command asks for.
@@ -79,5 +81,6 @@ pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError>
         Command::Hertz(arguments) => hertz::run(arguments),
         Command::History(arguments) => history::run(arguments),
         Command::Scene(arguments) => scene::run(arguments),
+        Command::Solve(arguments) => solve::run(arguments),
     }
 }

@@ -25,7 +25,7 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const EVEN: f64 = 1e-12;
 
 impl Collision {
-    pub(super) fn rebound(&self, passed: Passed) -> Result<Rebound, CollisionError> {
+    pub(crate) fn rebound(&self, passed: Passed) -> Result<Rebound, CollisionError> {
         let (before, after) = (passed.before, passed.after);
         let impulse = passed.impulse.unwrap_or_else(|| self.mobility.impulse(&before, &after));
         let mut motions = [0, 1].map(|i| {

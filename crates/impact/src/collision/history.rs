@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::method::{Method, Symmetric};
 use super::{Collision, CollisionError};
-use crate::coupled::{CoupledImpact, Sample, Stage};
+use crate::coupled::{Sample, Stage};
 use crate::normal;
 use crate::oblique::{ObliqueImpact, Regime};
 use crate::outcome::HistoryPoint;
@@ -22,7 +22,9 @@ impl Collision {
         match self.method()? {
             None => Ok(Vec::new()),
             Some(Method::Symmetric(symmetric)) => self.traced(&symmetric, count),
-            Some(Method::Coupled(impact)) => self.sampled(&impact, count),
+            Some(Method::Coupled(impact)) => {
+                self.sampled(&impact.history(self.law)?, count, &impact.velocity())
+            }
         }
     }
 
@@ -62,12 +64,14 @@ impl Collision {
             .collect()
     }
 
-    fn sampled(
+    /// `count` instants, straight between those that were computed.
+    pub(crate) fn sampled(
         &self,
-        impact: &CoupledImpact,
+        computed: &[Sample],
         count: usize,
+        initial: &Vector3<f64>,
     ) -> Result<Vec<HistoryPoint>, CollisionError> {
-        let computed = impact.history(self.law)?;
+        RangeError::check("history points", count as f64, count >= 2, ">= 2")?;
         let Some(last) = computed.last() else {
             return Ok(Vec::new());
         };
@@ -78,7 +82,7 @@ impl Collision {
                     from += 1;
                 }
                 let to = (from + 1).min(computed.len() - 1);
-                self.between(&computed[from], &computed[to], time, &impact.velocity())
+                self.between(&computed[from], &computed[to], time, initial)
             })
             .collect()
     }

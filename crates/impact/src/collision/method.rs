@@ -4,7 +4,7 @@ use carom_laws::stiffness::ContactStiffness;
 use nalgebra::Vector3;
 
 use super::{Collision, CollisionError};
-use crate::coupled::{CoupledImpact, Passage, VectorLaw};
+use crate::coupled::{CoupledImpact, CoupledOutcome, Passage, VectorLaw};
 use crate::normal::{self, NormalImpact};
 use crate::oblique::{Groups, ObliqueImpact};
 use crate::outcome::{LogEntry, Warning};
@@ -35,7 +35,7 @@ pub(super) struct Symmetric {
 }
 
 /// What an impact did, in contact axes.
-pub(super) struct Passed {
+pub(crate) struct Passed {
     pub(super) before: Vector3<f64>,
     pub(super) after: Vector3<f64>,
     /// On body 1; none where it follows from the velocities.
@@ -91,22 +91,33 @@ impl Method {
             Self::Symmetric(symmetric) => symmetric.follow(),
             Self::Coupled(impact) => {
                 let (outcome, log) = impact.solve_with_log(law)?;
-                Ok(Passed {
-                    before: impact.velocity(),
-                    after: outcome.velocity,
-                    impulse: None,
-                    dissipated: None,
-                    restitution: None,
-                    duration: outcome.duration,
-                    maximal_force: outcome.maximal_force,
-                    maximal_approach: outcome.maximal_approach,
-                    compressions: outcome.compressions,
-                    passage: outcome.passage,
-                    error_estimate: outcome.error_estimate,
-                    log,
-                    warning: outcome.warning,
-                })
+                Ok(Passed::coupled(impact.velocity(), outcome, log))
             }
+        }
+    }
+}
+
+impl Passed {
+    /// By its matrices.
+    pub(crate) fn coupled(
+        before: Vector3<f64>,
+        outcome: CoupledOutcome,
+        log: Vec<LogEntry>,
+    ) -> Self {
+        Self {
+            before,
+            after: outcome.velocity,
+            impulse: None,
+            dissipated: None,
+            restitution: None,
+            duration: outcome.duration,
+            maximal_force: outcome.maximal_force,
+            maximal_approach: outcome.maximal_approach,
+            compressions: outcome.compressions,
+            passage: outcome.passage,
+            error_estimate: outcome.error_estimate,
+            log,
+            warning: outcome.warning,
         }
     }
 }

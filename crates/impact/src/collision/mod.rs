@@ -18,7 +18,7 @@ use crate::normal_spin::NormalSpinError;
 use crate::oblique::ObliqueError;
 use crate::outcome::{Outcome, TorsionMode};
 
-pub(crate) use method::log;
+pub(crate) use method::{Passed, log};
 
 /// Why two bodies have no collision that can be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -351,14 +351,16 @@ impl Collision {
     /// [`CollisionError::NormalSpin`] if torsion was asked for and cannot be given.
     pub fn solve(&self) -> Result<Outcome, CollisionError> {
         match self.method()? {
-            None => {
-                let motions = self.bodies.each_ref().map(Body::motion);
-                Ok(Outcome::NoImpact { motions })
-            }
+            None => Ok(self.missed()),
             Some(method) => {
                 let passed = method.follow(self.law)?;
                 Ok(Outcome::Rebound(Box::new(self.rebound(passed)?)))
             }
         }
+    }
+
+    // The bodies do not approach each other.
+    pub(crate) fn missed(&self) -> Outcome {
+        Outcome::NoImpact { motions: self.bodies.each_ref().map(Body::motion) }
     }
 }

@@ -4,14 +4,15 @@ use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_special::RangeError;
 
 use super::bare_law::BareLaw;
-use super::{CoulombRings, Stage, Staged};
+use super::slip_lines::SlipLines;
+use super::{ImpactLaw, Stage, Staged};
 
 /// A law of one direction, of two, or of rings.
 #[derive(Debug, Clone)]
 pub(super) enum AnyLaw {
     Line(Box<BareLaw<f64>>),
     Plane(Box<BareLaw<[f64; 2]>>),
-    Rings(Box<CoulombRings>),
+    Rings(Box<SlipLines>),
 }
 
 macro_rules! each {
@@ -45,3 +46,5 @@ impl Staged for AnyLaw {
         each!(self, law => law.stage())
     }
 }
+
+impl ImpactLaw for AnyLaw {}

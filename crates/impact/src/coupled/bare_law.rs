@@ -6,7 +6,7 @@ use carom_laws::memory::{AdhesionMemory, Lateral, Memory, Regime};
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 
-use super::{Stage, Staged};
+use super::{ImpactLaw, Stage, Staged};
 
 /// Normal force and the memory of chapter 6 (V a number: along x) or 7 (a pair).
 #[derive(Debug, Clone)]
@@ -84,6 +84,8 @@ impl<V: Lateral> Staged for BareLaw<V> {
         }
     }
 }
+
+impl<V: Lateral> ImpactLaw for BareLaw<V> {}
 
 impl From<Regime> for Stage {
     fn from(regime: Regime) -> Self {

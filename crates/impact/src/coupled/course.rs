@@ -1,9 +1,10 @@
 //! The motion through one contact: dv/dt = -D F with a law that remembers (8.29).
 
-use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use carom_laws::law::{ContactLoad, Shift};
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
+use super::ImpactLaw;
 use super::pace::Pace;
 use super::schedule::Schedule;
 
@@ -47,6 +48,18 @@ enum Steps {
     Chosen(Pace),
 }
 
+/// A step of the law failed.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+#[error("step {step} of the law, {time:e} after touch")]
+pub struct LawFailure<E: std::error::Error + 'static> {
+    /// Steps before it.
+    pub step: usize,
+    /// Time since touch.
+    pub time: f64,
+    /// Why.
+    pub source: E,
+}
+
 impl Course {
     /// Follows the impact with this law to separation and returns the instant of separation;
     /// none if the bodies do not part within 2^14 times the steps of a free impact. `observe` sees
@@ -56,12 +69,12 @@ impl Course {
     /// the path between two instants is straight.
     ///
     /// # Errors
-    /// The law's own.
-    pub fn follow<L: ContactLaw>(
+    /// The law's own, with the step.
+    pub fn follow<L: ImpactLaw>(
         &self,
         law: &mut L,
         mut observe: impl FnMut(&Point, &L),
-    ) -> Result<Option<Point>, L::Error> {
+    ) -> Result<Option<Point>, LawFailure<L::Error>> {
         let mut now = Point {
             time: 0.0,
             shift: Vector3::zeros(),
@@ -76,17 +89,18 @@ impl Course {
                 Steps::Timed(schedule) => schedule.step(number, &now),
                 Steps::Chosen(pace) => pace.step(&now),
             };
+            let failed = |source| LawFailure { step: number, time: now.time, source };
             let half = now.velocity - pull * (0.5 * length);
             let shift = now.shift + half * length;
             if shift.z <= 0.0 {
                 let last = self.separation(&now, &half, length);
                 let mut apart = last.shift;
                 apart.z = 0.0;
-                law.advance(as_shift(&apart))?;
+                law.advance(as_shift(&apart)).map_err(failed)?;
                 observe(&last, law);
                 return Ok(Some(last));
             }
-            let force = as_vector(&law.advance(as_shift(&shift))?);
+            let force = as_vector(&law.advance(as_shift(&shift)).map_err(failed)?);
             pull = self.mobility * force;
             let velocity = half - pull * (0.5 * length);
             now = Point { time: now.time + length, shift, velocity, force };

@@ -1,5 +1,7 @@
 //! The limit of runs of ever more steps and rings.
 
+use std::ops::Range;
+
 use super::refine::Run;
 
 /// Runs of twice as many steps and rings each, and their limit.
@@ -27,7 +29,9 @@ struct Column {
 }
 
 /// Ratio of successive changes that passes for 2^3.
-const CUBIC: std::ops::Range<f64> = 5.0..12.0;
+const CUBIC: Range<f64> = 5.0..11.0;
+/// And for 2^4.
+const QUARTIC: Range<f64> = 11.0..32.0;
 
 /// Twice what a change of the first and of the second extrapolation falls by, at least, where the
 /// errors are smooth.
@@ -43,10 +47,13 @@ impl Extrapolation {
         let before = self.once;
         let once = run.beyond(&self.plain, 3.0);
         self.once = before.then(once, FADING[0]);
+        let ratio = before.change / self.once.change;
+        let order = [CUBIC, QUARTIC].iter().position(|range| range.contains(&ratio));
         if let Some(limit) = before.limit {
-            self.twice = self.twice.then(once.beyond(&limit, 7.0), FADING[1]);
+            let gain = [7.0, 15.0][order.unwrap_or(0)];
+            self.twice = self.twice.then(once.beyond(&limit, gain), FADING[1]);
         }
-        self.smooth = CUBIC.contains(&(before.change / self.once.change));
+        self.smooth = order.is_some();
         self.plain = run;
     }
 
@@ -76,7 +83,7 @@ impl Column {
     fn then(&self, limit: Run, fading: f64) -> Self {
         let Some(before) = &self.limit else { return Self { limit: Some(limit), ..Self::EMPTY } };
         let change = (limit.velocity - before.velocity).norm();
-        let memory = if self.error.is_finite() { self.error / fading } else { 0.0 };
+        let memory = if self.change.is_finite() { self.change / fading } else { 0.0 };
         Self { limit: Some(limit), change, error: change.max(memory) }
     }
 }
@@ -88,7 +95,14 @@ mod tests {
 
     fn run(error: f64) -> Run {
         let velocity = Vector3::new(1.0 + error, -error, -1.0 - 2.0 * error);
-        Run { velocity, duration: 3.0 + error, peak: 1.0 - error, compressions: 1, steps: 1 }
+        Run {
+            velocity,
+            duration: 3.0 + error,
+            peak: 1.0 - error,
+            compressions: 1,
+            steps: 1,
+            rings: None,
+        }
     }
 
     fn after(rounds: i32, error: impl Fn(f64) -> f64) -> Extrapolation {

@@ -1,7 +1,6 @@
 //! The oblique impact of a full mobility matrix, from the velocities before to those after.
 
 use carom_laws::friction::Friction;
-use carom_laws::law::ContactLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
@@ -10,8 +9,9 @@ use super::any_law::AnyLaw;
 use super::bare_law::BareLaw;
 use super::limits::Limits;
 use super::log::Log;
-use super::refine::{Failure, Grain, Problem, Settled};
-use super::{CoulombRings, Passage, Point, Stage, Staged};
+use super::refine::{Failure, Problem, Settled};
+use super::slip_lines::SlipLines;
+use super::{ImpactLaw, LawFailure, Passage, Point, Stage, Staged};
 use crate::mobility::Mobility;
 use crate::normal::{self, NormalImpact};
 use crate::oblique::{Event, Groups, ObliqueError, ObliqueImpact, Regime};
@@ -25,13 +25,16 @@ const SPATIAL: f64 = 5e-6;
 
 /// Why a coupled impact cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum CoupledError {
+pub enum CoupledError<E: std::error::Error + 'static = RangeError> {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
     /// The exact walk of an uncoupled impact failed.
     #[error(transparent)]
     Oblique(#[from] ObliqueError),
+    /// A step of the contact law failed.
+    #[error(transparent)]
+    Law(LawFailure<E>),
     /// The bodies stay together for 2^14 times the steps of a free impact.
     #[error(
         "the bodies do not separate within 2^14 times the steps of a free impact of {duration:e}"
@@ -155,6 +158,18 @@ struct Units {
     force: f64,
 }
 
+impl Units {
+    /// Of a law in those of the data.
+    const GIVEN: Self = Self { time: 1.0, length: 1.0, speed: 1.0, force: 1.0 };
+}
+
+/// From a run to the contact axes and the units of the data.
+#[derive(Debug, Clone, Copy)]
+struct View {
+    units: Units,
+    frame: Matrix3<f64>,
+}
+
 impl CoupledImpact {
     /// An impact with the velocity of body 2 against body 1 at the contact point, contact axes.
     ///
@@ -253,27 +268,44 @@ impl CoupledImpact {
     /// those do not settle, for laws that have one.
     ///
     /// # Errors
-    /// As [`CoupledImpact::solve`]; a failing step of the law ends the impact with
-    /// [`RangeError`] `law step`.
-    pub fn solve_with<L: ContactLaw>(
+    /// As [`CoupledImpact::solve`]; [`CoupledError::Law`] with the law's own error if a step of it
+    /// fails.
+    pub fn solve_with<L: ImpactLaw>(
         &self,
         make: impl Fn(usize) -> L,
-    ) -> Result<CoupledOutcome, CoupledError> {
-        let problem = Problem {
-            mobility: *self.mobility.matrix(),
-            velocity: self.velocity,
-            stiffness: self.stiffness,
-            peak: self.normal.maximal_approach(),
-            expected: self.is_mild().then(|| self.normal.duration()),
-            grain: Grain::Rings,
-        };
-        let problem = problem.with_grain_of(&make).map_err(|failure| self.failed(&failure))?;
-        let settled = problem
-            .settle(self.tolerance(), |_, resolution| make(resolution), |velocity| *velocity)
-            .map_err(|failure| self.failed(&failure))?;
-        let settled = self.checked(settled)?;
-        let units = Units { time: 1.0, length: 1.0, speed: 1.0, force: 1.0 };
-        Ok(self.outcome_in(&settled, &units))
+    ) -> Result<CoupledOutcome, CoupledError<L::Error>> {
+        let settled = self.settled_with(|_, resolution| make(resolution))?;
+        Ok(self.outcome_in(&settled, &Units::GIVEN))
+    }
+
+    /// The same, and the regimes in order as in [`CoupledImpact::solve_with_log`].
+    ///
+    /// # Errors
+    /// As [`CoupledImpact::solve_with`].
+    pub fn solve_with_law_and_log<L: ImpactLaw + Staged>(
+        &self,
+        make: impl Fn(usize) -> L,
+    ) -> Result<(CoupledOutcome, Vec<LogEntry>), CoupledError<L::Error>> {
+        let make = |_: f64, resolution| make(resolution);
+        let settled = self.settled_with(make)?;
+        let mut log = Log::default();
+        let view = View { units: Units::GIVEN, frame: Matrix3::identity() };
+        self.replay(&settled, make, view, |sample| log.see(&sample, &self.velocity))?;
+        Ok((self.outcome_in(&settled, &Units::GIVEN), log.entries))
+    }
+
+    /// Every instant of the finest run with any contact law, as [`CoupledImpact::history`].
+    ///
+    /// # Errors
+    /// As [`CoupledImpact::solve_with`].
+    pub fn history_with<L: ImpactLaw + Staged>(
+        &self,
+        make: impl Fn(usize) -> L,
+    ) -> Result<Vec<Sample>, CoupledError<L::Error>> {
+        let make = |_: f64, resolution| make(resolution);
+        let settled = self.settled_with(make)?;
+        let view = View { units: Units::GIVEN, frame: Matrix3::identity() };
+        self.samples(&settled, make, view)
     }
 
     /// The outcome, and the regimes in order with the times at which they began, to within a step
@@ -300,7 +332,10 @@ impl CoupledImpact {
             _ => {
                 let settled = self.settled(law)?;
                 let mut log = Log::default();
-                self.replay(&settled, law, |sample| log.see(&sample, &self.velocity))?;
+                let make = |peak, rings| self.law(law, peak, rings);
+                self.replay(&settled, make, self.view(), |sample| {
+                    log.see(&sample, &self.velocity)
+                })?;
                 Ok((self.outcome(&settled), log.entries))
             }
         }
@@ -315,14 +350,8 @@ impl CoupledImpact {
         if let Passage::Uncoupled { direction } = self.passage() {
             return self.traced(&direction);
         }
-        let mut samples = Vec::new();
         let settled = self.settled(law)?;
-        self.replay(&settled, law, |sample| samples.push(sample))?;
-        // At touch and separation no ring bears a load: what slips beside them does there.
-        if let [first, second, .., last_but_one, last] = &mut samples[..] {
-            (first.stage, last.stage) = (second.stage, last_but_one.stage);
-        }
-        Ok(samples)
+        self.samples(&settled, |peak, rings| self.law(law, peak, rings), self.view())
     }
 }
 
@@ -369,18 +398,36 @@ impl CoupledImpact {
     }
 
     fn settled(&self, law: VectorLaw) -> Result<Settled, CoupledError> {
-        let problem = self.problem(law);
+        let problem = self.problem();
         let apart = self.passage() == Passage::Spatial { coupled: false };
         let limits = Limits::new(&problem.mobility, self.friction, &problem.velocity, apart);
         let make = |peak: f64, rings: usize| self.law(law, peak, rings);
         let settled = problem
             .settle(self.tolerance(), make, |velocity| limits.hold(velocity))
-            .map_err(|failure| self.failed(&failure))?;
+            .map_err(|failure| self.failed(failure))?;
+        self.checked(settled)
+    }
+
+    // With a law in the units of the data.
+    fn settled_with<L: ImpactLaw>(
+        &self,
+        make: impl Fn(f64, usize) -> L,
+    ) -> Result<Settled, CoupledError<L::Error>> {
+        let problem = Problem {
+            mobility: *self.mobility.matrix(),
+            velocity: self.velocity,
+            stiffness: self.stiffness,
+            peak: self.normal.maximal_approach(),
+            expected: self.is_mild().then(|| self.normal.duration()),
+        };
+        let settled = problem
+            .settle(self.tolerance(), make, |velocity| *velocity)
+            .map_err(|failure| self.failed(failure))?;
         self.checked(settled)
     }
 
     // Settled, or accepted as it is.
-    fn checked(&self, settled: Settled) -> Result<Settled, CoupledError> {
+    fn checked<E: std::error::Error>(&self, settled: Settled) -> Result<Settled, CoupledError<E>> {
         if settled.settled || self.unsettled == Unsettled::Accepted {
             return Ok(settled);
         }
@@ -388,19 +435,19 @@ impl CoupledImpact {
             error_estimate: settled.error,
             tolerance: self.tolerance(),
             steps: settled.run.steps,
-            rings: settled.level.rings,
+            rings: settled.run.rings.unwrap_or(0),
         })
     }
 
-    fn replay(
+    fn replay<L: ImpactLaw + Staged>(
         &self,
         settled: &Settled,
-        law: VectorLaw,
+        make: impl Fn(f64, usize) -> L,
+        view: View,
         mut observe: impl FnMut(Sample),
-    ) -> Result<(), CoupledError> {
-        let (units, frame) = (self.units(), self.frame());
-        let make = |peak: f64, rings: usize| self.law(law, peak, rings);
-        let see = |point: &Point, law: &AnyLaw| {
+    ) -> Result<(), CoupledError<L::Error>> {
+        let View { units, frame } = view;
+        let see = |point: &Point, law: &L| {
             observe(Sample {
                 time: point.time * units.time,
                 shift: frame * point.shift * units.length,
@@ -409,10 +456,27 @@ impl CoupledImpact {
                 stage: law.stage(),
             });
         };
-        match Problem::replay(settled, make, see) {
-            Ok(_) => Ok(()),
-            Err(failure) => Err(self.failed(&failure)),
+        Problem::replay(settled, make, see).map_err(|failure| self.failed(failure))?;
+        Ok(())
+    }
+
+    fn samples<L: ImpactLaw + Staged>(
+        &self,
+        settled: &Settled,
+        make: impl Fn(f64, usize) -> L,
+        view: View,
+    ) -> Result<Vec<Sample>, CoupledError<L::Error>> {
+        let mut samples = Vec::new();
+        self.replay(settled, make, view, |sample| samples.push(sample))?;
+        // At touch and separation no ring bears a load: what slips beside them does there.
+        if let [first, second, .., last_but_one, last] = &mut samples[..] {
+            (first.stage, last.stage) = (second.stage, last_but_one.stage);
         }
+        Ok(samples)
+    }
+
+    fn view(&self) -> View {
+        View { units: self.units(), frame: self.frame() }
     }
 
     fn traced(&self, direction: &Vector3<f64>) -> Result<Vec<Sample>, CoupledError> {
@@ -461,7 +525,7 @@ impl CoupledImpact {
     }
 
     // In units of the uncoupled normal impact: dv/dt = -(5/4) D/D_zz F, F_z = zeta^(3/2).
-    fn problem(&self, law: VectorLaw) -> Problem {
+    fn problem(&self) -> Problem {
         let frame = self.frame();
         let d = self.mobility.matrix();
         let mut mobility = frame.transpose() * (d * (1.25 / d.m33)) * frame;
@@ -475,12 +539,9 @@ impl CoupledImpact {
         if matches!(self.passage(), Passage::Planar { .. }) {
             velocity.y = 0.0;
         }
-        let spatial = matches!(self.passage(), Passage::Spatial { .. });
-        let ringed = spatial && law == VectorLaw::Coulomb && self.friction.coefficient().is_some();
-        let grain = if ringed { Grain::Rings } else { Grain::None };
         let stiffness = self.scaled();
         let expected = self.is_mild().then_some(normal::DURATION);
-        Problem { mobility, velocity, stiffness, peak: 1.0, expected, grain }
+        Problem { mobility, velocity, stiffness, peak: 1.0, expected }
     }
 
     // Whether it passes much like a free impact: friction hardly drives the normal motion, and the
@@ -516,7 +577,8 @@ impl CoupledImpact {
             (_, VectorLaw::Coulomb) => {
                 let spacing = (peak * 1.0001).sqrt() / rings as f64;
                 // Without a limit every direction is on its own, and without friction none acts.
-                CoulombRings::new(stiffness, friction.get(), spacing).map_or_else(
+                let n = rings as f64;
+                SlipLines::new(stiffness, friction.get(), spacing, 0.01 / (n * n)).map_or_else(
                     |_| AnyLaw::Plane(Box::new(BareLaw::new(stiffness, friction))),
                     |rings| AnyLaw::Rings(Box::new(rings)),
                 )
@@ -558,12 +620,12 @@ impl CoupledImpact {
         }
     }
 
-    fn failed<E: std::error::Error>(&self, failure: &Failure<E>) -> CoupledError {
+    fn failed<E: std::error::Error>(&self, failure: Failure<E>) -> CoupledError<E> {
         match failure {
             Failure::NoSeparation => {
                 CoupledError::NoSeparation { duration: self.normal.duration() }
             }
-            Failure::Law(_) => RangeError::new("law step", f64::NAN, "possible").into(),
+            Failure::Law(failure) => CoupledError::Law(failure),
         }
     }
 }

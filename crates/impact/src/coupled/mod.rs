@@ -1,19 +1,16 @@
 //! Oblique impact with normal and tangential motion coupled: a full mobility matrix D, unlike
 //! c_x and c_y, a turning direction (sections 8.2 to 8.5).
 //!
-//! The motion dv/dt = -D F is followed with any contact law. Two are at hand: rings in parallel
-//! with Coulomb's friction, the true vector law, and the thesis's memory with one direction per
-//! slip ring. Motion in one plane through the normal needs no choice: the memory is exact there.
+//! The motion dv/dt = -D F is followed with any contact law. Two are at hand: Coulomb's friction ring
+//! by ring, the true vector law, and the thesis's memory with one direction per slip ring. Motion in
+//! one plane through the normal needs no choice: the memory is exact there.
 //!
 //! Where f |D_tz| exceeds D_zz, sliding one way drives the bodies together (Painleve's wedging):
 //! the force grows by its own work until the sliding stops, and the impact may grow a thousandfold
 //! within a small part of the time of a free one; often the bodies are pressed together again.
 //! Sliding the other way drives them apart. With elastic contacts each of these has one solution:
 //! the normal impulse grows while they touch, and a positive definite D lets them part. Steps are
-//! chosen from the state, so that such an impact is resolved like any other; high friction with a
-//! turning direction is what needs most rings. Of random impacts with friction to 1000, slip to a
-//! million times the approach and nearly singular D one in 200 takes more than a second, and about
-//! one in ten thousand, of friction above a hundred, is refused as not settled after a minute.
+//! chosen from the state, so that such an impact is resolved like any other.
 
 mod any_law;
 mod bare_law;
@@ -27,9 +24,11 @@ mod passage;
 mod refine;
 mod rings;
 mod schedule;
+mod slip_lines;
 mod stage;
 
-pub use course::{Course, Point};
+pub use carom_laws::law::ImpactLaw;
+pub use course::{Course, LawFailure, Point};
 pub(crate) use impact::Unsettled;
 pub use impact::{CoupledError, CoupledImpact, CoupledOutcome, Sample, VectorLaw};
 pub use passage::Passage;

@@ -1,50 +1,29 @@
 //! Refinement of an impact in steps and rings until its outcome settles.
 
-use carom_laws::law::ContactLaw;
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
-use super::course::{Course, Point};
+use super::ImpactLaw;
+use super::course::{Course, LawFailure, Point};
 use super::extrapolation::Extrapolation;
 
-/// Steps and rings of the coarsest run; each further one has twice as many.
-const COARSEST: Level = Level { steps: 8, rings: 4 };
-/// The first level at which an outcome may count.
-const LEAST: usize = 64;
+/// Steps and rings of the first run that finds the greatest approach; fine enough that the fastest
+/// oscillation stays stable.
+const COARSEST: Level = Level { steps: 32, rings: 16 };
 /// Runs by the clock, which find duration and greatest approach, and those that count.
 const TIMED_SCOUT: Level = Level { steps: 16, rings: 8 };
-const TIMED: Series = Series { steps: 32, rings: 16, budget: 1 << 22 };
-/// Series of runs, tried until one settles.
-const RINGED: [Series; 8] = [
-    Series { steps: 8, rings: 4, budget: 1 << 25 },
-    Series { steps: 64, rings: 4, budget: 1 << 26 },
-    Series { steps: 8, rings: 64, budget: 1 << 28 },
-    Series { steps: 8, rings: 16, budget: 1 << 34 },
-    Series { steps: 8, rings: 256, budget: 1 << 35 },
-    Series { steps: 8, rings: 64, budget: 1 << 36 },
-    Series { steps: 8, rings: 16, budget: 1 << 38 },
-    Series { steps: 8, rings: 512, budget: 1 << 39 },
-];
-const PLAIN: Series = Series { steps: 8, rings: 4, budget: 1 << 24 };
+const TIMED: Series = Series { first: COARSEST, most: 1 << 22 };
+const CHOSEN: Series = Series { first: COARSEST, most: 1 << 24 };
+/// The first level at which an outcome may count.
+const LEAST: usize = 64;
+/// Work of a law of rings, counted by them, over that of a law without.
+const RINGED: usize = 1 << 9;
 
-/// Runs that double from these steps and rings, while steps times rings (steps alone of a law
-/// without rings) of the next run fit the budget.
-///
-/// Where friction is high or turns far what the rings leave out at the edge counts most, where the
-/// tangential motion is stiff or sliding is fast, so that its direction lags half a step behind,
-/// what the steps do.
+/// Runs that double steps and rings, while the next run takes no more than so many steps.
 #[derive(Debug, Clone, Copy)]
 struct Series {
-    steps: usize,
-    rings: usize,
-    budget: usize,
-}
-
-/// Whether a law has rings that are refined with the steps.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Grain {
-    Rings,
-    None,
+    first: Level,
+    most: usize,
 }
 
 /// The initial value problem and a first guess of the greatest approach.
@@ -56,7 +35,6 @@ pub(super) struct Problem {
     pub(super) peak: f64,
     /// And of the duration, where steps by the clock may do.
     pub(super) expected: Option<f64>,
-    pub(super) grain: Grain,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -73,6 +51,8 @@ pub(super) struct Run {
     pub(super) peak: f64,
     pub(super) compressions: u32,
     pub(super) steps: usize,
+    /// The most rings of the law, if it has rings.
+    pub(super) rings: Option<usize>,
 }
 
 /// Where the runs lead, how far it may be off over |v_A|, and the finest level used.
@@ -89,8 +69,8 @@ pub(super) struct Settled {
 
 /// Why the runs gave nothing.
 #[derive(Debug)]
-pub(super) enum Failure<E> {
-    Law(E),
+pub(super) enum Failure<E: std::error::Error + 'static> {
+    Law(LawFailure<E>),
     NoSeparation,
 }
 
@@ -100,7 +80,7 @@ impl Problem {
     ///
     /// `make` gives a fresh law whose rings reach up to the approach given; `hold` moves the
     /// velocity of a limit to where it may be.
-    pub(super) fn settle<L: ContactLaw>(
+    pub(super) fn settle<L: ImpactLaw>(
         &self,
         tolerance: f64,
         make: impl Fn(f64, usize) -> L,
@@ -111,26 +91,11 @@ impl Problem {
         }
         let mut problem = Self { expected: None, ..*self };
         problem = problem.scouted(&problem.run(COARSEST, &make, |_, _| ())?);
-        let (first, others) = match self.grain {
-            Grain::Rings => (RINGED[0], &RINGED[1..]),
-            Grain::None => (PLAIN, &[][..]),
-        };
-        let mut best = problem.refined(&first, tolerance, &make, &hold)?;
-        for series in others {
-            if best.settled {
-                break;
-            }
-            problem = problem.scouted(&best.run);
-            let other = problem.refined(series, tolerance, &make, &hold)?;
-            if other.settled || other.error < best.error {
-                best = other;
-            }
-        }
-        Ok(best)
+        problem.refined(&CHOSEN, tolerance, &make, &hold)
     }
 
     // The cheapest way, where it may do and does.
-    fn timed<L: ContactLaw>(
+    fn timed<L: ImpactLaw>(
         &self,
         tolerance: f64,
         make: &impl Fn(f64, usize) -> L,
@@ -153,7 +118,7 @@ impl Problem {
         }
     }
 
-    fn refined<L: ContactLaw>(
+    fn refined<L: ImpactLaw>(
         &self,
         series: &Series,
         tolerance: f64,
@@ -162,7 +127,7 @@ impl Problem {
     ) -> Result<Settled, Failure<L::Error>> {
         let scale = self.velocity.norm();
         let mut problem = *self;
-        let mut level = Level { steps: series.steps, rings: series.rings };
+        let mut level = series.first;
         let mut table = Extrapolation::new(problem.run(level, make, |_, _| ())?);
         loop {
             problem = problem.scouted(table.finest());
@@ -173,33 +138,14 @@ impl Problem {
             let error = table.error().max((held - run.velocity).norm()) / scale;
             run.velocity = held;
             let settled = error <= tolerance && held.z < 0.0 && level.steps >= LEAST;
-            if settled || self.work(table.finest(), level) > series.budget {
+            if settled || table.finest().work() > series.most / 2 {
                 return Ok(Settled { run, error, level, problem, settled });
             }
         }
     }
 
-    // Of the next run.
-    const fn work(&self, run: &Run, level: Level) -> usize {
-        match self.grain {
-            Grain::Rings => 4 * run.steps * level.rings,
-            Grain::None => 2 * run.steps,
-        }
-    }
-
-    /// The same for a law that may ignore its resolution.
-    pub(super) fn with_grain_of<L: ContactLaw>(
-        &self,
-        make: impl Fn(usize) -> L,
-    ) -> Result<Self, Failure<L::Error>> {
-        let make = |_: f64, resolution| make(resolution);
-        let run = |rings| self.run(Level { rings, ..COARSEST }, &make, |_, _| ());
-        let same = run(COARSEST.rings)?.velocity == run(2 * COARSEST.rings)?.velocity;
-        Ok(Self { grain: if same { Grain::None } else { Grain::Rings }, ..*self })
-    }
-
     /// The finest run again, with what it led to as a guess, seen by `observe`.
-    pub(super) fn replay<L: ContactLaw>(
+    pub(super) fn replay<L: ImpactLaw>(
         settled: &Settled,
         make: impl Fn(f64, usize) -> L,
         observe: impl FnMut(&Point, &L),
@@ -212,7 +158,7 @@ impl Problem {
         Self { peak: run.peak, expected, ..*self }
     }
 
-    fn run<L: ContactLaw>(
+    fn run<L: ImpactLaw>(
         &self,
         level: Level,
         make: &impl Fn(f64, usize) -> L,
@@ -220,6 +166,7 @@ impl Problem {
     ) -> Result<Run, Failure<L::Error>> {
         let mut law = make(self.peak, level.rings);
         let mut peaks = Peaks::default();
+        let mut rings = law.rings();
         let course = Course {
             mobility: self.mobility,
             velocity: self.velocity,
@@ -230,6 +177,7 @@ impl Problem {
         let end = course
             .follow(&mut law, |point, law| {
                 peaks.see(point);
+                rings = rings.max(law.rings());
                 observe(point, law);
             })
             .map_err(Failure::Law)?
@@ -240,6 +188,7 @@ impl Problem {
             peak: peaks.highest,
             compressions: peaks.compressions,
             steps: peaks.steps,
+            rings,
         })
     }
 }
@@ -251,6 +200,11 @@ impl Level {
 }
 
 impl Run {
+    // In steps of a law without rings.
+    fn work(&self) -> usize {
+        self.rings.map_or(self.steps, |rings| self.steps.saturating_mul(rings) / RINGED)
+    }
+
     /// Extrapolated from a run of half as many steps, whose error is this much + 1 times as large.
     pub(super) fn beyond(&self, coarse: &Self, gain: f64) -> Self {
         let limit = |fine: f64, coarse: f64| fine + (fine - coarse) / gain;
@@ -260,6 +214,7 @@ impl Run {
             peak: limit(self.peak, coarse.peak),
             compressions: self.compressions,
             steps: self.steps,
+            rings: self.rings,
         }
     }
 }
@@ -308,7 +263,6 @@ mod tests {
             stiffness: ContactStiffness { c_x: 1.2, c_y: 1.2, c_z: 1.5 },
             peak: 1.0,
             expected: Some(normal::DURATION),
-            grain: Grain::None,
         }
     }
 

@@ -3,6 +3,7 @@
 use carom_special::RangeError;
 
 use super::energy::{flat_energy, spring_energy};
+use super::merge::push;
 use super::report::Turn;
 use super::{Growing, Lateral, Vertex, VertexStack};
 use crate::bounds::in_memory;
@@ -113,7 +114,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         self.shift = self.shift.plus(shift.minus(self.shift).times(part));
         (self.zeta, self.force) = (0.0, V::default());
         let vertex = Vertex { anchor: self.shift, curb: 1.0, ..Vertex::default() };
-        self.stack.push(vertex, &self.profile);
+        push(&mut self.stack, vertex, &self.profile);
     }
 
     fn reshape(&mut self, zeta: f64, shift: V) {
@@ -131,7 +132,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
             if self.zeta == 0.0 {
                 self.stack.truncate(0);
             }
-            self.stack.push(vertex, &self.profile);
+            push(&mut self.stack, vertex, &self.profile);
         }
         let mut len = self.stack.len();
         while len > 1 && self.stack.get(len - 1).depth >= zeta {

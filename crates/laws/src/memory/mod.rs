@@ -20,6 +20,7 @@
 mod adhesion;
 mod energy;
 mod lateral;
+mod merge;
 mod report;
 mod slip_in_line;
 mod slip_in_plane;
@@ -35,6 +36,7 @@ use carom_special::RangeError;
 
 use crate::bounds::in_memory;
 use crate::profile::{Hertzian, NormalProfile};
+use merge::push;
 
 /// What the last step did to a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
@@ -173,7 +175,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         self.shift = self.shift.plus(shift.minus(self.shift).times(part));
         (self.zeta, self.force) = (0.0, V::default());
         let vertex = Vertex { anchor: self.shift, curb: 1.0, ..Vertex::default() };
-        self.stack.push(vertex, &self.profile);
+        push(&mut self.stack, vertex, &self.profile);
     }
 
     /// The segment laid down in complete adhesion (6.45), (7.54).
@@ -192,7 +194,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         if below.depth >= vertex.depth {
             *below = vertex; // the first segment after touch
         } else if below.slope != slope || below.force_slope != slope {
-            self.stack.push(vertex, &self.profile);
+            push(&mut self.stack, vertex, &self.profile);
         }
         self.finish(zeta, Regime::Adhesion);
     }
@@ -251,7 +253,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         let anchor = below.anchor_at(depth);
         let reversed = rings == 0 && below.is_slip();
         self.stack.truncate(i + 1);
-        self.stack.push(
+        push(
+            &mut self.stack,
             Vertex { depth, anchor, slope, force_slope: slope, force, curb: 0.0 },
             &self.profile,
         );
@@ -276,7 +279,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         let before = V::slip_slope(arm, base.slope, 0.0);
         let slope = V::dragged(before, dx.times(1.0 - onset), from, zeta);
         self.stack.truncate(0);
-        self.stack.push(
+        push(
+            &mut self.stack,
             Vertex {
                 depth: 0.0,
                 anchor: shift.minus(slope.times(zeta)),

@@ -308,7 +308,7 @@ impl Turn {
     }
 
     /// A vertex in the new axes.
-    pub(super) fn vertex(self, vertex: &mut Vertex<[f64; 2]>) {
+    pub(crate) fn vertex(self, vertex: &mut Vertex<[f64; 2]>) {
         vertex.anchor = self.of(vertex.anchor);
         vertex.slope = self.of(vertex.slope);
         vertex.force_slope = self.of(vertex.force_slope);

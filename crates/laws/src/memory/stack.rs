@@ -71,11 +71,38 @@ pub trait VertexStack<V: Lateral>: Clone + Default {
     /// Takes away all vertices but the lowest `len`; `len` is not above [`VertexStack::len`].
     fn truncate(&mut self, len: usize);
 
-    /// Puts a vertex on top.
-    fn push<P: NormalProfile>(&mut self, vertex: Vertex<V>, profile: &P);
+    /// How many vertices there is room for.
+    fn capacity(&self) -> usize;
+
+    /// Puts a vertex on top; [`VertexStack::len`] is below [`VertexStack::capacity`].
+    fn push(&mut self, vertex: Vertex<V>);
+
+    /// Puts a vertex below the one at a position; there is room for it.
+    #[inline]
+    fn insert(&mut self, index: usize, vertex: Vertex<V>) {
+        let len = self.len();
+        self.push(vertex);
+        for i in (index..len).rev() {
+            *self.get_mut(i + 1) = *self.get(i);
+        }
+        *self.get_mut(index) = vertex;
+    }
+
+    /// Takes the vertex at a position out.
+    #[inline]
+    fn remove(&mut self, index: usize) {
+        let last = self.len() - 1;
+        for i in index..last {
+            *self.get_mut(i) = *self.get(i + 1);
+        }
+        self.truncate(last);
+    }
 
     /// How many times two segments were merged for want of room.
     fn merges(&self) -> u32;
+
+    /// Notes that two segments were merged for want of room.
+    fn count_merge(&mut self);
 }
 
 /// Vertices that a stack keeps in line before it goes to the heap.
@@ -120,7 +147,12 @@ impl<V: Lateral> VertexStack<V> for Growing<V> {
     }
 
     #[inline]
-    fn push<P: NormalProfile>(&mut self, vertex: Vertex<V>, _profile: &P) {
+    fn capacity(&self) -> usize {
+        usize::MAX
+    }
+
+    #[inline]
+    fn push(&mut self, vertex: Vertex<V>) {
         match self.in_line.get_mut(self.len) {
             Some(place) => *place = vertex,
             None => self.heap.push(vertex),
@@ -131,6 +163,8 @@ impl<V: Lateral> VertexStack<V> for Growing<V> {
     fn merges(&self) -> u32 {
         0
     }
+
+    fn count_merge(&mut self) {}
 }
 
 /// A stack of at most N vertices (N >= 4): plain data that can live in someone else's array.
@@ -160,47 +194,6 @@ impl<V: Lateral, const N: usize> Fixed<V, N> {
     pub fn parts(&self) -> (&[Vertex<V>; N], u32, u32) {
         (&self.vertices, self.len, self.merges)
     }
-
-    /// Takes out the vertex between the two segments that are most nearly one.
-    #[cold]
-    fn merge<P: NormalProfile>(&mut self, next_depth: f64, profile: &P) {
-        let mut best = (f64::INFINITY, 1);
-        for i in 1..N {
-            let end = self.vertices.get(i + 1).map_or(next_depth, |above| above.depth);
-            let cost = self.deviation(i, end);
-            if cost < best.0 {
-                best = (cost, i);
-            }
-        }
-        let i = best.1;
-        let end = self.vertices.get(i + 1).map_or(next_depth, |above| above.depth);
-        let (below, here) = (self.vertices[i - 1], self.vertices[i]);
-        let slope = self.chord(i, end);
-        let growth = here.force_at(end, profile).minus(below.force);
-        self.vertices[i - 1] = Vertex {
-            slope,
-            force_slope: growth.times(1.0 / profile.growth(below.depth, end - below.depth)),
-            curb: (1.0 - slope.dot(slope)).max(0.0),
-            ..below
-        };
-        self.vertices.copy_within(i + 1.., i);
-        self.len -= 1;
-        self.merges = self.merges.saturating_add(1);
-    }
-
-    /// The slope of one segment in place of the two that meet at vertex i and reach up to `end`.
-    fn chord(&self, i: usize, end: f64) -> V {
-        let (below, here) = (&self.vertices[i - 1], &self.vertices[i]);
-        here.anchor_at(end).minus(below.anchor).times(1.0 / (end - below.depth))
-    }
-
-    /// How far the anchor moves if it takes their place; in adhesion it may jump at the vertex.
-    fn deviation(&self, i: usize, end: f64) -> f64 {
-        let (below, here) = (&self.vertices[i - 1], &self.vertices[i]);
-        let chord = below.anchor.plus(self.chord(i, end).times(here.depth - below.depth));
-        let inner = below.anchor_at(here.depth).minus(chord).length();
-        inner.max(here.anchor.minus(chord).length())
-    }
 }
 
 impl<V: Lateral, const N: usize> VertexStack<V> for Fixed<V, N> {
@@ -225,10 +218,12 @@ impl<V: Lateral, const N: usize> VertexStack<V> for Fixed<V, N> {
     }
 
     #[inline]
-    fn push<P: NormalProfile>(&mut self, vertex: Vertex<V>, profile: &P) {
-        if self.len() == N {
-            self.merge(vertex.depth, profile);
-        }
+    fn capacity(&self) -> usize {
+        N
+    }
+
+    #[inline]
+    fn push(&mut self, vertex: Vertex<V>) {
         self.vertices[self.len as usize] = vertex;
         self.len += 1;
     }
@@ -236,5 +231,9 @@ impl<V: Lateral, const N: usize> VertexStack<V> for Fixed<V, N> {
     #[inline]
     fn merges(&self) -> u32 {
         self.merges
+    }
+
+    fn count_merge(&mut self) {
+        self.merges = self.merges.saturating_add(1);
     }
 }

@@ -5,6 +5,8 @@ use serde_json::Value;
 
 pub(crate) mod balance;
 pub(crate) mod load;
+pub(crate) mod rings;
+pub(crate) mod turning;
 
 /// A number given as a JSON number, or as a string of more digits than a double holds.
 pub(crate) fn num(value: &Value) -> f64 {

@@ -32,6 +32,13 @@ impl Outcome {
         self.cells.copy_from_slice(from.cells.values());
     }
 
+    /// Complete adhesion where the surfaces are said to touch.
+    pub(crate) fn touch_where(&mut self, touches: impl Fn(usize) -> bool) {
+        for (i, cell) in self.cells.iter_mut().enumerate() {
+            *cell = if touches(i) { CellState::Stick } else { CellState::Exterior };
+        }
+    }
+
     /// Takes all tractions off a cell that leaves the contact.
     pub(crate) fn release(&mut self, cell: usize) {
         self.cells[cell] = CellState::Exterior;

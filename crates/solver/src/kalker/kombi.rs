@@ -3,7 +3,7 @@
 use std::fmt;
 
 use super::scratch::{KalkerScratch, Parameters};
-use super::sets::Sets;
+use super::sets::{ROUNDING, Sets};
 use crate::chart::{self, Block, Machine};
 use crate::convergence::{Convergence, Observer};
 use crate::direct::dense::Unknown;
@@ -11,7 +11,7 @@ use crate::direct::{DirectError, End};
 use crate::drive::Drive;
 use crate::method::Method;
 use crate::problem::ContactProblem;
-use crate::state::ContactState;
+use crate::state::{CellState, ContactState};
 
 /// The steps and questions of [`KOMBI`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -63,6 +63,10 @@ pub const KOMBI: &[Block<KombiStep>] = &[Block::Until {
     done: KombiStep::NoneToGrow,
 }];
 
+/// The most a direction turns in one Newton step, in radians: where the pressure is all but zero the
+/// linearised law would turn it anywhere.
+const FURTHEST: f64 = 0.5;
+
 struct Work<'a, 'b> {
     sets: &'b mut Sets<'a>,
     parameters: Parameters,
@@ -70,12 +74,18 @@ struct Work<'a, 'b> {
 }
 
 impl Work<'_, '_> {
+    /// f |p|: an element that pulls keeps its direction until it is taken out.
+    fn limit(&self, cell: usize) -> f64 {
+        self.sets.demand.limit(cell, self.sets.outcome.traction[2][cell].abs())
+    }
+
     fn solve(&mut self) -> Result<f64, DirectError> {
         self.sets.displace();
-        let limits = self.sets.limits();
-        let mut unknowns: Vec<Unknown> = Vec::with_capacity(3 * limits.len());
+        let touching: Vec<usize> = self.sets.outcome.touching().collect();
+        let mut unknowns: Vec<Unknown> = Vec::with_capacity(3 * touching.len());
         let mut slipping = Vec::new();
-        for &(cell, limit) in &limits {
+        for cell in touching {
+            let limit = self.limit(cell);
             let pressure = self.sets.pressure(cell);
             if !self.sets.slips(cell) {
                 unknowns.push(pressure);
@@ -91,15 +101,43 @@ impl Work<'_, '_> {
                 unknowns.push(self.sets.turn(cell, limit));
             }
         }
+        let before: Vec<[f64; 2]> =
+            slipping.iter().map(|&(_, cell, _)| self.sets.outcome.direction(cell)).collect();
         let amounts = self.sets.solve(&unknowns)?;
-        let mut turned = 0.0_f64;
-        for (unknown, cell, limit) in slipping {
-            turned = turned.max((amounts[unknown] / limit).abs());
-            let limit = self.sets.demand.limit(cell, self.sets.outcome.traction[2][cell]);
-            let direction = self.sets.outcome.direction(cell);
-            self.sets.outcome.pull(cell, limit, direction);
+        let mut largest = 0.0_f64;
+        for ((unknown, cell, limit), [x, y]) in slipping.into_iter().zip(before) {
+            let turn = amounts[unknown] / limit;
+            largest = largest.max(turn.abs());
+            let (sin, cos) = turn.clamp(-FURTHEST, FURTHEST).sin_cos();
+            let limit = self.limit(cell);
+            self.sets.outcome.pull(cell, limit, [x * cos - y * sin, y * cos + x * sin]);
         }
-        Ok(turned)
+        Ok(largest)
+    }
+}
+
+impl Work<'_, '_> {
+    /// A cell that pulls while it sticks may press once it slips: it slips first, and leaves the
+    /// contact if it still pulls.
+    fn shrink(&mut self) -> f64 {
+        let touching: Vec<usize> = self.sets.outcome.touching().collect();
+        let mut count = 0.0;
+        for cell in touching {
+            let pulls = self.sets.outcome.traction[2][cell] <= 0.0;
+            let limit = self.limit(cell);
+            let [x, y] = self.sets.outcome.tangent(cell);
+            if pulls && (self.sets.slips(cell) || limit.is_infinite() || limit == 0.0) {
+                self.sets.outcome.release(cell);
+            } else if !self.sets.slips(cell) && (pulls || x.hypot(y) > limit * (1.0 + ROUNDING)) {
+                let direction = self.sets.outcome.direction(cell);
+                self.sets.outcome.pull(cell, limit, direction);
+                self.sets.outcome.cells[cell] = CellState::Slip;
+            } else {
+                continue;
+            }
+            count += 1.0;
+        }
+        count
     }
 }
 
@@ -110,7 +148,7 @@ impl Machine for Work<'_, '_> {
     fn perform(&mut self, step: KombiStep) -> Result<f64, DirectError> {
         self.moved = match step {
             KombiStep::Solve => self.solve()?,
-            KombiStep::Shrink => self.sets.drop_tension() + self.sets.let_slip(),
+            KombiStep::Shrink => self.shrink(),
             KombiStep::Grow => {
                 self.sets.displace();
                 let stuck = self.sets.let_stick();

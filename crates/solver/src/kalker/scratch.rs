@@ -12,7 +12,7 @@ use crate::convergence::{Convergence, Observer, Products, Progress, Stop};
 use crate::direct::{Demand, DirectError, End, Influence, Outcome, apart, check_tolerance};
 use crate::drive::Drive;
 use crate::problem::ContactProblem;
-use crate::state::{CellState, ContactState};
+use crate::state::ContactState;
 
 /// When loops end.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -26,7 +26,7 @@ pub(super) struct Parameters {
 
 impl Default for Parameters {
     fn default() -> Self {
-        Self { tolerance: 1e-10, rounds: 100, turn: 1e-11 }
+        Self { tolerance: 1e-10, rounds: 40, turn: 1e-11 }
     }
 }
 
@@ -61,10 +61,17 @@ pub struct KalkerScratch {
 
 impl KalkerScratch {
     pub(super) fn new(problem: &ContactProblem) -> Result<Self, DirectError> {
+        Self::with_influence(problem, Influence::new(problem.operator()))
+    }
+
+    /// With other coefficients than those of a body at rest.
+    pub(crate) fn with_influence(
+        problem: &ContactProblem,
+        influence: Influence,
+    ) -> Result<Self, DirectError> {
         Demand::check(problem)?;
         let outcome = Outcome::new(problem.grid().cells());
-        let (influence, traces) = (Influence::new(problem.operator()), Traces::default());
-        Ok(Self { influence, demand: None, outcome, traces })
+        Ok(Self { influence, demand: None, outcome, traces: Traces::default() })
     }
 
     /// What the processes did in the last step.
@@ -88,9 +95,7 @@ impl KalkerScratch {
         }
         self.outcome.start(from);
         if self.outcome.touching().next().is_none() {
-            for (cell, depth) in self.outcome.cells.iter_mut().zip(&demand.target[2]) {
-                *cell = if *depth > 0.0 { CellState::Stick } else { CellState::Exterior };
-            }
+            self.outcome.touch_where(|cell| demand.target[2][cell] > 0.0);
         }
         self.demand = Some(demand);
         Ok(None)

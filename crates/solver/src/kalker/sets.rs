@@ -5,7 +5,7 @@ use crate::direct::{Demand, DirectError, Influence, Outcome};
 use crate::state::CellState;
 
 /// A violation below this part of its scale is rounding.
-const ROUNDING: f64 = 1e-13;
+pub(super) const ROUNDING: f64 = 1e-13;
 
 /// One step's problem with what is found of it.
 pub(super) struct Sets<'a> {

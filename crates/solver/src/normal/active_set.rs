@@ -1,6 +1,6 @@
 //! The normal problem by conjugate gradients on an active set.
 //!
-//! Pressures p >= 0 and gaps g = A p + z - zeta >= 0, one of them zero in each cell (11.5). On the
+//! Pressures p >= 0 and gaps g = A p + z - zeta >= 0, one of them zero in each cell. On the
 //! set I of cells with pressure, preconditioned conjugate gradients solve g = 0. The set changes
 //! when what violates the signs outweighs the last step; pressures that leave are dropped in one
 //! product with a damped step of those that stay. A given force keeps the mean of g free: it is

@@ -1,4 +1,4 @@
-//! The normal problem (11.5): pressures without tension, gaps without overlap.
+//! The normal problem: pressures without tension, gaps without overlap.
 
 mod active_set;
 

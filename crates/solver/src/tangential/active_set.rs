@@ -1,6 +1,6 @@
 //! The tangential problem at known pressures by Newton's method on an active set.
 //!
-//! Coulomb's law in each cell is the condition of a minimum (11.10): with the slip s = A t + c,
+//! Coulomb's law in each cell is the condition of a minimum: with the slip s = A t + c,
 //! where c is the displacement without tangential tractions, `t.A t/2 + t.c` is least over the discs
 //! |t| <= R. Cells that stick have two unknowns, those that slip one, along the rim of their disc,
 //! whose bend adds `D = -s.e/R` to the diagonal (12.20)-(12.24). Preconditioned conjugate gradients

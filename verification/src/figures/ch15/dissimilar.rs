@@ -143,9 +143,21 @@ pub(super) fn areas() -> FigureResult {
         figure.panel(map(contact(step)?, step));
     }
     let part = |step: usize| Ok::<f64, Failure>(stick(contact(step)?));
+    let hole = |step: usize| -> Result<f64, Failure> {
+        let lines = contact(step)?.stick_outlines();
+        Ok(lines.iter().map(Contour::area).filter(|area| *area < 0.0).sum::<f64>().abs())
+    };
+    let outside = |step: usize| -> Result<f64, Failure> {
+        let contact = contact(step)?;
+        let outer = |lines: Vec<Contour>| {
+            lines.iter().map(Contour::area).filter(|area| *area > 0.0).sum::<f64>()
+        };
+        let all = outer(contact.contact_outlines());
+        Ok((all - outer(contact.stick_outlines())) / all)
+    };
     let parts =
         |steps: std::ops::RangeInclusive<usize>| steps.map(part).collect::<Result<Vec<f64>, _>>();
-    let compression = parts(5..=23)?.into_iter().fold(0.0, f64::max);
+    let compression = parts(10..=20)?.into_iter().fold(0.0, f64::max);
     figure.claim(
         Claim::at_most("while the bodies approach little sticks", compression, 0.05)
             .source(INDEPENDENT),
@@ -159,24 +171,15 @@ pub(super) fn areas() -> FigureResult {
     figure.claim(
         Claim::at_most("of at most six tenths of the contact", greatest, 0.65).source(INDEPENDENT),
     );
-    let hole = |step: usize| -> Result<f64, Failure> {
-        let lines = contact(step)?.stick_outlines();
-        Ok(lines.iter().map(Contour::area).filter(|area| *area < 0.0).sum::<f64>().abs())
-    };
-    let holes = [28, 30, 32, 34].map(hole).into_iter().collect::<Result<Vec<f64>, _>>()?;
+    let holes = [34, 36, 38, 40].map(hole).into_iter().collect::<Result<Vec<f64>, _>>()?;
     figure.claim(
         Claim::decreasing("the slip area inside the ring shrinks", holes).source("section 15.2"),
     );
-    let outside = |step: usize| -> Result<f64, Failure> {
-        let contact = contact(step)?;
-        let outer = |lines: Vec<Contour>| {
-            lines.iter().map(Contour::area).filter(|area| *area > 0.0).sum::<f64>()
-        };
-        let all = outer(contact.contact_outlines());
-        Ok((all - outer(contact.stick_outlines())) / all)
-    };
-    let rims = [28, 32, 36, 40].map(outside).into_iter().collect::<Result<Vec<f64>, _>>()?;
-    figure.claim(Claim::increasing("that at the rim grows", rims).source("section 15.2"));
+    let rims = [34, 37, 40, 43].map(outside).into_iter().collect::<Result<Vec<f64>, _>>()?;
+    figure.claim(
+        Claim::increasing("that at the rim grows, as a part of the contact", rims)
+            .source("section 15.2"),
+    );
     let uneven = SHOWN
         .map(|step| contact(step).map(unevenness))
         .into_iter()

@@ -69,13 +69,13 @@ impl Spheres {
         Ok(NumericalLaw::new(self.hertz()?, friction, peak, cells)?.within(TOLERANCE)?)
     }
 
-    /// R_x for a slip of lambda f times the speed of approach.
-    pub(super) fn restitution(
+    /// R_x and e_z for a slip of lambda f times the speed of approach.
+    pub(super) fn restitutions(
         &self,
         lambda: f64,
         cells: usize,
         steps: usize,
-    ) -> Result<f64, Failure> {
+    ) -> Result<[f64; 2], Failure> {
         let velocity = Vector3::new(lambda * self.friction * self.speed, 0.0, self.speed);
         let course = Course {
             mobility: Matrix3::from_diagonal(&Vector3::new(3.5, 3.5, 1.0)) * (2.0 / self.mass),
@@ -85,7 +85,17 @@ impl Spheres {
             expected: Some(self.normal()?.duration()),
         };
         let end = course.follow(&mut self.law(cells)?, |_, _| ())?.ok_or("they stay together")?;
-        Ok(-end.velocity.x / velocity.x)
+        Ok([-end.velocity.x / velocity.x, -end.velocity.z / velocity.z])
+    }
+
+    /// R_x alone.
+    pub(super) fn restitution(
+        &self,
+        lambda: f64,
+        cells: usize,
+        steps: usize,
+    ) -> Result<f64, Failure> {
+        Ok(self.restitutions(lambda, cells, steps)?[0])
     }
 
     /// The instants of an impact, touch and separation included, with this many steps of equal time

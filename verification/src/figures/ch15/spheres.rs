@@ -100,13 +100,15 @@ fn numerical(figure: &mut Figure, panel: &mut Panel) -> Result<(), Failure> {
             .source("exact walk"),
     );
     let table = rows::<4>(include_str!("../../../data/impact/numerical_similar.csv"))?;
-    let worst = table.iter().map(|[nu, lambda, r_x, error]| {
+    // Its first-order steps leave up to 0.02 at smaller λ, as the exact walk shows.
+    let fast = table.iter().filter(|[_, lambda, _, _]| *lambda >= 2.0);
+    let worst = fast.map(|[nu, lambda, r_x, error]| {
         let own = all.iter().find(|((n, l), _)| n == nu && l == lambda);
         own.map_or(f64::INFINITY, |(_, own)| (own - r_x).abs() / error)
     });
     figure.claim(
         Claim::at_most(
-            "numerical R_x against another half-space program, over its error",
+            "numerical R_x for λ ≥ 2 against another half-space program, over its error",
             worst.fold(0.0, f64::max),
             1.0,
         )

@@ -3,7 +3,7 @@
 use carom_impact::restitution::of_spheres;
 use carom_laws::friction::Friction;
 use carom_laws::shift_law::ShiftLaw;
-use carom_solver::ContactState;
+use carom_solver::{CellState, ContactState};
 
 use super::super::Failure;
 use super::numerical::{Instant, Spheres, stick};
@@ -47,15 +47,23 @@ pub(super) fn draw() -> FigureResult {
         Claim::at_least("step 10: all sticks but the rim", stick(contact(10)?), 0.9)
             .source("adhesion for λ < κ while the bodies approach (9.42)"),
     );
+    let parts = SHOWN[1..].iter().map(|step| Ok(stick(contact(*step)?)));
     figure.claim(
-        Claim::at_most("step 45: all slides", stick(contact(45)?), 0.0)
-            .source("regimes of the exact walk"),
+        Claim::decreasing("then less and less sticks", parts.collect::<Result<Vec<_>, Failure>>()?)
+            .source("regimes of the exact walk: partial slip the other way, then sliding"),
     );
-    let last = middle_row(contact(45)?);
-    let pairs = last.iter().map(|(_, t, p)| (t / (spheres.friction * p), -1.0));
+    let rim = |step: usize| -> Result<Vec<(f64, f64)>, Failure> {
+        let cells = slipping(contact(step)?);
+        Ok(cells.into_iter().map(|(t, p)| (t / (spheres.friction * p), -1.0)).collect())
+    };
+    let pairs = [rim(35)?, rim(40)?, rim(45)?].concat();
     figure.claim(
-        Claim::all_close("and there the stress is -f p", pairs, Tolerance::Absolute(1e-3))
-            .source("Coulomb's law"),
+        Claim::all_close(
+            "where it slips the stress is -f p along x",
+            pairs,
+            Tolerance::Absolute(0.05),
+        )
+        .source("Coulomb's law; for ν = 1/2 the stress turns by less than 18 degrees"),
     );
     Ok(figure)
 }
@@ -68,6 +76,13 @@ fn middle_row(contact: &ContactState) -> Vec<(f64, f64, f64)> {
     let values = cells
         .map(|(x, cell)| (x, contact.traction_x.values()[cell], contact.pressure.values()[cell]));
     values.filter(|(_, _, pressure)| *pressure > 0.0).collect()
+}
+
+/// Traction along x and pressure of the cells that slip.
+fn slipping(contact: &ContactState) -> Vec<(f64, f64)> {
+    let values = contact.traction_x.values().iter().zip(contact.pressure.values());
+    let cells = values.zip(contact.cells.values());
+    cells.filter(|(_, cell)| **cell == CellState::Slip).map(|((t, p), _)| (*t, *p)).collect()
 }
 
 fn arrows(contact: &ContactState, step: usize, radius: f64) -> Panel {

@@ -12,7 +12,7 @@ use crate::command::{self, CaseArguments};
 use crate::destination::Destination;
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
-use carom_impact::{CollisionError, HistoryPoint};
+use carom_impact::{CollisionError, HistoryPoint, NumericalImpact, NumericalImpactError};
 use rayon::prelude::*;
 use view::{Course, Parameter, Record};
 
@@ -106,14 +106,23 @@ fn followed(
     parameter: Option<Parameter>,
     case: &ImpactCase,
 ) -> Result<Record, CliError> {
-    let outcome = case.collision.solve().map_err(|source| blamed(arguments, case, source))?;
+    let outcome = match case.contact.is_numerical {
+        true => NumericalImpact::new(&case.collision)
+            .solve()
+            .map_err(|source| on_grid(arguments, source))?,
+        false => case.collision.solve().map_err(|source| blamed(arguments, case, source))?,
+    };
     Ok(view::record(parameter, case, &outcome))
 }
 
 fn course(arguments: &Arguments, file: &ImpactFile<'_>, count: usize) -> Result<Course, CliError> {
     let case = file.nominal();
-    let history = case.collision.history(count);
-    let history = history.map_err(|source| blamed(arguments, case, source))?;
+    let history = match case.contact.is_numerical {
+        true => NumericalImpact::new(&case.collision)
+            .history(count)
+            .map_err(|source| on_grid(arguments, source))?,
+        false => case.collision.history(count).map_err(|source| blamed(arguments, case, source))?,
+    };
     columns::check(&arguments.given.case, HistoryPoint::COLUMNS, &history)?;
     Ok(Course(history))
 }
@@ -128,6 +137,10 @@ fn blamed(arguments: &Arguments, case: &ImpactCase, source: CollisionError) -> C
             CliError::Collision { path: arguments.given.case.clone(), source: Box::new(source) }
         }
     }
+}
+
+fn on_grid(arguments: &Arguments, source: NumericalImpactError) -> CliError {
+    CliError::Numerical { path: arguments.given.case.clone(), source: Box::new(source) }
 }
 
 fn refused(arguments: &Arguments, source: CaseError) -> CliError {

@@ -185,10 +185,14 @@ fn contact(case: &ImpactCase, rebound: Option<&Rebound>) -> ContactRecord {
         axis_ratio: collision.hertz().axis_ratio().get(),
         centre_1: centre(0),
         centre_2: centre(1),
-        passage: rebound.map(|rebound| rebound.passage.name()),
-        law: match case.contact.law {
-            VectorLaw::Coulomb => "coulomb",
-            VectorLaw::FixedDirection => "fixed-direction",
+        passage: rebound.map(|rebound| match case.contact.is_numerical {
+            true => "numerical",
+            false => rebound.passage.name(),
+        }),
+        law: match (case.contact.is_numerical, case.contact.law) {
+            (true, _) => "numerical",
+            (false, VectorLaw::Coulomb) => "coulomb",
+            (false, VectorLaw::FixedDirection) => "fixed-direction",
         },
         compressions: rebound.map(|rebound| rebound.compressions),
         error_estimate: rebound.map(|rebound| rebound.error_estimate),

@@ -1,0 +1,156 @@
+//! The picture of a solution.
+
+use super::follow::Followed;
+use super::view::Step;
+use crate::case::SolveCase;
+use crate::command::plot::Course;
+use crate::error::CliError;
+use crate::output::Picture;
+use carom_plot::{Arrow, Axis, Field, Marker, Panel, Point, Series};
+use carom_solver::{CellState, ContactState, Contour};
+
+/// Arrows along an axis, at most.
+const MOST_ARROWS: usize = 40;
+
+pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, CliError> {
+    let steps = followed.steps.as_slice();
+    let course =
+        Course { records: steps, marked: steps, label: "step", at: |step: &Step| step.step };
+    let (state, f) = (&followed.state, case.friction);
+    let mut panels = Vec::new();
+    if steps.len() > 1 {
+        panels.push(course.panel(
+            "forces on body 1",
+            "force / N",
+            &[("F_x", |s| s.load.f_x), ("F_y", |s| s.load.f_y), ("F_z", |s| s.load.f_z)],
+        ));
+        if steps.iter().any(|step| step.shift.xi != 0.0 || step.shift.eta != 0.0) {
+            panels.push(course.paths(
+                "load curves",
+                ["shift / m", "force / N"],
+                &[
+                    ("F_x against ξ", |s| s.shift.xi, |s| s.load.f_x),
+                    ("F_y against η", |s| s.shift.eta, |s| s.load.f_y),
+                ],
+            ));
+        }
+        if steps.iter().any(|step| step.shift.zeta != steps[0].shift.zeta) {
+            panels.push(course.paths(
+                "approach",
+                ["ζ / m", "force / N"],
+                &[("F_z against ζ", |s| s.shift.zeta, |s| s.load.f_z)],
+            ));
+        }
+        if steps.iter().any(|step| step.shift.omega != 0.0) {
+            panels.push(course.paths(
+                "torque",
+                ["ω / rad", "torque / N m"],
+                &[("M_z against ω", |s| s.shift.omega, |s| s.load.m_z)],
+            ));
+        }
+        panels.push(course.panel(
+            "energy",
+            "energy / J",
+            &[("stored", |s| s.stored_energy), ("dissipated", |s| s.dissipated)],
+        ));
+        panels.push(course.panel(
+            "areas",
+            "area / m²",
+            &[("contact", |s| s.contact_area), ("stick", |s| s.stick_area)],
+        ));
+    }
+    if state.pressure.values().iter().any(|p| *p > 0.0) {
+        panels.push(pressures(state)?);
+        panels.push(stick_and_slip(state));
+        if f > 0.0 {
+            panels.push(sizes(state, f));
+            panels.push(angles(state));
+        }
+    }
+    Ok(Picture::new("Contact on a grid", panels))
+}
+
+fn axes(title: &str) -> Panel {
+    Panel::new(Axis::linear("x / m"), Axis::linear("y / m")).titled(title).equal_aspect()
+}
+
+/// A field over the grid.
+fn field(state: &ContactState, label: &str, values: Vec<f64>) -> Result<Field, CliError> {
+    let grid = state.pressure.grid();
+    let x = (0..grid.nx()).map(|i| grid.centred_x(i)).collect();
+    let y = (0..grid.ny()).map(|j| grid.centred_y(j)).collect();
+    Ok(Field::new(label, x, y, values)?)
+}
+
+fn outlines(panel: &mut Panel, lines: &[Contour], label: &str, colour: usize) {
+    for (i, line) in lines.iter().enumerate() {
+        let closed = line.points.iter().chain(line.points.first()).map(|[x, y]| (*x, *y));
+        panel.add(Series::line(if i == 0 { label } else { "" }, closed).coloured(colour));
+    }
+}
+
+fn pressures(state: &ContactState) -> Result<Panel, CliError> {
+    let mut panel = axes("pressure, last step");
+    panel = panel.over(field(state, "p / Pa", state.pressure.values().to_vec())?);
+    Ok(panel)
+}
+
+/// Tractions as arrows over the outlines of contact and stick area.
+fn stick_and_slip(state: &ContactState) -> Panel {
+    let mut panel = axes("tractions on body 1, outlines smoothed");
+    outlines(&mut panel, &state.contact_outlines(), "contact", 0);
+    outlines(&mut panel, &state.stick_outlines(), "stick", 1);
+    let grid = state.pressure.grid();
+    let stride = grid.nx().max(grid.ny()).div_ceil(MOST_ARROWS);
+    let (x, y) = (state.traction_x.values(), state.traction_y.values());
+    let longest = x.iter().zip(y).map(|(x, y)| libm::hypot(*x, *y)).fold(0.0, f64::max);
+    let scale = 2.0 * stride as f64 * grid.dx().max(grid.dy()) / longest;
+    let cells = grid.centres().enumerate().filter(|(i, _)| {
+        (i % grid.nx()).is_multiple_of(stride) && (i / grid.nx()).is_multiple_of(stride)
+    });
+    let arrows = cells.filter(|(i, _)| libm::hypot(x[*i], y[*i]) > 0.02 * longest).map(
+        |(i, (at_x, at_y))| Arrow {
+            tail: Point::new(at_x, at_y),
+            head: Point::new(at_x + scale * x[i], at_y + scale * y[i]),
+        },
+    );
+    if longest > 0.0 {
+        panel.add(Series::arrows("", arrows.collect::<Vec<_>>()).coloured(2));
+    }
+    panel
+}
+
+/// Cells in contact by what they do: distance from the middle, size and angle of the traction.
+fn scatter(state: &ContactState, cell: CellState) -> impl Iterator<Item = [f64; 3]> + '_ {
+    let cells = state.pressure.grid().centres().enumerate();
+    cells.filter(move |(i, _)| state.cells.values()[*i] == cell).map(|(i, (x, y))| {
+        let (t_x, t_y) = (state.traction_x.values()[i], state.traction_y.values()[i]);
+        [libm::hypot(x, y), libm::hypot(t_x, t_y), libm::atan2(t_y, t_x).to_degrees()]
+    })
+}
+
+const KINDS: [(&str, CellState, Marker); 2] =
+    [("stick", CellState::Stick, Marker::Star), ("slip", CellState::Slip, Marker::Square)];
+
+fn sizes(state: &ContactState, f: f64) -> Panel {
+    let mut panel = Panel::new(Axis::linear("r / m"), Axis::linear("|t|/(f p_max)"));
+    let most = f * state.pressure.values().iter().copied().fold(0.0, f64::max);
+    for (label, cell, marker) in KINDS {
+        let points = scatter(state, cell).map(|[r, size, _]| (r, size / most));
+        panel.add(Series::markers(label, marker, points.collect::<Vec<_>>()));
+    }
+    panel.titled("size of the tractions")
+}
+
+fn angles(state: &ContactState) -> Panel {
+    let mut panel = Panel::new(Axis::linear("r / m"), Axis::linear("angle / degrees"));
+    for (label, cell, marker) in KINDS {
+        let points = scatter(state, cell).filter(|[_, size, _]| *size > 0.0);
+        panel.add(Series::markers(
+            label,
+            marker,
+            points.map(|[r, _, angle]| (r, angle)).collect::<Vec<_>>(),
+        ));
+    }
+    panel.titled("direction of the tractions")
+}

@@ -1,0 +1,298 @@
+//! Coulomb's friction in two directions: a line of anchors that slips ring by ring.
+//!
+//! The ring that touches at the approach s carries the traction f c_z (X - W(s)), with the shift
+//! `X = C x/(f c_z)` and its anchor W(s), at which it is free; `|X - W(s)| <= zeta - s`, and a ring at
+//! this limit slips along its traction in the physical plane. Between vertices W is linear in s. The
+//! vertices are the edge after every step, so that adhesion on a straight path is exact, and the
+//! places where slip begins, so that a slip ring far thinner than any distance of fixed rings is seen.
+
+mod step;
+mod vertex;
+mod watch;
+
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use carom_laws::stiffness::ContactStiffness;
+use carom_special::RangeError;
+
+use self::step::SlipStep;
+use self::vertex::{Resolution, Vertex, dragged, front, length};
+use self::watch::Watch;
+use super::{ImpactLaw, Stage, Staged};
+
+/// The law on a line of anchors.
+#[derive(Debug, Clone)]
+pub(super) struct SlipLines {
+    stiffness: ContactStiffness,
+    /// f c_z.
+    limit: f64,
+    resolution: Resolution,
+    shift: Shift,
+    /// X from an origin that moves along in gross sliding, as the anchors.
+    at: [f64; 2],
+    vertices: Vec<Vertex>,
+    watch: Watch,
+    /// The integral of the anchors over the radius.
+    integral: [f64; 2],
+    /// How far the limits of all rings have come closer since touch.
+    approached: f64,
+    stage: Stage,
+    force: [f64; 2],
+    /// Those that a step drags, and what takes their place.
+    slipping: Vec<usize>,
+    fresh: Vec<Vertex>,
+}
+
+impl SlipLines {
+    /// At rest, for friction that is neither zero nor infinite.
+    pub(super) fn new(
+        stiffness: ContactStiffness,
+        friction: f64,
+        spacing: f64,
+        tolerance: f64,
+    ) -> Result<Self, RangeError> {
+        Friction::new(RangeError::positive("friction", friction)?)?;
+        Ok(Self {
+            stiffness,
+            limit: friction * stiffness.c_z,
+            resolution: Resolution { spacing, spread: tolerance.sqrt(), tolerance },
+            shift: Shift::default(),
+            at: [0.0; 2],
+            vertices: Vec::new(),
+            watch: Watch::default(),
+            integral: [0.0; 2],
+            approached: 0.0,
+            stage: Stage::Adhesion,
+            force: [0.0; 2],
+            slipping: Vec::new(),
+            fresh: Vec::new(),
+        })
+    }
+
+    fn separate(&mut self) {
+        self.vertices.clear();
+        self.watch.clear();
+        self.stage = Stage::Adhesion;
+        self.force = [0.0; 2];
+    }
+
+    // The first ring, at the shift where the bodies touch.
+    fn touch(&mut self) {
+        self.at = [0.0; 2];
+        self.approached = 0.0;
+        self.integral = [0.0; 2];
+        self.push(Vertex::new(0.0, [0.0; 2]), 0.0);
+    }
+
+    fn add(&mut self, part: [f64; 2], sign: f64) {
+        self.integral[0] += sign * part[0];
+        self.integral[1] += sign * part[1];
+    }
+
+    fn push(&mut self, vertex: Vertex, safe: f64) {
+        if let Some(last) = self.vertices.last() {
+            self.add(last.integral(&vertex), 1.0);
+        }
+        self.vertices.push(vertex);
+        self.watch.push(safe);
+    }
+
+    fn pop(&mut self) -> Option<Vertex> {
+        let last = self.vertices.pop()?;
+        self.watch.pop();
+        if let Some(below) = self.vertices.last() {
+            self.add(below.integral(&last), -1.0);
+        }
+        Some(last)
+    }
+
+    // The edge of a contact that recedes.
+    fn recede(&mut self, zeta: f64) {
+        let mut outer = None;
+        while self.vertices.last().is_some_and(|last| last.depth >= zeta) {
+            outer = self.pop();
+        }
+        if let (Some(inner), Some(outer)) = (self.vertices.last(), outer) {
+            let edge = inner.between(&outer, zeta);
+            self.push(edge, f64::NEG_INFINITY);
+        }
+    }
+
+    // The edge of a contact that grows.
+    fn grow(&mut self, edge: Vertex, at: [f64; 2]) {
+        if let [.., a, b] = &self.vertices[..]
+            && self.resolution.spares(a, b, &edge, edge.depth, at)
+        {
+            self.pop();
+        }
+        self.push(edge, self.approached);
+    }
+
+    // Rings beyond their limits slip.
+    fn slip(&mut self, step: &SlipStep, to: [f64; 2]) {
+        let (vertices, zeta) = (&self.vertices, step.to);
+        let excess = |i: usize| {
+            let vertex: &Vertex = &vertices[i];
+            length(vertex.stretch(to)) - (zeta - vertex.depth)
+        };
+        let sticks = self.watch.find(self.approached, excess, &mut self.slipping);
+        self.stage = match (self.slipping.is_empty(), sticks) {
+            (true, _) => Stage::Adhesion,
+            (false, true) => Stage::Slip,
+            (false, false) => Stage::Slide,
+        };
+        let slipping = std::mem::take(&mut self.slipping);
+        // From the edge inwards, run by run.
+        let mut rest = &slipping[..];
+        while let Some(&last) = rest.first() {
+            let run = rest.iter().enumerate().take_while(|(k, i)| **i + k == last).count();
+            self.drag(last + 1 - run..last + 1, step, to);
+            rest = &rest[run..];
+        }
+        self.slipping = slipping;
+    }
+
+    fn drag(&mut self, run: std::ops::Range<usize>, step: &SlipStep, to: [f64; 2]) {
+        let zeta = step.to;
+        let mut fresh = std::mem::take(&mut self.fresh);
+        fresh.clear();
+        let below = run.start.checked_sub(1).map(|i| self.vertices[i]);
+        let above = self.vertices.get(run.end).copied();
+        if let Some(front) =
+            below.and_then(|below| front(&below, &self.vertices[run.start], zeta, to))
+        {
+            fresh.push(front);
+        }
+        let resolution = self.resolution;
+        let lay = |fresh: &mut Vec<Vertex>, vertex: Vertex| {
+            let a = fresh.len().checked_sub(2).map_or(below, |i| Some(fresh[i]));
+            if let (Some(a), Some(b)) = (a, fresh.last())
+                && resolution.spares(&a, b, &vertex, zeta, to)
+            {
+                fresh.pop();
+            }
+            fresh.push(vertex);
+        };
+        let mut last: Option<Vertex> = None;
+        for i in run.clone() {
+            let vertex = self.vertices[i];
+            if let Some(last) = last
+                && vertex.radius - last.radius > 1.001 * resolution.spacing
+                && resolution.spreads(&last, &vertex, step.from, self.at, step)
+            {
+                let middle = last.between(&vertex, 0.5 * (last.depth + vertex.depth));
+                lay(&mut fresh, dragged(&middle, step, self.at, to));
+            }
+            lay(&mut fresh, dragged(&vertex, step, self.at, to));
+            last = Some(vertex);
+        }
+        if let Some(front) =
+            above.and_then(|above| front(&above, &self.vertices[run.end - 1], zeta, to))
+        {
+            lay(&mut fresh, front);
+        }
+        self.replace(run, &fresh);
+        self.fresh = fresh;
+    }
+
+    fn replace(&mut self, run: std::ops::Range<usize>, fresh: &[Vertex]) {
+        let around = |vertices: &[Vertex], run: &std::ops::Range<usize>| {
+            let (first, last) = (run.start.saturating_sub(1), (run.end + 1).min(vertices.len()));
+            vertices[first..last].windows(2).fold([0.0; 2], |sum, pair| {
+                let [x, y] = pair[0].integral(&pair[1]);
+                [sum[0] + x, sum[1] + y]
+            })
+        };
+        let before = around(&self.vertices, &run);
+        let now = run.start..run.start + fresh.len();
+        if fresh.len() == run.len() {
+            self.vertices[run.clone()].copy_from_slice(fresh);
+        } else {
+            self.vertices.splice(run.clone(), fresh.iter().copied());
+        }
+        self.watch.replace(run, fresh.len(), self.approached);
+        let after = around(&self.vertices, &now);
+        self.add(after, 1.0);
+        self.add(before, -1.0);
+    }
+
+    // Anchors from the present shift: no digits are lost in long sliding.
+    fn move_origin(&mut self) {
+        let by = std::mem::take(&mut self.at);
+        for vertex in &mut self.vertices {
+            vertex.anchor = [vertex.anchor[0] - by[0], vertex.anchor[1] - by[1]];
+        }
+        let pairs = self.vertices.windows(2);
+        self.integral = pairs.fold([0.0; 2], |sum, pair| {
+            let [x, y] = pair[0].integral(&pair[1]);
+            [sum[0] + x, sum[1] + y]
+        });
+    }
+
+    fn go(&mut self, from: f64, to: f64, by: [f64; 2]) {
+        if self.vertices.is_empty() {
+            self.touch();
+        }
+        let growth = to - from;
+        let moves = length(by);
+        let at = [self.at[0] + by[0], self.at[1] + by[1]];
+        self.approached += moves - growth;
+        if growth < 0.0 {
+            self.recede(to);
+        }
+        if moves <= growth {
+            self.stage = Stage::Adhesion;
+        } else {
+            let ContactStiffness { c_x, c_y, .. } = self.stiffness;
+            self.slip(&SlipStep { from, to, by, stiffness: [c_x, c_y] }, at);
+        }
+        if growth > 0.0 {
+            self.grow(Vertex::new(to, at), at);
+        }
+        self.at = at;
+        if self.stage == Stage::Slide {
+            self.move_origin();
+        }
+        let root = to.sqrt();
+        self.force = [0, 1].map(|k| self.limit * (self.at[k] * root - self.integral[k]));
+    }
+}
+
+impl ContactLaw for SlipLines {
+    type Error = RangeError;
+
+    fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
+        shift.check_finite()?;
+        let (from, to) = (self.shift.zeta, shift.zeta);
+        if to <= 0.0 {
+            self.separate();
+        } else {
+            let part = if from < 0.0 { to / (to - from) } else { 1.0 };
+            let by = [
+                part * self.stiffness.c_x / self.limit * (shift.xi - self.shift.xi),
+                part * self.stiffness.c_y / self.limit * (shift.eta - self.shift.eta),
+            ];
+            self.go(from.max(0.0), to, by);
+        }
+        self.shift = shift;
+        Ok(self.load())
+    }
+
+    fn shift(&self) -> Shift {
+        self.shift
+    }
+
+    fn load(&self) -> ContactLoad {
+        let zeta = self.shift.zeta.max(0.0);
+        let f_z = 2.0 / 3.0 * self.stiffness.c_z * (zeta * zeta.sqrt());
+        ContactLoad { f_x: self.force[0], f_y: self.force[1], f_z, m_z: 0.0 }
+    }
+}
+
+impl ImpactLaw for SlipLines {}
+
+impl Staged for SlipLines {
+    fn stage(&self) -> Stage {
+        self.stage
+    }
+}

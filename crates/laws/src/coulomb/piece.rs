@@ -1,0 +1,165 @@
+//! A piece of the anchor's curve: a parabola over its chord.
+
+use super::drag::Step;
+use crate::memory::{Lateral, Vertex};
+
+/// The lower end of a piece of the curve W(s), as the law sees a [`Vertex`].
+///
+/// The piece is `W = chord + 4 tau (1 - tau) bubble`, tau from 0 to 1 over the depth.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Knot<V> {
+    pub(super) depth: f64,
+    /// The square root of the depth.
+    pub(super) root: f64,
+    pub(super) anchor: V,
+    /// How far the middle of the piece above lies off the chord.
+    pub(super) bubble: V,
+    /// The force of the contact below.
+    pub(super) force: V,
+}
+
+impl<V: Lateral> Knot<V> {
+    #[inline]
+    pub(super) fn of(vertex: &Vertex<V>) -> Self {
+        Self {
+            depth: vertex.depth,
+            root: vertex.curb,
+            anchor: vertex.anchor,
+            bubble: vertex.slope,
+            force: vertex.force,
+        }
+    }
+
+    #[inline]
+    pub(super) fn vertex(self) -> Vertex<V> {
+        Vertex {
+            depth: self.depth,
+            anchor: self.anchor,
+            slope: self.bubble,
+            force_slope: V::default(),
+            force: self.force,
+            curb: self.root,
+        }
+    }
+}
+
+/// The upper end of a piece.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct End<V> {
+    pub(super) depth: f64,
+    pub(super) root: f64,
+    pub(super) anchor: V,
+}
+
+impl<V: Lateral> Knot<V> {
+    #[inline]
+    pub(super) fn end(&self) -> End<V> {
+        End { depth: self.depth, root: self.root, anchor: self.anchor }
+    }
+}
+
+/// A piece between two ends.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Piece<V> {
+    pub(super) low: End<V>,
+    pub(super) high: End<V>,
+    pub(super) bubble: V,
+}
+
+impl<V: Lateral> Piece<V> {
+    #[inline]
+    pub(super) fn new(knot: &Knot<V>, high: End<V>) -> Self {
+        Self { low: knot.end(), high, bubble: knot.bubble }
+    }
+
+    /// The anchor at a part of the piece, from 0 to 1.
+    #[inline]
+    pub(super) fn at(&self, part: f64) -> V {
+        let chord = self.high.anchor.minus(self.low.anchor).times(part);
+        self.low.anchor.plus(chord).plus(self.bubble.times(4.0 * part * (1.0 - part)))
+    }
+
+    #[inline]
+    pub(super) fn middle(&self) -> V {
+        self.low.anchor.plus(self.high.anchor).times(0.5).plus(self.bubble)
+    }
+
+    #[inline]
+    pub(super) fn middle_depth(&self) -> f64 {
+        0.5 * (self.low.depth + self.high.depth)
+    }
+
+    #[inline]
+    pub(super) fn depth_at(&self, part: f64) -> f64 {
+        self.low.depth + part * (self.high.depth - self.low.depth)
+    }
+
+    /// The end at a part of the piece.
+    #[inline]
+    pub(super) fn cut(&self, part: f64) -> End<V> {
+        let depth = self.depth_at(part);
+        End { depth, root: depth.sqrt(), anchor: self.at(part) }
+    }
+
+    /// The force of its rings: `(3/2) int sqrt(s) dW`.
+    #[inline]
+    pub(super) fn force(&self) -> V {
+        let [chord, bubble] = weights(&self.low, &self.high);
+        let rise = self.high.anchor.minus(self.low.anchor);
+        rise.times(chord).minus(self.bubble.times(bubble))
+    }
+
+    /// The part at which the rings begin to be beyond their limit, given a part that is within and
+    /// a higher one that is not.
+    #[inline]
+    pub(super) fn front(&self, step: &Step<V>, within: f64, beyond: f64) -> f64 {
+        let (low, high) = (self.at(within), self.at(beyond));
+        let stretch = step.shift.minus(high);
+        let rise = high.minus(low);
+        let length = (beyond - within) * (self.high.depth - self.low.depth);
+        let limit = step.zeta - self.depth_at(beyond);
+        // |stretch + t rise|^2 = (limit + t length)^2 on the half chord, from above: near the edge
+        // nothing cancels.
+        let curve = rise.dot(rise) - length * length;
+        let slope = stretch.dot(rise) - limit * length;
+        let excess = stretch.dot(stretch) - limit * limit;
+        let root = (slope * slope - curve * excess).max(0.0).sqrt();
+        let down = if slope <= 0.0 { excess / (root - slope) } else { (slope + root) / -curve };
+        // Not a number only where all are one point.
+        let down = if down <= 1.0 { down.max(0.0) } else { 1.0 };
+        let part = beyond - (beyond - within) * down;
+        if self.bubble == V::default() {
+            return part;
+        }
+        self.on_curve(step, part, within, beyond)
+    }
+
+    /// Two steps of Newton's from the chord to the curve.
+    fn on_curve(&self, step: &Step<V>, mut part: f64, within: f64, beyond: f64) -> f64 {
+        let length = self.high.depth - self.low.depth;
+        let chord = self.high.anchor.minus(self.low.anchor);
+        for _ in 0..2 {
+            let (depth, anchor) = (self.depth_at(part), self.at(part));
+            let rate = chord.plus(self.bubble.times(4.0 - 8.0 * part));
+            let slope = 2.0 * ((step.zeta - depth) * length - step.shift.minus(anchor).dot(rate));
+            if slope <= 0.0 {
+                return part;
+            }
+            part = (part - step.excess(depth, anchor) / slope).clamp(within, beyond);
+        }
+        part
+    }
+}
+
+/// The forces per rise of the chord and, negative, per bubble.
+#[inline]
+pub(super) fn weights<V>(low: &End<V>, high: &End<V>) -> [f64; 2] {
+    let (a, b) = (low.root, high.root);
+    let sum = a + b;
+    if sum == 0.0 {
+        return [0.0; 2];
+    }
+    let inverse = 1.0 / sum;
+    let product = a * b * inverse;
+    [sum - product, 0.8 * (high.depth - low.depth) * inverse * (1.0 + product * inverse)]
+}

@@ -1,0 +1,249 @@
+//! What the law can tell: stick area, tractions, tangent.
+
+use super::CoulombMemory;
+use super::piece::Piece;
+use crate::memory::{Lateral, Regime, Tangent, Turn, VertexStack};
+use crate::profile::GAUSS;
+
+/// A piece of the curve of anchors: `W = chord + 4 tau (1 - tau) bubble`, tau from 0 to 1 over the
+/// depth.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Arc<V> {
+    /// Depth of the lower end.
+    pub from: f64,
+    /// Depth of the upper end.
+    pub to: f64,
+    /// Anchors at both ends.
+    pub anchors: [V; 2],
+    /// How far the middle lies off the chord.
+    pub bubble: V,
+}
+
+impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
+    /// The approach zeta; negative while the bodies are apart.
+    #[must_use]
+    pub fn zeta(&self) -> f64 {
+        self.zeta
+    }
+
+    /// The normalised shift X.
+    #[must_use]
+    pub fn shift(&self) -> V {
+        self.shift
+    }
+
+    /// The normalised force Phi; F = (2/3) f c_z Phi.
+    #[inline]
+    #[must_use]
+    pub fn force(&self) -> V {
+        self.force
+    }
+
+    /// The normalised normal force, zeta^(3/2).
+    #[must_use]
+    pub fn normal_force(&self) -> f64 {
+        let zeta = self.zeta.max(0.0);
+        zeta * zeta.sqrt()
+    }
+
+    /// What the last step did. A ring that overlays others is not told apart.
+    #[must_use]
+    pub fn regime(&self) -> Regime {
+        self.regime
+    }
+
+    /// Whether the bodies touch.
+    #[must_use]
+    pub fn is_touching(&self) -> bool {
+        !self.stack.is_empty()
+    }
+
+    /// The stack itself, for state that is stored elsewhere.
+    #[must_use]
+    pub fn stack(&self) -> &S {
+        &self.stack
+    }
+
+    /// How often two pieces were joined for want of room, whatever the tolerance.
+    #[must_use]
+    pub fn merges(&self) -> u32 {
+        self.stack.merges()
+    }
+
+    /// The pieces of the curve, from the deepest ring to the edge.
+    pub fn arcs(&self) -> impl Iterator<Item = Arc<V>> + '_ {
+        self.chain().map(|piece| Arc {
+            from: piece.low.depth,
+            to: piece.high.depth,
+            anchors: [piece.low.anchor, piece.high.anchor],
+            bubble: piece.bubble,
+        })
+    }
+
+    /// The anchor W(s): the shift at which the ring of depth s would carry no load. Beyond the
+    /// edge it is the present shift.
+    #[must_use]
+    pub fn anchor(&self, depth: f64) -> V {
+        let holds = |piece: &Piece<V>| depth < piece.high.depth;
+        self.chain().find(holds).map_or(self.shift, |piece| {
+            let length = piece.high.depth - piece.low.depth;
+            piece.at((depth - piece.low.depth).max(0.0) / length)
+        })
+    }
+
+    /// zeta*, the depth below which all rings stuck in the last step; zero in gross sliding. Above
+    /// it there may be others that stuck: [`CoulombMemory::sticking`].
+    #[must_use]
+    pub fn stick_depth(&self) -> f64 {
+        match self.regime {
+            Regime::Separated | Regime::Sliding => 0.0,
+            Regime::Adhesion | Regime::Release => self.zeta,
+            _ => self.front,
+        }
+    }
+
+    /// The share of the contact area that sticks: the rings below [`CoulombMemory::stick_depth`]
+    /// and those above it that are further from their limit than the tolerance.
+    #[must_use]
+    pub fn sticking(&self) -> f64 {
+        if self.zeta <= 0.0 {
+            return 0.0;
+        }
+        let mut depth = self.stick_depth();
+        for (from, to, middle) in self.halves() {
+            let length = to - from.max(self.stick_depth());
+            if length > 0.0 && self.sticks(0.5 * (from + to), middle) {
+                depth += length;
+            }
+        }
+        (depth / self.zeta).min(1.0)
+    }
+
+    /// Whether a ring above the stick depth keeps away from its limit.
+    fn sticks(&self, depth: f64, anchor: V) -> bool {
+        let stretch = self.shift.minus(anchor).length();
+        self.zeta - depth - stretch > self.tolerance * self.zeta
+    }
+
+    /// The halves of all pieces: the depths of their ends and the anchor at their middle.
+    fn halves(&self) -> impl Iterator<Item = (f64, f64, V)> + '_ {
+        self.chain().flat_map(|piece| {
+            let middle = piece.middle_depth();
+            [(piece.low.depth, middle, piece.at(0.25)), (middle, piece.high.depth, piece.at(0.75))]
+        })
+    }
+
+    /// The direction of the traction of the ring of a depth, that of its stretch X - W; zero where
+    /// it has none.
+    #[must_use]
+    pub fn direction(&self, depth: f64) -> V {
+        let stretch = self.shift.minus(self.anchor(depth));
+        let length = stretch.length();
+        if length > 0.0 { stretch.times(1.0 / length) } else { V::default() }
+    }
+
+    /// The traction in units of `f sigma_z0`, the greatest friction, at the elliptical radius
+    /// squared `q = (x/a)^2 + (y/b)^2` of the present contact: `int sqrt(s - q zeta)' dW`.
+    #[must_use]
+    pub fn traction(&self, q: f64) -> V {
+        if !(self.zeta > 0.0 && q < 1.0) {
+            return V::default();
+        }
+        let depth = q * self.zeta;
+        let g = |s: f64| (s - depth).max(0.0).sqrt();
+        let area = |s: f64| 2.0 / 3.0 * (s - depth).max(0.0).powi(3).sqrt();
+        let mut sum = V::default();
+        for piece in self.chain().filter(|piece| piece.high.depth > depth) {
+            let [low, high] = [piece.low.depth, piece.high.depth];
+            let length = high - low;
+            let rise = piece.high.anchor.minus(piece.low.anchor).times(1.0 / length);
+            // W' = rise + 4 (1 - 2 tau) bubble/length, by parts
+            let bubble = 2.0 * (area(high) - area(low)) / length - g(high) - g(low);
+            sum = sum
+                .plus(rise.times(g(high) - g(low)))
+                .plus(piece.bubble.times(4.0 * bubble / length));
+        }
+        sum.times(1.0 / self.zeta.sqrt())
+    }
+
+    /// The derivatives of the force with respect to approach and shift as the last step goes on.
+    ///
+    /// In adhesion they are those of the step's end. In slip they are of the last instant: a
+    /// ring at its limit turns, `dPhi = (3/2) (I - m m^T) dX dt + (3/2) m dzeta dt`, others stick.
+    #[must_use]
+    pub fn tangent(&self) -> Tangent {
+        let isotropic = |k: f64| [[k, 0.0], [0.0, k]];
+        let mut tangent = Tangent { by_shift: isotropic(0.0), by_approach: [0.0; 2] };
+        match self.regime {
+            Regime::Separated => tangent,
+            Regime::Release => Tangent { by_shift: isotropic(1.5 * self.root), ..tangent },
+            Regime::Adhesion => self.adhesion_tangent(),
+            _ => {
+                let stick = 1.5 * self.stick_depth().sqrt();
+                tangent.by_shift = isotropic(stick);
+                for piece in self.chain() {
+                    self.add_slip(&piece, &mut tangent);
+                }
+                tangent
+            }
+        }
+    }
+
+    /// Of the piece laid down by the last step, which began at `front`.
+    fn adhesion_tangent(&self) -> Tangent {
+        let (a, b) = (self.front.sqrt(), self.root);
+        let chord = a + b - a * b / (a + b);
+        // d/dzeta of dX (a^2 + a b + b^2)/(a + b)
+        let by_depth = (1.0 - a * a / ((a + b) * (a + b))) / (2.0 * b);
+        let rise = self.shift.minus(self.anchor(self.front)).components();
+        Tangent { by_shift: [[chord, 0.0], [0.0, chord]], by_approach: rise.map(|r| r * by_depth) }
+    }
+
+    /// What the rings of a piece above the stick depth add.
+    fn add_slip(&self, piece: &Piece<V>, tangent: &mut Tangent) {
+        let (low, high) = (piece.low.root.max(self.stick_depth().sqrt()), piece.high.root);
+        let length = piece.high.depth - piece.low.depth;
+        if high <= low || length <= 0.0 {
+            return;
+        }
+        for (part, weight) in GAUSS {
+            let root = low + part * (high - low);
+            let at = (root - piece.low.root) * (root + piece.low.root) / length;
+            let anchor = piece.at(at);
+            let stretch = self.shift.minus(anchor);
+            let size = stretch.length();
+            let weight = 1.5 * weight * (high - low);
+            let slips = size > 0.0 && !self.sticks(root * root, anchor);
+            let m = if slips { stretch.times(1.0 / size).components() } else { [0.0; 2] };
+            for i in 0..2 {
+                tangent.by_shift[i][i] += weight;
+                for j in 0..2 {
+                    tangent.by_shift[i][j] -= weight * m[i] * m[j];
+                }
+                tangent.by_approach[i] += weight * m[i];
+            }
+        }
+    }
+
+    /// Moves the origin of the shifts: X and every anchor grow by `by`. Forces do not change.
+    pub fn translate(&mut self, by: V) {
+        self.shift = self.shift.plus(by);
+        for i in 0..self.stack.len() {
+            let vertex = self.stack.get_mut(i);
+            vertex.anchor = vertex.anchor.plus(by);
+        }
+    }
+}
+
+impl<S: VertexStack<[f64; 2]>> CoulombMemory<[f64; 2], S> {
+    /// Turns the frame in the contact plane: all components are expressed in axes that are
+    /// rotated by `angle` (radians, counter-clockwise).
+    pub fn turn_frame(&mut self, angle: f64) {
+        let turn = Turn::by(angle);
+        self.shift = turn.of(self.shift);
+        self.force = turn.of(self.force);
+        for i in 0..self.stack.len() {
+            turn.vertex(self.stack.get_mut(i));
+        }
+    }
+}

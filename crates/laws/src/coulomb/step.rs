@@ -1,0 +1,361 @@
+//! A straight step: adhesion lays a piece down, slip drags what is beyond its limit.
+
+use super::CoulombMemory;
+use super::drag::Step;
+use super::join::{Sizes, join, make_room};
+use super::piece::{End, Knot, Piece};
+use crate::memory::{Lateral, Regime, VertexStack};
+
+/// What counts as no length at all, over the approach and over the shift.
+const EXACT: [f64; 2] = [1e-13, 1e-15];
+/// The share of the tolerance by which a join may move the curve.
+const SHARE: f64 = 0.2;
+/// How often a piece may be halved in one step.
+const HALVINGS: u32 = 6;
+/// How near to its upper end a piece is split.
+const HIGHEST: f64 = 0.8;
+
+/// Where the slipping part of the curve begins.
+enum Front {
+    /// Nothing slips.
+    None,
+    /// The deepest ring slips.
+    Bottom,
+    /// On the piece above a vertex, between a part that sticks and one that slips.
+    On { piece: usize, within: f64, beyond: f64 },
+}
+
+impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
+    /// A step that was checked.
+    #[inline]
+    pub(crate) fn step(&mut self, zeta: f64, shift: V) {
+        if zeta <= 0.0 {
+            self.separate(zeta, shift);
+            return;
+        }
+        if self.stack.is_empty() {
+            self.touch(zeta, shift);
+        }
+        let dz = zeta - self.zeta;
+        let dx = shift.minus(self.shift);
+        if dz == 0.0 && dx == V::default() {
+            return; // not a step at all
+        }
+        let stretch = shift.minus(self.stack.get(0).anchor);
+        self.extent = self.extent.max(stretch.length());
+        if dz > 0.0 && dx.dot(dx) <= dz * dz {
+            self.adhere(zeta, shift);
+        } else {
+            self.slip(zeta, shift);
+        }
+        (self.zeta, self.shift) = (zeta, shift);
+    }
+
+    #[cold]
+    fn separate(&mut self, zeta: f64, shift: V) {
+        self.stack.truncate(0);
+        (self.zeta, self.root, self.shift) = (zeta, 0.0, shift);
+        (self.regime, self.front, self.force) = (Regime::Separated, 0.0, V::default());
+    }
+
+    /// Moves a separated pair to the point of its path at which it touches.
+    #[cold]
+    pub(super) fn touch(&mut self, zeta: f64, shift: V) {
+        let part = self.zeta / (self.zeta - zeta);
+        self.shift = self.shift.plus(shift.minus(self.shift).times(part));
+        (self.zeta, self.root, self.force) = (0.0, 0.0, V::default());
+        self.extent = 0.0;
+        self.stack.push(self.tip().vertex());
+    }
+
+    #[inline]
+    fn sizes(&self, end: End<V>) -> Sizes {
+        let [x, y] = end.anchor.components();
+        let size = end.depth.min(self.extent);
+        Sizes {
+            miss: SHARE * self.tolerance * size,
+            bulge: self.bulge * size,
+            exact: EXACT[0] * end.depth + EXACT[1] * (x.abs() + y.abs()),
+        }
+    }
+
+    /// The tip of the curve, as a vertex to be.
+    #[inline]
+    fn tip(&self) -> Knot<V> {
+        Knot {
+            depth: self.zeta,
+            root: self.root,
+            anchor: self.shift,
+            bubble: V::default(),
+            force: self.force,
+        }
+    }
+
+    /// The piece laid down in complete adhesion (6.45), (7.54).
+    #[inline]
+    fn adhere(&mut self, zeta: f64, shift: V) {
+        let end = End { depth: zeta, root: zeta.sqrt(), anchor: shift };
+        let top = self.grow();
+        self.force = self.force.plus(Piece::new(&self.tip(), end).force());
+        if top > 0 {
+            let sizes = self.sizes(end);
+            join(&mut self.stack, top, end, &sizes);
+        }
+        (self.root, self.regime, self.front) = (end.root, Regime::Adhesion, self.zeta);
+    }
+
+    /// Makes the tip a vertex, the foot of the piece to come, and returns its place.
+    #[inline]
+    fn grow(&mut self) -> usize {
+        let top = self.stack.len() - 1;
+        if self.stack.get(top).depth >= self.zeta {
+            return top;
+        }
+        let tip = self.tip();
+        make_room(&mut self.stack, 1, tip.end());
+        self.stack.push(tip.vertex());
+        self.stack.len() - 1
+    }
+
+    /// Drags what is beyond its limit at the end of the step.
+    fn slip(&mut self, zeta: f64, shift: V) {
+        let step = Step::new((self.zeta, self.shift), (zeta, shift));
+        let released = zeta < self.zeta;
+        if zeta > self.zeta {
+            self.grow();
+        }
+        let old = self.old_end(zeta);
+        make_room(&mut self.stack, 1, old);
+        let front = self.find_front(&step, old);
+        let end = End { depth: zeta, root: old.root, anchor: shift };
+        let first = match front {
+            Front::None => {
+                self.finish(end, self.stack.len() - 1);
+                if released {
+                    (self.regime, self.front) = (Regime::Release, zeta);
+                }
+                return;
+            }
+            Front::Bottom => 0,
+            Front::On { piece, within, beyond } => self.cut(&step, old, piece, within, beyond),
+        };
+        let slides = matches!(front, Front::Bottom) && self.all_beyond(&step, old);
+        self.report(first, slides, zeta);
+        self.drag_from(first, &step, old, &self.sizes(end));
+        self.finish(end, first.saturating_sub(1));
+        self.join_from(first.max(1), end);
+    }
+
+    /// Cuts the curve at an approach; its end there before anything is dragged.
+    #[inline]
+    fn old_end(&mut self, zeta: f64) -> End<V> {
+        let mut end = self.tip().end();
+        if zeta > self.zeta {
+            // The rings that touch on the way have no stretch to begin with.
+            return End { depth: zeta, root: zeta.sqrt(), anchor: self.shift };
+        }
+        if zeta < self.zeta {
+            let mut top = self.stack.len() - 1;
+            while self.stack.get(top).depth >= zeta {
+                end = Knot::of(self.stack.get(top)).end();
+                self.stack.truncate(top);
+                top -= 1;
+            }
+            let knot = Knot::of(self.stack.get(top));
+            let piece = Piece::new(&knot, end);
+            let part = (zeta - knot.depth) / (end.depth - knot.depth);
+            end = End { depth: zeta, root: zeta.sqrt(), anchor: piece.at(part) };
+            self.stack.get_mut(top).slope = knot.bubble.times(part * part);
+        }
+        end
+    }
+
+    /// The upper end of the piece above a vertex.
+    #[inline]
+    fn end_of(&self, i: usize, tip: End<V>) -> End<V> {
+        if i + 1 < self.stack.len() { Knot::of(self.stack.get(i + 1)).end() } else { tip }
+    }
+
+    /// The lowest place that slips; there may be others that stick above it.
+    #[inline]
+    fn find_front(&self, step: &Step<V>, old: End<V>) -> Front {
+        let len = self.stack.len();
+        let mut knot = Knot::of(self.stack.get(0));
+        if step.excess(knot.depth, knot.anchor) > 0.0 {
+            return Front::Bottom;
+        }
+        for i in 0..len {
+            let piece = Piece::new(&knot, self.end_of(i, old));
+            if step.excess(piece.middle_depth(), piece.middle()) > 0.0 {
+                return Front::On { piece: i, within: 0.0, beyond: 0.5 };
+            }
+            let high = piece.high;
+            if step.excess(high.depth, high.anchor) > 0.0 {
+                return Front::On { piece: i, within: 0.5, beyond: 1.0 };
+            }
+            if i + 1 < len {
+                knot = Knot::of(self.stack.get(i + 1));
+            }
+        }
+        Front::None
+    }
+
+    /// Makes the front a vertex and returns its place.
+    fn cut(&mut self, step: &Step<V>, old: End<V>, i: usize, within: f64, beyond: f64) -> usize {
+        let knot = Knot::of(self.stack.get(i));
+        let piece = Piece::new(&knot, self.end_of(i, old));
+        let part = piece.front(step, within, beyond);
+        let cut = piece.cut(part);
+        if cut.depth <= knot.depth {
+            return i;
+        }
+        if cut.depth >= piece.high.depth {
+            // The vertex above is the front, or a ring at the edge too thin to be seen.
+            return (i + 1).min(self.stack.len() - 1);
+        }
+        let rest = 1.0 - part;
+        let front = Knot {
+            depth: cut.depth,
+            root: cut.root,
+            anchor: cut.anchor,
+            bubble: knot.bubble.times(rest * rest),
+            force: V::default(),
+        };
+        self.stack.get_mut(i).slope = knot.bubble.times(part * part);
+        self.stack.insert(i + 1, front.vertex());
+        i + 1
+    }
+
+    /// Drags the curve from a vertex up, from the edge down.
+    fn drag_from(&mut self, first: usize, step: &Step<V>, old: End<V>, sizes: &Sizes) {
+        let mut old = old;
+        let mut new = step.shift;
+        let mut in_line = true;
+        for i in (first..self.stack.len()).rev() {
+            let knot = Knot::of(self.stack.get(i));
+            let piece = Piece::new(&knot, old);
+            let anchor = step.drag(knot.depth, knot.anchor);
+            in_line = in_line && self.lies_behind(step, &piece, anchor, sizes.exact);
+            if in_line {
+                // One piece, straight behind the tip.
+                self.stack.truncate(i + 1);
+                let vertex = self.stack.get_mut(i);
+                (vertex.anchor, vertex.slope) = (anchor, V::default());
+            } else {
+                self.lay(i, &piece, [anchor, new], step, (sizes, HALVINGS));
+            }
+            (old, new) = (piece.low, anchor);
+        }
+    }
+
+    /// Whether the dragged piece lies on the line behind the tip.
+    #[inline]
+    fn lies_behind(&self, step: &Step<V>, piece: &Piece<V>, anchor: V, exact: f64) -> bool {
+        let near = |depth: f64, anchor: V| {
+            let off = anchor.minus(step.behind(depth));
+            off.dot(off) <= exact * exact
+        };
+        let depth = piece.middle_depth();
+        near(piece.low.depth, anchor)
+            && (piece.low.depth >= self.zeta || near(depth, step.drag(depth, piece.middle())))
+    }
+
+    /// The piece in whose place the old one above vertex i was dragged, or several.
+    fn lay(
+        &mut self,
+        i: usize,
+        old: &Piece<V>,
+        new: [V; 2],
+        step: &Step<V>,
+        (sizes, halvings): (&Sizes, u32),
+    ) {
+        let middle = step.drag(old.middle_depth(), old.middle());
+        let bubble = middle.minus(new[0].plus(new[1]).times(0.5));
+        let is_straight = bubble.dot(bubble) <= sizes.exact * sizes.exact;
+        let vertex = self.stack.get_mut(i);
+        vertex.anchor = new[0];
+        vertex.slope = if is_straight { V::default() } else { bubble };
+        let full = self.stack.len() >= self.stack.capacity();
+        let within = bubble.dot(bubble) <= sizes.bulge * sizes.bulge;
+        if within || halvings == 0 || full {
+            return;
+        }
+        // Where the angle seen from the tip is halved.
+        let (low, high) = (step.shift.minus(new[0]).length(), step.shift.minus(new[1]).length());
+        let part = (low / (low + high)).clamp(1.0 - HIGHEST, HIGHEST);
+        let at = old.cut(part);
+        if at.depth <= old.low.depth || at.depth >= old.high.depth {
+            return;
+        }
+        let rest = 1.0 - part;
+        let below = Piece { low: old.low, high: at, bubble: old.bubble.times(part * part) };
+        let above = Piece { low: at, high: old.high, bubble: old.bubble.times(rest * rest) };
+        let anchor = step.drag(at.depth, at.anchor);
+        let knot = Knot {
+            depth: at.depth,
+            root: at.root,
+            anchor,
+            bubble: V::default(),
+            force: V::default(),
+        };
+        self.stack.insert(i + 1, knot.vertex());
+        self.lay(i + 1, &above, [anchor, new[1]], step, (sizes, halvings - 1));
+        self.lay(i, &below, [new[0], anchor], step, (sizes, halvings - 1));
+    }
+
+    /// The forces from a vertex up, and the end of the step.
+    #[inline]
+    fn finish(&mut self, end: End<V>, first: usize) {
+        let mut knot = Knot::of(self.stack.get(first));
+        for i in first..self.stack.len() {
+            let high = self.end_of(i, end);
+            let force = knot.force.plus(Piece::new(&knot, high).force());
+            if i + 1 < self.stack.len() {
+                self.stack.get_mut(i + 1).force = force;
+                knot = Knot::of(self.stack.get(i + 1));
+            } else {
+                self.force = force;
+            }
+        }
+        self.root = end.root;
+    }
+
+    /// Joins what can be joined from a vertex up.
+    #[inline]
+    fn join_from(&mut self, first: usize, end: End<V>) {
+        let sizes = self.sizes(end);
+        let mut i = first;
+        while i < self.stack.len() {
+            if !join(&mut self.stack, i, end, &sizes) {
+                i += 1;
+            }
+        }
+    }
+
+    /// Whether no ring sticks, the deepest being known to slip.
+    #[cold]
+    fn all_beyond(&self, step: &Step<V>, old: End<V>) -> bool {
+        (0..self.stack.len()).all(|i| {
+            let knot = Knot::of(self.stack.get(i));
+            let piece = Piece::new(&knot, self.end_of(i, old));
+            let middle = piece.middle_depth();
+            knot.depth >= self.zeta
+                || (step.excess(knot.depth, knot.anchor) > 0.0
+                    && (middle >= self.zeta || step.excess(middle, piece.middle()) > 0.0))
+        })
+    }
+
+    /// What the step did: the front is vertex `first`.
+    #[inline]
+    fn report(&mut self, first: usize, slides: bool, zeta: f64) {
+        let front = self.stack.get(first).depth;
+        let slipped = matches!(self.regime, Regime::Slip | Regime::Reversal | Regime::Sliding);
+        let back = slipped && front > self.front && front < zeta;
+        self.regime = match (slides, back) {
+            (true, _) => Regime::Sliding,
+            (false, true) => Regime::Reversal,
+            (false, false) => Regime::Slip,
+        };
+        self.front = front;
+    }
+}

@@ -1,0 +1,82 @@
+//! Elastic energy and heat, cell by cell.
+
+use carom_halfspace::Field;
+use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField};
+
+use crate::problem::ContactProblem;
+use crate::state::ContactState;
+
+/// The elastic energy of both bodies.
+///
+/// ```
+/// use carom_halfspace::{Grid, Material, MaterialPair};
+/// use carom_laws::curvature::RelativeCurvature;
+/// use carom_laws::friction::Friction;
+/// use carom_solver::{
+///     ContactProblem, ContactState, Drive, Driven, Frictionless, Gap, Method, StoredEnergy,
+/// };
+/// let grid = Grid::new(48, 48, 0.05, 0.05)?;
+/// let gap = Gap::of_curvature(grid, &RelativeCurvature::from_coefficients(0.5, 0.5)?);
+/// let pair = MaterialPair::new(Material::from_shear(1.0, 0.5)?, Material::RIGID)?;
+/// let problem = ContactProblem::of_half_spaces(gap, pair, Friction::NONE)?;
+/// let (method, apart) = (Frictionless::default(), ContactState::apart(grid));
+/// let (mut scratch, mut state) = (method.scratch(&problem)?, apart.clone());
+/// let drive = Drive { normal: Driven::Shift(1.0), ..Drive::default() };
+/// method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+/// // Hertz: (2/5) F_z zeta.
+/// let stored = StoredEnergy::of(&problem, &state)?.total();
+/// assert!((stored / (0.4 * state.load().f_z) - 1.0).abs() < 2e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct StoredEnergy {
+    /// Half of pressure times normal displacement, times the area of the cell.
+    pub normal: Field,
+    /// Half of tangential tractions times displacements, times the area of the cell.
+    pub tangential: Field,
+}
+
+impl StoredEnergy {
+    /// Of a state of a problem.
+    ///
+    /// # Errors
+    /// [`OperatorError`] for a state of another grid.
+    pub fn of(problem: &ContactProblem, state: &ContactState) -> Result<Self, OperatorError> {
+        let (operator, grid) = (problem.operator(), problem.grid());
+        let zero = Field::uniform(grid, 0.0);
+        let [mut u, mut v, mut w] = [zero.clone(), zero.clone(), zero];
+        let (x, y) = (state.traction_x.values(), state.traction_y.values());
+        let pressure = state.pressure.values();
+        let tractions = TractionField::full(x, y, pressure);
+        let displacements = DisplacementField::full(u.values_mut(), v.values_mut(), w.values_mut());
+        operator.apply(tractions, displacements, &mut operator.workspace())?;
+        let half = 0.5 * grid.cell_area();
+        let (mut normal, mut tangential) = (w, u);
+        for (own, p) in normal.values_mut().iter_mut().zip(pressure) {
+            *own *= half * p;
+        }
+        for (((own, v), x), y) in tangential.values_mut().iter_mut().zip(v.values()).zip(x).zip(y) {
+            *own = half * (*own * x + v * y);
+        }
+        Ok(Self { normal, tangential })
+    }
+
+    /// The sum over all cells.
+    #[must_use]
+    pub fn total(&self) -> f64 {
+        self.normal.values().iter().sum::<f64>() + self.tangential.values().iter().sum::<f64>()
+    }
+}
+
+/// The heat of a step in each cell: tangential traction at its end times slip, times the area. For
+/// long steps it is off by about a part of the slip over that at which all slides.
+#[must_use]
+pub fn dissipated(before: &ContactState, after: &ContactState) -> Field {
+    let [mut heat, across] = after.slip_since(before);
+    let area = heat.grid().cell_area();
+    let tractions = after.traction_x.values().iter().zip(after.traction_y.values());
+    for ((own, slip), (x, y)) in heat.values_mut().iter_mut().zip(across.values()).zip(tractions) {
+        *own = -area * (*own * x + slip * y);
+    }
+    heat
+}

@@ -1,0 +1,10 @@
+//! What follows from states: slip, energies, what is left of the conditions, stresses below.
+
+mod check;
+mod energy;
+mod slip;
+mod subsurface;
+
+pub use check::violations;
+pub use energy::{StoredEnergy, dissipated};
+pub use subsurface::Subsurface;

@@ -1,0 +1,27 @@
+//! The slip of a step.
+
+use carom_halfspace::Field;
+
+use crate::state::ContactState;
+
+impl ContactState {
+    /// What the surface of body 1 moved against that of body 2 since a state before, beyond the
+    /// rigid shift and twist (12.2), in all cells: in those of the contact their slip.
+    ///
+    /// Both states should be on the same grid; beyond the cells of the smaller one it is zero.
+    #[must_use]
+    pub fn slip_since(&self, before: &Self) -> [Field; 2] {
+        let (now, then) = (self.shift, before.shift);
+        let [xi, eta, turn] = [now.xi - then.xi, now.eta - then.eta, now.omega - then.omega];
+        let grid = self.pressure.grid();
+        let mut slip = [Field::uniform(grid, 0.0), Field::uniform(grid, 0.0)];
+        let [along_x, along_y] = &mut slip;
+        let x = self.displacement_x.values().iter().zip(before.displacement_x.values());
+        let y = self.displacement_y.values().iter().zip(before.displacement_y.values());
+        for (i, (((u, u_then), (v, v_then)), (x, y))) in x.zip(y).zip(grid.centres()).enumerate() {
+            along_x.values_mut()[i] = u - u_then - (xi + y * turn);
+            along_y.values_mut()[i] = v - v_then - (eta - x * turn);
+        }
+        slip
+    }
+}

@@ -1,0 +1,109 @@
+//! Stresses and displacements below the contact.
+
+use carom_halfspace::{Displacement, LoadedRectangle, Material, Point, Stress, Traction};
+use carom_special::RangeError;
+
+use crate::state::ContactState;
+
+/// One of the bodies below its contact: stress and displacement at any point, by the sum over all
+/// cells in contact.
+///
+/// All is in the common axes: body 1 is where z > 0, body 2 where z < 0; tension is positive. Many
+/// points below the centres of all cells are faster by
+/// [`carom_halfspace::operator::InteriorStress`].
+///
+/// ```
+/// use carom_halfspace::{Grid, Material, Point};
+/// use carom_solver::{ContactState, Subsurface};
+/// let steel = Material::from_young(208e3, 0.3)?;
+/// let mut state = ContactState::apart(Grid::new(20, 20, 0.1, 0.1)?);
+/// state.pressure.values_mut().fill(1.0);
+/// let below = Subsurface::of_body_2(&state, steel)?;
+/// let stress = below.stress(Point { x: 0.0, y: 0.0, z: -0.01 })?;
+/// assert!((stress.zz + 1.0).abs() < 1e-3);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Subsurface {
+    cell: LoadedRectangle,
+    /// Where z is positive: 1 for body 1, -1 for body 2.
+    inward: f64,
+    /// Loaded cells: centres and tractions on this body.
+    loads: Vec<(f64, f64, Traction)>,
+}
+
+impl Subsurface {
+    /// Body 1, of this material.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a rigid body.
+    pub fn of_body_1(state: &ContactState, material: Material) -> Result<Self, RangeError> {
+        Self::new(state, material, 1.0)
+    }
+
+    /// Body 2, of this material.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a rigid body.
+    pub fn of_body_2(state: &ContactState, material: Material) -> Result<Self, RangeError> {
+        Self::new(state, material, -1.0)
+    }
+
+    fn new(state: &ContactState, material: Material, inward: f64) -> Result<Self, RangeError> {
+        let grid = state.pressure.grid();
+        let cell = LoadedRectangle::new(material, grid.cell())?;
+        let tractions = state.traction_x.values().iter().zip(state.traction_y.values());
+        let loads = grid.centres().zip(tractions.zip(state.pressure.values()));
+        let loads = loads.filter(|(_, (_, p))| **p > 0.0).map(|((at_x, at_y), ((x, y), p))| {
+            // What acts on body 1 acts on body 2 the other way round; its own z is mirrored.
+            (at_x, at_y, Traction { x: inward * x, y: inward * y, normal: *p })
+        });
+        Ok(Self { cell, inward, loads: loads.collect() })
+    }
+
+    /// The stress at a point.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a point outside the body, and where the stress is infinite: on the
+    /// surface at the edges of cells.
+    pub fn stress(&self, at: Point) -> Result<Stress, RangeError> {
+        let mut sum = Stress::default();
+        for (x, y, load) in &self.loads {
+            sum = sum + self.cell.stress(*load, self.seen_from(*x, *y, at))?;
+        }
+        Ok(Stress { yz: self.inward * sum.yz, zx: self.inward * sum.zx, ..sum })
+    }
+
+    /// The displacement of this body at a point.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a point outside the body.
+    pub fn displacement(&self, at: Point) -> Result<Displacement, RangeError> {
+        let mut sum = Displacement::default();
+        for (x, y, load) in &self.loads {
+            sum = sum + self.cell.displacement(*load, self.seen_from(*x, *y, at))?;
+        }
+        Ok(Displacement { w: self.inward * sum.w, ..sum })
+    }
+
+    /// The stresses along the normal through a place of the surface, at these depths.
+    ///
+    /// # Errors
+    /// As [`Subsurface::stress`].
+    pub fn along_normal(
+        &self,
+        x: f64,
+        y: f64,
+        depths: impl IntoIterator<Item = f64>,
+    ) -> Result<Vec<Stress>, RangeError> {
+        depths
+            .into_iter()
+            .map(|depth| self.stress(Point { x, y, z: self.inward * depth }))
+            .collect()
+    }
+
+    /// The point in the body's own axes, from the centre of a cell.
+    fn seen_from(&self, x: f64, y: f64, at: Point) -> Point {
+        Point { x: at.x - x, y: at.y - y, z: self.inward * at.z }
+    }
+}

@@ -1,0 +1,22 @@
+//! What measurement says: published impacts beside the exact elastic theory, beside constant
+//! coefficients and beside the laws of particle codes; not in the thesis.
+
+use crate::catalogue::Entry;
+
+mod alumina_on_glass;
+mod coefficients;
+mod glass_pairs;
+mod models;
+mod superball;
+
+/// The pages.
+pub(super) const ENTRIES: &[Entry] = &[
+    Entry::check("measured.alumina-on-glass", "Measured: alumina balls on glass at all angles")
+        .by(alumina_on_glass::draw),
+    Entry::check("measured.glass-pairs", "Measured: 24 impacts of two glass spheres")
+        .by(glass_pairs::draw),
+    Entry::check("measured.coefficients", "Measured: coefficients of eleven pairs of materials")
+        .by(coefficients::draw),
+    Entry::check("measured.superball", "Measured: a rubber ball, and where the theory ends")
+        .by(superball::draw),
+];

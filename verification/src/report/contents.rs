@@ -1,0 +1,120 @@
+//! The bar of search and filter, and the contents beside the pages.
+
+use super::Report;
+use super::markup::{escape, prose};
+use crate::catalogue::{Entry, State};
+use crate::page::Page;
+use std::fmt::Write as _;
+
+/// What each chapter of the thesis is about, and our own groups of pages.
+const GROUPS: &[(&str, &str)] = &[
+    ("3", "Survey of the theories"),
+    ("4", "The elastic half-space"),
+    ("5", "Hertz, shift and torsion"),
+    ("6", "Histories along a line"),
+    ("7", "Histories in all directions"),
+    ("8", "Equations of motion"),
+    ("9", "Impact without torsion"),
+    ("10", "Torsional impact"),
+    ("11", "The numerical method"),
+    ("12", "Gauss-Seidel with friction"),
+    ("13", "Convergence"),
+    ("14", "Numerical load histories"),
+    ("15", "Coefficients of restitution"),
+];
+
+/// The group of a page: its chapter, or what its name begins with.
+fn group(entry: &Entry) -> (&str, String) {
+    if let Some((chapter, title)) = GROUPS.iter().find(|(of, _)| *of == entry.chapter()) {
+        return (chapter, format!("{chapter} · {title}"));
+    }
+    match entry.chapter() {
+        "errata" => ("errata", "Corrections of the print".to_owned()),
+        "measured" => ("measured", "What measurement says".to_owned()),
+        "rebound" => ("rebound", "The oblique impact as a whole".to_owned()),
+        "particles" => ("particles", "Tests of particle codes".to_owned()),
+        "accuracy" => ("accuracy", "Accuracy".to_owned()),
+        name if name.starts_with("proposition") => ("proposition", "Propositions".to_owned()),
+        name => (name, name.to_owned()),
+    }
+}
+
+/// The bar above the pages.
+pub(super) fn bar(page: &mut String, catalogue: &[Entry]) {
+    page.push_str(
+        "<header class=\"bar\"><a class=\"name\" href=\"#\">carom</a>\
+         <input id=\"query\" type=\"search\" placeholder=\"Search: words, or an equation as 7.48\" \
+         aria-label=\"Search\"><select id=\"chapter\" aria-label=\"Chapter\">\
+         <option value=\"all\">all chapters</option>",
+    );
+    let mut last = String::new();
+    for entry in catalogue {
+        let (name, title) = group(entry);
+        if name != last {
+            let _ = write!(page, "<option value=\"{name}\">{}</option>", escape(&title));
+            name.clone_into(&mut last);
+        }
+    }
+    page.push_str(
+        "<option value=\"index\">Index of equations</option></select>\
+         <select id=\"state\" aria-label=\"State\"><option value=\"all\">all states</option>\
+         <option value=\"done\">done</option><option value=\"partial\">partial</option>\
+         <option value=\"missing\">missing</option><option value=\"failing\">failing</option>\
+         <option value=\"deviations\">the print is corrected</option></select>\
+         <button id=\"clear\" type=\"button\">all</button>\
+         <output id=\"found\" aria-live=\"polite\"></output>\
+         <button class=\"theme\" type=\"button\" title=\"light, dark, or as the system\">theme</button>\
+         </header>\n",
+    );
+}
+
+/// The contents.
+pub(super) fn list(page: &mut String, report: &Report<'_>) {
+    page.push_str("<nav aria-label=\"Contents\"><details open><summary>Contents</summary>\n");
+    let mut last = String::new();
+    for entry in report.catalogue {
+        let (name, title) = group(entry);
+        if name != last {
+            let end = if last.is_empty() { "" } else { "</ol></section>\n" };
+            let _ = writeln!(page, "{end}<section><h2>{}</h2><ol>", escape(&title));
+            name.clone_into(&mut last);
+        }
+        line(page, entry, name, report.record(entry));
+    }
+    page.push_str(
+        "</ol></section>\n<section><h2>Index</h2><ol><li data-page=\"equations\" \
+         data-chapter=\"index\" data-state=\"done\" data-fails=\"0\" data-deviates=\"1\">\
+         <a href=\"#equations-page\"><b>(1)…</b> Equations and the functions that implement them\
+         </a></li></ol></section></details></nav>\n",
+    );
+}
+
+fn line(page: &mut String, entry: &Entry, group: &str, record: Option<&Page>) {
+    let id = entry.id;
+    let state = if record.is_some() { entry.state() } else { State::Missing }.word();
+    let fails = u8::from(record.is_some_and(|record| !record.passes()));
+    let deviates = u8::from(record.is_some_and(|record| record.deviations > 0));
+    let class = if record.is_some() { "" } else { " class=\"missing\"" };
+    let _ = write!(
+        page,
+        "<li{class} data-page=\"{id}\" data-chapter=\"{group}\" data-state=\"{state}\" \
+         data-fails=\"{fails}\" data-deviates=\"{deviates}\">"
+    );
+    let number = escape(id.strip_prefix("table-").unwrap_or(id));
+    let table = if id.starts_with("table-") { "Table " } else { "" };
+    let words = format!("<b>{table}{number}</b> {}", prose(entry.title));
+    let _ = match record {
+        Some(record) => {
+            let mark = match (record.passes(), entry.state()) {
+                (false, _) => "<span class=\"fail\" title=\"fails\">✗</span>",
+                (true, State::Partial) => "<span class=\"partial\" title=\"partial\">◐</span>",
+                (true, _) => "<span class=\"pass\" title=\"holds\">✓</span>",
+            };
+            writeln!(page, "<a href=\"#{id}\">{words}</a>{mark}</li>")
+        }
+        None => {
+            let word = if entry.is_computed() { "not run" } else { "missing" };
+            writeln!(page, "<span class=\"title\">{words}</span><small>{word}</small></li>")
+        }
+    };
+}

@@ -1,0 +1,87 @@
+//! Whether the index of the thesis's equations, `verification/equations.toml`, and the code belong
+//! together.
+
+mod index;
+mod items;
+mod quoted;
+
+use anyhow::{Context as _, bail};
+use index::Index;
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+
+/// A number in the thesis: chapter and place in it.
+type Number = (u32, u32);
+
+/// Says all that does not fit; fails if anything does not.
+pub(crate) fn run() -> anyhow::Result<()> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
+    let index = Index::read(&root.join("verification/equations.toml"))?;
+    let mut faults = index.gaps();
+    for (number, item) in index.items() {
+        if let Some(fault) = items::fault(&root, item)? {
+            faults.push(format!("({number}): {fault}"));
+        }
+    }
+    let figures = figures(&root)?;
+    faults.extend(index.figure_gaps(&figures));
+    for path in sources(&root)? {
+        let text = read(&root.join(&path))?;
+        for quote in quoted::in_comments(&text) {
+            let is_known = match quote.kind {
+                quoted::Kind::Equation => index.has(quote.number),
+                quoted::Kind::Figure => figures.contains(&quote.number),
+            };
+            if !is_known {
+                let (path, line) = (path.display(), quote.line);
+                faults.push(format!("{path}:{line}: the thesis has no {}", quote.text));
+            }
+        }
+    }
+    if faults.is_empty() {
+        println!("{} equations and {} figures: in order", index.count(), figures.len());
+        return Ok(());
+    }
+    bail!("{} faults in the index of equations:\n  {}", faults.len(), faults.join("\n  "))
+}
+
+fn read(path: &Path) -> anyhow::Result<String> {
+    std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
+}
+
+/// The sources of the crates and of the verification, below `root`.
+fn sources(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    let mut files = Vec::new();
+    let mut folders = vec![PathBuf::from("verification/src")];
+    for entry in std::fs::read_dir(root.join("crates"))? {
+        folders.push(Path::new("crates").join(entry?.file_name()).join("src"));
+    }
+    while let Some(folder) = folders.pop() {
+        for entry in std::fs::read_dir(root.join(&folder))? {
+            let entry = entry?;
+            let path = folder.join(entry.file_name());
+            if entry.file_type()?.is_dir() {
+                folders.push(path);
+            } else if path.extension().is_some_and(|extension| extension == "rs") {
+                files.push(path);
+            }
+        }
+    }
+    files.sort();
+    Ok(files)
+}
+
+/// The figures that stand in the catalogue.
+fn figures(root: &Path) -> anyhow::Result<BTreeSet<Number>> {
+    let mut figures = BTreeSet::new();
+    for path in sources(root)? {
+        if !path.starts_with("verification/src/figures") {
+            continue;
+        }
+        let text = read(&root.join(&path))?;
+        let names = text.split("Entry::figure(\"").skip(1);
+        let names = names.filter_map(|rest| rest.split('"').next());
+        figures.extend(names.filter_map(quoted::number));
+    }
+    Ok(figures)
+}
