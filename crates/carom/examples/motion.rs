@@ -14,7 +14,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let (sine, cosine) = f64::from(degrees).to_radians().sin_cos();
         let thrown = Motion::new([5.0 * sine, 0.0, -5.0 * cosine], [0.0; 3])?;
         let ball = Body::sphere(0.02, rubber, 0.037)?.moving(thrown);
-        let outcome = Collision::new(ball, floor, Friction::new(0.5)?)?.solve()?;
+        let outcome = Collision::new(ball, floor.clone(), Friction::new(0.5)?)?.solve()?;
         let rebound = outcome.rebound().ok_or("the ball flies away from the floor")?;
         let restitution = rebound.tangential_restitution.ok_or("the ball falls straight down")?;
         let regimes: Vec<_> = rebound.log.iter().map(|entry| entry.regime.name()).collect();

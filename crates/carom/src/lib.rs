@@ -39,9 +39,10 @@ pub use carom_table as table;
 
 /// The names most programs need.
 pub mod prelude {
+    pub use carom_geometry::{Attitude, Inertia, Surface};
     pub use carom_halfspace::{Material, MaterialPair};
     pub use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
-    pub use carom_impact::{Body, Collision, Inertia, Motion, Outcome, Rebound, Shape};
+    pub use carom_impact::{Body, Collision, Motion, Outcome, Rebound};
     pub use carom_laws::accounted::Accounted;
     pub use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
     pub use carom_laws::ellipse::ContactEllipse;

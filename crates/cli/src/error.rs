@@ -2,11 +2,10 @@
 
 use crate::case::CaseError;
 use crate::command::StepsError;
-use carom_impact::coupled::CoupledError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
-use carom_impact::{CollisionError, EncounterError, NumericalImpactError};
+use carom_impact::{CollisionError, NumericalImpactError};
 use carom_plot::PlotError;
 use carom_solver::{FrictionalError, ProblemError};
 use carom_special::RangeError;
@@ -24,23 +23,15 @@ pub enum CliError {
         /// What is wrong with it.
         source: CaseError,
     },
-    /// The bodies of a case cannot collide.
+    /// The collision of a case could not be followed.
     #[error("{}: {source}", path.display())]
     Collision {
         /// The case file.
         path: PathBuf,
         /// Why.
-        source: CollisionError,
+        source: Box<CollisionError>,
     },
-    /// The encounter of a case could not be followed.
-    #[error("{}: {source}", path.display())]
-    Encounter {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: Box<EncounterError>,
-    },
-    /// The encounter of a case could not be followed on the numerical contact.
+    /// The collision of a case could not be followed on the numerical contact.
     #[error("{}: {source}", path.display())]
     Numerical {
         /// The case file.
@@ -175,20 +166,11 @@ impl CliError {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Collision { source: CollisionError::Oblique(_), .. } => 1,
-            Self::Scene {
-                source: SceneError::Collision { source: CollisionError::Oblique(_), .. },
-                ..
-            } => 1,
-            Self::Uncertain {
-                source: UncertainError::Collision { source: CollisionError::Oblique(_), .. },
-                ..
-            } => 1,
-            Self::Encounter { source, .. } => match **source {
-                EncounterError::Coupled(CoupledError::Range(_)) => 2,
-                EncounterError::Coupled(_) => 1,
-                _ => 2,
-            },
+            Self::Collision { source, .. } => of_collision(source),
+            Self::Scene { source: SceneError::Collision { source, .. }, .. }
+            | Self::Uncertain { source: UncertainError::Collision { source, .. }, .. } => {
+                of_collision(source)
+            }
             Self::Numerical { source, .. } => match **source {
                 NumericalImpactError::Range(_) => 2,
                 _ => 1,
@@ -203,7 +185,6 @@ impl CliError {
             | Self::Overflow { .. }
             | Self::Uncertain { .. }
             | Self::Scene { .. }
-            | Self::Collision { .. }
             | Self::Law { .. }
             | Self::Steps { .. }
             | Self::Input { .. }
@@ -222,5 +203,13 @@ impl CliError {
     #[must_use]
     pub fn io(action: &'static str, path: &Path, source: std::io::Error) -> Self {
         Self::Io { action, path: path.to_owned(), source }
+    }
+}
+
+/// An impact that could not be followed is no bad input.
+const fn of_collision(error: &CollisionError) -> u8 {
+    match error {
+        CollisionError::Oblique(_) | CollisionError::Coupled(_) => 1,
+        _ => 2,
     }
 }

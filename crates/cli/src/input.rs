@@ -32,7 +32,10 @@ impl CaseFile {
     ///
     /// # Errors
     /// [`CliError::Case`] if it says something that cannot be.
-    pub fn parse<T>(&self, parse: impl Fn(&str) -> Result<T, CaseError>) -> Result<T, CliError> {
+    pub fn parse<'a, T>(
+        &'a self,
+        parse: impl Fn(&'a str) -> Result<T, CaseError>,
+    ) -> Result<T, CliError> {
         parse(&self.text).map_err(|source| CliError::Case { path: self.path.clone(), source })
     }
 }

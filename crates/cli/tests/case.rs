@@ -1,6 +1,6 @@
 //! Bad case files: every error names the field, its value and what is allowed.
 
-use carom_cli::case::{CaseError, HistoryCase, ImpactCase, Mass, Numbers, Shape, TurningLaw};
+use carom_cli::case::{CaseError, HistoryCase, ImpactFile, TurningLaw};
 
 const CASE: &str = "\
 [body_1]
@@ -29,22 +29,23 @@ fn changed(old: &str, new: &str) -> String {
 }
 
 fn error(source: &str) -> String {
-    ImpactCase::parse(source).unwrap_err().to_string()
+    ImpactFile::parse(source).unwrap_err().to_string()
 }
 
 #[test]
 fn a_good_case_is_read() {
-    let case = ImpactCase::parse(CASE).unwrap();
-    assert_eq!(case.body_1.shape, Shape::Sphere { radius: 0.0025 });
+    let file = ImpactFile::parse(CASE).unwrap();
+    let case = file.nominal();
+    let [one, two] = case.collision.bodies();
+    assert_eq!(one.placed().surface().radius(), Some(0.0025));
     let volume = 4.0 / 3.0 * std::f64::consts::PI * 0.0025f64.powi(3);
-    let Mass::Given(mass) = case.body_1.mass else { panic!("{:?}", case.body_1.mass) };
-    assert!((mass / (4000.0 * volume) - 1.0).abs() < 1e-14);
-    assert_eq!(case.body_1.velocity, Some([1.0, 0.0, -3.9]));
-    assert_eq!(case.body_1.spin, [0.0, 10.0, 0.0]);
-    assert!(case.body_2.material.is_rigid());
-    assert_eq!(case.body_2.mass, Mass::Given(2.5));
-    assert_eq!(case.contact.friction, 0.092);
-    assert_eq!(case.approach, None);
+    assert!((one.inertia().mass() / (4000.0 * volume) - 1.0).abs() < 1e-14);
+    assert_eq!(<[f64; 3]>::from(one.motion().velocity), [1.0, 0.0, -3.9]);
+    assert_eq!(<[f64; 3]>::from(one.motion().spin), [0.0, 10.0, 0.0]);
+    assert!(two.material().is_rigid());
+    assert_eq!(two.inertia().mass(), 2.5);
+    assert_eq!((case.contact.friction, case.angle), (0.092, None));
+    assert!(file.sweep().is_none() && file.uncertainty().is_none());
 }
 
 #[test]
@@ -60,7 +61,8 @@ fn limits_are_valid() {
         ("density = 4000.0", "mass = 1e-3"),
         ("mass = 2.5\nvelocity = [0.0, 0.0, 0.0]\nspin = [0.0, 0.0, 0.0]", "fixed = true"),
     ] {
-        assert!(ImpactCase::parse(&changed(old, new)).is_ok(), "{new}");
+        let text = changed(old, new);
+        assert!(ImpactFile::parse(&text).is_ok(), "{new}");
     }
 }
 
@@ -149,13 +151,13 @@ fn conflicts_name_both_fields() {
     insta::assert_snapshot!(error(&heavy), @"line 12: `body_2.mass` = inf is out of range: must be a finite mass for at least one of the two bodies");
     let planes = changed("shape = \"sphere\"\nradius = 0.0025", "shape = \"plane\"")
         .replace("density = 4000.0", "mass = 1.0");
-    insta::assert_snapshot!(error(&planes), @"line 9: `body_2.shape` cannot stand beside `body_1.shape`: two planes do not meet in a point; one body must be a sphere");
+    insta::assert_snapshot!(error(&planes), @"line 9: `body_2.shape` cannot stand beside `body_1.shape`: two planes do not meet in a point");
 }
 
 #[test]
 fn what_is_not_toml_is_shown_with_its_line() {
     let source = changed("radius = 0.0025", "radius 0.0025");
-    assert!(matches!(ImpactCase::parse(&source), Err(CaseError::Syntax { line: 3, .. })));
+    assert!(matches!(ImpactFile::parse(&source), Err(CaseError::Syntax { line: 3, .. })));
 }
 
 /// The case with an approach instead of a velocity.
@@ -166,19 +168,46 @@ fn approach(fields: &str) -> String {
 #[test]
 fn an_approach_gives_one_angle_or_a_sweep() {
     let angles = |fields: &str| {
-        let case = ImpactCase::parse(&approach(fields)).unwrap();
-        case.approach.unwrap().angles
+        let text = approach(fields);
+        ImpactFile::parse(&text).unwrap().sweep().map(|(_, values)| values.to_vec())
     };
-    assert_eq!(angles("speed = 3.9\nangle = 45"), Numbers::One(45.0));
-    assert_eq!(angles("speed = 3.9\nangle = [5, 85.0]"), Numbers::Sweep(vec![5.0, 85.0]));
+    assert_eq!(angles("speed = 3.9\nangle = 45"), None);
+    assert_eq!(angles("speed = 3.9\nangle = [5, 85.0]"), Some(vec![5.0, 85.0]));
     assert_eq!(
         angles("speed = 3.9\nangle = { start = 0, stop = 90, count = 4 }"),
-        Numbers::Sweep(vec![0.0, 30.0, 60.0, 90.0])
+        Some(vec![0.0, 30.0, 60.0, 90.0])
     );
-    let case = ImpactCase::parse(&approach("speed = 2\nangle = 0")).unwrap();
-    let approach = case.approach.unwrap();
-    assert_eq!(approach.velocity(0.0), [0.0, 0.0, -2.0]);
-    assert_eq!(approach.velocity(90.0), [2.0, 0.0, -0.0]);
+    for (angle, velocity) in [("0", [0.0, 0.0, -2.0]), ("90", [2.0, 0.0, 0.0])] {
+        let text = approach(&format!("speed = 2\nangle = {angle}"));
+        let file = ImpactFile::parse(&text).unwrap();
+        let motion = file.nominal().collision.bodies()[0].motion();
+        assert_eq!(<[f64; 3]>::from(motion.velocity), velocity);
+        assert_eq!(file.nominal().angle, angle.parse().ok());
+    }
+}
+
+#[test]
+fn any_number_may_be_swept_but_only_one() {
+    for (old, swept, field) in [
+        ("radius = 0.0025", "radius = { start = 0.001, stop = 0.003, count = 3 }", "body_1.radius"),
+        ("density = 4000.0", "density = [3000, \"4 g/cm3\"]", "body_1.density"),
+        ("[1.0, 0.0, -3.9]", "[1.0, 0.0, [-3.9, -1]]", "body_1.velocity.z"),
+        ("poisson = 0.23", "poisson = [0.2, 0.3]", "body_1.material.poisson"),
+        ("friction = 0.092", "friction = [0, 0.1, inf]", "contact.friction"),
+    ] {
+        let text = changed(old, swept);
+        let file = ImpactFile::parse(&text).unwrap();
+        let (input, values) = file.sweep().unwrap();
+        assert_eq!(input.field, field);
+        assert!(values.len() > 1);
+        let drawn = |value: f64| file.case(&[value]).unwrap().collision;
+        assert!(drawn(values[1]).solve().is_ok(), "{field}");
+    }
+    let two = changed("radius = 0.0025", "radius = [0.1, 0.2]")
+        .replace("friction = 0.092", "friction = [0.1, 0.2]");
+    assert!(error(&two).contains("sweep over one field at a time"), "{}", error(&two));
+    let bad = changed("friction = 0.092", "friction = [0.1, -1]");
+    assert!(error(&bad).starts_with("line 17: `contact.friction` = -1 is out of range"));
 }
 
 #[test]

@@ -3,6 +3,8 @@
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
+use crate::surface::perpendicular;
+
 /// How far the norm of a quaternion may be from one; the rest is normalised away.
 const UNIT: f64 = 1e-6;
 
@@ -70,6 +72,23 @@ impl Attitude {
         let vector = axis.normalize() * sin;
         let unit = UnitQuaternion::from_quaternion(Quaternion::from_parts(cos, vector));
         Ok(Self { rotation: unit.to_rotation_matrix().into_inner() })
+    }
+
+    /// With the body's axis c along this direction.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the direction is finite and not zero.
+    pub fn facing(direction: [f64; 3]) -> Result<Self, RangeError> {
+        let vector = Vector3::from(direction);
+        let length = vector.norm();
+        RangeError::positive("normal", length)?;
+        Ok(Self::along(&(vector / length)))
+    }
+
+    /// The same for a unit vector.
+    pub(crate) fn along(direction: &Vector3<f64>) -> Self {
+        let first = perpendicular(direction);
+        Self { rotation: Matrix3::from_columns(&[first, direction.cross(&first), *direction]) }
     }
 
     /// From the matrix of (8.1) that turns space components into body components; its rows are

@@ -1,5 +1,6 @@
 //! Where two surfaces touch: the point, its axes and the arms to it.
 
+use carom_special::RangeError;
 use nalgebra::Vector3;
 
 use crate::frame::ContactFrame;
@@ -62,6 +63,25 @@ impl ContactPoint {
         let point = Vector3::from(point);
         let locals = locals(|i| [one, two][i].local(&point))?;
         Self::of(&locals, point, [point - one.centre(), point - two.centre()])
+    }
+
+    /// The places in which they touch with a given common normal, from surface 2 into surface 1:
+    /// surface 2 stays and surface 1 is put on it; a plane is turned to face the other.
+    ///
+    /// # Errors
+    /// [`SearchError::Range`] unless the normal is finite and not zero; else as
+    /// [`ContactPoint::find`].
+    pub fn along(
+        one: &Placed,
+        two: &Placed,
+        normal: [f64; 3],
+    ) -> Result<([Placed; 2], Self), SearchError> {
+        let vector = Vector3::from(normal);
+        RangeError::positive("normal", vector.norm())?;
+        let normal = vector.normalize();
+        let ((one, point_1), (two, point_2)) = (one.facing(&-normal)?, two.facing(&normal)?);
+        let (one, touch) = Self::at_own_points(&one, &two, [point_1.into(), point_2.into()])?;
+        Ok(([one, two], touch))
     }
 
     /// The place of surface 1 with which both touch with given points, each in its own axes, and

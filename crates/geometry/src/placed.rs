@@ -4,7 +4,8 @@ use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::attitude::Attitude;
-use crate::surface::{LocalSurface, Surface, SurfaceError};
+use crate::nearest::{SearchError, nearest_points};
+use crate::surface::{Kind, LocalSurface, Surface, SurfaceError, support_of_ellipsoid};
 
 /// The first step of a search along a line, over the body's size.
 const FIRST_STEP: f64 = 1e-8;
@@ -78,6 +79,37 @@ impl Placed {
     pub fn local(&self, in_space: &Vector3<f64>) -> Result<LocalSurface, SurfaceError> {
         let local = self.surface.local(&self.body_point(in_space))?;
         Ok(local.placed(&self.centre, &self.attitude))
+    }
+
+    /// The point farthest in a unit direction, in the surface's axes.
+    fn farthest(&self, direction: &Vector3<f64>) -> Result<Vector3<f64>, SearchError> {
+        let own = self.attitude.to_body(direction);
+        match self.surface.kind() {
+            Kind::Sphere { radius } => Ok(own * *radius),
+            Kind::Ellipsoid { semi_axes } => Ok(support_of_ellipsoid(semi_axes, &own).point),
+            Kind::Plane => Ok(Vector3::zeros()),
+            _ => {
+                // The nearest to a plane beyond.
+                let beyond = self.centre + direction * (2.0 * self.surface.size());
+                let attitude = Attitude::along(&-direction);
+                let plane = Self { surface: Surface::plane(), centre: beyond, attitude };
+                Ok(self.body_point(&nearest_points(self, &plane)?.points[0]))
+            }
+        }
+    }
+
+    /// Ready to touch with its outward normal along a unit vector: a plane is turned to face that
+    /// way, any other surface stays. With the point that touches, in the surface's axes.
+    pub(crate) fn facing(
+        &self,
+        outward: &Vector3<f64>,
+    ) -> Result<(Self, Vector3<f64>), SearchError> {
+        let turned = match self.surface.is_plane() {
+            true => self.clone().turned(Attitude::along(outward)),
+            false => self.clone(),
+        };
+        let point = turned.farthest(outward)?;
+        Ok((turned, point))
     }
 
     /// How far from a point near the surface the line along `direction` enters the body: the crossing

@@ -1,15 +1,16 @@
-//! Bodies: shape at the contact, material, inertia and motion.
+//! Bodies: surface, material, inertia, place, attitude and motion.
 
-use carom_geometry::Inertia;
+use carom_geometry::{Attitude, Inertia, Placed, Surface};
 use carom_halfspace::Material;
-use carom_laws::curvature::PrincipalRadii;
 use carom_special::RangeError;
 use nalgebra::Vector3;
+
+use crate::mobility::Lever;
 
 /// Largest component of a velocity or spin: beyond it energies overflow.
 const FASTEST: f64 = 1e100;
 
-/// Velocity of the centre of mass and spin, in the frame of the impact.
+/// Velocity of the centre of mass and spin, in space axes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Motion {
     /// Velocity of the centre of mass.
@@ -37,70 +38,75 @@ impl Motion {
     }
 }
 
-/// The shape of a body at the contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Shape {
-    /// A sphere of this radius.
-    Sphere(f64),
-    /// A plane; its motion is given at the contact point.
-    Plane,
-}
-
-impl Shape {
-    /// The principal radii of curvature at the contact.
-    ///
-    /// # Errors
-    /// [`RangeError`] unless a sphere's radius is finite and positive.
-    pub fn radii(self) -> Result<PrincipalRadii, RangeError> {
-        match self {
-            Self::Sphere(radius) => PrincipalRadii::sphere(radius),
-            Self::Plane => Ok(PrincipalRadii::PLANE),
-        }
-    }
-
-    /// Distance from the centre of mass to the contact point.
-    #[must_use]
-    pub fn arm(self) -> f64 {
-        match self {
-            Self::Sphere(radius) => radius,
-            Self::Plane => 0.0,
-        }
-    }
-}
-
 /// A body about to collide.
 ///
 /// ```
+/// use carom_geometry::{Attitude, Surface};
 /// use carom_halfspace::Material;
 /// use carom_impact::{Body, Motion};
 /// let steel = Material::from_young(208e9, 0.3)?;
 /// let ball = Body::sphere(0.01, steel, 0.0329)?
 ///     .moving(Motion::new([0.7, 0.0, -2.0], [0.0, 50.0, 0.0])?);
 /// assert_eq!(ball.motion().velocity.z, -2.0);
-/// # Ok::<(), carom_special::RangeError>(())
+/// let egg = Surface::ellipsoid([0.03, 0.02, 0.015])?;
+/// let inertia = egg.solid(0.296)?;
+/// let egg = Body::new(egg, steel, inertia)
+///     .at([0.0, 0.0, 0.015])?
+///     .turned(Attitude::from_angles(0.0, 0.0, 0.5)?);
+/// assert_eq!(egg.placed().centre().z, 0.015);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Body {
-    shape: Shape,
+    placed: Placed,
     material: Material,
     inertia: Inertia,
     motion: Motion,
 }
 
 impl Body {
+    /// A body at rest at the origin, its axes along those of space.
+    #[must_use]
+    pub fn new(surface: Surface, material: Material, inertia: Inertia) -> Self {
+        Self { placed: Placed::new(surface), material, inertia, motion: Motion::default() }
+    }
+
     /// A solid sphere at rest.
     ///
     /// # Errors
     /// [`RangeError`] for a radius that is not finite and positive or a mass that is not positive.
     pub fn sphere(radius: f64, material: Material, mass: f64) -> Result<Self, RangeError> {
         let inertia = Inertia::solid_sphere(mass, radius)?;
-        Ok(Self { shape: Shape::Sphere(radius), material, inertia, motion: Motion::default() })
+        Ok(Self::new(Surface::sphere(radius)?, material, inertia))
     }
 
-    /// A plane held fast.
+    /// A thin spherical shell at rest.
+    ///
+    /// # Errors
+    /// As [`Body::sphere`].
+    pub fn spherical_shell(radius: f64, material: Material, mass: f64) -> Result<Self, RangeError> {
+        let inertia = Inertia::spherical_shell(mass, radius)?;
+        Ok(Self::new(Surface::sphere(radius)?, material, inertia))
+    }
+
+    /// A plane held fast, with the half-space behind it; its motion is that at the contact point.
     #[must_use]
     pub fn plane(material: Material) -> Self {
-        Self { shape: Shape::Plane, material, inertia: Inertia::FIXED, motion: Motion::default() }
+        Self::new(Surface::plane(), material, Inertia::FIXED)
+    }
+
+    /// The same body with its centre of mass there; for a plane, any of its points.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the components are finite.
+    pub fn at(self, centre: [f64; 3]) -> Result<Self, RangeError> {
+        Ok(Self { placed: self.placed.at(centre)?, ..self })
+    }
+
+    /// The same body in this attitude.
+    #[must_use]
+    pub fn turned(self, attitude: Attitude) -> Self {
+        Self { placed: self.placed.turned(attitude), ..self }
     }
 
     /// The same body with this inertia.
@@ -115,10 +121,14 @@ impl Body {
         Self { motion, ..self }
     }
 
-    /// Its shape.
+    pub(crate) fn with_place(self, placed: Placed) -> Self {
+        Self { placed, ..self }
+    }
+
+    /// Its surface with place and attitude.
     #[must_use]
-    pub const fn shape(&self) -> Shape {
-        self.shape
+    pub const fn placed(&self) -> &Placed {
+        &self.placed
     }
 
     /// Its material.
@@ -138,19 +148,45 @@ impl Body {
     pub const fn motion(&self) -> Motion {
         self.motion
     }
-}
 
-/// The kinetic energy of a motion, translation and rotation; infinite parts count as zero, since
-/// a body held fast does not change its energy.
-#[must_use]
-pub fn kinetic_energy(inertia: &Inertia, motion: &Motion) -> f64 {
-    let part = |inertia: f64, squared: f64| {
-        if inertia.is_finite() { 0.5 * inertia * squared } else { 0.0 }
-    };
-    let [a, b, c] = inertia.moments();
-    let spin = motion.spin;
-    part(inertia.mass(), motion.velocity.norm_squared())
-        + part(a, spin.x * spin.x)
-        + part(b, spin.y * spin.y)
-        + part(c, spin.z * spin.z)
+    /// How far the contact point lies from the centre along the normal through it, where the shape
+    /// puts it there: the radius of a sphere; 0 for a plane, whose motion is given at that point.
+    pub(crate) fn height(&self) -> Option<f64> {
+        let surface = self.placed.surface();
+        surface.radius().or_else(|| surface.is_plane().then_some(0.0))
+    }
+
+    /// What resists an impulse at the contact point, `arm` from the centre, on this side of it
+    /// (-1 or 1) along the contact normal.
+    pub(crate) fn lever(
+        &self,
+        arm: Vector3<f64>,
+        normal: &Vector3<f64>,
+        side: f64,
+    ) -> Result<Lever, RangeError> {
+        let attitude = self.placed.attitude();
+        match self.height() {
+            Some(height) => Ok(Lever::upright(self.inertia, attitude, normal, side * height)),
+            None => Lever::new(self.inertia, attitude, arm),
+        }
+    }
+
+    /// The kinetic energy of a motion of this body, translation and rotation; infinite parts count
+    /// as zero, since a body held fast does not change its energy.
+    #[must_use]
+    pub fn kinetic_energy(&self, motion: &Motion) -> f64 {
+        let part = |inertia: f64, squared: f64| {
+            if inertia.is_finite() { 0.5 * inertia * squared } else { 0.0 }
+        };
+        let [a, b, c] = self.inertia.moments();
+        // The moments belong to the body's axes; equal ones to all.
+        let spin = match self.inertia.is_isotropic() {
+            true => motion.spin,
+            false => self.placed.attitude().to_body(&motion.spin),
+        };
+        part(self.inertia.mass(), motion.velocity.norm_squared())
+            + part(a, spin.x * spin.x)
+            + part(b, spin.y * spin.y)
+            + part(c, spin.z * spin.z)
+    }
 }

@@ -138,7 +138,8 @@ fn inverse_tensor(inertia: &Inertia, attitude: &Attitude) -> Matrix3<f64> {
 /// body 2, changes the velocity v of body 2 against body 1 by -D J.
 ///
 /// ```
-/// use carom_impact::{Attitude, Inertia, Lever, Mobility};
+/// use carom_geometry::{Attitude, Inertia};
+/// use carom_impact::{Lever, Mobility};
 /// use nalgebra::{Matrix3, Vector3};
 /// let at_rest = Attitude::ALIGNED;
 /// let ball = Lever::new(Inertia::solid_sphere(2.0, 1.0)?, &at_rest, -Vector3::z())?;

@@ -3,12 +3,12 @@
 use carom_solver::{CellState, NumericalLaw, NumericalLawError};
 use carom_special::RangeError;
 
+use crate::collision::{Collision, CollisionError, Passed};
 use crate::coupled::{
     CoupledImpact, CoupledOutcome, Course, LawFailure, Passage, Point, Sample, Stage, Staged,
 };
-use crate::encounter::{Encounter, EncounterError};
 use crate::normal::NormalImpact;
-use crate::outcome::{Outcome, Warning};
+use crate::outcome::{HistoryPoint, Outcome, Warning};
 
 /// To which the solver takes each step.
 const TOLERANCE: f64 = 1e-7;
@@ -22,9 +22,9 @@ pub enum NumericalImpactError {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// The encounter itself cannot be computed.
+    /// The collision itself cannot be computed.
     #[error(transparent)]
-    Encounter(#[from] EncounterError),
+    Collision(#[from] CollisionError),
     /// A step of the contact could not be solved.
     #[error("{failure}: {}", .failure.source)]
     Law {
@@ -37,23 +37,19 @@ pub enum NumericalImpactError {
     NoSeparation,
 }
 
-/// An encounter whose contact is solved on a grid, where [`Encounter::solve`] takes analytic laws:
+/// A collision whose contact is solved on a grid, where [`Collision::solve`] takes analytic laws:
 /// the coupling of normal and tangential displacements of dissimilar bodies counts.
 ///
 /// Two runs are made, one with half the cells and steps; how far they differ is the error estimate.
 ///
 /// ```
 /// use carom_halfspace::Material;
-/// use carom_impact::{Encounter, Motion, NumericalImpact, PlacedBody, Surface};
+/// use carom_impact::{Body, Collision, Motion, NumericalImpact};
 /// use carom_laws::friction::Friction;
-/// let ball = |nu| {
-///     let surface = Surface::sphere(0.0405)?;
-///     let inertia = surface.solid(2.188)?;
-///     Ok::<_, Box<dyn std::error::Error>>(PlacedBody::new(surface, Material::from_shear(82e9, nu)?, inertia))
-/// };
-/// let upper = ball(0.0)?.at([0.0, 0.0, 0.081])?.moving(Motion::new([-0.05, 0.0, -1.0], [0.0; 3])?);
-/// let encounter = Encounter::find(upper, ball(0.5)?, Friction::new(0.1)?)?;
-/// let outcome = NumericalImpact::new(&encounter).with(12, 40)?.solve()?;
+/// let ball = |nu| Body::sphere(0.0405, Material::from_shear(82e9, nu)?, 2.188);
+/// let upper = ball(0.0)?.moving(Motion::new([-0.05, 0.0, -1.0], [0.0; 3])?);
+/// let collision = Collision::new(upper, ball(0.5)?, Friction::new(0.1)?)?;
+/// let outcome = NumericalImpact::new(&collision).with(12, 40)?.solve()?;
 /// let rebound = outcome.rebound().ok_or("they meet")?;
 /// // Alike they would slide back a little; unlike they are thrown back.
 /// assert!((rebound.tangential_restitution.unwrap_or(0.0) - 0.315).abs() < 0.01);
@@ -61,7 +57,7 @@ pub enum NumericalImpactError {
 /// ```
 #[derive(Debug, Clone, Copy)]
 pub struct NumericalImpact<'a> {
-    encounter: &'a Encounter,
+    collision: &'a Collision,
     cells: usize,
     steps: usize,
 }
@@ -78,8 +74,8 @@ struct Run {
 impl<'a> NumericalImpact<'a> {
     /// With 32 cells across the contact of the greatest approach and about 128 steps.
     #[must_use]
-    pub const fn new(encounter: &'a Encounter) -> Self {
-        Self { encounter, cells: CELLS, steps: STEPS }
+    pub const fn new(collision: &'a Collision) -> Self {
+        Self { collision, cells: CELLS, steps: STEPS }
     }
 
     /// With other numbers of cells and steps.
@@ -99,7 +95,7 @@ impl<'a> NumericalImpact<'a> {
     /// # Errors
     /// [`NumericalImpactError::Law`] for infinite friction and where a step cannot be solved.
     pub fn solve(&self) -> Result<Outcome, NumericalImpactError> {
-        let Some(impact) = self.encounter.impact()? else { return Ok(self.encounter.missed()) };
+        let Some(impact) = self.collision.impact()? else { return Ok(self.collision.missed()) };
         let coarse = self.run(&impact, self.cells / 2, self.steps / 2)?;
         let fine = self.run(&impact, self.cells, self.steps)?;
         let before = impact.velocity();
@@ -114,20 +110,21 @@ impl<'a> NumericalImpact<'a> {
             error_estimate: change / before.norm(),
             warning: None,
         };
-        let mut rebound = self.encounter.rebound(&impact, &outcome)?;
+        let passed = Passed::coupled(before, outcome, Vec::new());
+        let mut rebound = self.collision.rebound(passed)?;
         rebound.warnings.retain(|warning| !matches!(warning, Warning::Coupling { .. }));
         Ok(Outcome::Rebound(Box::new(rebound)))
     }
 
-    /// Every instant of the finer run; empty without an impact.
+    /// The impact at `count` instants equally spaced in time, straight between those that were
+    /// computed; empty without an impact.
     ///
     /// # Errors
-    /// As [`NumericalImpact::solve`].
-    pub fn history(&self) -> Result<Vec<Sample>, NumericalImpactError> {
-        match self.encounter.impact()? {
-            None => Ok(Vec::new()),
-            Some(impact) => Ok(self.run(&impact, self.cells, self.steps)?.samples),
-        }
+    /// As [`NumericalImpact::solve`]; [`RangeError`] for fewer than two instants.
+    pub fn history(&self, count: usize) -> Result<Vec<HistoryPoint>, NumericalImpactError> {
+        let Some(impact) = self.collision.impact()? else { return Ok(Vec::new()) };
+        let samples = self.run(&impact, self.cells, self.steps)?.samples;
+        Ok(self.collision.sampled(&samples, count, &impact.velocity())?)
     }
 
     fn run(
@@ -136,12 +133,12 @@ impl<'a> NumericalImpact<'a> {
         cells: usize,
         steps: usize,
     ) -> Result<Run, NumericalImpactError> {
-        let (hertz, velocity) = (*self.encounter.hertz(), impact.velocity());
-        let mobility = *self.encounter.mobility().matrix();
+        let (hertz, velocity) = (*self.collision.hertz(), impact.velocity());
+        let mobility = *self.collision.mobility().matrix();
         let stiffness = hertz.stiffness();
         let normal = NormalImpact::new(mobility.m33, stiffness.c_z, velocity.z)?;
         let peak = normal.maximal_approach();
-        let law = NumericalLaw::new(hertz, self.encounter.friction(), peak, cells)?;
+        let law = NumericalLaw::new(hertz, self.collision.friction(), peak, cells)?;
         let mut law = law.within(TOLERANCE)?;
         let course = Course { mobility, velocity, stiffness, steps, expected: None };
         let mut samples: Vec<Sample> = Vec::new();

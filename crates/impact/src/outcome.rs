@@ -1,9 +1,11 @@
 //! What an impact leaves behind: motions, impulse, extremes, energy, log, history, warnings.
 
 use carom_laws::ellipse::ContactEllipse;
+use carom_table::Column;
 use nalgebra::Vector3;
 
 use crate::body::Motion;
+use crate::coupled::Passage;
 use crate::oblique::{Event, Regime};
 
 /// The outcome of two bodies meeting.
@@ -53,7 +55,7 @@ pub struct Rebound {
     ///
     /// Where there was none before it is the limit for vanishing ones: (9.46), or -1 without
     /// friction. None if that limit depends on their direction, as of an elliptic contact, or if
-    /// the normal motion of an [`crate::Encounter`] itself brings about a tangential velocity; a
+    /// the normal motion of a [`crate::Collision`] itself brings about a tangential velocity; a
     /// tangential velocity within rounding of the motions counts as none there.
     pub tangential_restitution: Option<f64>,
     /// Duration from touch to separation.
@@ -68,6 +70,8 @@ pub struct Rebound {
     pub energy: EnergyBudget,
     /// The torsional impact; none where the spin about the normal was left alone.
     pub torsion: Option<Torsion>,
+    /// How it was followed.
+    pub passage: Passage,
     /// How often the approach grew: 2 or more if the bodies were pressed together again.
     pub compressions: u32,
     /// Last change of the velocity under refinement over |v_A|; 0 where the solution is exact.
@@ -124,29 +128,43 @@ pub struct LogEntry {
     pub regime: Regime,
 }
 
-/// One instant of an impact.
+/// One instant of an impact, in contact axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HistoryPoint {
     /// Time since touch.
     pub time: f64,
-    /// Approach zeta.
-    pub approach: f64,
-    /// Velocity of approach.
-    pub approach_velocity: f64,
-    /// Normal force.
-    pub normal_force: f64,
-    /// Contact radius.
-    pub contact_radius: f64,
-    /// Tangential shift of body 2 against body 1 since touch, along the initial slip direction.
-    pub shift: f64,
-    /// Its velocity.
-    pub shift_velocity: f64,
-    /// Tangential force on body 1 along that direction.
-    pub tangential_force: f64,
-    /// Radius of the stick area.
-    pub stick_radius: f64,
-    /// Regime.
+    /// Shift of body 2 against body 1 since touch: xi, eta, zeta.
+    pub shift: Vector3<f64>,
+    /// Its rate.
+    pub velocity: Vector3<f64>,
+    /// Force on body 1.
+    pub force: Vector3<f64>,
+    /// Semi-axes a and b of the contact, along x and y.
+    pub semi_axes: [f64; 2],
+    /// Radius of the stick area, where the method knows it: of spheres and planes.
+    pub stick_radius: Option<f64>,
+    /// Regime; its sign is that of the traction on body 1 along the initial slip.
     pub regime: Regime,
+}
+
+impl HistoryPoint {
+    /// Its columns.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("time", "s", "since touch", |point| point.time.into()),
+        Column::new("xi", "m", "shift of body 2 against body 1 along x", |p| p.shift.x.into()),
+        Column::new("eta", "m", "the same along y", |point| point.shift.y.into()),
+        Column::new("zeta", "m", "approach", |point| point.shift.z.into()),
+        Column::vector("v", "m/s", "rate of xi, eta, zeta", |p| {
+            <[f64; 3]>::from(p.velocity).into()
+        }),
+        Column::vector("F", "N", "force on body 1", |point| <[f64; 3]>::from(point.force).into()),
+        Column::new("semi_axis_a", "m", "of the contact along x", |p| p.semi_axes[0].into()),
+        Column::new("semi_axis_b", "m", "of the contact along y", |p| p.semi_axes[1].into()),
+        Column::new("stick_radius", "m", "of the stick area of spheres", |p| p.stick_radius.into()),
+        Column::new("regime", "", "sign: traction on body 1 along the first slip", |point| {
+            point.regime.name().into()
+        }),
+    ];
 }
 
 /// A limit of validity that an outcome touches.

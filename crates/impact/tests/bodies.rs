@@ -1,10 +1,11 @@
 //! Surfaces, frames, mobility and whole encounters of bodies of any shape.
 
-use carom_halfspace::Material;
-use carom_impact::{
-    Attitude, ContactFrame, Encounter, EncounterError, FrameError, Height, Inertia, Lever,
-    Mobility, Motion, PlacedBody, SearchError, Side, Surface, SurfaceError, angle_matrix,
+use carom_geometry::{
+    Attitude, ContactFrame, FrameError, Height, Inertia, SearchError, Side, Surface, SurfaceError,
+    angle_matrix,
 };
+use carom_halfspace::Material;
+use carom_impact::{Body, Collision, CollisionError, Lever, Mobility, Motion};
 use carom_laws::curvature::{CurvatureError, PrincipalRadii, RelativeCurvature};
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
@@ -148,15 +149,15 @@ fn the_reference_ellipsoids_as_bodies() {
         let pi = matrix(&info["Pi"]);
         let velocity = vector(&case["v0"]);
         // Space along the contact axes of the case; body 2 at rest: v = -v_1.
-        let body = PlacedBody::new(egg, steel(), inertia)
+        let body = Body::new(egg, steel(), inertia)
             .turned(Attitude::from_matrix(pi).unwrap())
             .moving(Motion::new((-velocity).into(), [0.0; 3]).unwrap());
         let lifted = body.clone().at((-(pi.tr_mul(&point))).into()).unwrap();
-        let plane = PlacedBody::plane(steel());
+        let plane = Body::plane(steel());
         let f = friction(case["f"].as_f64().unwrap());
-        let given = Encounter::at_own_points(body, point.into(), plane.clone(), [0.0; 3], f);
-        let there = Encounter::at(lifted.clone(), plane.clone(), [0.0; 3], f);
-        let found = Encounter::find(lifted, plane, f);
+        let given = Collision::at_own_points(body, plane.clone(), [point.into(), [0.0; 3]], f);
+        let there = Collision::at(lifted.clone(), plane.clone(), [0.0; 3], f);
+        let found = Collision::touching(lifted, plane, f);
         for encounter in [given.unwrap(), there.unwrap(), found.unwrap()] {
             assert!(encounter.point().norm() < 1e-12);
             let own = encounter.frame().axes()
@@ -195,10 +196,10 @@ fn spheres_agree_with_the_exact_collision() {
     let ball = |radius: f64, mass: f64, z: f64| {
         let surface = Surface::sphere(radius).unwrap();
         let inertia = surface.solid(mass).unwrap();
-        PlacedBody::new(surface, steel(), inertia).at([0.0, 0.0, z]).unwrap()
+        Body::new(surface, steel(), inertia).at([0.0, 0.0, z]).unwrap()
     };
     let pair = (ball(0.01, 0.03, 0.03).moving(motion), ball(0.02, 0.2, 0.0));
-    let outcome = Encounter::find(pair.0, pair.1, friction(0.2)).unwrap().solve().unwrap();
+    let outcome = Collision::touching(pair.0, pair.1, friction(0.2)).unwrap().solve().unwrap();
     let (own, exact) = (outcome.rebound().unwrap(), exact.rebound().unwrap());
     for i in 0..2 {
         assert!((own.motions[i].velocity - exact.motions[i].velocity).norm() < 1e-14);
@@ -221,12 +222,12 @@ fn crossed_cylinders_touch_like_a_sphere_on_a_plane() {
     let inertia = cylinder().solid(0.14796901398407927).unwrap();
     let quarter = std::f64::consts::FRAC_PI_2;
     let body = |attitude, z: f64| {
-        PlacedBody::new(cylinder(), steel(), inertia).turned(attitude).at([0.0, 0.0, z]).unwrap()
+        Body::new(cylinder(), steel(), inertia).turned(attitude).at([0.0, 0.0, z]).unwrap()
     };
     let along_x = Attitude::about([0.0, 1.0, 0.0], quarter).unwrap();
     let along_y = Attitude::about([1.0, 0.0, 0.0], quarter).unwrap();
     let upper = body(along_x, 0.02).moving(Motion::new([-0.8, -0.3, -1.0], [0.0; 3]).unwrap());
-    let encounter = Encounter::find(upper, body(along_y, 0.0), friction(0.25)).unwrap();
+    let encounter = Collision::touching(upper, body(along_y, 0.0), friction(0.25)).unwrap();
     let gap = encounter.frame().relative_curvature();
     assert!((gap.a() - 50.0).abs() < 1e-10 && (gap.b() - 50.0).abs() < 1e-10);
     let case = &reference()["public"]["coupled_spring_solutions"]["crossed_cylinders"];
@@ -241,21 +242,21 @@ fn what_cannot_touch_says_why() {
     let ball = |z: f64| {
         let surface = Surface::sphere(1.0).unwrap();
         let inertia = surface.solid(1.0).unwrap();
-        PlacedBody::new(surface, steel(), inertia).at([0.0, 0.0, z]).unwrap()
+        Body::new(surface, steel(), inertia).at([0.0, 0.0, z]).unwrap()
     };
-    let plane = || PlacedBody::plane(steel());
+    let plane = || Body::plane(steel());
     let none = Friction::NONE;
-    let apart = Encounter::find(ball(1.01), plane(), none).unwrap_err();
+    let apart = Collision::touching(ball(1.01), plane(), none).unwrap_err();
     let gap = |error| match error {
-        EncounterError::Search(SearchError::NotTouching { gap, .. }) => gap,
+        CollisionError::Search(SearchError::NotTouching { gap, .. }) => gap,
         other => panic!("{other}"),
     };
     assert!((gap(apart) - 0.01).abs() < 1e-15);
-    assert!((gap(Encounter::find(ball(0.9), plane(), none).unwrap_err()) + 0.1).abs() < 1e-15);
-    let off = Encounter::at(ball(1.0), plane(), [0.1, 0.0, 0.0], none).unwrap_err();
+    assert!((gap(Collision::touching(ball(0.9), plane(), none).unwrap_err()) + 0.1).abs() < 1e-15);
+    let off = Collision::at(ball(1.0), plane(), [0.1, 0.0, 0.0], none).unwrap_err();
     assert!(matches!(
         off,
-        EncounterError::Search(SearchError::Surface {
+        CollisionError::Search(SearchError::Surface {
             body: 1,
             source: SurfaceError::OffSurface { distance, .. }
         }) if (distance - (1.01_f64.sqrt() - 1.0)).abs() < 1e-15
@@ -263,16 +264,16 @@ fn what_cannot_touch_says_why() {
     // A corner of a box on a ball.
     let cube = Surface::cuboid([1.0, 1.0, 1.0]).unwrap();
     let solid = cube.solid(1.0).unwrap();
-    let cube = PlacedBody::new(cube, steel(), solid);
+    let cube = Body::new(cube, steel(), solid);
     let diagonal = 1.0 / 3.0_f64.sqrt();
     let at = 0.5 + diagonal;
-    let corner = Encounter::find(
-        PlacedBody::new(Surface::sphere(1.0).unwrap(), steel(), solid).at([at, at, at]).unwrap(),
+    let corner = Collision::touching(
+        Body::new(Surface::sphere(1.0).unwrap(), steel(), solid).at([at, at, at]).unwrap(),
         cube.clone(),
         none,
     );
     let part = |error| match error {
-        EncounterError::Search(SearchError::Surface { source, .. }) => match source {
+        CollisionError::Search(SearchError::Surface { source, .. }) => match source {
             SurfaceError::Edge { part } | SurfaceError::Seam { part } => part,
             other => panic!("{other}"),
         },
@@ -280,23 +281,26 @@ fn what_cannot_touch_says_why() {
     };
     assert_eq!(part(corner.unwrap_err()), "the corner of a box");
     let side = half_turned([0.5 + 0.5_f64.sqrt(), 0.5 + 0.5_f64.sqrt(), 0.1], solid);
-    assert_eq!(part(Encounter::find(side, cube.clone(), none).unwrap_err()), "the edge of a box");
+    assert_eq!(
+        part(Collision::touching(side, cube.clone(), none).unwrap_err()),
+        "the edge of a box"
+    );
     let top = half_turned([0.1, 0.2, 1.5], solid);
-    assert!(Encounter::find(top, cube, none).is_ok());
+    assert!(Collision::touching(top, cube, none).is_ok());
     // Parallel cylinders.
     let rod = |z: f64| {
         let surface = Surface::capsule(0.5, 2.0).unwrap();
         let inertia = surface.solid(1.0).unwrap();
-        PlacedBody::new(surface, steel(), inertia)
+        Body::new(surface, steel(), inertia)
             .turned(Attitude::about([0.0, 1.0, 0.0], std::f64::consts::FRAC_PI_2).unwrap())
             .at([0.0, 0.0, z])
             .unwrap()
     };
-    let line = Encounter::find(rod(1.0), rod(0.0), none).unwrap_err();
+    let line = Collision::touching(rod(1.0), rod(0.0), none).unwrap_err();
     assert!(
         matches!(
             line,
-            EncounterError::Search(SearchError::Frame(FrameError::Curvature(
+            CollisionError::Search(SearchError::Frame(FrameError::Curvature(
                 CurvatureError::LineContact { .. }
             )))
         ),
@@ -305,24 +309,24 @@ fn what_cannot_touch_says_why() {
     // A ball in a socket of its own radius.
     let radii = PrincipalRadii::sphere(-1.0).unwrap();
     let socket = Surface::given([0.0; 3], [0.0, 0.0, 1.0], [1.0, 0.0, 0.0], radii).unwrap();
-    let socket = PlacedBody::new(socket, steel(), Inertia::FIXED);
-    let fit = Encounter::at(ball(1.0), socket, [0.0; 3], none).unwrap_err();
+    let socket = Body::new(socket, steel(), Inertia::FIXED);
+    let fit = Collision::at(ball(1.0), socket, [0.0; 3], none).unwrap_err();
     assert!(
-        matches!(fit, EncounterError::Search(SearchError::Frame(FrameError::Curvature(_)))),
+        matches!(fit, CollisionError::Search(SearchError::Frame(FrameError::Curvature(_)))),
         "{fit}"
     );
-    let held = PlacedBody::new(Surface::sphere(1.0).unwrap(), steel(), Inertia::FIXED);
-    let held = Encounter::find(held.at([0.0, 0.0, 1.0]).unwrap(), plane(), none).unwrap_err();
-    assert_eq!(held, EncounterError::BothHeldFast);
-    let same_side = Encounter::at(ball(-1.0), plane(), [0.0; 3], none).unwrap_err();
+    let held = Body::new(Surface::sphere(1.0).unwrap(), steel(), Inertia::FIXED);
+    let held = Collision::touching(held.at([0.0, 0.0, 1.0]).unwrap(), plane(), none).unwrap_err();
+    assert_eq!(held, CollisionError::BothHeldFast);
+    let same_side = Collision::at(ball(-1.0), plane(), [0.0; 3], none).unwrap_err();
     assert!(matches!(
         same_side,
-        EncounterError::Search(SearchError::Frame(FrameError::NotOpposed { .. }))
+        CollisionError::Search(SearchError::Frame(FrameError::NotOpposed { .. }))
     ));
 }
 
-fn half_turned(centre: [f64; 3], inertia: Inertia) -> PlacedBody {
-    PlacedBody::new(Surface::sphere(1.0).unwrap(), steel(), inertia).at(centre).unwrap()
+fn half_turned(centre: [f64; 3], inertia: Inertia) -> Body {
+    Body::new(Surface::sphere(1.0).unwrap(), steel(), inertia).at(centre).unwrap()
 }
 
 #[test]
@@ -339,8 +343,8 @@ fn shapes_rest_on_a_plane_where_they_should() {
         let height = Vector3::new(3.0 * normal.x, 2.0 * normal.y, 1.5 * normal.z).norm();
         let inertia = Inertia::new(1.0, [1.25, 2.25, 2.6]).unwrap();
         let body =
-            PlacedBody::new(surface, steel(), inertia).turned(tilt).at([0.0, 0.0, height]).unwrap();
-        let encounter = Encounter::find(body, PlacedBody::plane(steel()), Friction::NONE).unwrap();
+            Body::new(surface, steel(), inertia).turned(tilt).at([0.0, 0.0, height]).unwrap();
+        let encounter = Collision::touching(body, Body::plane(steel()), Friction::NONE).unwrap();
         assert!(encounter.point().z.abs() < 1e-9);
         let curvature = encounter.frame().relative_curvature();
         points.push((encounter.point(), curvature.a(), curvature.b()));
@@ -352,16 +356,16 @@ fn shapes_rest_on_a_plane_where_they_should() {
     let capsule = Surface::capsule(0.5, 2.0).unwrap();
     let inertia = capsule.shell(1.0).unwrap();
     let down = tilt.to_space(&Vector3::z()).z;
-    let body = PlacedBody::new(capsule, steel(), inertia).turned(tilt);
+    let body = Body::new(capsule, steel(), inertia).turned(tilt);
     let body = body.at([0.0, 0.0, 0.5 + down.abs()]).unwrap();
-    let encounter = Encounter::find(body, PlacedBody::plane(steel()), Friction::NONE).unwrap();
+    let encounter = Collision::touching(body, Body::plane(steel()), Friction::NONE).unwrap();
     assert!((encounter.frame().relative_curvature().a() - 1.0).abs() < 1e-14);
     let torus = Surface::torus(2.0, 0.5).unwrap();
     let inertia = torus.solid(1.0).unwrap();
     let sin = tilt.to_body(&Vector3::z()).xy().norm();
-    let body = PlacedBody::new(torus, steel(), inertia).turned(tilt);
+    let body = Body::new(torus, steel(), inertia).turned(tilt);
     let body = body.at([0.0, 0.0, 0.5 + 2.0 * sin]).unwrap();
-    let encounter = Encounter::find(body, PlacedBody::plane(steel()), Friction::NONE).unwrap();
+    let encounter = Collision::touching(body, Body::plane(steel()), Friction::NONE).unwrap();
     let curvature = encounter.frame().relative_curvature();
     assert!((2.0 * curvature.a() - 2.0).abs() < 1e-13);
     assert!((2.0 * curvature.b() - sin / (2.0 + 0.5 * sin)).abs() < 1e-13);

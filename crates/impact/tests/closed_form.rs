@@ -1,5 +1,6 @@
 //! The closed forms of section 9.2 against reference values and the exact impact.
 
+use carom_geometry::{Attitude, Inertia};
 use carom_halfspace::{Material, MaterialPair};
 use carom_impact::closed_form::{
     AdhesiveCompression, ImpactConstants, compression_time, normal_energy_loss,
@@ -7,7 +8,7 @@ use carom_impact::closed_form::{
 };
 use carom_impact::normal::{self, NormalImpact, compression};
 use carom_impact::oblique::{Groups, ObliqueImpact};
-use carom_impact::{Attitude, Inertia, Lever, Mobility};
+use carom_impact::{Lever, Mobility};
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::hertz::Hertz;
 use carom_special::hypergeometric::UnitArgument;

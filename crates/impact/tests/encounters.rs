@@ -1,10 +1,9 @@
 //! Invariants of whole encounters of random ellipsoids.
 
+use carom_geometry::{Attitude, Surface};
 use carom_halfspace::Material;
 use carom_impact::coupled::{CoupledError, Passage};
-use carom_impact::{
-    Attitude, Encounter, EncounterError, Motion, Outcome, PlacedBody, Rebound, Surface, Warning,
-};
+use carom_impact::{Body, Collision, CollisionError, Motion, Outcome, Rebound, Warning};
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
 use proptest::prelude::*;
@@ -89,10 +88,10 @@ fn upright_pair() -> impl Strategy<Value = Pair> {
 }
 
 impl Half {
-    fn body(&self) -> PlacedBody {
+    fn body(&self) -> Body {
         let surface = Surface::ellipsoid(self.axes).unwrap();
         let inertia = surface.solid(self.mass).unwrap();
-        PlacedBody::new(surface, steel(), inertia)
+        Body::new(surface, steel(), inertia)
             .turned(self.attitude)
             .moving(Motion::new(self.velocity, self.spin).unwrap())
     }
@@ -109,7 +108,7 @@ impl Pair {
     // The same with all motion turned round if the bodies part.
     fn approaching(mut self) -> Self {
         let encounter = self.encounter();
-        if encounter.relative_velocity().dot(&encounter.frame().z()) < 0.0 {
+        if encounter.velocity().z < 0.0 {
             for half in [&mut self.one, &mut self.two] {
                 half.velocity = half.velocity.map(|v| -v);
                 half.spin = half.spin.map(|w| -w);
@@ -118,43 +117,43 @@ impl Pair {
         self
     }
 
-    fn bodies(&self) -> [PlacedBody; 2] {
+    fn bodies(&self) -> [Body; 2] {
         let at = |half: &Half, outward: Vector3<f64>| {
             half.body().at((-half.support(&outward)).into()).unwrap()
         };
         [at(&self.one, -self.normal), at(&self.two, self.normal)]
     }
 
-    fn encounter(&self) -> Encounter {
+    fn encounter(&self) -> Collision {
         let [one, two] = self.bodies();
         meet(one, two, self.friction)
     }
 
     // Sum of the speeds that a velocity afterwards is made of.
     fn speed(&self) -> f64 {
-        self.encounter().relative_velocity().norm()
+        self.encounter().velocity().norm()
             + self.one.velocity.iter().chain(&self.two.velocity).map(|v| v.abs()).sum::<f64>()
     }
 }
 
-fn meet(one: PlacedBody, two: PlacedBody, f: f64) -> Encounter {
-    Encounter::at(one, two, [0.0; 3], Friction::new(f).unwrap()).unwrap()
+fn meet(one: Body, two: Body, f: f64) -> Collision {
+    Collision::at(one, two, [0.0; 3], Friction::new(f).unwrap()).unwrap()
 }
 
-fn rebound(encounter: &Encounter) -> Rebound {
+fn rebound(encounter: &Collision) -> Rebound {
     match encounter.solve().unwrap() {
         Outcome::Rebound(rebound) => *rebound,
         Outcome::NoImpact { .. } => panic!("no impact"),
     }
 }
 
-fn tensor(body: &PlacedBody) -> Matrix3<f64> {
-    let turned = body.attitude();
+fn tensor(body: &Body) -> Matrix3<f64> {
+    let turned = body.placed().attitude();
     let moments = Matrix3::from_diagonal(&Vector3::from(body.inertia().moments()));
     turned.matrix() * moments * turned.matrix().transpose()
 }
 
-fn conserves(encounter: &Encounter, rebound: &Rebound, worst: &Worst) -> Result<(), TestCaseError> {
+fn conserves(encounter: &Collision, rebound: &Rebound, worst: &Worst) -> Result<(), TestCaseError> {
     let bodies = encounter.bodies();
     let before = [bodies[0].motion(), bodies[1].motion()];
     let (mut linear, mut linear_scale) = (Vector3::zeros(), 0.0);
@@ -163,7 +162,7 @@ fn conserves(encounter: &Encounter, rebound: &Rebound, worst: &Worst) -> Result<
         for (body, motion) in bodies.iter().zip(motions) {
             let momentum = body.inertia().mass() * motion.velocity;
             let turn = tensor(body) * motion.spin;
-            let arm = body.centre() - encounter.point();
+            let arm = body.placed().centre() - encounter.point();
             linear += sign * momentum;
             linear_scale += momentum.norm();
             angular += sign * (turn + arm.cross(&momentum));
@@ -181,7 +180,7 @@ fn conserves(encounter: &Encounter, rebound: &Rebound, worst: &Worst) -> Result<
 // |F_t| <= f F_n at every output, and no pull.
 fn check_friction(pair: &Pair, worst: &Worst) -> Result<(), TestCaseError> {
     let f = pair.friction;
-    for sample in pair.encounter().history().unwrap() {
+    for sample in pair.encounter().history(401).unwrap() {
         let force = sample.force;
         prop_assert!(force.z >= 0.0, "pull {force}");
         let excess = force.xy().norm() - f * force.z;
@@ -194,9 +193,9 @@ fn check_friction(pair: &Pair, worst: &Worst) -> Result<(), TestCaseError> {
 fn check_alone(pair: &Pair, worst: &Worst) -> Result<(), TestCaseError> {
     let given = pair.encounter();
     let [one, two] = pair.bodies();
-    let found = Encounter::find(one, two, Friction::new(pair.friction).unwrap()).unwrap();
+    let found = Collision::touching(one, two, Friction::new(pair.friction).unwrap()).unwrap();
     worst.see("found point", found.point().norm(), 1e-9)?;
-    let a = |e: &Encounter| e.frame().relative_curvature().a();
+    let a = |e: &Collision| e.frame().relative_curvature().a();
     worst.see("found curvature", (a(&found) / a(&given) - 1.0).abs(), 1e-7)?;
     let rebound = rebound(&given);
     prop_assert!(rebound.duration > 0.0 && rebound.duration.is_finite());
@@ -259,7 +258,7 @@ fn check_speed(pair: &Pair, worst: &Worst) -> Result<(), TestCaseError> {
     ];
     // The speed of approach may be a small difference of the velocities given.
     let encounter = pair.encounter();
-    let approach = encounter.relative_velocity().dot(&encounter.frame().z());
+    let approach = encounter.velocity().z;
     for ratio in &scales[..3] {
         worst.see("speed powers", (ratio - 1.0).abs() * approach / pair.speed(), 1e-12)?;
     }
@@ -421,9 +420,9 @@ fn an_encounter_that_does_not_settle_is_refused_or_marked() {
     };
     let lowest = egg.support(&-Vector3::z());
     let body = egg.body().at((-lowest).into()).unwrap();
-    let encounter = meet(body, PlacedBody::plane(steel()), 0.3).within(1e-18).unwrap();
+    let encounter = meet(body, Body::plane(steel()), 0.3).within(1e-18).unwrap();
     assert!(matches!(encounter.impact().unwrap().unwrap().passage(), Passage::Planar { .. }));
-    let Err(EncounterError::Coupled(CoupledError::NotSettled {
+    let Err(CollisionError::Coupled(CoupledError::NotSettled {
         error_estimate, tolerance, ..
     })) = encounter.solve()
     else {

@@ -1,8 +1,8 @@
 //! Moments, tensors, forces and losses whose value follows from a line of mechanics.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
+use carom_geometry::Inertia;
 use carom_halfspace::{Material, MaterialPair};
-use carom_impact::Inertia;
 use carom_impact::coupled::CoulombRings;
 use carom_impact::oblique::Groups;
 use carom_impact::restitution::{RestitutionTensor, of_groups};

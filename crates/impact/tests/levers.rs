@@ -2,9 +2,8 @@
 
 mod random;
 
-use carom_impact::{
-    Attitude, Encounter, Inertia, Lever, Mobility, Motion, Outcome, PlacedBody, Surface, Warning,
-};
+use carom_geometry::{Attitude, Inertia, Surface};
+use carom_impact::{Body, Collision, Lever, Mobility, Motion, Outcome, Warning};
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
 use random::{Numbers, steel};
@@ -53,14 +52,14 @@ fn a_body_on_a_pivot_turns_and_a_guided_one_does_not() {
     let egg = Surface::ellipsoid([1.0, 0.8, 0.6]).unwrap();
     let point = Vector3::new(0.5, 0.0, 0.6 * 0.75_f64.sqrt());
     let normal = egg.local(&point).unwrap().normal();
-    let swing = PlacedBody::new(egg, steel(), Inertia::new(far, free).unwrap());
+    let swing = Body::new(egg, steel(), Inertia::new(far, free).unwrap());
     let ball = Surface::sphere(0.3).unwrap();
     let inertia = ball.solid(0.1).unwrap();
-    let ball = PlacedBody::new(ball, steel(), inertia)
+    let ball = Body::new(ball, steel(), inertia)
         .at((point + normal * 0.3).into())
         .unwrap()
         .moving(Motion::new((-normal).into(), [0.0; 3]).unwrap());
-    let encounter = Encounter::find(ball, swing, Friction::new(0.3).unwrap()).unwrap();
+    let encounter = Collision::touching(ball, swing, Friction::new(0.3).unwrap()).unwrap();
     let Outcome::Rebound(rebound) = encounter.solve().unwrap() else { panic!("no impact") };
     assert_eq!(rebound.motions[1].velocity, Vector3::zeros());
 
@@ -77,9 +76,9 @@ fn an_outcome_says_that_its_point_is_not_proven() {
     let egg = || Surface::ellipsoid([0.8, 0.6, 0.4]).unwrap();
     let inertia = egg().solid(1.0).unwrap();
     let warned = |other: Surface, x: f64| {
-        let egg = PlacedBody::new(egg(), steel(), inertia).at([x, 0.0, 0.0]).unwrap();
-        let other = PlacedBody::new(other, steel(), Inertia::FIXED);
-        let encounter = Encounter::find(egg.moving(falling), other, Friction::NONE).unwrap();
+        let egg = Body::new(egg(), steel(), inertia).at([x, 0.0, 0.0]).unwrap();
+        let other = Body::new(other, steel(), Inertia::FIXED);
+        let encounter = Collision::touching(egg.moving(falling), other, Friction::NONE).unwrap();
         encounter.solve().unwrap().rebound().unwrap().warnings.contains(&Warning::PointSampled)
     };
     assert!(warned(Surface::torus(2.0, 0.3).unwrap(), 3.1));

@@ -1,12 +1,10 @@
 //! The spin about the common normal: left alone, or with the torsional impact.
 
 use approx::assert_relative_eq;
+use carom_geometry::{Attitude, Inertia, Surface};
 use carom_halfspace::Material;
 use carom_impact::torsional::{SpinCollision, Spinner};
-use carom_impact::{
-    Attitude, Body, Collision, Encounter, EncounterError, Inertia, Motion, NormalSpinError,
-    PlacedBody, Rebound, Surface, Warning,
-};
+use carom_impact::{Body, Collision, CollisionError, Motion, NormalSpinError, Rebound, Warning};
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
 
@@ -33,14 +31,14 @@ const SECOND: ([f64; 3], [f64; 3]) = ([-0.1, 0.3, 0.4], [-20.0, 3.0, -15.0]);
 #[test]
 fn spin_and_slip_are_those_of_the_two_impacts_by_themselves() {
     let bodies = [ball(0.02, 0.03, FIRST.0, FIRST.1), ball(0.03, 0.1, SECOND.0, SECOND.1)];
-    let without = Collision::new(bodies[0], bodies[1], friction()).unwrap();
-    let with = without.with_torsion();
+    let without = Collision::new(bodies[0].clone(), bodies[1].clone(), friction()).unwrap();
+    let with = without.clone().with_torsion();
     let (alone, both) = (solved(&without), solved(&with));
     let spinners = [
         Spinner::solid_sphere(0.03, 0.02).unwrap().spinning(80.0).unwrap(),
         Spinner::solid_sphere(0.1, 0.03).unwrap().spinning(-15.0).unwrap(),
     ];
-    let spin = SpinCollision::new(&with.hertz(), friction(), spinners, 2.4).unwrap();
+    let spin = SpinCollision::new(with.hertz(), friction(), spinners, 2.4).unwrap();
     let spin = spin.solve().unwrap();
     for i in 0..2 {
         let change = both.motions[i].spin - alone.motions[i].spin;
@@ -59,8 +57,9 @@ fn spin_and_slip_are_those_of_the_two_impacts_by_themselves() {
 fn energy_and_angular_momentum_balance() {
     let bodies = [ball(0.02, 0.03, FIRST.0, FIRST.1), ball(0.03, 0.1, SECOND.0, SECOND.1)];
     let normal = Vector3::new(0.3, -0.5, 1.2).normalize();
-    let collision = Collision::new(bodies[0], bodies[1], friction()).unwrap().with_torsion();
-    let rebound = solved(&collision.along(normal.into()).unwrap());
+    let [one, two] = bodies.clone();
+    let collision = Collision::along(one, two, normal.into(), friction()).unwrap();
+    let rebound = solved(&collision.with_torsion());
     assert!(rebound.torsion.unwrap().dissipated > 0.0);
     let energy = rebound.energy;
     let balance = energy.before - energy.after - energy.dissipated;
@@ -80,22 +79,19 @@ fn energy_and_angular_momentum_balance() {
     assert!((turning(&rebound.motions) - before).norm() < 1e-14 * before.norm());
 }
 
-fn placed(body: &Body, z: f64) -> PlacedBody {
-    let carom_impact::Shape::Sphere(radius) = body.shape() else { panic!() };
-    let surface = Surface::sphere(radius).unwrap();
-    PlacedBody::new(surface, body.material(), body.inertia())
-        .at([0.0, 0.0, z])
-        .unwrap()
-        .moving(body.motion())
+fn placed(body: &Body, z: f64) -> Body {
+    body.clone().at([0.0, 0.0, z]).unwrap()
 }
 
 #[test]
 fn an_encounter_of_spheres_is_their_collision() {
     let bodies = [ball(0.02, 0.03, FIRST.0, FIRST.1), ball(0.03, 0.1, SECOND.0, SECOND.1)];
-    let collision =
-        solved(&Collision::new(bodies[0], bodies[1], friction()).unwrap().with_torsion());
+    let collision = solved(
+        &Collision::new(bodies[0].clone(), bodies[1].clone(), friction()).unwrap().with_torsion(),
+    );
     let encounter =
-        Encounter::find(placed(&bodies[0], 0.02), placed(&bodies[1], -0.03), friction()).unwrap();
+        Collision::touching(placed(&bodies[0], 0.02), placed(&bodies[1], -0.03), friction())
+            .unwrap();
     let with = encounter.clone().with_torsion().solve().unwrap();
     let with = with.rebound().unwrap();
     for i in 0..2 {
@@ -125,9 +121,9 @@ fn an_encounter_of_spheres_is_their_collision() {
 }
 
 // A top: an ellipsoid on the end of axis c, turned about it.
-fn top(attitude: Attitude, centre: [f64; 3], inertia: Inertia) -> PlacedBody {
+fn top(attitude: Attitude, centre: [f64; 3], inertia: Inertia) -> Body {
     let egg = Surface::ellipsoid([0.03, 0.02, 0.015]).unwrap();
-    PlacedBody::new(egg, rubber(), inertia)
+    Body::new(egg, rubber(), inertia)
         .turned(attitude)
         .at(centre)
         .unwrap()
@@ -141,9 +137,9 @@ fn egg_inertia() -> Inertia {
 #[test]
 fn an_ellipsoid_on_its_axis_spins_by_itself() {
     let turned = Attitude::about([0.0, 0.0, 1.0], 0.4).unwrap();
-    let floor = PlacedBody::plane(Material::RIGID);
+    let floor = Body::plane(Material::RIGID);
     let body = top(turned, [0.0, 0.0, 0.015], egg_inertia());
-    let encounter = Encounter::find(body.clone(), floor, friction()).unwrap().with_torsion();
+    let encounter = Collision::touching(body.clone(), floor, friction()).unwrap().with_torsion();
     let rebound = encounter.solve().unwrap().rebound().unwrap().clone();
     let torsion = rebound.torsion.unwrap();
     let change = rebound.motions[0].spin.z - 90.0;
@@ -156,25 +152,25 @@ fn an_ellipsoid_on_its_axis_spins_by_itself() {
 
 #[test]
 fn coupled_spins_are_refused() {
-    let floor = PlacedBody::plane(Material::RIGID);
+    let floor = Body::plane(Material::RIGID);
     let tilted = Attitude::about([0.3, 1.0, 0.0], 0.5).unwrap();
     let body = top(tilted, [0.0, 0.0, 0.1], egg_inertia());
-    let encounter = Encounter::meeting(body, floor, friction()).unwrap();
+    let encounter = Collision::meeting(body, floor, friction()).unwrap();
     assert!(encounter.solve().is_ok());
     let error = encounter.with_torsion().solve().unwrap_err();
-    assert!(matches!(error, EncounterError::NormalSpin(NormalSpinError::NormalCoupled)), "{error}");
+    assert!(matches!(error, CollisionError::NormalSpin(NormalSpinError::NormalCoupled)), "{error}");
     // The normal passes through the centre, but is no principal axis.
     let skewed = Inertia::new(0.038, [1e-5, 2e-5, 2.5e-5]).unwrap();
     let sphere = Surface::sphere(0.02).unwrap();
-    let body = PlacedBody::new(sphere, rubber(), skewed)
+    let body = Body::new(sphere, rubber(), skewed)
         .turned(tilted)
         .at([0.0, 0.0, 0.02])
         .unwrap()
         .moving(Motion::new([0.0, 0.0, -1.0], [0.0, 0.0, 50.0]).unwrap());
-    let encounter = Encounter::find(body, PlacedBody::plane(Material::RIGID), friction()).unwrap();
+    let encounter = Collision::touching(body, Body::plane(Material::RIGID), friction()).unwrap();
     let error = encounter.with_torsion().solve().unwrap_err();
     let expected = NormalSpinError::SpinCoupled { body: 1 };
-    assert!(matches!(error, EncounterError::NormalSpin(e) if e == expected), "{error}");
+    assert!(matches!(error, CollisionError::NormalSpin(e) if e == expected), "{error}");
 }
 
 #[test]
@@ -209,25 +205,25 @@ fn hard_balls_keep_their_spin_without_a_word() {
 
 #[test]
 fn bodies_apart_are_brought_together() {
-    let floor = || PlacedBody::plane(rubber());
+    let floor = || Body::plane(rubber());
     let tilt = Attitude::about([1.0, 0.3, 0.0], 0.7).unwrap();
     let body = |z: f64| top(tilt, [0.4, -0.1, z], egg_inertia());
-    let met = Encounter::meeting(body(0.5), floor(), friction()).unwrap();
+    let met = Collision::meeting(body(0.5), floor(), friction()).unwrap();
     let down = tilt.to_body(&Vector3::z());
     let height = Vector3::new(0.03 * down.x, 0.02 * down.y, 0.015 * down.z).norm();
-    let centre = met.bodies()[0].centre();
+    let centre = met.bodies()[0].placed().centre();
     assert_relative_eq!(centre.z, height, max_relative = 1e-11);
     // Straight along its velocity (0.1, 0.2, -2).
     assert_relative_eq!(centre.x, 0.4 + 0.05 * (0.5 - height), max_relative = 1e-11);
     assert_relative_eq!(centre.y, -0.1 + 0.1 * (0.5 - height), max_relative = 1e-11);
-    let apart = |error: EncounterError| match error {
-        EncounterError::Search(carom_impact::SearchError::NotTouching { gap, .. }) => gap,
+    let apart = |error: CollisionError| match error {
+        CollisionError::Search(carom_geometry::SearchError::NotTouching { gap, .. }) => gap,
         other => panic!("{other}"),
     };
     let leaving = body(0.5).moving(Motion::new([0.0, 0.0, 1.0], [0.0; 3]).unwrap());
-    let gap = apart(Encounter::meeting(leaving, floor(), friction()).unwrap_err());
+    let gap = apart(Collision::meeting(leaving, floor(), friction()).unwrap_err());
     assert_relative_eq!(gap, 0.5 - height, max_relative = 1e-12);
-    assert!(apart(Encounter::meeting(body(0.01), floor(), friction()).unwrap_err()) < 0.0);
+    assert!(apart(Collision::meeting(body(0.01), floor(), friction()).unwrap_err()) < 0.0);
 }
 
 #[test]
@@ -235,7 +231,7 @@ fn balls_meet_where_they_should_or_pass() {
     let sphere = |x: f64, velocity: [f64; 3]| {
         let surface = Surface::sphere(1.0).unwrap();
         let inertia = surface.solid(1.0).unwrap();
-        PlacedBody::new(surface, rubber(), inertia)
+        Body::new(surface, rubber(), inertia)
             .at([x, 5.0, 0.0])
             .unwrap()
             .moving(Motion::new(velocity, [0.0; 3]).unwrap())
@@ -245,23 +241,23 @@ fn balls_meet_where_they_should_or_pass() {
     let coming = |x: f64| {
         let mut body = sphere(x, [0.0, -1.0, 0.0]);
         body = body.at([x, 9.0, 0.0]).unwrap();
-        Encounter::meeting(body, target(), friction())
+        Collision::meeting(body, target(), friction())
     };
     let met = coming(1.2).unwrap();
     // The centres are 2 apart: 1.2 across, 1.6 along.
-    assert_relative_eq!(met.bodies()[0].centre().y, 6.6, max_relative = 1e-12);
+    assert_relative_eq!(met.bodies()[0].placed().centre().y, 6.6, max_relative = 1e-12);
     assert!(coming(2.1).is_err());
     // Through the hole of a ring, and against its inside.
     let ring = |x: f64| {
         let surface = Surface::torus(3.0, 0.5).unwrap();
         let inertia = surface.solid(1.0).unwrap();
-        let ring = PlacedBody::new(surface, rubber(), inertia);
+        let ring = Body::new(surface, rubber(), inertia);
         let body = sphere(x, [0.0, 0.0, -1.0]).at([x, 0.0, 4.0]).unwrap();
-        Encounter::meeting(body, ring, friction())
+        Collision::meeting(body, ring, friction())
     };
     assert!(ring(0.0).is_err());
     let met = ring(2.0).unwrap();
     // The tube's centre is 1 away across: sqrt(1.5^2 - 1) above it.
-    assert_relative_eq!(met.bodies()[0].centre().z, 1.25_f64.sqrt(), max_relative = 1e-10);
+    assert_relative_eq!(met.bodies()[0].placed().centre().z, 1.25_f64.sqrt(), max_relative = 1e-10);
     assert!(met.mobility().matrix() != &Matrix3::identity());
 }

@@ -2,12 +2,11 @@
 //! events of the oblique impact, contact constants, energies of coupled impacts.
 
 use approx::assert_relative_eq;
+use carom_geometry::{Attitude, Surface, angle_matrix};
 use carom_halfspace::{Material, MaterialPair};
 use carom_impact::oblique::{Groups, ObliqueImpact};
 use carom_impact::scene::{Ball, Limits, Scene, Wall};
-use carom_impact::{
-    Attitude, Body, Encounter, Motion, PlacedBody, Surface, angle_matrix, closed_form, normal,
-};
+use carom_impact::{Body, Collision, Motion, closed_form, normal};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
@@ -181,7 +180,7 @@ fn the_bounces_under_a_book() {
         let scene = Scene::new([0.0; 3]).unwrap().with(wall(0.0, 1.0)).with(wall(0.3, -1.0));
         let thrown = Motion::new([1.0, 0.0, -1.0], [0.0; 3]).unwrap();
         let body = Body::sphere(radius, rubber, 0.05).unwrap().moving(thrown);
-        let ball = Ball::new(body, [0.0, 0.0, 0.1]).unwrap();
+        let ball = Ball::new(body.at([0.0, 0.0, 0.1]).unwrap()).unwrap();
         let path = scene.run(&ball, Limits::new(10.0, 3).unwrap()).unwrap();
         let contacts = data[key].as_array().unwrap();
         assert_eq!(path.bounces().len(), contacts.len());
@@ -250,13 +249,13 @@ fn energies_and_impulses_of_the_reference_ellipsoids() {
         let attitude = Attitude::from_matrix(Matrix3::from_row_slice(&rows)).unwrap();
         let velocity = vector(&case["v0"]);
         let steel = Material::from_shear(80e9, 0.3).unwrap();
-        let body = PlacedBody::new(egg, steel, inertia)
+        let body = Body::new(egg, steel, inertia)
             .turned(attitude)
             .moving(Motion::new((-velocity).into(), [0.0; 3]).unwrap());
         let point: [f64; 3] = numbers(&info["contact_point_body"]).try_into().unwrap();
-        let plane = PlacedBody::plane(steel);
+        let plane = Body::plane(steel);
         let friction = Friction::new(number(case, "f")).unwrap();
-        let encounter = Encounter::at_own_points(body, point, plane, [0.0; 3], friction).unwrap();
+        let encounter = Collision::at_own_points(body, plane, [point, [0.0; 3]], friction).unwrap();
         let stiffness = encounter.hertz().stiffness();
         for (own, key) in [(stiffness.c_x, "cx"), (stiffness.c_y, "cy"), (stiffness.c_z, "cz")] {
             assert_relative_eq!(own, number(info, key), max_relative = 1e-12);

@@ -1,8 +1,8 @@
 //! Torsional impact against reference values, limits and invariants.
 
 use approx::assert_relative_eq;
+use carom_geometry::Inertia;
 use carom_halfspace::{Material, MaterialPair};
-use carom_impact::Inertia;
 use carom_impact::normal::DURATION;
 use carom_impact::torsional::{
     SpinCollision, Spinner, TorsionalGroups, TorsionalImpact, TorsionalPhase, limits,

@@ -1,6 +1,6 @@
 //! What can be wrong with a case file. Each message names the field and what is allowed.
 
-use carom_impact::{EncounterError, NormalSpinError};
+use carom_impact::{CollisionError, NormalSpinError};
 use carom_laws::curvature::CurvatureError;
 
 /// What is wrong with a case file.
@@ -77,13 +77,13 @@ pub enum CaseError {
     Curvature(CurvatureError),
     /// The bodies make no contact that can be computed.
     #[error("line {line}: `{field}`: {source}{hint}")]
-    Encounter {
+    Collision {
         /// The field to blame with its path.
         field: &'static str,
         /// Line, from 1.
         line: usize,
         /// Why.
-        source: Box<EncounterError>,
+        source: Box<CollisionError>,
         /// What may help, or nothing.
         hint: &'static str,
     },

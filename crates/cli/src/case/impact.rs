@@ -1,124 +1,201 @@
-//! The case file of `carom impact`.
+//! The case file of `carom impact`: two bodies of any smooth shape and where they touch.
 //!
-//! SI units. z points into body 1, so that body 1 above a plane falls with velocity
-//! `[vx, vy, -vz]`.
+//! SI units. z points into body 1. Without places body 1 lies on top of body 2 along z; with them
+//! the bodies touch where `[contact]` says so, or where a search finds it. A number may stand for
+//! several, a sweep, or be a distribution.
 
-use super::body::{BodyCase, Motion, Shape};
+use super::body::{BodyCase, Velocity};
 use super::contact::{self, Contact};
 use super::error::CaseError;
-use super::placed;
 use super::range::Range;
-use super::section::{Numbers, Section, parse};
+use super::section::{Section, parse};
+use super::touch::{self, Touch};
+use super::uncertainty::Uncertainty;
 use super::unit::Dimension;
-use carom_halfspace::{Material, MaterialPair};
+use super::varied::{Input, Variation, Varied};
+use carom_halfspace::MaterialPair;
+use carom_impact::{Body, Collision, CollisionError, Motion};
+use carom_laws::friction::Friction;
+use nalgebra::Vector3;
+use toml::Spanned;
+use toml::de::DeTable;
 
-/// The tables of a case; `[uncertainty]` is read by [`UncertainCase`](super::UncertainCase).
-pub(super) const FIELDS: &[&str] = &["body_1", "body_2", "contact", "approach", "uncertainty"];
-
-/// An impact, or a sweep of impacts over the angle of incidence.
-#[derive(Debug, Clone, PartialEq)]
+const FIELDS: &[&str] = &["body_1", "body_2", "contact", "approach", "uncertainty"];
+/// An impact of two bodies.
+#[derive(Debug, Clone)]
 pub struct ImpactCase {
-    /// The body into which z points.
-    pub body_1: BodyCase,
-    /// The other body.
-    pub body_2: BodyCase,
-    /// Friction and torsion. The law for turning directions is without effect: spheres and planes
-    /// move in one plane.
+    /// The bodies, touching, with their motions before.
+    pub collision: Collision,
+    /// Friction, law and torsion.
     pub contact: Contact,
-    /// How body 1 comes, if not by its velocity.
-    pub approach: Option<Approach>,
+    /// Angle of incidence, degrees, if the case gives it.
+    pub angle: Option<f64>,
 }
 
-/// Body 1 coming at a speed under one or more angles.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Approach {
-    /// Speed, m/s.
-    pub speed: f64,
-    /// Angles from the normal, degrees; the tangential velocity is along +x.
-    pub angles: Numbers,
+/// The file of an impact, or of as many as its varied numbers make, read once.
+#[derive(Debug)]
+pub struct ImpactFile<'a> {
+    source: &'a str,
+    table: Spanned<DeTable<'a>>,
+    inputs: Vec<Input>,
+    uncertainty: Option<Uncertainty>,
+    nominal: ImpactCase,
 }
 
-impl Approach {
-    /// The velocity under `angle` degrees from the normal.
-    #[must_use]
-    pub fn velocity(&self, angle: f64) -> [f64; 3] {
-        // The ends are exact: straight down, and grazing.
-        let (sin, cos) = match angle {
-            90.0 => (1.0, 0.0),
-            _ => (libm::sin(angle.to_radians()), libm::cos(angle.to_radians())),
-        };
-        [self.speed * sin, 0.0, -self.speed * cos]
-    }
-}
-
-impl ImpactCase {
-    /// Whether it asks for several impacts.
-    #[must_use]
-    pub fn is_sweep(&self) -> bool {
-        let angles = self.approach.as_ref().map(|approach| &approach.angles);
-        matches!(angles, Some(Numbers::Sweep(_)))
-    }
-
-    /// Reads a case from the text of its file.
+impl<'a> ImpactFile<'a> {
+    /// Reads the text of the file.
     ///
     /// # Errors
-    /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
-    /// with another.
-    pub fn parse(source: &str) -> Result<Self, CaseError> {
+    /// If the text is not TOML, a field is missing, unknown, out of range (the mean of a
+    /// distribution and every value of a sweep included) or in conflict with another, or the
+    /// bodies make no contact that can be computed.
+    pub fn parse(source: &'a str) -> Result<Self, CaseError> {
         let table = parse(source)?;
+        let varied = Varied::default();
+        let nominal = read(source, table.get_ref(), &varied)?;
+        let inputs = varied.found();
         let case = Section::root(source, table.get_ref(), FIELDS)?;
-        placed::check(&case, "body_1")?;
-        placed::check(&case, "body_2")?;
-        let (motion, approach) = match case.has("approach") {
-            true => (Motion::Approach, Some(read_approach(&case)?)),
-            false => (Motion::Velocity, None),
-        };
-        let body_1 = BodyCase::read(&case, "body_1", motion)?;
-        let body_2 = BodyCase::read(&case, "body_2", Motion::Velocity)?;
-        check_pair(&case, &body_1, &body_2)?;
-        let contact = Contact::read(&case.section("contact", &contact::FIELDS)?)?;
-        if contact.is_numerical {
-            let reason = "the numerical law takes bodies with a place: give `position`, with \
-                          `contact.search`, in both";
-            return Err(case.conflict("contact.law", "body_1", reason));
+        let sweeps: Vec<&Input> = inputs.iter().filter(|input| input.sweep().is_some()).collect();
+        if let [one, other, ..] = sweeps.as_slice() {
+            return Err(case.conflict(other.field, one.field, "sweep over one field at a time"));
         }
-        Ok(Self { body_1, body_2, contact, approach })
+        let uncertainty = Uncertainty::read(&case, &inputs)?;
+        Ok(Self { source, table, inputs, uncertainty, nominal })
     }
+
+    /// The impact with every distribution at its mean and a sweep at its first value.
+    #[must_use]
+    pub const fn nominal(&self) -> &ImpactCase {
+        &self.nominal
+    }
+
+    /// The varied numbers, in the order of the file.
+    #[must_use]
+    pub fn inputs(&self) -> &[Input] {
+        &self.inputs
+    }
+
+    /// How its distributions are sampled, if it has any.
+    #[must_use]
+    pub const fn uncertainty(&self) -> Option<&Uncertainty> {
+        self.uncertainty.as_ref()
+    }
+
+    /// The field of its sweep and the values, if it has one.
+    #[must_use]
+    pub fn sweep(&self) -> Option<(&Input, &[f64])> {
+        self.inputs.iter().find_map(|input| Some((input, input.sweep()?)))
+    }
+
+    /// The impact with these values in the place of the varied numbers.
+    ///
+    /// # Errors
+    /// As [`ImpactFile::parse`].
+    pub fn case(&self, values: &[f64]) -> Result<ImpactCase, CaseError> {
+        let drawn = self.inputs.iter().map(Input::place).zip(values.iter().copied()).collect();
+        read(self.source, self.table.get_ref(), &Varied::drawn(drawn))
+    }
+}
+
+fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase, CaseError> {
+    let case = &Section::root(source, table, FIELDS)?.varying(varied);
+    let velocity = if case.has("approach") { Velocity::Approach } else { Velocity::Own };
+    let approach = match velocity {
+        Velocity::Approach => Some(Approach::read(case)?),
+        Velocity::Own => None,
+    };
+    let bodies =
+        [BodyCase::read(case, "body_1", velocity)?, BodyCase::read(case, "body_2", Velocity::Own)?];
+    check_pair(case, &bodies)?;
+    let fields: Vec<&'static str> = contact::FIELDS.into_iter().chain(touch::FIELDS).collect();
+    let table = case.section("contact", &fields)?;
+    let contact = Contact::read(&table)?;
+    let touch = Touch::read(case, &table, &bodies)?;
+    let [one, two] = bodies.map(|body| body.body);
+    let meet = |one: Body| {
+        let friction = Friction::new(contact.friction)?;
+        touch.collision(one, two.clone(), friction)
+    };
+    let at_fault = |source| touch.at_fault(case, source);
+    let collision = match &approach {
+        None => meet(one),
+        Some(approach) => approach.meet(&one, touch.is_approach(), meet),
+    };
+    let collision = collision.map_err(at_fault)?.with_law(contact.law);
+    let collision = if contact.torsion.is_some() { collision.with_torsion() } else { collision };
+    Ok(ImpactCase { collision, contact, angle: approach.map(|approach| approach.angle) })
 }
 
 /// What two bodies cannot both be.
-fn check_pair(case: &Section<'_>, body_1: &BodyCase, body_2: &BodyCase) -> Result<(), CaseError> {
-    if body_1.shape == Shape::Plane && body_2.shape == Shape::Plane {
-        let reason = "two planes do not meet in a point; one body must be a sphere";
+fn check_pair(case: &Section<'_>, bodies: &[BodyCase; 2]) -> Result<(), CaseError> {
+    let [one, two] = bodies;
+    if one.is_plane && two.is_plane {
+        let reason = "two planes do not meet in a point";
         return Err(case.conflict("body_2.shape", "body_1.shape", reason));
     }
-    check_masses(case, [body_1.mass.is_infinite(), body_2.mass.is_infinite()])?;
-    check_materials(case, [body_1.material, body_2.material])
-}
-
-/// At least one body can move.
-pub(super) fn check_masses(case: &Section<'_>, are_infinite: [bool; 2]) -> Result<(), CaseError> {
-    if are_infinite != [true; 2] {
-        return Ok(());
+    if one.is_heavy() && two.is_heavy() {
+        let name = if case.has("body_2.fixed") { "body_2.fixed" } else { "body_2.mass" };
+        let allowed = "a finite mass for at least one of the two bodies";
+        return Err(case.out_of_range(name, f64::INFINITY, allowed));
     }
-    let name = if case.has("body_2.fixed") { "body_2.fixed" } else { "body_2.mass" };
-    let allowed = "a finite mass for at least one of the two bodies";
-    Err(case.out_of_range(name, f64::INFINITY, allowed))
-}
-
-/// At least one body gives way.
-pub(super) fn check_materials(
-    case: &Section<'_>,
-    [one, two]: [Material; 2],
-) -> Result<(), CaseError> {
-    MaterialPair::new(one, two)
+    MaterialPair::new(one.body.material(), two.body.material())
         .map(|_| ())
         .map_err(|error| case.out_of_range("body_2.material", error.value, error.allowed))
 }
 
-fn read_approach(case: &Section<'_>) -> Result<Approach, CaseError> {
-    let approach = case.section("approach", &["speed", "angle"])?;
-    let speed = approach.number("speed", Range::NonNegativeSpeed.of(Dimension::Speed))?;
-    let angles = approach.numbers("angle", Range::Incidence.of(Dimension::Degrees))?;
-    Ok(Approach { speed, angles })
+/// Body 1 coming at a speed under an angle.
+#[derive(Debug, Clone, Copy)]
+struct Approach {
+    /// m/s.
+    speed: f64,
+    /// From the normal, degrees; the tangential velocity is along +x, as far as that is tangential.
+    angle: f64,
+}
+
+impl Approach {
+    fn read(case: &Section<'_>) -> Result<Self, CaseError> {
+        let approach = case.section("approach", &["speed", "angle"])?;
+        let speed = approach.number("speed", Range::NonNegativeSpeed.of(Dimension::Speed))?;
+        let angle = approach.number("angle", Range::Incidence.of(Dimension::Degrees))?;
+        Ok(Self { speed, angle })
+    }
+
+    fn velocity(&self, normal: &Vector3<f64>) -> Vector3<f64> {
+        // The ends are exact: straight down, and grazing.
+        let (sin, cos) = match self.angle {
+            90.0 => (1.0, 0.0),
+            angle => (libm::sin(angle.to_radians()), libm::cos(angle.to_radians())),
+        };
+        let along = Vector3::y().cross(normal);
+        let along = along.try_normalize(1e-6).unwrap_or(Vector3::x());
+        (along * sin - normal * cos) * self.speed
+    }
+
+    /// The normal is known once the bodies touch, unless they approach each other: then it is z.
+    fn meet(
+        &self,
+        one: &Body,
+        comes: bool,
+        meet: impl Fn(Body) -> Result<Collision, CollisionError>,
+    ) -> Result<Collision, CollisionError> {
+        let moving = |normal: &Vector3<f64>| -> Result<Body, CollisionError> {
+            let spin = one.motion().spin.into();
+            let motion = Motion::new(self.velocity(normal).into(), spin)?;
+            Ok(one.clone().moving(motion))
+        };
+        let first = meet(moving(&Vector3::z())?)?;
+        let normal = first.frame().z();
+        if comes || normal == Vector3::z() { Ok(first) } else { meet(moving(&normal)?) }
+    }
+}
+
+impl Variation {
+    /// What stands for it where one number must.
+    pub(super) fn nominal(&self) -> f64 {
+        match self {
+            // A sweep has at least one value.
+            Self::Sweep(values) => values.first().copied().unwrap_or(f64::NAN),
+            Self::Uncertain(distribution) => distribution.mean(),
+        }
+    }
 }

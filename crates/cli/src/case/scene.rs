@@ -1,12 +1,11 @@
 //! The case file of `carom scene`: a ball, walls, gravity and limits.
 
-use super::body::{BodyCase, Mass, Motion, Shape, read_material};
+use super::body::{BodyCase, Velocity, read_material};
 use super::error::CaseError;
 use super::range::Range;
 use super::section::{Section, parse};
 use super::unit::Dimension;
-use carom_impact::Body;
-use carom_impact::scene::{Ball, Limits, Scene, Wall};
+use carom_impact::scene::{Ball, Limits, Scene, SceneError, Wall};
 use carom_laws::friction::Friction;
 use carom_special::RangeError;
 
@@ -14,10 +13,9 @@ const FIELDS: &[&str] = &["ball", "wall", "scene"];
 const SCENE_FIELDS: &[&str] = &["start", "gravity", "time", "bounces", "rebound_height"];
 const WALL_FIELDS: &[&str] =
     &["name", "point", "normal", "material", "friction", "along", "length", "width"];
-const SPHERE: &str = "the ball of a scene is a sphere";
 
 /// A scene, ready to run.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct SceneCase {
     /// Walls and gravity.
     pub scene: Scene,
@@ -52,26 +50,29 @@ impl SceneCase {
 }
 
 fn read_ball(case: &Section<'_>, setting: &Section<'_>) -> Result<Ball, CaseError> {
-    let body = BodyCase::read(case, "ball", Motion::Velocity)?;
-    let Shape::Sphere { radius } = body.shape else {
-        return Err(case.conflict("ball.shape", "wall", SPHERE));
-    };
-    let mass = match body.mass {
-        Mass::Given(mass) if mass.is_finite() => mass,
-        Mass::Given(mass) => {
-            return Err(case.out_of_range("ball.mass", mass, "finite: the walls turn it back"));
-        }
-        Mass::Fixed => {
-            return Err(case.conflict("ball.fixed", "wall", "the ball of a scene moves"));
-        }
-    };
+    if case.has("ball.position") {
+        return Err(case.conflict("ball.position", "scene.start", "the ball begins there"));
+    }
+    let ball = BodyCase::read(case, "ball", Velocity::Own)?.body;
+    if ball.placed().surface().radius().is_none() {
+        let reason = "the ball of a scene is a sphere: the turning of other bodies in flight is \
+                      not followed";
+        return Err(case.conflict("ball.shape", "wall", reason));
+    }
+    if case.has("ball.fixed") && ball.inertia().mass().is_infinite() {
+        return Err(case.conflict("ball.fixed", "wall", "the ball of a scene moves"));
+    }
+    let mass = ball.inertia().mass();
+    if mass.is_infinite() {
+        return Err(case.out_of_range("ball.mass", mass, "finite: the walls turn it back"));
+    }
     let start = setting.vector("start", Range::Finite.of(Dimension::Length))?;
-    let velocity = body.velocity.unwrap_or_default();
-    let motion =
-        carom_impact::Motion::new(velocity, body.spin).map_err(|error| foreign(case, error))?;
-    let sphere = Body::sphere(radius, body.material, mass).map_err(|error| foreign(case, error))?;
-    Ball::new(sphere.moving(motion), start).map_err(|_| {
-        case.out_of_range("ball.mass", mass, "such that its inertia is finite and > 0")
+    Ball::new(ball.at(start).map_err(at(setting))?).map_err(|error| {
+        let field = if case.has("ball.inertia") { "ball.inertia" } else { "ball.mass" };
+        match error {
+            SceneError::Range(error) => case.out_of_range(field, error.value, error.allowed),
+            _ => case.out_of_range(field, mass, "that of a sphere"),
+        }
     })
 }
 
@@ -113,8 +114,4 @@ fn read_limits(setting: &Section<'_>) -> Result<Limits, CaseError> {
 
 fn at<'a>(section: &'a Section<'_>) -> impl Fn(RangeError) -> CaseError + 'a {
     |error| section.out_of_range(error.field, error.value, error.allowed)
-}
-
-fn foreign(case: &Section<'_>, error: RangeError) -> CaseError {
-    case.out_of_range(&format!("ball.{}", error.field), error.value, error.allowed)
 }

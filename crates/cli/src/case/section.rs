@@ -5,18 +5,23 @@ mod arrays;
 use super::error::CaseError;
 use super::range::Range;
 use super::unit::Measure;
+use super::varied::Varied;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Letters of a bad value that its message shows.
 const MOST_SHOWN: usize = 200;
 
+const LIST: &str = "a list with at least one number";
+
 /// A table of a case file.
 #[derive(Debug, Clone)]
-pub struct Section<'a> {
+pub(super) struct Section<'a> {
     source: &'a str,
     path: String,
     table: &'a DeTable<'a>,
+    /// Where numbers may stand for many.
+    varied: Option<&'a Varied>,
 }
 
 impl<'a> Section<'a> {
@@ -24,7 +29,7 @@ impl<'a> Section<'a> {
     ///
     /// # Errors
     /// If there is a field of another name.
-    pub fn root(
+    pub(super) fn root(
         source: &'a str,
         table: &'a DeTable<'a>,
         valid: &[&'static str],
@@ -39,13 +44,37 @@ impl<'a> Section<'a> {
         table: &'a DeTable<'a>,
         valid: &[&'static str],
     ) -> Result<Self, CaseError> {
-        let section = Self { source, path, table };
-        for (name, _) in table.iter() {
-            if !valid.contains(&name.get_ref().as_ref()) {
-                return Err(section.unknown(name.get_ref(), name.span().start, valid));
-            }
-        }
+        let section = Self { source, path, table, varied: None };
+        section.check(valid)?;
         Ok(section)
+    }
+
+    /// The same, in which every number may stand for many.
+    pub(super) fn varying(self, varied: &'a Varied) -> Self {
+        Self { varied: Some(varied), ..self }
+    }
+
+    /// Whether it has these fields and no others.
+    pub(super) fn check(&self, valid: &[&'static str]) -> Result<(), CaseError> {
+        let unknown = self.table.iter().find(|(name, _)| !valid.contains(&name.get_ref().as_ref()));
+        match unknown {
+            Some((name, _)) => Err(self.unknown(name.get_ref(), name.span().start, valid)),
+            None => Ok(()),
+        }
+    }
+
+    /// The table that stands as `value`, which takes any field.
+    pub(super) fn table_at(
+        &self,
+        name: &str,
+        value: &'a Spanned<DeValue<'a>>,
+    ) -> Result<Self, CaseError> {
+        match value.get_ref() {
+            DeValue::Table(table) => {
+                Ok(Self { source: self.source, path: self.full(name), table, varied: None })
+            }
+            _ => Err(self.kind(name, value, "a table")),
+        }
     }
 
     fn unknown(&self, name: &str, at: usize, valid: &[&'static str]) -> CaseError {
@@ -63,19 +92,19 @@ impl<'a> Section<'a> {
 
     /// The path of a field of this table.
     #[must_use]
-    pub fn full(&self, name: &str) -> String {
+    pub(super) fn full(&self, name: &str) -> String {
         if self.path.is_empty() { name.to_owned() } else { format!("{}.{name}", self.path) }
     }
 
     /// Whether the field is there.
     #[must_use]
-    pub fn has(&self, name: &str) -> bool {
+    pub(super) fn has(&self, name: &str) -> bool {
         self.find(name).is_some()
     }
 
     /// The line of the field, or 0 if it is not there.
     #[must_use]
-    pub fn line(&self, name: &str) -> usize {
+    pub(super) fn line(&self, name: &str) -> usize {
         self.find(name).map_or(0, |value| line_at(self.source, value.span().start))
     }
 
@@ -83,10 +112,13 @@ impl<'a> Section<'a> {
     ///
     /// # Errors
     /// If it is missing, no table, or has a field of another name.
-    pub fn section(&self, name: &str, valid: &[&'static str]) -> Result<Self, CaseError> {
+    pub(super) fn section(&self, name: &str, valid: &[&'static str]) -> Result<Self, CaseError> {
         let value = self.find(name).ok_or_else(|| self.missing(name, "a table"))?;
         match value.get_ref() {
-            DeValue::Table(table) => Self::new(self.source, self.full(name), table, valid),
+            DeValue::Table(table) => {
+                let section = Self::new(self.source, self.full(name), table, valid)?;
+                Ok(Self { varied: self.varied, ..section })
+            }
             _ => Err(self.kind(name, value, "a table")),
         }
     }
@@ -95,7 +127,11 @@ impl<'a> Section<'a> {
     ///
     /// # Errors
     /// If there is none, or one has a field of another name.
-    pub fn sections(&self, name: &str, valid: &[&'static str]) -> Result<Vec<Self>, CaseError> {
+    pub(super) fn sections(
+        &self,
+        name: &str,
+        valid: &[&'static str],
+    ) -> Result<Vec<Self>, CaseError> {
         let allowed = "at least one table, headed by the name in double brackets";
         let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
         let DeValue::Array(items) = value.get_ref() else {
@@ -114,7 +150,7 @@ impl<'a> Section<'a> {
     ///
     /// # Errors
     /// If it is missing, no number, or out of range.
-    pub fn number(&self, name: &str, measure: impl Into<Measure>) -> Result<f64, CaseError> {
+    pub(super) fn number(&self, name: &str, measure: impl Into<Measure>) -> Result<f64, CaseError> {
         let measure = measure.into();
         let value = self.find(name).ok_or_else(|| self.missing(name, measure.range.allowed()))?;
         self.as_number(name, value, measure)
@@ -124,15 +160,27 @@ impl<'a> Section<'a> {
     ///
     /// # Errors
     /// If it is missing, no such list, or a number is out of range.
-    pub fn list(&self, name: &str, measure: impl Into<Measure>) -> Result<Vec<f64>, CaseError> {
+    pub(super) fn list(
+        &self,
+        name: &str,
+        measure: impl Into<Measure>,
+    ) -> Result<Vec<f64>, CaseError> {
         let measure = measure.into();
-        let allowed = "a list with at least one number";
-        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
+        let value = self.find(name).ok_or_else(|| self.missing(name, LIST))?;
+        self.list_at(name, value, measure)
+    }
+
+    pub(super) fn list_at(
+        &self,
+        name: &str,
+        value: &Spanned<DeValue<'_>>,
+        measure: Measure,
+    ) -> Result<Vec<f64>, CaseError> {
         match value.get_ref() {
             DeValue::Array(items) if items.iter().next().is_some() => {
-                items.iter().map(|item| self.as_number(name, item, measure)).collect()
+                items.iter().map(|item| self.plain_number(name, item, measure)).collect()
             }
-            _ => Err(self.kind(name, value, allowed)),
+            _ => Err(self.kind(name, value, LIST)),
         }
     }
 
@@ -140,7 +188,7 @@ impl<'a> Section<'a> {
     ///
     /// # Errors
     /// If it is missing or another word.
-    pub fn word(&self, name: &str, words: Words) -> Result<&'a str, CaseError> {
+    pub(super) fn word(&self, name: &str, words: Words) -> Result<&'a str, CaseError> {
         let value = self.find(name).ok_or_else(|| self.missing(name, words.allowed))?;
         match value.get_ref() {
             DeValue::String(word) if words.words.contains(&word.as_ref()) => Ok(word),
@@ -152,7 +200,7 @@ impl<'a> Section<'a> {
     ///
     /// # Errors
     /// If it is neither.
-    pub fn switch(&self, name: &str) -> Result<bool, CaseError> {
+    pub(super) fn switch(&self, name: &str) -> Result<bool, CaseError> {
         match self.find(name) {
             None => Ok(false),
             Some(value) => match value.get_ref() {
@@ -166,7 +214,11 @@ impl<'a> Section<'a> {
     ///
     /// # Errors
     /// If it is missing, of another kind, or a number is out of range.
-    pub fn numbers(&self, name: &str, measure: impl Into<Measure>) -> Result<Numbers, CaseError> {
+    pub(super) fn numbers(
+        &self,
+        name: &str,
+        measure: impl Into<Measure>,
+    ) -> Result<Numbers, CaseError> {
         let measure = measure.into();
         match self.find(name).map(Spanned::get_ref) {
             Some(DeValue::Array(_)) => self.list(name, measure).map(Numbers::Sweep),
@@ -187,7 +239,7 @@ impl<'a> Section<'a> {
     ///
     /// # Errors
     /// If it is missing or no text.
-    pub fn text(&self, name: &str, allowed: &'static str) -> Result<&'a str, CaseError> {
+    pub(super) fn text(&self, name: &str, allowed: &'static str) -> Result<&'a str, CaseError> {
         let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
         match value.get_ref() {
             DeValue::String(text) => Ok(text),
@@ -197,13 +249,13 @@ impl<'a> Section<'a> {
 
     /// The error that `name` is missing.
     #[must_use]
-    pub fn missing(&self, name: &str, allowed: &'static str) -> CaseError {
+    pub(super) fn missing(&self, name: &str, allowed: &'static str) -> CaseError {
         CaseError::Missing { field: self.full(name), allowed }
     }
 
     /// The error that a value found elsewhere to be bad stands at field `name`.
     #[must_use]
-    pub fn out_of_range(&self, name: &str, value: f64, allowed: &str) -> CaseError {
+    pub(super) fn out_of_range(&self, name: &str, value: f64, allowed: &str) -> CaseError {
         CaseError::Range {
             field: self.full(name),
             line: self.line(name),
@@ -214,7 +266,7 @@ impl<'a> Section<'a> {
 
     /// The error that `name` excludes `other`.
     #[must_use]
-    pub fn conflict(&self, name: &str, other: &str, reason: &'static str) -> CaseError {
+    pub(super) fn conflict(&self, name: &str, other: &str, reason: &'static str) -> CaseError {
         CaseError::Conflict {
             field: self.full(name),
             line: self.line(name),
@@ -235,6 +287,32 @@ impl<'a> Section<'a> {
     }
 
     fn as_number(
+        &self,
+        name: &str,
+        value: &'a Spanned<DeValue<'a>>,
+        measure: Measure,
+    ) -> Result<f64, CaseError> {
+        let varied = self.varied.map(|varied| varied.number(self, name, value, measure));
+        match varied.transpose()?.flatten() {
+            Some(number) => Ok(number),
+            None => self.plain_number(name, value, measure),
+        }
+    }
+
+    /// A number that stands for a value, if it is in its range.
+    pub(super) fn in_range(
+        &self,
+        name: &str,
+        number: f64,
+        Measure { range, .. }: Measure,
+    ) -> Result<f64, CaseError> {
+        match range.holds(number) {
+            true => Ok(number),
+            false => Err(self.out_of_range(name, number, range.allowed())),
+        }
+    }
+
+    fn plain_number(
         &self,
         name: &str,
         value: &Spanned<DeValue<'_>>,
@@ -303,11 +381,11 @@ impl Numbers {
 
 /// Words among which a field chooses.
 #[derive(Debug, Clone, Copy)]
-pub struct Words {
+pub(super) struct Words {
     /// The words.
-    pub words: &'static [&'static str],
+    pub(super) words: &'static [&'static str],
     /// The same, for a message.
-    pub allowed: &'static str,
+    pub(super) allowed: &'static str,
 }
 
 fn number(value: &DeValue<'_>) -> Option<f64> {

@@ -130,6 +130,15 @@ impl Dimension {
         }
     }
 
+    /// The plain unit; empty for a pure number.
+    #[must_use]
+    pub const fn unit(self) -> &'static str {
+        match self.units() {
+            [(name, _), ..] => name,
+            [] => "",
+        }
+    }
+
     /// The number in the plain unit; none if the text is no number with a unit of this dimension.
     #[must_use]
     pub fn read(self, text: &str) -> Option<f64> {

@@ -15,7 +15,7 @@ pub(super) struct Course<'a, T> {
     /// Those of them that the user gave, to be marked.
     pub(super) marked: &'a [T],
     /// Label of the horizontal axis.
-    pub(super) label: &'static str,
+    pub(super) label: &'a str,
     /// What stands on it.
     pub(super) at: Value<T>,
 }

@@ -70,7 +70,8 @@ impl ImpactConstants {
     ///
     /// ```
     /// use carom_halfspace::Material;
-    /// use carom_impact::{Inertia, closed_form::ImpactConstants};
+    /// use carom_geometry::Inertia;
+    /// use carom_impact::closed_form::ImpactConstants;
     /// let steel = Material::from_shear(8e10, 0.28)?;
     /// // Body 1 lies along x, body 2 along y.
     /// let bodies = [Inertia::new(1.0, [0.5, 2.0, 2.0])?, Inertia::new(1.0, [2.0, 0.5, 2.0])?];

@@ -4,27 +4,25 @@ use carom_special::RangeError;
 use nalgebra::Vector3;
 
 use super::error::SceneError;
-use crate::body::{Body, Shape};
+use crate::body::Body;
 
 /// A ball at its start.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone)]
 pub struct Ball {
     body: Body,
     radius: f64,
-    position: Vector3<f64>,
 }
 
 impl Ball {
-    /// The sphere `body`, with its motion, whose centre is at `position`.
+    /// The sphere `body`, solid or hollow, with its place and motion.
     ///
     /// # Errors
     /// [`SceneError::NotASphere`] for a body of another shape; [`SceneError::Range`] for an
-    /// infinite mass, which no plane held fast turns back, moments of inertia that differ, or a
-    /// position that is not finite.
-    pub fn new(body: Body, position: [f64; 3]) -> Result<Self, SceneError> {
-        let Shape::Sphere(radius) = body.shape() else {
-            return Err(SceneError::NotASphere);
-        };
+    /// infinite mass, which no plane held fast turns back, or moments of inertia that differ.
+    pub fn new(body: Body) -> Result<Self, SceneError> {
+        let surface = body.placed().surface();
+        let radius =
+            surface.radius().ok_or_else(|| SceneError::NotASphere { shape: surface.name() })?;
         RangeError::positive("mass", body.inertia().mass())?;
         let [theta, ..] = body.inertia().moments();
         for moment in body.inertia().moments() {
@@ -32,16 +30,13 @@ impl Ball {
             let allowed = "the same about all axes of a ball";
             RangeError::check("moment of inertia", moment, moment == theta, allowed)?;
         }
-        for value in position {
-            RangeError::finite("position", value)?;
-        }
-        Ok(Self { body, radius, position: position.into() })
+        Ok(Self { body, radius })
     }
 
     /// The sphere with its motion.
     #[must_use]
-    pub const fn body(&self) -> Body {
-        self.body
+    pub const fn body(&self) -> &Body {
+        &self.body
     }
 
     /// Its radius.
@@ -53,6 +48,6 @@ impl Ball {
     /// Where its centre is.
     #[must_use]
     pub const fn position(&self) -> Vector3<f64> {
-        self.position
+        self.body.placed().centre()
     }
 }

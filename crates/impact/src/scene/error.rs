@@ -11,8 +11,13 @@ pub enum SceneError {
     #[error(transparent)]
     Range(#[from] RangeError),
     /// The body that should fly is no sphere.
-    #[error("the ball must be a sphere")]
-    NotASphere,
+    #[error(
+        "the ball must be a sphere, not a {shape}: the turning of other bodies in flight is not followed"
+    )]
+    NotASphere {
+        /// What it is.
+        shape: &'static str,
+    },
     /// The ball reaches into a wall at the start.
     #[error("the ball starts inside wall {wall}: the gap between them is {} and must be >= 0", Readable(*gap))]
     Inside {

@@ -20,13 +20,13 @@ use crate::outcome::Outcome;
 /// ```
 /// use carom_halfspace::Material;
 /// use carom_impact::scene::{Ball, Ending, Limits, Scene, Wall};
-/// use carom_impact::{Body, Motion};
+/// use carom_impact::Body;
 /// use carom_laws::friction::Friction;
 /// let rubber = Material::from_young(20e6, 0.5)?;
 /// let floor = Wall::new([0.0; 3], [0.0, 0.0, 1.0], Material::RIGID, Friction::new(0.3)?)?;
 /// let scene = Scene::new([0.0, 0.0, -10.0])?.with(floor);
 /// // Dropped from 5 m without spin: elastic bounces 2 s apart, the first after 1 s.
-/// let ball = Ball::new(Body::sphere(0.02, rubber, 0.03)?, [0.0, 0.0, 5.02])?;
+/// let ball = Ball::new(Body::sphere(0.02, rubber, 0.03)?.at([0.0, 0.0, 5.02])?)?;
 /// let path = scene.run(&ball, Limits::new(6.0, 100)?)?;
 /// let times: Vec<f64> = path.bounces().iter().map(|bounce| bounce.time).collect();
 /// assert_eq!(times.len(), 3);
@@ -88,7 +88,7 @@ impl Scene {
             if gap < -wall.tolerance(&ball.position(), ball.radius()) {
                 return Err(SceneError::Inside { wall: index, gap });
             }
-            self.collision(index, ball.body(), &wall.normal())?;
+            self.collision(index, ball.body().clone(), &wall.normal())?;
         }
         Ok(())
     }
@@ -100,8 +100,7 @@ impl Scene {
         normal: &Vector3<f64>,
     ) -> Result<Collision, SceneError> {
         let wall = &self.walls[index];
-        Collision::new(body, Body::plane(wall.material()), wall.friction())
-            .and_then(|collision| collision.along((*normal).into()))
+        Collision::along(body, Body::plane(wall.material()), (*normal).into(), wall.friction())
             .map_err(|source| SceneError::Collision { wall: index, source })
     }
 }
@@ -122,7 +121,7 @@ impl<'a> Run<'a> {
         let motion = ball.body().motion();
         Self {
             scene,
-            body: ball.body(),
+            body: ball.body().clone(),
             radius: ball.radius(),
             limits,
             now: PathPoint { time: 0.0, position: ball.position(), motion },
@@ -194,7 +193,7 @@ impl<'a> Run<'a> {
     fn bounce(&mut self, wall: usize, normal: Vector3<f64>) -> Result<Option<Ending>, SceneError> {
         self.settle(wall, &normal);
         let before = self.now.motion;
-        let collision = self.scene.collision(wall, self.body.moving(before), &normal)?;
+        let collision = self.scene.collision(wall, self.body.clone().moving(before), &normal)?;
         let outcome = collision.solve().map_err(|source| SceneError::Collision { wall, source })?;
         let pull = -self.scene.gravity.dot(&normal);
         let Outcome::Rebound(rebound) = outcome else {

@@ -79,12 +79,11 @@ impl Quantity {
         }
     }
 
-    /// Its value in a rebound along `normal`, from body 2 into body 1.
-    pub(super) fn of(self, rebound: &Rebound, normal: &Vector3<f64>) -> f64 {
+    /// Its value in a rebound along `normal`, from body 2 into body 1; none where there is none.
+    pub(super) fn of(self, rebound: &Rebound, normal: &Vector3<f64>) -> Option<f64> {
         let motion = |body: usize| &rebound.motions[body.min(1)];
-        match self {
-            // A collision always has one; what had none would be refused as no number.
-            Self::Restitution => rebound.tangential_restitution.unwrap_or(f64::NAN),
+        Some(match self {
+            Self::Restitution => return rebound.tangential_restitution,
             Self::Speed(body) => motion(body).velocity.norm(),
             Self::Angle(body) => {
                 let sign = if body == 0 { 1.0 } else { -1.0 };
@@ -95,7 +94,7 @@ impl Quantity {
             Self::Duration => rebound.duration,
             Self::MaximalForce => rebound.maximal_force,
             Self::Dissipated => rebound.energy.dissipated,
-        }
+        })
     }
 }
 

@@ -53,9 +53,9 @@ pub enum UncertainError {
 ///     .moving(Motion::new([2.0, 0.0, -3.0], [0.0; 3])?);
 /// let friction = Distribution::normal(0.09, 0.01)?;
 /// let study = Sampling::new(1000, 1)?.run(&[friction], |values| {
-///     Collision::new(ball, plane, Friction::new(values[0])?)
+///     Collision::new(ball.clone(), plane.clone(), Friction::new(values[0])?)
 /// })?;
-/// let restitution = study.summary(Quantity::Restitution);
+/// let restitution = study.summary(Quantity::Restitution).ok_or("spheres have one")?;
 /// assert!(restitution.deviation() > 0.0);
 /// assert_eq!(restitution.count(), 1000);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -112,23 +112,25 @@ impl Sampling {
 
 /// What becomes of a sample.
 enum Fate {
-    Rebound([f64; Quantity::ALL.len()]),
+    Rebound(Box<[Option<f64>; Quantity::ALL.len()]>),
     NoImpact,
     OutOfRange(RangeError),
     Failed(CollisionError),
 }
 
 fn fate(collision: Result<Collision, CollisionError>) -> Fate {
-    let followed = collision.and_then(|c| Ok((c.normal(), c.solve()?)));
+    let followed = collision.and_then(|c| Ok((c.frame().z(), c.solve()?)));
     match followed {
-        Ok((normal, Outcome::Rebound(rebound))) => Fate::Rebound(numbers(&rebound, &normal)),
+        Ok((normal, Outcome::Rebound(rebound))) => {
+            Fate::Rebound(Box::new(numbers(&rebound, &normal)))
+        }
         Ok((_, Outcome::NoImpact { .. })) => Fate::NoImpact,
         Err(CollisionError::Range(error)) => Fate::OutOfRange(error),
         Err(error) => Fate::Failed(error),
     }
 }
 
-fn numbers(rebound: &Rebound, normal: &Vector3<f64>) -> [f64; Quantity::ALL.len()] {
+fn numbers(rebound: &Rebound, normal: &Vector3<f64>) -> [Option<f64>; Quantity::ALL.len()] {
     Quantity::ALL.map(|quantity| quantity.of(rebound, normal))
 }
 
@@ -148,7 +150,7 @@ pub struct Study {
     no_impact: usize,
     out_of_range: Vec<OutOfRange>,
     inputs: Vec<Summary>,
-    summaries: Vec<Summary>,
+    summaries: Vec<Option<Summary>>,
 }
 
 impl Study {
@@ -172,7 +174,7 @@ impl Study {
                     }
                 }
                 Fate::Rebound(numbers) => {
-                    columns.iter_mut().zip(numbers).for_each(|(column, n)| column.push(n));
+                    columns.iter_mut().zip(*numbers).for_each(|(column, n)| column.extend(n));
                 }
             }
         }
@@ -181,8 +183,10 @@ impl Study {
             out_of_range: out_of_range.iter().map(|seen| seen.count).sum(),
             first: out_of_range.first().map(|seen| seen.first),
         };
-        let summaries: Option<Vec<Summary>> = columns.into_iter().map(Summary::new).collect();
-        let summaries = summaries.ok_or_else(nothing_left)?;
+        let summaries: Vec<Option<Summary>> = columns.into_iter().map(Summary::new).collect();
+        if summaries.iter().all(Option::is_none) {
+            return Err(nothing_left());
+        }
         let drawn = |index: usize| {
             let at = |sample| uniform(sampling.seed, sample as u64, index as u64);
             (0..samples).map(|sample| inputs[index].inverse(at(sample))).collect()
@@ -217,11 +221,12 @@ impl Study {
         &self.inputs
     }
 
-    /// A quantity of the rebounds; samples out of range or without impact do not count.
+    /// A quantity of the rebounds that have it, none if no rebound has; samples out of range or
+    /// without impact do not count.
     #[must_use]
-    pub fn summary(&self, quantity: Quantity) -> &Summary {
+    pub fn summary(&self, quantity: Quantity) -> Option<&Summary> {
         // Quantity::ALL holds every quantity; indices beyond a body's or an axis's are its last.
         let index = Quantity::ALL.iter().position(|q| q.name() == quantity.name()).unwrap_or(0);
-        &self.summaries[index]
+        self.summaries[index].as_ref()
     }
 }

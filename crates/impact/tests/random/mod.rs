@@ -1,7 +1,7 @@
 //! Numbers, directions and attitudes for tests, the same in every run.
 
+use carom_geometry::Attitude;
 use carom_halfspace::Material;
-use carom_impact::Attitude;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 

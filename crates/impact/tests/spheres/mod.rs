@@ -1,6 +1,7 @@
 //! One encounter of spheres held against the collision of the same.
 
-use carom_impact::{Collision, Encounter, Rebound};
+use carom_impact::coupled::VectorLaw;
+use carom_impact::{Collision, Rebound};
 use carom_laws::friction::Friction;
 use nalgebra::Vector3;
 use proptest::prelude::*;
@@ -13,7 +14,7 @@ pub(crate) fn collided(collision: &Collision) -> Rebound {
     collision.solve().unwrap().rebound().unwrap().clone()
 }
 
-pub(crate) fn met(encounter: &Encounter) -> Rebound {
+pub(crate) fn met(encounter: &Collision) -> Rebound {
     encounter.solve().unwrap().rebound().unwrap().clone()
 }
 
@@ -25,15 +26,15 @@ pub(crate) fn chi_of_sphere(poisson: f64) -> f64 {
 /// What rounding leaves open of R_x. The slip is a difference of velocities, known to a rounding of
 /// these; R_x changes with the logarithm of psi by about the lesser of psi and 1/psi, and the walk
 /// itself is good to twice its tolerance of 5e-12, wherever such a slip puts it.
-pub(crate) fn unknown(encounter: &Encounter, rebound: &Rebound) -> f64 {
+pub(crate) fn unknown(encounter: &Collision, rebound: &Rebound) -> f64 {
     let frame = encounter.frame();
     let before = frame.to_contact(&rebound.velocity_before);
     let speed: f64 = encounter
         .bodies()
         .iter()
-        .zip(encounter.levers())
-        .map(|(body, lever)| {
-            body.motion().velocity.norm() + body.motion().spin.norm() * lever.arm().norm()
+        .map(|body| {
+            let arm = body.placed().surface().radius().unwrap_or(0.0);
+            body.motion().velocity.norm() + body.motion().spin.norm() * arm
         })
         .sum();
     let slip = before.xy().norm();
@@ -44,10 +45,20 @@ pub(crate) fn unknown(encounter: &Encounter, rebound: &Rebound) -> f64 {
     if share < 1e-13 { 0.0 } else { 1e-11 + 4.0 * share * psi.min(1.0 / psi) }
 }
 
-/// The encounter against the collision along its own normal.
-pub(crate) fn same(encounter: &Encounter, collision: Collision) -> Result<(), TestCaseError> {
+/// Bodies in their places against the same put along the normal, and against their matrices.
+pub(crate) fn same(
+    encounter: &Collision,
+    along: impl Fn([f64; 3]) -> Collision,
+) -> Result<(), TestCaseError> {
     let own = met(encounter);
-    let other = collided(&collision.along(encounter.frame().z().into()).unwrap());
+    let other = collided(&along(encounter.frame().z().into()));
+    let by_matrices =
+        encounter.impact().unwrap().unwrap().solve(VectorLaw::Coulomb).unwrap().velocity;
+    let off = encounter.frame().to_space(&by_matrices) - own.velocity_after;
+    let slip = own.velocity_before
+        - encounter.frame().z() * own.velocity_before.dot(&encounter.frame().z());
+    let allowed = 1e-12 * own.velocity_before.norm() + unknown(encounter, &own) * slip.norm();
+    prop_assert!(off.norm() <= allowed, "{:e}", off.norm());
     let (r, s) = (own.tangential_restitution.unwrap(), other.tangential_restitution.unwrap());
     prop_assert!((r - s).abs() <= 1e-12 + unknown(encounter, &own), "R_x {r} {s}");
     prop_assert!(r.abs() <= 1.0 + 1e-14, "R_x {r}");
@@ -69,7 +80,7 @@ pub(crate) fn same(encounter: &Encounter, collision: Collision) -> Result<(), Te
     Ok(())
 }
 
-pub(crate) fn conserves(encounter: &Encounter, rebound: &Rebound) -> Result<(), TestCaseError> {
+pub(crate) fn conserves(encounter: &Collision, rebound: &Rebound) -> Result<(), TestCaseError> {
     let energy = rebound.energy;
     prop_assert!(energy.dissipated >= 0.0, "{:e}", energy.dissipated);
     prop_assert!(energy.after <= energy.before * (1.0 + 1e-13), "gain {energy:?}");

@@ -3,7 +3,7 @@
 use carom_halfspace::Material;
 use carom_impact::closed_form::{normal_energy_loss, tangential_energy_loss};
 use carom_impact::restitution::of_spheres;
-use carom_impact::{Body, Collision, Inertia, Motion};
+use carom_impact::{Body, Collision, Motion};
 use carom_laws::friction::Friction;
 
 use super::super::Failure;
@@ -53,8 +53,7 @@ fn collisions(friction: f64) -> Result<([Ball; 4], [f64; 3]), Failure> {
     for (i, side) in [1.0, -1.0, 1.0].into_iter().enumerate() {
         let ball = Body::sphere(RADIUS, rubber, MASS)?.moving(motion);
         let plane = Body::plane(Material::RIGID);
-        let collision =
-            Collision::new(ball, plane, Friction::new(friction)?)?.along([0.0, 0.0, side])?;
+        let collision = Collision::along(ball, plane, [0.0, 0.0, side], Friction::new(friction)?)?;
         let outcome = collision.solve()?;
         let rebound = outcome.rebound().ok_or("the ball flies at the plane")?;
         motion = rebound.motions[0];
@@ -147,8 +146,7 @@ pub(super) fn draw() -> FigureResult {
     );
     // A hollow ball has θ = (2/3) m R², so that D_xx/D_zz = 5/2.
     let rubber = Material::from_shear(1e6, 0.5)?;
-    let hollow = Body::sphere(RADIUS, rubber, MASS)?
-        .with_inertia(Inertia::spherical_shell(MASS, RADIUS)?)
+    let hollow = Body::spherical_shell(RADIUS, rubber, MASS)?
         .moving(Motion::new([1.0, 0.0, -1.0], [0.0; 3])?);
     let outcome =
         Collision::new(hollow, Body::plane(Material::RIGID), Friction::new(0.1)?)?.solve()?;

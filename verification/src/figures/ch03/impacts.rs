@@ -44,7 +44,7 @@ fn spinning(velocity: f64, spin: f64) -> Result<SpinCollision, Failure> {
     let ball = |side: f64| -> Result<Spinner, Failure> {
         Ok(Spinner::solid_sphere(MASS, RADIUS)?.spinning(0.5 * side * spin)?)
     };
-    let hertz = collision(0.0)?.hertz();
+    let hertz = *collision(0.0)?.hertz();
     let friction = Friction::new(FRICTION)?;
     Ok(SpinCollision::new(&hertz, friction, [ball(1.0)?, ball(-1.0)?], velocity)?)
 }
@@ -104,11 +104,11 @@ fn loads(figure: &mut Figure) -> Result<(), Failure> {
     let over = |scale: f64, value: f64| value / (scale * peak.maximal_force);
     panel.add(Series::line(
         "F_z / max F_z",
-        oblique.iter().map(|p| (p.time / clock, over(1.0, p.normal_force))),
+        oblique.iter().map(|p| (p.time / clock, over(1.0, p.force.z))),
     ));
     panel.add(Series::line(
         "F_x / (f max F_z), tangential",
-        oblique.iter().map(|p| (p.time / clock, over(FRICTION, p.tangential_force))),
+        oblique.iter().map(|p| (p.time / clock, over(FRICTION, p.force.x))),
     ));
     let twist = spinning(APPROACH, SPIN)?;
     let groups = twist.groups()?.ok_or("friction is not zero")?;
@@ -313,8 +313,8 @@ fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result
     let (mut normal_sum, mut tangential) = (0.0, 0.0);
     for pair in history.windows(2) {
         let dt = pair[1].time - pair[0].time;
-        normal_sum += 0.5 * dt * (pair[0].normal_force + pair[1].normal_force);
-        tangential += 0.5 * dt * (pair[0].tangential_force + pair[1].tangential_force);
+        normal_sum += 0.5 * dt * (pair[0].force.z + pair[1].force.z);
+        tangential += 0.5 * dt * (pair[0].force.x + pair[1].force.x);
     }
     let push = 0.5 * MASS * (1.0 + stepped) * SLIP * 2.0 / 7.0;
     let kappa = (2.0 - POISSON) / (2.0 * (1.0 - POISSON));
@@ -324,17 +324,18 @@ fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result
     let unit = FRICTION * kappa * outcome.maximal_approach;
     let early = &history[200];
     let middle = &history[2000];
+    let stuck = early.stick_radius.ok_or("spheres have one")?;
     figure.claim(
         Claim::all_close(
             "the course: impulses, last shift, velocity, contact and stick radii, over those expected",
             [
                 (normal_sum / (MASS * APPROACH), 1.0),
                 (tangential / push, 1.0),
-                (last.shift / unit, course.last),
-                (last.shift_velocity / SLIP, -stepped),
-                (early.stick_radius / early.contact_radius, 1.0),
-                (early.contact_radius / (0.5 * RADIUS * early.approach).sqrt(), 1.0),
-                (middle.contact_radius / (0.5 * RADIUS * outcome.maximal_approach).sqrt(), 1.0),
+                (last.shift.x / unit, course.last),
+                (last.velocity.x / SLIP, -stepped),
+                (stuck / early.semi_axes[0], 1.0),
+                (early.semi_axes[0] / (0.5 * RADIUS * early.shift.z).sqrt(), 1.0),
+                (middle.semi_axes[0] / (0.5 * RADIUS * outcome.maximal_approach).sqrt(), 1.0),
             ],
             Tolerance::Absolute(1e-3),
         )
@@ -345,7 +346,7 @@ fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result
 
 /// The spin ratio by Newton's equations, stepped in time with the law of the torsion.
 fn stepped_spin(velocity: f64, spin: f64, steps: usize) -> Result<f64, Failure> {
-    let hertz = collision(0.0)?.hertz();
+    let hertz = *collision(0.0)?.hertz();
     let mut law = TorsionLaw::new(&hertz, Friction::new(FRICTION)?)?;
     let (mass, inertia) = (0.5 * MASS, 0.2 * MASS * RADIUS * RADIUS);
     let dt = spinning(velocity, spin)?.normal().duration() / steps as f64;

@@ -1,7 +1,9 @@
 //! Fig. 8.2: the two bodies at the beginning of contact and during the impact.
 
+use carom_geometry::{Attitude, Surface};
 use carom_halfspace::Material;
-use carom_impact::{Attitude, Encounter, Lever, Motion, PlacedBody, Rebound, Surface};
+use carom_impact::coupled::{Sample, VectorLaw};
+use carom_impact::{Body, Collision, Lever, Motion, Rebound};
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
 
@@ -22,42 +24,42 @@ fn body(
     angles: [f64; 3],
     outward: Vector3<f64>,
     motion: Motion,
-) -> Result<PlacedBody, Failure> {
+) -> Result<Body, Failure> {
     let steel = Material::from_shear(80e9, 0.3)?;
     let surface = Surface::ellipsoid(axes)?;
     let volume = 4.0 / 3.0 * std::f64::consts::PI * axes[0] * axes[1] * axes[2];
     let inertia = surface.solid(7850.0 * volume)?;
     let attitude = Attitude::from_angles(angles[0], angles[1], angles[2])?;
     let point = attitude.to_space(&support(axes, &attitude.to_body(&outward)));
-    Ok(PlacedBody::new(surface, steel, inertia)
-        .turned(attitude)
-        .at((-point).into())?
-        .moving(motion))
+    Ok(Body::new(surface, steel, inertia).turned(attitude).at((-point).into())?.moving(motion))
 }
 
 /// Outline of a body in the parallel projection along y, by its supports.
-fn outline(body: &PlacedBody, axes: [f64; 3], shift: &Vector3<f64>) -> Vec<Point> {
+fn outline(body: &Body, axes: [f64; 3], shift: &Vector3<f64>) -> Vec<Point> {
     linspace(0.0, 2.0 * std::f64::consts::PI, 181)
         .into_iter()
         .map(|angle| {
             let (sin, cos) = libm::sincos(angle);
-            let normal = body.attitude().to_body(&Vector3::new(cos, 0.0, sin));
-            let point = body.centre() + shift + body.attitude().to_space(&support(axes, &normal));
+            let normal = body.placed().attitude().to_body(&Vector3::new(cos, 0.0, sin));
+            let point = body.placed().centre()
+                + shift
+                + body.placed().attitude().to_space(&support(axes, &normal));
             Point::new(1e3 * point.x, 1e3 * point.z)
         })
         .collect()
 }
 
-fn momenta(encounter: &Encounter, motions: &[Motion; 2]) -> (Vector3<f64>, Vector3<f64>) {
+fn momenta(encounter: &Collision, motions: &[Motion; 2]) -> (Vector3<f64>, Vector3<f64>) {
     let mut sums = (Vector3::zeros(), Vector3::zeros());
     for (body, motion) in encounter.bodies().iter().zip(motions) {
-        let turned = body.attitude();
+        let turned = body.placed().attitude();
         let tensor = turned.matrix()
             * Matrix3::from_diagonal(&Vector3::from(body.inertia().moments()))
             * turned.matrix().transpose();
         let linear = body.inertia().mass() * motion.velocity;
         sums.0 += linear;
-        sums.1 += tensor * motion.spin + (body.centre() - encounter.point()).cross(&linear);
+        sums.1 +=
+            tensor * motion.spin + (body.placed().centre() - encounter.point()).cross(&linear);
     }
     sums
 }
@@ -68,18 +70,24 @@ fn relative(levers: &[Lever; 2], motions: &[Motion; 2]) -> Vector3<f64> {
     of(1) - of(0)
 }
 
+/// Every instant that was computed.
+fn history(encounter: &Collision) -> Result<Vec<Sample>, Failure> {
+    let impact = encounter.impact()?.ok_or("they approach each other")?;
+    Ok(impact.history(VectorLaw::default())?)
+}
+
 /// Kinetic energy of both bodies.
-fn kinetic(encounter: &Encounter, motions: &[Motion; 2]) -> f64 {
+fn kinetic(encounter: &Collision, motions: &[Motion; 2]) -> f64 {
     encounter.bodies().iter().zip(motions).fold(0.0, |sum, (body, motion)| {
-        let turned = body.attitude();
+        let turned = body.placed().attitude();
         let spin = turned.to_body(&motion.spin);
         let turning = Vector3::from(body.inertia().moments()).dot(&spin.component_mul(&spin));
         sum + 0.5 * (body.inertia().mass() * motion.velocity.norm_squared() + turning)
     })
 }
 
-fn claims(figure: &mut Figure, encounter: &Encounter, rebound: &Rebound) {
-    let before = encounter.bodies().each_ref().map(PlacedBody::motion);
+fn claims(figure: &mut Figure, encounter: &Collision, rebound: &Rebound) {
+    let before = encounter.bodies().each_ref().map(Body::motion);
     let (p, l) = momenta(encounter, &before);
     let (q, m) = momenta(encounter, &rebound.motions);
     figure.claim(
@@ -150,11 +158,11 @@ fn claims(figure: &mut Figure, encounter: &Encounter, rebound: &Rebound) {
 /// friction the impulse is that along the normal.
 fn course_claims(
     figure: &mut Figure,
-    encounter: &Encounter,
+    encounter: &Collision,
     rebound: &Rebound,
-    smooth: &Encounter,
+    smooth: &Collision,
 ) -> Result<(), Failure> {
-    let history = encounter.history()?;
+    let history = history(encounter)?;
     let (mut impulse, mut work) = (Vector3::zeros(), 0.0);
     for pair in history.windows(2) {
         let mean = 0.5 * (pair[0].force + pair[1].force);
@@ -165,7 +173,7 @@ fn course_claims(
     let size = expected.norm();
     let mut pairs: Vec<(f64, f64)> =
         (0..3).map(|i| (impulse[i] / size, expected[i] / size)).collect();
-    let before = encounter.bodies().each_ref().map(PlacedBody::motion);
+    let before = encounter.bodies().each_ref().map(Body::motion);
     let lost = kinetic(encounter, &before) - kinetic(encounter, &rebound.motions);
     pairs.push((work / lost, 1.0));
     let peak = history.iter().map(|p| p.force.z).fold(0.0, f64::max);
@@ -209,11 +217,11 @@ pub(super) fn draw() -> FigureResult {
     let upper =
         body(UPPER, [0.2, -0.5, 0.3], -up, Motion::new([-0.8, 0.2, -2.0], [9.0, 5.0, 0.0])?)?;
     let lower = body(LOWER, [-0.1, 0.4, 0.9], up, Motion::new([0.2, 0.0, 0.5], [0.0, -7.0, 4.0])?)?;
-    let smooth = Encounter::find(upper.clone(), lower.clone(), Friction::new(0.0)?)?;
-    let encounter = Encounter::find(upper, lower, Friction::new(0.2)?)?;
+    let smooth = Collision::touching(upper.clone(), lower.clone(), Friction::new(0.0)?)?;
+    let encounter = Collision::touching(upper, lower, Friction::new(0.2)?)?;
     let outcome = encounter.solve()?;
     let rebound = outcome.rebound().ok_or("the bodies approach each other")?;
-    let history = encounter.history()?;
+    let history = history(&encounter)?;
     let deepest =
         history.iter().fold(history[0], |a, b| if b.shift.z > a.shift.z { *b } else { a });
 
@@ -227,8 +235,8 @@ pub(super) fn draw() -> FigureResult {
         panel.add(Series::line("body 1", outline(one, UPPER, &Vector3::zeros())));
         panel.add(Series::line("body 2", outline(two, LOWER, &shift)));
         let at = |v: Vector3<f64>| Point::new(1e3 * v.x, 1e3 * v.z);
-        let arm = |body: &PlacedBody, shift: Vector3<f64>| Arrow {
-            tail: at(body.centre() + shift),
+        let arm = |body: &Body, shift: Vector3<f64>| Arrow {
+            tail: at(body.placed().centre() + shift),
             head: at(encounter.point() + shift),
         };
         panel.add(Series::arrows("R₁, R₂", [arm(one, Vector3::zeros()), arm(two, shift)]));
@@ -247,7 +255,7 @@ pub(super) fn draw() -> FigureResult {
     let arms = encounter.levers().each_ref().map(Lever::arm);
     let mut pairs = Vec::new();
     for (i, (axes, normal)) in [(UPPER, -up), (LOWER, up)].into_iter().enumerate() {
-        let attitude = encounter.bodies()[i].attitude();
+        let attitude = encounter.bodies()[i].placed().attitude();
         let inside = attitude.to_body(&normal);
         let height = Vector3::from(axes).component_mul(&inside).norm();
         pairs.push((arms[i].dot(&z), [-height, height][i]));
@@ -272,15 +280,15 @@ pub(super) fn draw() -> FigureResult {
 }
 
 /// Relative error of the quadratic gap against the ellipsoids' own, in eight directions.
-fn gap_error(encounter: &Encounter) -> f64 {
+fn gap_error(encounter: &Collision) -> f64 {
     const DISTANCE: f64 = 1e-4;
     let frame = encounter.frame();
     let gap = frame.relative_curvature();
     // Height of a body's surface over the tangent plane, by Newton's method along the normal.
-    let height = |body: &PlacedBody, axes: [f64; 3], foot: &Vector3<f64>| {
+    let height = |body: &Body, axes: [f64; 3], foot: &Vector3<f64>| {
         let weights = Vector3::from(axes).map(|a| 1.0 / (a * a));
-        let n = body.attitude().to_body(&frame.z());
-        let start = body.attitude().to_body(&(foot - body.centre()));
+        let n = body.placed().attitude().to_body(&frame.z());
+        let start = body.placed().attitude().to_body(&(foot - body.placed().centre()));
         let mut z = 0.0;
         for _ in 0..20 {
             let p = start + n * z;

@@ -1,6 +1,6 @@
 //! Fig. 8.1: the three rotations of the contact axes against the body's axes.
 
-use carom_impact::{Attitude, Side, Surface, angle_matrix};
+use carom_geometry::{Attitude, Side, Surface, angle_matrix};
 use nalgebra::{Matrix3, Vector3};
 
 use super::super::Failure;
@@ -78,7 +78,7 @@ fn worst_curvature() -> Result<f64, Failure> {
     for i in 0..200 {
         let wave = |k: f64| libm::sin(k * (f64::from(i) + 0.7));
         let [p, q, r, s, t] = [0.9, 1.7, 2.3, 3.1, 0.4].map(wave);
-        let height = move |at: &[f64; 2]| carom_impact::Height {
+        let height = move |at: &[f64; 2]| carom_geometry::Height {
             c: p * at[0] + q * at[1],
             c_a: p,
             c_b: q,

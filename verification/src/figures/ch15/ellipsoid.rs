@@ -1,9 +1,11 @@
 //! Fig. 15.8: an upright ellipsoid that falls on a plane.
 
+use carom_geometry::Surface;
 use carom_halfspace::Material;
 use carom_impact::closed_form::phi;
+use carom_impact::coupled::VectorLaw;
 use carom_impact::restitution::of_groups;
-use carom_impact::{Encounter, Motion, PlacedBody, Surface};
+use carom_impact::{Body, Collision, Motion};
 use carom_laws::friction::Friction;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::AxisRatio;
@@ -39,15 +41,15 @@ impl Ellipsoid {
     }
 
     /// On a rigid plane with nu = 1/2: the only ratio that leaves the pair uncoupled (5.20).
-    fn encounter(self, slip: f64) -> Result<Encounter, Failure> {
+    fn encounter(self, slip: f64) -> Result<Collision, Failure> {
         let rubber = Material::from_shear(1e6, 0.5)?;
         let surface = Surface::ellipsoid([self.d, self.e, self.c])?;
         let inertia = surface.solid(MASS)?;
-        let body = PlacedBody::new(surface, rubber, inertia)
+        let body = Body::new(surface, rubber, inertia)
             .at([0.0, 0.0, self.c])?
             .moving(Motion::new([slip, 0.0, -APPROACH], [0.0; 3])?);
-        let plane = PlacedBody::plane(Material::RIGID);
-        Ok(Encounter::find(body, plane, Friction::new(FRICTION)?)?)
+        let plane = Body::plane(Material::RIGID);
+        Ok(Collision::touching(body, plane, Friction::new(FRICTION)?)?)
     }
 
     /// chi of a slip along x, with kappa of the contact ellipse.
@@ -291,7 +293,8 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
         )
         .source("energy (2/5) F ζ = m v²/2; T_N of (9.8)"),
     );
-    let course = body.encounter(slip)?.history()?;
+    let impact = body.encounter(slip)?.impact()?.ok_or("they approach each other")?;
+    let course = impact.history(VectorLaw::default())?;
     let (mut tangential, mut normal) = (0.0, 0.0);
     for pair in course.windows(2) {
         let impulse = 0.5 * (pair[0].force + pair[1].force) * (pair[1].time - pair[0].time);
@@ -310,11 +313,12 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
     let rubber = Material::from_shear(1e6, 0.5)?;
     let surface = Surface::sphere(0.02)?;
     let inertia = surface.solid(MASS)?;
-    let spun = PlacedBody::new(surface, rubber, inertia)
+    let spun = Body::new(surface, rubber, inertia)
         .at([0.0, 0.0, 0.02])?
         .moving(Motion::new([0.0, 0.0, -APPROACH], [0.0, 0.0, 100.0])?);
-    let plane = PlacedBody::plane(Material::RIGID);
-    let spun = Encounter::find(spun, plane, Friction::new(FRICTION)?)?.with_torsion().solve()?;
+    let plane = Body::plane(Material::RIGID);
+    let spun =
+        Collision::touching(spun, plane, Friction::new(FRICTION)?)?.with_torsion().solve()?;
     let spun = spun.rebound().ok_or("the ball falls")?;
     let theta = 0.4 * MASS * 0.02 * 0.02;
     let left = spun.motions[0].spin.z;

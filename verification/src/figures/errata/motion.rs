@@ -1,10 +1,10 @@
 //! Corrections of chapters 8 to 10.
 
+use carom_geometry::{Inertia, angle_matrix};
 use carom_halfspace::{Material, MaterialPair};
 use carom_impact::closed_form::ImpactConstants;
 use carom_impact::oblique::{Groups, ObliqueImpact};
 use carom_impact::torsional::limits::{no_slip, no_slip_as_printed, sliding, sliding_as_printed};
-use carom_impact::{Inertia, angle_matrix};
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::hertz::Hertz;
 use nalgebra::{Matrix3, Rotation3, Vector3};

@@ -93,14 +93,14 @@ fn panels(figure: &mut Figure, case: &Case, published: &Published) -> Result<(),
     let label = "published points";
     let mut panel = Panel::new(Axis::linear("approach / μm"), Axis::linear("force / kN"))
         .titled(format!("Test {}", case.name));
-    let curve = history.iter().map(|p| (1e6 * p.approach, 1e-3 * p.normal_force));
+    let curve = history.iter().map(|p| (1e6 * p.shift.z, 1e-3 * p.force.z));
     panel.add(Series::line("carom", curve));
     let points = published.approach.iter().map(|[x, y]| (*x, *y));
     panel.add(Series::markers(label, Marker::Circle, points));
     figure.panel(panel);
     let mut panel = Panel::new(Axis::linear("time / μs"), Axis::linear("force / kN"))
         .titled(format!("Test {}", case.name));
-    let curve = history.iter().map(|p| (1e6 * p.time, 1e-3 * p.normal_force));
+    let curve = history.iter().map(|p| (1e6 * p.time, 1e-3 * p.force.z));
     panel.add(Series::line("carom", curve));
     panel.add(Series::markers(label, Marker::Circle, published.time.iter().map(|[x, y]| (*x, *y))));
     figure.panel(panel);

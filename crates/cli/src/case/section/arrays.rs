@@ -6,12 +6,16 @@ use crate::case::unit::Measure;
 use toml::Spanned;
 use toml::de::DeValue;
 
-impl Section<'_> {
+impl<'a> Section<'a> {
     /// Three numbers in their range.
     ///
     /// # Errors
     /// If they are missing, not three numbers, or one is out of range.
-    pub fn vector(&self, name: &str, measure: impl Into<Measure>) -> Result<[f64; 3], CaseError> {
+    pub(crate) fn vector(
+        &self,
+        name: &str,
+        measure: impl Into<Measure>,
+    ) -> Result<[f64; 3], CaseError> {
         self.array(name, ["x", "y", "z"], measure, "three numbers [x, y, z]")
     }
 
@@ -19,7 +23,7 @@ impl Section<'_> {
     ///
     /// # Errors
     /// If they are missing, more or fewer, or one is out of range.
-    pub fn array<const N: usize>(
+    pub(crate) fn array<const N: usize>(
         &self,
         name: &str,
         parts: [&str; N],
@@ -41,7 +45,7 @@ impl Section<'_> {
 
     /// Whether the field is there and a list.
     #[must_use]
-    pub fn is_list(&self, name: &str) -> bool {
+    pub(crate) fn is_list(&self, name: &str) -> bool {
         matches!(self.find(name).map(Spanned::get_ref), Some(DeValue::Array(_)))
     }
 
@@ -50,7 +54,7 @@ impl Section<'_> {
     ///
     /// # Errors
     /// If they are missing, of another kind, or a number is out of range.
-    pub fn rows<const N: usize>(
+    pub(crate) fn rows<const N: usize>(
         &self,
         name: &str,
         measures: [Measure; N],
@@ -70,7 +74,7 @@ impl Section<'_> {
     fn row<const N: usize>(
         &self,
         name: &str,
-        value: &Spanned<DeValue<'_>>,
+        value: &'a Spanned<DeValue<'a>>,
         measures: [Measure; N],
         allowed: &'static str,
     ) -> Result<[f64; N], CaseError> {

@@ -1,35 +1,35 @@
-//! `carom impact`: one impact, or a sweep over the angle of incidence, from a case file.
+//! `carom impact`: one impact, a sweep, or a scatter, from a case file.
 
-mod encounter;
-mod model;
 mod plot;
-mod samples;
 mod table;
 mod uncertain;
 mod view;
 
-use crate::case::{CaseError, EncounterCase, ImpactCase, UncertainCase};
+use crate::case::{CaseError, ImpactCase, ImpactFile, Uncertainty};
+use crate::columns;
 use crate::command::theory::{self, caution};
 use crate::command::{self, CaseArguments};
 use crate::destination::Destination;
 use crate::error::CliError;
-use crate::output::{Answer, Format, Picture, check_finite, csv, json};
-use carom_impact::CollisionError;
-use model::Shot;
-use view::{Instant, Record};
+use crate::output::{Answer, Format, Picture, json};
+use carom_impact::{CollisionError, HistoryPoint, NumericalImpact, NumericalImpactError};
+use rayon::prelude::*;
+use view::{Course, Parameter, Record};
 
-/// Impact of two bodies from a case file: spheres and planes, or any smooth bodies in any place.
+/// Impact of two bodies of any smooth shape from a case file.
 ///
 /// The file is TOML in SI units, others as texts such as "2.5 mm"; see the cases under examples/. z
-/// points into body 1. A distribution in the place of a number, as in glass_scatter.toml, gives the
-/// scatter of the outcome of spheres. The spin about the normal is left alone unless
+/// points into body 1. Any number may be a sweep, a list or { start, stop, count }, or a
+/// distribution, as in glass_scatter.toml. The spin about the normal is left alone unless
 /// `contact.torsion = true`. The picture shows the course of the impact, the sweep, or the scatter.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = columns::help("A row for each impact", view::COLUMNS) + "\n"
+    + &columns::help("A row for each instant, in contact axes", HistoryPoint::COLUMNS))]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
-    /// Give the course of the impact at this many instants too; not for a sweep. Of bodies with a
-    /// place it is in contact axes, straight between the instants that were computed.
+    /// Give the course of the impact at this many instants too; not for a sweep. Of other bodies
+    /// than spheres and planes it is straight between the instants that were computed.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     history: Option<u32>,
 }
@@ -37,77 +37,129 @@ pub(super) struct Arguments {
 const NOTHING_TO_DRAW: &str = "no impact: there is nothing to draw";
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let given = arguments.given.read()?;
-    if let Some(case) = given.case.parse(EncounterCase::parse)? {
-        return encounter::run(arguments, given.plot, &case);
+    let command::Given { case: text, plot } = arguments.given.read()?;
+    let file = text.parse(ImpactFile::parse)?;
+    match file.uncertainty() {
+        Some(uncertainty) => scatter(arguments, plot, &file, uncertainty),
+        None => impacts(arguments, plot, &file),
     }
-    if let Some(case) = given.case.parse(UncertainCase::parse)? {
-        return scatter(arguments, given.plot, &case);
-    }
-    let command::Given { case: file, plot } = given;
-    let case = file.parse(ImpactCase::parse)?;
-    let at_fault = |source| blamed(arguments, &case, source);
-    let shots = model::shots(&case).map_err(at_fault)?;
-    let is_sweep = case.is_sweep();
-    if is_sweep && arguments.history.is_some() {
+}
+
+fn impacts(
+    arguments: &Arguments,
+    plot: Option<Destination>,
+    file: &ImpactFile<'_>,
+) -> Result<Answer, CliError> {
+    let (path, format) = (&arguments.given.case, arguments.given.format);
+    let sweep = file.sweep();
+    if sweep.is_some() && arguments.history.is_some() {
         return Err(CliError::Options("--history takes a case with one impact, not a sweep"));
     }
-    let course = |shot: &Shot, count| {
-        let history = view::history(shot, count).map_err(at_fault)?;
-        check_finite(&arguments.given.case, &view::HISTORY_HEADS, &full(&history))?;
-        Ok(history)
+    let mut outcomes = match sweep {
+        Some((_, values)) => records(arguments, file, values)?,
+        None => vec![followed(arguments, None, file.nominal())?],
     };
-    let mut records = view::records(&shots).map_err(at_fault)?;
-    if let (Some(count), [shot], [record]) =
-        (arguments.history, shots.as_slice(), records.as_mut_slice())
-    {
-        record.history = Some(course(shot, count as usize)?);
+    if let (Some(count), [record]) = (arguments.history, outcomes.as_mut_slice()) {
+        record.history = Some(course(arguments, file, count as usize)?);
     }
-    let rows: Vec<_> = records.iter().map(view::cells).collect();
-    check_finite(&arguments.given.case, &view::HEADS, &rows)?;
-    let text = match arguments.given.format {
-        Format::Json if is_sweep => json(&records)?,
-        Format::Json => json(&records.first())?,
-        Format::Csv => comma_separated(&records, &rows)?,
-        Format::Table => table::render(&records, is_sweep),
-        Format::None => String::new(),
+    let of_outcomes = view::columns(sweep.map_or("angle", |(input, _)| view::name(input)));
+    columns::check(path, &of_outcomes, &outcomes)?;
+    let text = match (format, outcomes.as_slice()) {
+        (Format::Json, [record]) if sweep.is_none() => json(record)?,
+        (Format::Json, records) => json(&records)?,
+        (Format::Csv, [Record { history: Some(Course(points)), .. }]) => {
+            columns::rows(format, HistoryPoint::COLUMNS, points)?
+        }
+        (Format::Csv, records) => columns::rows(format, &of_outcomes, records)?,
+        (Format::Table, records) => table::render(records, sweep.map(|(input, _)| input))?,
+        (Format::None, _) => String::new(),
     };
-    let mut warnings = warnings(&records);
+    let mut warnings = warnings(&outcomes);
     let mut picture = None;
     if let Some(to) = plot {
-        match draw(&case, &shots, &records, (course, at_fault))? {
+        match draw(arguments, file, &outcomes)? {
             Some(drawn) => picture = Some((to, drawn)),
             None => warnings.push(NOTHING_TO_DRAW.to_owned()),
         }
     }
-    let excesses: Vec<_> = records.iter().map(|record| record.excess).collect();
+    let excesses: Vec<_> = outcomes.iter().map(|record| record.excess).collect();
     let answer = Answer { text, warnings, picture, ..Answer::default() };
-    Ok(answer.cautioned(caution(&excesses, "angles"), arguments.given.format))
+    Ok(answer.cautioned(caution(&excesses, several(&outcomes)), format))
+}
+
+/// The impacts of a sweep over these values, in their order.
+fn records(
+    arguments: &Arguments,
+    file: &ImpactFile<'_>,
+    values: &[f64],
+) -> Result<Vec<Record>, CliError> {
+    let name = file.sweep().map_or("", |(input, _)| view::name(input));
+    let record = |value: &f64| {
+        let case = file.case(&[*value]).map_err(|source| refused(arguments, source))?;
+        followed(arguments, Some(Parameter { name, value: *value }), &case)
+    };
+    values.par_iter().map(record).collect()
+}
+
+fn followed(
+    arguments: &Arguments,
+    parameter: Option<Parameter>,
+    case: &ImpactCase,
+) -> Result<Record, CliError> {
+    let outcome = match case.contact.is_numerical {
+        true => NumericalImpact::new(&case.collision)
+            .solve()
+            .map_err(|source| on_grid(arguments, source))?,
+        false => case.collision.solve().map_err(|source| blamed(arguments, case, source))?,
+    };
+    Ok(view::record(parameter, case, &outcome))
+}
+
+fn course(arguments: &Arguments, file: &ImpactFile<'_>, count: usize) -> Result<Course, CliError> {
+    let case = file.nominal();
+    let history = match case.contact.is_numerical {
+        true => NumericalImpact::new(&case.collision)
+            .history(count)
+            .map_err(|source| on_grid(arguments, source))?,
+        false => case.collision.history(count).map_err(|source| blamed(arguments, case, source))?,
+    };
+    columns::check(&arguments.given.case, HistoryPoint::COLUMNS, &history)?;
+    Ok(Course(history))
 }
 
 /// The case is to blame for torsion that cannot be given.
 fn blamed(arguments: &Arguments, case: &ImpactCase, source: CollisionError) -> CliError {
-    let path = arguments.given.case.clone();
     match (source, case.contact.torsion) {
         (CollisionError::NormalSpin(source), Some(line)) => {
-            CliError::Case { path, source: CaseError::Torsion { line, source: Box::new(source) } }
+            refused(arguments, CaseError::Torsion { line, source: Box::new(source) })
         }
-        (source, _) => CliError::Collision { path, source },
+        (source, _) => {
+            CliError::Collision { path: arguments.given.case.clone(), source: Box::new(source) }
+        }
     }
+}
+
+fn on_grid(arguments: &Arguments, source: NumericalImpactError) -> CliError {
+    CliError::Numerical { path: arguments.given.case.clone(), source: Box::new(source) }
+}
+
+fn refused(arguments: &Arguments, source: CaseError) -> CliError {
+    CliError::Case { path: arguments.given.case.clone(), source }
 }
 
 fn scatter(
     arguments: &Arguments,
     plot: Option<Destination>,
-    case: &UncertainCase,
+    file: &ImpactFile<'_>,
+    uncertainty: &Uncertainty,
 ) -> Result<Answer, CliError> {
     if arguments.history.is_some() {
         return Err(CliError::Options("--history takes a case with one impact, not [uncertainty]"));
     }
-    let study = uncertain::study(case)
+    let study = uncertain::study(file, uncertainty)
         .map_err(|source| CliError::Uncertain { path: arguments.given.case.clone(), source })?;
-    let excess = uncertain::excess(case);
-    let report = uncertain::report(case, &study, excess)?;
+    let excess = uncertain::excess(file);
+    let report = uncertain::report(file, uncertainty, &study, excess)?;
     let picture = plot.map(|to| (to, uncertain::draw(&report)));
     let text = uncertain::render_text(&report, arguments.given.format)?;
     let answer =
@@ -115,43 +167,37 @@ fn scatter(
     Ok(answer.cautioned(caution(&[excess], "means"), arguments.given.format))
 }
 
-fn comma_separated(records: &[Record], rows: &[Vec<String>]) -> Result<String, CliError> {
-    match records {
-        [Record { history: Some(history), .. }] => csv(&view::HISTORY_HEADS, &full(history)),
-        _ => csv(&view::HEADS, rows),
-    }
-}
-
-/// The rows of a history with all digits.
-fn full(history: &[Instant]) -> Vec<Vec<String>> {
-    history.iter().map(|instant| view::history_cells(instant, |value| value.to_string())).collect()
-}
-
 /// The picture; none if no impact happens.
 fn draw(
-    case: &ImpactCase,
-    shots: &[Shot],
-    records: &[Record],
-    (course, at_fault): (
-        impl Fn(&Shot, usize) -> Result<Vec<Instant>, CliError>,
-        impl Fn(CollisionError) -> CliError,
-    ),
+    arguments: &Arguments,
+    file: &ImpactFile<'_>,
+    given: &[Record],
 ) -> Result<Option<Picture>, CliError> {
-    if records.iter().all(|record| record.rebound.is_none()) {
+    if given.iter().all(|record| record.rebound.is_none()) {
         return Ok(None);
     }
-    if let ([shot], false) = (shots, case.is_sweep()) {
-        return Ok(Some(plot::course(&course(shot, plot::INSTANTS)?)));
+    let Some((input, values)) = file.sweep() else {
+        return Ok(Some(plot::course(&course(arguments, file, plot::INSTANTS)?.0)));
+    };
+    let between = records(arguments, file, &plot::between(values))?;
+    Ok(Some(plot::sweep(input, &between, given)))
+}
+
+/// What the impacts of a sweep are called.
+fn several(records: &[Record]) -> &'static str {
+    match records.first().and_then(|record| record.parameter) {
+        Some(Parameter { name: "angle", .. }) => "angles",
+        _ => "impacts",
     }
-    let between = plot::between(case, records).map_err(at_fault)?;
-    Ok(Some(plot::sweep(&between, records)))
 }
 
 /// What limits the validity of the outcomes.
 fn warnings(records: &[Record]) -> Vec<String> {
-    let concerned = records.iter().map(|record| {
-        let place = record.angle.map_or_else(String::new, |angle| format!("at {angle}°"));
-        (place, record.limits.as_slice())
-    });
-    theory::warnings(concerned, "angles")
+    let place = |record: &Record| match record.parameter {
+        Some(Parameter { name: "angle", value }) => format!("at {value}°"),
+        Some(Parameter { name, value }) => format!("at {name} = {value}"),
+        None => String::new(),
+    };
+    let concerned = records.iter().map(|record| (place(record), record.limits.as_slice()));
+    theory::warnings(concerned, several(records))
 }

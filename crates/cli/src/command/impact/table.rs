@@ -1,19 +1,23 @@
 //! The outcome of an impact as tables to read.
 
-use super::view::{HISTORY_HEADS, Instant, MotionRecord, ReboundRecord, Record, history_cells};
-use crate::output::{short, table};
+use super::view::{self, Course, MotionRecord, ReboundRecord, Record};
+use crate::case::Input;
+use crate::columns;
+use crate::error::CliError;
+use crate::output::{Format, short, table};
+use carom_impact::HistoryPoint;
 
-/// One impact in full, or a sweep with a line for each angle.
-pub(super) fn render(records: &[Record], is_sweep: bool) -> String {
-    match records {
-        [record] if !is_sweep => one(record),
-        _ => sweep(records),
+/// One impact in full, or a sweep with a line for each value.
+pub(super) fn render(records: &[Record], sweep: Option<&Input>) -> Result<String, CliError> {
+    match (records, sweep) {
+        (records, Some(input)) => Ok(self::sweep(records, input)),
+        (records, None) => records.iter().map(one).collect(),
     }
 }
 
-/// The motions, what came of the impact, and its regimes.
-pub(super) fn outcome(record: &Record) -> String {
-    let mut text = motions(record);
+/// Where they touch, the motions, what came of the impact, its regimes and its course.
+fn one(record: &Record) -> Result<String, CliError> {
+    let mut text = contact(record) + &motions(record);
     match &record.rebound {
         None => text.push_str("no impact: the bodies do not approach each other\n"),
         Some(rebound) => {
@@ -21,15 +25,36 @@ pub(super) fn outcome(record: &Record) -> String {
             text.push_str(&events(rebound));
         }
     }
-    text
+    if let Some(Course(points)) = &record.history {
+        text.push_str(&columns::rows(Format::Table, HistoryPoint::COLUMNS, points)?);
+    }
+    Ok(text)
 }
 
-fn one(record: &Record) -> String {
-    let mut text = outcome(record);
-    if let Some(history) = &record.history {
-        text.push_str(&course(history));
+fn contact(record: &Record) -> String {
+    let contact = &record.contact;
+    let mut rows = vec![
+        ("contact point", vector(contact.point), "m"),
+        ("x axis, along a", vector(contact.x_axis), ""),
+        ("y axis, along b", vector(contact.y_axis), ""),
+        ("z axis, into body 1", vector(contact.z_axis), ""),
+        ("centre of body 1", vector(contact.centre_1), "m"),
+        ("centre of body 2", vector(contact.centre_2), "m"),
+        ("curvature A", short(contact.curvature_a), "1/m"),
+        ("curvature B", short(contact.curvature_b), "1/m"),
+        ("axis ratio a/b", short(contact.axis_ratio), ""),
+    ];
+    if let (Some(passage), Some(compressions), Some(error)) =
+        (contact.passage, contact.compressions, contact.error_estimate)
+    {
+        rows.extend([
+            ("passage", passage.to_owned(), ""),
+            ("law for turning directions", contact.law.to_owned(), ""),
+            ("compressions", compressions.to_string(), ""),
+            ("error estimate of the velocity", short(error), "of |v|"),
+        ]);
     }
-    text
+    named(&rows)
 }
 
 fn motions(record: &Record) -> String {
@@ -82,7 +107,7 @@ fn or_dash(value: Option<f64>) -> String {
 }
 
 /// A table of named quantities with their units.
-pub(super) fn named(rows: &[(&str, String, &str)]) -> String {
+fn named(rows: &[(&str, String, &str)]) -> String {
     let rows: Vec<Vec<String>> = rows
         .iter()
         .map(|(name, value, unit)| vec![(*name).to_owned(), value.clone(), (*unit).to_owned()])
@@ -91,7 +116,7 @@ pub(super) fn named(rows: &[(&str, String, &str)]) -> String {
 }
 
 /// Three components to read; what is round-off of the largest is zero.
-pub(super) fn vector(value: [f64; 3]) -> String {
+fn vector(value: [f64; 3]) -> String {
     let largest = value.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
     value
         .map(|part| if part.abs() < 1e-15 * largest { "0".to_owned() } else { short(part) })
@@ -111,19 +136,14 @@ fn events(rebound: &ReboundRecord) -> String {
     table(&["time s", "% of duration", "event", "regime from then on"], &rows)
 }
 
-fn course(history: &[Instant]) -> String {
-    let rows: Vec<_> = history.iter().map(|instant| history_cells(instant, short)).collect();
-    table(&HISTORY_HEADS, &rows)
-}
-
-fn sweep(records: &[Record]) -> String {
+fn sweep(records: &[Record], input: &Input) -> String {
     let rows: Vec<Vec<String>> = records
         .iter()
         .map(|record| {
             let body_1 = &record.after.body_1;
             let of = |value: fn(&ReboundRecord) -> f64| or_dash(record.rebound.as_ref().map(value));
             vec![
-                or_dash(record.angle),
+                or_dash(record.parameter.map(|parameter| parameter.value)),
                 or_dash(record.restitution()),
                 short(body_1.velocity[0]),
                 short(body_1.velocity[2]),
@@ -137,8 +157,12 @@ fn sweep(records: &[Record]) -> String {
             ]
         })
         .collect();
+    let first = match (view::name(input), input.unit) {
+        ("angle", _) => "angle °".to_owned(),
+        (name, unit) => format!("{name} {unit}").trim_end().to_owned(),
+    };
     let heads = [
-        "angle °",
+        first.as_str(),
         "R_x",
         "v_x m/s",
         "v_z m/s",

@@ -1,13 +1,13 @@
 //! An impact with uncertain inputs: what its outcome is, and how it scatters.
 
-use super::model;
-use crate::case::UncertainCase;
+use crate::case::{CaseError, ImpactFile, Input, Uncertainty};
 use crate::command::theory::Excess;
 use crate::error::CliError;
 use crate::output::{Format, Picture, csv, json, short, table};
 use carom_impact::uncertain::{Bin, Quantity, Study, Summary, UncertainError};
 use carom_impact::{CollisionError, Outcome};
 use carom_plot::{Axis, Panel, Series};
+use carom_special::RangeError;
 use serde::Serialize;
 
 /// The outcome of all samples. SI units, angles in degrees.
@@ -59,29 +59,43 @@ struct BinRecord {
 }
 
 /// Follows all samples of a case.
-pub(super) fn study(case: &UncertainCase) -> Result<Study, UncertainError> {
-    case.sampling.run(&case.distributions(), |values| {
-        let drawn = case
-            .case(values)
-            .map_err(|e| CollisionError::Range(UncertainCase::out_of_range(&e)))?;
-        model::collision(&drawn)
+pub(super) fn study(
+    file: &ImpactFile<'_>,
+    uncertainty: &Uncertainty,
+) -> Result<Study, UncertainError> {
+    let distributions: Vec<_> = file.inputs().iter().filter_map(Input::distribution).collect();
+    uncertainty.sampling.run(&distributions, |values| match file.case(values) {
+        Ok(case) => Ok(case.collision),
+        Err(CaseError::Collision { source, .. }) => Err(*source),
+        Err(error) => Err(CollisionError::Range(out_of_range(file, &error))),
     })
 }
 
+/// The error of drawn values as that of a field out of range.
+fn out_of_range(file: &ImpactFile<'_>, error: &CaseError) -> RangeError {
+    if let CaseError::Range { field, value, .. } = error {
+        if let Some(input) = file.inputs().iter().find(|input| input.field == field) {
+            return RangeError::new(input.field, *value, input.allowed);
+        }
+        return RangeError::new("a derived value", *value, "possible together with the others");
+    }
+    RangeError::new("the drawn values", f64::NAN, "possible together")
+}
+
 /// How far the impact with all inputs at their means lies outside the theory.
-pub(super) fn excess(case: &UncertainCase) -> Excess {
-    let nominal = case.nominal().ok().and_then(|nominal| model::collision(&nominal).ok());
-    let outcome = nominal.and_then(|collision| collision.solve().ok());
+pub(super) fn excess(file: &ImpactFile<'_>) -> Excess {
+    let outcome = file.nominal().collision.solve().ok();
     outcome.as_ref().and_then(Outcome::rebound).map(Excess::of_impact).unwrap_or_default()
 }
 
 pub(super) fn report(
-    case: &UncertainCase,
+    file: &ImpactFile<'_>,
+    case: &Uncertainty,
     study: &Study,
     excess: Excess,
 ) -> Result<Report, CliError> {
-    let inputs = case.fields().into_iter().zip(study.inputs());
-    let outcome = Quantity::ALL.iter().map(|q| (q.name(), study.summary(*q)));
+    let inputs = file.inputs().iter().map(|input| input.field).zip(study.inputs());
+    let outcome = Quantity::ALL.iter().filter_map(|q| Some((q.name(), study.summary(*q)?)));
     Ok(Report {
         samples: study.samples(),
         no_impact: study.no_impact(),
@@ -101,7 +115,7 @@ pub(super) fn report(
     })
 }
 
-fn spread(case: &UncertainCase, name: &'static str, summary: &Summary) -> Result<Spread, CliError> {
+fn spread(case: &Uncertainty, name: &'static str, summary: &Summary) -> Result<Spread, CliError> {
     let quantile = |part: &f64| Ok(QuantileRecord { part: *part, value: summary.quantile(*part)? });
     let record = |bin: Bin| BinRecord { low: bin.low, high: bin.high, count: bin.count };
     Ok(Spread {

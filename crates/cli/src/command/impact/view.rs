@@ -1,19 +1,22 @@
-//! The outcome of a collision as records for JSON and rows for CSV.
+//! The outcome of a collision as records for JSON and columns for CSV.
 
-use super::model::Shot;
+use crate::case::{ImpactCase, Input};
+use crate::columns;
 use crate::command::theory::Excess;
+use carom_impact::coupled::VectorLaw;
 use carom_impact::oblique::{Event, Regime};
-use carom_impact::{CollisionError, HistoryPoint, Motion, Outcome, Rebound, Warning};
-use rayon::prelude::*;
-use serde::Serialize;
+use carom_impact::{Body, Collision, HistoryPoint, Motion, Outcome, Rebound, Warning};
+use carom_table::{Column, Value};
+use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
 /// An impact and what came of it. SI units.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub(super) struct Record {
-    /// Angle of incidence, degrees, if the case gives it.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) angle: Option<f64>,
+    /// The number of a sweep, or the angle of incidence if the case gives it.
+    #[serde(flatten)]
+    pub(super) parameter: Option<Parameter>,
     pub(super) outcome: Kind,
+    pub(super) contact: ContactRecord,
     pub(super) before: Motions,
     pub(super) after: Motions,
     #[serde(flatten)]
@@ -26,23 +29,71 @@ pub(super) struct Record {
     #[serde(skip)]
     pub(super) excess: Excess,
     #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) history: Option<Vec<Instant>>,
+    pub(super) history: Option<Course>,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Serialize)]
+/// A number by which impacts differ.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Parameter {
+    pub(super) name: &'static str,
+    pub(super) value: f64,
+}
+
+impl Serialize for Parameter {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(Some(1))?;
+        map.serialize_entry(self.name, &self.value)?;
+        map.end()
+    }
+}
+
+/// Instants in order.
+#[derive(Debug, Clone)]
+pub(super) struct Course(pub(super) Vec<HistoryPoint>);
+
+impl Serialize for Course {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut list = serializer.serialize_seq(Some(self.0.len()))?;
+        for point in &self.0 {
+            list.serialize_element(&columns::Record::new(HistoryPoint::COLUMNS, point))?;
+        }
+        list.end()
+    }
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "snake_case")]
 pub(super) enum Kind {
     Rebound,
     NoImpact,
 }
 
-#[derive(Debug, Clone, Copy, Serialize)]
+/// Where the bodies touch and how the impact was solved.
+#[derive(Debug, Clone, serde::Serialize)]
+pub(super) struct ContactRecord {
+    pub(super) point: [f64; 3],
+    pub(super) x_axis: [f64; 3],
+    pub(super) y_axis: [f64; 3],
+    pub(super) z_axis: [f64; 3],
+    pub(super) curvature_a: f64,
+    pub(super) curvature_b: f64,
+    pub(super) axis_ratio: f64,
+    pub(super) centre_1: [f64; 3],
+    pub(super) centre_2: [f64; 3],
+    /// None without an impact.
+    pub(super) passage: Option<&'static str>,
+    pub(super) law: &'static str,
+    pub(super) compressions: Option<u32>,
+    pub(super) error_estimate: Option<f64>,
+}
+
+#[derive(Debug, Clone, Copy, serde::Serialize)]
 pub(super) struct Motions {
     pub(super) body_1: MotionRecord,
     pub(super) body_2: MotionRecord,
 }
 
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, serde::Serialize)]
 pub(super) struct MotionRecord {
     pub(super) velocity: [f64; 3],
     pub(super) spin: [f64; 3],
@@ -56,7 +107,7 @@ impl Record {
 }
 
 /// What only a rebound has.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone, serde::Serialize)]
 pub(super) struct ReboundRecord {
     /// None where no tangential velocity says a direction for it.
     #[serde(rename = "R_x")]
@@ -79,7 +130,7 @@ pub(super) struct ReboundRecord {
 }
 
 /// What the torsional impact did to the spin about the normal.
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, serde::Serialize)]
 pub(super) struct TorsionRecord {
     pub(super) spin_ratio: f64,
     pub(super) torque_impulse: f64,
@@ -87,49 +138,25 @@ pub(super) struct TorsionRecord {
     pub(super) error_estimate: f64,
 }
 
-#[derive(Debug, Clone, Copy, Serialize)]
+#[derive(Debug, Clone, Copy, serde::Serialize)]
 pub(super) struct EventRecord {
     pub(super) time: f64,
     pub(super) event: &'static str,
     pub(super) regime: &'static str,
 }
 
-/// One instant of an impact. The shift is that of body 2 against body 1.
-#[derive(Debug, Clone, Copy, Serialize)]
-pub(super) struct Instant {
-    pub(super) time: f64,
-    pub(super) approach: f64,
-    pub(super) shift: f64,
-    pub(super) normal_force: f64,
-    pub(super) tangential_force: f64,
-    pub(super) contact_radius: f64,
-    pub(super) stick_radius: f64,
-    pub(super) regime: &'static str,
-}
-
-/// Computes the collisions, in their order.
-pub(super) fn records(shots: &[Shot]) -> Result<Vec<Record>, CollisionError> {
-    shots
-        .par_iter()
-        .map(|shot| Ok(record(shot.angle, &shot.before, &shot.collision.solve()?)))
-        .collect()
-}
-
-/// The course of a collision at `count` instants; empty without an impact.
-pub(super) fn history(shot: &Shot, count: usize) -> Result<Vec<Instant>, CollisionError> {
-    Ok(shot.collision.history(count)?.iter().map(instant).collect())
-}
-
 /// What came of an impact.
-pub(super) fn record(angle: Option<f64>, before: &[Motion; 2], outcome: &Outcome) -> Record {
+pub(super) fn record(parameter: Option<Parameter>, case: &ImpactCase, outcome: &Outcome) -> Record {
     let rebound = outcome.rebound();
     let limits = rebound.map_or_else(Vec::new, |rebound| rebound.warnings.clone());
     let excess = rebound.map(Excess::of_impact).unwrap_or_default();
+    let angle = || case.angle.map(|value| Parameter { name: "angle", value });
     Record {
-        angle,
+        parameter: parameter.or_else(angle),
         outcome: if rebound.is_some() { Kind::Rebound } else { Kind::NoImpact },
-        before: motions(before),
-        after: motions(&outcome.motions()),
+        contact: contact(case, rebound),
+        before: motions(case.collision.bodies().each_ref().map(Body::motion)),
+        after: motions(outcome.motions()),
         rebound: rebound.map(rebound_record),
         warnings: limits.iter().map(ToString::to_string).collect(),
         outside_theory: excess.reasons(),
@@ -139,7 +166,40 @@ pub(super) fn record(angle: Option<f64>, before: &[Motion; 2], outcome: &Outcome
     }
 }
 
-fn motions(motions: &[Motion; 2]) -> Motions {
+/// The name of a swept number: the angle of incidence has one of its own.
+pub(super) fn name(input: &Input) -> &'static str {
+    if input.field == "approach.angle" { "angle" } else { input.field }
+}
+
+fn contact(case: &ImpactCase, rebound: Option<&Rebound>) -> ContactRecord {
+    let collision: &Collision = &case.collision;
+    let (frame, curvature) = (collision.frame(), collision.hertz().curvature());
+    let centre = |i: usize| collision.bodies()[i].placed().centre().into();
+    ContactRecord {
+        point: collision.point().into(),
+        x_axis: frame.x().into(),
+        y_axis: frame.y().into(),
+        z_axis: frame.z().into(),
+        curvature_a: curvature.a(),
+        curvature_b: curvature.b(),
+        axis_ratio: collision.hertz().axis_ratio().get(),
+        centre_1: centre(0),
+        centre_2: centre(1),
+        passage: rebound.map(|rebound| match case.contact.is_numerical {
+            true => "numerical",
+            false => rebound.passage.name(),
+        }),
+        law: match (case.contact.is_numerical, case.contact.law) {
+            (true, _) => "numerical",
+            (false, VectorLaw::Coulomb) => "coulomb",
+            (false, VectorLaw::FixedDirection) => "fixed-direction",
+        },
+        compressions: rebound.map(|rebound| rebound.compressions),
+        error_estimate: rebound.map(|rebound| rebound.error_estimate),
+    }
+}
+
+fn motions(motions: [Motion; 2]) -> Motions {
     let [body_1, body_2] = motions
         .map(|motion| MotionRecord { velocity: motion.velocity.into(), spin: motion.spin.into() });
     Motions { body_1, body_2 }
@@ -189,116 +249,64 @@ const fn event_name(event: Event) -> &'static str {
     }
 }
 
-fn instant(point: &HistoryPoint) -> Instant {
-    Instant {
-        time: point.time,
-        approach: point.approach,
-        shift: point.shift,
-        normal_force: point.normal_force,
-        tangential_force: point.tangential_force,
-        contact_radius: point.contact_radius,
-        stick_radius: point.stick_radius,
-        regime: point.regime.name(),
-    }
+/// The columns of outcomes; the first is the swept number `parameter`.
+pub(super) fn columns(parameter: &'static str) -> Vec<Column<Record>> {
+    let first = Column::new(parameter, "", "that the case gives or sweeps over", |r: &Record| {
+        r.parameter.map(|parameter| parameter.value).into()
+    });
+    [&[first], COLUMNS].concat()
 }
 
-/// Heads of the CSV of outcomes.
-pub(super) const HEADS: [&str; 34] = [
-    "angle",
-    "outcome",
-    "R_x",
-    "body_1_velocity_x",
-    "body_1_velocity_y",
-    "body_1_velocity_z",
-    "body_1_spin_x",
-    "body_1_spin_y",
-    "body_1_spin_z",
-    "body_2_velocity_x",
-    "body_2_velocity_y",
-    "body_2_velocity_z",
-    "body_2_spin_x",
-    "body_2_spin_y",
-    "body_2_spin_z",
-    "impulse_x",
-    "impulse_y",
-    "impulse_z",
-    "contact_velocity_before_x",
-    "contact_velocity_before_y",
-    "contact_velocity_before_z",
-    "contact_velocity_after_x",
-    "contact_velocity_after_y",
-    "contact_velocity_after_z",
-    "duration",
-    "maximal_force",
-    "maximal_approach",
-    "maximal_semi_axis_a",
-    "maximal_semi_axis_b",
-    "energy_before",
-    "energy_after",
-    "energy_dissipated",
-    "regimes",
-    "warnings",
+fn of<T: Into<Value>>(record: &Record, value: impl Fn(&ReboundRecord) -> T) -> Value {
+    record.rebound.as_ref().map(value).map_or(Value::Absent, Into::into)
+}
+
+/// Motions are those after the impact.
+pub(super) const COLUMNS: &[Column<Record>] = &[
+    Column::new("outcome", "", "rebound, or no_impact", |r| match r.outcome {
+        Kind::Rebound => "rebound".into(),
+        Kind::NoImpact => "no_impact".into(),
+    }),
+    Column::new("R_x", "", "tangential restitution", |r| r.restitution().into()),
+    Column::vector("body_1_velocity", "m/s", "of the centre afterwards", |r| {
+        r.after.body_1.velocity.into()
+    }),
+    Column::vector("body_1_spin", "rad/s", "afterwards", |r| r.after.body_1.spin.into()),
+    Column::vector("body_2_velocity", "m/s", "of the centre afterwards", |r| {
+        r.after.body_2.velocity.into()
+    }),
+    Column::vector("body_2_spin", "rad/s", "afterwards", |r| r.after.body_2.spin.into()),
+    Column::vector("impulse", "N s", "on body 1", |r| of(r, |b| b.impulse)),
+    Column::vector("contact_velocity_before", "m/s", "of body 2 against body 1", |r| {
+        of(r, |b| b.contact_velocity_before)
+    }),
+    Column::vector("contact_velocity_after", "m/s", "of body 2 against body 1", |r| {
+        of(r, |b| b.contact_velocity_after)
+    }),
+    Column::new("duration", "s", "from touch to separation", |r| of(r, |b| b.duration)),
+    Column::new("maximal_force", "N", "normal", |r| of(r, |b| b.maximal_force)),
+    Column::new("maximal_approach", "m", "of distant points", |r| of(r, |b| b.maximal_approach)),
+    Column::new("maximal_semi_axis_a", "m", "of the contact along x", |r| {
+        of(r, |b| b.maximal_semi_axis_a)
+    }),
+    Column::new("maximal_semi_axis_b", "m", "of the contact along y", |r| {
+        of(r, |b| b.maximal_semi_axis_b)
+    }),
+    Column::new("energy_before", "J", "kinetic", |r| of(r, |b| b.energy_before)),
+    Column::new("energy_after", "J", "kinetic", |r| of(r, |b| b.energy_after)),
+    Column::new("energy_dissipated", "J", "by friction", |r| of(r, |b| b.energy_dissipated)),
+    Column::new("regimes", "", "in order; sign: traction on body 1 along the first slip", |r| {
+        of(r, |b| b.regimes.clone())
+    }),
+    Column::new("warnings", "", "what limits the validity", |r| r.warnings.join("; ").into()),
+    Column::new("passage", "", "how it was solved", |r| r.contact.passage.into()),
+    Column::new("law", "", "for turning directions", |r| r.contact.law.into()),
+    Column::new("compressions", "", "how often the approach grew", |r| {
+        r.contact.compressions.map(u64::from).into()
+    }),
+    Column::new("error_estimate", "", "of the velocity, over that before", |r| {
+        r.contact.error_estimate.into()
+    }),
+    Column::vector("point", "m", "of contact", |r| r.contact.point.into()),
+    Column::vector("normal", "", "common normal, into body 1", |r| r.contact.z_axis.into()),
 ];
-
-/// A row of the CSV of outcomes: motions are those after the impact.
-pub(super) fn cells(record: &Record) -> Vec<String> {
-    let mut cells = vec![
-        record.angle.map_or_else(String::new, |angle| angle.to_string()),
-        match record.outcome {
-            Kind::Rebound => "rebound".to_owned(),
-            Kind::NoImpact => "no_impact".to_owned(),
-        },
-        record.restitution().map_or_else(String::new, |restitution| restitution.to_string()),
-    ];
-    let Motions { body_1, body_2 } = &record.after;
-    let motions = [body_1.velocity, body_1.spin, body_2.velocity, body_2.spin];
-    cells.extend(motions.as_flattened().iter().map(f64::to_string));
-    match &record.rebound {
-        None => cells.resize(HEADS.len() - 1, String::new()),
-        Some(rebound) => {
-            let vectors =
-                [rebound.impulse, rebound.contact_velocity_before, rebound.contact_velocity_after];
-            cells.extend(vectors.as_flattened().iter().map(f64::to_string));
-            let numbers = [
-                rebound.duration,
-                rebound.maximal_force,
-                rebound.maximal_approach,
-                rebound.maximal_semi_axis_a,
-                rebound.maximal_semi_axis_b,
-                rebound.energy_before,
-                rebound.energy_after,
-                rebound.energy_dissipated,
-            ];
-            cells.extend(numbers.iter().map(f64::to_string));
-            cells.push(rebound.regimes.join(" "));
-        }
-    }
-    cells.push(record.warnings.join("; "));
-    cells
-}
-
-/// Heads of the CSV of a history.
-pub(super) const HISTORY_HEADS: [&str; 8] = [
-    "time",
-    "approach",
-    "shift",
-    "normal_force",
-    "tangential_force",
-    "contact_radius",
-    "stick_radius",
-    "regime",
-];
-
-/// A row of a history.
-pub(super) fn history_cells(instant: &Instant, number: fn(f64) -> String) -> Vec<String> {
-    let numbers = [
-        instant.time,
-        instant.approach,
-        instant.shift,
-        instant.normal_force,
-        instant.tangential_force,
-        instant.contact_radius,
-        instant.stick_radius,
-    ];
-    numbers.into_iter().map(number).chain([instant.regime.to_owned()]).collect()
-}

@@ -1,14 +1,15 @@
-//! What an encounter leaves: motions, energy, torsion, warnings.
+//! What a collision leaves: motions, energy, torsion, warnings.
 
 use carom_geometry::Certainty;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use super::{Encounter, EncounterError};
-use crate::body::Motion;
+use super::method::Passed;
+use super::{Collision, CollisionError};
+use crate::body::{Body, Motion};
 use crate::closed_form::{NOTICEABLE, restitution_without_slip};
-use crate::coupled::{CoupledImpact, CoupledOutcome, is_coupled};
+use crate::coupled::is_coupled;
 use crate::normal::NormalImpact;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
 use crate::outcome::{EnergyBudget, Rebound, Torsion, TorsionMode, Warning};
@@ -23,20 +24,17 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Differences of chi between directions below this part of it are round-off.
 const EVEN: f64 = 1e-12;
 
-impl Encounter {
-    pub(crate) fn rebound(
-        &self,
-        impact: &CoupledImpact,
-        outcome: &CoupledOutcome,
-    ) -> Result<Rebound, EncounterError> {
-        let (before, after) = (impact.velocity(), outcome.velocity);
-        let impulse = self.mobility.impulse(&before, &after);
+impl Collision {
+    pub(crate) fn rebound(&self, passed: Passed) -> Result<Rebound, CollisionError> {
+        let (before, after) = (passed.before, passed.after);
+        let impulse = passed.impulse.unwrap_or_else(|| self.mobility.impulse(&before, &after));
         let mut motions = [0, 1].map(|i| {
             let push = if i == 0 { impulse } else { -impulse };
-            self.levers[i].pushed(self.frame().axes(), &self.bodies[i].motion, &push)
+            self.levers[i].pushed(self.frame().axes(), &self.bodies[i].motion(), &push)
         });
         // E_A - E_E of the relative motion, without its cancellation.
-        let mut dissipated = 0.5 * impulse.dot(&(before + after));
+        let mut dissipated =
+            passed.dissipated.unwrap_or_else(|| 0.5 * impulse.dot(&(before + after)));
         let torsion = self.torsion(before.z)?;
         if let Some(torsion) = &torsion {
             let spin = self.normal_spin(before.z);
@@ -47,28 +45,31 @@ impl Encounter {
             self.bodies[0].kinetic_energy(&motions[0]) + self.bodies[1].kinetic_energy(&motions[1])
         };
         let energy = EnergyBudget {
-            before: kinetic([self.bodies[0].motion, self.bodies[1].motion]),
+            before: kinetic(self.bodies.each_ref().map(Body::motion)),
             after: kinetic(motions),
             dissipated,
         };
-        let maximal_contact = self.hertz.ellipse(outcome.maximal_approach)?;
+        let maximal_contact = self.hertz.ellipse(passed.maximal_approach)?;
         let mut warnings = self.warnings(maximal_contact.semi_axis_b(), before.z)?;
-        warnings.extend(outcome.warning);
+        warnings.extend(passed.warning);
         Ok(Rebound {
             motions,
             impulse: self.frame().to_space(&impulse),
             velocity_before: self.frame().to_space(&before),
             velocity_after: self.frame().to_space(&after),
-            tangential_restitution: self.restitution(&before, &after),
-            duration: outcome.duration,
-            maximal_force: outcome.maximal_force,
-            maximal_approach: outcome.maximal_approach,
+            tangential_restitution: passed
+                .restitution
+                .or_else(|| self.restitution(&before, &after)),
+            duration: passed.duration,
+            maximal_force: passed.maximal_force,
+            maximal_approach: passed.maximal_approach,
             maximal_contact,
             energy,
             torsion,
-            compressions: outcome.compressions,
-            error_estimate: outcome.error_estimate,
-            log: Vec::new(),
+            passage: passed.passage,
+            compressions: passed.compressions,
+            error_estimate: passed.error_estimate,
+            log: passed.log,
             warnings,
         })
     }
@@ -88,7 +89,7 @@ impl Encounter {
         let pivot = |i: usize| Pivot {
             arm: self.levers[i].arm(),
             inverse_tensor: *self.levers[i].inverse_tensor(),
-            spin: self.bodies[i].motion.spin,
+            spin: self.bodies[i].motion().spin,
         };
         NormalSpin {
             hertz: &self.hertz,
@@ -105,7 +106,7 @@ impl Encounter {
     fn restitution(&self, before: &Vector3<f64>, after: &Vector3<f64>) -> Option<f64> {
         let limit = self.limit();
         let speed = |i: usize| {
-            let motion = &self.bodies[i].motion;
+            let motion = self.bodies[i].motion();
             motion.velocity.norm() + motion.spin.norm() * self.levers[i].arm().norm()
         };
         let slips = before.xy().norm() > ROUNDING * (speed(0) + speed(1));
@@ -146,8 +147,8 @@ impl Encounter {
         let d_zz = self.mobility.matrix().m33;
         let pulse = NormalImpact::new(d_zz, self.hertz.stiffness().c_z, velocity)?;
         let share = self.bodies.iter().filter_map(|body| {
-            let density = body.inertia.mass() / body.surface().volume()?;
-            wave_share(body.material, density, &pulse)
+            let density = body.inertia().mass() / body.placed().surface().volume()?;
+            wave_share(body.material(), density, &pulse)
         });
         let share = share.fold(0.0, f64::max);
         if share > NOTICEABLE {

@@ -1,0 +1,366 @@
+//! Two bodies of any smooth shape, anywhere, in any motion: where they touch and how they part.
+
+mod aftermath;
+mod history;
+mod method;
+
+use carom_geometry::{ContactFrame, ContactPoint, SearchError};
+use carom_halfspace::MaterialPair;
+use carom_laws::friction::Friction;
+use carom_laws::hertz::Hertz;
+use carom_special::RangeError;
+use nalgebra::{Matrix3, Vector3};
+
+use crate::body::Body;
+use crate::coupled::{CoupledError, CoupledImpact, Unsettled, VectorLaw};
+use crate::mobility::{Lever, Mobility};
+use crate::normal_spin::NormalSpinError;
+use crate::oblique::ObliqueError;
+use crate::outcome::{Outcome, TorsionMode};
+
+pub(crate) use method::{Passed, log};
+
+/// Why two bodies have no collision that can be computed.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum CollisionError {
+    /// A value out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// No contact point, or no elliptical contact there.
+    #[error(transparent)]
+    Search(SearchError),
+    /// Neither body can move.
+    #[error("both bodies are infinitely heavy: mass = inf must be finite for at least one")]
+    BothHeldFast,
+    /// The oblique impact could not be followed.
+    #[error(transparent)]
+    Oblique(#[from] ObliqueError),
+    /// The coupled impact could not be followed.
+    #[error(transparent)]
+    Coupled(CoupledError),
+    /// Torsion was asked for and cannot be given.
+    #[error(transparent)]
+    NormalSpin(#[from] NormalSpinError),
+}
+
+impl From<SearchError> for CollisionError {
+    fn from(error: SearchError) -> Self {
+        match error {
+            SearchError::Range(error) => Self::Range(error),
+            error => Self::Search(error),
+        }
+    }
+}
+
+impl From<CoupledError> for CollisionError {
+    fn from(error: CoupledError) -> Self {
+        match error {
+            CoupledError::Range(error) => Self::Range(error),
+            CoupledError::Oblique(error) => Self::Oblique(error),
+            error => Self::Coupled(error),
+        }
+    }
+}
+
+/// Two bodies that touch. z points from body 2 into body 1.
+///
+/// The shapes choose the method. Rotation symmetry of spheres and planes keeps the tangential
+/// motion in one direction and apart from the normal one: their outcome is exact for materials
+/// with epsilon = 0 (5.20); for others it carries [`crate::Warning::Coupling`]. All other bodies
+/// are followed as [`CoupledImpact`] says. The spin about the normal is left alone, apart from
+/// [`Collision::with_torsion`].
+///
+/// ```
+/// use carom_geometry::Surface;
+/// use carom_halfspace::Material;
+/// use carom_impact::{Body, Collision, Motion};
+/// use carom_laws::friction::Friction;
+/// let steel = Material::from_shear(80e9, 0.3)?;
+/// let ball = |z| -> Result<Body, carom_special::RangeError> {
+///     Ok(Body::sphere(0.01, steel, 0.0329)?.moving(Motion::new([0.0, 0.0, z], [0.0; 3])?))
+/// };
+/// let outcome = Collision::new(ball(-1.0)?, ball(1.0)?, Friction::new(0.15)?)?.solve()?;
+/// assert!((outcome.motions()[0].velocity.z - 1.0).abs() < 1e-15);
+/// // An ellipsoid where it touches a plane.
+/// let egg = Surface::ellipsoid([0.03, 0.02, 0.015])?;
+/// let inertia = egg.solid(0.296)?;
+/// let egg = Body::new(egg, steel, inertia)
+///     .at([0.0, 0.0, 0.015])?
+///     .moving(Motion::new([-0.6, -0.4, -2.0], [0.0; 3])?);
+/// let collision = Collision::touching(egg, Body::plane(steel), Friction::new(0.5)?)?;
+/// assert!((collision.solve()?.motions()[0].velocity.z - 2.0).abs() < 1e-14);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone)]
+pub struct Collision {
+    bodies: [Body; 2],
+    friction: Friction,
+    law: VectorLaw,
+    torsion: TorsionMode,
+    tolerance: Option<f64>,
+    unsettled: Unsettled,
+    contact: ContactPoint,
+    materials: MaterialPair,
+    hertz: Hertz,
+    levers: [Lever; 2],
+    mobility: Mobility,
+}
+
+impl Collision {
+    /// Two bodies in a standard place: body 1 on top of body 2 in their attitudes, with the common
+    /// normal along the z axis of space. Body 2 stays, body 1 follows; a plane is turned to face
+    /// the other body.
+    ///
+    /// # Errors
+    /// [`CollisionError::Search`] if they make no elliptical contact there, as two planes or an
+    /// edge, [`CollisionError::BothHeldFast`], [`CollisionError::Range`] if both are rigid.
+    pub fn new(body_1: Body, body_2: Body, friction: Friction) -> Result<Self, CollisionError> {
+        Self::along(body_1, body_2, [0.0, 0.0, 1.0], friction)
+    }
+
+    /// The same with another common normal, from body 2 into body 1.
+    ///
+    /// # Errors
+    /// As [`Collision::new`]; [`CollisionError::Range`] unless the normal is finite and not zero.
+    pub fn along(
+        body_1: Body,
+        body_2: Body,
+        normal: [f64; 3],
+        friction: Friction,
+    ) -> Result<Self, CollisionError> {
+        let ([one, two], contact) = ContactPoint::along(body_1.placed(), body_2.placed(), normal)?;
+        let bodies = [body_1.with_place(one), body_2.with_place(two)];
+        Self::build(bodies, friction, contact)
+    }
+
+    /// Two bodies that touch where they are; the contact point is searched for.
+    /// [`crate::Warning::PointSampled`] comes with the outcome where the search proves nothing.
+    ///
+    /// # Errors
+    /// [`CollisionError::Search`] if the bodies do not touch, if they touch with an edge, or if
+    /// no search is known for the pair; else as [`Collision::at`].
+    pub fn touching(
+        body_1: Body,
+        body_2: Body,
+        friction: Friction,
+    ) -> Result<Self, CollisionError> {
+        let contact = ContactPoint::find(body_1.placed(), body_2.placed())?;
+        Self::build([body_1, body_2], friction, contact)
+    }
+
+    /// Two bodies that lie apart: body 1 goes on straight, along the velocity of its centre against
+    /// that of body 2, until they touch; neither turns on the way.
+    ///
+    /// # Errors
+    /// [`CollisionError::Search`] if they overlap or pass each other; else as
+    /// [`Collision::touching`].
+    pub fn meeting(body_1: Body, body_2: Body, friction: Friction) -> Result<Self, CollisionError> {
+        let course = body_1.motion().velocity - body_2.motion().velocity;
+        let (placed, contact) =
+            ContactPoint::approaching(body_1.placed(), body_2.placed(), &course)?;
+        Self::build([body_1.with_place(placed), body_2], friction, contact)
+    }
+
+    /// Two bodies that touch at a given point of space.
+    ///
+    /// # Errors
+    /// [`SearchError::Surface`] if the point does not lie on both surfaces or one has no tangent
+    /// plane there, [`SearchError::Frame`] if the normals are not opposite or the surfaces
+    /// conform or touch along a line, [`CollisionError::BothHeldFast`], [`CollisionError::Range`]
+    /// if both materials are rigid.
+    pub fn at(
+        body_1: Body,
+        body_2: Body,
+        point: [f64; 3],
+        friction: Friction,
+    ) -> Result<Self, CollisionError> {
+        let contact = ContactPoint::at(body_1.placed(), body_2.placed(), point)?;
+        Self::build([body_1, body_2], friction, contact)
+    }
+
+    /// Two bodies that touch with given points of their surfaces, each in its body's axes. Their
+    /// centres need not be known; body 2 keeps its place and body 1 follows.
+    ///
+    /// # Errors
+    /// As [`Collision::at`].
+    pub fn at_own_points(
+        body_1: Body,
+        body_2: Body,
+        points: [[f64; 3]; 2],
+        friction: Friction,
+    ) -> Result<Self, CollisionError> {
+        let (placed, contact) =
+            ContactPoint::at_own_points(body_1.placed(), body_2.placed(), points)?;
+        Self::build([body_1.with_place(placed), body_2], friction, contact)
+    }
+
+    fn build(
+        bodies: [Body; 2],
+        friction: Friction,
+        contact: ContactPoint,
+    ) -> Result<Self, CollisionError> {
+        let materials = MaterialPair::new(bodies[0].material(), bodies[1].material())?;
+        let hertz = Hertz::new(contact.frame().relative_curvature(), materials)?;
+        let (z, arms) = (contact.frame().z(), contact.arms());
+        let levers = [bodies[0].lever(arms[0], &z, -1.0)?, bodies[1].lever(arms[1], &z, 1.0)?];
+        if levers.iter().all(|lever| lever.mobility() == Matrix3::zeros()) {
+            return Err(CollisionError::BothHeldFast);
+        }
+        let mobility = Mobility::new(&levers, contact.frame().axes())?;
+        Ok(Self {
+            bodies,
+            friction,
+            law: VectorLaw::default(),
+            torsion: TorsionMode::default(),
+            tolerance: None,
+            unsettled: Unsettled::Refused,
+            contact,
+            materials,
+            hertz,
+            levers,
+            mobility,
+        })
+    }
+
+    /// The same collision with another law for turning directions.
+    #[must_use]
+    pub fn with_law(self, law: VectorLaw) -> Self {
+        Self { law, ..self }
+    }
+
+    /// The same collision with the torsional impact of chapter 10 on the spin about the normal.
+    ///
+    /// Without it that spin is left alone; [`crate::Warning::SpinLeftAlone`] says where that
+    /// matters, and it changes by the order of zeta_max/R. The torsional impact is computed as if
+    /// there were no tangential one: an approximation where both slip, for they share one friction.
+    /// [`Collision::solve`] then refuses bodies whose spin about the normal is coupled to other
+    /// motion; spheres, planes and bodies that meet at the end of an axis of symmetry pass.
+    ///
+    /// ```
+    /// use carom_halfspace::Material;
+    /// use carom_impact::{Body, Collision, Motion};
+    /// use carom_laws::friction::Friction;
+    /// let rubber = Material::from_shear(1e6, 0.5)?;
+    /// let ball = Body::sphere(0.02, rubber, 0.0369)?
+    ///     .moving(Motion::new([0.0, 0.0, -1.0], [0.0, 0.0, 100.0])?);
+    /// let floor = Body::plane(Material::RIGID);
+    /// let outcome = Collision::new(ball, floor, Friction::new(0.8)?)?.with_torsion().solve()?;
+    /// let spin = outcome.motions()[0].spin.z;
+    /// assert!(spin < 100.0 && spin > 70.0);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn with_torsion(self) -> Self {
+        Self { torsion: TorsionMode::Included, ..self }
+    }
+
+    /// The same collision, its impact settled to another tolerance than the default; as
+    /// [`CoupledImpact::within`].
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it is finite and positive.
+    pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
+        RangeError::positive("tolerance", tolerance)?;
+        Ok(Self { tolerance: Some(tolerance), ..self })
+    }
+
+    /// The same collision, with the best outcome found where its impact does not settle to the
+    /// tolerance, and [`crate::Warning::NotSettled`] among the warnings, instead of
+    /// [`CoupledError::NotSettled`].
+    #[must_use]
+    pub fn accepting_unsettled(self) -> Self {
+        Self { unsettled: Unsettled::Accepted, ..self }
+    }
+
+    /// The bodies, where they touch.
+    #[must_use]
+    pub const fn bodies(&self) -> &[Body; 2] {
+        &self.bodies
+    }
+
+    /// The friction between them.
+    #[must_use]
+    pub const fn friction(&self) -> Friction {
+        self.friction
+    }
+
+    /// The contact point.
+    #[must_use]
+    pub const fn point(&self) -> Vector3<f64> {
+        self.contact.point()
+    }
+
+    /// The contact axes; z is the common normal, from body 2 into body 1.
+    #[must_use]
+    pub const fn frame(&self) -> &ContactFrame {
+        self.contact.frame()
+    }
+
+    /// The Hertz contact.
+    #[must_use]
+    pub const fn hertz(&self) -> &Hertz {
+        &self.hertz
+    }
+
+    /// What of each body resists the impulse.
+    #[must_use]
+    pub const fn levers(&self) -> &[Lever; 2] {
+        &self.levers
+    }
+
+    /// The mobility D in contact axes.
+    #[must_use]
+    pub const fn mobility(&self) -> &Mobility {
+        &self.mobility
+    }
+
+    /// Velocity of body 2 against body 1 at the contact point, in contact axes (8.27).
+    #[must_use]
+    pub fn velocity(&self) -> Vector3<f64> {
+        let of = |i: usize| {
+            self.levers[i].point_velocity_in(self.frame().axes(), &self.bodies[i].motion())
+        };
+        of(1) - of(0)
+    }
+
+    /// The impact in contact axes; none if the bodies do not approach each other.
+    ///
+    /// # Errors
+    /// [`RangeError`] if a derived quantity over- or underflows.
+    pub fn impact(&self) -> Result<Option<CoupledImpact>, CollisionError> {
+        let velocity = self.velocity();
+        if velocity.z <= 0.0 {
+            return Ok(None);
+        }
+        let stiffness = self.hertz.stiffness();
+        let mut impact = CoupledImpact::new(self.mobility, stiffness, self.friction, velocity)?;
+        if let Some(tolerance) = self.tolerance {
+            impact = impact.within(tolerance)?;
+        }
+        Ok(Some(match self.unsettled {
+            Unsettled::Refused => impact,
+            Unsettled::Accepted => impact.accepting_unsettled(),
+        }))
+    }
+
+    /// Follows the collision to separation.
+    ///
+    /// # Errors
+    /// [`CollisionError::Oblique`], [`CollisionError::Coupled`] if the impact could not be
+    /// followed, [`CollisionError::Range`] if a derived quantity overflows,
+    /// [`CollisionError::NormalSpin`] if torsion was asked for and cannot be given.
+    pub fn solve(&self) -> Result<Outcome, CollisionError> {
+        match self.method()? {
+            None => Ok(self.missed()),
+            Some(method) => {
+                let passed = method.follow(self.law)?;
+                Ok(Outcome::Rebound(Box::new(self.rebound(passed)?)))
+            }
+        }
+    }
+
+    // The bodies do not approach each other.
+    pub(crate) fn missed(&self) -> Outcome {
+        Outcome::NoImpact { motions: self.bodies.each_ref().map(Body::motion) }
+    }
+}
