@@ -10,6 +10,7 @@ use std::time::Duration;
 use carom_halfspace::operator::Threads;
 use carom_laws::accounted::Accounted;
 use carom_laws::batch::Batch;
+use carom_laws::coulomb::{CoulombMemory, Tolerance};
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_laws::memory::{Fixed, Growing, Lateral, Memory, VertexStack};
@@ -225,7 +226,87 @@ fn twist(c: &mut Criterion) {
     group.finish();
 }
 
+/// Paths that turn, and some that do not.
+fn turning_paths(kind: &str) -> Vec<Path<[f64; 2]>> {
+    (0..PATHS)
+        .map(|path| {
+            let phase = path as f64;
+            (0..STEPS)
+                .map(|step| {
+                    let (i, t) = (step as f64, 0.12 * step as f64);
+                    let wander = |a: f64, b: f64| (a * t + phase).sin() + 0.5 * (b * t).cos();
+                    let smooth = [0.6 * wander(1.3, 3.1), 0.6 * wander(1.7, 2.3)];
+                    match kind {
+                        "adhesion" => (0.01 * (i + 1.0), [0.004 * (i + t.sin()), 0.004 * i]),
+                        "collinear" => (1.0 + 0.2 * t.sin(), [smooth[0], 0.5 * smooth[0]]),
+                        "noise" => {
+                            let tremble = |a: f64| 0.3 + 0.01 * (a * i + phase).sin();
+                            (1.0 + 0.01 * (7.7 * i).sin(), [tremble(12.9), tremble(78.2)])
+                        }
+                        "corners" => {
+                            let (leg, way) = ((i / 6.0).floor(), (i / 6.0).fract());
+                            let corner = |leg: f64| {
+                                let angle = 2.4 * leg + phase;
+                                [0.5 * angle.cos() + 0.1 * leg, 0.5 * angle.sin()]
+                            };
+                            let (from, to) = (corner(leg), corner(leg + 1.0));
+                            (1.0, [0, 1].map(|k| from[k] + way * (to[k] - from[k])))
+                        }
+                        "collision" => {
+                            let fall = std::f64::consts::PI * (0.02 * i).fract();
+                            (fall.sin() + 1e-3, smooth)
+                        }
+                        _ => (1.0, smooth),
+                    }
+                })
+                .collect()
+        })
+        .collect()
+}
+
+/// Coulomb's law at tolerances beside chapter 7's, contact by contact.
+fn turning(c: &mut Criterion) {
+    for kind in ["adhesion", "collinear", "noise", "corners", "turning", "collision"] {
+        let mut group = c.benchmark_group(format!("turning, {kind}"));
+        group
+            .throughput(Throughput::Elements((PATHS * STEPS) as u64))
+            .sample_size(20)
+            .warm_up_time(Duration::from_millis(200))
+            .measurement_time(Duration::from_millis(600));
+        let paths = turning_paths(kind);
+        group.bench_function("chapter 7", |b| {
+            b.iter(|| {
+                let mut sum = [0.0; 2];
+                for path in black_box(&paths) {
+                    let mut memory = Memory::<[f64; 2]>::new();
+                    for &(zeta, x) in path {
+                        sum = sum.plus(memory.advance(zeta, x).unwrap_or_default());
+                    }
+                }
+                sum
+            });
+        });
+        for tolerance in [1e-2, 1e-3] {
+            let Ok(allowed) = Tolerance::new(tolerance) else { continue };
+            group.bench_function(format!("Coulomb, {tolerance:e}"), |b| {
+                b.iter(|| {
+                    let mut sum = [0.0; 2];
+                    for path in black_box(&paths) {
+                        let mut memory = CoulombMemory::<[f64; 2]>::new(allowed);
+                        for &(zeta, x) in path {
+                            sum = sum.plus(memory.advance(zeta, x).unwrap_or_default());
+                        }
+                    }
+                    sum
+                });
+            });
+        }
+        group.finish();
+    }
+}
+
 fn benches(c: &mut Criterion) {
+    turning(c);
     twist(c);
     against_memory::<f64, Growing<f64>>(c, "SI units, one direction");
     against_memory::<[f64; 2], Growing<[f64; 2]>>(c, "SI units, two directions");

@@ -1,6 +1,6 @@
 //! Bad case files: every error names the field, its value and what is allowed.
 
-use carom_cli::case::{CaseError, ImpactCase, Mass, Numbers, Shape};
+use carom_cli::case::{CaseError, HistoryCase, ImpactCase, Mass, Numbers, Shape, TurningLaw};
 
 const CASE: &str = "\
 [body_1]
@@ -199,4 +199,29 @@ fn a_bad_approach_is_named() {
     }
     let both = CASE.to_owned() + "\n[approach]\nspeed = 1\nangle = 5";
     assert!(error(&both).contains("[approach] gives the velocity of body 1"));
+}
+
+#[test]
+fn histories_choose_the_law_where_the_direction_turns() {
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../../examples/history_loop.toml");
+    let source = std::fs::read_to_string(path).unwrap();
+    let law = |fields: &str| {
+        let contact = format!("friction = 0.3\n{fields}");
+        HistoryCase::parse(&source.replacen("friction = 0.3", &contact, 1)).map(|case| case.law)
+    };
+    let coulomb = |tolerance: &str| match law(tolerance) {
+        Ok(TurningLaw::Coulomb(tolerance)) => tolerance.get(),
+        other => panic!("{other:?}"),
+    };
+    assert_eq!(coulomb(""), 1e-3);
+    assert_eq!(coulomb("law = \"coulomb\"\ntolerance = 1e-5"), 1e-5);
+    assert_eq!(law("law = \"fixed-direction\"").unwrap(), TurningLaw::FixedDirection);
+    for bad in ["0", "0.2", "-1e-3", "nan"] {
+        let error = law(&format!("tolerance = {bad}")).unwrap_err().to_string();
+        assert!(error.contains("contact.tolerance"), "{error}");
+    }
+    let both = law("law = \"fixed-direction\"\ntolerance = 1e-3").unwrap_err().to_string();
+    assert!(both.contains("contact.tolerance") && both.contains("contact.law"), "{both}");
+    let other = law("law = \"amontons\"").unwrap_err().to_string();
+    assert!(other.contains("fixed-direction"), "{other}");
 }

@@ -90,7 +90,8 @@ fn any_law_may_be_given() {
     let impact = impact.within(1e-7).unwrap();
     let stiffness = ContactStiffness::new(0.9, 0.8, 1.0).unwrap();
     let friction = Friction::new(0.3).unwrap();
-    let given = impact.solve_with(|_| ShiftLaw::<[f64; 2]>::new(stiffness, friction)).unwrap();
+    let given =
+        impact.solve_with(|_| ShiftLaw::<[f64; 2]>::of_chapter_7(stiffness, friction)).unwrap();
     let own = impact.solve(VectorLaw::FixedDirection).unwrap();
     assert!((given.velocity - own.velocity).norm() < 1e-9);
 }
@@ -100,7 +101,7 @@ fn any_law_may_be_given() {
 fn a_given_law_has_log_and_history() {
     let impact = impact([0.3, 0.2, 0.5, 0.1, -0.2, 0.0], [0.9, 0.8], 0.3, [0.5, 0.2]);
     let stiffness = ContactStiffness::new(0.9, 0.8, 1.0).unwrap();
-    let law = |_| ShiftLaw::<[f64; 2]>::new(stiffness, Friction::new(0.3).unwrap());
+    let law = |_| ShiftLaw::<[f64; 2]>::of_chapter_7(stiffness, Friction::new(0.3).unwrap());
     let (outcome, log) = impact.solve_with_law_and_log(law).unwrap();
     let (own, expected) = impact.solve_with_log(VectorLaw::FixedDirection).unwrap();
     assert!((outcome.velocity - own.velocity).norm() < 1e-9);

@@ -11,6 +11,10 @@ const SHARE: usize = 256;
 
 /// The laws of many contacts, advanced together, all or none.
 ///
+/// On stacks of fixed capacity, which keep a contact in one place, a
+/// [`crate::shift_law::ShiftLaw`] lets turning slip be off by 1e-2 of the friction limit unless told
+/// otherwise.
+///
 /// ```
 /// use carom_halfspace::operator::Threads;
 /// use carom_laws::batch::Batch;

@@ -4,7 +4,8 @@
 //! shifts into loads. The code is unit-free: any consistent set of units will do.
 //!
 //! - Statics: [`curvature`], [`ellipse`], [`stiffness`], [`hertz`], [`shift`], [`field`].
-//! - Memory: [`memory`] is the law of load histories, exact and of fixed capacity; [`history`] holds the thesis's own formulas beside it, [`sliders`] the incremental
+//! - Memory: [`memory`] is the law of load histories, exact and of fixed capacity, [`coulomb`]
+//!   the same where the direction turns; [`history`] holds the thesis's own formulas beside it, [`sliders`] the incremental
 //!   law for turning directions, [`profile`] other indenters.
 //! - Twist: [`torsion`] and, for sliding as a whole, [`rigid_slip`].
 //! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],

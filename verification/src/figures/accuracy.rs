@@ -5,6 +5,7 @@ use crate::catalogue::Entry;
 mod error_table;
 mod half_space;
 mod special;
+mod turning;
 
 /// The error tables, a floor each.
 pub(super) const ENTRIES: &[Entry] = &[
@@ -12,4 +13,6 @@ pub(super) const ENTRIES: &[Entry] = &[
         .by(special::draw),
     Entry::check("accuracy.half-space", "Errors of the half-space, in units of 2.2e-16")
         .by(half_space::draw),
+    Entry::check("accuracy.turning", "Coulomb's law where the shift turns: three laws")
+        .slowly_by(turning::draw),
 ];

@@ -1,10 +1,12 @@
 //! The case file of `carom history`.
 
+use super::contact::LAWS_OF_SHIFTS;
 use super::error::CaseError;
 use super::pair;
 use super::range::Range;
 use super::section::{Section, parse};
 use super::unit::Dimension;
+use carom_laws::coulomb::Tolerance;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::Shift;
 use std::path::PathBuf;
@@ -21,8 +23,19 @@ pub struct HistoryCase {
     pub hertz: Hertz,
     /// Coefficient of friction; infinite for no slip.
     pub friction: f64,
+    /// What is done where the direction of the shift turns.
+    pub law: TurningLaw,
     /// The shifts.
     pub steps: Steps,
+}
+
+/// The law of a shift whose direction turns.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum TurningLaw {
+    /// Each ring slips by itself, to a tolerance.
+    Coulomb(Tolerance),
+    /// Chapter 7's, one direction of traction in a slip ring.
+    FixedDirection,
 }
 
 /// Where the shifts are given.
@@ -43,7 +56,8 @@ impl HistoryCase {
     pub fn parse(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
-        let contact = case.section("contact", &["angle", "friction"])?;
+        let contact = case.section("contact", &["angle", "friction", "law", "tolerance"])?;
+        let law = turning_law(&contact)?;
         let hertz = pair::read(&case, &contact)?;
         let friction = contact.number("friction", Range::NonNegativeOrInfinite)?;
         let history = case.section("history", &["steps", "file"])?;
@@ -58,8 +72,23 @@ impl HistoryCase {
         } else {
             Steps::File(history.text("file", FILE)?.into())
         };
-        Ok(Self { hertz, friction, steps })
+        Ok(Self { hertz, friction, law, steps })
     }
+}
+
+fn turning_law(contact: &Section<'_>) -> Result<TurningLaw, CaseError> {
+    let fixed = contact.has("law") && contact.word("law", LAWS_OF_SHIFTS)? == "fixed-direction";
+    if !contact.has("tolerance") {
+        let coulomb = TurningLaw::Coulomb(Tolerance::default());
+        return Ok(if fixed { TurningLaw::FixedDirection } else { coulomb });
+    }
+    if fixed {
+        return Err(contact.conflict("tolerance", "law", "a fixed direction needs none"));
+    }
+    let number = contact.number("tolerance", Range::Finite)?;
+    Tolerance::new(number)
+        .map(TurningLaw::Coulomb)
+        .map_err(|error| contact.out_of_range("tolerance", error.value, error.allowed))
 }
 
 /// The shift of a row zeta, xi, eta, omega.

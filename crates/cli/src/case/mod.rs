@@ -22,7 +22,7 @@ pub use contact::Contact;
 pub use encounter::EncounterCase;
 pub use error::CaseError;
 pub use hertz::{Given, HertzCase};
-pub use history::{HistoryCase, Steps};
+pub use history::{HistoryCase, Steps, TurningLaw};
 pub use impact::{Approach, ImpactCase};
 pub use range::Range;
 pub use scene::SceneCase;

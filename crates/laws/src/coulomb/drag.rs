@@ -76,6 +76,9 @@ impl<V: Lateral> Step<V> {
         if square <= limit * limit {
             return anchor;
         }
+        if limit <= 0.0 {
+            return self.shift;
+        }
         if self.length == 0.0 {
             return self.shift.minus(stretch.times(limit / square.sqrt()));
         }

@@ -10,8 +10,8 @@ use crate::profile::GAUSS;
 
 /// The error allowed to an integral over the rings, relative and over the energy of the largest
 /// stretch.
-const RELATIVE: f64 = 1e-10;
-const OF_LARGEST: f64 = 1e-13;
+const RELATIVE: f64 = 1e-12;
+const OF_LARGEST: f64 = 1e-15;
 
 impl<V: Lateral> Piece<V> {
     /// The elastic energy of its rings at a shift, per direction: `(3/4) int |X - W(t^2)|^2 dt`, a

@@ -55,6 +55,9 @@ impl<V: Lateral> Step<V> {
         let (along, across) = (stretch.dot(self.ahead), cross(self.ahead, stretch));
         let met = self.met(along, across, limit);
         let rest = met.rest;
+        if rest <= 0.0 {
+            return 0.0;
+        }
         let straight = |way: f64, mean: f64, cos: f64| {
             (way * mean * (cos - self.slope) * units.of(cos, 0.0)).max(0.0)
         };
@@ -74,7 +77,7 @@ impl<V: Lateral> Step<V> {
             let (tangent, limit) = (libm::exp(x).copysign(tangent), limit_at(x));
             let scale = 1.0 / (1.0 + tangent * tangent);
             let cos = (1.0 - tangent) * (1.0 + tangent) * scale;
-            limit * limit * (cos - self.slope) * units.of(cos, 2.0 * tangent * scale)
+            limit * limit * (cos - self.slope).max(0.0) * units.of(cos, 2.0 * tangent * scale)
         };
         let panels = ((first - last) / PANEL).ceil().max(1.0);
         let width = (first - last) / panels;

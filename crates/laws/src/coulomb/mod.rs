@@ -22,10 +22,12 @@ mod drag;
 mod energy;
 mod heat;
 mod join;
+mod pack;
 mod piece;
 mod report;
 mod step;
 
+pub use pack::packed_numbers;
 pub use report::Arc;
 
 use carom_special::RangeError;

@@ -144,6 +144,9 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
 
     /// The traction in units of `f sigma_z0`, the greatest friction, at the elliptical radius
     /// squared `q = (x/a)^2 + (y/b)^2` of the present contact: `int sqrt(s - q zeta)' dW`.
+    ///
+    /// The limit holds ring by ring of the equivalent foundation; where the direction turns the
+    /// traction at a point may be some percent beyond its own.
     #[must_use]
     pub fn traction(&self, q: f64) -> V {
         if !(self.zeta > 0.0 && q < 1.0) {

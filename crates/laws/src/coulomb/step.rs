@@ -284,8 +284,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         let (low, high) = (step.shift.minus(new[0]).length(), step.shift.minus(new[1]).length());
         let part = (low / (low + high)).clamp(1.0 - HIGHEST, HIGHEST);
         let at = old.cut(part);
-        if at.depth <= old.low.depth || at.depth >= old.high.depth {
-            return;
+        if !(at.depth > old.low.depth && at.depth < old.high.depth) {
+            return; // too thin, or at the tip itself
         }
         let rest = 1.0 - part;
         let below = Piece { low: old.low, high: at, bubble: old.bubble.times(part * part) };
@@ -305,7 +305,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
 
     /// The forces from a vertex up, and the end of the step.
     #[inline]
-    fn finish(&mut self, end: End<V>, first: usize) {
+    pub(super) fn finish(&mut self, end: End<V>, first: usize) {
         let mut knot = Knot::of(self.stack.get(first));
         for i in first..self.stack.len() {
             let high = self.end_of(i, end);

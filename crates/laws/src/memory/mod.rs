@@ -14,8 +14,7 @@
 //!
 //! In one direction the law is exact within Cattaneo's and Mindlin's assumptions. In two it
 //! is chapter 7's approximation (one direction of traction in each slip ring), which is the exact
-//! one-dimensional law on straight paths. For turning paths compare
-//! [`crate::sliders`].
+//! one-dimensional law on straight paths. For turning paths there is [`crate::coulomb`].
 
 mod adhesion;
 mod energy;

@@ -169,9 +169,9 @@ impl<V: Lateral> VertexStack<V> for Growing<V> {
 
 /// A stack of at most N vertices (N >= 4): plain data that can live in someone else's array.
 ///
-/// When it is full, the vertex whose removal changes the anchor least is taken out: its two
-/// segments become one, along the chord of the anchor and of the force. The force stays
-/// continuous and below the friction limit; [`VertexStack::merges`] counts.
+/// When it is full, the law takes out the vertex whose removal may change a load to come least: two
+/// pieces become one that carries the same force. It stays below the friction limit;
+/// [`VertexStack::merges`] counts.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct Fixed<V, const N: usize> {

@@ -225,4 +225,5 @@ impl std::fmt::Debug for NumericalLaw {
         f.debug_struct("NumericalLaw").field("shift", shift).field("load", load).finish()
     }
 }
+
 impl ImpactLaw for NumericalLaw {}

@@ -1,6 +1,6 @@
 //! The laws of a history: shift and, if there is one, twist.
 
-use crate::case::HistoryCase;
+use crate::case::{HistoryCase, TurningLaw};
 use carom_laws::accounted::Accounted;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::{Hertz, HertzState};
@@ -29,7 +29,12 @@ impl Laws {
             true => Some(TorsionLaw::new(&case.hertz, friction)?),
             false => None,
         };
-        let shift = Accounted::new(ShiftLaw::new(case.hertz.stiffness(), friction));
+        let stiffness = case.hertz.stiffness();
+        let shift = match case.law {
+            TurningLaw::Coulomb(allowed) => ShiftLaw::with_tolerance(stiffness, friction, allowed),
+            TurningLaw::FixedDirection => ShiftLaw::of_chapter_7(stiffness, friction),
+        };
+        let shift = Accounted::new(shift);
         Ok(Self { hertz: case.hertz, shift, torsion, contact: None })
     }
 

@@ -181,8 +181,7 @@ fn tractions(
     let is_circle = state.is_none_or(|state| is_circle(&state.ellipse));
     let history = laws.torsion().and_then(|law| law.history()).filter(|_| is_circle);
     let traction = |radius: f64| {
-        let unit =
-            laws.shift().memory().map_or([0.0; 2], |memory| memory.traction(radius * radius));
+        let unit = laws.shift().traction(radius * radius).unwrap_or_default();
         let [t_x, t_y] = unit.map(|part| greatest * part);
         let t_twist = history
             .map(|history| Ok::<f64, CliError>(greatest * twist::traction(history, radius)?))
