@@ -13,7 +13,7 @@ material = { shear_modulus = "80 GPa", poisson = POISSON }
 shape = "sphere"
 radius = "10 mm"
 [grid]
-cells = [16, 16]
+cells = [14, 14]
 size = ["0.16 mm", "0.16 mm"]
 [contact]
 friction = 0.3
