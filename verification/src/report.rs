@@ -4,6 +4,7 @@
 mod contents;
 mod equations;
 pub(crate) mod markup;
+pub(crate) mod slim;
 mod texts;
 
 use crate::catalogue::{Entry, State};
@@ -138,7 +139,8 @@ fn tags(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
         let _ = write!(page, "<span>snapshot {}</span>", comparison.word());
     }
     if record.deviations > 0 {
-        let _ = write!(page, "<span>{} corrections of the print</span>", record.deviations);
+        let plural = if record.deviations == 1 { "" } else { "s" };
+        let _ = write!(page, "<span>{} correction{plural} of the print</span>", record.deviations);
     }
     if !is_fresh {
         let _ = write!(page, "<span class=\"old\">Computed {}.</span>", record.date());

@@ -4,6 +4,7 @@ use crate::claim::{Claim, number};
 use crate::figure::{Cell, Deviation, Figure, Input, Table};
 use crate::report::markup::{escape, prose};
 use crate::report::ratio;
+use crate::report::slim::slim;
 use crate::run::Drawn;
 use crate::statistics::spread;
 use std::fmt::Write as _;
@@ -14,7 +15,7 @@ pub fn html(drawn: &Drawn) -> String {
     let figure: &Figure = &drawn.figure;
     let mut page = String::new();
     if let Some(svg) = &drawn.svg {
-        let _ = writeln!(page, "<div class=\"picture\" tabindex=\"0\">{svg}</div>");
+        let _ = writeln!(page, "<div class=\"picture\" tabindex=\"0\">{}</div>", slim(svg));
     }
     figure.tables.iter().for_each(|table| data_table(&mut page, table));
     claims(&mut page, &figure.claims);

@@ -1,6 +1,6 @@
 //! What continuous integration checks.
 
-use crate::{cargo, mutants, test, tidy};
+use crate::{browse, cargo, mutants, test, tidy};
 use anyhow::{Context as _, bail};
 use std::time::Instant;
 
@@ -14,6 +14,7 @@ const STEPS: &[(&str, Step)] = &[
     ("tests, with the examples of README and documentation", test::run),
     ("tests with overflow checks and debug assertions", test::checked),
     ("quick figures", quick_figures),
+    ("the report in a browser", browse::run),
     ("mutants, each against the test known to notice it", mutants::quick),
 ];
 

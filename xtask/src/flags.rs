@@ -56,8 +56,13 @@ xflags::xflags! {
         /// there, each equation and figure that a comment quotes is in the index or the catalogue,
         /// and none is left out.
         cmd tidy {}
+        /// Looks at the report of the last run in a browser without a window, at two widths and in
+        /// both themes: no error of a script, no missing picture, nothing wider than the page, no
+        /// pale words, search that finds; keeps screenshots. Skipped, and it says so, where there
+        /// is no Chromium.
+        cmd browse {}
         /// What continuous integration checks: form, the index of equations, lints, documentation, tests, tests with
-        /// overflow checks, the quick figures, and the mutants.
+        /// overflow checks, the quick figures, the report in a browser, and the mutants.
         cmd ci {}
         /// Runs the benchmarks.
         cmd bench {

@@ -1,9 +1,10 @@
 #![forbid(unsafe_code)]
-//! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `ci`, `bench`.
+//! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`, `ci`, `bench`.
 //!
 //! Calls cargo, and reads the sources for `mutants` and `tidy`: whatever computes lives in the crates, so
 //! that this one builds soon.
 
+mod browse;
 mod cargo;
 mod ci;
 mod flags;
@@ -34,6 +35,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Test(_) => test::run()?,
         flags::XtaskCmd::Mutants(options) => mutants::run(&options)?,
         flags::XtaskCmd::Tidy(_) => tidy::run()?,
+        flags::XtaskCmd::Browse(_) => browse::run()?,
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }

@@ -6,7 +6,7 @@ use carom_impact::coupled::CoupledError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
-use carom_impact::{CollisionError, EncounterError};
+use carom_impact::{CollisionError, EncounterError, NumericalImpactError};
 use carom_plot::PlotError;
 use carom_solver::{FrictionalError, ProblemError};
 use carom_special::RangeError;
@@ -39,6 +39,14 @@ pub enum CliError {
         path: PathBuf,
         /// Why.
         source: Box<EncounterError>,
+    },
+    /// The encounter of a case could not be followed on the numerical contact.
+    #[error("{}: {source}", path.display())]
+    Numerical {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: Box<NumericalImpactError>,
     },
     /// The scene of a case cannot be run.
     #[error("{}: {source}", path.display())]
@@ -180,6 +188,10 @@ impl CliError {
                 EncounterError::Coupled(CoupledError::Range(_)) => 2,
                 EncounterError::Coupled(_) => 1,
                 _ => 2,
+            },
+            Self::Numerical { source, .. } => match **source {
+                NumericalImpactError::Range(_) => 2,
+                _ => 1,
             },
             Self::Step { source, .. } => match **source {
                 FrictionalError::Range(_) | FrictionalError::Slides { .. } => 2,

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{carom, case, fresh, stdout};
+use common::{carom, case, example, fresh, json, stdout};
 use std::path::Path;
 
 const CASE: &str = r#"[body_1]
@@ -375,8 +375,8 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         ),
         (
             "friction = 0.2",
-            "friction = 0.2\nlaw = \"numerical\"",
-            "line 19: `contact.law` = \"numerical\" is out of range: must be \"coulomb\" or \"fixed-direction\" (the laws that exist)",
+            "friction = 0.2\nlaw = \"elastic\"",
+            "line 19: `contact.law` = \"elastic\" is out of range: must be \"coulomb\", \"fixed-direction\" or \"numerical\" (the laws that exist)",
         ),
         (
             "friction = 0.2",
@@ -445,7 +445,7 @@ fn simple_cases_take_law_and_torsion_too() {
     assert!(lost.abs() < 1e-13 * number("energy_before"), "{lost}");
     assert!(
         refused("law", &(simple.clone() + "law = \"numerical\"\n"))
-            .contains("(the laws that exist)")
+            .contains("takes bodies with a place")
     );
     // So soft that the ball would be pressed flat: the slip turns back.
     let soft = simple.replace("20e6, poisson = 0.5", "2e4, poisson = 0").replace("20]", "60]")
@@ -498,4 +498,25 @@ fn a_restitution_without_a_direction_is_left_out() {
     let limit = solved("straight_ball", &ball)["R_x"].as_f64().unwrap();
     let expected = carom_impact::closed_form::restitution_without_slip(7.0 * 0.78 / 1.78);
     assert!((limit - expected).abs() < 1e-12, "{limit} {expected}");
+}
+
+#[test]
+fn dissimilar_balls_are_thrown_back_by_the_numerical_law() {
+    let record = json(&["impact", &example("dissimilar_balls.toml")]);
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    // An independent half-space program: 0.314 within 0.006.
+    assert!((number(&record["R_x"]) - 0.314).abs() < 0.006, "{}", record["R_x"]);
+    assert_eq!(record["contact"]["law"], "numerical");
+    assert!(number(&record["contact"]["error_estimate"]) < 1e-3);
+    let said = |text: String| {
+        let path = case("numerical_bad.toml", &text);
+        let output = carom(&["impact", &path]);
+        assert_eq!(output.status.code(), Some(2));
+        String::from_utf8_lossy(&output.stderr).into_owned()
+    };
+    let text = std::fs::read_to_string(example("dissimilar_balls.toml")).unwrap();
+    let infinite = said(text.replace("friction = 0.1", "friction = inf"));
+    assert!(infinite.contains("contact.friction"), "{infinite}");
+    let twisted = said(format!("{text}torsion = true\n"));
+    assert!(twisted.contains("contact.torsion"), "{twisted}");
 }

@@ -6,6 +6,11 @@ use nalgebra::{Matrix3, Vector3};
 use crate::attitude::Attitude;
 use crate::surface::{LocalSurface, Surface, SurfaceError};
 
+/// The first step of a search along a line, over the body's size.
+const FIRST_STEP: f64 = 1e-8;
+/// Halvings of a crossing's bracket: down to the last digit.
+const HALVINGS: usize = 70;
+
 /// A surface with its place and attitude.
 ///
 /// ```
@@ -73,6 +78,49 @@ impl Placed {
     pub fn local(&self, in_space: &Vector3<f64>) -> Result<LocalSurface, SurfaceError> {
         let local = self.surface.local(&self.body_point(in_space))?;
         Ok(local.placed(&self.centre, &self.attitude))
+    }
+
+    /// How far from a point near the surface the line along `direction` enters the body: the crossing
+    /// nearest to the point, behind it if the point lies inside. None if the line has not met the
+    /// surface within twice the body's size (of a plane: 1e6 times the point's distance).
+    ///
+    /// ```
+    /// use carom_geometry::{Placed, Surface};
+    /// use nalgebra::Vector3;
+    /// let ball = Placed::new(Surface::sphere(2.0)?).at([0.0, 0.0, 2.0])?;
+    /// let rise = ball.entry(&Vector3::new(1.2, 0.0, 0.0), &Vector3::z()).ok_or("it is met")?;
+    /// assert!((rise - 0.4).abs() < 1e-15);
+    /// assert!(ball.entry(&Vector3::new(2.1, 0.0, 0.0), &Vector3::z()).is_none());
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    #[must_use]
+    pub fn entry(&self, point: &Vector3<f64>, direction: &Vector3<f64>) -> Option<f64> {
+        let (start, along) = (self.body_point(point), self.attitude.to_body(direction));
+        let outside = |way: f64| self.surface.outside(&(start + way * along));
+        let here = outside(0.0);
+        if here == 0.0 {
+            return Some(0.0);
+        }
+        let size = if self.surface.size() > 0.0 { self.surface.size() } else { 1e6 * here.abs() };
+        let course = here.signum();
+        // Steps that double from next to nothing find the nearest crossing of smooth surfaces.
+        let (mut near, mut far) = (0.0, FIRST_STEP * size * course);
+        while outside(far) * here > 0.0 {
+            if far.abs() > 2.0 * size {
+                return None;
+            }
+            (near, far) = (far, 2.0 * far);
+        }
+        for _ in 0..HALVINGS {
+            let middle = 0.5 * (near + far);
+            if middle == near || middle == far {
+                break;
+            }
+            let same = outside(middle) * here > 0.0;
+            (near, far) = if same { (middle, far) } else { (near, middle) };
+        }
+        let way = 0.5 * (near + far);
+        way.is_finite().then_some(way)
     }
 
     pub(crate) fn moved_to(self, centre: Vector3<f64>) -> Self {

@@ -106,6 +106,15 @@ pub trait ContactLaw: Clone {
     fn load(&self) -> ContactLoad;
 }
 
+/// A contact law that an impact can follow; one with nothing to say beside its loads is
+/// `impl ImpactLaw for MyLaw {}`.
+pub trait ImpactLaw: ContactLaw {
+    /// The rings it is made of, if it is: the work of a step is counted by them.
+    fn rings(&self) -> Option<usize> {
+        None
+    }
+}
+
 /// A law that knows beforehand whether a step is possible, so that many contacts step together or
 /// not at all ([`crate::batch::Batch`]).
 pub trait Checked: ContactLaw {

@@ -5,7 +5,7 @@ use carom_special::RangeError;
 use crate::bounds::in_memory;
 use crate::coulomb::{CoulombMemory, Tolerance};
 use crate::friction::Friction;
-use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, Shift};
+use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, ImpactLaw, Shift};
 use crate::memory::{AdhesionMemory, Growing, Lateral, Memory, Regime, Tangent, Turn, VertexStack};
 use crate::profile::{Hertzian, NormalProfile};
 use crate::stiffness::ContactStiffness;
@@ -318,6 +318,8 @@ impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
         }
     }
 }
+
+impl<V: Lateral, S: VertexStack<V>> ImpactLaw for ShiftLaw<V, S> {}
 
 #[cfg(test)]
 mod tests {

@@ -253,7 +253,7 @@ impl Bounds {
         (friction * self.gamma).abs()
     }
 
-    /// The spectral radius of M1, and of the block iteration (13.25), is at most gamma^2.
+    /// The spectral radius of M1, with tractions along both axes too, is at most gamma^2.
     #[must_use]
     pub fn adhesion_pass(&self) -> f64 {
         self.gamma * self.gamma

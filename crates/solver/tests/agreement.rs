@@ -121,9 +121,11 @@ fn all_methods_find_the_same() {
         println!("today in {time:.1?}");
         let gauss_seidel = GaussSeidel::default().within(1e-11).unwrap();
         agrees(&case, &problem, &gauss_seidel, &want);
-        agrees(&case, &problem, &gauss_seidel.over_relaxed(1.4).unwrap(), &want);
-        agrees(&case, &problem, &gauss_seidel.with_slip_stress(SlipStress::AtOnce), &want);
-        agrees(&case, &problem, &gauss_seidel.in_blocks_of(10), &want);
+        if problem.grid().cells() < 200 {
+            agrees(&case, &problem, &gauss_seidel.over_relaxed(1.4).unwrap(), &want);
+            agrees(&case, &problem, &gauss_seidel.with_slip_stress(SlipStress::AtOnce), &want);
+            agrees(&case, &problem, &gauss_seidel.in_blocks_of(10), &want);
+        }
         agrees(&case, &problem, &DiscGaussSeidel::default(), &want);
         agrees(&case, &problem, &Panagiotopoulos::default().within(1e-11).unwrap(), &want);
         if !problem.operator().is_coupled() {

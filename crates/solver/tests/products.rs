@@ -9,8 +9,8 @@ use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_solver::{
-    ContactProblem, ContactState, Convergence, Drive, Driven, Frictional, Frictionless, Gap,
-    Method as _,
+    CellState, ContactProblem, ContactState, Convergence, Drive, Driven, Frictional, Frictionless,
+    Gap, Method as _, SelfAffine,
 };
 
 /// The counts of one problem: to an error of 1e-6, and to the method's full tolerance.
@@ -106,6 +106,23 @@ fn flat_punch(n: usize, close: f64) {
     normal("flat punch by approach", problem, Driven::Shift(1.0)).check(close, 15.0);
 }
 
+/// A rough surface of which a part touches: pressed to a force, and to the approach of that force.
+fn rough(n: usize, force: f64, part: [f64; 2]) {
+    let problem = || {
+        let (grid, shortest) = (square(n, 1.0), 8.0 / n as f64);
+        let surface = SelfAffine { hurst: 0.8, rms: 0.01, longest: 0.5, shortest, seed: 3 };
+        ContactProblem::of_half_spaces(surface.gap(grid).unwrap(), similar(0.3), Friction::NONE)
+            .unwrap()
+    };
+    let (state, _) = pressed(&problem(), Driven::Load(force), 1e-10);
+    let touching = state.count(CellState::Slip) as f64 / (n * n) as f64;
+    assert!(touching > part[0] && touching < part[1], "{touching}");
+    let name = format!("rough, {:.0} %, by force", 100.0 * touching);
+    normal(&name, problem, Driven::Load(force)).check(55.0, 90.0);
+    let name = format!("rough, {:.0} %, by approach", 100.0 * touching);
+    normal(&name, problem, Driven::Shift(state.shift.zeta)).check(55.0, 90.0);
+}
+
 /// Cattaneo's problem: the pressure is known, a shift leaves a stick area of half the radius.
 fn cattaneo(n: usize, poisson: f64, close: f64, full: f64) {
     let problem = sphere(n, poisson, 0.4);
@@ -169,6 +186,7 @@ fn history(n: usize, poisson: f64) {
 fn small_grids_stay_within_their_budgets() {
     hertz(128);
     flat_punch(128, 10.0);
+    rough(128, 0.04, [0.05, 0.3]);
     cattaneo(128, 0.0, 19.0, 24.0);
     cattaneo(128, 0.28, 24.0, 34.0);
     history(128, 0.28);
@@ -180,6 +198,11 @@ fn all_sizes_stay_within_their_budgets() {
     for n in [256, 512, 1024] {
         hertz(n);
         flat_punch(n, 12.0);
+    }
+    for n in [256, 512] {
+        rough(n, 0.02, [0.03, 0.07]);
+        rough(n, 0.06, [0.08, 0.15]);
+        rough(n, 0.12, [0.18, 0.3]);
     }
     cattaneo(256, 0.0, 19.0, 25.0);
     cattaneo(512, 0.0, 19.0, 27.0);

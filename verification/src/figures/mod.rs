@@ -19,6 +19,7 @@ mod ch12;
 mod ch13;
 mod ch14;
 mod ch15;
+mod convergence;
 mod errata;
 mod measured;
 mod mesh;
@@ -27,6 +28,7 @@ mod paraboloid;
 mod particles;
 mod propositions;
 mod rebound;
+mod rolling;
 mod sphere_traction;
 mod spring_impact;
 mod structure;
@@ -51,5 +53,7 @@ pub(crate) const CHAPTERS: &[&[Entry]] = &[
     propositions::ENTRIES,
     rebound::ENTRIES,
     particles::ENTRIES,
+    convergence::ENTRIES,
+    rolling::ENTRIES,
     accuracy::ENTRIES,
 ];

@@ -66,12 +66,12 @@ pub(crate) fn line_of(number: &str) -> Option<&'static str> {
 pub(crate) fn page(workspace: &Path) -> String {
     let count = |is: fn(&Equation) -> bool| INDEX.iter().filter(|one| is(one)).map(numbers).sum();
     let (all, by): (u32, u32) = (count(|_| true), count(|one| !one.by.is_empty()));
-    let wrong: u32 = count(|one| one.corrected.is_some());
+    let wrong = INDEX.iter().filter(|one| one.corrected.is_some()).count();
     let mut page = String::new();
     let _ = writeln!(
         page,
         "<p>Of the thesis's {all} numbered equations {by} are in the code; for each of the others \
-         the index says why not. {wrong} are corrected. <code>cargo xtask tidy</code> holds the \
+         the index says why not. The print is corrected in {wrong} lines. <code>cargo xtask tidy</code> holds the \
          index against the sources.</p>\n<div class=\"wide\" tabindex=\"0\"><table id=\"equations\">\
          <thead><tr><th>equation</th><th>says</th><th>in the code</th><th>the print</th></tr></thead>\
          <tbody>"

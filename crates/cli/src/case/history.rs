@@ -1,6 +1,6 @@
 //! The case file of `carom history`.
 
-use super::contact::LAWS;
+use super::contact::LAWS_OF_SHIFTS;
 use super::error::CaseError;
 use super::pair;
 use super::range::Range;
@@ -77,7 +77,7 @@ impl HistoryCase {
 }
 
 fn turning_law(contact: &Section<'_>) -> Result<TurningLaw, CaseError> {
-    let fixed = contact.has("law") && contact.word("law", LAWS)? == "fixed-direction";
+    let fixed = contact.has("law") && contact.word("law", LAWS_OF_SHIFTS)? == "fixed-direction";
     if !contact.has("tolerance") {
         let coulomb = TurningLaw::Coulomb(Tolerance::default());
         return Ok(if fixed { TurningLaw::FixedDirection } else { coulomb });

@@ -77,6 +77,11 @@ impl ImpactCase {
         let body_2 = BodyCase::read(&case, "body_2", Motion::Velocity)?;
         check_pair(&case, &body_1, &body_2)?;
         let contact = Contact::read(&case.section("contact", &contact::FIELDS)?)?;
+        if contact.is_numerical {
+            let reason = "the numerical law takes bodies with a place: give `position`, with \
+                          `contact.search`, in both";
+            return Err(case.conflict("contact.law", "body_1", reason));
+        }
         Ok(Self { body_1, body_2, contact, approach })
     }
 }

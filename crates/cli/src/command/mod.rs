@@ -68,6 +68,7 @@ enum Command {
     History(history::Arguments),
     Scene(scene::Arguments),
     Solve(solve::Arguments),
+    Compare(solve::compare::Arguments),
 }
 
 /// Works out what the command asks for.
@@ -82,5 +83,6 @@ pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError>
         Command::History(arguments) => history::run(arguments),
         Command::Scene(arguments) => scene::run(arguments),
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Compare(arguments) => solve::compare::run(arguments),
     }
 }

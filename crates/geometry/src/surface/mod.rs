@@ -10,6 +10,7 @@ mod jet;
 mod least;
 mod local;
 mod moments;
+mod outside;
 mod sample;
 mod volume;
 

@@ -76,6 +76,12 @@ impl Sizes {
         Self { nx, ny, px: fast_length(nx), py: fast_length(ny) }
     }
 
+    /// Of a surface that repeats itself.
+    pub(crate) const fn of_period(grid: Grid) -> Self {
+        let (nx, ny) = (grid.nx(), grid.ny());
+        Self { nx, ny, px: nx, py: ny }
+    }
+
     /// Number of columns of the spectrum of real data.
     pub(crate) const fn columns(&self) -> usize {
         self.px / 2 + 1

@@ -3,6 +3,7 @@
 //! [`SurfaceOperator`] has two faces: `apply`, the product with all cells by zero-padded
 //! Fourier transforms (exact to rounding, no period is felt), and `coefficients`, one entry for
 //! dense and Gauss-Seidel solvers. [`HalfSpaceOperator`] is the elastic half-space of (4.14);
+//! [`PeriodicOperator`] the same under tractions that repeat themselves;
 //! [`TabulatedKernel`] a measured or computed point response of another body (section 16.2).
 
 mod error;
@@ -10,6 +11,7 @@ mod field;
 mod interior;
 mod length;
 mod memory;
+mod periodic;
 mod plan;
 mod product;
 mod spectrum;
@@ -23,6 +25,7 @@ pub use error::OperatorError;
 pub use field::{Axis, DisplacementField, TractionField};
 pub use interior::{InteriorStress, StressField};
 pub use length::transform_length;
+pub use periodic::PeriodicOperator;
 pub use plan::Threads;
 pub use table::{Blocks, CoefficientTable};
 pub use tabulated::{KernelOperator, TabulatedKernel};

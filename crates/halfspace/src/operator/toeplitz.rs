@@ -36,6 +36,7 @@ pub struct HalfSpaceOperator {
     table: CoefficientTable,
     plan: Plan,
     spectra: [Option<Spectrum>; 6],
+    inverse: TorusInverse,
 }
 
 impl HalfSpaceOperator {
@@ -64,7 +65,8 @@ impl HalfSpaceOperator {
             let held = blocks.holds(entry, &pair);
             held.then(|| Spectrum::symmetric(&plan, table.block(entry), entry.parity()))
         });
-        Ok(Self { blocks, table, plan, spectra })
+        let inverse = TorusInverse::new(&pair, grid, threads);
+        Ok(Self { blocks, table, plan, spectra, inverse })
     }
 
     /// Bytes of the operator and one workspace.
@@ -133,7 +135,7 @@ impl SurfaceOperator for HalfSpaceOperator {
     }
 
     fn inverse(&self) -> Option<TorusInverse> {
-        Some(TorusInverse::new(&self.pair(), self.grid(), self.plan.threads))
+        Some(self.inverse.clone())
     }
 
     fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {

@@ -1,6 +1,7 @@
 //! The inverse influence on a torus of the grid's own size, which preconditions iterations.
 
 use std::f64::consts::PI;
+use std::sync::{Arc, OnceLock};
 
 use super::length::Sizes;
 use super::plan::Plan;
@@ -17,12 +18,21 @@ use crate::{Grid, MaterialPair};
 /// centres, waves whose numbers differ by a period of the grid add up. The mean, which has no
 /// displacement of its own in a half-space, counts as a wave twice as long as the torus. Normal and
 /// tangential blocks are inverted each by itself.
+///
+/// It clones in constant time; each block is computed when it is first needed.
 #[derive(Clone)]
 pub struct TorusInverse {
     plan: Plan,
-    normal: Spectrum,
+    blocks: Arc<TorusBlocks>,
+}
+
+/// The symbols of the inverse.
+struct TorusBlocks {
+    pair: MaterialPair,
+    grid: Grid,
+    normal: OnceLock<Spectrum>,
     /// xx, xy, yy.
-    tangential: [Spectrum; 3],
+    tangential: OnceLock<[Spectrum; 3]>,
 }
 
 /// Waves that add up: as many periods of the grid to each side.
@@ -40,32 +50,8 @@ struct Waves {
 impl TorusInverse {
     pub(crate) fn new(pair: &MaterialPair, grid: Grid, threads: Threads) -> Self {
         let plan = Plan::on(Sizes::of_torus(grid), threads);
-        let (nu, compliance) = (pair.poisson(), 1.0 / pair.shear_modulus());
-        let scale = 1.0 / (plan.sizes.px as f64 * plan.sizes.py as f64);
-        let half = plan.sizes.py / 2 + 1;
-        let count = plan.sizes.columns() * half;
-        let [mut zz, mut xx, mut xy, mut yy] = [(); 4].map(|()| Vec::with_capacity(count));
-        for waves in symbols(&plan.sizes, grid) {
-            zz.push(scale / (compliance * (1.0 - nu) * waves.all));
-            let [a, b, c] = [
-                compliance * (waves.all - nu * waves.xx),
-                -compliance * nu * waves.xy,
-                compliance * (waves.all - nu * waves.yy),
-            ];
-            let over = scale / (a * c - b * b);
-            xx.push(c * over);
-            xy.push(-b * over);
-            yy.push(a * over);
-        }
-        let spectrum = |values: Vec<f64>, row_parity| Spectrum::Symmetric {
-            values,
-            half,
-            imaginary: false,
-            row_parity,
-        };
-        let tangential =
-            [spectrum(xx, Parity::Even), spectrum(xy, Parity::Odd), spectrum(yy, Parity::Even)];
-        Self { plan, normal: spectrum(zz, Parity::Even), tangential }
+        let (normal, tangential) = (OnceLock::new(), OnceLock::new());
+        Self { plan, blocks: Arc::new(TorusBlocks { pair: *pair, grid, normal, tangential }) }
     }
 
     /// Pressures that would displace the surface so; fields in the order of the grid.
@@ -74,7 +60,7 @@ impl TorusInverse {
     /// If a field has not as many values as the grid cells.
     pub fn pressure(&self, displacement: &[f64], pressure: &mut [f64], workspace: &mut Workspace) {
         let mut terms = [[None; 3]; 3];
-        terms[0][0] = Some(term(&self.normal));
+        terms[0][0] = Some(term(self.blocks.normal(&self.plan.sizes)));
         self.plan.product(&[displacement], &terms, &mut [pressure], workspace);
     }
 
@@ -88,11 +74,54 @@ impl TorusInverse {
         traction: [&mut [f64]; 2],
         workspace: &mut Workspace,
     ) {
-        let [xx, xy, yy] = self.tangential.each_ref().map(|spectrum| Some(term(spectrum)));
+        let tangential = self.blocks.tangential(&self.plan.sizes);
+        let [xx, xy, yy] = tangential.each_ref().map(|spectrum| Some(term(spectrum)));
         let terms = [[xx, xy, None], [xy, yy, None], [None; 3]];
         let mut outputs = traction;
         self.plan.product(&displacement, &terms, &mut outputs, workspace);
     }
+}
+
+impl TorusBlocks {
+    fn normal(&self, sizes: &Sizes) -> &Spectrum {
+        self.normal.get_or_init(|| {
+            let compliance = (1.0 - self.pair.poisson()) / self.pair.shear_modulus();
+            let scale = 1.0 / (compliance * sizes.px as f64 * sizes.py as f64);
+            spectrum(symbols(sizes, self.grid).map(|waves| scale / waves.all).collect(), sizes)
+        })
+    }
+
+    fn tangential(&self, sizes: &Sizes) -> &[Spectrum; 3] {
+        self.tangential.get_or_init(|| {
+            let (nu, compliance) = (self.pair.poisson(), 1.0 / self.pair.shear_modulus());
+            let scale = 1.0 / (sizes.px as f64 * sizes.py as f64);
+            let [mut xx, mut xy, mut yy] = [(); 3].map(|()| Vec::new());
+            for waves in symbols(sizes, self.grid) {
+                let [a, b, c] = [
+                    compliance * (waves.all - nu * waves.xx),
+                    -compliance * nu * waves.xy,
+                    compliance * (waves.all - nu * waves.yy),
+                ];
+                let over = scale / (a * c - b * b);
+                xx.push(c * over);
+                xy.push(-b * over);
+                yy.push(a * over);
+            }
+            let odd = match spectrum(xy, sizes) {
+                Spectrum::Symmetric { values, half, imaginary, .. } => {
+                    Spectrum::Symmetric { values, half, imaginary, row_parity: Parity::Odd }
+                }
+                general @ Spectrum::General { .. } => general,
+            };
+            [spectrum(xx, sizes), odd, spectrum(yy, sizes)]
+        })
+    }
+}
+
+/// A symbol that is real and even.
+const fn spectrum(values: Vec<f64>, sizes: &Sizes) -> Spectrum {
+    let half = sizes.py / 2 + 1;
+    Spectrum::Symmetric { values, half, imaginary: false, row_parity: Parity::Even }
 }
 
 const fn term(spectrum: &Spectrum) -> Term<'_> {
@@ -102,39 +131,47 @@ const fn term(spectrum: &Spectrum) -> Term<'_> {
 /// The sums of all waves of the torus, column by column.
 fn symbols(sizes: &Sizes, grid: Grid) -> impl Iterator<Item = Waves> {
     let (px, py) = (sizes.px, sizes.py);
-    let (dx, dy) = (grid.dx(), grid.dy());
-    let (lx, ly) = (px as f64 * dx, py as f64 * dy);
-    let rows = py / 2 + 1;
-    (0..sizes.columns()).flat_map(move |column| {
-        (0..rows).map(move |row| {
+    let (lx, ly) = (px as f64 * grid.dx(), py as f64 * grid.dy());
+    let along_x: Vec<Alike> = (0..sizes.columns()).map(|i| alike(i, px, grid.dx())).collect();
+    let along_y: Vec<Alike> = (0..=py / 2).map(|i| alike(i, py, grid.dy())).collect();
+    along_x.into_iter().enumerate().flat_map(move |(column, x)| {
+        let sum = move |(row, y): (usize, &Alike)| {
             if column == 0 && row == 0 {
                 // No direction: half along each axis.
                 let all = lx.max(ly) / PI;
                 return Waves { all, xx: 0.5 * all, xy: 0.0, yy: 0.5 * all };
             }
-            let wave = [2.0 * PI * column as f64 / lx, 2.0 * PI * row as f64 / ly];
-            let waves = Waves::alike(wave, [dx, dy]);
+            let waves = Waves::of(&x, y);
             // The shortest waves have no sign.
             let signless = 2 * column == px || 2 * row == py;
             Waves { xy: if signless { 0.0 } else { waves.xy }, ..waves }
-        })
+        };
+        along_y.iter().enumerate().map(sum).collect::<Vec<_>>()
+    })
+}
+
+/// Wave numbers along one axis that look alike, each with its mean over a cell.
+type Alike = [(f64, f64); 2 * ALIASES as usize + 1];
+
+fn alike(index: usize, count: usize, width: f64) -> Alike {
+    std::array::from_fn(|alias| {
+        let turns = index as f64 / count as f64 + (alias as f64 - f64::from(ALIASES));
+        (2.0 * PI * turns / width, sinc(PI * turns))
     })
 }
 
 impl Waves {
-    fn alike([k_x, k_y]: [f64; 2], [dx, dy]: [f64; 2]) -> Self {
+    fn of(along_x: &Alike, along_y: &Alike) -> Self {
         let mut sum = Self::default();
-        for i in -ALIASES..=ALIASES {
-            let x = k_x + 2.0 * PI * f64::from(i) / dx;
-            let mean_x = sinc(0.5 * x * dx);
-            for j in -ALIASES..=ALIASES {
-                let y = k_y + 2.0 * PI * f64::from(j) / dy;
+        for (x, mean_x) in along_x {
+            for (y, mean_y) in along_y {
                 let square = x * x + y * y;
-                let part = mean_x * sinc(0.5 * y * dy) / square.sqrt();
+                let part = mean_x * mean_y / square.sqrt();
+                let over = part / square;
                 sum.all += part;
-                sum.xx += part * x * x / square;
-                sum.xy += part * x * y / square;
-                sum.yy += part * y * y / square;
+                sum.xx += over * x * x;
+                sum.xy += over * x * y;
+                sum.yy += over * y * y;
             }
         }
         sum

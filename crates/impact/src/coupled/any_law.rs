@@ -7,12 +7,12 @@ use super::bare_law::BareLaw;
 use super::slip_lines::SlipLines;
 use super::{ImpactLaw, Stage, Staged};
 
-/// A law of one direction, of two, or of rings.
+/// A law of one direction, of two, or Coulomb's.
 #[derive(Debug, Clone)]
 pub(super) enum AnyLaw {
     Line(Box<BareLaw<f64>>),
     Plane(Box<BareLaw<[f64; 2]>>),
-    Rings(Box<SlipLines>),
+    Lines(Box<SlipLines>),
 }
 
 macro_rules! each {
@@ -20,7 +20,7 @@ macro_rules! each {
         match $any {
             AnyLaw::Line($law) => $call,
             AnyLaw::Plane($law) => $call,
-            AnyLaw::Rings($law) => $call,
+            AnyLaw::Lines($law) => $call,
         }
     };
 }

@@ -1,10 +1,9 @@
 //! The motion through one contact: dv/dt = -D F with a law that remembers (8.29).
 
-use carom_laws::law::{ContactLoad, Shift};
+use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
-use super::ImpactLaw;
 use super::pace::Pace;
 use super::schedule::Schedule;
 
@@ -70,7 +69,7 @@ impl Course {
     ///
     /// # Errors
     /// The law's own, with the step.
-    pub fn follow<L: ImpactLaw>(
+    pub fn follow<L: ContactLaw>(
         &self,
         law: &mut L,
         mut observe: impl FnMut(&Point, &L),

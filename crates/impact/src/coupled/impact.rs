@@ -22,6 +22,10 @@ use crate::outcome::{LogEntry, Warning};
 /// short of 1e-8 after 2^24 steps.
 const PLANAR: f64 = 1e-8;
 const SPATIAL: f64 = 5e-6;
+/// How far the line of anchors may be off, over the limit of traction: this over the square of the
+/// resolution, but no less than a small part of the tolerance.
+const OFF_LINE: f64 = 0.0025;
+const OFF_LEAST: f64 = 4e-4;
 
 /// Why a coupled impact cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -264,8 +268,8 @@ impl CoupledImpact {
     }
 
     /// The same with any contact law, in the units of the data. `make` gives a fresh law; it is
-    /// told a resolution that doubles from run to run, 4, 8, .., and begins anew with more where
-    /// those do not settle, for laws that have one.
+    /// told a resolution that doubles from run to run with the steps, 8, 16, .., for laws of rings; what
+    /// such a run costs is counted by [`ImpactLaw::rings`].
     ///
     /// # Errors
     /// As [`CoupledImpact::solve`]; [`CoupledError::Law`] with the law's own error if a step of it
@@ -575,12 +579,13 @@ impl CoupledImpact {
                 AnyLaw::Line(Box::new(BareLaw::new(stiffness, friction)))
             }
             (_, VectorLaw::Coulomb) => {
-                let spacing = (peak * 1.0001).sqrt() / rings as f64;
-                // Without a limit every direction is on its own, and without friction none acts.
                 let n = rings as f64;
-                SlipLines::new(stiffness, friction.get(), spacing, 0.01 / (n * n)).map_or_else(
+                let spacing = (peak * 1.0001).sqrt() / n;
+                let off = (OFF_LINE / (n * n)).max(OFF_LEAST * self.tolerance());
+                // Without a limit every direction is on its own, and without friction none acts.
+                SlipLines::new(stiffness, friction.get(), spacing, off).map_or_else(
                     |_| AnyLaw::Plane(Box::new(BareLaw::new(stiffness, friction))),
-                    |rings| AnyLaw::Rings(Box::new(rings)),
+                    |lines| AnyLaw::Lines(Box::new(lines)),
                 )
             }
             (_, VectorLaw::FixedDirection) => {

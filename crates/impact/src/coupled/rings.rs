@@ -7,7 +7,7 @@
 //! direction is constant it is the thesis's law of chapter 7.
 
 use carom_laws::friction::Friction;
-use carom_laws::law::{ContactLaw, ContactLoad, Energies, Shift};
+use carom_laws::law::{ContactLaw, ContactLoad, Energies, ImpactLaw, Shift};
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::Vector3;
@@ -606,4 +606,9 @@ fn rotated([cos, sin]: [f64; 2], angle: f64) -> [f64; 2] {
     let scale = 1.0 / (1.0 + t * t);
     let (c, s) = ((1.0 - t * t) * scale, 2.0 * t * scale);
     [c * cos - s * sin, s * cos + c * sin]
+}
+impl ImpactLaw for CoulombRings {
+    fn rings(&self) -> Option<usize> {
+        Some(self.touching())
+    }
 }

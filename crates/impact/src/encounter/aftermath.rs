@@ -24,7 +24,7 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const EVEN: f64 = 1e-12;
 
 impl Encounter {
-    pub(super) fn rebound(
+    pub(crate) fn rebound(
         &self,
         impact: &CoupledImpact,
         outcome: &CoupledOutcome,

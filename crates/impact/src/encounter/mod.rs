@@ -280,14 +280,16 @@ impl Encounter {
     /// [`EncounterError::Coupled`] if the impact could not be followed,
     /// [`EncounterError::NormalSpin`] if torsion was asked for and cannot be given.
     pub fn solve(&self) -> Result<Outcome, EncounterError> {
-        let Some(impact) = self.impact()? else {
-            let motions = [self.bodies[0].motion, self.bodies[1].motion];
-            return Ok(Outcome::NoImpact { motions });
-        };
+        let Some(impact) = self.impact()? else { return Ok(self.missed()) };
         let (coupled, log) = impact.solve_with_log(self.law)?;
         let mut rebound = self.rebound(&impact, &coupled)?;
         rebound.log = log;
         Ok(Outcome::Rebound(Box::new(rebound)))
+    }
+
+    // The bodies do not approach each other.
+    pub(crate) const fn missed(&self) -> Outcome {
+        Outcome::NoImpact { motions: [self.bodies[0].motion, self.bodies[1].motion] }
     }
 
     /// Instants of the impact in contact axes; empty without an impact.

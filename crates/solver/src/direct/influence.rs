@@ -13,13 +13,36 @@ pub(crate) struct Influence {
 }
 
 impl Influence {
+    /// The displacements less those that the same tractions have `shift` columns further along x: what
+    /// a particle gains that comes from there, if the tractions stand still. Between two columns it is
+    /// interpolated.
+    pub(crate) fn rolled(operator: &dyn SurfaceOperator, shift: f64) -> Self {
+        let whole = shift.floor();
+        let (columns, part) = (whole as i32, shift - whole);
+        let at = |c: i32, r: i32| operator.coefficients(c, r).rows;
+        Self::tabulate(operator.grid(), |c, r| {
+            let (near, far) = (at(c - columns, r), at(c - columns - 1, r));
+            let mut rows = at(c, r);
+            for axis in 0..2 {
+                for by in 0..3 {
+                    let ahead = (1.0 - part) * near[axis][by] + part * far[axis][by];
+                    rows[axis][by] -= ahead;
+                }
+            }
+            rows
+        })
+    }
+
     pub(crate) fn new(operator: &dyn SurfaceOperator) -> Self {
-        let grid = operator.grid();
+        Self::tabulate(operator.grid(), |columns, rows| operator.coefficients(columns, rows).rows)
+    }
+
+    fn tabulate(grid: Grid, rows_at: impl Fn(i32, i32) -> [[f64; 3]; 3]) -> Self {
         let (nx, ny) = (grid.nx() as i32, grid.ny() as i32);
         let mut blocks: [[Vec<f64>; 3]; 3] = Default::default();
         for rows in 1 - ny..ny {
             for columns in 1 - nx..nx {
-                let value = operator.coefficients(columns, rows).rows;
+                let value = rows_at(columns, rows);
                 for (blocks, values) in blocks.iter_mut().zip(value) {
                     for (block, value) in blocks.iter_mut().zip(values) {
                         block.push(value);

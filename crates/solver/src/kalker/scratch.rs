@@ -61,10 +61,17 @@ pub struct KalkerScratch {
 
 impl KalkerScratch {
     pub(super) fn new(problem: &ContactProblem) -> Result<Self, DirectError> {
+        Self::with_influence(problem, Influence::new(problem.operator()))
+    }
+
+    /// With other coefficients than those of a body at rest.
+    pub(crate) fn with_influence(
+        problem: &ContactProblem,
+        influence: Influence,
+    ) -> Result<Self, DirectError> {
         Demand::check(problem)?;
         let outcome = Outcome::new(problem.grid().cells());
-        let (influence, traces) = (Influence::new(problem.operator()), Traces::default());
-        Ok(Self { influence, demand: None, outcome, traces })
+        Ok(Self { influence, demand: None, outcome, traces: Traces::default() })
     }
 
     /// What the processes did in the last step.

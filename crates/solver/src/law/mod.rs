@@ -8,7 +8,7 @@ use std::sync::{Arc, Mutex, PoisonError};
 
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
-use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use carom_laws::law::{ContactLaw, ContactLoad, ImpactLaw, Shift};
 use carom_special::RangeError;
 
 use crate::convergence::Convergence;
@@ -225,3 +225,5 @@ impl std::fmt::Debug for NumericalLaw {
         f.debug_struct("NumericalLaw").field("shift", shift).field("load", load).finish()
     }
 }
+
+impl ImpactLaw for NumericalLaw {}

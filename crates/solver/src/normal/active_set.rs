@@ -48,7 +48,6 @@ pub(super) struct NormalTask<'a> {
 pub(super) struct ActiveSet {
     inverse: Option<TorusInverse>,
     workspace: Workspace,
-    inverse_workspace: Workspace,
     /// The influence of a cell on itself.
     own: f64,
     /// The gap g.
@@ -99,7 +98,6 @@ impl ActiveSet {
         Self {
             inverse: operator.inverse(),
             workspace: operator.workspace(),
-            inverse_workspace: Workspace::default(),
             own: operator.coefficients(0, 0).rows[2][2],
             gap: zero.clone(),
             preconditioned: zero.clone(),
@@ -368,7 +366,7 @@ impl ActiveSet {
     fn invert(&mut self, course: &mut Course) {
         if let Some(inverse) = &self.inverse {
             self.image.copy_from_slice(&self.preconditioned);
-            inverse.pressure(&self.image, &mut self.preconditioned, &mut self.inverse_workspace);
+            inverse.pressure(&self.image, &mut self.preconditioned, &mut self.workspace);
             course.products.preconditioner += 1.0;
         }
         for (value, active) in self.preconditioned.iter_mut().zip(&self.active) {

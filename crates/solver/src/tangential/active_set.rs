@@ -69,7 +69,6 @@ pub(super) type Plane = [Vec<f64>; 2];
 pub(super) struct ActiveSet {
     inverse: Option<TorusInverse>,
     workspace: Workspace,
-    inverse_workspace: Workspace,
     centres: Plane,
     deflation: Deflation,
     /// The influence of a cell's traction on itself, the mean of both directions.
@@ -127,7 +126,6 @@ impl ActiveSet {
         Self {
             inverse: operator.inverse(),
             workspace: operator.workspace(),
-            inverse_workspace: Workspace::default(),
             centres: rigid::centres(operator.grid()),
             deflation: Deflation::new(zero.len()),
             own: 0.5 * (own[0][0] + own[1][1]),
@@ -438,7 +436,7 @@ impl ActiveSet {
         if let Some(inverse) = &self.inverse {
             let [x, y] = &mut self.preconditioned;
             let image = [&self.image[0][..], &self.image[1][..]];
-            inverse.traction(image, [x, y], &mut self.inverse_workspace);
+            inverse.traction(image, [x, y], &mut self.workspace);
             course.products.preconditioner += 1.0;
         } else {
             for axis in 0..2 {

@@ -136,8 +136,8 @@ fn cell() -> Result<Correction, Failure> {
     };
     Ok(Correction {
         equation: "13.9",
-        printed: r"$(2k{+}1)\ln\frac{1+S_1}{S_1-1}-(2k{+}1)\ln\frac{1+S_2}{S_2-1}+2\ln\frac{2k+1+S_1}{2k-1+S_1}$",
-        corrected: r"$(2k{+}1)\ln\frac{1+S_1}{S_1-1}-(2k{-}1)\ln\frac{1+S_2}{S_2-1}+2\ln\frac{2k+1+S_1}{2k-1+S_2}$",
+        printed: r"$\ldots-(2k{+}1)\ln\frac{S_2+1}{S_2-1}+2\ln\frac{2k+1+S_1}{2k-1+S_1}$",
+        corrected: r"$\ldots-(2k{-}1)\ln\frac{S_2+1}{S_2-1}+2\ln\frac{2k+1+S_1}{2k-1+S_2}$",
         check: "∫dS/r of a cell two widths away, over half a width",
         value,
         expected: formula(near, two),

@@ -105,8 +105,8 @@ fn twist_without_slip() -> Result<Correction, Failure> {
     };
     Ok(Correction {
         equation: "5.32",
-        printed: r"$\sigma_{zx}=T'y/s,\ \sigma_{zy}=T''x/s$",
-        corrected: r"$\sigma_{zx}=T'y/s,\ \sigma_{zy}=-T''x/s$",
+        printed: r"$\sigma_{zx}=T'y/s$, $\sigma_{zy}=T''x/s$",
+        corrected: r"$\sigma_{zx}=T'y/s$, $\sigma_{zy}=-T''x/s$",
         check: "moment of the traction of an ellipse 1 : 2, ν = 0.3",
         value: moment(1.0),
         expected: law.stiffness(),

@@ -9,7 +9,7 @@ use crate::destination::Destination;
 use crate::error::CliError;
 use crate::output::{self, Answer, Format, check_finite, csv, json, short};
 use carom_impact::coupled::VectorLaw;
-use carom_impact::{EncounterError, Outcome};
+use carom_impact::{EncounterError, NumericalImpact, NumericalImpactError, Outcome};
 use serde::Serialize;
 
 /// An encounter and what came of it. SI units.
@@ -47,15 +47,29 @@ pub(super) fn run(
     case: &EncounterCase,
 ) -> Result<Answer, CliError> {
     let at_fault = |source| blamed(arguments, case, source);
-    let outcome = case.encounter.solve().map_err(at_fault)?;
+    let outcome = match case.contact.is_numerical {
+        true => NumericalImpact::new(&case.encounter)
+            .solve()
+            .map_err(|source| on_grid(arguments, source))?,
+        false => case.encounter.solve().map_err(at_fault)?,
+    };
+    let sampled = |count| {
+        let computed = match case.contact.is_numerical {
+            true => NumericalImpact::new(&case.encounter)
+                .history()
+                .map_err(|source| on_grid(arguments, source))?,
+            false => case.encounter.history().map_err(at_fault)?,
+        };
+        samples::samples(&case.encounter, &computed, count).map_err(at_fault)
+    };
     let course = |count| {
-        let samples = samples::samples(&case.encounter, count).map_err(at_fault)?;
+        let samples = sampled(count)?;
         let rows = samples::cells(&samples, |value| value.to_string());
         check_finite(&arguments.given.case, &samples::HEADS, &rows)?;
         Ok::<_, CliError>(samples)
     };
     let samples = match arguments.history {
-        Some(count) => Some(samples::samples(&case.encounter, count as usize).map_err(at_fault)?),
+        Some(count) => Some(sampled(count as usize)?),
         None => None,
     };
     let contact = contact(case, &outcome).map_err(at_fault)?;
@@ -80,6 +94,10 @@ pub(super) fn run(
     }
     let answer = Answer { text, warnings, picture, ..Answer::default() };
     Ok(answer.cautioned(caution(&[record.impact.excess], "impacts"), arguments.given.format))
+}
+
+fn on_grid(arguments: &Arguments, source: NumericalImpactError) -> CliError {
+    CliError::Numerical { path: arguments.given.case.clone(), source: Box::new(source) }
 }
 
 /// The case is to blame for torsion that cannot be given.
@@ -107,10 +125,14 @@ fn contact(case: &EncounterCase, outcome: &Outcome) -> Result<ContactRecord, Enc
         axis_ratio: encounter.hertz().axis_ratio().get(),
         centre_1: one.centre().into(),
         centre_2: two.centre().into(),
-        passage: encounter.impact()?.map(|impact| impact.passage().name()),
-        law: match case.contact.law {
-            VectorLaw::Coulomb => "coulomb",
-            VectorLaw::FixedDirection => "fixed-direction",
+        passage: encounter.impact()?.map(|impact| match case.contact.is_numerical {
+            true => "numerical",
+            false => impact.passage().name(),
+        }),
+        law: match (case.contact.is_numerical, case.contact.law) {
+            (true, _) => "numerical",
+            (false, VectorLaw::Coulomb) => "coulomb",
+            (false, VectorLaw::FixedDirection) => "fixed-direction",
         },
         compressions: outcome.rebound().map(|rebound| rebound.compressions),
         error_estimate: outcome.rebound().map(|rebound| rebound.error_estimate),

@@ -18,8 +18,11 @@ pub(super) struct Sample {
 
 /// `count` instants equally spaced in time, straight between those that were computed; none
 /// without an impact.
-pub(super) fn samples(encounter: &Encounter, count: usize) -> Result<Vec<Sample>, EncounterError> {
-    let computed = encounter.history()?;
+pub(super) fn samples(
+    encounter: &Encounter,
+    computed: &[coupled::Sample],
+    count: usize,
+) -> Result<Vec<Sample>, EncounterError> {
     let Some(last) = computed.last() else {
         return Ok(Vec::new());
     };

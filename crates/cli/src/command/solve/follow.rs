@@ -52,6 +52,16 @@ impl<'a> Run<'a> {
         Ok(Self { path, case, problem, method, scratch })
     }
 
+    /// What is solved.
+    pub(super) const fn problem(&self) -> &ContactProblem {
+        &self.problem
+    }
+
+    /// By which method.
+    pub(super) const fn method(&self) -> Frictional {
+        self.method
+    }
+
     /// Goes on from what was found to the last step; each step is kept when it is done.
     ///
     /// # Errors

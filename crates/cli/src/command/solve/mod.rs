@@ -1,5 +1,7 @@
 //! `carom solve`: a contact with friction on a grid, step by step.
 
+mod below;
+pub(super) mod compare;
 mod follow;
 mod heights;
 mod npz;
@@ -8,12 +10,13 @@ mod store;
 mod view;
 
 use crate::case::{GapCase, SolveCase};
-use crate::columns;
+use crate::columns::{self, Record};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, json};
 use carom_solver::{CellState, ContactState};
 use follow::Run;
+use serde::Serialize;
 use std::path::{Path, PathBuf};
 use store::{Found, Store};
 
@@ -25,7 +28,7 @@ use store::{Found, Store};
 /// shifted against body 1; loads act on body 1. The picture shows loads, stick and slip, stresses and
 /// energies of the last step.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = columns::help("A row for each step", view::COLUMNS))]
+#[command(after_long_help = help())]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
@@ -36,6 +39,24 @@ pub(super) struct Arguments {
     /// Go on from the steps that are in the folder: the same bits as if it had never stopped.
     #[arg(long, requires = "keep")]
     resume: bool,
+    /// Give the stress in both bodies at the end too, at this many depths below the greatest
+    /// pressure.
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
+    depths: Option<u32>,
+}
+
+/// What the rows hold.
+fn help() -> String {
+    let steps = columns::help("A row for each step", view::COLUMNS);
+    let depths = columns::help("With --depths as CSV, a row for each depth", below::COLUMNS);
+    format!("{steps}\n{depths}")
+}
+
+/// Steps, and stresses below the last one, as they stand in JSON.
+#[derive(Serialize)]
+struct Both<'a> {
+    steps: Vec<Record<'a, view::Step>>,
+    depths: Vec<Record<'a, below::Below>>,
 }
 
 /// Fewer cells than this across the contact give a warning.
@@ -70,10 +91,23 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let followed = run.follow(found, store.as_ref())?;
     let (steps, format) = (&followed.steps, arguments.given.format);
     columns::check(&file.path, view::COLUMNS, steps)?;
-    let text = match format {
-        Format::Json => json(&view::records(steps))?,
-        Format::Table => columns::rows(format, &view::readable(), steps)?,
-        _ => columns::rows(format, view::COLUMNS, steps)?,
+    let stresses = match (arguments.depths, steps.last()) {
+        (Some(count), Some(last)) => {
+            below::along_normal(&file.path, &case, &followed.state, last, count as usize)?
+        }
+        _ => Vec::new(),
+    };
+    let depths = || columns::rows(format, below::COLUMNS, &stresses);
+    let text = match (format, arguments.depths) {
+        (Format::Json, None) => json(&view::records(steps))?,
+        (Format::Json, Some(_)) => json(&Both {
+            steps: view::records(steps),
+            depths: stresses.iter().map(|row| Record::new(below::COLUMNS, row)).collect(),
+        })?,
+        (Format::Table, None) => columns::rows(format, &view::readable(), steps)?,
+        (Format::Table, Some(_)) => columns::rows(format, &view::readable(), steps)? + &depths()?,
+        (_, Some(_)) => depths()?,
+        (_, None) => columns::rows(format, view::COLUMNS, steps)?,
     };
     let mut warnings = Vec::new();
     if followed.found > 0 {

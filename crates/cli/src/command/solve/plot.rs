@@ -24,15 +24,23 @@ pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, Cli
             "force / N",
             &[("F_x", |s| s.load.f_x), ("F_y", |s| s.load.f_y), ("F_z", |s| s.load.f_z)],
         ));
-        panels.push(course.paths(
-            "load curves",
-            ["shift / m", "force / N"],
-            &[
-                ("F_x against ξ", |s| s.shift.xi, |s| s.load.f_x),
-                ("F_y against η", |s| s.shift.eta, |s| s.load.f_y),
-                ("F_z against ζ", |s| s.shift.zeta, |s| s.load.f_z),
-            ],
-        ));
+        if steps.iter().any(|step| step.shift.xi != 0.0 || step.shift.eta != 0.0) {
+            panels.push(course.paths(
+                "load curves",
+                ["shift / m", "force / N"],
+                &[
+                    ("F_x against ξ", |s| s.shift.xi, |s| s.load.f_x),
+                    ("F_y against η", |s| s.shift.eta, |s| s.load.f_y),
+                ],
+            ));
+        }
+        if steps.iter().any(|step| step.shift.zeta != steps[0].shift.zeta) {
+            panels.push(course.paths(
+                "approach",
+                ["ζ / m", "force / N"],
+                &[("F_z against ζ", |s| s.shift.zeta, |s| s.load.f_z)],
+            ));
+        }
         if steps.iter().any(|step| step.shift.omega != 0.0) {
             panels.push(course.paths(
                 "torque",
@@ -53,7 +61,7 @@ pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, Cli
     }
     if state.pressure.values().iter().any(|p| *p > 0.0) {
         panels.push(pressures(state)?);
-        panels.push(stick_and_slip(state)?);
+        panels.push(stick_and_slip(state));
         if f > 0.0 {
             panels.push(sizes(state, f));
             panels.push(angles(state));
@@ -87,15 +95,9 @@ fn pressures(state: &ContactState) -> Result<Panel, CliError> {
     Ok(panel)
 }
 
-/// Tractions as arrows over the map of what sticks.
-fn stick_and_slip(state: &ContactState) -> Result<Panel, CliError> {
-    let values = state.cells.values().iter().map(|cell| match cell {
-        CellState::Stick => 1.0,
-        CellState::Slip => -1.0,
-        CellState::Exterior => 0.0,
-    });
-    let map = field(state, "slip -1, stick 1", values.collect())?;
-    let mut panel = axes("stick and slip, tractions on body 1").over(map);
+/// Tractions as arrows over the outlines of contact and stick area.
+fn stick_and_slip(state: &ContactState) -> Panel {
+    let mut panel = axes("tractions on body 1, outlines smoothed");
     outlines(&mut panel, &state.contact_outlines(), "contact", 0);
     outlines(&mut panel, &state.stick_outlines(), "stick", 1);
     let grid = state.pressure.grid();
@@ -103,10 +105,9 @@ fn stick_and_slip(state: &ContactState) -> Result<Panel, CliError> {
     let (x, y) = (state.traction_x.values(), state.traction_y.values());
     let longest = x.iter().zip(y).map(|(x, y)| libm::hypot(*x, *y)).fold(0.0, f64::max);
     let scale = 2.0 * stride as f64 * grid.dx().max(grid.dy()) / longest;
-    let cells = grid
-        .centres()
-        .enumerate()
-        .filter(|(i, _)| (i % grid.nx()) % stride == 0 && (i / grid.nx()) % stride == 0);
+    let cells = grid.centres().enumerate().filter(|(i, _)| {
+        (i % grid.nx()).is_multiple_of(stride) && (i / grid.nx()).is_multiple_of(stride)
+    });
     let arrows = cells.filter(|(i, _)| libm::hypot(x[*i], y[*i]) > 0.02 * longest).map(
         |(i, (at_x, at_y))| Arrow {
             tail: Point::new(at_x, at_y),
@@ -116,7 +117,7 @@ fn stick_and_slip(state: &ContactState) -> Result<Panel, CliError> {
     if longest > 0.0 {
         panel.add(Series::arrows("", arrows.collect::<Vec<_>>()).coloured(2));
     }
-    Ok(panel)
+    panel
 }
 
 /// Cells in contact by what they do: distance from the middle, size and angle of the traction.

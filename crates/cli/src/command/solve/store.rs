@@ -152,7 +152,6 @@ fn read_state(arrays: &BTreeMap<String, Array>, grid: Grid) -> Option<ContactSta
         displacement_x: field("displacement_x")?,
         displacement_y: field("displacement_y")?,
         cells: Field::new(grid, cells.collect::<Option<Vec<_>>>()?).ok()?,
-        ..ContactState::apart(grid)
     })
 }
 

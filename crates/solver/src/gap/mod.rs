@@ -1,5 +1,15 @@
 //! The gap between the undeformed bodies over a grid.
 
+mod height_map;
+mod outline;
+mod rough;
+mod shapes;
+mod surfaces;
+
+pub use height_map::{HeightMap, HeightMapError};
+pub use outline::Outline;
+pub use rough::SelfAffine;
+
 use carom_halfspace::{Field, Grid};
 use carom_laws::curvature::RelativeCurvature;
 use carom_special::RangeError;

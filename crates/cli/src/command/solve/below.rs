@@ -1,0 +1,67 @@
+//! Stresses below the contact at the end.
+
+use super::view::Step;
+use crate::case::SolveCase;
+use crate::error::CliError;
+use carom_halfspace::{Material, Stress};
+use carom_plot::linspace;
+use carom_solver::{ContactState, Subsurface};
+use carom_special::RangeError;
+use carom_table::Column;
+use std::path::Path;
+
+/// Depths reach down to so many radii of a round contact of the same area.
+const RADII: f64 = 3.0;
+
+/// The stress in a body at a depth, in common axes.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Below {
+    body: u64,
+    depth: f64,
+    stress: Stress,
+}
+
+/// Its columns.
+pub(super) const COLUMNS: &[Column<Below>] = &[
+    Column::new("body", "", "1 or 2", |below| below.body.into()),
+    Column::new("depth", "m", "below the greatest pressure", |below| below.depth.into()),
+    Column::new("s_xx", "Pa", "stress, tension positive", |below| below.stress.xx.into()),
+    Column::new("s_yy", "Pa", "", |below| below.stress.yy.into()),
+    Column::new("s_zz", "Pa", "", |below| below.stress.zz.into()),
+    Column::new("s_xy", "Pa", "", |below| below.stress.xy.into()),
+    Column::new("s_yz", "Pa", "", |below| below.stress.yz.into()),
+    Column::new("s_zx", "Pa", "", |below| below.stress.zx.into()),
+    Column::new("von_mises", "Pa", "equivalent stress", |below| below.stress.von_mises().into()),
+];
+
+/// The stresses along the normal through the cell of the greatest pressure, at `count` depths in
+/// each elastic body; none where the bodies are apart.
+pub(super) fn along_normal(
+    path: &Path,
+    case: &SolveCase,
+    state: &ContactState,
+    last: &Step,
+    count: usize,
+) -> Result<Vec<Below>, CliError> {
+    let failed = |source| CliError::Law { path: path.to_owned(), source };
+    let values = state.pressure.values().iter().copied().zip(state.pressure.grid().centres());
+    let greatest = values.max_by(|one, other| one.0.total_cmp(&other.0));
+    let Some((_, (x, y))) = greatest.filter(|(pressure, _)| *pressure > 0.0) else {
+        return Ok(Vec::new());
+    };
+    let reach = RADII * (last.contact_area / std::f64::consts::PI).sqrt();
+    let depths = linspace(0.0, reach, count);
+    type Make = fn(&ContactState, Material) -> Result<Subsurface, RangeError>;
+    let bodies: [(u64, Material, Make); 2] = [
+        (1, case.materials.body_1(), Subsurface::of_body_1),
+        (2, case.materials.body_2(), Subsurface::of_body_2),
+    ];
+    let mut rows = Vec::new();
+    for (body, material, make) in bodies.into_iter().filter(|(_, body, _)| !body.is_rigid()) {
+        let below = make(state, material).map_err(failed)?;
+        let stresses = below.along_normal(x, y, depths.iter().copied()).map_err(failed)?;
+        let pairs = depths.iter().zip(stresses);
+        rows.extend(pairs.map(|(depth, stress)| Below { body, depth: *depth, stress }));
+    }
+    Ok(rows)
+}

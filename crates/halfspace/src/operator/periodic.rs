@@ -1,0 +1,209 @@
+//! The half-space under tractions that repeat themselves with the period of the grid.
+
+use std::f64::consts::TAU;
+
+use super::length::Sizes;
+use super::memory;
+use super::plan::Plan;
+use super::product::{Term, apply};
+use super::spectrum::{Parity, Spectrum};
+use super::{
+    Axis, DisplacementField, OperatorError, SurfaceOperator, Threads, TorusInverse, TractionField,
+    Workspace,
+};
+use crate::{Coefficients, Grid, MaterialPair};
+use carom_special::RangeError;
+
+/// Two elastic half-spaces under tractions that repeat themselves with the sides of the grid.
+///
+/// Waves `exp(i k x)` of the pressure displace the surface by `(1 - nu)/G/|k|`, those of the
+/// tangential tractions by `[1 - nu k k^T/k^2]/G/|k|`, and each the other by
+/// `-+ i epsilon k/k^2` (the transforms of (4.8), (4.9)); tractions are the waves through the values
+/// at the centres. The mean traction has no displacement of its own: all displacements are those
+/// against the mean plane, so that an approach counts from there (and at most to the mean of the
+/// gap, where all touches), and tangential shifts are of the mean planes.
+///
+/// ```
+/// use carom_halfspace::operator::{
+///     DisplacementField, PeriodicOperator, SurfaceOperator, Threads, TractionField,
+/// };
+/// use carom_halfspace::{Grid, Material, MaterialPair};
+/// let body = Material::from_shear(2.0, 0.3)?;
+/// let pair = MaterialPair::new(body, body)?;
+/// let grid = Grid::new(32, 8, 0.25, 0.25)?;
+/// let operator = PeriodicOperator::new(pair, grid, Threads::One)?;
+/// let k = std::f64::consts::TAU / 8.0;
+/// let pressure: Vec<f64> = grid.centres().map(|(x, _)| 3.0 + (k * x).cos()).collect();
+/// let mut w = vec![0.0; grid.cells()];
+/// let displacement = DisplacementField::normal(&mut w);
+/// operator.apply(TractionField::normal(&pressure), displacement, &mut operator.workspace())?;
+/// for ((x, _), w) in grid.centres().zip(w) {
+///     assert!((w - 0.7 / k * (k * x).cos()).abs() < 1e-14);
+/// }
+/// # Ok::<(), carom_halfspace::operator::OperatorError>(())
+/// ```
+#[derive(Clone)]
+pub struct PeriodicOperator {
+    pair: MaterialPair,
+    grid: Grid,
+    plan: Plan,
+    /// xx, xy, yy, zz, and if they couple xz, yz.
+    spectra: [Option<Spectrum>; 6],
+    /// Displacements by unit tractions x, y, normal on the first cell.
+    responses: [Vec<f64>; 9],
+    inverse: TorusInverse,
+}
+
+impl PeriodicOperator {
+    /// The operator of a pair on one period.
+    ///
+    /// # Errors
+    /// [`OperatorError::Range`] unless both numbers of cells are even,
+    /// [`OperatorError::TooLarge`] before anything is allocated.
+    pub fn new(pair: MaterialPair, grid: Grid, threads: Threads) -> Result<Self, OperatorError> {
+        for (field, count) in [("nx", grid.nx()), ("ny", grid.ny())] {
+            let allowed = "even on a period";
+            RangeError::check(field, count as f64, count.is_multiple_of(2), allowed)?;
+        }
+        let sizes = Sizes::of_period(grid);
+        let fields = 72 * grid.cells() as u128;
+        memory::check(6 * sizes.symmetric_spectrum() + sizes.workspace(3, threads) + fields)?;
+        let plan = Plan::on(sizes, threads);
+        let inverse = TorusInverse::new(&pair, grid, threads);
+        let spectra = spectra(&pair, grid, &sizes);
+        let responses = Default::default();
+        let mut own = Self { pair, grid, plan, spectra, responses, inverse };
+        own.respond()?;
+        Ok(own)
+    }
+
+    fn respond(&mut self) -> Result<(), OperatorError> {
+        let zero = vec![0.0; self.grid.cells()];
+        let mut unit = zero.clone();
+        unit[0] = 1.0;
+        let mut workspace = self.workspace();
+        for by in 0..3 {
+            let [mut u, mut v, mut w] = [zero.clone(), zero.clone(), zero.clone()];
+            let load = |axis: usize| (axis == by).then_some(&unit[..]);
+            let tractions = TractionField { x: load(0), y: load(1), normal: load(2) };
+            let displacements = DisplacementField::full(&mut u, &mut v, &mut w);
+            self.apply(tractions, displacements, &mut workspace)?;
+            for (of, values) in [u, v, w].into_iter().enumerate() {
+                self.responses[3 * of + by] = values;
+            }
+        }
+        Ok(())
+    }
+
+    fn term(&self, of: Axis, by: Axis) -> Option<Term<'_>> {
+        let (entry, sign) = match (of, by) {
+            (Axis::X, Axis::X) => (0, 1.0),
+            (Axis::X, Axis::Y) | (Axis::Y, Axis::X) => (1, 1.0),
+            (Axis::Y, Axis::Y) => (2, 1.0),
+            (Axis::Normal, Axis::Normal) => (3, 1.0),
+            (Axis::X, Axis::Normal) => (4, 1.0),
+            (Axis::Normal, Axis::X) => (4, -1.0),
+            (Axis::Y, Axis::Normal) => (5, 1.0),
+            (Axis::Normal, Axis::Y) => (5, -1.0),
+        };
+        self.spectra[entry].as_ref().map(|spectrum| Term { spectrum, sign })
+    }
+}
+
+/// The symbols of the blocks, column by column, divided by the number of cells.
+fn spectra(pair: &MaterialPair, grid: Grid, sizes: &Sizes) -> [Option<Spectrum>; 6] {
+    let (nx, ny) = (sizes.px, sizes.py);
+    let (side_x, side_y) = (nx as f64 * grid.dx(), ny as f64 * grid.dy());
+    let (nu, compliance) = (pair.poisson(), 1.0 / pair.shear_modulus());
+    let mut blocks = [(); 6].map(|()| Vec::with_capacity(sizes.columns() * (ny / 2 + 1)));
+    for column in 0..sizes.columns() {
+        for row in 0..=ny / 2 {
+            let (x, y) = (TAU * column as f64 / side_x, TAU * row as f64 / side_y);
+            let square = x * x + y * y;
+            let values = if square == 0.0 {
+                [0.0; 6]
+            } else {
+                // The shortest waves have no sign along their axis.
+                let odd_x = if 2 * column == nx { 0.0 } else { x / square };
+                let odd_y = if 2 * row == ny { 0.0 } else { y / square };
+                let whole = compliance / square.sqrt();
+                [
+                    whole * (1.0 - nu * x * x / square),
+                    -whole * nu * odd_x * odd_y * square,
+                    whole * (1.0 - nu * y * y / square),
+                    whole * (1.0 - nu),
+                    pair.epsilon() * odd_x,
+                    pair.epsilon() * odd_y,
+                ]
+            };
+            for (block, value) in blocks.iter_mut().zip(values) {
+                block.push(value / (nx as f64 * ny as f64));
+            }
+        }
+    }
+    let rows = [Parity::Even, Parity::Odd, Parity::Even, Parity::Even, Parity::Even, Parity::Odd];
+    let mut number = 0;
+    blocks.map(|values| {
+        let (row_parity, imaginary) = (rows[number], number >= 4);
+        number += 1;
+        let held = !imaginary || !pair.is_uncoupled();
+        held.then(|| Spectrum::Symmetric { values, half: ny / 2 + 1, imaginary, row_parity })
+    })
+}
+
+impl SurfaceOperator for PeriodicOperator {
+    fn grid(&self) -> Grid {
+        self.grid
+    }
+
+    fn is_coupled(&self) -> bool {
+        !self.pair.is_uncoupled()
+    }
+
+    /// Those of all the images of the source together.
+    fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
+        let (nx, ny) = (self.grid.nx(), self.grid.ny());
+        if columns.unsigned_abs() as usize >= nx || rows.unsigned_abs() as usize >= ny {
+            return Coefficients::default();
+        }
+        let column = (-columns).rem_euclid(nx as i32) as usize;
+        let row = (-rows).rem_euclid(ny as i32) as usize;
+        let at = self.grid.index(column, row);
+        let entry = |of: usize, by: usize| self.responses[3 * of + by][at];
+        Coefficients { rows: [0, 1, 2].map(|of| [0, 1, 2].map(|by| entry(of, by))) }
+    }
+
+    fn inverse(&self) -> Option<TorusInverse> {
+        Some(self.inverse.clone())
+    }
+
+    fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
+        let divisible = |count: usize| count.is_multiple_of(4);
+        (divisible(self.grid.nx()) && divisible(self.grid.ny())).then(|| {
+            let coarse = Self::new(self.pair, self.grid.coarser()?, self.plan.threads)?;
+            Ok(Box::new(coarse) as Box<dyn SurfaceOperator>)
+        })
+    }
+
+    fn workspace(&self) -> Workspace {
+        Workspace::default()
+    }
+
+    fn apply(
+        &self,
+        tractions: TractionField<'_>,
+        displacements: DisplacementField<'_>,
+        workspace: &mut Workspace,
+    ) -> Result<(), OperatorError> {
+        apply(&self.plan, |of, by| Ok(self.term(of, by)), tractions, displacements, workspace)
+    }
+}
+
+impl std::fmt::Debug for PeriodicOperator {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.debug_struct("PeriodicOperator")
+            .field("pair", &self.pair)
+            .field("grid", &self.grid)
+            .finish_non_exhaustive()
+    }
+}

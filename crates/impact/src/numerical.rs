@@ -1,0 +1,174 @@
+//! Impacts on the numerical contact: any materials, dissimilar ones too (15.2).
+
+use carom_solver::{CellState, NumericalLaw, NumericalLawError};
+use carom_special::RangeError;
+
+use crate::coupled::{
+    CoupledImpact, CoupledOutcome, Course, LawFailure, Passage, Point, Sample, Stage, Staged,
+};
+use crate::encounter::{Encounter, EncounterError};
+use crate::normal::NormalImpact;
+use crate::outcome::{Outcome, Warning};
+
+/// To which the solver takes each step.
+const TOLERANCE: f64 = 1e-7;
+/// Cells across the contact of the finer of two runs, and its steps in a free impact.
+const CELLS: usize = 32;
+const STEPS: usize = 128;
+
+/// Why an impact on the numerical contact failed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NumericalImpactError {
+    /// A value out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// The encounter itself cannot be computed.
+    #[error(transparent)]
+    Encounter(#[from] EncounterError),
+    /// A step of the contact could not be solved.
+    #[error("{failure}: {}", .failure.source)]
+    Law {
+        /// Which step, and why.
+        #[from]
+        failure: LawFailure<NumericalLawError>,
+    },
+    /// The bodies do not part.
+    #[error("the bodies do not separate within 2^14 times the steps of a free impact")]
+    NoSeparation,
+}
+
+/// An encounter whose contact is solved on a grid, where [`Encounter::solve`] takes analytic laws:
+/// the coupling of normal and tangential displacements of dissimilar bodies counts.
+///
+/// Two runs are made, one with half the cells and steps; how far they differ is the error estimate.
+///
+/// ```
+/// use carom_halfspace::Material;
+/// use carom_impact::{Encounter, Motion, NumericalImpact, PlacedBody, Surface};
+/// use carom_laws::friction::Friction;
+/// let ball = |nu| {
+///     let surface = Surface::sphere(0.0405)?;
+///     let inertia = surface.solid(2.188)?;
+///     Ok::<_, Box<dyn std::error::Error>>(PlacedBody::new(surface, Material::from_shear(82e9, nu)?, inertia))
+/// };
+/// let upper = ball(0.0)?.at([0.0, 0.0, 0.081])?.moving(Motion::new([-0.05, 0.0, -1.0], [0.0; 3])?);
+/// let encounter = Encounter::find(upper, ball(0.5)?, Friction::new(0.1)?)?;
+/// let outcome = NumericalImpact::new(&encounter).with(12, 40)?.solve()?;
+/// let rebound = outcome.rebound().ok_or("they meet")?;
+/// // Alike they would slide back a little; unlike they are thrown back.
+/// assert!((rebound.tangential_restitution.unwrap_or(0.0) - 0.315).abs() < 0.01);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct NumericalImpact<'a> {
+    encounter: &'a Encounter,
+    cells: usize,
+    steps: usize,
+}
+
+/// One run.
+struct Run {
+    end: Point,
+    peak: f64,
+    force: f64,
+    compressions: u32,
+    samples: Vec<Sample>,
+}
+
+impl<'a> NumericalImpact<'a> {
+    /// With 32 cells across the contact of the greatest approach and about 128 steps.
+    #[must_use]
+    pub const fn new(encounter: &'a Encounter) -> Self {
+        Self { encounter, cells: CELLS, steps: STEPS }
+    }
+
+    /// With other numbers of cells and steps.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless there are 8 to 512 cells and 16 to 10^5 steps.
+    pub fn with(self, cells: usize, steps: usize) -> Result<Self, RangeError> {
+        let holds = (8..=512).contains(&cells);
+        RangeError::check("cells", cells as f64, holds, "from 8 to 512")?;
+        let holds = (16..=100_000).contains(&steps);
+        RangeError::check("steps", steps as f64, holds, "from 16 to 100000")?;
+        Ok(Self { cells, steps, ..self })
+    }
+
+    /// Follows the impact to separation. The spin about the normal is left alone.
+    ///
+    /// # Errors
+    /// [`NumericalImpactError::Law`] for infinite friction and where a step cannot be solved.
+    pub fn solve(&self) -> Result<Outcome, NumericalImpactError> {
+        let Some(impact) = self.encounter.impact()? else { return Ok(self.encounter.missed()) };
+        let coarse = self.run(&impact, self.cells / 2, self.steps / 2)?;
+        let fine = self.run(&impact, self.cells, self.steps)?;
+        let before = impact.velocity();
+        let change = (fine.end.velocity - coarse.end.velocity).norm();
+        let outcome = CoupledOutcome {
+            velocity: fine.end.velocity,
+            duration: fine.end.time,
+            maximal_approach: fine.peak,
+            maximal_force: fine.force,
+            compressions: fine.compressions,
+            passage: Passage::Spatial { coupled: true },
+            error_estimate: change / before.norm(),
+            warning: None,
+        };
+        let mut rebound = self.encounter.rebound(&impact, &outcome)?;
+        rebound.warnings.retain(|warning| !matches!(warning, Warning::Coupling { .. }));
+        Ok(Outcome::Rebound(Box::new(rebound)))
+    }
+
+    /// Every instant of the finer run; empty without an impact.
+    ///
+    /// # Errors
+    /// As [`NumericalImpact::solve`].
+    pub fn history(&self) -> Result<Vec<Sample>, NumericalImpactError> {
+        match self.encounter.impact()? {
+            None => Ok(Vec::new()),
+            Some(impact) => Ok(self.run(&impact, self.cells, self.steps)?.samples),
+        }
+    }
+
+    fn run(
+        &self,
+        impact: &CoupledImpact,
+        cells: usize,
+        steps: usize,
+    ) -> Result<Run, NumericalImpactError> {
+        let (hertz, velocity) = (*self.encounter.hertz(), impact.velocity());
+        let mobility = *self.encounter.mobility().matrix();
+        let stiffness = hertz.stiffness();
+        let normal = NormalImpact::new(mobility.m33, stiffness.c_z, velocity.z)?;
+        let peak = normal.maximal_approach();
+        let law = NumericalLaw::new(hertz, self.encounter.friction(), peak, cells)?;
+        let mut law = law.within(TOLERANCE)?;
+        let course = Course { mobility, velocity, stiffness, steps, expected: None };
+        let mut samples: Vec<Sample> = Vec::new();
+        let end = course
+            .follow(&mut law, |point, law| samples.push(sample(point, law)))
+            .map_err(|failure| failure.source)?;
+        let end = end.ok_or(NumericalImpactError::NoSeparation)?;
+        let greatest = |of: fn(&Sample) -> f64| samples.iter().map(of).fold(0.0, f64::max);
+        let (peak, force) = (greatest(|at| at.shift.z), greatest(|at| at.force.z));
+        let turns =
+            samples.windows(2).filter(|pair| pair[0].velocity.z <= 0.0 && pair[1].velocity.z > 0.0);
+        let compressions = 1 + turns.count() as u32;
+        Ok(Run { end, peak, force, compressions, samples })
+    }
+}
+
+impl Staged for NumericalLaw {
+    fn stage(&self) -> Stage {
+        match (self.count(CellState::Stick), self.count(CellState::Slip)) {
+            (_, 0) => Stage::Adhesion,
+            (0, _) => Stage::Slide,
+            _ => Stage::Slip,
+        }
+    }
+}
+
+fn sample(point: &Point, law: &NumericalLaw) -> Sample {
+    let Point { time, shift, velocity, force } = *point;
+    Sample { time, shift, velocity, force, stage: law.stage() }
+}

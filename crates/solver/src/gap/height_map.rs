@@ -1,0 +1,109 @@
+//! Measured heights of a surface.
+
+use carom_halfspace::{Field, Grid};
+
+use super::Gap;
+
+/// Heights of a surface on a lattice, row by row, both axes ascending.
+///
+/// ```
+/// use carom_halfspace::Grid;
+/// use carom_solver::HeightMap;
+/// let map = HeightMap::from_rows(&[vec![0.0, 1.0], vec![3.0, 2.0]])?;
+/// let gap = map.gap(Grid::new(2, 2, 0.5, 0.5)?)?;
+/// assert_eq!(gap.heights().values(), [3.0, 2.0, 0.0, 1.0]);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub struct HeightMap {
+    columns: usize,
+    values: Vec<f64>,
+}
+
+/// Why rows of numbers are no height map.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum HeightMapError {
+    /// It has no values.
+    #[error("the height map is empty")]
+    Empty,
+    /// A row is longer or shorter than the first.
+    #[error("row {row} of the height map has {found} values, the first {expected}")]
+    Ragged {
+        /// The row, from 1.
+        row: usize,
+        /// Its number of values.
+        found: usize,
+        /// That of the first row.
+        expected: usize,
+    },
+    /// A value is infinite or not a number.
+    #[error("the height map is {value} in row {row}, column {column}: must be finite")]
+    NotFinite {
+        /// The row, from 1.
+        row: usize,
+        /// The column, from 1.
+        column: usize,
+        /// The value.
+        value: f64,
+    },
+    /// It has another size than the grid.
+    #[error(
+        "the height map has {} x {} values, the grid {} x {} cells",
+        .found[0], .found[1], .grid[0], .grid[1]
+    )]
+    OtherSize {
+        /// Columns and rows of the map.
+        found: [usize; 2],
+        /// Columns and rows of the grid.
+        grid: [usize; 2],
+    },
+}
+
+impl HeightMap {
+    /// From its rows.
+    ///
+    /// # Errors
+    /// [`HeightMapError`] where they are empty, ragged or not finite.
+    pub fn from_rows(rows: &[Vec<f64>]) -> Result<Self, HeightMapError> {
+        let columns = rows.first().map_or(0, Vec::len);
+        if columns == 0 {
+            return Err(HeightMapError::Empty);
+        }
+        for (i, row) in rows.iter().enumerate() {
+            if row.len() != columns {
+                let (row, found) = (i + 1, row.len());
+                return Err(HeightMapError::Ragged { row, found, expected: columns });
+            }
+            if let Some(column) = row.iter().position(|value| !value.is_finite()) {
+                let (row, column, value) = (i + 1, column + 1, row[column]);
+                return Err(HeightMapError::NotFinite { row, column, value });
+            }
+        }
+        Ok(Self { columns, values: rows.concat() })
+    }
+
+    /// Number of columns.
+    #[must_use]
+    pub const fn columns(&self) -> usize {
+        self.columns
+    }
+
+    /// Number of rows.
+    #[must_use]
+    pub fn rows(&self) -> usize {
+        self.values.len() / self.columns
+    }
+
+    /// The distance to a plane that rests on the highest point.
+    ///
+    /// # Errors
+    /// [`HeightMapError::OtherSize`] unless the grid has one cell for each value.
+    pub fn gap(&self, grid: Grid) -> Result<Gap, HeightMapError> {
+        let (found, size) = ([self.columns, self.rows()], [grid.nx(), grid.ny()]);
+        let highest = self.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
+        let gaps = self.values.iter().map(|height| highest - height).collect();
+        let other = HeightMapError::OtherSize { found, grid: size };
+        let field = Field::new(grid, gaps).ok().filter(|_| found == size).ok_or(other)?;
+        Gap::new(field).map_err(|_| other)
+    }
+}

@@ -1,0 +1,99 @@
+//! Errors by the mesh, estimated and true, over contacts with known solutions.
+
+use carom_halfspace::Grid;
+use carom_solver::known::Known;
+use carom_solver::{Doubt, Estimated, Frictional, NestedHistory, Side};
+
+/// Places of the contact between the cells, twenty of them, spread evenly.
+fn offsets() -> impl Iterator<Item = [f64; 2]> {
+    (1..=20).map(|i| {
+        [0.754_877_666, 0.569_840_291].map(|step: f64| (step * f64::from(i)).fract() - 0.5)
+    })
+}
+
+/// Estimates over true errors, for loads and peak.
+fn ratios(known: Known, cells: usize) -> Vec<(&'static str, f64, f64)> {
+    let mut all = Vec::new();
+    for offset in offsets() {
+        // The place is one of space: on coarser cells it is a smaller part.
+        let make = |grid: Grid| {
+            let part = grid.nx() as f64 / cells as f64;
+            known.problem(grid.nx(), offset.map(|at| part * at))
+        };
+        let problem = known.problem(cells, offset).unwrap();
+        let mut history = NestedHistory::new(Frictional::default(), problem.grid(), make).unwrap();
+        for drive in known.drives(cells).unwrap() {
+            history.step(&drive, &mut ()).unwrap();
+        }
+        let (got, want) = (history.estimates(), known.expected(cells).unwrap());
+        let mut add = |name, got: Estimated, want: f64| {
+            let error = (got.value - want).abs() / want.abs();
+            all.push((name, got.error / want.abs() / error, error));
+        };
+        match known {
+            Known::Hertz | Known::FlatPunch => add("F_z", got.f_z, want.load.f_z),
+            Known::CattaneoMindlin => add("F_x", got.f_x, want.load.f_x),
+            Known::Lubkin | Known::MindlinTorsion => add("M_z", got.m_z, want.load.m_z),
+            Known::Westergaard => {}
+        }
+        if let Some(peak) = want.peak {
+            add("peak", got.peak, peak);
+        }
+        if let Some(area) = want.stick_area.filter(|_| known != Known::MindlinTorsion) {
+            assert!(
+                (got.stick_area.value - area).abs() < got.stick_area.error,
+                "{known:?} {got:?}"
+            );
+        }
+    }
+    all
+}
+
+#[test]
+fn estimates_are_near_the_true_errors() {
+    let (mut near, mut far_below, mut count) = (0, 0, 0);
+    for known in Known::ALL {
+        if known == Known::Westergaard {
+            continue; // its waves have no coarser period across
+        }
+        let all = ratios(known, 96);
+        for name in ["F_z", "F_x", "M_z", "peak"] {
+            let own = all.iter().filter(|(own, ..)| *own == name);
+            let mut own: Vec<(f64, f64)> = own.map(|(_, ratio, error)| (*ratio, *error)).collect();
+            if own.is_empty() {
+                continue;
+            }
+            own.sort_by(|a, b| a.0.total_cmp(&b.0));
+            let worst = own.iter().map(|(_, error)| *error).fold(0.0, f64::max);
+            let good = own.iter().filter(|(ratio, _)| (0.25..=4.0).contains(ratio)).count();
+            println!(
+                "{known:?} {name}: estimate over error {:.2} {:.2} {:.2}, within a factor 4: {good} of {}, worst error {worst:.1e}",
+                own[0].0,
+                own[own.len() / 2].0,
+                own[own.len() - 1].0,
+                own.len()
+            );
+            near += good;
+            far_below += own.iter().filter(|(ratio, _)| *ratio < 0.2).count();
+            count += own.len();
+        }
+    }
+    println!("{near} of {count} within a factor 4, {far_below} below a fifth");
+    assert!(10 * near >= 9 * count && far_below == 0);
+}
+
+#[test]
+fn a_contact_at_the_border_or_of_few_cells_is_in_doubt() {
+    let pressed = |cells: usize, offset: [f64; 2]| {
+        let known = Known::Hertz;
+        let make = |grid: Grid| known.problem(grid.nx(), offset);
+        let grid = known.problem(cells, offset).unwrap().grid();
+        let mut history = NestedHistory::new(Frictional::default(), grid, make).unwrap();
+        history.step(&known.drives(cells).unwrap()[0], &mut ()).unwrap();
+        history.state().doubts()
+    };
+    assert_eq!(pressed(48, [0.0, 0.0]), []);
+    assert_eq!(pressed(48, [8.0, 0.0]), [Doubt::Border { side: Side::Right }]);
+    assert_eq!(pressed(48, [0.0, -8.0]), [Doubt::Border { side: Side::Bottom }]);
+    assert!(matches!(pressed(10, [0.0, 0.0])[..], [Doubt::FewCells { across: 8 }]));
+}

@@ -1,0 +1,88 @@
+//! Large grids: what memory they take, and the same bits on any number of threads.
+
+use std::sync::Arc;
+
+use carom_halfspace::operator::{Blocks, HalfSpaceOperator, Threads};
+use carom_halfspace::{Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_laws::law::Shift;
+use carom_solver::{
+    ContactProblem, ContactState, Drive, Driven, Frictional, Frictionless, Gap, Method as _,
+};
+
+fn problem(n: usize, blocks: Blocks, threads: Threads, other: Material, f: f64) -> ContactProblem {
+    let grid = Grid::new(n, n, 2.4 / n as f64, 2.4 / n as f64).unwrap();
+    let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y)).unwrap();
+    let pair = MaterialPair::new(Material::from_shear(2.0, 0.2).unwrap(), other).unwrap();
+    let operator = HalfSpaceOperator::with_blocks(pair, grid, blocks, threads).unwrap();
+    ContactProblem::new(gap, Arc::new(operator), Friction::new(f).unwrap()).unwrap()
+}
+
+/// The greatest memory of this process, in megabytes; none where the system does not tell.
+fn most_memory() -> Option<f64> {
+    let text = std::fs::read_to_string("/proc/self/status").ok()?;
+    let line = text.lines().find(|line| line.starts_with("VmHWM:"))?;
+    Some(line.split_whitespace().nth(1)?.parse::<f64>().ok()? / 1024.0)
+}
+
+fn hertz(n: usize) -> f64 {
+    let same = Material::from_shear(2.0, 0.2).unwrap();
+    let problem = problem(n, Blocks::Normal, Threads::One, same, 0.0);
+    let method = Frictionless::default();
+    let mut scratch = method.scratch(&problem).unwrap();
+    let apart = ContactState::apart(problem.grid());
+    let (mut state, normal) = (apart.clone(), Driven::Shift(1.0));
+    let drive = Drive { normal, ..Drive::default() };
+    method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+    state.load().f_z / (8.0 / 3.0 / 0.8) - 1.0
+}
+
+#[test]
+#[ignore = "memory is that of the process: run alone"]
+fn a_million_cells_fit() {
+    let error = hertz(1024);
+    println!("1024: {error:.1e}, {:?} MB", most_memory());
+    assert!(error.abs() < 1e-6);
+}
+
+#[test]
+#[ignore = "four million cells"]
+fn four_million_cells_fit() {
+    let error = hertz(2048);
+    println!("2048: {error:.1e}, {:?} MB", most_memory());
+    assert!(error.abs() < 3e-7);
+}
+
+#[test]
+#[ignore = "memory is that of the process: run alone"]
+fn a_million_coupled_cells_fit() {
+    let problem = problem(1024, Blocks::All, Threads::One, Material::RIGID, 0.3);
+    let method = Frictional::default().within(1e-4).unwrap();
+    let mut scratch = method.scratch(&problem).unwrap();
+    let apart = ContactState::apart(problem.grid());
+    let mut state = apart.clone();
+    let drive = Drive::by_shift(Shift { zeta: 1.0, xi: 0.2, ..Shift::default() });
+    let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+    println!("1024 coupled: {:?} {:?} MB", went.products, most_memory());
+}
+
+/// One thread and two: the same solution to the bit.
+#[test]
+fn threads_do_not_change_a_bit() {
+    let pool = |count| rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap();
+    let solve = |threads: Threads| {
+        let problem = problem(72, Blocks::All, threads, Material::RIGID, 0.4);
+        let method = Frictional::default();
+        let mut scratch = method.scratch(&problem).unwrap();
+        let apart = ContactState::apart(problem.grid());
+        let mut state = apart.clone();
+        let shift = Shift { zeta: 1.0, xi: 0.2, eta: 0.05, omega: 0.1 };
+        let drive = Drive::by_shift(shift);
+        method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+        state
+    };
+    let one = solve(Threads::One);
+    for count in [1, 2, 3] {
+        assert_eq!(pool(count).install(|| solve(Threads::Pool)), one);
+    }
+}

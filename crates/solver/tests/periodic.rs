@@ -1,0 +1,100 @@
+//! Contacts that repeat themselves: Westergaard's wavy surface, and friction on it.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use carom_halfspace::operator::{PeriodicOperator, Threads};
+use carom_halfspace::{Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_solver::{
+    CellState, ContactProblem, ContactState, Drive, Driven, Frictional, Frictionless, Gap,
+    Method as _,
+};
+
+const AMPLITUDE: f64 = 0.02;
+
+fn wavy(n: usize, poisson: f64, friction: f64) -> ContactProblem {
+    let grid = Grid::new(n, 8, 1.0 / n as f64, 1.0 / n as f64).unwrap();
+    let body = Material::from_shear(2.0, poisson).unwrap();
+    let pair = MaterialPair::new(body, body).unwrap();
+    let gap = Gap::wavy(grid, [AMPLITUDE, 0.0], [1.0, 1.0]).unwrap();
+    let operator = PeriodicOperator::new(pair, grid, Threads::One).unwrap();
+    ContactProblem::new(gap, Arc::new(operator), Friction::new(friction).unwrap()).unwrap()
+}
+
+fn pressed(problem: &ContactProblem, normal: Driven) -> ContactState {
+    let method = Frictionless::default();
+    let mut scratch = method.scratch(problem).unwrap();
+    let apart = ContactState::apart(problem.grid());
+    let (mut state, drive) = (apart.clone(), Drive { normal, ..Drive::default() });
+    method.step(problem, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+    state
+}
+
+/// Westergaard: the mean pressure `p* sin^2(pi a/L)` makes stripes of half-width a with
+/// `p = 2 p*cos(pi x/L) sqrt(sin^2(pi a/L) - sin^2(pi x/L))`, where `p* = pi E* A/L`.
+#[test]
+fn westergaards_stripes_have_their_width_and_pressure() {
+    let full = PI * (2.0 * 1.0 / 0.7) * AMPLITUDE; // E* = 2 G/(1 - nu), combined
+    for share in [0.2, 0.5, 0.8] {
+        let error = |n: usize| {
+            let problem = wavy(n, 0.3, 0.0);
+            let area = n as f64 * 8.0 * problem.grid().cell_area();
+            let state = pressed(&problem, Driven::Load(share * full * area));
+            let mut square = 0.0;
+            for ((x, _), got) in problem.grid().centres().zip(state.pressure.values()) {
+                let left = share - (PI * x).sin().powi(2);
+                let want = 2.0 * full * (PI * x).cos() * left.max(0.0).sqrt();
+                square += (got - want) * (got - want) / (n as f64 * 8.0);
+            }
+            let width = state.count(CellState::Slip) as f64 / (8.0 * n as f64);
+            let exact = 2.0 / PI * f64::asin(share.sqrt());
+            assert!((width - exact).abs() <= 2.0 / n as f64, "{n} {share}: {width} {exact}");
+            square.sqrt() / full
+        };
+        let errors = [32, 64, 128, 256].map(error);
+        println!("{share}: {errors:?}");
+        assert!(errors[3] < 2e-3 && errors[3] < 0.3 * errors[0], "{errors:?}");
+    }
+}
+
+/// The approach counts from the mean plane: force and approach are each other's inverse, and all
+/// touches at the mean of the gap, whatever is added to the load.
+#[test]
+fn the_approach_counts_from_the_mean_plane() {
+    let problem = wavy(64, 0.3, 0.0);
+    let area = 64.0 * 8.0 * problem.grid().cell_area();
+    let full = PI * (2.0 * 1.0 / 0.7) * AMPLITUDE * area;
+    let half = pressed(&problem, Driven::Load(0.5 * full));
+    let back = pressed(&problem, Driven::Shift(half.shift.zeta));
+    assert!((back.load().f_z / half.load().f_z - 1.0).abs() < 1e-7);
+    for times in [1.1, 3.0] {
+        let state = pressed(&problem, Driven::Load(times * full));
+        assert!((state.shift.zeta - AMPLITUDE).abs() < 1e-9 * AMPLITUDE);
+        assert_eq!(state.count(CellState::Slip), 64 * 8);
+    }
+}
+
+/// For nu = 0 both compliances are alike, and tractions are f times the pressure less that of a
+/// lower approach, cell by cell.
+#[test]
+fn a_shift_leaves_the_pressure_of_a_lower_approach() {
+    let (problem, f) = (wavy(128, 0.0, 0.3), 0.3);
+    let method = Frictional::default();
+    let mut scratch = method.scratch(&problem).unwrap();
+    let zeta = 0.7 * AMPLITUDE;
+    let mut pressed_state = ContactState::apart(problem.grid());
+    let drive =
+        |xi: f64| Drive { normal: Driven::Shift(zeta), x: Driven::Shift(xi), ..Drive::default() };
+    let apart = pressed_state.clone();
+    method.step(&problem, &apart, &drive(0.0), &mut pressed_state, &mut scratch, &mut ()).unwrap();
+    let mut shifted = pressed_state.clone();
+    let xi = f * 0.3 * AMPLITUDE;
+    method.step(&problem, &pressed_state, &drive(xi), &mut shifted, &mut scratch, &mut ()).unwrap();
+    let lower = pressed(&wavy(128, 0.0, 0.0), Driven::Shift(zeta - xi / f));
+    let top = shifted.pressure.values().iter().copied().fold(0.0, f64::max);
+    let both = shifted.pressure.values().iter().zip(lower.pressure.values());
+    for ((p, low), t) in both.zip(shifted.traction_x.values()) {
+        assert!((t - f * (p - low)).abs() < 1e-7 * f * top, "{t} {p} {low}");
+    }
+}

@@ -1,0 +1,94 @@
+//! Creep coefficients beside an independent calculation and beside what is printed.
+
+use std::f64::consts::PI;
+
+use super::super::Failure;
+use crate::reference::reader;
+use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Table, Tolerance};
+use carom_solver::rolling::creep_coefficients;
+
+/// The axis ratios a/b that are computed.
+const RATIOS: [f64; 8] = [0.2, 0.4, 0.6, 1.0, 1.25, 1.66667, 2.5, 5.0];
+const NAMES: [&str; 4] = ["C₁₁", "C₂₂", "C₂₃", "C₃₃"];
+
+struct Row {
+    ratio: f64,
+    poisson: f64,
+    printed: [f64; 4],
+    other: [f64; 4],
+    own: [f64; 4],
+}
+
+fn rows() -> Result<Vec<Row>, Failure> {
+    let mut reader = reader(include_str!("../../../data/rolling/kalker_coefficients.csv"));
+    let mut rows = Vec::new();
+    for record in reader.records() {
+        let record = record?;
+        let numbers: Result<Vec<f64>, _> = record.iter().map(str::parse).collect();
+        let numbers = numbers?;
+        let [ratio, poisson, rest @ ..] = &numbers[..] else { return Err("a row is short".into()) };
+        if !RATIOS.contains(ratio) {
+            continue;
+        }
+        let c = creep_coefficients(*ratio, *poisson)?;
+        // The two couplings are one in the continuum.
+        let own = [c.c11, c.c22, 0.5 * (c.c23 + c.c32), c.c33];
+        let four = |part: &[f64]| <[f64; 4]>::try_from(part);
+        let (printed, other) = (four(&rest[..4])?, four(&rest[4..])?);
+        rows.push(Row { ratio: *ratio, poisson: *poisson, printed, other, own });
+    }
+    Ok(rows)
+}
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.snapshot_digits(5);
+    figure.assumed("bodies", "two equal ones; a along the direction of rolling");
+    figure.assumed("meshes", "14, 20, 28 strips, extrapolated to none");
+    let rows = rows()?;
+    let heads = ["a/b", "ν", "C₁₁", "C₂₂", "C₂₃", "C₃₃"];
+    let mut table = Table::new("Computed", heads);
+    for row in &rows {
+        table.row([row.ratio, row.poisson].into_iter().chain(row.own));
+    }
+    figure.table(table);
+    for (which, name) in NAMES.into_iter().enumerate() {
+        let mut panel = Panel::new(Axis::log("a/b"), Axis::log(name)).titled(name);
+        for (colour, poisson) in [0.0, 0.25, 0.5].into_iter().enumerate() {
+            let of = |value: fn(&Row) -> &[f64; 4]| -> Vec<(f64, f64)> {
+                let rows = rows.iter().filter(|row| row.poisson == poisson);
+                rows.map(|row| (row.ratio, value(row)[which])).collect()
+            };
+            let label = format!("ν = {poisson}");
+            panel.add(Series::line(label, of(|row| &row.own)).coloured(colour));
+            let printed = of(|row| &row.printed);
+            panel.add(Series::markers("", Marker::Circle, printed).coloured(colour));
+        }
+        figure.panel(panel);
+        let allowed = if which == 3 { 5e-3 } else { 2e-3 };
+        let pairs = rows.iter().map(|row| (row.own[which], row.other[which]));
+        figure.claim(
+            Claim::all_close(
+                format!("{name} by the calculation"),
+                pairs,
+                Tolerance::Relative(allowed),
+            )
+            .source("an independent boundary-element calculation"),
+        );
+        if which < 3 {
+            let pairs = rows.iter().map(|row| (row.own[which], row.printed[which]));
+            figure.claim(
+                Claim::all_close(format!("{name} as printed"), pairs, Tolerance::Relative(0.015))
+                    .source("Kalker 1990, table E.3"),
+            );
+        }
+    }
+    let circle = rows.iter().find(|row| row.ratio == 1.0 && row.poisson == 0.0);
+    let own = circle.ok_or("the circle is missing")?.own;
+    let closed = [(own[0], 32.0 / (3.0 * PI)), (own[1], 32.0 / (3.0 * PI)), (own[2], 4.0 / 3.0)];
+    figure.claim(
+        Claim::all_close("circle, ν = 0: 32/3π, 32/3π, 4/3", closed, Tolerance::Relative(1e-4))
+            .source("closed forms of full adhesion"),
+    );
+    Ok(figure)
+}

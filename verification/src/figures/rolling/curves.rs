@@ -1,0 +1,162 @@
+//! Creep forces of a sphere, with and without spin, and those of FASTSIM beside them.
+
+use super::super::Failure;
+use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
+use carom_halfspace::{Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_solver::rolling::{
+    CreepCoefficients, Creepage, Fastsim, Roll, SteadyRolling, creep_coefficients, roll_steadily,
+};
+use carom_solver::{ContactProblem, ContactState, Driven, Frictional, Gap, Method as _};
+
+const FRICTION: f64 = 0.3;
+const POISSON: f64 = 0.25;
+/// Elements across the diameter of the contact.
+const ELEMENTS: usize = 16;
+/// Creepage times G a b C11/(f F_z).
+const PARTS: [f64; 9] = [0.0, 0.25, 0.5, 0.75, 1.0, 1.5, 2.0, 3.0, 4.5];
+
+/// A sphere of radius 1 and a contact of radius 1: lengths in its units, G = 1 of each body.
+fn problem(elements: usize) -> Result<ContactProblem, Failure> {
+    let width = 2.2 / elements as f64;
+    let grid = Grid::new(elements + 2, elements, width, width)?;
+    let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y))?;
+    let body = Material::from_shear(1.0, POISSON)?;
+    let pair = MaterialPair::new(body, body)?;
+    Ok(ContactProblem::of_half_spaces(gap, pair, Friction::new(FRICTION)?)?)
+}
+
+fn roll(problem: &ContactProblem, creepage: Creepage) -> Result<SteadyRolling, Failure> {
+    Ok(roll_steadily(problem, 1.0, problem.grid().dx(), creepage)?)
+}
+
+/// Forces over f F_z of the solver and of FASTSIM.
+struct Curve {
+    solver: Vec<[f64; 2]>,
+    springs: Vec<[f64; 2]>,
+    slides: bool,
+}
+
+fn curve(
+    problem: &ContactProblem,
+    coefficients: CreepCoefficients,
+    creepages: impl IntoIterator<Item = Creepage>,
+) -> Result<Curve, Failure> {
+    let mut curve = Curve { solver: Vec::new(), springs: Vec::new(), slides: false };
+    for creepage in creepages {
+        let SteadyRolling { state, slides, .. } = roll(problem, creepage)?;
+        let load = state.load();
+        let limit = FRICTION * load.f_z;
+        let fastsim = Fastsim {
+            semi_axes: [1.0, 1.0],
+            shear_modulus: 1.0,
+            coefficients,
+            force: load.f_z,
+            friction: FRICTION,
+            mesh: [60, 60],
+        };
+        let springs = fastsim.forces(creepage)?;
+        curve.solver.push([load.f_x / limit, load.f_y / limit]);
+        curve.springs.push([springs.f_x / limit, springs.f_y / limit]);
+        curve.slides = slides;
+    }
+    Ok(curve)
+}
+
+fn draw_curve(panel: &mut Panel, label: &str, curve: &Curve, axis: usize, colour: usize) {
+    let of = |values: &[[f64; 2]]| -> Vec<(f64, f64)> {
+        PARTS.iter().copied().zip(values.iter().map(|forces| forces[axis])).collect()
+    };
+    panel.add(Series::line(label, of(&curve.solver)).coloured(colour));
+    panel.add(Series::dashed(format!("{label}, FASTSIM"), of(&curve.springs)).coloured(colour));
+}
+
+/// How far rolling on from rest is from steady rolling, over f F_z.
+fn left_of_the_start(creepage: Creepage) -> Result<f64, Failure> {
+    let problem = problem(10)?;
+    let method = Frictional::default().within(1e-11)?;
+    let mut scratch = method.scratch(&problem)?;
+    let mut state = ContactState::apart(problem.grid());
+    let distance = problem.grid().dx();
+    let step = Roll { distance, creepage, normal: Driven::Shift(1.0) };
+    for _ in 0..120 {
+        let before = state.clone();
+        step.step(&method, &problem, &before, &mut state, &mut scratch, &mut ())?;
+    }
+    let (now, steady) = (state.load(), roll(&problem, creepage)?.state.load());
+    let off = (now.f_x - steady.f_x).hypot(now.f_y - steady.f_y);
+    Ok(off / (FRICTION * steady.f_z))
+}
+
+pub(super) fn draw() -> FigureResult {
+    let mut figure = Figure::new();
+    figure.assumed("contact", "sphere, equal bodies, ν = 0.25, f = 0.3, 16 elements across");
+    let problem = problem(ELEMENTS)?;
+    let coefficients = creep_coefficients(1.0, POISSON)?;
+    // Hertz with G = 1 of each body: F_z = (8/3) G/(2 (1 - nu)) a^3/R.
+    let force = 4.0 / (3.0 * (1.0 - POISSON));
+    let unit = FRICTION * force;
+    let along = |part: f64| part * unit / coefficients.c11;
+    let spin = |part: f64| part * unit / coefficients.c23;
+    let pure = PARTS.map(|part| Creepage { along: along(part), ..Creepage::default() });
+    let spun = PARTS.map(|part| Creepage { along: along(part), across: 0.0, spin: spin(1.0) });
+    let spins = PARTS.map(|part| Creepage { spin: spin(part), ..Creepage::default() });
+    let pure = curve(&problem, coefficients, pure)?;
+    let spun = curve(&problem, coefficients, spun)?;
+    let spins = curve(&problem, coefficients, spins)?;
+
+    let x = Axis::linear("ξ G ab C₁₁/(f F_z)");
+    let mut panel = Panel::new(x, Axis::linear("F_x/(f F_z)")).titled("Creepage along");
+    draw_curve(&mut panel, "no spin", &pure, 0, 0);
+    draw_curve(&mut panel, "spin 1", &spun, 0, 1);
+    figure.panel(panel);
+    let x = Axis::linear("φ G (ab)^1.5 C₂₃/(f F_z)");
+    let mut panel = Panel::new(x, Axis::linear("F_y/(f F_z)")).titled("Spin alone");
+    draw_curve(&mut panel, "spin", &spins, 1, 2);
+    figure.panel(panel);
+
+    let slope = roll(&problem, Creepage { along: along(0.02), ..Creepage::default() })?;
+    let slope = slope.state.load().f_x / (0.02 * unit);
+    figure.claim(
+        Claim::close("the curve starts with C₁₁", slope, 1.0, Tolerance::Relative(0.04))
+            .source("creep coefficients; first order in the mesh"),
+    );
+    let end = pure.solver[PARTS.len() - 1][0];
+    figure.claim(
+        Claim::close("and ends at full sliding", end, 1.0, Tolerance::Absolute(2e-3))
+            .source("Coulomb's law"),
+    );
+    figure.claim(
+        Claim::holds("of which the solver says so", pure.slides, end).source("no element sticks"),
+    );
+    let forces = pure.solver.iter().map(|forces| forces[0]);
+    figure.claim(Claim::increasing("force grows with creepage", forces).source("one direction"));
+    let less = pure.solver.iter().zip(&spun.solver).skip(1);
+    let less = less.map(|(pure, spun)| pure[0] - spun[0]).fold(f64::INFINITY, f64::min);
+    figure.claim(
+        Claim::at_least("spin takes force away", less, 1e-4)
+            .source("friction is spent on the spin"),
+    );
+    let sizes = spins.solver.iter().map(|forces| -forces[1]).collect::<Vec<_>>();
+    let largest = sizes.iter().copied().fold(0.0, f64::max);
+    figure.claim(
+        Claim::at_least("the force by spin has a maximum", largest - sizes[PARTS.len() - 1], 0.02)
+            .source("large spin turns the slip about the middle, where forces cancel"),
+    );
+    let off = [&pure, &spun].into_iter().flat_map(|curve| curve.solver.iter().zip(&curve.springs));
+    let off = off.map(|(solver, springs)| (solver[0] - springs[0]).abs()).fold(0.0, f64::max);
+    figure.claim(
+        Claim::at_most("FASTSIM is off by, over f F_z", off, 0.1)
+            .source("the simplified theory is said to be good to about a tenth"),
+    );
+    let creepage = Creepage { along: along(0.8), across: along(0.3), spin: spin(0.5) };
+    figure.claim(
+        Claim::at_most(
+            "rolling on ends in steady rolling, over f F_z",
+            left_of_the_start(creepage)?,
+            1e-6,
+        )
+        .source("two methods: steps of the solver, and the steady equations at once"),
+    );
+    Ok(figure)
+}

@@ -1,0 +1,141 @@
+//! The report in a browser without a window: two widths, both themes.
+
+use anyhow::{Context as _, bail};
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+const PROBE: &str = include_str!("probe.js");
+/// Of a phone and of a desk.
+const WIDTHS: [u32; 2] = [400, 1280];
+const THEMES: [&str; 2] = ["light", "dark"];
+const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
+
+/// Looks at `target/verification/report.html` and keeps pictures of it in
+/// `target/verification/screenshots/`. Without a browser it says that it did nothing.
+pub(crate) fn run() -> anyhow::Result<()> {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
+    let folder = root.join("target/verification");
+    let Some(browser) = browser() else {
+        println!("SKIPPED: no browser; looked for {} and $CHROMIUM", BROWSERS.join(", "));
+        return Ok(());
+    };
+    let report = folder.join("report.html");
+    let text = std::fs::read_to_string(&report)
+        .with_context(|| format!("no {}: run `cargo xtask verify` first", report.display()))?;
+    let shots = folder.join("screenshots");
+    std::fs::create_dir_all(&shots)?;
+    let probed = shots.join("probed.html");
+    std::fs::write(&probed, with_probe(&text)?)?;
+    let mut faults = Vec::new();
+    for width in WIDTHS {
+        for theme in THEMES {
+            let name = format!("{width}-{theme}");
+            let seen = look(&browser, &shots, width, theme).with_context(|| name.clone())?;
+            println!("{name}: {seen}");
+            let of_this = seen["faults"].as_array().map_or(&[][..], Vec::as_slice);
+            faults.extend(of_this.iter().map(|fault| format!("{name}: {fault}")));
+        }
+    }
+    std::fs::remove_file(probed)?;
+    println!("screenshots: {}", shots.display());
+    if !faults.is_empty() {
+        bail!("{} faults in the report:\n  {}", faults.len(), faults.join("\n  "));
+    }
+    Ok(())
+}
+
+fn browser() -> Option<PathBuf> {
+    let named = std::env::var_os("CHROMIUM").map(PathBuf::from);
+    let path = std::env::var_os("PATH").unwrap_or_default();
+    let places = std::env::split_paths(&path)
+        .flat_map(|folder| BROWSERS.map(|name| folder.join(name)))
+        .collect::<Vec<_>>();
+    named.into_iter().chain(places).find(|place| place.is_file())
+}
+
+/// The report with the probe, and an ear for errors before anything else.
+fn with_probe(report: &str) -> anyhow::Result<String> {
+    let ear = "<head><script>window.faults=[];addEventListener('error',e=>faults.push(e.message||\
+               'not loaded: '+(e.target.src||e.target.href)),true);\
+               addEventListener('load',()=>{window.opened=Math.round(performance.now())});</script>";
+    let (before, after) = report.split_once("<head>").context("a page without a head")?;
+    let (body, end) = after.rsplit_once("</body>").context("a page without an end")?;
+    Ok(format!("{before}{ear}{body}<script>{PROBE}</script></body>{end}"))
+}
+
+/// What the probe tells of the report in a frame of this width.
+fn look(
+    browser: &Path,
+    folder: &Path,
+    width: u32,
+    theme: &str,
+) -> anyhow::Result<serde_json::Value> {
+    let name = format!("{width}-{theme}");
+    let frame = folder.join(format!("{name}.html"));
+    // A window cannot be narrower than 500; a frame in it can.
+    let page = format!(
+        "<!DOCTYPE html><body style=\"margin:0\"><pre id=\"seen\" hidden></pre>\
+         <script>addEventListener('message',e=>{{seen.textContent=btoa(unescape(encodeURIComponent(\
+         e.data)))}})</script><iframe src=\"probed.html?theme={theme}\" width=\"{width}\" \
+         height=\"2400\" style=\"border:0\"></iframe>"
+    );
+    std::fs::write(&frame, page)?;
+    let address = format!("file://{}", frame.display());
+    let window = format!("--window-size={},2400", width.max(500));
+    let picture = format!("--screenshot={}", folder.join(format!("{name}.png")).display());
+    let start = |what: &str| {
+        Command::new(browser)
+            .args(["--headless", "--no-sandbox", "--disable-gpu", "--hide-scrollbars"])
+            .args([&window, "--virtual-time-budget=20000", what, &address])
+            .stderr(Stdio::null())
+            .output()
+    };
+    let dump = start("--dump-dom")?;
+    start(&picture)?;
+    std::fs::remove_file(&frame)?;
+    let text = String::from_utf8_lossy(&dump.stdout);
+    let seen = text.split("id=\"seen\"").nth(1).and_then(|rest| rest.split(['>', '<']).nth(1));
+    let seen = seen.filter(|seen| !seen.is_empty()).context("the probe does not answer")?;
+    Ok(serde_json::from_slice(&base64(seen)?)?)
+}
+
+/// What the letters of base 64 stand for.
+fn base64(text: &str) -> anyhow::Result<Vec<u8>> {
+    let value = |letter: u8| match letter {
+        b'A'..=b'Z' => Ok(letter - b'A'),
+        b'a'..=b'z' => Ok(letter - b'a' + 26),
+        b'0'..=b'9' => Ok(letter - b'0' + 52),
+        b'+' => Ok(62),
+        b'/' => Ok(63),
+        _ => bail!("`{}` is no letter of base 64", char::from(letter)),
+    };
+    let (mut bytes, mut bits, mut count) = (Vec::new(), 0_u32, 0);
+    for letter in text.trim_end_matches('=').bytes() {
+        bits = bits << 6 | u32::from(value(letter)?);
+        count += 6;
+        if count >= 8 {
+            count -= 8;
+            bytes.push((bits >> count & 0xff) as u8);
+        }
+    }
+    Ok(bytes)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_answer_is_read() {
+        assert_eq!(base64("eyJhIjoxfQ==").unwrap(), b"{\"a\":1}");
+        assert!(base64("a?").is_err());
+    }
+
+    #[test]
+    fn the_probe_comes_last_and_the_ear_first() {
+        let page = with_probe("<html><head><title>t</title></head><body>b</body></html>").unwrap();
+        assert!(page.find("window.faults=[]").unwrap() < page.find("<title>").unwrap());
+        assert!(page.find("postMessage").unwrap() > page.find(">b<").unwrap());
+        assert!(with_probe("<p>").is_err());
+    }
+}
