@@ -10,7 +10,7 @@ use crate::{Axis, Cell, Claim, Figure, FigureResult, Panel, Series, Table};
 
 /// The radius of the circle, the approach being 1, and the steps of a turn.
 const RADIUS: f64 = 0.5;
-const TURN: usize = 48;
+const TURN: usize = 240;
 const TURNS: usize = 12;
 const SLIDERS: usize = 1500;
 const TOLERANCES: [f64; 5] = [3e-2, 1e-2, 1e-3, 1e-4, 1e-5];
@@ -113,7 +113,7 @@ fn jump(path: &Path, forces: &[[f64; 2]]) -> f64 {
 
 pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
-    figure.assumed("circle", "ζ = 1, |X| = 1/2, 48 steps a turn, 12 turns");
+    figure.assumed("circle", "ζ = 1, |X| = 1/2, 240 steps a turn, 12 turns");
     figure.assumed("square", "ζ = 1, sides of 0.4 in 6 steps, 4 rounds");
     figure.assumed("collision", "ζ = sin t, X a curve of sines");
     steady_claims(&mut figure)?;
