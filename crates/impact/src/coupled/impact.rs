@@ -23,9 +23,8 @@ use crate::outcome::{LogEntry, Warning};
 const PLANAR: f64 = 1e-8;
 const SPATIAL: f64 = 5e-6;
 /// How far the line of anchors may be off, over the limit of traction: this over the square of the
-/// resolution, but no less than a small part of the tolerance.
-const OFF_LINE: f64 = 0.0025;
-const OFF_LEAST: f64 = 4e-4;
+/// resolution.
+const OFF_LINE: f64 = 0.01;
 
 /// Why a coupled impact cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -581,7 +580,7 @@ impl CoupledImpact {
             (_, VectorLaw::Coulomb) => {
                 let n = rings as f64;
                 let spacing = (peak * 1.0001).sqrt() / n;
-                let off = (OFF_LINE / (n * n)).max(OFF_LEAST * self.tolerance());
+                let off = OFF_LINE / (n * n);
                 // Without a limit every direction is on its own, and without friction none acts.
                 SlipLines::new(stiffness, friction.get(), spacing, off).map_or_else(
                     |_| AnyLaw::Plane(Box::new(BareLaw::new(stiffness, friction))),

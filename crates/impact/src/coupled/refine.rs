@@ -9,7 +9,7 @@ use super::extrapolation::Extrapolation;
 
 /// Steps and rings of the first run that finds the greatest approach; fine enough that the fastest
 /// oscillation stays stable.
-const COARSEST: Level = Level { steps: 32, rings: 8 };
+const COARSEST: Level = Level { steps: 32, rings: 16 };
 /// Runs by the clock, which find duration and greatest approach, and those that count.
 const TIMED_SCOUT: Level = Level { steps: 16, rings: 8 };
 const TIMED: Series = Series { first: COARSEST, most: 1 << 22 };

@@ -5,14 +5,14 @@ use crate::case::range::Range;
 use crate::case::section::{Section, Words};
 use crate::case::unit::Dimension;
 use carom_halfspace::Grid;
-use carom_solver::Gap;
-use std::f64::consts::TAU;
+use carom_solver::{Gap, Outline};
 use std::path::PathBuf;
 
 const SHAPES: Words = Words {
     words: &[
         "paraboloid",
         "sphere",
+        "cylinder",
         "cone",
         "wedge",
         "wavy",
@@ -21,7 +21,7 @@ const SHAPES: Words = Words {
         "polygon",
         "heights",
     ],
-    allowed: "\"paraboloid\", \"sphere\", \"cone\", \"wedge\", \"wavy\", \"ellipse\", \"rectangle\", \
+    allowed: "\"paraboloid\", \"sphere\", \"cylinder\", \"cone\", \"wedge\", \"wavy\", \"ellipse\", \"rectangle\", \
               \"polygon\" (flat punches) or \"heights\"",
 };
 const FIELDS: &[&str] = &[
@@ -66,7 +66,7 @@ impl GapCase {
         let shape = gap.word("shape", SHAPES)?;
         let own: &[&str] = match shape {
             "paraboloid" => &["radii"],
-            "sphere" => &["radius"],
+            "sphere" | "cylinder" => &["radius"],
             "cone" | "wedge" => &["slope"],
             "wavy" => &["amplitude", "wavelengths"],
             "ellipse" => &["semi_axes"],
@@ -86,33 +86,22 @@ impl GapCase {
                     0.5 * (at_x * at_x / x + at_y * at_y / y)
                 })
             }
-            "sphere" => {
-                let radius = gap.number("radius", length)?;
-                Gap::from_function(grid, move |x, y| sphere(radius, x, y))
-            }
-            "cone" => {
-                let slope = gap.number("slope", Range::Positive)?;
-                Gap::from_function(grid, move |x, y| slope * libm::hypot(x, y))
-            }
-            "wedge" => {
-                let slope = gap.number("slope", Range::Positive)?;
-                Gap::from_function(grid, move |x, _| slope * x.abs())
-            }
+            "sphere" => Gap::sphere(grid, gap.number("radius", length)?),
+            "cylinder" => Gap::cylinder(grid, gap.number("radius", length)?),
+            "cone" => Gap::cone(grid, gap.number("slope", Range::Positive)?),
+            "wedge" => Gap::wedge(grid, gap.number("slope", Range::Positive)?),
             "wavy" => {
-                let amplitude = gap.number("amplitude", length)?;
-                let [x, y] = pair("wavelengths", "two wavelengths [along x, along y]")?;
-                let wave = |at: f64, length: f64| 1.0 - libm::cos(TAU * at / length);
-                Gap::from_function(grid, move |at_x, at_y| {
-                    0.5 * amplitude * (wave(at_x, x) + wave(at_y, y))
-                })
+                let half = 0.5 * gap.number("amplitude", length)?;
+                let waves = pair("wavelengths", "two wavelengths [along x, along y]")?;
+                Gap::wavy(grid, [half, half], waves)
             }
             "ellipse" => {
-                let [a, b] = pair("semi_axes", "two semi-axes [along x, along y]")?;
-                punch(grid, move |x, y| libm::hypot(x / a, y / b) < 1.0)
+                let [half_x, half_y] = pair("semi_axes", "two semi-axes [along x, along y]")?;
+                Gap::punch(grid, &Outline::Ellipse { half_x, half_y })
             }
             "rectangle" => {
-                let [a, b] = pair("sides", "two sides [along x, along y]")?;
-                punch(grid, move |x, y| x.abs() < 0.5 * a && y.abs() < 0.5 * b)
+                let [x, y] = pair("sides", "two sides [along x, along y]")?;
+                Gap::punch(grid, &Outline::Rectangle { half_x: 0.5 * x, half_y: 0.5 * y })
             }
             "polygon" => {
                 let place = Range::Finite.of(Dimension::Length);
@@ -121,8 +110,8 @@ impl GapCase {
                 if corners.len() < 3 {
                     return Err(gap.out_of_range("corners", corners.len() as f64, allowed));
                 }
-                let corners: Vec<[f64; 2]> = corners.iter().map(|[x, y, _]| [*x, *y]).collect();
-                punch(grid, move |x, y| is_inside(&corners, x, y))
+                let corners = corners.iter().map(|[x, y, _]| [*x, *y]).collect();
+                Gap::punch(grid, &Outline::Polygon(corners))
             }
             _ => return Self::heights(&gap),
         };
@@ -139,47 +128,5 @@ impl GapCase {
         let scale = number("scale", Range::Positive, 1.0, Dimension::Length)?;
         let radius = number("radius", Range::PositiveOrInfinite, f64::INFINITY, Dimension::Length)?;
         Ok(Self::Heights(HeightMap { file, scale, radius }))
-    }
-}
-
-/// The height of a ball over the plane that it touches; none beside it.
-fn sphere(radius: f64, x: f64, y: f64) -> f64 {
-    let square = x * x + y * y;
-    if square >= radius * radius {
-        return f64::INFINITY;
-    }
-    square / (radius + (radius * radius - square).sqrt())
-}
-
-fn punch(grid: Grid, inside: impl Fn(f64, f64) -> bool) -> Result<Gap, carom_special::RangeError> {
-    Gap::from_function(grid, |x, y| if inside(x, y) { 0.0 } else { f64::INFINITY })
-}
-
-/// Whether a ray from the point crosses the outline an odd number of times.
-fn is_inside(corners: &[[f64; 2]], x: f64, y: f64) -> bool {
-    let next = corners.iter().cycle().skip(1);
-    let crossed = corners.iter().zip(next).filter(|([x_1, y_1], [x_2, y_2])| {
-        (*y_1 > y) != (*y_2 > y) && x < x_1 + (y - y_1) / (y_2 - y_1) * (x_2 - x_1)
-    });
-    crossed.count() % 2 == 1
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn points_lie_inside_polygons_that_are_not_convex() {
-        let arrow = [[0.0, 0.0], [2.0, 0.0], [2.0, 2.0], [1.0, 0.5]];
-        for (x, y, inside) in [(1.0, 0.25, true), (1.0, 0.75, false), (1.9, 1.5, true)] {
-            assert_eq!(is_inside(&arrow, x, y), inside, "{x} {y}");
-        }
-    }
-
-    #[test]
-    fn a_sphere_keeps_its_digits_near_touch() {
-        assert!((sphere(1.0, 1e-9, 0.0) / 0.5e-18 - 1.0).abs() < 1e-15);
-        assert_eq!(sphere(1.0, 0.6, 0.0), 0.2);
-        assert!(sphere(1.0, 1.0, 0.5).is_infinite());
     }
 }
