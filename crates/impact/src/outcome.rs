@@ -203,7 +203,7 @@ pub enum Warning {
         tolerance: f64,
     },
     /// The contact point was searched for from many starts on a body that need not be convex
-    /// ([`crate::Certainty::Sampled`]): the bodies may touch elsewhere too.
+    /// ([`carom_geometry::Certainty::Sampled`]): the bodies may touch elsewhere too.
     PointSampled,
 }
 

@@ -8,8 +8,9 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
 /// The packages whose tests run; the last holds the pages.
-const PACKAGES: [&str; 6] = [
+const PACKAGES: [&str; 7] = [
     "carom-special",
+    "carom-geometry",
     "carom-halfspace",
     "carom-laws",
     "carom-solver",

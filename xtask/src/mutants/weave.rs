@@ -8,8 +8,14 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The crates that hold physics, below the workspace; the first has the switch.
-const CRATES: [&str; 5] =
-    ["crates/special", "crates/halfspace", "crates/laws", "crates/solver", "crates/impact"];
+const CRATES: [&str; 6] = [
+    "crates/special",
+    "crates/geometry",
+    "crates/halfspace",
+    "crates/laws",
+    "crates/solver",
+    "crates/impact",
+];
 
 const SWITCH: &str = include_str!("woven/switch.rs");
 const PAGES: &str = include_str!("woven/pages.rs");
