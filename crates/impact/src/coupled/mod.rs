@@ -26,6 +26,7 @@ mod rings;
 mod schedule;
 mod slip_lines;
 mod stage;
+mod turning;
 
 pub use carom_laws::law::ImpactLaw;
 pub use course::{Course, LawFailure, Point};

@@ -12,6 +12,8 @@ use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
+use super::turning::{inverse_mean, onset, turned};
+
 /// The vector law of Coulomb friction on rings at equal distances.
 ///
 /// Between rings the traction is linear in r^2, with a bend where slip begins and a ring of its own
@@ -513,7 +515,7 @@ impl Step {
     fn slip(&self, ring: &mut Ring, bound: f64) {
         let start = self.limit * (self.from - ring.depth);
         let growth = self.limit * (self.to - self.from);
-        let onset = self.onset(ring.traction, start, growth);
+        let onset = onset(ring.traction, self.pull, start, growth);
         let [x, y] = ring.traction;
         let at = [x + onset * self.pull[0], y + onset * self.pull[1]];
         let norm = (at[0] * at[0] + at[1] * at[1]).sqrt();
@@ -524,89 +526,11 @@ impl Step {
             [self.pull[0] / pull, self.pull[1] / pull]
         };
         let length = (1.0 - onset) * inverse_mean(start + onset * growth, bound);
-        let turned = self.turn(direction, length, growth);
+        let turned = turned(direction, length, self.stiffness, self.pull, growth);
         ring.traction = [bound * turned[0], bound * turned[1]];
     }
-
-    // The part of the step after which |t + s pull| = start + s growth.
-    fn onset(&self, [x, y]: [f64; 2], start: f64, growth: f64) -> f64 {
-        let [p, q] = self.pull;
-        let room = start * start - x * x - y * y;
-        if room <= 1e-14 * start * start {
-            return 0.0;
-        }
-        // a s^2 + 2 b s - room = 0, its first root; at the end a + 2 b > room.
-        let a = p * p + q * q - growth * growth;
-        let b = x * p + y * q - start * growth;
-        let root = (b * b + a * room).max(0.0).sqrt();
-        let s = if b >= 0.0 { room / (b + root) } else { (root - b) / a };
-        s.clamp(0.0, 1.0)
-    }
-
-    // The traction turns towards the direction of steady sliding (8.58):
-    // dtheta/dq = G(theta) = (c_x c_y e'.x + (c_y - c_x) e_x e_y L')/(e.C e), dq = ds/L, with
-    // e' = (-e_y, e_x). Exponential steps of second order neither ring nor overshoot at the rim,
-    // where L is small.
-    fn turn(&self, mut e: [f64; 2], length: f64, growth: f64) -> [f64; 2] {
-        const LARGEST: f64 = 0.15;
-        const MAX_TURNS: usize = 200;
-        let [c_x, c_y] = self.stiffness;
-        let [x, y] = self.shift;
-        let mut left = length;
-        for _ in 0..MAX_TURNS {
-            let [cos, sin] = e;
-            let (product, skew) = (c_x * c_y, c_y - c_x);
-            let along = c_x * cos * cos + c_y * sin * sin;
-            let rate = (product * (cos * y - sin * x) + skew * cos * sin * growth) / along;
-            let slope = (skew * (cos * cos - sin * sin) * growth
-                - product * (cos * x + sin * y)
-                - 2.0 * rate * skew * cos * sin)
-                / along;
-            let mut part = if slope * left > 1.0 { 1.0 / slope } else { left };
-            let mut angle = rate * part * growth_mean(slope * part);
-            if angle.abs() > LARGEST {
-                part = part.min(LARGEST / rate.abs());
-                angle = rate * part * growth_mean(slope * part);
-            }
-            e = rotated(e, angle.clamp(-2.0 * LARGEST, 2.0 * LARGEST));
-            left -= part;
-            if left <= 0.0 {
-                break;
-            }
-        }
-        e
-    }
 }
 
-// Mean of 1/L for L linear from `low` to `high`.
-fn inverse_mean(low: f64, high: f64) -> f64 {
-    let (sum, difference) = (high + low, high - low);
-    let u = difference / sum;
-    if u.abs() > 0.1 {
-        return libm::log(high / low) / difference;
-    }
-    let square = u * u;
-    let series = 1.0 / 5.0 + square * (1.0 / 7.0 + square / 9.0);
-    2.0 / sum * (1.0 + square * (1.0 / 3.0 + square * series))
-}
-
-// (exp(x) - 1)/x.
-fn growth_mean(x: f64) -> f64 {
-    if x.abs() > 0.05 {
-        return libm::expm1(x) / x;
-    }
-    1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0 + x / 720.0))))
-}
-
-// By an angle of at most 0.3, through the tangent of its half.
-fn rotated([cos, sin]: [f64; 2], angle: f64) -> [f64; 2] {
-    let h = 0.5 * angle;
-    let square = h * h;
-    let t = h * (1.0 + square * (1.0 / 3.0 + square * (2.0 / 15.0 + square * 17.0 / 315.0)));
-    let scale = 1.0 / (1.0 + t * t);
-    let (c, s) = ((1.0 - t * t) * scale, 2.0 * t * scale);
-    [c * cos - s * sin, s * cos + c * sin]
-}
 impl ImpactLaw for CoulombRings {
     fn rings(&self) -> Option<usize> {
         Some(self.touching())

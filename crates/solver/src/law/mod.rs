@@ -60,7 +60,9 @@ pub enum NumericalLawError {
 /// law.advance(Shift { zeta: 0.005, ..Shift::default() })?;
 /// let mut trial = law.clone();
 /// let pushed = trial.advance(Shift { zeta: 0.005, xi: 0.001, ..Shift::default() })?;
-/// assert!((pushed.f_x / (0.1 * pushed.f_z) - 1.0).abs() < 1e-9);
+/// // All of it slides, but not yet straight: unlike bodies were drawn sideways when pressed together.
+/// let of_limit = pushed.f_x / (0.1 * pushed.f_z);
+/// assert!(of_limit > 0.98 && of_limit < 0.999);
 /// assert_eq!(law.shift().xi, 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
