@@ -1,7 +1,6 @@
 //! Contacts on a mesh, as the thesis computes them: a box of equal elements, a history in steps.
 
-use super::Failure;
-use crate::{Arrow, Axis, Panel, Point, Series};
+use crate::{Arrow, Failure, Panel, Point, Series};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
@@ -198,7 +197,7 @@ impl Step {
         let x = (0..grid.nx()).map(|i| grid.centred_x(i)).collect();
         let y = (0..grid.ny()).map(|i| grid.centred_y(i)).collect();
         let field = Field::new("slip −1, stick 1", x, y, values.collect())?;
-        let panel = Panel::new(Axis::linear("x"), Axis::linear("y")).titled(title).equal_aspect();
+        let panel = Panel::new("x", "y").titled(title).equal_aspect();
         Ok(panel.over(field))
     }
 

@@ -2,9 +2,6 @@
 
 use crate::catalogue::Entry;
 
-/// What a part of a figure fails with.
-type Failure = Box<dyn std::error::Error + Send + Sync>;
-
 mod accuracy;
 mod ch03;
 mod ch04;
@@ -23,7 +20,6 @@ mod convergence;
 mod errata;
 mod measured;
 mod mesh;
-mod numbers;
 mod paraboloid;
 mod particles;
 mod propositions;

@@ -232,7 +232,7 @@ impl<'a> Section<'a> {
         let start = table.number("start", measure)?;
         let stop = table.number("stop", measure)?;
         let count = table.number("count", Range::Count)?;
-        Ok(carom_plot::linspace(start, stop, count as usize))
+        Ok(carom_special::linspace(start, stop, count as usize))
     }
 
     /// A text.

@@ -120,7 +120,7 @@ fn read(section: &Section<'_>, measure: Measure) -> Result<Variation, CaseError>
         let start = section.number("start", measure)?;
         let stop = section.number("stop", measure)?;
         let count = section.number("count", Range::Count)?;
-        return Ok(Variation::Sweep(carom_plot::linspace(start, stop, count as usize)));
+        return Ok(Variation::Sweep(carom_special::linspace(start, stop, count as usize)));
     }
     section.check(KINDS.words)?;
     read_distribution(section, measure.dimension).map(Variation::Uncertain)

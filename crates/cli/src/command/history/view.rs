@@ -10,7 +10,7 @@ use carom_laws::friction::Friction;
 use carom_laws::hertz::HertzState;
 use carom_laws::law::{ContactLoad, Shift};
 use carom_laws::memory::Regime;
-use carom_plot::linspace;
+use carom_special::linspace;
 use carom_table::Column;
 use serde::Serialize;
 
