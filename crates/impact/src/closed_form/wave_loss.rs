@@ -10,9 +10,6 @@ use carom_special::RangeError;
 use carom_special::quadrature::FixedRule;
 use carom_special::roots::bisect;
 
-/// Hunter's coefficient as the thesis prints it in (3.2), an approximation for nu = 1/4.
-pub const PRINTED_COEFFICIENT: f64 = 1.04;
-
 /// Share of the energy above which the elastic outcome carries a warning.
 pub const NOTICEABLE: f64 = 0.01;
 

@@ -1,6 +1,6 @@
 //! Figs. 6.13 and 6.14: which regime follows which increment.
 
-use carom_laws::memory::{Regime, ScalarMemory};
+use carom_laws::memory::{MemoryRegime, ScalarMemory};
 use carom_special::RangeError;
 use carom_special::roots::try_bisect;
 
@@ -20,8 +20,8 @@ enum Kind {
 
 fn kind(memory: &ScalarMemory) -> Kind {
     match (memory.regime(), memory.slip_direction()) {
-        (Regime::Sliding, _) => Kind::Sliding,
-        (Regime::Adhesion, _) => Kind::Adhesion,
+        (MemoryRegime::Sliding, _) => Kind::Sliding,
+        (MemoryRegime::Adhesion, _) => Kind::Adhesion,
         (_, Some(sign)) => Kind::Decrease(memory.decrease(), if sign > 0.0 { 1 } else { -1 }),
         // A receding edge without slip: the running decrease stays.
         (_, None) => Kind::Decrease(memory.decrease(), 0),

@@ -5,7 +5,7 @@ use super::led::{distance, polar};
 use super::ring_contact::RingContact;
 use crate::{Absolute, Claim, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
-use carom_laws::memory::{Lateral, Regime, VectorMemory};
+use carom_laws::memory::{Lateral, MemoryRegime, VectorMemory};
 use carom_laws::sliders::SliderLaw;
 
 /// A path of the thesis: so many steps to e_1, then so many of the second direction.
@@ -90,7 +90,7 @@ fn draw(number: usize) -> FigureResult {
             markers[k].push((step, other[k]));
         }
         curves[4].push((step, memory.stick_depth()));
-        if memory.regime() == Regime::Reversal && reversal.is_none() {
+        if memory.regime() == MemoryRegime::Reversal && reversal.is_none() {
             reversal = Some((step, memory.stick_depth()));
         }
     }

@@ -2,7 +2,7 @@
 
 use super::led::{circle, distance, led, polar};
 use crate::{Absolute, Arrow, Claim, Figure, FigureResult, Panel, Point, Series, linspace};
-use carom_laws::memory::{Lateral, Regime, VectorMemory};
+use carom_laws::memory::{Lateral, MemoryRegime, VectorMemory};
 
 /// The plane of the shifts e = (c_x ξ, c_y η)/(f c_z ζ₁).
 fn e_plane() -> Panel {
@@ -61,7 +61,7 @@ fn regime(
     state: &VectorMemory,
     zeta: f64,
     e: [f64; 2],
-) -> Result<Regime, carom_special::RangeError> {
+) -> Result<MemoryRegime, carom_special::RangeError> {
     let mut memory = state.clone();
     memory.advance(zeta, e)?;
     Ok(memory.regime())
@@ -73,7 +73,7 @@ fn disagreements(
     state: &VectorMemory,
     zeta: f64,
     reach: f64,
-    expected: impl Fn([f64; 2]) -> Option<Regime>,
+    expected: impl Fn([f64; 2]) -> Option<MemoryRegime>,
 ) -> Result<(u32, u32), carom_special::RangeError> {
     let (mut wrong, mut tested) = (0, 0);
     for dx in linspace(-reach, reach, 61) {
@@ -157,7 +157,7 @@ pub(super) fn draw_circle() -> FigureResult {
         if (size - 0.5).abs() < 1e-3 || size > 0.999 {
             None
         } else {
-            Some(if size < 0.5 { Regime::Reversal } else { Regime::Slip })
+            Some(if size < 0.5 { MemoryRegime::Reversal } else { MemoryRegime::Slip })
         }
     })?;
     figure.claim(agreement("P₁ appears exactly inside the circle", found).source("(7.23)"));
@@ -236,7 +236,7 @@ pub(super) fn draw_condition() -> FigureResult {
         radii.push((radius, condition_radius(&shifts[..n])));
         let found = disagreements(&state, 1.0, 0.5, |d| {
             let size = distance(state.shift().plus(d), centre);
-            ((size - radius).abs() > 1e-3 && size < radius).then_some(Regime::Reversal)
+            ((size - radius).abs() > 1e-3 && size < radius).then_some(MemoryRegime::Reversal)
         })?;
         if n == 1 {
             figure.claim(agreement("a new point appears inside", found).source("(7.40)"));
@@ -305,11 +305,11 @@ pub(super) fn draw_varying() -> FigureResult {
             if border || size > 0.998 + dz || (dz < 0.0 && step < -dz) {
                 None
             } else if step < dz {
-                Some(Regime::Adhesion)
+                Some(MemoryRegime::Adhesion)
             } else if size < outer {
-                Some(Regime::Reversal)
+                Some(MemoryRegime::Reversal)
             } else {
-                Some(Regime::Slip)
+                Some(MemoryRegime::Slip)
             }
         })?;
         figure.claim(

@@ -1,6 +1,6 @@
 //! Fig. 8.1: the three rotations of the contact axes against the body's axes.
 
-use carom_geometry::{Attitude, Side, Surface, angle_matrix};
+use carom_geometry::{Attitude, BodySide, Surface, angle_matrix};
 use nalgebra::{Matrix3, Vector3};
 
 use crate::{Absolute, Arrow, Axis, Failure, Figure, FigureResult, Panel, Point, Series, linspace};
@@ -85,7 +85,7 @@ fn worst_curvature() -> Result<f64, Failure> {
             c_bb: s,
             c_ab: t,
         };
-        let surface = Surface::explicit_with(1.0, Side::Above, height)?;
+        let surface = Surface::explicit_with(1.0, BodySide::Above, height)?;
         let [k_1, k_2] = surface.local(&Vector3::zeros())?.curvatures();
         // Gauss and mean curvature.
         let steep = 1.0 + p * p + q * q;
