@@ -116,6 +116,18 @@ impl From<(f64, f64)> for Point {
     }
 }
 
+impl From<[f64; 2]> for Point {
+    fn from([x, y]: [f64; 2]) -> Self {
+        Self { x, y }
+    }
+}
+
+impl From<&[f64; 2]> for Point {
+    fn from(&[x, y]: &[f64; 2]) -> Self {
+        Self { x, y }
+    }
+}
+
 /// An arrow from `tail` to `head`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arrow {

@@ -51,12 +51,12 @@ pub(super) fn draw() -> FigureResult {
     figure.panel(map);
 
     let slipping = || last.touching().filter(|cell| !cell.sticks);
-    let opposed = slipping().map(|cell| {
-        let along = cell.slip[0] * cell.traction[0] + cell.slip[1] * cell.traction[1];
-        (along / (cell.slip[0].hypot(cell.slip[1]) * cell.size()), -1.0)
-    });
     figure
-        .all_close("slip opposes the stress on the same body", opposed, Absolute(1e-6))
+        .all_close(
+            "slip opposes the stress on the same body",
+            last.cosines_to_slip(),
+            Absolute(1e-6),
+        )
         .source("Coulomb (12.4): cosine of the angle between s₁₂ and σ₂₁");
     let sizes = slipping().map(|cell| (cell.size() / cell.pressure, FRICTION));
     figure.all_close("|σₜ|/σₙ = f where it slips", sizes, Absolute(1e-9)).source("(12.4)");

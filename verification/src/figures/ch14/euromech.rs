@@ -164,14 +164,9 @@ pub(super) fn first_shift() -> FigureResult {
         let f_z = step.load.f_z;
         (step.load.f_x / (0.1 * f_z), step.load.f_y / (0.1 * f_z))
     };
-    let slipping = run[14].touching().filter(|cell| !cell.sticks);
-    let slips: Vec<(f64, f64)> = slipping
-        .map(|cell| {
-            let along = cell.traction[0] * cell.slip[0] + cell.traction[1] * cell.slip[1];
-            (along / (cell.size() * cell.slip[0].hypot(cell.slip[1])), -1.0)
-        })
-        .collect();
-    figure.all_close("slip opposes the stress", slips, Absolute(1e-6)).source("Coulomb's law");
+    figure
+        .all_close("slip opposes the stress", run[14].cosines_to_slip(), Absolute(1e-6))
+        .source("Coulomb's law");
     figure
         .increasing("the force along x grows", vec![mean(11).0, mean(13).0, mean(15).0])
         .source("the shift along x");

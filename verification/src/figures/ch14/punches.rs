@@ -35,12 +35,9 @@ fn punch(semi_axes: [f64; 2], elements: [usize; 2], inside: Outline) -> Mesh {
 }
 
 fn slip_opposes(figure: &mut Figure, step: &Step) {
-    let slipping = step.touching().filter(|cell| !cell.sticks);
-    let cosines = slipping.map(|cell| {
-        let along = cell.traction[0] * cell.slip[0] + cell.traction[1] * cell.slip[1];
-        (along / (cell.size() * cell.slip[0].hypot(cell.slip[1])), -1.0)
-    });
-    figure.all_close("slip opposes the stress", cosines, Absolute(1e-5)).source("Coulomb's law");
+    figure
+        .all_close("slip opposes the stress", step.cosines_to_slip(), Absolute(1e-5))
+        .source("Coulomb's law");
 }
 
 pub(super) fn square_and_triangle() -> FigureResult {
@@ -278,11 +275,9 @@ pub(super) fn slip() -> FigureResult {
     panel.add(Series::line("punch", outline));
     figure.panel(panel);
     slip_opposes(&mut figure, step);
-    let most = step.touching().map(|cell| cell.slip[0].hypot(cell.slip[1])).fold(0.0, f64::max);
-    let earlier =
-        run[0].touching().map(|cell| cell.slip[0].hypot(cell.slip[1])).fold(0.0, f64::max);
+    let most = |step: &Step| step.touching().map(|cell| cell.slip_size()).fold(0.0, f64::max);
     figure
-        .close("each step of loading slips alike", most / earlier, 1.0, Absolute(1e-5))
+        .close("each step of loading slips alike", most(step) / most(&run[0]), 1.0, Absolute(1e-5))
         .source("proportional loading");
     Ok(figure)
 }

@@ -98,10 +98,6 @@ impl Published {
     }
 }
 
-fn markers(label: &str, marker: Marker, points: &[[f64; 2]]) -> Series {
-    Series::markers(label, marker, points.iter().map(|[x, y]| (*x, *y)))
-}
-
 fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
     let angles = linspace(1.0, 87.0, 173);
     let elastic: Result<Vec<After>, Failure> = angles.iter().map(|&a| exact(a)).collect();
@@ -115,8 +111,8 @@ fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
         .titled("Angle of rebound");
     panel.add(Series::line("carom, e = 1", line(&elastic, |a| a.contact_angle())));
     panel.add(Series::dashed("carom, e = 0.98", line(&damped, |a| a.contact_angle())));
-    panel.add(markers("measured (Kharaz et al.)", Marker::Dot, &published.measured));
-    panel.add(markers("particle code", Marker::Circle, &published.code));
+    panel.add(Series::markers("measured (Kharaz et al.)", Marker::Dot, &published.measured));
+    panel.add(Series::markers("particle code", Marker::Circle, &published.code));
     figure.panel(panel);
 
     let mut panel = Panel::new(incidence(), "v_t' / v_t of the centre")
@@ -124,13 +120,15 @@ fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
     let ratios =
         angles.iter().zip(&elastic).map(|(&a, after)| (a, after.tangential / speeds(a)[0]));
     panel.add(Series::line("carom, e = 1", ratios));
-    panel.add(markers("particle code", Marker::Circle, &published.code_restitution).coloured(3));
+    panel.add(
+        Series::markers("particle code", Marker::Circle, &published.code_restitution).coloured(3),
+    );
     figure.panel(panel);
 
     let mut panel = Panel::new(incidence(), "spin / (rad/s)").titled("Spin after");
     panel.add(Series::line("carom, e = 1", line(&elastic, |a| a.spin)));
     let spins = published.code_spin.iter().map(|[x, y]| [*x, -y]).collect::<Vec<_>>();
-    panel.add(markers("particle code", Marker::Circle, &spins).coloured(3));
+    panel.add(Series::markers("particle code", Marker::Circle, spins).coloured(3));
     figure.panel(panel);
     Ok(())
 }

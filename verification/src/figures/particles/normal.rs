@@ -93,13 +93,12 @@ fn panels(figure: &mut Figure, case: &Case, published: &Published) -> Result<(),
     let mut panel = Panel::new("approach / μm", "force / kN").titled(format!("Test {}", case.name));
     let curve = history.iter().map(|p| (1e6 * p.shift.z, 1e-3 * p.force.z));
     panel.add(Series::line("carom", curve));
-    let points = published.approach.iter().map(|[x, y]| (*x, *y));
-    panel.add(Series::markers(label, Marker::Circle, points));
+    panel.add(Series::markers(label, Marker::Circle, &published.approach));
     figure.panel(panel);
     let mut panel = Panel::new("time / μs", "force / kN").titled(format!("Test {}", case.name));
     let curve = history.iter().map(|p| (1e6 * p.time, 1e-3 * p.force.z));
     panel.add(Series::line("carom", curve));
-    panel.add(Series::markers(label, Marker::Circle, published.time.iter().map(|[x, y]| (*x, *y))));
+    panel.add(Series::markers(label, Marker::Circle, &published.time));
     figure.panel(panel);
     Ok(())
 }

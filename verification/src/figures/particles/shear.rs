@@ -74,10 +74,6 @@ impl Published {
     }
 }
 
-fn markers(label: &str, marker: Marker, points: &[[f64; 2]]) -> Series {
-    Series::markers(label, marker, points.iter().map(|[x, y]| (*x, *y)))
-}
-
 fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
     let slips = linspace(0.0, 14.0, 281);
     let curve = |poisson: f64| -> Result<Vec<After>, Failure> {
@@ -93,7 +89,7 @@ fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
         .titled("Rebound of the contact point");
     panel.add(Series::line(labels[0], line(&steel, |a| a.rebound)));
     panel.add(Series::line(labels[1], line(&polyethylene, |a| a.rebound)));
-    panel.add(markers("finite elements", Marker::Dot, &published.fem_rebound));
+    panel.add(Series::markers("finite elements", Marker::Dot, &published.fem_rebound));
     figure.panel(panel);
     let mut panel = Panel::new(slip(), "rim after, R ω'/(f V_n)").titled("Spin");
     panel.add(Series::line(labels[0], line(&steel, |a| a.rim)));
@@ -101,10 +97,10 @@ fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
     let within = |points: &[[f64; 2]]| -> Vec<[f64; 2]> {
         points.iter().copied().filter(|[x, _]| *x < 14.0).collect()
     };
-    panel.add(markers("finite elements", Marker::Dot, &within(&published.fem_rim)));
-    panel.add(markers("particle code, steel", Marker::Circle, &within(&published.steel)));
+    panel.add(Series::markers("finite elements", Marker::Dot, within(&published.fem_rim)));
+    panel.add(Series::markers("particle code, steel", Marker::Circle, within(&published.steel)));
     let code = within(&published.polyethylene);
-    panel.add(markers("particle code, polyethylene", Marker::Square, &code));
+    panel.add(Series::markers("particle code, polyethylene", Marker::Square, code));
     figure.panel(panel);
     Ok(())
 }

@@ -84,8 +84,7 @@ fn plane_panel(figure: &mut Figure, published: &[[f64; 2]]) -> Result<(), Failur
         .titled("Test 6: spinning ball on a plane");
     panel.add(Series::line("carom, e = 1", curve(1.0)?));
     panel.add(Series::dashed("carom, e = 0.5 by its rule", curve(RESTITUTION)?));
-    let points = published.iter().map(|[x, y]| (*x, *y));
-    panel.add(Series::markers("particle code, e = 0.5", Marker::Circle, points));
+    panel.add(Series::markers("particle code, e = 0.5", Marker::Circle, published));
     figure.panel(panel);
     Ok(())
 }
