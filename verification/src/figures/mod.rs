@@ -20,12 +20,14 @@ mod convergence;
 mod errata;
 mod measured;
 mod mesh;
+mod outline;
 mod paraboloid;
 mod particles;
 mod propositions;
 mod rebound;
 mod rolling;
 mod sphere_traction;
+mod spheres;
 mod spring_impact;
 mod structure;
 

@@ -9,6 +9,8 @@ use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::torsion::law::TorsionLaw;
 
+use super::super::outline::ellipse;
+use super::super::spheres::kappa;
 use super::super::spring_impact;
 use crate::{
     Absolute, Arrow, Axis, Failure, Figure, FigureResult, Panel, Point, Relative, Series, linspace,
@@ -51,11 +53,6 @@ fn spinning(velocity: f64, spin: f64) -> Result<SpinCollision, Failure> {
     Ok(SpinCollision::new(&hertz, friction, [ball(1.0)?, ball(-1.0)?], velocity)?)
 }
 
-fn circle(centre: f64) -> Vec<Point> {
-    let point = |angle: f64| Point::new(libm::cos(angle), centre + libm::sin(angle));
-    linspace(0.0, 2.0 * std::f64::consts::PI, 121).into_iter().map(point).collect()
-}
-
 fn arrow(from: (f64, f64), to: (f64, f64)) -> Arrow {
     Arrow { tail: from.into(), head: to.into() }
 }
@@ -73,8 +70,8 @@ fn sketch(title: &str, arrows: Vec<Arrow>) -> Panel {
         Panel::new(Axis::linear("x/R").between(-2.0, 2.0), Axis::linear("z/R").between(-2.5, 2.5))
             .titled(title)
             .equal_aspect();
-    panel.add(Series::line("body 1", circle(1.0)));
-    panel.add(Series::line("body 2", circle(-1.0)));
+    panel.add(Series::line("body 1", ellipse([0.0, 1.0], [1.0; 2], 120)));
+    panel.add(Series::line("body 2", ellipse([0.0, -1.0], [1.0; 2], 120)));
     panel.add(Series::dotted("tangential plane", [(-1.8, 0.0), (1.8, 0.0)]));
     panel.add(Series::arrows("velocities", arrows));
     panel
@@ -216,7 +213,7 @@ fn normal_claims(figure: &mut Figure) -> Result<(), Failure> {
 
 fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
     let oblique = rebound(SLIP)?;
-    let kappa = (2.0 - POISSON) / (2.0 * (1.0 - POISSON));
+    let kappa = kappa(POISSON);
     let stepped = spring_impact::restitution(3.5 / kappa, 1.0 / kappa);
     figure
         .close(
@@ -300,7 +297,7 @@ fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result
         tangential += 0.5 * dt * (pair[0].force.x + pair[1].force.x);
     }
     let push = 0.5 * MASS * (1.0 + stepped) * SLIP * 2.0 / 7.0;
-    let kappa = (2.0 - POISSON) / (2.0 * (1.0 - POISSON));
+    let kappa = kappa(POISSON);
     let course = spring_impact::course(3.5 / kappa, 1.0 / kappa);
     let last = history.last().ok_or("an impact has a course")?;
     // The springs count shifts in f κ ζ_max.

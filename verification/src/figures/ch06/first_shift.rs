@@ -14,6 +14,7 @@ use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::quadrature::{Tolerance as Within, tanh_sinh};
 
+use super::super::outline::ellipse;
 use super::history::{
     add_terms, follow, force_panel, profile, reference_claim, sigma, springs_claim, stress,
     stress_claims, stress_panel, virgin,
@@ -21,10 +22,7 @@ use super::history::{
 use crate::{Absolute, Failure, Figure, FigureResult, Panel, Relative, Series, linspace};
 
 fn circle(radius: f64) -> Vec<(f64, f64)> {
-    linspace(0.0, TAU, 145)
-        .into_iter()
-        .map(|t| (radius * libm::cos(t), radius * libm::sin(t)))
-        .collect()
+    ellipse([0.0; 2], [radius; 2], 144)
 }
 
 /// Fig. 6.1.

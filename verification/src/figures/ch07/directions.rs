@@ -4,8 +4,9 @@
 use carom_laws::memory::{Lateral, VectorMemory};
 use carom_laws::sliders::SliderLaw;
 
+use super::super::outline::circle;
 use super::examples::Example;
-use super::led::{circle, polar};
+use super::led::polar;
 use super::ring_contact::RingContact;
 use crate::{Absolute, Arrow, Failure, Figure, FigureResult, Marker, Panel, Point, Series};
 

@@ -1,6 +1,7 @@
 //! Figs. 7.3 to 7.8: two directions of slip and the circles of their conditions.
 
-use super::led::{circle, distance, led, polar};
+use super::super::outline::circle;
+use super::led::{distance, led, polar};
 use crate::{Absolute, Arrow, Claim, Figure, FigureResult, Panel, Point, Series, linspace};
 use carom_laws::memory::{Lateral, MemoryRegime, VectorMemory};
 

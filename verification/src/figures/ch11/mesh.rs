@@ -2,6 +2,7 @@
 
 use std::f64::consts::PI;
 
+use super::super::outline::ellipse;
 use crate::{Absolute, Axis, Failure, Figure, FigureResult, Panel, Relative, Series};
 use carom_halfspace::{Material, MaterialPair, Offset, Rectangle, RectangleInfluence};
 
@@ -81,11 +82,7 @@ fn mesh() -> Panel {
         panel.add(Series::line("", [(0.0, y), (right, y)]).coloured(6));
     }
     let (a, b) = (0.44 * right, 0.42 * top);
-    let turn = |i: i32| f64::from(i) * PI / 60.0;
-    let outline = (0..=120).map(|i| {
-        let (sin, cos) = turn(i).sin_cos();
-        (0.5 * right + a * cos, 0.5 * top + b * sin)
-    });
+    let outline = ellipse([0.5 * right, 0.5 * top], [a, b], 120);
     panel.add(Series::line("contact area", outline).coloured(1));
     let corner = (2.0 * SIDES[0], 2.0 * SIDES[1]);
     let cell = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]

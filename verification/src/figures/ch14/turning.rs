@@ -1,6 +1,7 @@
 //! Figs. 14.6 to 14.13: spheres shifted to sliding, then in another direction.
 
 use super::super::mesh::{APPROACH, Mesh, Step, steps};
+use super::super::outline::ellipse;
 use crate::{Absolute, Arrow, Axis, Failure, Figure, FigureResult, Marker, Panel, Point, Series};
 use carom_laws::law::Shift;
 use carom_laws::memory::VectorMemory;
@@ -94,11 +95,7 @@ pub(super) fn legs() -> FigureResult {
         let leg = leg(number);
         panel.add(Series::arrows(leg.name, [arrow([1.0, 0.0], leg.end())]));
     }
-    let circle = (0..=120).map(|i| {
-        let angle = std::f64::consts::TAU * f64::from(i) / 120.0;
-        (angle.cos(), angle.sin())
-    });
-    panel.add(Series::dotted("sliding", circle));
+    panel.add(Series::dotted("sliding", ellipse([0.0; 2], [1.0; 2], 120)));
     figure.panel(panel);
     // Where chapter 7's law slides at the end of each leg.
     let mut limits = Vec::new();

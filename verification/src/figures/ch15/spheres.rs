@@ -4,16 +4,13 @@ use carom_impact::closed_form::restitution_without_slip;
 use carom_impact::restitution::{RestitutionError, of_spheres};
 use rayon::prelude::*;
 
+use super::super::spheres::kappa;
 use super::numerical::Spheres;
 use crate::reference::rows;
 use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
 
 /// κ and λ of the row that ends early.
 const EARLY: [f64; 2] = [1.055_6, 0.5];
-
-fn kappa(nu: f64) -> f64 {
-    (2.0 - nu) / (2.0 * (1.0 - nu))
-}
 
 fn values(points: &[(f64, f64)]) -> Result<Vec<f64>, RestitutionError> {
     points.par_iter().map(|&(kappa, lambda)| of_spheres(kappa, lambda)).collect()

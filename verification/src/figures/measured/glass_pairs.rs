@@ -1,5 +1,6 @@
 //! Foerster, Louge, Chang and Allia's impacts of two glass spheres, one by one.
 
+use super::super::spheres::kappa;
 use super::models::{Spring, bars, constant, elastic, rms, spring};
 use crate::reference::rows;
 use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
@@ -35,22 +36,18 @@ fn read() -> Result<Vec<Impact>, Failure> {
     Ok(rows.into_iter().map(impact).collect())
 }
 
-fn kappa() -> f64 {
-    (2.0 - NU) / (2.0 * (1.0 - NU))
-}
-
 fn curves(panel: &mut Panel) -> Result<(), Failure> {
     let slopes = linspace(0.01, 1.7, 170);
-    let walk = |slope: &f64| Ok((*slope, -slope * elastic(kappa(), slope / FRICTION, NORMAL)?));
+    let walk = |slope: &f64| Ok((*slope, -slope * elastic(kappa(NU), slope / FRICTION, NORMAL)?));
     let exact: Result<Vec<(f64, f64)>, Failure> = slopes.iter().map(walk).collect();
     panel.add(Series::line("carom, no number fitted", exact?));
     let line = |model: &dyn Fn(f64) -> f64| -> Vec<(f64, f64)> {
         slopes.iter().map(|slope| (*slope, -slope * model(slope / FRICTION))).collect()
     };
     panel.add(Series::dashed("constant coefficients", line(&|l| constant(BETA, l, NORMAL))));
-    let hertz = line(&|l| spring(Spring::Hertzian, kappa(), l));
+    let hertz = line(&|l| spring(Spring::Hertzian, kappa(NU), l));
     panel.add(Series::dotted("code: Hertz and a spring, e = 1", hertz));
-    let linear = line(&|l| spring(Spring::Linear, kappa(), l));
+    let linear = line(&|l| spring(Spring::Linear, kappa(NU), l));
     panel.add(Series::dotted("code: two linear springs, e = 1", linear).coloured(4));
     Ok(())
 }
@@ -81,7 +78,7 @@ pub(super) fn draw() -> FigureResult {
 fn claims(figure: &mut Figure, impacts: &[Impact]) -> Result<(), Failure> {
     let (mut found, mut walton, mut pairs) = (Vec::new(), Vec::new(), Vec::new());
     for one in impacts {
-        let after = -one.tangential * elastic(kappa(), one.lambda(), NORMAL)?;
+        let after = -one.tangential * elastic(kappa(NU), one.lambda(), NORMAL)?;
         found.push(after - one.slip_after);
         walton.push(-one.tangential * constant(BETA, one.lambda(), NORMAL) - one.slip_after);
         pairs.push((after / one.normal, one.reference));

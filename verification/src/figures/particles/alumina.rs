@@ -58,8 +58,10 @@ fn exact(angle: f64) -> Result<After, Failure> {
 /// The same with a normal restitution, by its engineering rule.
 fn inelastic(angle: f64) -> Result<After, Failure> {
     let [tangential, normal] = speeds(angle);
-    let kappa = (2.0 - ALUMINA.poisson) / (2.0 * (1.0 - ALUMINA.poisson));
-    let groups = Groups::of_spheres(kappa, tangential / (FRICTION * normal))?;
+    let groups = Groups::of_spheres(
+        super::super::spheres::kappa(ALUMINA.poisson),
+        tangential / (FRICTION * normal),
+    )?;
     let restitution = with_normal_restitution(groups, MEASURED_RESTITUTION)?;
     // The impulse changes the slip by 7/2 of what it changes the velocity.
     let change = 2.0 / 7.0 * (1.0 + restitution) * tangential;

@@ -10,19 +10,11 @@ use carom_laws::friction::Friction;
 use carom_special::roots::try_bisect;
 use rayon::prelude::*;
 
+use super::super::spheres::{chi, kappa};
 use super::super::spring_impact;
 use crate::{Absolute, Axis, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
 
 const RATIOS: [f64; 4] = [0.0, 0.25, 0.3, 0.5];
-
-/// chi of solid spheres, twice Maw, Barber and Fawcett's.
-fn chi(nu: f64) -> f64 {
-    7.0 * (1.0 - nu) / (2.0 - nu)
-}
-
-fn kappa(nu: f64) -> f64 {
-    (2.0 - nu) / (2.0 * (1.0 - nu))
-}
 
 /// psi_2 = -psi_1 R_x.
 fn rebound(nu: f64, psi: f64) -> Result<f64, Failure> {

@@ -8,6 +8,7 @@ use carom_impact::oblique::{Event, Groups, ObliqueImpact, Regime};
 use carom_special::roots::try_bisect;
 use rayon::prelude::*;
 
+use super::super::spheres::chi;
 use super::super::spring_impact;
 use crate::{Absolute, Axis, Failure, Figure, FigureResult, Marker, Panel, Series};
 use crate::{linspace, logspace};
@@ -250,7 +251,7 @@ fn flip_claims(figure: &mut Figure) -> Result<(), Failure> {
         )
         .source("zero of 1/Γ((19 - φ)/20): the odd solution of the equation of adhesion");
     figure.close("φ there", phi(3.0), 19.0, Absolute(1e-14)).source("sqrt(1 + 120 · 3)");
-    let walk = impact(7.0 * 0.7 / 1.7, 0.3)?;
+    let walk = impact(chi(0.3), 0.3)?;
     figure
         .holds(
             "ν = 0.3, ψ = 0.3: ξ has a minimum in restitution (R_x < 0), the slip does not turn",
@@ -258,8 +259,7 @@ fn flip_claims(figure: &mut Figure) -> Result<(), Failure> {
             walk.restitution(),
         )
         .source("against the text below fig. 7.1");
-    let nu =
-        boundary(0.1, 0.4, |nu| Ok(ends_forward(&impact(7.0 * (1.0 - nu) / (2.0 - nu), 1e-6)?)))?;
+    let nu = boundary(0.1, 0.4, |nu| Ok(ends_forward(&impact(chi(nu), 1e-6)?)))?;
     figure
         .close("of spheres those with ν < 1/4", nu, 0.25, Absolute(1e-5))
         .source("χ = 7 (1 - ν)/(2 - ν) = 3");
