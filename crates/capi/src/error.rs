@@ -1,7 +1,6 @@
 //! Status codes, and what is wrong in words, in the caller's own memory.
 
 use std::ffi::c_char;
-use std::fmt::Write as _;
 use std::panic::{AssertUnwindSafe, catch_unwind};
 
 use carom_special::RangeError;
@@ -66,35 +65,7 @@ pub(crate) struct Failure {
     pub(crate) index: Option<usize>,
     pub(crate) field: &'static str,
     pub(crate) value: f64,
-    pub(crate) text: Text,
-}
-
-/// The sentence, cut off where the room ends.
-#[derive(Debug)]
-pub(crate) struct Text {
-    bytes: [u8; 199],
-    len: usize,
-}
-
-impl std::fmt::Write for Text {
-    fn write_str(&mut self, text: &str) -> std::fmt::Result {
-        let room = self.bytes.len() - self.len;
-        let mut fits = text.len().min(room);
-        while !text.is_char_boundary(fits) {
-            fits -= 1;
-        }
-        self.bytes[self.len..self.len + fits].copy_from_slice(&text.as_bytes()[..fits]);
-        self.len += fits;
-        Ok(())
-    }
-}
-
-impl Text {
-    fn of(what: impl std::fmt::Display) -> Self {
-        let mut text = Self { bytes: [0; 199], len: 0 };
-        let _ = write!(text, "{what}"); // what does not fit is cut off
-        text
-    }
+    pub(crate) text: String,
 }
 
 impl Failure {
@@ -105,7 +76,7 @@ impl Failure {
         field: &'static str,
         text: impl std::fmt::Display,
     ) -> Self {
-        Self { status, index: None, field, value: 0.0, text: Text::of(text) }
+        Self { status, index: None, field, value: 0.0, text: text.to_string() }
     }
 
     /// The same in an entry of an array.
@@ -121,16 +92,16 @@ impl Failure {
     fn write(&self, error: &mut CaromError) {
         error.index = self.index.and_then(|index| i64::try_from(index).ok()).unwrap_or(-1);
         error.value = self.value;
-        copy(self.field.as_bytes(), &mut error.field);
-        copy(&self.text.bytes[..self.text.len], &mut error.text);
+        copy(self.field, &mut error.field);
+        copy(&self.text, &mut error.text);
     }
 }
 
-/// As many bytes as there is room for, and zeros.
-fn copy(bytes: &[u8], to: &mut [c_char]) {
-    let len = bytes.len().min(to.len() - 1);
+/// As much of a text as there is room for, and zeros.
+fn copy(text: &str, to: &mut [c_char]) {
+    let len = text.floor_char_boundary(to.len() - 1);
     to.fill(0);
-    for (to, byte) in to.iter_mut().zip(&bytes[..len]) {
+    for (to, byte) in to.iter_mut().zip(&text.as_bytes()[..len]) {
         *to = *byte as c_char;
     }
 }

@@ -12,7 +12,6 @@ use pyo3::prelude::*;
 
 use crate::arrays::same_length;
 use crate::error::Fault;
-use crate::hertz::stiffness;
 
 /// Vertices of the memory.
 const VERTICES: usize = 64;
@@ -67,7 +66,7 @@ impl Contact {
     #[new]
     #[pyo3(signature = (stiffness, friction, law="coulomb".to_owned(), tolerance=1e-3))]
     fn new(
-        #[pyo3(from_py_with = stiffness)] stiffness: ContactStiffness,
+        #[pyo3(from_py_with = crate::hertz::stiffness)] stiffness: ContactStiffness,
         friction: f64,
         law: String,
         tolerance: f64,
@@ -201,7 +200,8 @@ impl Contact {
         Ok((numbers, self.dissipated()))
     }
 
-    fn __setstate__(&mut self, (numbers, dissipated): (Vec<f64>, f64)) -> PyResult<()> {
+    fn __setstate__(&mut self, state: (Vec<f64>, f64)) -> PyResult<()> {
+        let (numbers, dissipated) = state;
         let mut law: Law = self.constants.law()?;
         law.unpack(&numbers).map_err(Fault::from)?;
         (self.law, self.dissipated) = (Accounted::new(law), dissipated);

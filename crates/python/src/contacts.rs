@@ -13,7 +13,6 @@ use rayon::prelude::*;
 use crate::arrays::{Numbers, Rows, same_length};
 use crate::contact::{Constants, check};
 use crate::error::Fault;
-use crate::hertz::stiffness;
 
 /// Vertices of each memory.
 const VERTICES: usize = 16;
@@ -29,7 +28,7 @@ enum Laws {
 }
 
 /// Many contacts of the same constants, advanced together.
-#[pyclass(module = "carom", subclass)]
+#[pyclass(module = "carom._carom")]
 #[derive(Debug, Clone)]
 pub(crate) struct Contacts {
     constants: Constants,
@@ -45,7 +44,7 @@ impl Contacts {
     ))]
     fn new(
         count: usize,
-        #[pyo3(from_py_with = stiffness)] stiffness: ContactStiffness,
+        #[pyo3(from_py_with = crate::hertz::stiffness)] stiffness: ContactStiffness,
         friction: f64,
         law: String,
         tolerance: f64,

@@ -11,7 +11,7 @@ A ball of alumina meets a plate of the same material at 45 degrees:
 >>> rebound = carom.collide(ball, carom.plane(alumina), friction=0.092)
 >>> round(rebound.restitution, 4)
 -0.356
->>> rebound.velocity_1[2]
+>>> float(rebound.velocity_1[2])
 2.758
 
 R_x of spheres for a thousand angles:

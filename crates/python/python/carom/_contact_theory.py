@@ -35,7 +35,7 @@ def hertz(contact: Hertz, **given: ArrayLike) -> HertzState:
     >>> steel = carom.Material(208e9, 0.3)
     >>> contact = carom.hertz_of_spheres(0.01, float("inf"), steel)
     >>> state = carom.hertz(contact, force=[10.0, 80.0])
-    >>> state.semi_axis_a[1] / state.semi_axis_a[0]  # a goes as the cube root of the force
+    >>> float(state.semi_axis_a[1] / state.semi_axis_a[0])  # a goes as the cube root of the force
     2.0
     """
     if len(given) != 1:
