@@ -145,7 +145,10 @@ fn what_cannot_be_is_refused_by_name() {
         ),
         (format!("{ball}{grid}[contact]\nfriction = 0\n[[step]]\nxi = 1\n"), vec!["step[0].zeta"]),
         (format!("{ball}[grid]\ncells = [0, 3]\nsize = [1, 1]\n{rest}"), vec!["grid.cells.x", "0"]),
-        (format!("{ball}slope = 1\n{grid}{rest}"), vec!["gap.slope", "gap.shape"]),
+        (
+            format!("{ball}slope = 1\n{grid}{rest}"),
+            vec!["gap.slope", "`gap` of shape \"sphere\" takes `shape`, `radius`"],
+        ),
         (
             format!("[gap]\nshape = \"ball\"\n{grid}{rest}"),
             vec!["gap.shape", "\"ball\"", "paraboloid"],

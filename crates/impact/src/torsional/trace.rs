@@ -1,11 +1,13 @@
-//! The course of a torsional impact at chosen instants.
+//! The states of a torsional impact at chosen instants.
 
 use carom_special::RangeError;
 
 use super::adhesion::Adhesion;
+use super::error::TorsionalError;
 use super::groups::TorsionalGroups;
-use super::impact::{TorsionalError, TorsionalImpact, Walk, WalkError};
-use super::stepped::{Step, SteppedWalk};
+use super::impact::TorsionalImpact;
+use super::stepped::{Step, SteppedTrajectory};
+use super::trajectory::{Trajectory, TrajectoryError};
 use crate::normal;
 
 /// What the contact area does.
@@ -59,8 +61,8 @@ impl TorsionalImpact {
         let groups = groups.away_from_zero();
         match Self::trace_one_ring(groups, w) {
             Ok(points) => Ok(points),
-            Err(WalkError::TurnsBack) => Ok(Self::trace_in_steps(groups, w)?),
-            Err(WalkError::Failed(error)) => Err(error),
+            Err(TrajectoryError::TurnsBack) => Ok(Self::trace_in_steps(groups, w)?),
+            Err(TrajectoryError::Failed(error)) => Err(error),
         }
     }
 
@@ -69,12 +71,12 @@ impl TorsionalImpact {
         w: &[f64],
     ) -> Result<Vec<TorsionalPoint>, RangeError> {
         const STEPS: usize = 4000;
-        let mut walk = SteppedWalk::new(groups, STEPS);
+        let mut trajectory = SteppedTrajectory::new(groups, STEPS);
         let mut last = 1.0;
         let mut points = Vec::with_capacity(w.len());
         for &target in w {
             last = target.clamp(-1.0, last);
-            let Step { radius, stick, spin, twist, torque } = walk.advance_to(last)?;
+            let Step { radius, stick, spin, twist, torque } = trajectory.advance_to(last)?;
             let phase = if stick >= radius * (1.0 - 1e-12) {
                 TorsionalPhase::Adhesion
             } else if stick > 0.0 {
@@ -99,19 +101,19 @@ impl TorsionalImpact {
     fn trace_one_ring(
         groups: TorsionalGroups,
         w: &[f64],
-    ) -> Result<Vec<TorsionalPoint>, WalkError> {
+    ) -> Result<Vec<TorsionalPoint>, TrajectoryError> {
         let history = Adhesion::new(groups.epsilon(), groups.omega())?;
         let onset_velocity = history.onset_velocity();
-        let mut walk = Walk::new(groups, &history);
+        let mut trajectory = Trajectory::new(groups, &history);
         let mut last = 1.0;
         let mut points = Vec::with_capacity(w.len());
         for &target in w {
             let w = target.clamp(-1.0, last);
             last = w;
-            let station = walk.advance_to(w)?;
+            let instant = trajectory.advance_to(w)?;
             let phase = if w >= onset_velocity {
                 TorsionalPhase::Adhesion
-            } else if station.stick > 0.0 {
+            } else if instant.stick > 0.0 {
                 TorsionalPhase::PartialSlip
             } else {
                 TorsionalPhase::Sliding
@@ -119,11 +121,11 @@ impl TorsionalImpact {
             points.push(TorsionalPoint {
                 time: normal::time(w),
                 normal_velocity: w,
-                radius: station.radius,
-                stick_radius: station.stick,
-                spin: station.turn.spin(groups.epsilon()),
-                twist: station.turn.twist,
-                torque: station.turn.torque,
+                radius: instant.radius,
+                stick_radius: instant.stick,
+                spin: instant.turn.spin(groups.epsilon()),
+                twist: instant.turn.twist,
+                torque: instant.turn.torque,
                 phase,
             });
         }

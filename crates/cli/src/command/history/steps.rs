@@ -44,7 +44,7 @@ pub enum StepsError {
 ///
 /// # Errors
 /// If it cannot be read, is no text of at most 64 MiB, lacks a column or has another one, or a value is no finite number.
-pub(super) fn read(path: &Path) -> Result<Vec<Shift>, CliError> {
+pub(in crate::command) fn read(path: &Path) -> Result<Vec<Shift>, CliError> {
     parse(&read_table(path)?).map_err(|source| CliError::Steps { path: path.to_owned(), source })
 }
 

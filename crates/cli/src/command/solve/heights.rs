@@ -1,6 +1,6 @@
 //! A height map from a CSV file.
 
-use crate::case::HeightMap;
+use crate::case::HeightFile;
 use crate::error::CliError;
 use crate::input::read_table;
 use carom_halfspace::{Field, Grid};
@@ -12,7 +12,11 @@ use std::path::Path;
 /// # Errors
 /// [`CliError::Input`] with line and column if the file is ragged, of another size than the grid, or
 /// holds anything but finite numbers.
-pub(super) fn read(path: &Path, map: &HeightMap, grid: Grid) -> Result<(Gap, String), CliError> {
+pub(in crate::command) fn read(
+    path: &Path,
+    map: &HeightFile,
+    grid: Grid,
+) -> Result<(Gap, String), CliError> {
     let refused = |reason: String| CliError::Input { path: path.to_owned(), reason };
     let text = read_table(path)?;
     let mut heights = Vec::with_capacity(grid.cells());

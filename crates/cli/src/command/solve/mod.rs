@@ -3,7 +3,7 @@
 mod below;
 pub(super) mod compare;
 mod follow;
-mod heights;
+pub(super) mod heights;
 mod npz;
 mod plot;
 mod store;
