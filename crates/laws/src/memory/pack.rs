@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-use super::{Lateral, Memory, Regime, Vertex, VertexStack};
+use super::{Lateral, Memory, MemoryRegime, Vertex, VertexStack};
 use crate::bounds::in_memory;
 use crate::profile::NormalProfile;
 
@@ -14,17 +14,17 @@ const EACH: usize = 5;
 /// The most vertices that the first number can count.
 const MOST: usize = 99;
 
-const REGIMES: [Regime; 7] = [
-    Regime::Separated,
-    Regime::Adhesion,
-    Regime::Release,
-    Regime::Slip,
-    Regime::Reversal,
-    Regime::Overlay,
-    Regime::Sliding,
+const REGIMES: [MemoryRegime; 7] = [
+    MemoryRegime::Separated,
+    MemoryRegime::Adhesion,
+    MemoryRegime::Release,
+    MemoryRegime::Slip,
+    MemoryRegime::Reversal,
+    MemoryRegime::Overlay,
+    MemoryRegime::Sliding,
 ];
 
-impl Regime {
+impl MemoryRegime {
     /// Its place in the list of all, by which it is kept in numbers.
     pub(crate) fn number(self) -> u8 {
         REGIMES.iter().position(|regime| *regime == self).unwrap_or(0) as u8
@@ -111,13 +111,13 @@ fn vertex<V: Lateral>(numbers: &[f64], anchor: V, force: V) -> Vertex<V> {
 }
 
 /// The regime and the number of vertices, if the numbers are a state.
-fn check(numbers: &[f64], capacity: usize) -> Result<(Regime, usize), RangeError> {
+fn check(numbers: &[f64], capacity: usize) -> Result<(MemoryRegime, usize), RangeError> {
     let room = numbers.len() as f64;
     RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
     let mark = if numbers[0] == 0.0 { 1e4 * VERSION } else { numbers[0] };
     let rest = mark - 1e4 * VERSION;
     let (regime, len) = ((rest / 100.0).floor(), rest.rem_euclid(100.0));
-    let known = Regime::of_number(regime).filter(|_| len == len.floor());
+    let known = MemoryRegime::of_number(regime).filter(|_| len == len.floor());
     let regime = known.ok_or(RangeError::new("mark", mark, "of version 2"))?;
     let len = len as usize;
     let holds = len <= capacity && numbers.len() >= HEAD + EACH * len;
