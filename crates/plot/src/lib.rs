@@ -32,6 +32,7 @@ mod text;
 
 pub use error::PlotError;
 pub use field::Field;
+pub use raster::base64;
 pub use panel::{Aspect, Axis, Limits, Panel, Scale};
 pub use render::{render, render_png};
 pub use series::{Arrow, Marker, Point, Series, Stroke, Style, linspace, logspace};

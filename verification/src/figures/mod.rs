@@ -3,7 +3,7 @@
 use crate::catalogue::Entry;
 
 /// What a part of a figure fails with.
-type Failure = Box<dyn std::error::Error + Send + Sync>;
+pub(crate) type Failure = Box<dyn std::error::Error + Send + Sync>;
 
 mod accuracy;
 mod ch03;
