@@ -6,7 +6,7 @@ mod table;
 use serde_json::{Value, json};
 use std::fmt::Write as _;
 
-use crate::figures::Failure;
+use crate::Failure;
 pub(crate) use table::{Instant, Table, exact, lambda_of_sliding, restitution};
 
 const SCRIPT: &str = include_str!("play/script.js");

@@ -4,7 +4,8 @@ use carom_impact::oblique::{Groups, ObliqueImpact, TracePoint};
 use carom_impact::restitution::of_spheres;
 use std::f64::consts::PI;
 
-use crate::figures::Failure;
+use crate::Failure;
+use crate::figures::kappa;
 
 /// Poisson's ratios, from 0 to 1/2.
 pub(super) const POISSONS: usize = 11;
@@ -36,10 +37,6 @@ pub(crate) struct Table {
 /// Solid spheres of one material slide throughout from this lambda on.
 pub(crate) fn lambda_of_sliding(poisson: f64) -> f64 {
     7.0 - kappa(poisson)
-}
-
-fn kappa(poisson: f64) -> f64 {
-    (2.0 - poisson) / (2.0 * (1.0 - poisson))
 }
 
 /// R_x, exactly.

@@ -1,8 +1,7 @@
 //! How far the table of the report's page to play with is off.
 
-use super::super::Failure;
 use crate::play::{Instant, Table, exact, lambda_of_sliding, restitution};
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Axis, Failure, Figure, FigureResult, Panel, Series, linspace};
 
 /// Between the entries of the table, as far from them as can be.
 const POISSONS: [f64; 4] = [0.025, 0.175, 0.325, 0.475];
@@ -56,18 +55,18 @@ pub(super) fn draw() -> FigureResult {
         ("F_x/(f F_z,max) at every instant", most(&|off| off.force), 1e-2),
     ] {
         let statement = format!("the table's {statement}, off by at most");
-        figure.claim(Claim::at_most(statement, found, bound).source(source));
+        figure.at_most(statement, found, bound).source(source);
     }
     let mean = all.iter().map(|off| off.stick).sum::<f64>() / all.len() as f64;
     // Where sticking begins or ends its radius jumps, and a mean of two jumps is none.
-    let statement = "its stick radius over that of the greatest contact, off in the mean by at most";
-    figure.claim(Claim::at_most(statement, mean, 0.02).source(source));
+    let statement =
+        "its stick radius over that of the greatest contact, off in the mean by at most";
+    figure.at_most(statement, mean, 0.02).source(source);
     let slides = table.read(0.3, 8.0);
     let end = slides.last().ok_or("an impact without instants")?.velocity;
-    figure.claim(
-        Claim::close("λ = 8: R_x", -end, 7.0 / 8.0 - 1.0, Tolerance::Absolute(1e-12))
-            .source("(9.33), sliding throughout"),
-    );
+    figure
+        .close("λ = 8: R_x", -end, 7.0 / 8.0 - 1.0, Absolute(1e-12))
+        .source("(9.33), sliding throughout");
     figure.snapshot_digits(3);
     Ok(figure)
 }
