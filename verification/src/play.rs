@@ -39,7 +39,7 @@ impl Check {
     }
 
     fn record(&self) -> Result<Value, Failure> {
-        let restitution = table::restitution(self.poisson, self.lambda())?;
+        let restitution = restitution(self.poisson, self.lambda())?;
         Ok(json!({
             "poisson": self.poisson, "friction": self.friction, "angle": self.angle,
             "spin": self.spin, "restitution": restitution,
