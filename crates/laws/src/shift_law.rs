@@ -1,5 +1,7 @@
 //! The contact law of a shift: Hertz's normal force and Coulomb's friction with memory.
 
+mod pack;
+
 use carom_special::RangeError;
 
 use crate::bounds::in_memory;

@@ -20,6 +20,7 @@ mod adhesion;
 mod energy;
 mod lateral;
 mod merge;
+mod pack;
 mod report;
 mod slip_in_line;
 mod slip_in_plane;

@@ -1,0 +1,99 @@
+//! The examples in C and Fortran, compiled and run against the static library; C under valgrind too.
+//!
+//! Each is skipped, and says so, where its compiler is not installed.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What the static library needs of the system.
+const SYSTEM: &[&str] = &["-lpthread", "-ldl", "-lm"];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The folder of the built library: that of this test, or above.
+fn library() -> PathBuf {
+    let test = std::env::current_exe().unwrap();
+    let folders = test.ancestors().skip(1).take(2);
+    let mut found = folders.map(|folder| folder.join("libcarom_capi.a"));
+    found.find(|path| path.exists()).expect("libcarom_capi.a beside the tests")
+}
+
+fn is_installed(tool: &str) -> bool {
+    let there = Command::new(tool).arg("--version").output().is_ok_and(|out| out.status.success());
+    if !there {
+        println!("skipped: {tool} is not installed");
+    }
+    there
+}
+
+fn run(command: &mut Command) -> String {
+    let output = command.output().unwrap();
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let wrong = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{command:?} failed:\n{text}\n{wrong}");
+    text
+}
+
+/// Compiles an example into a folder of this process.
+fn compile(compiler: &str, arguments: &[&str], example: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("carom-{}-{example}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let program = folder.join("program");
+    let mut command = Command::new(compiler);
+    command.current_dir(&folder).args(arguments).arg("-I").arg(root().join("include"));
+    command.arg(root().join("examples").join(example)).arg(library()).args(SYSTEM);
+    run(command.arg("-o").arg(&program));
+    program
+}
+
+const STRICT: &[&str] = &["-std=c99", "-O1", "-g", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
+
+#[test]
+fn example_in_c() {
+    if !is_installed("cc") {
+        return;
+    }
+    let program = compile("cc", STRICT, "impact.c");
+    let said = run(&mut Command::new(&program));
+    assert!(said.ends_with("all is well\n"), "{said}");
+    if is_installed("valgrind") {
+        let options = ["--quiet", "--error-exitcode=9", "--leak-check=full"];
+        run(Command::new("valgrind").args(options).arg(&program));
+    }
+    std::fs::remove_dir_all(program.parent().unwrap()).unwrap();
+}
+
+/// The header is C++ as well.
+#[test]
+fn example_in_c_as_cpp() {
+    if !is_installed("c++") {
+        return;
+    }
+    let folder = std::env::temp_dir().join(format!("carom-{}-header", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let source = folder.join("header.cpp");
+    let text = "#include \"carom.h\"\n\
+                static_assert(sizeof(carom_state) == 8 * CAROM_STATE_NUMBERS, \"state\");\n\
+                static_assert(sizeof(carom_contact) == 8 * (CAROM_CONTACT_WORDS + 1), \"contact\");\n\
+                int main() { return carom_abi_version() == CAROM_ABI_VERSION ? 0 : 1; }\n";
+    std::fs::write(&source, text).unwrap();
+    let program = folder.join("program");
+    let mut command = Command::new("c++");
+    command.args(["-std=c++11", "-Wall", "-Wextra", "-Werror", "-I"]).arg(root().join("include"));
+    run(command.arg(&source).arg(library()).args(SYSTEM).arg("-o").arg(&program));
+    run(&mut Command::new(&program));
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn example_in_fortran() {
+    if !is_installed("gfortran") {
+        return;
+    }
+    let program = compile("gfortran", &["-O1", "-Wall", "-Wno-unused-parameter"], "contact.f90");
+    let said = run(&mut Command::new(&program));
+    assert!(said.ends_with("all is well\n"), "{said}");
+    std::fs::remove_dir_all(program.parent().unwrap()).unwrap();
+}
