@@ -65,6 +65,7 @@ mod figures;
 pub mod files;
 pub mod launch;
 pub mod page;
+mod play;
 mod reference;
 pub mod report;
 pub mod run;

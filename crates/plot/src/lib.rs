@@ -33,5 +33,6 @@ mod text;
 pub use error::PlotError;
 pub use field::Field;
 pub use panel::{Aspect, Axis, Limits, Panel, Scale};
+pub use raster::base64;
 pub use render::{render, render_png};
 pub use series::{Arrow, Marker, Point, Series, Stroke, Style};

@@ -1,6 +1,7 @@
 //! The figures, chapter by chapter; each file lists its own in `ENTRIES`.
 
 use crate::catalogue::Entry;
+pub(crate) use spheres::kappa;
 
 mod accuracy;
 mod ch03;

@@ -1,7 +1,7 @@
 //! Solid spheres of one material, by Poisson's ratio.
 
 /// kappa = c_z/c_x.
-pub(super) fn kappa(nu: f64) -> f64 {
+pub(crate) fn kappa(nu: f64) -> f64 {
     (2.0 - nu) / (2.0 * (1.0 - nu))
 }
 
