@@ -65,6 +65,26 @@ fn example_in_c() {
     std::fs::remove_dir_all(program.parent().unwrap()).unwrap();
 }
 
+/// The line of the README, as it stands but for where the library is.
+#[test]
+fn readme_compiles_the_example() {
+    if !is_installed("cc") {
+        return;
+    }
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let line = readme.lines().find(|line| line.starts_with("cc ")).unwrap();
+    let program = std::env::temp_dir().join(format!("carom-{}-readme", std::process::id()));
+    let library = library();
+    let words = line.split_whitespace().skip(1).map(|word| match word {
+        "target/release/libcarom_capi.a" => library.as_os_str(),
+        "target/impact" => program.as_os_str(),
+        word => word.as_ref(),
+    });
+    run(Command::new("cc").current_dir(root().join("../..")).args(words));
+    run(&mut Command::new(&program));
+    std::fs::remove_file(program).unwrap();
+}
+
 /// Installed as a system has it: the shared library, found by pkg-config.
 #[test]
 fn example_in_c_by_pkg_config() {

@@ -8,7 +8,9 @@ use crate::bounds::in_memory;
 use crate::coulomb::{CoulombMemory, Tolerance};
 use crate::friction::Friction;
 use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, ImpactLaw, Shift};
-use crate::memory::{AdhesionMemory, Growing, Lateral, Memory, Regime, Tangent, Turn, VertexStack};
+use crate::memory::{
+    AdhesionMemory, Growing, Lateral, Memory, MemoryRegime as Regime, Tangent, Turn, VertexStack,
+};
 use crate::profile::{Hertzian, NormalProfile};
 use crate::stiffness::ContactStiffness;
 

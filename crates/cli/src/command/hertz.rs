@@ -8,8 +8,9 @@ use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json, short, table};
 use carom_laws::hertz::{Hertz, HertzState};
-use carom_plot::{Axis, Panel, Series, linspace};
+use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
+use carom_special::linspace;
 use serde::Serialize;
 use std::f64::consts::PI;
 

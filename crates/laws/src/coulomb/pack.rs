@@ -5,7 +5,7 @@ use carom_special::RangeError;
 use super::CoulombMemory;
 use super::piece::{End, Knot};
 use crate::bounds::in_memory;
-use crate::memory::{Lateral, Regime, VertexStack};
+use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 
 /// The version of the format; the first number is `1e4 version + 100 regime + vertices`.
 const VERSION: f64 = 1.0;

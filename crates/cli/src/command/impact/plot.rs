@@ -5,7 +5,7 @@ use crate::case::Input;
 use crate::command::plot::{Course, MOST_MARKS, Value};
 use crate::output::Picture;
 use carom_impact::HistoryPoint;
-use carom_plot::linspace;
+use carom_special::linspace;
 
 /// Instants of a drawn course.
 pub(super) const INSTANTS: usize = 401;
