@@ -7,7 +7,7 @@ use std::process::Command;
 /// What the tests need beside the wheel.
 const TOOLS: &[&str] = &["maturin>=1.9,<2", "numpy>=1.26", "pytest>=8"];
 /// What they use where it can be had.
-const WISHES: &[&str] = &["matplotlib", "pandas", "xarray"];
+const WISHES: &[&str] = &["distributed", "matplotlib", "pandas", "xarray"];
 
 /// Builds the wheel and tests it in an environment below target/; skipped, and it says so, where there is
 /// no Python 3.11 or later.

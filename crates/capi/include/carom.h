@@ -417,7 +417,8 @@ carom_status carom_contact_pack(const struct carom_pair *pair,
                                 struct carom_state *state,
                                 struct carom_error *error);
 
-// Makes a contact of what a state remembers.
+// Makes a contact of what a state remembers. A contact that is not zero keeps its constants, which is
+// faster: one contact may take up many states of a pair, one after the other.
 //
 // # Safety
 // `pair` and `state` are null or may be read; `contact` and `error` are null or may be written.
@@ -550,7 +551,8 @@ carom_status carom_contact_pack(const struct carom_pair *pair,
                                 struct carom_state *state,
                                 struct carom_error *error);
 
-// Makes a contact of what a state remembers.
+// Makes a contact of what a state remembers. A contact that is not zero keeps its constants, which is
+// faster: one contact may take up many states of a pair, one after the other.
 //
 // # Safety
 // `pair` and `state` are null or may be read; `contact` and `error` are null or may be written.

@@ -71,7 +71,8 @@ proptest! {
         for shift in walk {
             let mut loads = [CaromLoad::default(); 2];
             let (mut of_many, mut of_raws) = ([CaromLoad::default(); 3], [CaromLoad::default(); 3]);
-            let mut restarted = contact();
+            // A contact that was another one before.
+            let mut restarted = raws[1];
             // SAFETY: all pointers are references, strides those of the arrays; stride 0 takes one shift.
             let statuses = unsafe {
                 let sizes = [size_of::<CaromState>(), size_of::<CaromLoad>(), size_of::<CaromContact>()];

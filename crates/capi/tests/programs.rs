@@ -65,6 +65,54 @@ fn example_in_c() {
     std::fs::remove_dir_all(program.parent().unwrap()).unwrap();
 }
 
+/// The line of the README, as it stands but for where the library is.
+#[test]
+fn readme_compiles_the_example() {
+    if !is_installed("cc") {
+        return;
+    }
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let line = readme.lines().find(|line| line.starts_with("cc ")).unwrap();
+    let program = std::env::temp_dir().join(format!("carom-{}-readme", std::process::id()));
+    let library = library();
+    let words = line.split_whitespace().skip(1).map(|word| match word {
+        "target/release/libcarom_capi.a" => library.as_os_str(),
+        "target/impact" => program.as_os_str(),
+        word => word.as_ref(),
+    });
+    run(Command::new("cc").current_dir(root().join("../..")).args(words));
+    run(&mut Command::new(&program));
+    std::fs::remove_file(program).unwrap();
+}
+
+/// Installed as a system has it: the shared library, found by pkg-config.
+#[test]
+fn example_in_c_by_pkg_config() {
+    if !is_installed("cc") || !is_installed("pkg-config") {
+        return;
+    }
+    let prefix = std::env::temp_dir().join(format!("carom-{}-prefix", std::process::id()));
+    std::fs::create_dir_all(prefix.join("include")).unwrap();
+    std::fs::create_dir_all(prefix.join("lib/pkgconfig")).unwrap();
+    std::fs::copy(root().join("include/carom.h"), prefix.join("include/carom.h")).unwrap();
+    let shared = library().with_extension("so");
+    std::fs::copy(&shared, prefix.join("lib/libcarom_capi.so")).unwrap();
+    let template = std::fs::read_to_string(root().join("carom.pc.in")).unwrap();
+    let text = template.replace("@PREFIX@", &prefix.to_string_lossy());
+    let text = text.replace("@VERSION@", env!("CARGO_PKG_VERSION"));
+    std::fs::write(prefix.join("lib/pkgconfig/carom.pc"), text).unwrap();
+    let mut ask = Command::new("pkg-config");
+    ask.env("PKG_CONFIG_PATH", prefix.join("lib/pkgconfig"));
+    let said = run(ask.args(["--cflags", "--libs", "carom"]));
+    let program = prefix.join("program");
+    let mut compile = Command::new("cc");
+    compile.args(STRICT).arg(root().join("examples/impact.c")).args(said.split_whitespace());
+    run(compile.arg("-lm").arg("-o").arg(&program));
+    let said = run(Command::new(&program).env("LD_LIBRARY_PATH", prefix.join("lib")));
+    assert!(said.ends_with("all is well\n"), "{said}");
+    std::fs::remove_dir_all(prefix).unwrap();
+}
+
 /// The header is C++ as well.
 #[test]
 fn example_in_c_as_cpp() {

@@ -139,7 +139,26 @@ fn the_limits_of_friction() {
     assert_eq!(again, free);
     let mut rubbing = Law::new(stiffness, Friction::new(0.3).unwrap());
     assert_eq!(rubbing.unpack(&numbers).unwrap_err().field, "mark");
-    let mut stuck = Law::new(stiffness, Friction::INFINITE);
-    assert_eq!(stuck.pack(&mut numbers).unwrap_err().field, "friction");
-    assert_eq!(stuck.unpack(&numbers).unwrap_err().field, "friction");
+}
+
+/// Without slip a vertex takes more room, and comes back to the same bits.
+#[test]
+fn infinite_friction() {
+    let stiffness = ContactStiffness::new(1.0, 0.8, 1.2).unwrap();
+    let fresh = Law::new(stiffness, Friction::INFINITE);
+    let mut law = fresh;
+    for i in 1..30 {
+        let t = f64::from(i);
+        let zeta = 1.0 + 0.05 * t + 0.3 * t.sin();
+        law.advance(Shift { zeta, xi: t.cos(), eta: (2.0 * t).sin(), omega: 0.0 }).unwrap();
+    }
+    assert_eq!(law.pack(&mut [0.0; packed_numbers(12)]).unwrap_err().field, "numbers");
+    let mut numbers = [5.0; 6 + 9 * 12];
+    law.pack(&mut numbers).unwrap();
+    let mut again = fresh;
+    again.unpack(&numbers).unwrap();
+    assert_eq!(again.load(), law.load());
+    let to = Shift { zeta: 0.7, xi: 0.1, eta: -0.3, omega: 0.0 };
+    assert_eq!(again.advance(to), law.advance(to));
+    assert_eq!(Law::new(stiffness, Friction::NONE).unpack(&numbers).unwrap_err().field, "mark");
 }

@@ -45,6 +45,14 @@ impl Constants {
         }
     }
 
+    /// Numbers that a state of so many vertices takes; without slip a vertex takes more.
+    pub(crate) fn numbers(&self, vertices: usize) -> usize {
+        match self.friction == f64::INFINITY {
+            true => 6 + 9 * vertices,
+            false => packed_numbers(vertices),
+        }
+    }
+
     /// As they are given to `__new__`.
     pub(crate) fn arguments(&self) -> ((f64, f64, f64), f64, String, f64) {
         let ContactStiffness { c_x, c_y, c_z } = self.stiffness;
@@ -195,7 +203,7 @@ impl Contact {
     }
 
     fn __getstate__(&self) -> PyResult<(Vec<f64>, f64)> {
-        let mut numbers = vec![0.0; packed_numbers(VERTICES)];
+        let mut numbers = vec![0.0; self.constants.numbers(VERTICES)];
         self.law.law().pack(&mut numbers).map_err(Fault::from)?;
         Ok((numbers, self.dissipated()))
     }

@@ -1,6 +1,5 @@
 //! Many contacts with memory.
 
-use carom::laws::coulomb::packed_numbers;
 use carom::laws::law::{ContactLaw as _, Dissipative as _, Shift};
 use carom::laws::memory::{Fixed, Lateral};
 use carom::laws::shift_law::ShiftLaw;
@@ -135,19 +134,20 @@ impl Contacts {
     }
 
     fn __getstate__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let each = self.constants.numbers(VERTICES);
         let numbers = match &self.laws {
-            Laws::Line(laws) => packed(laws),
-            Laws::Plane(laws) => packed(laws),
+            Laws::Line(laws) => packed(laws, each),
+            Laws::Plane(laws) => packed(laws, each),
         };
-        PyArray1::from_vec(py, numbers?).reshape([self.__len__(), packed_numbers(VERTICES)])
+        PyArray1::from_vec(py, numbers?).reshape([self.__len__(), each])
     }
 
     fn __setstate__(&mut self, numbers: Rows<'_>) -> PyResult<()> {
-        let numbers = numbers.as_slice()?;
-        same_length("state", numbers.len(), self.__len__() * packed_numbers(VERTICES))?;
+        let (numbers, each) = (numbers.as_slice()?, self.constants.numbers(VERTICES));
+        same_length("state", numbers.len(), self.__len__() * each)?;
         match &mut self.laws {
-            Laws::Line(laws) => unpack(laws, numbers)?,
-            Laws::Plane(laws) => unpack(laws, numbers)?,
+            Laws::Line(laws) => unpack(laws, numbers, each)?,
+            Laws::Plane(laws) => unpack(laws, numbers, each)?,
         }
         Ok(())
     }
@@ -214,8 +214,7 @@ fn present<V: Lateral>(laws: &[Law<V>]) -> Vec<f64> {
     loads.flat_map(|load| [load.f_x, load.f_y, load.f_z]).collect()
 }
 
-fn packed<V: Lateral>(laws: &[Law<V>]) -> Result<Vec<f64>, Fault> {
-    let each = packed_numbers(VERTICES);
+fn packed<V: Lateral>(laws: &[Law<V>], each: usize) -> Result<Vec<f64>, Fault> {
     let mut numbers = vec![0.0; laws.len() * each];
     for (law, numbers) in laws.iter().zip(numbers.chunks_exact_mut(each)) {
         law.pack(numbers)?;
@@ -223,8 +222,8 @@ fn packed<V: Lateral>(laws: &[Law<V>]) -> Result<Vec<f64>, Fault> {
     Ok(numbers)
 }
 
-fn unpack<V: Lateral>(laws: &mut [Law<V>], numbers: &[f64]) -> Result<(), Fault> {
-    for (law, numbers) in laws.iter_mut().zip(numbers.chunks_exact(packed_numbers(VERTICES))) {
+fn unpack<V: Lateral>(laws: &mut [Law<V>], numbers: &[f64], each: usize) -> Result<(), Fault> {
+    for (law, numbers) in laws.iter_mut().zip(numbers.chunks_exact(each)) {
         law.unpack(numbers)?;
     }
     Ok(())

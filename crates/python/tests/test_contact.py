@@ -94,16 +94,22 @@ def test_path_is_followed_as_step_by_step():
     np.testing.assert_array_equal(strided, steps)
 
 
-@pytest.mark.parametrize("law", ["coulomb", "chapter 7"])
-def test_contacts_pickle_and_copy(law):
+@pytest.mark.parametrize(
+    ("law", "friction"),
+    [("coulomb", F), ("chapter 7", F), ("coulomb", 0.0), ("coulomb", math.inf)],
+)
+def test_contacts_pickle_and_copy(law, friction):
     zeta, xi, eta = walk(100)
-    contact = carom.Contact(HERTZ, F, law)
+    contact = carom.Contact(HERTZ, friction, law)
+    contacts = carom.Contacts(2, HERTZ, friction, law=law)
+    contacts.follow(zeta[:60], xi[:60], eta[:60])
+    np.testing.assert_allclose(pickle.loads(pickle.dumps(contacts)).loads, contacts.loads, rtol=1e-9)
     contact.follow(zeta[:60], xi[:60], eta[:60])
     others = [copy.copy(contact), copy.deepcopy(contact), pickle.loads(pickle.dumps(contact))]
     rest = contact.follow(zeta[60:], xi[60:], eta[60:])
     for other in others:
         again = other.follow(zeta[60:], xi[60:], eta[60:])
-        np.testing.assert_allclose(again, rest, rtol=0, atol=1e-10 * F * rest[:, 2].max())
+        np.testing.assert_allclose(again, rest, rtol=0, atol=1e-10 * rest[:, 2].max())
         assert other.dissipated == pytest.approx(contact.dissipated)
 
 

@@ -79,18 +79,31 @@ def test_bodies_that_part_are_left_alone():
     assert math.isnan(rebound.duration)
 
 
-def sweep(velocities):
-    """A part of a sweep, in a process of its own."""
-    return carom.collide_many(BALL, PLATE, 0.3, velocity_1=velocities).velocity_1
+def example(name):
+    """An example as a module, so that other processes find its functions."""
+    import importlib
+    import pathlib
+    import sys
+
+    folder = str(pathlib.Path(__file__).parents[1] / "examples")
+    if folder not in sys.path:
+        sys.path.insert(0, folder)
+    return importlib.import_module(name)
 
 
 def test_a_sweep_over_processes_has_the_same_bits():
-    rng = np.random.default_rng(2)
-    velocities = rng.normal(size=(100_000, 3)) - [0, 0, 4]
-    whole = sweep(velocities)
+    sweep = example("sweep")
+    velocities = sweep.motions(20_000)
+    whole = sweep.rebounds(velocities)
     with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
-        parts = list(pool.map(sweep, np.array_split(velocities, 4)))
+        parts = list(pool.map(sweep.rebounds, np.array_split(velocities, 4)))
     np.testing.assert_array_equal(np.concatenate(parts), whole)
+
+
+def test_a_sweep_on_dask_has_the_same_bits():
+    pytest.importorskip("distributed")
+    sweep = example("sweep")
+    np.testing.assert_array_equal(sweep.main(100_000), sweep.rebounds(sweep.motions(100_000)))
 
 
 def test_other_shapes():

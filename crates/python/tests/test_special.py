@@ -64,6 +64,9 @@ def test_shapes_and_kinds():
     assert special.k(np.array([], dtype=float)).shape == (0,)
     every_other = np.arange(1.0, 9.0)[::2]
     np.testing.assert_array_equal(special.k(every_other), special.k(every_other.copy()))
+    misaligned = np.frombuffer(b"x" + every_other.tobytes(), dtype=np.uint8)[1:].view(np.float64)
+    assert not misaligned.flags.aligned
+    np.testing.assert_array_equal(special.k(misaligned), special.k(every_other))
     assert special.k(np.float32(2.0)) == special.k(2.0)
 
 

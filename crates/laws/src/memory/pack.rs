@@ -7,12 +7,13 @@ use crate::bounds::in_memory;
 use crate::profile::NormalProfile;
 
 /// The version of the format; the first number is `1e4 version + 100 regime + vertices`. Version 1 is
-/// that of [`crate::coulomb`].
+/// that of [`crate::coulomb`], 3 that of a contact without friction.
 const VERSION: f64 = 2.0;
-const HEAD: usize = 6;
+/// Numbers before the vertices.
+pub(super) const HEAD: usize = 6;
 const EACH: usize = 5;
 /// The most vertices that the first number can count.
-const MOST: usize = 99;
+pub(super) const MOST: usize = 99;
 
 const REGIMES: [MemoryRegime; 7] = [
     MemoryRegime::Separated,
@@ -76,7 +77,12 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     /// for, depths that do not rise to the approach, slopes above 1 or values out of range; the
     /// state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
-        let (regime, len) = check(numbers, self.stack.capacity())?;
+        let format = (VERSION, EACH, "of version 2");
+        let (regime, len) = check(numbers, format, self.stack.capacity())?;
+        for vertex in numbers[HEAD..].chunks_exact(EACH).take(len) {
+            let slope = vertex[1].hypot(vertex[2]);
+            RangeError::check("slope", slope, slope <= 1.0 + 1e-9, "<= 1")?;
+        }
         self.regime = regime;
         self.zeta = numbers[1];
         self.shift = V::from_components([numbers[2], numbers[3]]);
@@ -110,28 +116,31 @@ fn vertex<V: Lateral>(numbers: &[f64], anchor: V, force: V) -> Vertex<V> {
     }
 }
 
-/// The regime and the number of vertices, if the numbers are a state.
-fn check(numbers: &[f64], capacity: usize) -> Result<(MemoryRegime, usize), RangeError> {
+/// The regime and the number of vertices, if the numbers are a state of this version, with so many to
+/// a vertex.
+pub(super) fn check(
+    numbers: &[f64],
+    (version, each, of_version): (f64, usize, &'static str),
+    capacity: usize,
+) -> Result<(MemoryRegime, usize), RangeError> {
     let room = numbers.len() as f64;
     RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
-    let mark = if numbers[0] == 0.0 { 1e4 * VERSION } else { numbers[0] };
-    let rest = mark - 1e4 * VERSION;
+    let mark = if numbers[0] == 0.0 { 1e4 * version } else { numbers[0] };
+    let rest = mark - 1e4 * version;
     let (regime, len) = ((rest / 100.0).floor(), rest.rem_euclid(100.0));
-    let known = MemoryRegime::of_number(regime).filter(|_| len == len.floor());
-    let regime = known.ok_or(RangeError::new("mark", mark, "of version 2"))?;
+    let known = Regime::of_number(regime).filter(|_| len == len.floor());
+    let regime = known.ok_or(RangeError::new("mark", mark, of_version))?;
     let len = len as usize;
-    let holds = len <= capacity && numbers.len() >= HEAD + EACH * len;
+    let holds = len <= capacity && numbers.len() >= HEAD + each * len;
     RangeError::check("vertices", len as f64, holds, "not above the room for them")?;
-    for value in &numbers[1..HEAD + EACH * len] {
+    for value in &numbers[1..HEAD + each * len] {
         in_memory("numbers", *value)?;
     }
     let mut below = -1.0;
-    for vertex in numbers[HEAD..].chunks_exact(EACH).take(len) {
+    for vertex in numbers[HEAD..].chunks_exact(each).take(len) {
         let depth = vertex[0].abs();
         let rises = if below < 0.0 { depth == 0.0 } else { depth > below && depth < numbers[1] };
         RangeError::check("depth", depth, rises, "rising from 0 to below the approach")?;
-        let slope = vertex[1] * vertex[1] + vertex[2] * vertex[2];
-        RangeError::check("slope", slope.sqrt(), slope <= 1.0 + 1e-9, "<= 1")?;
         below = depth;
     }
     RangeError::check("approach", numbers[1], (numbers[1] > 0.0) == (len > 0), "> 0 in contact")?;

@@ -14,7 +14,7 @@ const HEAD: usize = 6;
 impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// Writes what the law remembers into numbers: as many as
     /// [`crate::coulomb::packed_numbers`] says for the vertices that its storage has room for are always
-    /// enough. All zeros are two bodies apart. The constants of the contact are not among
+    /// enough, but for infinite friction, which takes 6 and 9 per vertex. All zeros are two bodies apart. The constants of the contact are not among
     /// them, nor is the twist.
     ///
     /// ```
@@ -38,8 +38,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] if there is no room for the vertices, or for infinite friction, whose memory
-    /// takes more than that; nothing is then written.
+    /// [`RangeError`] if there is no room for the vertices; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
         match &self.state {
             State::Rubbing(memory) => memory.pack(numbers),
@@ -52,7 +51,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
                 numbers[..4].copy_from_slice(&[FREE, zeta, xi, eta]);
                 Ok(())
             }
-            State::Stuck(_) => Err(never_packed()),
+            State::Stuck(memory) => memory.pack(numbers),
         }
     }
 
@@ -66,7 +65,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
             State::Rubbing(memory) => memory.unpack(numbers)?,
             State::Turning(memory) => memory.unpack(numbers)?,
             State::Free => return self.unpack_free(numbers),
-            State::Stuck(_) => return Err(never_packed()),
+            State::Stuck(memory) => memory.unpack(numbers)?,
         }
         let [x, y] = self.scale.shift.components();
         let eta = if V::DIMENSION == 1 { 0.0 } else { numbers[3] / y };
@@ -85,9 +84,4 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         self.shift = Shift { zeta, xi, eta, omega: 0.0 };
         Ok(())
     }
-}
-
-#[cold]
-fn never_packed() -> RangeError {
-    RangeError::new("friction", f64::INFINITY, "finite, to be kept in plain numbers")
 }

@@ -13,7 +13,7 @@ Numbers = float | Array
 
 def line(x: ArrayLike) -> Array:
     """The numbers one after the other."""
-    return np.ascontiguousarray(x, dtype=np.float64).reshape(-1)
+    return np.require(x, np.float64, ["C", "A"]).reshape(-1)
 
 
 def over(function: Callable[..., Array], *arguments: ArrayLike) -> Numbers:
@@ -26,4 +26,4 @@ def over(function: Callable[..., Array], *arguments: ArrayLike) -> Numbers:
 def rows(x: ArrayLike | None, count: int) -> Array:
     """`count` vectors of three; one vector stands for all, None for zeros."""
     given = np.zeros(3) if x is None else np.asarray(x, dtype=np.float64)
-    return np.ascontiguousarray(np.broadcast_to(given, (count, 3)))
+    return np.require(np.broadcast_to(given, (count, 3)), np.float64, ["C", "A"])

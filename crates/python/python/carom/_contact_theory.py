@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from functools import partial
+from typing import Literal
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -11,6 +12,8 @@ from . import _carom
 from ._arrays import Array, Numbers, line, over
 from ._carom import Hertz, Material, MaterialPair
 from ._records import HertzState
+
+Given = Literal["force", "approach", "semi_axis_a", "semi_axis_b"]
 
 
 def hertz_of_spheres(
@@ -28,8 +31,15 @@ def hertz_of_spheres(
     return Hertz.of_radii(pair, (radius_1, radius_1), (radius_2, radius_2), 0.0)
 
 
-def hertz(contact: Hertz, **given: ArrayLike) -> HertzState:
-    """A Hertz contact under load: force=, approach=, semi_axis_a= or semi_axis_b= says which.
+def hertz(
+    contact: Hertz,
+    *,
+    force: ArrayLike | None = None,
+    approach: ArrayLike | None = None,
+    semi_axis_a: ArrayLike | None = None,
+    semi_axis_b: ArrayLike | None = None,
+) -> HertzState:
+    """A Hertz contact under load, of which one is given: force (N), approach or a semi-axis (m).
 
     >>> import carom
     >>> steel = carom.Material(208e9, 0.3)
@@ -38,9 +48,12 @@ def hertz(contact: Hertz, **given: ArrayLike) -> HertzState:
     >>> float(state.semi_axis_a[1] / state.semi_axis_a[0])  # a goes as the cube root of the force
     2.0
     """
+    names: tuple[Given, ...] = ("force", "approach", "semi_axis_a", "semi_axis_b")
+    all_ = zip(names, (force, approach, semi_axis_a, semi_axis_b), strict=True)
+    given = [(name, values) for name, values in all_ if values is not None]
     if len(given) != 1:
         raise TypeError("hertz() takes one of force, approach, semi_axis_a, semi_axis_b")
-    ((name, values),) = given.items()
+    ((name, values),) = given
     return HertzState._of(contact.state(name, line(values)), np.shape(values))
 
 

@@ -54,9 +54,12 @@ class Contacts:
 
         All go, or none.
         """
-        shape = (len(self), 1)
-        wide = [None if v is None else np.reshape(np.broadcast_to(v, shape[:1]), shape) for v in (zeta, xi, eta)]
-        return self.follow(*wide)[:, 0]
+
+        def column(shift: ArrayLike) -> Array:
+            return np.broadcast_to(np.asarray(shift, dtype=np.float64), len(self)).reshape(-1, 1)
+
+        across = None if eta is None else column(eta)
+        return self.follow(column(zeta), column(xi), across)[:, 0]
 
     def follow(
         self,
@@ -75,7 +78,7 @@ class Contacts:
         shape = (len(self), steps)
         paths = [line(np.broadcast_to(v, shape)) for v in given]
         loads = np.empty(shape + (3,)) if out is None else out
-        if loads.shape != shape + (3,) or loads.dtype != np.float64 or not loads.flags.c_contiguous:
+        if loads.shape != shape + (3,) or loads.dtype != np.float64 or not loads.flags.carray:
             raise ValueError(f"out: must be a contiguous array of float64 of shape {shape + (3,)}")
         self._native.follow(steps, paths[0], paths[1], paths[2] if eta is not None else None, loads.reshape(-1))
         return loads

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import rows
+from ._arrays import line, rows
 from ._carom import Body, Material
 from ._records import HistoryPoint, Rebound
 
@@ -100,7 +100,7 @@ def collide_many(
     count = counts[0] if counts else 1
     default = (body_1.velocity, body_1.spin, body_2.velocity, body_2.spin)
     motions = [rows(d if v is None else v, count) for v, d in zip(given, default, strict=True)]
-    frictions = np.ascontiguousarray(np.broadcast_to(np.asarray(friction, dtype=np.float64), (count,)))
+    frictions = line(np.broadcast_to(np.asarray(friction, dtype=np.float64), (count,)))
     columns = _carom.collide_many(
         body_1, body_2, frictions, motions, normal, torsion, law, tolerance
     )
