@@ -143,15 +143,19 @@ fn vector(value: [f64; 3]) -> String {
 /// [`CliError::Overflow`] that names the first.
 pub fn check<R>(path: &Path, columns: &[Column<R>], records: &[R]) -> Result<(), CliError> {
     let rows: Vec<_> = records.iter().map(|record| row(columns, Some(record))).collect();
-    check_cells(path, &rows)
+    check_cells(path, rows.iter().map(Vec::as_slice))
 }
 
 /// Refuses numbers that are not finite.
 ///
 /// # Errors
 /// [`CliError::Overflow`] that names the first.
-pub fn check_cells(path: &Path, rows: &[Vec<Cell>]) -> Result<(), CliError> {
-    for (i, cell) in rows.iter().enumerate().flat_map(|(i, row)| row.iter().map(move |c| (i, c))) {
+pub fn check_cells<'a>(
+    path: &Path,
+    rows: impl ExactSizeIterator<Item = &'a [Cell]>,
+) -> Result<(), CliError> {
+    let count = rows.len();
+    for (i, cell) in rows.enumerate().flat_map(|(i, row)| row.iter().map(move |cell| (i, cell))) {
         let numbers: &[f64] = match cell.value() {
             Value::Number(number) => std::slice::from_ref(number),
             Value::Vector(parts) => parts,
@@ -159,15 +163,10 @@ pub fn check_cells(path: &Path, rows: &[Vec<Cell>]) -> Result<(), CliError> {
         };
         if let Some(part) = numbers.iter().position(|value| !value.is_finite()) {
             let head = &heads(std::slice::from_ref(cell))[part];
-            let quantity = match rows.len() {
-                1 => head.clone(),
-                _ => format!("{head} in row {}", i + 1),
-            };
-            return Err(CliError::Overflow {
-                path: path.to_owned(),
-                quantity,
-                value: numbers[part],
-            });
+            let quantity =
+                if count == 1 { head.clone() } else { format!("{head} in row {}", i + 1) };
+            let (path, value) = (path.to_owned(), numbers[part]);
+            return Err(CliError::Overflow { path, quantity, value });
         }
     }
     Ok(())
@@ -191,7 +190,9 @@ mod tests {
         fn of_vector(value: [f64; 3]) -> Cell {
             Column::vector("v", "", "", |value: &[f64; 3]| (*value).into()).cell(Some(&value))
         }
-        let check = |rows: &[Vec<Cell>]| check_cells(Path::new("case.toml"), rows);
+        let check = |rows: &[Vec<Cell>]| {
+            check_cells(Path::new("case.toml"), rows.iter().map(Vec::as_slice))
+        };
         let error = |rows: &[Vec<Cell>]| check(rows).unwrap_err().to_string();
         let bad = row(1.0, [0.0, f64::INFINITY, 0.0]);
         assert!(error(std::slice::from_ref(&bad)).starts_with("case.toml: v_y = inf, no"));

@@ -1,6 +1,8 @@
 //! The command as a user meets it, and files for it.
 #![allow(dead_code)] // no test needs all of it
 
+pub(crate) mod pebble;
+
 use carom_cli::case::CaseKind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};

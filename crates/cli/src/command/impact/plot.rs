@@ -45,15 +45,16 @@ pub(super) fn course(history: &[HistoryPoint]) -> Picture {
     Picture::new("Course of the impact", panels)
 }
 
-/// The values of a sweep with those between its least and its greatest, close together; none where
-/// these are one.
+/// The finite values of a sweep with those between its least and its greatest, close together; none
+/// where these are one.
 pub(super) fn between(values: &[f64]) -> Vec<f64> {
+    let values: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if low >= high {
         return Vec::new();
     }
-    let mut all = [values, &linspace(low, high, VALUES)].concat();
+    let mut all = [values, linspace(low, high, VALUES)].concat();
     all.sort_by(f64::total_cmp);
     all.dedup();
     all
@@ -66,7 +67,8 @@ pub(super) fn sweep(input: &Input, between: &[Record], given: &[Record]) -> Pict
         let point = |record: &Record| {
             let [_, [body_1, _]] = record.motions();
             let restitution = record.restitution()?;
-            Some([record.parameter?.value, restitution, body_1.velocity[0], body_1.spin[1]])
+            let value = Some(record.parameter?.value).filter(|value| value.is_finite())?;
+            Some([value, restitution, body_1.velocity[0], body_1.spin[1]])
         };
         records.iter().filter_map(point).collect()
     };

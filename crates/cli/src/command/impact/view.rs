@@ -129,17 +129,19 @@ impl Record {
     }
 }
 
-/// A row of comma-separated values; without a record, what stands in one. Motions are those after the
-/// impact.
-pub(super) fn cells(record: Option<&Record>) -> Vec<Cell> {
+/// The number of a sweep, or the angle of incidence.
+fn parameter(record: Option<&Record>) -> Cell {
     let parameter = record.and_then(|record| record.parameter);
     let (name, unit) =
         parameter.map_or(("angle", "deg"), |parameter| (parameter.name, parameter.unit));
     let value = parameter.map(|parameter| parameter.value);
-    let mut cells = vec![
-        Cell::new(name, unit, "that the case gives or sweeps over", value),
-        OUTCOME.cell(record),
-    ];
+    Cell::new(name, unit, "that the case gives or sweeps over", value)
+}
+
+/// A row of comma-separated values; without a record, what stands in one. Motions are those after the
+/// impact.
+pub(super) fn cells(record: Option<&Record>) -> Vec<Cell> {
+    let mut cells = vec![parameter(record), OUTCOME.cell(record)];
     let rebound = row(Rebound::COLUMNS, record.and_then(Record::rebound));
     let (restitution, others) = rebound.split_at(1);
     cells.extend_from_slice(restitution);
@@ -166,10 +168,7 @@ pub(super) fn cells(record: Option<&Record>) -> Vec<Cell> {
 impl Serialize for Record {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        if let Some(Parameter { name, value, .. }) = self.parameter {
-            map.serialize_entry(name, &value)?;
-        }
-        add_fields(&mut map, &[OUTCOME.cell(Some(self))])?;
+        add_fields(&mut map, &[parameter(Some(self)), OUTCOME.cell(Some(self))])?;
         map.serialize_entry("contact", &Fields(&self.contact()))?;
         for (when, motions) in ["before", "after"].into_iter().zip(self.motions()) {
             map.serialize_entry(when, &Motions(motions))?;
