@@ -107,10 +107,33 @@ impl<R> Column<R> {
         Self { name, unit, meaning, parts: AXES, value }
     }
 
+    /// The name: a word of letters, digits and `_`.
+    #[must_use]
+    pub const fn name(&self) -> &'static str {
+        self.name
+    }
+
+    /// The unit; empty for pure numbers and words.
+    #[must_use]
+    pub const fn unit(&self) -> &'static str {
+        self.unit
+    }
+
+    /// What it is, in a few words.
+    #[must_use]
+    pub const fn meaning(&self) -> &'static str {
+        self.meaning
+    }
+
     /// The value of a record.
     #[must_use]
     pub fn value(&self, record: &R) -> Value {
         (self.value)(record)
+    }
+
+    /// The heads of its cells: the name, for a vector with each of its parts.
+    pub fn heads(&self) -> impl Iterator<Item = String> {
+        heads(std::slice::from_ref(self)).into_iter()
     }
 
     /// Its cell of a record; without one, nothing stands there.

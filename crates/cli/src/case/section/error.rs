@@ -1,6 +1,7 @@
 //! What is wrong with a field of a table.
 
-use super::{Place, Section, line_at, nearest, shortened};
+use super::spelling::{line_at, nearest, shortened};
+use super::{Place, Section};
 use crate::case::error::CaseError;
 use crate::case::field::{Field, Need};
 use crate::case::unit::Measure;
