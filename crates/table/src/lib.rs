@@ -131,11 +131,6 @@ impl<R> Column<R> {
         (self.value)(record)
     }
 
-    /// The heads of its cells: the name, for a vector with each of its parts.
-    pub fn heads(&self) -> impl Iterator<Item = String> {
-        heads(std::slice::from_ref(self)).into_iter()
-    }
-
     /// Its cell of a record; without one, nothing stands there.
     #[must_use]
     pub fn cell(&self, record: Option<&R>) -> Cell {
