@@ -142,7 +142,7 @@ fn stiff_adhesion_settles() {
     for law in LAWS {
         case.check(&case.impact().solve(law).unwrap(), 5e-6).unwrap();
     }
-    // Uncoupled, in a plane: chi beyond the exact walk.
+    // Uncoupled, in a plane: chi beyond the exact solution.
     let [a, c] = [2.5822284179081354, 5.796883986659347];
     let a = [a, 0.0, 0.0, 0.0, 0.0, -0.9895758597195772];
     let case = Case::of(a, [c, c], f64::INFINITY, [177211.25128783577, 0.0]);
