@@ -13,13 +13,13 @@ const SCOUT: Level = Level { steps: 32, rings: 16, taken: 32 };
 const FIRST: Level = Level { steps: 64, rings: 32, taken: 64 };
 /// Runs by the clock, and those that choose their steps.
 const TIMED_SCOUT: Level = Level { steps: 16, rings: 8, taken: 16 };
-const TIMED: Series = Series { first: SCOUT, most: 1 << 21 };
-const CHOSEN: Series = Series { first: FIRST, most: 1 << 24 };
+const TIMED: Series = Series { first: SCOUT, most: 1 << 22 };
+const CHOSEN: Series = Series { first: FIRST, most: 1 << 26 };
 /// The first level at which an outcome may count.
 const LEAST: usize = 64;
 
 /// How many rings may be moved where a law without rings may take one step.
-const RINGED: usize = 8;
+const RINGED: usize = 2;
 
 /// Runs that double steps and rings, while the next one takes no more than so many steps.
 #[derive(Debug, Clone, Copy)]
