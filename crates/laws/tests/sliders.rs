@@ -1,6 +1,6 @@
 //! The incremental law of sliders against reference values of section 7.7 and the closed law.
 
-use carom_laws::memory::VectorMemory;
+use carom_laws::memory::{Memory, VectorMemory};
 use carom_laws::sliders::SliderLaw;
 
 mod common;
@@ -53,4 +53,67 @@ fn ring_at_the_edge_counts_by_the_part_that_touches() {
         let force = law.advance(zeta, [0.03, 0.0]).unwrap();
         assert!((force[0] - 1.5 * 0.03 * zeta.sqrt()).abs() < 1e-16, "{zeta}: {force:?}");
     }
+}
+
+const LOOP: [(f64, [f64; 2]); 8] = [
+    (1.0, [0.1, 0.0]),
+    (1.2, [0.7, 0.3]),
+    (1.2, [-0.4, 0.5]),
+    (0.7, [-0.5, -0.2]),
+    (0.9, [-0.5, -0.1]),
+    (0.5, [0.3, -0.4]),
+    (1.4, [0.2, 0.9]),
+    (0.3, [0.0, 0.0]),
+];
+
+/// Work by the trapezoidal rule over the loads of small steps, heat from traction times slip.
+fn balance(count: usize, ratio: f64) -> ([f64; 2], [f64; 2]) {
+    let mut law = SliderLaw::new(count, 1.5, ratio).unwrap();
+    let (mut work, mut heat) = ([0.0; 2], [0.0; 2]);
+    let mut last = (0.0, [0.0; 2]);
+    for (zeta, x) in LOOP {
+        for part in 1..=40 {
+            let mix = |a: f64, b: f64| a + f64::from(part) / 40.0 * (b - a);
+            let to = (mix(last.0, zeta), [mix(last.1[0], x[0]), mix(last.1[1], x[1])]);
+            let (before, from) = (law.force(), law.shift());
+            let lost = law.dissipation(to.0, to.1);
+            let after = law.advance(to.0, to.1).unwrap();
+            for k in 0..2 {
+                assert!(lost[0] + lost[1] > -1e-15);
+                heat[k] += lost[k];
+                work[k] += 0.5 * (before[k] + after[k]) * (to.1[k] - from[k]);
+            }
+        }
+        last = (zeta, x);
+    }
+    let stored = law.stored_energy();
+    ([0, 1].map(|k| work[k] - stored[k] - heat[k]), heat)
+}
+
+#[test]
+fn work_is_stored_or_turned_into_heat() {
+    for ratio in [1.0, 1.6] {
+        let (off, heat) = balance(300, ratio);
+        println!("{ratio}: {off:?} of {heat:?}");
+        for k in 0..2 {
+            assert!(heat[k] > 0.1 && off[k].abs() < 1e-3 * heat[k], "{ratio} {off:?} {heat:?}");
+        }
+    }
+}
+
+/// On a straight path the closed law stores and loses the same, step by step.
+#[test]
+fn energies_on_a_straight_path_are_those_of_the_closed_law() {
+    let mut law = SliderLaw::new(1500, 1.5, 1.0).unwrap();
+    let mut memory = Memory::<f64>::new();
+    for (zeta, x) in [(1.0, 0.0), (1.0, 0.6), (1.2, 0.1), (0.8, 0.3), (0.8, -1.5), (1.4, -1.3)] {
+        let heat = law.dissipation(zeta, [x, 0.0]);
+        let want = memory.dissipation(zeta, x);
+        assert!((heat[0] - want).abs() < 2e-4 && heat[1] == 0.0, "{zeta} {x}: {heat:?} {want}");
+        law.advance(zeta, [x, 0.0]).unwrap();
+        memory.advance(zeta, x).unwrap();
+        let (own, want) = (law.stored_energy(), memory.stored_energy());
+        assert!((own[0] - want).abs() < 2e-4, "{zeta} {x}: {own:?} {want}");
+    }
+    assert_eq!(law.dissipation(9.0, [0.0; 2]), [0.0; 2]);
 }

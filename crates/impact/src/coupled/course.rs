@@ -4,6 +4,7 @@ use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
+use super::adams::{Adams, Order};
 use super::pace::Pace;
 use super::schedule::Schedule;
 
@@ -72,6 +73,16 @@ impl Course {
     pub fn follow<L: ContactLaw>(
         &self,
         law: &mut L,
+        observe: impl FnMut(&Point, &L),
+    ) -> Result<Option<Point>, LawFailure<L::Error>> {
+        self.follow_to(Order::Second, law, observe)
+    }
+
+    /// The same with steps of this order.
+    pub(super) fn follow_to<L: ContactLaw>(
+        &self,
+        order: Order,
+        law: &mut L,
         mut observe: impl FnMut(&Point, &L),
     ) -> Result<Option<Point>, LawFailure<L::Error>> {
         let mut now = Point {
@@ -82,17 +93,16 @@ impl Course {
         };
         observe(&now, law);
         let steps = self.steps();
-        let mut pull = Vector3::zeros();
+        let mut recent = Adams::new(order);
         for number in 0..PATIENCE * self.steps {
             let length = match &steps {
                 Steps::Timed(schedule) => schedule.step(number, &now),
                 Steps::Chosen(pace) => pace.step(&now),
             };
             let failed = |source| LawFailure { step: number, time: now.time, source };
-            let half = now.velocity - pull * (0.5 * length);
-            let shift = now.shift + half * length;
+            let shift = now.shift + now.velocity * length + recent.ahead(length);
             if shift.z <= 0.0 {
-                let last = self.separation(&now, &half, length);
+                let last = self.separation(&now, &shift, length);
                 let mut apart = last.shift;
                 apart.z = 0.0;
                 law.advance(as_shift(&apart)).map_err(failed)?;
@@ -100,8 +110,9 @@ impl Course {
                 return Ok(Some(last));
             }
             let force = as_vector(&law.advance(as_shift(&shift)).map_err(failed)?);
-            pull = self.mobility * force;
-            let velocity = half - pull * (0.5 * length);
+            let acceleration = -self.mobility * force;
+            let velocity = now.velocity + recent.gain(length, &acceleration);
+            recent.push(length, acceleration);
             now = Point { time: now.time + length, shift, velocity, force };
             observe(&now, law);
         }
@@ -123,10 +134,11 @@ impl Course {
     }
 
     // The force falls to zero with the power 3/2 of the time left: its mean is 2/5.
-    fn separation(&self, now: &Point, half: &Vector3<f64>, length: f64) -> Point {
-        let part = (now.shift.z / (-half.z * length)).clamp(0.0, 1.0) * length;
-        let mut shift = now.shift + half * part;
+    fn separation(&self, now: &Point, beyond: &Vector3<f64>, length: f64) -> Point {
+        let part = (now.shift.z / (now.shift.z - beyond.z)).clamp(0.0, 1.0);
+        let mut shift = now.shift + (beyond - now.shift) * part;
         shift.z = 0.0;
+        let part = part * length;
         let velocity = now.velocity - self.mobility * now.force * (0.4 * part);
         Point { time: now.time + part, shift, velocity, force: Vector3::zeros() }
     }

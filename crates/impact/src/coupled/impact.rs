@@ -9,7 +9,7 @@ use super::any_law::AnyLaw;
 use super::bare_law::BareLaw;
 use super::limits::Limits;
 use super::log::Log;
-use super::refine::{Failure, Problem, Settled};
+use super::refine::{Failure, Level, Problem, Settled};
 use super::slip_lines::SlipLines;
 use super::{ImpactLaw, LawFailure, Passage, Point, Stage, Staged};
 use crate::mobility::Mobility;
@@ -22,9 +22,9 @@ use crate::outcome::{LogEntry, Warning};
 /// short of 1e-8 after 2^24 steps.
 const PLANAR: f64 = 1e-8;
 const SPATIAL: f64 = 5e-6;
-/// Force that the line of anchors may lose with one ring, over the greatest one: this over the cube
-/// of the resolution.
-const OFF_LINE: f64 = 0.6;
+/// Force that the line of anchors may lose with a ring, over the greatest one: this over the square
+/// of the steps of a free impact, and over the steps taken, each of which may lose one.
+const OFF_LINE: f64 = 6.0;
 
 /// Why a coupled impact cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -277,7 +277,7 @@ impl CoupledImpact {
         &self,
         make: impl Fn(usize) -> L,
     ) -> Result<CoupledOutcome, CoupledError<L::Error>> {
-        let settled = self.settled_with(make)?;
+        let settled = self.settled_with(|level| make(level.rings))?;
         Ok(self.outcome_in(&settled, &Units::GIVEN))
     }
 
@@ -289,7 +289,8 @@ impl CoupledImpact {
         &self,
         make: impl Fn(usize) -> L,
     ) -> Result<(CoupledOutcome, Vec<LogEntry>), CoupledError<L::Error>> {
-        let settled = self.settled_with(&make)?;
+        let make = |level: Level| make(level.rings);
+        let settled = self.settled_with(make)?;
         let mut log = Log::default();
         let view = View { units: Units::GIVEN, frame: Matrix3::identity() };
         self.replay(&settled, make, view, |sample| log.see(&sample, &self.velocity))?;
@@ -304,7 +305,8 @@ impl CoupledImpact {
         &self,
         make: impl Fn(usize) -> L,
     ) -> Result<Vec<Sample>, CoupledError<L::Error>> {
-        let settled = self.settled_with(&make)?;
+        let make = |level: Level| make(level.rings);
+        let settled = self.settled_with(make)?;
         let view = View { units: Units::GIVEN, frame: Matrix3::identity() };
         self.samples(&settled, make, view)
     }
@@ -333,7 +335,7 @@ impl CoupledImpact {
             _ => {
                 let settled = self.settled(law)?;
                 let mut log = Log::default();
-                let make = |rings| self.law(law, rings);
+                let make = |level| self.law(law, level);
                 self.replay(&settled, make, self.view(), |sample| {
                     log.see(&sample, &self.velocity)
                 })?;
@@ -352,7 +354,7 @@ impl CoupledImpact {
             return self.traced(&direction);
         }
         let settled = self.settled(law)?;
-        self.samples(&settled, |rings| self.law(law, rings), self.view())
+        self.samples(&settled, |level| self.law(law, level), self.view())
     }
 }
 
@@ -402,7 +404,7 @@ impl CoupledImpact {
         let problem = self.problem();
         let apart = self.passage() == Passage::Spatial { coupled: false };
         let limits = Limits::new(&problem.mobility, self.friction, &problem.velocity, apart);
-        let make = |rings| self.law(law, rings);
+        let make = |level| self.law(law, level);
         let settled = problem
             .settle(self.tolerance(), make, |velocity| limits.hold(velocity))
             .map_err(|failure| self.failed(failure))?;
@@ -412,7 +414,7 @@ impl CoupledImpact {
     // With a law in the units of the data.
     fn settled_with<L: ImpactLaw>(
         &self,
-        make: impl Fn(usize) -> L,
+        make: impl Fn(Level) -> L,
     ) -> Result<Settled, CoupledError<L::Error>> {
         let problem = Problem {
             mobility: *self.mobility.matrix(),
@@ -442,7 +444,7 @@ impl CoupledImpact {
     fn replay<L: ImpactLaw + Staged>(
         &self,
         settled: &Settled,
-        make: impl Fn(usize) -> L,
+        make: impl Fn(Level) -> L,
         view: View,
         mut observe: impl FnMut(Sample),
     ) -> Result<(), CoupledError<L::Error>> {
@@ -463,7 +465,7 @@ impl CoupledImpact {
     fn samples<L: ImpactLaw + Staged>(
         &self,
         settled: &Settled,
-        make: impl Fn(usize) -> L,
+        make: impl Fn(Level) -> L,
         view: View,
     ) -> Result<Vec<Sample>, CoupledError<L::Error>> {
         let mut samples = Vec::new();
@@ -568,15 +570,15 @@ impl CoupledImpact {
         ContactStiffness { c_x: c_x * unit, c_y: c_y * unit, c_z: 1.5 }
     }
 
-    fn law(&self, law: VectorLaw, rings: usize) -> AnyLaw {
+    fn law(&self, law: VectorLaw, level: Level) -> AnyLaw {
         let (stiffness, friction) = (self.scaled(), self.friction);
         match (self.passage(), law) {
             (Passage::Planar { .. }, _) => {
                 AnyLaw::Line(Box::new(BareLaw::new(stiffness, friction)))
             }
             (_, VectorLaw::Coulomb) => {
-                let n = rings as f64;
-                let off = OFF_LINE / (n * n * n);
+                let (steps, taken) = (level.steps as f64, level.taken as f64);
+                let off = OFF_LINE / (steps * steps * taken);
                 // Without a limit every direction is on its own, and without friction none acts.
                 SlipLines::new(stiffness, friction.get(), off).map_or_else(
                     |_| AnyLaw::Plane(Box::new(BareLaw::new(stiffness, friction))),

@@ -12,6 +12,7 @@
 //! the normal impulse grows while they touch, and a positive definite D lets them part. Steps are
 //! chosen from the state, so that such an impact is resolved like any other.
 
+mod adams;
 mod any_law;
 mod bare_law;
 mod course;

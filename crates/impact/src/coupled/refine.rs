@@ -4,21 +4,22 @@ use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
 use super::ImpactLaw;
+use super::adams::Order;
 use super::course::{Course, LawFailure, Point};
 use super::extrapolation::Extrapolation;
 
-/// Steps and rings of the first run that finds the greatest approach; fine enough that the fastest
-/// oscillation stays stable.
-const COARSEST: Level = Level { steps: 32, rings: 16 };
-/// Runs by the clock, which find duration and greatest approach, and those that count.
-const TIMED_SCOUT: Level = Level { steps: 16, rings: 8 };
-const TIMED: Series = Series { first: COARSEST, most: 1 << 22 };
-const CHOSEN: Series = Series { first: COARSEST, most: 1 << 25 };
+/// Finds duration and number of steps; fine enough that the fastest oscillation stays stable.
+const SCOUT: Level = Level { steps: 32, rings: 16, taken: 32 };
+const FIRST: Level = Level { steps: 64, rings: 32, taken: 64 };
+/// Runs by the clock, and those that choose their steps.
+const TIMED_SCOUT: Level = Level { steps: 16, rings: 8, taken: 16 };
+const TIMED: Series = Series { first: SCOUT, most: 1 << 22 };
+const CHOSEN: Series = Series { first: FIRST, most: 1 << 26 };
 /// The first level at which an outcome may count.
 const LEAST: usize = 64;
 
 /// How many rings may be moved where a law without rings may take one step.
-const RINGED: usize = 4;
+const RINGED: usize = 2;
 
 /// Runs that double steps and rings, while the next one takes no more than so many steps.
 #[derive(Debug, Clone, Copy)]
@@ -37,10 +38,14 @@ pub(super) struct Problem {
     pub(super) expected: Option<f64>,
 }
 
+/// How fine a run is.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Level {
+    /// Steps of a free impact.
     pub(super) steps: usize,
     pub(super) rings: usize,
+    /// Steps that it will take, about.
+    pub(super) taken: usize,
 }
 
 /// What one run, or the limit of finer runs, gives.
@@ -80,26 +85,29 @@ impl Problem {
     /// Runs of twice as many steps and rings until their limit is sure to the tolerance times
     /// |v_A|, or further ones would take too long: then the best.
     ///
-    /// `make` gives a fresh law of so many rings; `hold` moves the velocity of a limit to where it
+    /// `make` gives a fresh law as fine as that; `hold` moves the velocity of a limit to where it
     /// may be.
     pub(super) fn settle<L: ImpactLaw>(
         &self,
         tolerance: f64,
-        make: impl Fn(usize) -> L,
+        make: impl Fn(Level) -> L,
         hold: impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Settled, Failure<L::Error>> {
         if let Some(settled) = self.timed(tolerance, &make, &hold)? {
             return Ok(settled);
         }
         let problem = Self { expected: None, ..*self };
-        problem.refined(&CHOSEN, tolerance, &make, &hold)
+        let scout = problem.run(SCOUT, &make, |_, _| ())?;
+        let longer = FIRST.steps / SCOUT.steps;
+        let first = Level { taken: longer * scout.steps, ..FIRST };
+        problem.refined(&Series { first, ..CHOSEN }, tolerance, &make, &hold)
     }
 
     // The cheapest way, where it may do and does.
     fn timed<L: ImpactLaw>(
         &self,
         tolerance: f64,
-        make: &impl Fn(usize) -> L,
+        make: &impl Fn(Level) -> L,
         hold: &impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Option<Settled>, Failure<L::Error>> {
         if self.expected.is_none() {
@@ -123,7 +131,7 @@ impl Problem {
         &self,
         series: &Series,
         tolerance: f64,
-        make: &impl Fn(usize) -> L,
+        make: &impl Fn(Level) -> L,
         hold: &impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Settled, Failure<L::Error>> {
         let scale = self.velocity.norm();
@@ -148,7 +156,7 @@ impl Problem {
     /// The finest run again, with what it led to as a guess, seen by `observe`.
     pub(super) fn replay<L: ImpactLaw>(
         settled: &Settled,
-        make: impl Fn(usize) -> L,
+        make: impl Fn(Level) -> L,
         observe: impl FnMut(&Point, &L),
     ) -> Result<Run, Failure<L::Error>> {
         settled.problem.scouted(&settled.run).run(settled.level, &make, observe)
@@ -162,10 +170,10 @@ impl Problem {
     fn run<L: ImpactLaw>(
         &self,
         level: Level,
-        make: &impl Fn(usize) -> L,
+        make: &impl Fn(Level) -> L,
         mut observe: impl FnMut(&Point, &L),
     ) -> Result<Run, Failure<L::Error>> {
-        let mut law = make(level.rings);
+        let mut law = make(level);
         let mut peaks = Peaks::default();
         let mut rings = law.rings();
         let mut work: usize = 0;
@@ -176,8 +184,10 @@ impl Problem {
             steps: level.steps,
             expected: self.expected,
         };
+        // The errors of steps by the clock are smooth enough to be extrapolated.
+        let order = self.expected.map_or(Order::Fourth, |_| Order::Second);
         let end = course
-            .follow(&mut law, |point, law| {
+            .follow_to(order, &mut law, |point, law| {
                 peaks.see(point);
                 let moved = law.rings();
                 rings = rings.max(moved);
@@ -200,7 +210,7 @@ impl Problem {
 
 impl Level {
     const fn doubled(self) -> Self {
-        Self { steps: 2 * self.steps, rings: 2 * self.rings }
+        Self { steps: 2 * self.steps, rings: 2 * self.rings, taken: 2 * self.taken }
     }
 }
 
@@ -244,14 +254,22 @@ impl Peaks {
             return;
         };
         if last.velocity.z > 0.0 && point.velocity.z <= 0.0 {
-            // The velocity is linear between two instants.
-            let part = last.velocity.z / (last.velocity.z - point.velocity.z);
-            let rise = 0.5 * last.velocity.z * part * (point.time - last.time);
-            self.highest = self.highest.max(last.shift.z + rise);
+            self.highest = self.highest.max(summit(&last, point));
         } else if last.velocity.z <= 0.0 && point.velocity.z > 0.0 {
             self.compressions += 1;
         }
     }
+}
+
+// The greatest approach between two instants, by the cubic of both approaches and their rates.
+fn summit(from: &Point, to: &Point) -> f64 {
+    let h = to.time - from.time;
+    let (rise, up, down) = (to.shift.z - from.shift.z, h * from.velocity.z, h * to.velocity.z);
+    let (square, cube) = (3.0 * rise - 2.0 * up - down, up + down - 2.0 * rise);
+    // up + 2 square u + 3 cube u^2 = 0.
+    let root = (square * square - 3.0 * cube * up).max(0.0).sqrt();
+    let u = (up / (root - square)).clamp(0.0, 1.0);
+    from.shift.z + u * (up + u * (square + u * cube))
 }
 
 #[cfg(test)]

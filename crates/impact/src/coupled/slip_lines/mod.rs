@@ -231,7 +231,10 @@ impl SlipLines {
         let root = to.sqrt();
         let force = [0, 1].map(|k| self.at[k] * root - self.integral[k]);
         self.resolution.area = self.resolution.area.max(self.tolerance * length(force));
-        self.force = force.map(|force| self.limit * force);
+        // |F| <= f F_z to the last digit.
+        let bound = 2.0 / 3.0 * to * root;
+        let held = (bound / length(force)).min(1.0);
+        self.force = force.map(|force| self.limit * held * force);
     }
 }
 
