@@ -311,6 +311,29 @@ fn bad_input_is_named_and_changes_nothing() {
     assert_eq!(law, before); // not a step at all
 }
 
+/// Steps on the cone itself, as long as the approach grows: neither adhesion nor slip has a curve.
+#[test]
+fn steps_on_the_cone_are_adhesion() {
+    for seed in (0..2000).chain([2770, 3698, 5438, 12848]) {
+        let mut law = law(1e-2);
+        for &(zeta, x) in &Kind::Adversarial.path(&mut Random(seed)) {
+            let force = law.advance(zeta, x).unwrap();
+            assert!(force.iter().all(|f| f.is_finite()), "{seed}: {zeta} {x:?}");
+        }
+        // On along the cone: what sticks goes along, what touches has its anchor on the path.
+        let (from, start, force) = (law.zeta(), law.shift(), law.force());
+        if from <= 0.0 {
+            continue;
+        }
+        let angle = Random(seed).between(0.0, 6.3);
+        let to = [start[0] + 0.25 * angle.cos(), start[1] + 0.25 * angle.sin()];
+        let [mut on, mut within] = [0; 2].map(|_| law.clone());
+        let on = on.advance(from + 0.25, to).unwrap();
+        let within = within.advance(from + 0.25 * (1.0 + 1e-6), to).unwrap();
+        assert!(off(on, within) < 1e-5, "{seed}: {on:?} {within:?} from {force:?}");
+    }
+}
+
 #[test]
 fn extremes_stay_finite() {
     for size in [1e-100, 1e-30, 1e-6, 1e3, 1e30, 1e99] {
