@@ -6,6 +6,7 @@ use carom_laws::sliders::SliderLaw;
 use carom_special::quadrature::{self, adaptive};
 
 use super::super::Failure;
+use super::turning_impacts as impacts;
 use crate::{Axis, Cell, Claim, Figure, FigureResult, Panel, Series, Table};
 
 /// The radius of the circle, the approach being 1, and the steps of a turn.
@@ -173,6 +174,7 @@ pub(super) fn draw() -> FigureResult {
     }
     figure.panel(panel);
     figure.table(table);
+    impacts::add(&mut figure)?;
     Ok(figure)
 }
 
