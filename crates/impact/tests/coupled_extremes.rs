@@ -265,9 +265,6 @@ fn settles(case: &Case) -> Result<(), TestCaseError> {
 proptest! {
     #![proptest_config(ProptestConfig { max_shrink_iters: 20, ..ProptestConfig::with_cases(24) })]
 
-    // Open: of 10 000 in a plane one without slip (f = inf) is refused, and single ones of Coulomb's
-    // law in space take ten seconds.
-    #[ignore = "fails in one of ten thousand: adhesion of nearly singular D"]
     #[test]
     fn every_impact_settles(case in adversarial()) {
         settles(&case)?;

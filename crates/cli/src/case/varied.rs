@@ -172,7 +172,7 @@ fn read(section: &Section<'_>, measure: Measure) -> Result<Variation, CaseError>
 pub(super) fn spaced(section: &Section<'_>, measure: Measure) -> Result<Vec<f64>, CaseError> {
     let start = section.number(&START.measured(measure))?;
     let stop = section.number(&STOP.measured(measure))?;
-    Ok(carom_plot::linspace(start, stop, section.count(&COUNT)?))
+    Ok(carom_special::linspace(start, stop, section.count(&COUNT)?))
 }
 
 fn read_distribution(

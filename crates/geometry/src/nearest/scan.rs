@@ -3,6 +3,7 @@
 //! A sphere, a capsule and a torus are such bodies whole, a cylinder with its side; an edge is
 //! one with a ball of no size.
 
+use carom_special::roots::bisect;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -138,7 +139,7 @@ impl Rail<'_> {
                 Some(Trend::Falling) => (fell, low) = (Some(t), None),
                 Some(trend) => {
                     if let (Some(from), None) = (fell, low) {
-                        low = Some(self.bisect(from, t, other, |t| t == Trend::Falling));
+                        low = Some(self.change(from, t, other, |t| t == Trend::Falling));
                     }
                     if let (Trend::Rising, Some(bottom)) = (trend, low) {
                         let from = last.max(bottom);
@@ -167,7 +168,7 @@ impl Rail<'_> {
             left += stride;
             stride *= 4.0;
         }
-        self.bisect(left, to.min(left + stride), other, |t| t != Trend::Rising)
+        self.change(left, to.min(left + stride), other, |t| t != Trend::Rising)
     }
 
     fn finest(&self) -> f64 {
@@ -178,23 +179,11 @@ impl Rail<'_> {
         1e-16 * reach
     }
 
-    fn bisect(
-        &self,
-        mut low: f64,
-        mut high: f64,
-        other: &Target<'_>,
-        holds: impl Fn(Trend) -> bool,
-    ) -> f64 {
-        let finest = self.finest();
-        loop {
-            let middle = 0.5 * (low + high);
-            if high - low <= finest || middle <= low || middle >= high {
-                return middle;
-            }
-            match self.trend(middle, other) {
-                Some(trend) if holds(trend) => low = middle,
-                _ => high = middle,
-            }
-        }
+    // Where a trend ends, to [`Self::finest`].
+    fn change(&self, from: f64, to: f64, other: &Target<'_>, holds: impl Fn(Trend) -> bool) -> f64 {
+        let halvings = libm::ceil(libm::log2((to - from) / self.finest())).max(0.0);
+        let [low, high] =
+            bisect([from, to], halvings as usize, |t| self.trend(t, other).is_some_and(&holds));
+        0.5 * (low + high)
     }
 }

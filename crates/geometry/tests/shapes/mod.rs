@@ -1,7 +1,7 @@
 //! Surfaces with their parametrisations, and the distance between two by walking over both.
 
 use crate::random::Numbers;
-use carom_geometry::{Attitude, Placed, Side, Surface};
+use carom_geometry::{Attitude, BodySide, Placed, Surface};
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
@@ -121,7 +121,7 @@ pub(crate) fn clover() -> Shape {
 /// A wavy floor.
 pub(crate) fn waves() -> Shape {
     let height = |a: f64, b: f64| 0.2 * (1.3 * a).sin() * (0.9 * b).cos() + 0.02 * a * a;
-    let surface = Surface::explicit(2.0, Side::Below, height).unwrap();
+    let surface = Surface::explicit(2.0, BodySide::Below, height).unwrap();
     shape("explicit waves", surface, move |u, v| {
         let (a, b) = (8.0 * u - 4.0, 8.0 * v - 4.0);
         Vector3::new(a, b, height(a, b))

@@ -1,6 +1,7 @@
 //! The states of an oblique impact at chosen instants.
 
 use carom_special::ode::{Stepper, Tolerance};
+use carom_special::roots::bisect;
 
 use super::adhesion::Segment;
 use super::groups::Groups;
@@ -217,15 +218,8 @@ impl Recorder for Trace<'_> {
 }
 
 // The reading within a range at which the normal velocity is `w`: bisection.
-fn reading(velocity: impl Fn(f64) -> f64, [mut early, mut late]: [f64; 2], w: f64) -> f64 {
-    for _ in 0..60 {
-        let middle = 0.5 * (early + late);
-        if velocity(middle) > w {
-            early = middle;
-        } else {
-            late = middle;
-        }
-    }
+fn reading(velocity: impl Fn(f64) -> f64, range: [f64; 2], w: f64) -> f64 {
+    let [early, late] = bisect(range, 60, |x| velocity(x) > w);
     0.5 * (early + late)
 }
 

@@ -4,7 +4,7 @@
 //! keep the right-hand side analytic: the radius al = sqrt(zeta) up to `SWITCH_RADIUS`, from there
 //! the normal velocity w.
 
-use carom_special::ode::{DenseStep, OdeError, Stepper, Tolerance};
+use carom_special::ode::{DenseStep, Stepper, Tolerance};
 use carom_special::roots::{self, Bracket};
 
 use super::error::TorsionalError;
@@ -192,16 +192,6 @@ pub(super) fn radius_at(w: f64) -> f64 {
 }
 
 /// The spin at maximal compression over the initial one, y_1, without any slip.
-pub(super) fn spin_at_maximum(epsilon: f64) -> Result<f64, OdeError> {
-    let slope = |al: f64, y: &[f64; 3]| Adhesion::slope_by_radius(epsilon, al, y);
-    let mut stepper = Stepper::new(0.0, [0.0; 3], LONGEST, TOLERANCE, slope)?;
-    while stepper.x() < SWITCH_RADIUS {
-        stepper.step(SWITCH_RADIUS)?;
-    }
-    let slope = |w: f64, y: &[f64; 3]| Adhesion::slope_by_velocity(epsilon, w, y);
-    let mut stepper = Stepper::new(SWITCH_VELOCITY, *stepper.y(), LONGEST, TOLERANCE, slope)?;
-    while stepper.x() > 0.0 {
-        stepper.step(0.0)?;
-    }
-    Ok(1.0 - epsilon * stepper.y()[0])
+pub(super) fn spin_at_maximum(epsilon: f64) -> Result<f64, TorsionalError> {
+    Ok(Adhesion::new(epsilon, 0.0)?.at_onset().spin(epsilon))
 }

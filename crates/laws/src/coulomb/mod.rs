@@ -33,7 +33,7 @@ pub use report::Arc;
 use carom_special::RangeError;
 
 use crate::bounds::in_memory;
-use crate::memory::{Growing, Lateral, Regime, VertexStack};
+use crate::memory::{Growing, Lateral, MemoryRegime as Regime, VertexStack};
 
 /// The memory of a contact whose rings slip each by itself.
 ///

@@ -5,7 +5,7 @@ use super::drag::{BEYOND, Step, grain};
 use super::energy::{Notes, Unnoted};
 use super::join::{Sizes, join, make_room};
 use super::piece::{End, Knot, Piece};
-use crate::memory::{Lateral, Regime, VertexStack};
+use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 
 /// What counts as no length at all, over the approach and over the shift.
 const EXACT: [f64; 2] = [1e-13, 1e-15];

@@ -9,8 +9,7 @@ use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
-use super::super::Failure;
-use crate::{Axis, Cell, Claim, Figure, Panel, Series, Table};
+use crate::{Axis, Cell, Failure, Figure, Panel, Series, Table};
 
 const IMPACTS: usize = 8;
 const ASKED: [f64; 4] = [1e-3, 1e-4, 1e-5, 1e-6];
@@ -103,18 +102,16 @@ pub(super) fn add(figure: &mut Figure) -> Result<(), Failure> {
             Cell::Remark(format!("{line:.0e}")),
             Cell::Remark(format!("{curve:.0e}")),
         ]);
-        figure.claim(
-            Claim::at_most(format!("impacts: curve of anchors to {asked:e}"), curve, asked)
-                .source("line of anchors to 1e-7, the law of coupled impacts"),
-        );
+        figure
+            .at_most(format!("impacts: curve of anchors to {asked:e}"), curve, asked)
+            .source("line of anchors to 1e-7, the law of coupled impacts");
         lines.push((asked, line));
         curves.push((asked, curve));
     }
     let old = largest(&cases, Case::of_chapter_7)?;
-    figure.claim(
-        Claim::at_least("impacts: chapter 7 misses by", old, 1e-3)
-            .source("line of anchors to 1e-7, the law of coupled impacts"),
-    );
+    figure
+        .at_least("impacts: chapter 7 misses by", old, 1e-3)
+        .source("line of anchors to 1e-7, the law of coupled impacts");
     panel.add(Series::line("line of anchors", lines));
     panel.add(Series::line("curve of anchors", curves).coloured(1));
     panel.add(Series::dashed("asked", ASKED.map(|asked| (asked, asked))).coloured(3));
