@@ -249,7 +249,7 @@ fn tangent_is_the_derivative_of_going_on() {
 
 #[test]
 fn traction_makes_the_force() {
-    let mut law = law(1e-3);
+    let mut law = law(1e-1); // its bubbles are large
     for (i, &(zeta, x)) in Kind::TurningVarying.path(&mut Random(5)).iter().enumerate() {
         let force = law.advance(zeta, x).unwrap();
         if i % 9 != 5 {
@@ -264,7 +264,7 @@ fn traction_makes_the_force() {
             sum = [0, 1].map(|i| sum[i] + 1.5 * t[i] * 2.0 * u / f64::from(n));
         }
         let limit = law.normal_force();
-        assert!(off(sum.map(|s| s * limit), force) < 1e-3 * limit, "{sum:?} {force:?} {limit}");
+        assert!(off(sum.map(|s| s * limit), force) < 1e-4 * limit, "{sum:?} {force:?} {limit}");
         assert!(law.sticking() >= law.stick_depth() / zeta - 1e-15 && law.sticking() <= 1.0);
     }
 }
