@@ -264,7 +264,8 @@ fn turning_paths(kind: &str) -> Vec<Path<[f64; 2]>> {
         .collect()
 }
 
-/// Coulomb's law at tolerances beside chapter 7's, contact by contact.
+/// Coulomb's law at tolerances beside chapter 7's and that of one direction, which sees x alone,
+/// contact by contact.
 fn turning(c: &mut Criterion) {
     for kind in ["adhesion", "collinear", "noise", "corners", "turning", "collision"] {
         let mut group = c.benchmark_group(format!("turning, {kind}"));
@@ -274,6 +275,18 @@ fn turning(c: &mut Criterion) {
             .warm_up_time(Duration::from_millis(200))
             .measurement_time(Duration::from_millis(600));
         let paths = turning_paths(kind);
+        group.bench_function("one direction", |b| {
+            b.iter(|| {
+                let mut sum = 0.0;
+                for path in black_box(&paths) {
+                    let mut memory = Memory::<f64>::new();
+                    for &(zeta, [x, _]) in path {
+                        sum += memory.advance(zeta, x).unwrap_or_default();
+                    }
+                }
+                sum
+            });
+        });
         group.bench_function("chapter 7", |b| {
             b.iter(|| {
                 let mut sum = [0.0; 2];

@@ -188,6 +188,8 @@ fn errors_fall_with_the_tolerance_and_stay_below() {
 #[test]
 fn layers_and_deep_joins_stay_below_their_share() {
     let scan = Scan { tolerance: 1e-2, parts: 1, rings: 500 };
+    // Steps by which a growing contact turns slowly, each joined to the last.
+    assert!(scan.run(Kind::Collision, 3285..3286).largest < 1.5e-3);
     for (kind, seed) in [
         (Kind::Turning, 155),
         (Kind::Turning, 775),
@@ -196,12 +198,13 @@ fn layers_and_deep_joins_stay_below_their_share() {
         (Kind::Corners, 16),
         (Kind::Corners, 195),
         (Kind::Collision, 184),
+        (Kind::Noise, 152),
         (Kind::Noise, 548),
         (Kind::Adversarial, 74),
         (Kind::Adversarial, 850),
     ] {
         let errors = scan.run(kind, seed..seed + 1);
-        assert!(errors.largest < 1.5e-3, "{kind:?}, {seed}");
+        assert!(errors.largest < 8e-4, "{kind:?}, {seed}");
     }
 }
 

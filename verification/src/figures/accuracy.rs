@@ -6,6 +6,7 @@ mod error_table;
 mod half_space;
 mod special;
 mod turning;
+mod turning_impacts;
 
 /// The error tables, a floor each.
 pub(super) const ENTRIES: &[Entry] = &[

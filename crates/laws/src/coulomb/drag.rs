@@ -150,9 +150,11 @@ impl<V: Lateral> Step<V> {
         let square = half * half - self.curve * excess;
         let root = square.max(0.0).sqrt();
         let rest = if half > 0.0 { excess / (half + root) } else { (half - root) / self.curve };
-        let grazes = square < 0.0 || rest <= 0.0;
+        // On the cone itself, where the step has no curve, nothing over nothing.
+        let rest = if rest > 0.0 { rest } else { 0.0 };
+        let grazes = square < 0.0 || rest == 0.0;
         let inside = rest <= self.length;
-        let rest = rest.clamp(0.0, self.length);
+        let rest = rest.min(self.length);
         let (at, met) = (along - rest, limit - self.slope * rest);
         // At its limit, but for what the curve was off before the step.
         let arm = (at * at + across * across).sqrt();

@@ -1,6 +1,7 @@
 //! Elastic energy kept in the memory, energy dissipated by a step, and what joins change.
 
 use carom_special::quadrature::{QuadratureError, Tolerance, adaptive};
+use carom_special::roots::bisect;
 
 use super::CoulombMemory;
 use super::drag::Step;
@@ -221,14 +222,10 @@ fn over_piece<V: Lateral>(
 }
 
 /// Where a function changes its sign between two places, if it has two signs there.
-fn kink(f: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> Option<f64> {
+fn kink(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> Option<f64> {
     let beyond = f(to) > 0.0;
     if (f(from) > 0.0) == beyond {
         return None;
     }
-    for _ in 0..50 {
-        let middle = 0.5 * (from + to);
-        if (f(middle) > 0.0) == beyond { to = middle } else { from = middle }
-    }
-    Some(0.5 * (from + to))
+    Some(bisect([from, to], 50, |part| (f(part) > 0.0) != beyond)[1])
 }

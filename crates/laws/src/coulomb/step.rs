@@ -10,11 +10,11 @@ use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 /// What counts as no length at all, over the approach and over the shift.
 const EXACT: [f64; 2] = [1e-13, 1e-15];
 /// The share of the tolerance by which a join may move the curve.
-const SHARE: f64 = 0.1;
+const SHARE: f64 = 0.07;
 /// What is a straight line behind the tip, as a share of what a join may move.
 const STRAIGHT: f64 = 1e-6;
 /// How far a parabola may be off in a boundary layer, as a share of the same.
-const LAYER: f64 = 0.3;
+const LAYER: f64 = 0.4;
 /// Between which ratios of limits a piece may hide a boundary layer, and how near to its upper end
 /// that is looked for.
 const HIDES: f64 = 0.43;
