@@ -18,9 +18,8 @@ fn problem(cells: usize, poisson: [f64; 2], friction: SurfaceFriction) -> Contac
 }
 
 fn drives() -> Vec<Drive> {
-    let by = |zeta: f64, xi: f64, eta: f64, omega: f64| {
-        Drive::by_shift(Shift { zeta, xi, eta, omega })
-    };
+    let by =
+        |zeta: f64, xi: f64, eta: f64, omega: f64| Drive::by_shift(Shift { zeta, xi, eta, omega });
     let pressed = by(1.0, 0.0, 0.0, 0.0);
     vec![
         pressed,
@@ -66,11 +65,9 @@ fn compare(problem: &ContactProblem) {
 fn what_was_solved_before_leaves_no_bit_behind() {
     let friction = |f: f64| Friction::new(f).unwrap();
     let both = CellFriction::new(friction(0.5), friction(0.3)).unwrap();
-    for cells in [20, 40] {
-        compare(&problem(cells, [0.3, 0.3], friction(0.4).into()));
-        compare(&problem(cells, [0.0, 0.45], friction(0.4).into()));
-        compare(&problem(cells, [0.0, 0.3], both.into()));
-    }
-    compare(&problem(20, [0.0, 0.45], friction(f64::INFINITY).into()));
+    compare(&problem(36, [0.3, 0.3], friction(0.4).into()));
+    compare(&problem(20, [0.0, 0.45], friction(0.4).into()));
+    compare(&problem(20, [0.0, 0.3], both.into()));
+    compare(&problem(16, [0.0, 0.45], friction(f64::INFINITY).into()));
     compare(&problem(16, [0.0, 0.45], friction(12.0).into()));
 }

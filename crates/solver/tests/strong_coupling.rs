@@ -14,12 +14,15 @@ struct Random(u64);
 impl Random {
     fn of(seed: u64) -> Self {
         let mut own = Self(12345 + 7919 * seed);
-        (0..8).for_each(|_| drop(own.part()));
+        for _ in 0..8 {
+            own.part();
+        }
         own
     }
 
     fn part(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
         (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 
