@@ -4,7 +4,10 @@ use crate::figure::Figure;
 use std::panic::Location;
 
 /// What a figure's function returns; any error type converts with `?`.
-pub type FigureResult = Result<Figure, Box<dyn std::error::Error + Send + Sync>>;
+pub type FigureResult = Result<Figure, Failure>;
+
+/// What a figure or a part of it fails with.
+pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 
 /// A table or figure of the thesis and the function that computes it, if there is one.
 #[derive(Debug, Clone, Copy)]

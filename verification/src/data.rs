@@ -46,12 +46,12 @@ fn finish(writer: csv::Writer<Vec<u8>>) -> Result<String, csv::Error> {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use carom_plot::{Axis, Panel, Series};
+    use carom_plot::{Panel, Series};
 
     #[test]
     fn one_point_a_row() {
         let mut figure = Figure::new();
-        let mut panel = Panel::new(Axis::linear("x"), Axis::linear("y"));
+        let mut panel = Panel::new("x", "y");
         panel.add(Series::line("a, b", [(0.1, 1e-9), (2.0, 3.0)]));
         figure.panel(panel);
         let csv = series_csv(&figure).unwrap();

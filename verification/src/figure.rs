@@ -3,21 +3,20 @@
 //! How it looks is decided in `carom_plot`; where it stands in the thesis, by its
 //! [`crate::catalogue::Entry`].
 
-use crate::claim::Claim;
+use crate::claim::{Claim, Pair, Tolerance};
 pub use carom_plot::{Aspect, Axis, Limits, Panel, Scale};
 
 /// A table or figure of the thesis, computed: data and the claims that check them.
 ///
 /// ```
-/// use carom_verification::{Axis, Claim, Figure, Panel, Series, Tolerance};
+/// use carom_verification::{Claim, Figure, Panel, Series, Tolerance};
 ///
 /// let mut figure = Figure::new();
 /// figure.assumed("x", "0 to 1");
-/// let mut panel = Panel::new(Axis::linear("x"), Axis::linear("x²"));
+/// let mut panel = Panel::new("x", "x²");
 /// panel.add(Series::line("parabola", [0.0, 0.5, 1.0].map(|x| (x, x * x))));
 /// figure.panel(panel);
-/// let end = Claim::close("the end is 1", 1.0, 1.0, Tolerance::Absolute(1e-12));
-/// figure.claim(end.source("closed form"));
+/// figure.close("the end is 1", 1.0, 1.0, Tolerance::Absolute(1e-12)).source("closed form");
 /// assert!(figure.claims.iter().all(Claim::passes));
 /// ```
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -76,9 +75,89 @@ impl Figure {
         self.tables.push(table);
     }
 
-    /// Adds a claim.
+    /// Adds a claim made elsewhere.
     pub fn claim(&mut self, claim: Claim) {
         self.claims.push(claim);
+    }
+
+    /// Claims that `measured` is `expected` within `tolerance`.
+    #[track_caller]
+    pub fn close(
+        &mut self,
+        statement: impl Into<String>,
+        measured: f64,
+        expected: f64,
+        tolerance: Tolerance,
+    ) -> NewClaim<'_> {
+        self.new_claim(Claim::close(statement, measured, expected, tolerance))
+    }
+
+    /// Claims that every (measured, expected) pair agrees within `tolerance`.
+    #[track_caller]
+    pub fn all_close<P: Into<Pair>>(
+        &mut self,
+        statement: impl Into<String>,
+        pairs: impl IntoIterator<Item = P>,
+        tolerance: Tolerance,
+    ) -> NewClaim<'_> {
+        self.new_claim(Claim::all_close(statement, pairs, tolerance))
+    }
+
+    /// Claims that `measured` is at most `bound`.
+    #[track_caller]
+    pub fn at_most(
+        &mut self,
+        statement: impl Into<String>,
+        measured: f64,
+        bound: f64,
+    ) -> NewClaim<'_> {
+        self.new_claim(Claim::at_most(statement, measured, bound))
+    }
+
+    /// Claims that `measured` is at least `bound`.
+    #[track_caller]
+    pub fn at_least(
+        &mut self,
+        statement: impl Into<String>,
+        measured: f64,
+        bound: f64,
+    ) -> NewClaim<'_> {
+        self.new_claim(Claim::at_least(statement, measured, bound))
+    }
+
+    /// Claims that each value is larger than the one before.
+    #[track_caller]
+    pub fn increasing(
+        &mut self,
+        statement: impl Into<String>,
+        values: impl IntoIterator<Item = f64>,
+    ) -> NewClaim<'_> {
+        self.new_claim(Claim::increasing(statement, values))
+    }
+
+    /// Claims that each value is smaller than the one before.
+    #[track_caller]
+    pub fn decreasing(
+        &mut self,
+        statement: impl Into<String>,
+        values: impl IntoIterator<Item = f64>,
+    ) -> NewClaim<'_> {
+        self.new_claim(Claim::decreasing(statement, values))
+    }
+
+    /// Claims that something is so; `measured` is the number that shows it.
+    #[track_caller]
+    pub fn holds(
+        &mut self,
+        statement: impl Into<String>,
+        holds: bool,
+        measured: f64,
+    ) -> NewClaim<'_> {
+        self.new_claim(Claim::holds(statement, holds, measured))
+    }
+
+    fn new_claim(&mut self, claim: Claim) -> NewClaim<'_> {
+        NewClaim { claims: &mut self.claims, claim }
     }
 
     /// Records that the thesis prints something else, and why.
@@ -99,6 +178,21 @@ impl Figure {
     /// need fewer than their own accuracy.
     pub fn snapshot_digits(&mut self, digits: u8) {
         self.precision = Precision { digits };
+    }
+}
+
+/// A claim that still has to say where its expectation comes from.
+#[must_use = "a claim counts only with its source"]
+#[derive(Debug)]
+pub struct NewClaim<'f> {
+    claims: &'f mut Vec<Claim>,
+    claim: Claim,
+}
+
+impl NewClaim<'_> {
+    /// Adds the claim with the source of its expectation.
+    pub fn source(self, source: impl Into<String>) {
+        self.claims.push(self.claim.source(source));
     }
 }
 

@@ -115,7 +115,7 @@ fn wait(child: &mut Child, end: Instant) -> std::io::Result<Option<ExitStatus>> 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::{Claim, Figure, FigureResult, Table};
+    use crate::{Figure, FigureResult, Table};
 
     const ROLE: &str = "CAROM_TEST_PAGE";
     const FOLDER: &str = "CAROM_TEST_FOLDER";
@@ -123,7 +123,7 @@ mod tests {
     fn good() -> FigureResult {
         let mut figure = Figure::new();
         figure.table(Table::new("", ["x"]));
-        figure.claim(Claim::at_most("small", 1.0, 2.0).source("given"));
+        figure.at_most("small", 1.0, 2.0).source("given");
         Ok(figure)
     }
 

@@ -18,7 +18,7 @@
 //!
 //! A claim must be able to fail, and must rest on something other than the code that it
 //! checks: a closed form, quadrature, reference values, the thesis's text. It names that
-//! [`source`](Claim::source); without one it fails. The snapshot guards against change, the
+//! [`source`](NewClaim::source); without one it fails. The snapshot guards against change, the
 //! claims against error; `--update` rewrites no snapshot of a page whose claim fails, and says
 //! what it changed. `cargo xtask verify --update` rewrites all that differ.
 //!
@@ -30,7 +30,7 @@
 //! date.
 //!
 //! ```
-//! use carom_verification::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
+//! use carom_verification::{Absolute, Figure, FigureResult, Panel, Series};
 //! use carom_verification::linspace;
 //!
 //! fn figure_0_1() -> FigureResult {
@@ -38,11 +38,8 @@
 //!     figure.stated("x", "0 to 2");
 //!     let curve: Vec<(f64, f64)> =
 //!         linspace(0.0, 2.0, 101).into_iter().map(|x| (x, x * x)).collect();
-//!     figure.claim(
-//!         Claim::close("y(2) is 4", curve[100].1, 4.0, Tolerance::Absolute(1e-12))
-//!             .source("closed form"),
-//!     );
-//!     let mut panel = Panel::new(Axis::linear("x"), Axis::linear("y"));
+//!     figure.close("y(2) is 4", curve[100].1, 4.0, Absolute(1e-12)).source("closed form");
+//!     let mut panel = Panel::new("x", "y");
 //!     panel.add(Series::line("y = x²", curve));
 //!     figure.panel(panel);
 //!     Ok(figure)
@@ -68,6 +65,7 @@ mod figures;
 pub mod files;
 pub mod launch;
 pub mod page;
+mod play;
 mod reference;
 pub mod report;
 pub mod run;
@@ -78,7 +76,9 @@ pub mod statistics;
 pub mod tally;
 pub mod terminal;
 
-pub use carom_plot::{Arrow, Marker, Point, Series, linspace, logspace};
-pub use catalogue::{Entry, FigureResult, State, catalogue};
+pub use carom_plot::{Arrow, Marker, Point, Series};
+pub use carom_special::{linspace, logspace};
+pub use catalogue::{Entry, Failure, FigureResult, State, catalogue};
+pub use claim::Tolerance::{Absolute, Relative};
 pub use claim::{Check, Claim, Pair, Tolerance};
-pub use figure::{Axis, Cell, Figure, Panel, Table};
+pub use figure::{Axis, Cell, Figure, NewClaim, Panel, Table};

@@ -3,7 +3,7 @@
 //! Each file says in its first lines, which begin with `#`, where its values come from, how exact
 //! they are and when they were made.
 
-type Failure = Box<dyn std::error::Error + Send + Sync>;
+use crate::Failure;
 
 /// A reader of CSV that passes over the lines with `#`.
 pub(crate) fn reader(csv: &str) -> csv::Reader<&[u8]> {

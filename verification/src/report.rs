@@ -46,6 +46,11 @@ impl Report<'_> {
         contents::list(&mut page, self);
         page.push_str("<main>\n");
         self.summary(&mut page, &is_fresh);
+        let _ = write!(
+            page,
+            "<section class=\"page\" id=\"play\" data-page=\"play\"><h2>An impact to play with</h2>\n{}</section>\n",
+            crate::play::section()
+        );
         for entry in self.catalogue {
             if let Some(record) = self.record(entry) {
                 section(&mut page, entry, record, is_fresh(entry));

@@ -1,6 +1,6 @@
 //! Computing one page: a figure that fails or panics is an outcome, not an end.
 
-use crate::catalogue::{Entry, FigureResult};
+use crate::catalogue::{Entry, Failure, FigureResult};
 use crate::claim::Claim;
 use crate::figure::Figure;
 use crate::snapshot::{self, Comparison};
@@ -51,10 +51,7 @@ pub fn compute(entry: Entry, snapshots: &Path) -> Outcome {
 }
 
 /// Checks a figure's form, draws it and holds it against its snapshot.
-fn finish(
-    result: FigureResult,
-    snapshots: &Path,
-) -> Result<Drawn, Box<dyn std::error::Error + Send + Sync>> {
+fn finish(result: FigureResult, snapshots: &Path) -> Result<Drawn, Failure> {
     let figure = result?;
     if figure.claims.is_empty() {
         return Err("the figure claims nothing".into());

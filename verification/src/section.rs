@@ -171,7 +171,7 @@ fn close(page: &mut String) {
 mod tests {
     use super::*;
     use crate::snapshot::Comparison;
-    use crate::{Axis, Panel, Series, Tolerance};
+    use crate::{Panel, Series, Tolerance};
 
     #[test]
     fn a_section_holds_everything() {
@@ -181,7 +181,7 @@ mod tests {
         figure.claim(Claim::all_close("near", near, Tolerance::Absolute(0.2)).source("(5.3)"));
         figure.claim(Claim::at_most("not small", 2.0, 1.0));
         figure.deviation("3 %", "3.35 %", "rounded");
-        let mut panel = Panel::new(Axis::linear("x"), Axis::linear("y"));
+        let mut panel = Panel::new("x", "y");
         panel.add(Series::line("", [(0.0, 0.0), (1.0, 1.0)]));
         figure.panel(panel);
         let svg = carom_plot::render("t", &figure.panels).ok();

@@ -1,6 +1,6 @@
 //! What continuous integration checks.
 
-use crate::{browse, cargo, mutants, test, tidy};
+use crate::{browse, cargo, mutants, python, test, tidy};
 use anyhow::{Context as _, bail};
 use std::time::Instant;
 
@@ -15,6 +15,7 @@ const STEPS: &[(&str, Step)] = &[
     ("tests with overflow checks and debug assertions", test::checked),
     ("quick figures", quick_figures),
     ("the report in a browser", browse::run),
+    ("the Python module, in an environment of its own", python::run),
     ("mutants, each against the test known to notice it", mutants::quick),
 ];
 

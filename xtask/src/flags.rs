@@ -61,8 +61,12 @@ xflags::xflags! {
         /// pale words, search that finds; keeps screenshots. Skipped, and it says so, where there
         /// is no Chromium.
         cmd browse {}
+        /// Builds the Python module's wheel, installs it into a fresh environment below target/ and
+        /// runs its tests and the examples of its documentation there. Skipped, and it says so,
+        /// where there is no Python.
+        cmd python {}
         /// What continuous integration checks: form, the index of equations, lints, documentation, tests, tests with
-        /// overflow checks, the quick figures, the report in a browser, and the mutants.
+        /// overflow checks, the quick figures, the report in a browser, the Python module, and the mutants.
         cmd ci {}
         /// Runs the benchmarks.
         cmd bench {

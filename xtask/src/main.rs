@@ -1,5 +1,6 @@
 #![forbid(unsafe_code)]
-//! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`, `ci`, `bench`.
+//! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
+//! `python`, `ci`, `bench`.
 //!
 //! Calls cargo, and reads the sources for `mutants` and `tidy`: whatever computes lives in the crates, so
 //! that this one builds soon.
@@ -9,6 +10,7 @@ mod cargo;
 mod ci;
 mod flags;
 mod mutants;
+mod python;
 mod test;
 mod tidy;
 
@@ -36,6 +38,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Mutants(options) => mutants::run(&options)?,
         flags::XtaskCmd::Tidy(_) => tidy::run()?,
         flags::XtaskCmd::Browse(_) => browse::run()?,
+        flags::XtaskCmd::Python(_) => python::run()?,
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }

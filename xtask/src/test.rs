@@ -29,8 +29,16 @@ impl Which {
             Self::Ignored => {
                 &["--cargo-profile", "release", "--profile", "long", "--run-ignored", "only"]
             }
+            Self::Checked => &["--cargo-profile", "checked"],
+        }
+    }
+
+    /// The crates that are left out.
+    fn without(self) -> &'static [&'static str] {
+        match self {
+            Self::Usual | Self::Ignored => &[],
             Self::Checked => {
-                &["--cargo-profile", "checked", "--exclude", "carom-benches", "--exclude", "xtask"]
+                &["--exclude", "carom-benches", "--exclude", "carom-python", "--exclude", "xtask"]
             }
         }
     }
@@ -40,9 +48,7 @@ impl Which {
         match self {
             Self::Usual => &["--profile", "release"],
             Self::Ignored => &["--profile", "release", "--", "--ignored"],
-            Self::Checked => {
-                &["--profile", "checked", "--exclude", "carom-benches", "--exclude", "xtask"]
-            }
+            Self::Checked => &["--profile", "checked"],
         }
     }
 }
@@ -73,11 +79,12 @@ pub(crate) fn checked() -> anyhow::Result<()> {
 fn tests(which: Which) -> anyhow::Result<()> {
     if cargo::has("nextest") {
         // Prints its own count.
-        return cargo::run(&[&["nextest", "run", "--workspace"], which.nextest()].concat());
+        let run = &["nextest", "run", "--workspace"];
+        return cargo::run(&[run, which.without(), which.nextest()].concat());
     }
     println!("cargo-nextest is not installed: using cargo test");
     let usual = ["test", "--workspace", "--no-fail-fast", "--lib", "--bins", "--tests"];
-    counted("tests", &[&usual, which.cargo()].concat())
+    counted("tests", &[&usual, which.without(), which.cargo()].concat())
 }
 
 fn examples() -> anyhow::Result<()> {

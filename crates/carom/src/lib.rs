@@ -30,6 +30,7 @@
 #![forbid(unsafe_code)]
 
 pub use carom_geometry as geometry;
+pub use carom_geometry::nalgebra;
 pub use carom_halfspace as halfspace;
 pub use carom_impact as impact;
 pub use carom_laws as laws;
@@ -40,7 +41,7 @@ pub use carom_table as table;
 /// The names most programs need.
 pub mod prelude {
     pub use carom_geometry::{Attitude, Inertia, Surface};
-    pub use carom_halfspace::{Material, MaterialPair};
+    pub use carom_halfspace::{Force, Grid, Material, MaterialPair, Point, PointLoad};
     pub use carom_impact::oblique::{Groups, ObliqueImpact, Regime};
     pub use carom_impact::{Body, Collision, Motion, Outcome, Rebound};
     pub use carom_laws::accounted::Accounted;
@@ -51,5 +52,9 @@ pub mod prelude {
     pub use carom_laws::law::{ContactLaw, ContactLoad, Energies, Shift};
     pub use carom_laws::shift_law::ShiftLaw;
     pub use carom_laws::stiffness::ContactStiffness;
+    pub use carom_solver::{
+        CellState, ContactProblem, ContactState, Drive, Driven, Frictional, Gap, Method,
+    };
+    pub use carom_special::elliptic::complete;
     pub use carom_special::{AxisRatio, RangeError};
 }

@@ -1,6 +1,6 @@
 //! Values of an option: one, a list, or `start:stop:count`.
 
-use carom_plot::linspace;
+use carom_special::linspace;
 use std::str::FromStr;
 
 /// Values a sweep may have at most.

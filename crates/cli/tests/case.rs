@@ -108,7 +108,7 @@ fn every_misspelt_field_is_named_with_its_line_and_the_nearest_name() {
         assert!(message.starts_with(&format!("line {line}: unknown field")), "{message}");
         assert!(message.contains(&format!("did you mean `{name}`?")), "{message}");
     }
-    insta::assert_snapshot!(error(&changed("radius", "radus")), @"line 3: unknown field `body_1.radus`, did you mean `radius`?; `body_1` takes `shape`, `radius`, `material`, `density`, `mass`, `fixed`, `inertia`, `position`, `quaternion`, `angles`, `velocity`, `spin`");
+    insta::assert_snapshot!(error(&changed("radius", "radus")), @r#"line 3: unknown field `body_1.radus`, did you mean `radius`?; `body_1` of shape "sphere" takes `shape`, `radius`, `material`, `density`, `mass`, `fixed`, `inertia`, `position`, `quaternion`, `angles`, `velocity`, `spin`"#);
 }
 
 #[test]

@@ -145,7 +145,10 @@ fn what_cannot_be_is_refused_by_name() {
         ),
         (format!("{ball}{grid}[contact]\nfriction = 0\n[[step]]\nxi = 1\n"), vec!["step[0].zeta"]),
         (format!("{ball}[grid]\ncells = [0, 3]\nsize = [1, 1]\n{rest}"), vec!["grid.cells.x", "0"]),
-        (format!("{ball}slope = 1\n{grid}{rest}"), vec!["gap.slope", "gap.shape"]),
+        (
+            format!("{ball}slope = 1\n{grid}{rest}"),
+            vec!["gap.slope", "`gap` of shape \"sphere\" takes `shape`, `radius`"],
+        ),
         (
             format!("[gap]\nshape = \"ball\"\n{grid}{rest}"),
             vec!["gap.shape", "\"ball\"", "paraboloid"],
@@ -175,11 +178,11 @@ fn bad_height_maps_are_refused_by_line() {
     let map = "[gap]\nshape = \"heights\"\nfile = \"solve_map.csv\"\n[grid]\ncells = [3, 2]\n\
                size = [3, 2]\ncut = true\n[contact]\nfriction = 0\n[[step]]\nzeta = 0.1\n";
     for (heights, part) in [
-        ("1,2,3\n1,2\n", "line 2: 2 values; must be 3"),
-        ("1,2,3\n1,nan,2\n", "line 2, value 2"),
-        ("1,2,3\n1,x,2\n", "\"x\" must be a finite number"),
-        ("1,2,3\n", "1 lines; must be 2"),
-        ("", "0 lines; must be 2"),
+        ("1,2,3\n1,2\n", "row 2 of the height map has 2 values, the first 3"),
+        ("1,2,3\n1,nan,2\n", "line 2: `value 2` = nan"),
+        ("1,2,3\n1,x,2\n", "`value 2` = x is out of range: must be a finite number"),
+        ("1,2,3\n", "has 3 x 1 values, the grid 3 x 2 cells"),
+        ("", "the height map is empty"),
     ] {
         case("solve_map.csv", heights);
         let said = refused("solve_heights_bad.toml", map);

@@ -12,6 +12,9 @@
 //! | [`Inertia`] | mass and moments, of solids and shells of the known shapes |
 #![forbid(unsafe_code)]
 
+/// The vectors and matrices of the signatures, for users without a dependency of their own.
+pub use nalgebra;
+
 mod attitude;
 mod contact_point;
 mod frame;
@@ -28,4 +31,4 @@ pub use frame::{ContactFrame, FrameError};
 pub use inertia::Inertia;
 pub use nearest::{Certainty, NearestPoints, SearchError, nearest_points};
 pub use placed::Placed;
-pub use surface::{Height, Jet, LocalSurface, Side, Surface, SurfaceError, perpendicular};
+pub use surface::{BodySide, Height, LocalSurface, Surface, SurfaceError, perpendicular};

@@ -6,7 +6,7 @@ mod shapes;
 
 use carom_geometry::curvature::{CurvatureError, PrincipalRadii};
 use carom_geometry::{
-    Attitude, Certainty, ContactPoint, FrameError, NearestPoints, Placed, SearchError, Side,
+    Attitude, BodySide, Certainty, ContactPoint, FrameError, NearestPoints, Placed, SearchError,
     Surface, SurfaceError, nearest_points,
 };
 use nalgebra::Vector3;
@@ -141,7 +141,7 @@ fn gap(one: &Placed, two: &Placed) -> f64 {
 #[test]
 fn tori_in_closed_form() {
     let ring = |centre| body(Surface::torus(2.0, 0.3).unwrap(), centre);
-    // Side by side in a plane.
+    // BodySide by side in a plane.
     assert!((gap(&ring([5.0, 0.0, 0.0]), &ring([0.0; 3])) - 0.4).abs() < 1e-14);
     // Linked: each circle runs through the centre of the other, 2 from its rim.
     let turn = Attitude::about([1.0, 0.0, 0.0], std::f64::consts::FRAC_PI_2).unwrap();
@@ -199,7 +199,7 @@ fn planes_rest_on_hollow_and_wavy_surfaces() {
         let bump = |x: f64, depth: f64| depth * (-4.0 * ((a - x).powi(2) + b * b)).exp();
         0.05 * (a * a + b * b) - bump(-1.0, 0.4) - bump(1.0, 0.5)
     };
-    let bumpy = || Surface::explicit(1.0, Side::Above, bumps).unwrap();
+    let bumpy = || Surface::explicit(1.0, BodySide::Above, bumps).unwrap();
     let near = nearest_points(&body(bumpy(), [0.0, 0.0, 2.0]), &plane).unwrap();
     // Where dc/da = 0 next to a = 1.
     let (mut low, mut high) = (0.9_f64, 1.1);
@@ -268,7 +268,7 @@ fn the_unit_of_length_does_not_matter() {
             };
             let clover = || Surface::implicit(1.2 * s, clover).unwrap();
             let wave = move |a: f64, b: f64| 0.2 * s * (1.3 * a / s).sin() * (0.9 * b / s).cos();
-            let wave = Surface::explicit(2.0 * s, Side::Below, wave).unwrap();
+            let wave = Surface::explicit(2.0 * s, BodySide::Below, wave).unwrap();
             let egg = || Surface::ellipsoid([1.5, 1.0, 0.6].map(|x| x * s)).unwrap();
             let at = |surface, centre: [f64; 3]| {
                 let tilt = Attitude::about([0.3, 1.0, -0.2], 0.8).unwrap();
@@ -382,13 +382,13 @@ fn what_cannot_be_searched_says_why() {
     let far = Surface::implicit(1.0, |p| (p - Vector3::x() * 30.0).norm() - 1.0).unwrap();
     let error = nearest_points(&body(far, [0.0; 3]), &ball()).unwrap_err();
     assert_eq!(error, SearchError::NoPoints { body: 1, reach: 4.0 });
-    let nan = Surface::explicit(1.0, Side::Above, |_, _| f64::NAN).unwrap();
+    let nan = Surface::explicit(1.0, BodySide::Above, |_, _| f64::NAN).unwrap();
     assert!(matches!(
         nearest_points(&body(nan, [0.0; 3]), &ball()),
         Err(SearchError::NoPoints { body: 1, .. })
     ));
     // A slope that falls for ever has no lowest point.
-    let slope = Surface::explicit(1.0, Side::Above, |a, _| 0.3 * a).unwrap();
+    let slope = Surface::explicit(1.0, BodySide::Above, |a, _| 0.3 * a).unwrap();
     let error = nearest_points(&body(slope, [0.0; 3]), &flat()).unwrap_err();
     assert!(matches!(error, SearchError::NothingFound { one: "explicit surface", .. }));
 }

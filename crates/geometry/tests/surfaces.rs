@@ -5,7 +5,8 @@ mod random;
 
 use carom_geometry::curvature::CurvatureError;
 use carom_geometry::{
-    Attitude, ContactPoint, FrameError, Height, Placed, SearchError, Side, Surface, SurfaceError,
+    Attitude, BodySide, ContactPoint, FrameError, Height, Placed, SearchError, Surface,
+    SurfaceError,
 };
 use nalgebra::Vector3;
 use random::Numbers;
@@ -89,8 +90,8 @@ fn two_explicit_surfaces_touch() {
     };
     let lower = |a: f64, b: f64| 0.3 * a * a * a - a * a - b * b;
     let turn = Attitude::about([0.0, 0.0, 1.0], 0.4).unwrap();
-    let one = body(Surface::explicit_with(1.0, Side::Above, upper).unwrap(), [0.1, 0.2, 3.0]);
-    let two = body(Surface::explicit(1.0, Side::Below, lower).unwrap(), [0.1, 0.2, 3.0]);
+    let one = body(Surface::explicit_with(1.0, BodySide::Above, upper).unwrap(), [0.1, 0.2, 3.0]);
+    let two = body(Surface::explicit(1.0, BodySide::Below, lower).unwrap(), [0.1, 0.2, 3.0]);
     let contact = ContactPoint::find(&one.turned(turn), &two).unwrap();
     assert!((contact.point() - Vector3::new(0.1, 0.2, 3.0)).norm() < 1e-9);
     let gap = contact.frame().relative_curvature();
@@ -102,7 +103,7 @@ fn two_explicit_surfaces_touch() {
 fn a_ball_in_a_bowl_and_in_a_tighter_one() {
     let bowl = |radius: f64| {
         let depth = move |a: f64, b: f64| -(radius * radius - a * a - b * b).sqrt();
-        body(Surface::explicit(radius, Side::Below, depth).unwrap(), [0.0; 3])
+        body(Surface::explicit(radius, BodySide::Below, depth).unwrap(), [0.0; 3])
     };
     // A ball of radius 0.6 on the wall of a bowl of radius 1, 50 degrees up.
     let (sin, cos) = 50_f64.to_radians().sin_cos();

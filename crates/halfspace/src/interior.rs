@@ -9,6 +9,7 @@
 use std::f64::consts::PI;
 
 use carom_special::RangeError;
+use carom_special::quadrature::Node;
 
 use crate::difference::Interval;
 use crate::gauss;
@@ -202,16 +203,16 @@ fn halves(side: Interval) -> [Interval; 2] {
 
 fn nodes(
     x: Interval,
-    rule_x: &[gauss::Node],
+    rule_x: &[Node],
     y: Interval,
-    rule_y: &[gauss::Node],
+    rule_y: &[Node],
     z: f64,
     use_piece: &mut impl FnMut(Piece, f64),
 ) {
     for ny in rule_y {
         for nx in rule_x {
             let weight = nx.weight * ny.weight * x.half * y.half;
-            let (x, y) = (x.centre + x.half * nx.at, y.centre + y.half * ny.at);
+            let (x, y) = (x.centre + x.half * nx.position, y.centre + y.half * ny.position);
             use_piece(Piece::Node { x, y, weight }, z);
         }
     }

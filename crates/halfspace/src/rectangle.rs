@@ -7,9 +7,10 @@
 //! eight digits at 2000 cells.
 
 use carom_special::RangeError;
+use carom_special::quadrature::Node;
 
 use crate::difference::Interval;
-use crate::gauss::{self, Node};
+use crate::gauss;
 
 /// The vector from the receiving point to the centre of the loaded rectangle, x' - x.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -186,9 +187,9 @@ impl RectangleIntegrals {
 fn tensor(x: Interval, rule_x: &[Node], y: Interval, rule_y: &[Node]) -> RectangleIntegrals {
     let mut sum = RectangleIntegrals::default();
     for ny in rule_y {
-        let py = y.centre + y.half * ny.at;
+        let py = y.centre + y.half * ny.position;
         for nx in rule_x {
-            let px = x.centre + x.half * nx.at;
+            let px = x.centre + x.half * nx.position;
             let inverse_square = 1.0 / (px * px + py * py);
             let weight = nx.weight * ny.weight;
             let inverse = weight * inverse_square.sqrt();
@@ -209,7 +210,7 @@ fn tensor(x: Interval, rule_x: &[Node], y: Interval, rule_y: &[Node]) -> Rectang
 fn strip(x: Interval, y: Interval, rule: &[Node]) -> RectangleIntegrals {
     let mut sum = RectangleIntegrals::default();
     for node in rule {
-        let c = y.centre + y.half * node.at;
+        let c = y.centre + y.half * node.position;
         let inverse = x.inverse_distance(c);
         let cube = x.inverse_cube(c);
         sum.inverse_distance += node.weight * inverse;

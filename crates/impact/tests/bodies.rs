@@ -1,8 +1,8 @@
 //! Surfaces, frames, mobility and whole encounters of bodies of any shape.
 
 use carom_geometry::{
-    Attitude, ContactFrame, FrameError, Height, Inertia, SearchError, Side, Surface, SurfaceError,
-    angle_matrix,
+    Attitude, BodySide, ContactFrame, FrameError, Height, Inertia, SearchError, Surface,
+    SurfaceError, angle_matrix,
 };
 use carom_halfspace::Material;
 use carom_impact::{Body, Collision, CollisionError, Lever, Mobility, Motion};
@@ -53,13 +53,14 @@ fn ellipsoid_frames() {
             c_bb: derivatives[3],
             c_ab: derivatives[4],
         };
-        let explicit = Surface::explicit_with(3.0, Side::Above, move |_| height).unwrap();
+        let explicit = Surface::explicit_with(3.0, BodySide::Above, move |_| height).unwrap();
         let explicit = explicit.local(&point).unwrap();
         let numeric = move |a: f64, b: f64| {
             let rest = 1.0 - (a / axes[0]).powi(2) - (b / axes[1]).powi(2);
             -axes[2] * rest.sqrt()
         };
-        let numeric = Surface::explicit(1.0, Side::Above, numeric).unwrap().local(&point).unwrap();
+        let numeric =
+            Surface::explicit(1.0, BodySide::Above, numeric).unwrap().local(&point).unwrap();
         let pi = matrix(&row["Pi"]);
         for (local, tolerance) in [(implicit, 1e-14), (explicit, 1e-14), (numeric, 1e-8)] {
             let [k_x, k_y] = local.curvatures();

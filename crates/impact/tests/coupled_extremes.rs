@@ -142,7 +142,7 @@ fn stiff_adhesion_settles() {
     for law in LAWS {
         case.check(&case.impact().solve(law).unwrap(), 5e-6).unwrap();
     }
-    // Uncoupled, in a plane: chi beyond the exact walk.
+    // Uncoupled, in a plane: chi beyond the exact solution.
     let [a, c] = [2.5822284179081354, 5.796883986659347];
     let a = [a, 0.0, 0.0, 0.0, 0.0, -0.9895758597195772];
     let case = Case::of(a, [c, c], f64::INFINITY, [177211.25128783577, 0.0]);
@@ -265,9 +265,6 @@ fn settles(case: &Case) -> Result<(), TestCaseError> {
 proptest! {
     #![proptest_config(ProptestConfig { max_shrink_iters: 20, ..ProptestConfig::with_cases(24) })]
 
-    // Open: of 10 000 in a plane one without slip (f = inf) is refused, and single ones of Coulomb's
-    // law in space take ten seconds.
-    #[ignore = "fails in one of ten thousand: adhesion of nearly singular D"]
     #[test]
     fn every_impact_settles(case in adversarial()) {
         settles(&case)?;

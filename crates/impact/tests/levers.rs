@@ -1,12 +1,18 @@
 //! Mobilities against rigid-body mechanics, and what a search leaves in the outcome.
 
+#[path = "../../geometry/tests/random/mod.rs"]
 mod random;
 
 use carom_geometry::{Attitude, Inertia, Surface};
+use carom_halfspace::Material;
 use carom_impact::{Body, Collision, Lever, Mobility, Motion, Outcome, Warning};
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
-use random::{Numbers, steel};
+use random::Numbers;
+
+fn steel() -> Material {
+    Material::from_shear(80e9, 0.3).unwrap()
+}
 
 #[test]
 fn levers_follow_newton_and_euler() {

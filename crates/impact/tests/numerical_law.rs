@@ -1,4 +1,4 @@
-//! Impacts on the numerical contact: against the exact walk where the bodies are alike, against an
+//! Impacts on the numerical contact: against the exact solution where the bodies are alike, against an
 //! independent half-space program where they are not.
 
 use carom_halfspace::{Material, MaterialPair};

@@ -252,7 +252,7 @@ fn slip_that_stops_for_a_moment_goes_on() {
     }
 }
 
-/// Slip velocities that graze zero: the walk ends and R_x is the same on both sides.
+/// Slip velocities that graze zero: the impact ends and R_x is the same on both sides.
 #[test]
 fn slip_may_graze_a_stop() {
     let grazing = [

@@ -1,5 +1,5 @@
 //! The torsional impact by another way: collocation in Chebyshev points and Picard's iteration on
-//! legs where all is analytic, instead of steps. It shares the law, (5.36)-(5.42) and (10.25), with
+//! pieces where all is analytic, instead of steps. It shares the law, (5.36)-(5.42) and (10.25), with
 //! the library, but neither its integration nor its way to find the stick radius, and has Lubkin's
 //! torque by quadrature of `dM/d ln k' = -(4/pi) k'^3 E`.
 
@@ -65,7 +65,7 @@ impl Polynomial {
     }
 }
 
-/// The argument of a leg.
+/// The argument of a piece.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Clock {
     /// The contact radius, in compression.
@@ -103,14 +103,14 @@ impl Clock {
     }
 }
 
-/// One analytic leg, solved.
-struct Leg {
+/// One analytic piece, solved.
+struct Piece {
     clock: Clock,
     course: [Polynomial; 3],
     end: State,
 }
 
-impl Leg {
+impl Piece {
     /// `torque` of radius, velocity and twist; none while all sticks: `dM = al^3 dx`.
     fn solve(
         epsilon: f64,
@@ -155,15 +155,15 @@ impl Leg {
 
 /// What adhesion stored in compression.
 struct Stored {
-    legs: [Leg; 2],
+    pieces: [Piece; 2],
     onset: [f64; 2],
 }
 
 impl Stored {
     fn new(epsilon: f64, omega: f64) -> Self {
-        let growing = Leg::solve(epsilon, Clock::Growing, [0.0, radius(SWITCH)], [0.0; 3], None);
-        let closing = Leg::solve(epsilon, Clock::Velocity, [-SWITCH, 0.0], growing.end, None);
-        let mut stored = Self { legs: [growing, closing], onset: [1.0, 0.0] };
+        let growing = Piece::solve(epsilon, Clock::Growing, [0.0, radius(SWITCH)], [0.0; 3], None);
+        let closing = Piece::solve(epsilon, Clock::Velocity, [-SWITCH, 0.0], growing.end, None);
+        let mut stored = Self { pieces: [growing, closing], onset: [1.0, 0.0] };
         // 2 Omega al y = w: the left side grows, the right falls.
         let excess = |al: f64, w: f64| 2.0 * omega * al * (1.0 - epsilon * stored.at(al, w)[0]) - w;
         let early = excess(radius(SWITCH), SWITCH) > 0.0;
@@ -179,7 +179,7 @@ impl Stored {
     }
 
     fn at(&self, al: f64, w: f64) -> State {
-        self.legs[usize::from(w < SWITCH)].at(al, w)
+        self.pieces[usize::from(w < SWITCH)].at(al, w)
     }
 }
 
@@ -244,8 +244,8 @@ fn impact(epsilon: f64, omega: f64) -> [f64; 2] {
     };
     let mut state = stored.at(onset, slipping_from);
     let mut follow = |clock: Clock, ends: &[f64]| {
-        for leg in ends.windows(2) {
-            state = Leg::solve(epsilon, clock, [leg[0], leg[1]], state, Some(&torque)).end;
+        for piece in ends.windows(2) {
+            state = Piece::solve(epsilon, clock, [piece[0], piece[1]], state, Some(&torque)).end;
         }
     };
     let rim = radius(SWITCH);

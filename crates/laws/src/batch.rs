@@ -73,12 +73,6 @@ impl<L: Checked<Error = RangeError> + Send + Sync> Batch<L> {
         &self.laws
     }
 
-    /// The single laws, to be advanced one by one.
-    #[must_use]
-    pub fn laws_mut(&mut self) -> &mut [L] {
-        &mut self.laws
-    }
-
     /// Advances every contact to its shift, and writes its load.
     ///
     /// # Errors

@@ -5,19 +5,11 @@
 //! place of zeta^(3/2).
 
 use carom_special::RangeError;
+use carom_special::quadrature::FixedRule;
 
 /// Gauss's nodes and weights on (0, 1), eight points: exact to round-off for F' over a tenth of the
 /// depth.
-pub(crate) const GAUSS: [(f64, f64); 8] = [
-    (0.019_855_071_751_231_856, 0.050_614_268_145_188_13),
-    (0.101_666_761_293_186_64, 0.111_190_517_226_687_24),
-    (0.237_233_795_041_835_5, 0.156_853_322_938_943_64),
-    (0.408_282_678_752_175_1, 0.181_341_891_689_180_99),
-    (0.591_717_321_247_824_9, 0.181_341_891_689_180_99),
-    (0.762_766_204_958_164_5, 0.156_853_322_938_943_64),
-    (0.898_333_238_706_813_4, 0.111_190_517_226_687_24),
-    (0.980_144_928_248_768_1, 0.050_614_268_145_188_13),
-];
+pub(crate) const GAUSS: [(f64, f64); 8] = FixedRule::parts();
 
 /// A dimensionless normal law: `force(zeta)` is F_z over a constant of the contact.
 ///

@@ -1,12 +1,16 @@
 //! The contact law of a shift: Hertz's normal force and Coulomb's friction with memory.
 
+mod pack;
+
 use carom_special::RangeError;
 
 use crate::bounds::in_memory;
 use crate::coulomb::{CoulombMemory, Tolerance};
 use crate::friction::Friction;
 use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, ImpactLaw, Shift};
-use crate::memory::{AdhesionMemory, Growing, Lateral, Memory, Regime, Tangent, Turn, VertexStack};
+use crate::memory::{
+    AdhesionMemory, Growing, Lateral, Memory, MemoryRegime as Regime, Tangent, Turn, VertexStack,
+};
 use crate::profile::{Hertzian, NormalProfile};
 use crate::stiffness::ContactStiffness;
 

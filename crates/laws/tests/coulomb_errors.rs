@@ -155,9 +155,12 @@ fn a_ring_is_dragged_on_a_tractrix() {
 
 #[test]
 fn errors_at_a_hundredth() {
-    for (parts, mean, largest) in [(1, 3e-4, 5e-3), (16, 3.5e-3, 7.5e-3)] {
+    for (parts, mean, largest) in [(1, 1.5e-4, 1.5e-3), (16, 1.5e-3, 4e-3)] {
         let scan = Scan { tolerance: 1e-2, parts, rings: 500 };
         for kind in Kind::ALL {
+            if kind == Kind::Adhesion {
+                continue; // no slip: the error is that of the rings
+            }
             let errors = scan.run(kind, 0..40);
             assert!(errors.mean() < mean && errors.largest < largest, "{kind:?}, {parts}");
         }
@@ -180,6 +183,28 @@ fn errors_fall_with_the_tolerance_and_stay_below() {
     }
 }
 
+/// Paths on which the law was once off by 2 to 5e-3: a boundary layer hidden below a flat parabola,
+/// joins deep in the contact that came to light as it receded.
+#[test]
+fn layers_and_deep_joins_stay_below_their_share() {
+    let scan = Scan { tolerance: 1e-2, parts: 1, rings: 500 };
+    for (kind, seed) in [
+        (Kind::Turning, 155),
+        (Kind::Turning, 775),
+        (Kind::TurningVarying, 155),
+        (Kind::TurningVarying, 585),
+        (Kind::Corners, 16),
+        (Kind::Corners, 195),
+        (Kind::Collision, 184),
+        (Kind::Noise, 548),
+        (Kind::Adversarial, 74),
+        (Kind::Adversarial, 850),
+    ] {
+        let errors = scan.run(kind, seed..seed + 1);
+        assert!(errors.largest < 1.5e-3, "{kind:?}, {seed}");
+    }
+}
+
 #[test]
 fn chapter_7_misses_turning_paths() {
     let mut sum = 0.0;
@@ -198,19 +223,20 @@ fn chapter_7_misses_turning_paths() {
     assert!(sum / steps > 0.02 && largest > 0.1);
 }
 
-/// Minutes: `PATHS`, `TOLERANCE`, `PARTS` and `RINGS` say how many of what.
+/// `TOLERANCE`, `PARTS`, `PATHS` of each kind, `RINGS` and `FROM` say how many of what.
 #[test]
-#[ignore = "minutes"]
+#[ignore = "minutes: 14300 paths of each of seven kinds at 1e-2 in 300 rings take 5 on one core"]
 fn large_scan() {
     let env = |name: &str, or: f64| std::env::var(name).map_or(or, |v| v.parse().unwrap());
     let tolerance = env("TOLERANCE", 1e-2);
     let (parts, rings) = (env("PARTS", 1.0) as usize, env("RINGS", 300.0) as usize);
     let scan = Scan { tolerance, parts, rings };
+    let from = env("FROM", 1000.0) as u64;
     for kind in Kind::ALL {
-        if kind == Kind::Adhesion {
-            continue;
+        if kind == Kind::Adhesion || kind == Kind::Collinear {
+            continue; // exact
         }
-        let errors = scan.run(kind, 0..env("PATHS", 2000.0) as u64);
+        let errors = scan.run(kind, from..from + env("PATHS", 2000.0) as u64);
         assert!(errors.largest < tolerance, "{kind:?}");
     }
 }

@@ -1,8 +1,6 @@
 //! The memory law against independent values of chapters 6 and 7.
 
-use carom_laws::memory::{
-    FixedScalarMemory, FixedVectorMemory, Memory, Regime, ScalarMemory, VectorMemory,
-};
+use carom_laws::memory::{Fixed, Memory, MemoryRegime, ScalarMemory, VectorMemory};
 use serde_json::Value;
 
 mod common;
@@ -24,11 +22,11 @@ fn list(value: &Value) -> Vec<f64> {
     value.as_array().unwrap().iter().map(num).collect()
 }
 
-fn regime_name(regime: Regime) -> &'static str {
+fn regime_name(regime: MemoryRegime) -> &'static str {
     match regime {
-        Regime::Separated => "separated",
-        Regime::Adhesion => "adhesion",
-        Regime::Sliding => "sliding",
+        MemoryRegime::Separated => "separated",
+        MemoryRegime::Adhesion => "adhesion",
+        MemoryRegime::Sliding => "sliding",
         _ => "slip",
     }
 }
@@ -63,7 +61,7 @@ fn chapter_6() {
     for (name, case) in histories("c6_") {
         let spheres = Spheres::new(&case);
         let mut memory = ScalarMemory::new();
-        let mut fixed = FixedScalarMemory::<64>::new();
+        let mut fixed = Memory::<f64, Fixed<f64, 64>>::new();
         let results = case["results"].as_array().unwrap();
         let f = num(&case["f"]);
         for (step, want) in case["history"].as_array().unwrap().iter().zip(results) {
@@ -97,7 +95,7 @@ fn chapter_7() {
     for (name, case) in histories("c7_") {
         let [c_x, c_y, c_z, f] = ["c_x", "c_y", "c_z", "f"].map(|name| num(&case[name]));
         let mut memory = VectorMemory::new();
-        let mut fixed = FixedVectorMemory::<64>::new();
+        let mut fixed = Memory::<[f64; 2], Fixed<[f64; 2], 64>>::new();
         let results = case["results"].as_array().unwrap();
         let mut worst = 0.0_f64;
         for (step, want) in case["history"].as_array().unwrap().iter().zip(results) {

@@ -129,10 +129,9 @@ impl Pieces {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::series::linspace;
 
     fn cone(n: usize) -> Field {
-        let nodes = linspace(-1.0, 1.0, n);
+        let nodes = carom_special::linspace(-1.0, 1.0, n);
         let values =
             nodes.iter().flat_map(|y| nodes.iter().map(move |x| libm::hypot(*x, *y))).collect();
         Field::new("r", nodes.clone(), nodes, values).unwrap()

@@ -2,13 +2,11 @@
 
 use crate::error::PlotError;
 
-/// Values at the nodes of a grid.
+/// Values at the nodes of a grid, blue below zero and orange above.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Field {
     /// Label of the colour bar.
     pub label: String,
-    /// The value with the neutral colour; below it is blue, above it orange.
-    pub centre: f64,
     x: Vec<f64>,
     y: Vec<f64>,
     values: Vec<f64>,
@@ -37,14 +35,7 @@ impl Field {
         if !(is_grid(&x) && is_grid(&y) && fits) {
             return Err(PlotError::Grid { label });
         }
-        Ok(Self { label, centre: 0.0, x, y, values })
-    }
-
-    /// With another neutral value than zero.
-    #[must_use]
-    pub const fn centred(mut self, centre: f64) -> Self {
-        self.centre = centre;
-        self
+        Ok(Self { label, x, y, values })
     }
 
     /// The nodes along the horizontal axis.

@@ -7,10 +7,10 @@
 //! tell apart. In labels, `F_x` and `F_max` carry subscripts.
 //!
 //! ```
-//! use carom_plot::{Axis, Panel, Series, linspace, render};
+//! use carom_plot::{Panel, Series, render};
 //!
-//! let mut panel = Panel::new(Axis::linear("x"), Axis::linear("x²"));
-//! panel.add(Series::line("parabola", linspace(0.0, 2.0, 101).into_iter().map(|x| (x, x * x))));
+//! let mut panel = Panel::new("x", "x²");
+//! panel.add(Series::line("parabola", (-50..=50).map(|i| (f64::from(i), f64::from(i * i)))));
 //! let svg = render("A parabola", &[panel])?;
 //! assert!(svg.starts_with("<svg"));
 //! # Ok::<(), carom_plot::PlotError>(())
@@ -33,5 +33,6 @@ mod text;
 pub use error::PlotError;
 pub use field::Field;
 pub use panel::{Aspect, Axis, Limits, Panel, Scale};
+pub use raster::base64;
 pub use render::{render, render_png};
-pub use series::{Arrow, Marker, Point, Series, Stroke, Style, linspace, logspace};
+pub use series::{Arrow, Marker, Point, Series, Stroke, Style};

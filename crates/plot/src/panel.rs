@@ -21,10 +21,17 @@ pub struct Panel {
 }
 
 impl Panel {
-    /// Empty axes.
+    /// Empty axes; a text is the label of a linear one.
     #[must_use]
-    pub const fn new(x: Axis, y: Axis) -> Self {
-        Self { title: String::new(), x, y, aspect: Aspect::Free, field: None, series: Vec::new() }
+    pub fn new(x: impl Into<Axis>, y: impl Into<Axis>) -> Self {
+        Self {
+            title: String::new(),
+            x: x.into(),
+            y: y.into(),
+            aspect: Aspect::Free,
+            field: None,
+            series: Vec::new(),
+        }
     }
 
     /// With a title.
@@ -99,6 +106,12 @@ impl Axis {
     pub const fn between(mut self, low: f64, high: f64) -> Self {
         self.limits = Some(Limits { low, high });
         self
+    }
+}
+
+impl<L: Into<String>> From<L> for Axis {
+    fn from(label: L) -> Self {
+        Self::linear(label)
     }
 }
 

@@ -41,7 +41,12 @@ fn raster(error: impl std::fmt::Display) -> PlotError {
 }
 
 /// Bytes in the 64 signs that a data address may have (RFC 4648).
-pub(crate) fn base64(bytes: &[u8]) -> String {
+///
+/// ```
+/// assert_eq!(carom_plot::base64(b"fo"), "Zm8=");
+/// ```
+#[must_use]
+pub fn base64(bytes: &[u8]) -> String {
     const SIGNS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for chunk in bytes.chunks(3) {

@@ -238,7 +238,7 @@ fn axis_label(axis: &Axis, power: i32) -> String {
 mod tests {
     use super::*;
     use crate::field::Field;
-    use crate::series::{Arrow, Marker, Series, linspace};
+    use crate::series::{Arrow, Marker, Series};
 
     fn panel() -> Panel {
         Panel::new(Axis::linear("x < y"), Axis::linear("y"))
@@ -294,7 +294,7 @@ mod tests {
             let slope = f64::from(i) / 11.0;
             dense.add(Series::line(
                 format!("slope {slope:.2}"),
-                linspace(-1.0, 1.0, 9).into_iter().map(|x| (x, slope * x + slope)),
+                carom_special::linspace(-1.0, 1.0, 9).into_iter().map(|x| (x, slope * x + slope)),
             ));
         }
         assert!(Plot::new(&dense).unwrap().aside().is_some());
@@ -302,7 +302,7 @@ mod tests {
 
     #[test]
     fn a_field_is_drawn_with_its_bar_and_contours() {
-        let nodes = linspace(0.0, 1.0, 5);
+        let nodes = carom_special::linspace(0.0, 1.0, 5);
         let values = nodes.iter().flat_map(|y| nodes.iter().map(move |x| x - y)).collect();
         let field = Field::new("x - y", nodes.clone(), nodes, values).unwrap();
         let svg = render("", &[panel().over(field)]).unwrap();

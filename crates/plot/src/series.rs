@@ -116,6 +116,18 @@ impl From<(f64, f64)> for Point {
     }
 }
 
+impl From<[f64; 2]> for Point {
+    fn from([x, y]: [f64; 2]) -> Self {
+        Self { x, y }
+    }
+}
+
+impl From<&[f64; 2]> for Point {
+    fn from(&[x, y]: &[f64; 2]) -> Self {
+        Self { x, y }
+    }
+}
+
 /// An arrow from `tail` to `head`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arrow {
@@ -166,39 +178,4 @@ pub enum Marker {
     Cross,
     /// Cross and plus.
     Star,
-}
-
-/// `count` values from `start` to `stop`, both included, equally spaced.
-#[must_use]
-pub fn linspace(start: f64, stop: f64, count: usize) -> Vec<f64> {
-    let last = count.saturating_sub(1).max(1) as f64;
-    (0..count).map(|i| start + (stop - start) * (i as f64 / last)).collect()
-}
-
-/// `count` values from `start` to `stop`, both included and positive, equally spaced in ratio.
-#[must_use]
-pub fn logspace(start: f64, stop: f64, count: usize) -> Vec<f64> {
-    let mut values: Vec<f64> =
-        linspace(libm::log(start), libm::log(stop), count).into_iter().map(libm::exp).collect();
-    if let (Some(first), true) = (values.first_mut(), count > 0) {
-        *first = start;
-    }
-    if let (Some(last), true) = (values.last_mut(), count > 1) {
-        *last = stop;
-    }
-    values
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn ends_of_grids_are_exact() {
-        for grid in [linspace(0.1, 0.7, 13), logspace(0.1, 0.7, 13)] {
-            assert_eq!((grid[0], grid[12], grid.len()), (0.1, 0.7, 13));
-            assert!(grid.windows(2).all(|w| w[0] < w[1]));
-        }
-        assert_eq!(linspace(2.0, 5.0, 1), [2.0]);
-    }
 }

@@ -46,7 +46,7 @@ fn a_million_cells_fit() {
 }
 
 #[test]
-#[ignore = "four million cells"]
+#[ignore = "minutes: four million cells, and memory is that of the process: run alone"]
 fn four_million_cells_fit() {
     let error = hertz(2048);
     println!("2048: {error:.1e}, {:?} MB", most_memory());

@@ -6,7 +6,7 @@
 //! | [`hypergeometric`] | 2F1 and 3F2(s, a, b; s + 1, c) on the unit interval |
 //! | [`gamma`] | gamma, its reciprocal and its logarithm |
 //! | [`quadrature`] | Gauss-Legendre, adaptive Gauss-Kronrod, tanh-sinh |
-//! | [`roots`] | Brent's method in a bracket |
+//! | [`roots`] | Brent's method in a bracket, bisection |
 //! | [`ode`] | ordinary differential equations with dense output |
 //!
 //! Arguments are types that keep full accuracy at both ends of their range: [`AxisRatio`] instead of
@@ -23,6 +23,8 @@ pub mod roots;
 
 mod axis_ratio;
 mod error;
+mod spacing;
 
 pub use axis_ratio::AxisRatio;
 pub use error::{RangeError, Readable};
+pub use spacing::{linspace, logspace};

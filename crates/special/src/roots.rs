@@ -1,9 +1,14 @@
-//! Roots of a continuous function in a bracket.
+//! Roots of a continuous function in a bracket, and where a condition turns.
+
+use std::convert::Infallible;
 
 use crate::RangeError;
 
 /// Brent's method needs far fewer; this many halvings pass every number of an interval.
 const MOST_EVALUATIONS: usize = 4500;
+
+/// Halvings after which no number is left between two places.
+pub const ALL_DIGITS: usize = 2200;
 
 /// An interval `lower < upper`, both finite.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -120,6 +125,38 @@ pub fn brent(
         search.step(half, reach, &mut function)?;
     }
     Err(RootError::NotConverged { best: search.best() })
+}
+
+/// Halves the way between two places about the one where `is_before`, true at the first and false
+/// at the second, turns: `halvings` times at most, as long as numbers lie between. Gives both ends.
+///
+/// ```
+/// use carom_special::roots::{ALL_DIGITS, bisect};
+/// let [below, above] = bisect([1.0, 2.0], ALL_DIGITS, |x| x * x < 2.0);
+/// assert!(below * below < 2.0 && above == below.next_up());
+/// ```
+pub fn bisect(ends: [f64; 2], halvings: usize, mut is_before: impl FnMut(f64) -> bool) -> [f64; 2] {
+    let Ok(ends) = try_bisect(ends, halvings, |x| Ok::<_, Infallible>(is_before(x)));
+    ends
+}
+
+/// [`bisect`] with a condition that may fail.
+///
+/// # Errors
+/// The first error of the condition.
+pub fn try_bisect<E>(
+    [mut from, mut to]: [f64; 2],
+    halvings: usize,
+    mut is_before: impl FnMut(f64) -> Result<bool, E>,
+) -> Result<[f64; 2], E> {
+    for _ in 0..halvings {
+        let middle = 0.5 * (from + to);
+        if middle == from || middle == to {
+            break;
+        }
+        if is_before(middle)? { from = middle } else { to = middle }
+    }
+    Ok([from, to])
 }
 
 #[derive(Clone, Copy)]
@@ -266,6 +303,19 @@ mod tests {
     fn exact_zero_at_an_end() {
         assert_eq!(root(|x| x, 0.0, 1.0).position, 0.0);
         assert_eq!(root(|x| x - 1.0, 0.0, 1.0).position, 1.0);
+    }
+
+    #[test]
+    fn halves_end_at_neighbours_also_downwards_and_at_zero() {
+        for ends in [[3.0, -1.0], [0.0, 1.0], [-1e300, 1e300]] {
+            let sign = f64::signum(ends[1] - ends[0]);
+            let [before, after] = bisect(ends, ALL_DIGITS, |x| sign * (x - 0.1) < 0.0);
+            let middle = 0.5 * (before + after);
+            assert!(after == 0.1 && before != 0.1 && (middle == before || middle == after));
+        }
+        assert_eq!(bisect([0.0, 1.0], ALL_DIGITS, |_| false), [0.0, f64::from_bits(1)]);
+        assert_eq!(bisect([0.0, 1.0], 3, |x| x < 0.7), [0.625, 0.75]);
+        assert_eq!(try_bisect([0.0, 1.0], 3, |_| Err::<bool, _>("fails")), Err("fails"));
     }
 
     #[test]

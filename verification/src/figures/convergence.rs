@@ -1,8 +1,7 @@
 //! Rates of convergence, measured beside predicted: not in the thesis, but of its chapter 13.
 
-use super::Failure;
 use crate::catalogue::Entry;
-use crate::{Axis, Cell, Claim, Figure, FigureResult, Panel, Series, Table, Tolerance, linspace};
+use crate::{Cell, Failure, Figure, FigureResult, Panel, Relative, Series, Table, linspace};
 use carom_halfspace::operator::HalfSpaceOperator;
 use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -172,22 +171,15 @@ fn draw() -> FigureResult {
     }
     figure.table(table);
     let pairs = rates.iter().map(|rate| (rate.measured, rate.predicted));
-    figure.claim(
-        Claim::all_close("measured rates", pairs, Tolerance::Relative(0.05))
-            .source("spectral radii of T (13.12) and of Gauss-Seidel, M₁ (13.32), M₂ (13.34)"),
-    );
+    figure
+        .all_close("measured rates", pairs, Relative(0.05))
+        .source("spectral radii of T (13.12) and of Gauss-Seidel, M₁ (13.32), M₂ (13.34)");
     let used = rates.iter().filter_map(|rate| Some(rate.predicted / rate.bound?));
-    figure.claim(
-        Claim::at_most(
-            "predicted passes over f|γ| (slip) and γ² (stick)",
-            used.fold(0.0, f64::max),
-            1.0,
-        )
-        .source("symbols of A₁₁, A₃₃ and A₃₁ on the half-space"),
-    );
+    figure
+        .at_most("predicted passes over f|γ| (slip) and γ² (stick)", used.fold(0.0, f64::max), 1.0)
+        .source("symbols of A₁₁, A₃₃ and A₃₁ on the half-space");
 
-    let mut panel = Panel::new(Axis::linear("f γ"), Axis::linear("spectral radius of T (13.12)"))
-        .titled("Sweeps in full slip");
+    let mut panel = Panel::new("f γ", "spectral radius of T (13.12)").titled("Sweeps in full slip");
     let line = limits(&mut panel, [20, 1], "a line of 20")?;
     let circle = limits(&mut panel, [20, 20], "a circle of 316")?;
     panel.add(Series::dotted("", [(-1.5, 1.0), (2.5, 1.0)]));
@@ -196,35 +188,27 @@ fn draw() -> FigureResult {
         let holds = curve.iter().filter(|(_, radius)| *radius < 1.0).map(|(product, _)| *product);
         (holds.clone().fold(f64::INFINITY, f64::min), holds.fold(f64::NEG_INFINITY, f64::max))
     };
-    figure.claim(
-        Claim::at_least("a line converges beyond f γ = 1", widest(&line).1, 2.0)
-            .source("(13.22) gives 1, for coefficients as simple as (13.17)"),
-    );
-    figure.claim(
-        Claim::at_most("a circle does not reach f γ = 1", widest(&circle).1, 0.95)
-            .source("(13.22) used for other areas, as the text does"),
-    );
+    figure
+        .at_least("a line converges beyond f γ = 1", widest(&line).1, 2.0)
+        .source("(13.22) gives 1, for coefficients as simple as (13.17)");
+    figure
+        .at_most("a circle does not reach f γ = 1", widest(&circle).1, 0.95)
+        .source("(13.22) used for other areas, as the text does");
     let at_half = |curve: &[(f64, f64)]| {
         let near = |point: &&(f64, f64)| (point.0 - 0.5).abs() < 1e-9;
         curve.iter().find(near).map_or(f64::NAN, |point| point.1)
     };
-    figure.claim(
-        Claim::at_least(
-            "f γ = 1/2: circle slower than line by",
-            at_half(&circle) / at_half(&line),
-            1.5,
-        )
-        .source("the text expects several lines to converge better"),
-    );
+    figure
+        .at_least("f γ = 1/2: circle slower than line by", at_half(&circle) / at_half(&line), 1.5)
+        .source("the text expects several lines to converge better");
     let within = widest(&circle);
-    figure.claim(
-        Claim::holds(
+    figure
+        .holds(
             "all that friction has, |f γ| ≤ 1/2, converges",
             within.0 <= -0.5 && within.1 >= 0.5,
             within.0,
         )
-        .source("f ≤ 1, |γ| ≤ 1/2"),
-    );
+        .source("f ≤ 1, |γ| ≤ 1/2");
     figure.deviation(
         "0 < f γ < 1 is sufficient, and more lines converge better",
         "a line: −1.27 to 2.28; a circle of 316 elements: −0.61 to 0.71",

@@ -1,9 +1,8 @@
 //! Equations that the thesis prints wrong, beside what is right, and the function that implements
 //! it held against another way to the same number: not in the thesis.
 
-use super::Failure;
 use crate::catalogue::Entry;
-use crate::{Cell, Claim, Figure, FigureResult, Table, Tolerance};
+use crate::{Cell, Claim, Figure, FigureResult, Relative, Table};
 
 mod half_space;
 mod laws;
@@ -42,7 +41,7 @@ impl Correction {
     #[track_caller]
     fn claim(&self) -> Claim {
         let statement = format!("({}): {}", self.equation, self.check);
-        Claim::close(statement, self.value, self.expected, Tolerance::Relative(self.tolerance))
+        Claim::close(statement, self.value, self.expected, Relative(self.tolerance))
             .source(self.source)
     }
 }
@@ -75,14 +74,13 @@ fn draw() -> FigureResult {
         }
         figure.claim(one.claim());
     }
-    figure.claim(
-        Claim::at_least(
+    figure
+        .at_least(
             "the printed formula would fail everywhere: its least deviation over the tolerance",
             missed.into_iter().fold(f64::INFINITY, f64::min),
             3.0,
         )
-        .source("the column as printed"),
-    );
+        .source("the column as printed");
     figure.table(table);
     Ok(figure)
 }

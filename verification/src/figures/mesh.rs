@@ -1,13 +1,11 @@
 //! Contacts on a mesh, as the thesis computes them: a box of equal elements, a history in steps.
 
-use super::Failure;
-use crate::{Arrow, Axis, Panel, Point, Series};
-use carom_halfspace::{Grid, Material, MaterialPair};
+use crate::{Arrow, Failure, Panel, Point, Series};
+use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLoad, Shift};
-use carom_plot::Field;
 use carom_solver::{CellState, ContactProblem, ContactState, Drive, Frictional, Gap, Method as _};
 
 /// The shear modulus of both bodies, in N/mm^2 (section 14.1).
@@ -41,7 +39,7 @@ pub(super) struct Step {
     pub(super) load: ContactLoad,
     pub(super) state: ContactState,
     /// Slip of body 1 against body 2 in this step.
-    pub(super) slip: [Vec<f64>; 2],
+    pub(super) slip: [Field; 2],
 }
 
 impl Mesh {
@@ -95,28 +93,12 @@ impl Mesh {
             let mut state = before.clone();
             let drive = Drive::by_shift(*shift);
             method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ())?;
-            let slip = slip(&before, &state);
+            let slip = state.slip_since(&before);
             before.clone_from(&state);
             steps.push(Step { load: state.load(), state, slip });
         }
         Ok(steps)
     }
-}
-
-/// What the surfaces moved against each other beyond the rigid shift (12.2).
-fn slip(before: &ContactState, after: &ContactState) -> [Vec<f64>; 2] {
-    let turn = after.shift.omega - before.shift.omega;
-    let [dx, dy] = [after.shift.xi - before.shift.xi, after.shift.eta - before.shift.eta];
-    let centres = after.pressure.grid().centres().enumerate();
-    let moved = |now: &[f64], old: &[f64], i: usize| now[i] - old[i];
-    centres
-        .map(|(i, (x, y))| {
-            let u = moved(after.displacement_x.values(), before.displacement_x.values(), i);
-            let v = moved(after.displacement_y.values(), before.displacement_y.values(), i);
-            (u - dx - y * turn, v - dy + x * turn)
-        })
-        .unzip()
-        .into()
 }
 
 /// Steps from one shift to another, the first left out.
@@ -149,6 +131,15 @@ impl Touching {
         self.traction[0].hypot(self.traction[1])
     }
 
+    pub(super) fn slip_size(&self) -> f64 {
+        self.slip[0].hypot(self.slip[1])
+    }
+
+    fn cosine_to_slip(&self) -> f64 {
+        let along = self.slip[0] * self.traction[0] + self.slip[1] * self.traction[1];
+        along / (self.size() * self.slip_size())
+    }
+
     /// The direction of the traction on body 1 in degrees from x, -180 to 180.
     pub(super) fn angle(&self) -> f64 {
         self.traction[1].atan2(self.traction[0]).to_degrees()
@@ -165,9 +156,15 @@ impl Step {
             y,
             traction: [self.state.traction_x.values()[i], self.state.traction_y.values()[i]],
             pressure: self.state.pressure.values()[i],
-            slip: [self.slip[0][i], self.slip[1][i]],
+            slip: [self.slip[0].values()[i], self.slip[1].values()[i]],
             sticks: self.state.cells.values()[i] == CellState::Stick,
         })
+    }
+
+    /// The cosines of the angles between traction and slip, where it slips, with Coulomb's -1.
+    pub(super) fn cosines_to_slip(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
+        let slipping = self.touching().filter(|cell| !cell.sticks);
+        slipping.map(|cell| (cell.cosine_to_slip(), -1.0))
     }
 
     /// The part of the contact that sticks.
@@ -197,8 +194,8 @@ impl Step {
         let grid = self.state.cells.grid();
         let x = (0..grid.nx()).map(|i| grid.centred_x(i)).collect();
         let y = (0..grid.ny()).map(|i| grid.centred_y(i)).collect();
-        let field = Field::new("slip −1, stick 1", x, y, values.collect())?;
-        let panel = Panel::new(Axis::linear("x"), Axis::linear("y")).titled(title).equal_aspect();
+        let field = carom_plot::Field::new("slip −1, stick 1", x, y, values.collect())?;
+        let panel = Panel::new("x", "y").titled(title).equal_aspect();
         Ok(panel.over(field))
     }
 

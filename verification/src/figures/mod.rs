@@ -1,9 +1,7 @@
 //! The figures, chapter by chapter; each file lists its own in `ENTRIES`.
 
 use crate::catalogue::Entry;
-
-/// What a part of a figure fails with.
-type Failure = Box<dyn std::error::Error + Send + Sync>;
+pub(crate) use spheres::kappa;
 
 mod accuracy;
 mod ch03;
@@ -23,13 +21,14 @@ mod convergence;
 mod errata;
 mod measured;
 mod mesh;
-mod numbers;
+mod outline;
 mod paraboloid;
 mod particles;
 mod propositions;
 mod rebound;
 mod rolling;
 mod sphere_traction;
+mod spheres;
 mod spring_impact;
 mod structure;
 

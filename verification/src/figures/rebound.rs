@@ -3,11 +3,13 @@
 use crate::catalogue::Entry;
 
 mod angles;
+mod play;
 mod regimes;
 
-/// The two pages.
+/// The pages.
 pub(super) const ENTRIES: &[Entry] = &[
     Entry::check("rebound.regimes", "Which regimes an oblique impact goes through")
         .by(regimes::draw),
     Entry::check("rebound.angles", "Angle of rebound against angle of incidence").by(angles::draw),
+    Entry::check("rebound.play", "The table under the impact to play with").by(play::draw),
 ];

@@ -257,7 +257,7 @@ fn push_table(lines: &mut Vec<Line>, table: &Table, digits: u8) {
 #[cfg(test)]
 pub(super) mod tests {
     use super::*;
-    use carom_plot::{Axis, Panel};
+    use carom_plot::Panel;
 
     /// A figure with a curve of this scale, a table, an input and some claims.
     pub(in crate::snapshot) fn figure(scale: f64) -> Figure {
@@ -265,8 +265,8 @@ pub(super) mod tests {
         figure.assumed("ν", "0.3");
         let third = Claim::close("a third", 1.0 / 3.0, 1.0 / 3.0, Tolerance::Absolute(1e-4));
         figure.claim(third.source("(5.3)"));
-        figure.claim(Claim::at_most("small", 0.0, 1.0).source("Coulomb"));
-        let mut panel = Panel::new(Axis::linear("x"), Axis::linear("y"));
+        figure.at_most("small", 0.0, 1.0).source("Coulomb");
+        let mut panel = Panel::new("x", "y");
         let points = (0..100).map(|i| (f64::from(i), scale * f64::from(i * i) / 7.0));
         panel.add(Series::line("curve", points));
         figure.panel(panel);

@@ -53,6 +53,22 @@ addEventListener('load', () => setTimeout(() => {
   const dark = luminance(ground(document.body)) < 0.2;
   if (dark !== (theme === 'dark')) faults.push(`the ground is not ${theme}`);
 
+  // The impact to play with: right where the exact answer is known, and every slider does something.
+  const play = document.getElementById('play-sliders');
+  if (play) {
+    if (!(Number(play.dataset.misses) < 4e-3)) faults.push(`the impact to play with is off by ${play.dataset.misses}`);
+    for (const slider of play.querySelectorAll('input')) {
+      const [scenes, was] = [document.querySelector('.play').innerHTML, slider.value];
+      slider.value = Number(slider.min) + 0.25 * (slider.max - slider.min);
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+      if (document.querySelector('.play').innerHTML === scenes) faults.push(`the slider ${slider.name} does nothing`);
+      slider.value = was;
+      slider.dispatchEvent(new Event('input', { bubbles: true }));
+    }
+  } else {
+    faults.push('no impact to play with');
+  }
+
   // Search and filter.
   const query = document.getElementById('query');
   const state = document.getElementById('state');

@@ -1,22 +1,39 @@
 //! What all impacts say in `[contact]`: friction, law, torsion.
 
 use super::error::CaseError;
+use super::field::{Default, Field, Form, Word};
 use super::range::Range;
-use super::section::{Section, Words};
+use super::section::Section;
 use carom_impact::coupled::VectorLaw;
 
-/// The fields of `[contact]` that every impact may have.
-pub(super) const FIELDS: [&str; 3] = ["friction", "law", "torsion"];
-const LAWS: Words = Words {
-    words: &["coulomb", "fixed-direction", "numerical"],
-    allowed: "\"coulomb\", \"fixed-direction\" or \"numerical\" (the laws that exist)",
-};
-
+pub(super) const COULOMB: &str = "coulomb";
+pub(super) const FIXED_DIRECTION: &str = "fixed-direction";
+const NUMERICAL: &str = "numerical";
+const RINGS: Word = (COULOMB, "each ring slips by itself");
+const ONE_DIRECTION: Word =
+    (FIXED_DIRECTION, "one direction of traction in a slip ring, as in chapter 7");
 /// The laws of a history of shifts, where these turn.
-pub(super) const LAWS_OF_SHIFTS: Words = Words {
-    words: &["coulomb", "fixed-direction"],
-    allowed: "\"coulomb\" or \"fixed-direction\" (the laws that exist)",
-};
+pub(super) const LAWS_OF_SHIFTS: &[Word] = &[RINGS, ONE_DIRECTION];
+
+pub(super) const FRICTION: Field = Field::number(
+    "friction",
+    Range::NonNegativeOrInfinite.pure(),
+    "coefficient of friction f; inf: no slip",
+)
+.such_as("0.2");
+pub(super) const LAW: Field = Field::new(
+    "law",
+    Form::Word(&[
+        RINGS,
+        ONE_DIRECTION,
+        (NUMERICAL, "the contact on a grid, also of unlike materials"),
+    ]),
+    "the law of the contact where the tangential motion turns",
+)
+.default(Default::Word(COULOMB));
+pub(super) const TORSION: Field =
+    Field::new("torsion", Form::Switch, "whether friction acts on the spin about the normal too")
+        .default(Default::False);
 
 /// Friction, law and torsion of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,24 +51,21 @@ pub struct Contact {
 impl Contact {
     /// Reads the fields.
     pub(super) fn read(contact: &Section<'_>) -> Result<Self, CaseError> {
-        let friction = contact.number("friction", Range::NonNegativeOrInfinite)?;
-        let word = match contact.has("law") {
-            true => contact.word("law", LAWS)?,
-            false => "coulomb",
-        };
+        let friction = contact.number(&FRICTION)?;
+        let word = contact.word(&LAW)?;
         let law = match word {
-            "fixed-direction" => VectorLaw::FixedDirection,
+            FIXED_DIRECTION => VectorLaw::FixedDirection,
             _ => VectorLaw::Coulomb,
         };
-        let is_numerical = word == "numerical";
-        let torsion = contact.switch("torsion")?.then(|| contact.line("torsion"));
+        let is_numerical = word == NUMERICAL;
+        let torsion = contact.switch(&TORSION)?.then(|| contact.line(&TORSION));
         if is_numerical && torsion.is_some() {
             let reason = "the numerical law leaves the spin about the normal alone";
-            return Err(contact.conflict("torsion", "law", reason));
+            return Err(contact.conflict(&TORSION, &LAW, reason));
         }
         if is_numerical && friction.is_infinite() {
             let allowed = "finite with law = \"numerical\"";
-            return Err(contact.out_of_range("friction", friction, allowed));
+            return Err(contact.out_of_range(&FRICTION, friction, allowed));
         }
         Ok(Self { friction, law, is_numerical, torsion })
     }

@@ -34,7 +34,7 @@ pub enum CaseError {
         /// The field with its path.
         field: String,
         /// What it must be.
-        allowed: &'static str,
+        allowed: String,
     },
     /// A value of the wrong kind.
     #[error("line {line}: `{field}` = {found} is out of range: must be {allowed}")]
@@ -79,7 +79,7 @@ pub enum CaseError {
     #[error("line {line}: `{field}`: {source}{hint}")]
     Collision {
         /// The field to blame with its path.
-        field: &'static str,
+        field: String,
         /// Line, from 1.
         line: usize,
         /// Why.

@@ -1,19 +1,35 @@
 //! The case file of `carom hertz`.
 
 use super::error::CaseError;
-use super::pair;
+use super::field::{Field, Form};
+use super::pair::{self, ANGLE, BODY_1, BODY_2};
 use super::range::Range;
 use super::section::{Numbers, Section, parse};
-use super::unit::Dimension;
+use super::unit::{Dimension, Measure};
 use carom_laws::hertz::Hertz;
 
-const FIELDS: &[&str] = &["body_1", "body_2", "contact", "load"];
-const LOAD: [(&str, Given); 4] = [
-    ("force", Given::Force),
-    ("approach", Given::Approach),
-    ("semi_axis_a", Given::SemiAxisA),
-    ("semi_axis_b", Given::SemiAxisB),
-];
+const LENGTH: Measure = Range::Positive.of(Dimension::Length);
+const OTHERS: &str = "one of `force`, `approach`, `semi_axis_a`, `semi_axis_b`";
+const FORCE: Field =
+    load("force", Range::Positive.of(Dimension::Force), "normal force").such_as("[1, 10, 100]");
+const APPROACH: Field = load("approach", LENGTH, "approach of distant points").such_as("1e-6");
+const SEMI_AXIS_A: Field = load("semi_axis_a", LENGTH, "of the contact, along x").such_as("1e-4");
+const SEMI_AXIS_B: Field = load("semi_axis_b", LENGTH, "of the contact, along y").such_as("1e-4");
+const CONTACT: Field =
+    Field::new("contact", Form::Table(&[ANGLE]), "how the bodies lie on each other");
+const LOAD: Field = Field::new(
+    "load",
+    Form::Table(&[FORCE, APPROACH, SEMI_AXIS_A, SEMI_AXIS_B]),
+    "one of these, for one contact or several: a list, or { start, stop, count }",
+)
+.begun(&[(&FORCE, "")]);
+
+/// All fields.
+pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, LOAD];
+
+const fn load(name: &'static str, measure: Measure, meaning: &'static str) -> Field {
+    Field::new(name, Form::Numbers(measure), meaning).or(OTHERS)
+}
 
 /// A Hertz contact under one or more loads.
 #[derive(Debug, Clone, PartialEq)]
@@ -39,15 +55,6 @@ pub enum Given {
     SemiAxisB,
 }
 
-impl Given {
-    const fn dimension(self) -> Dimension {
-        match self {
-            Self::Force => Dimension::Force,
-            Self::Approach | Self::SemiAxisA | Self::SemiAxisB => Dimension::Length,
-        }
-    }
-}
-
 impl HertzCase {
     /// Reads a case from the text of its file.
     ///
@@ -57,19 +64,20 @@ impl HertzCase {
     pub fn parse(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
-        let contact = case.section("contact", &["angle"])?;
+        let contact = case.section(&CONTACT)?;
         let hertz = pair::read(&case, &contact)?;
-        let load = case.section("load", &LOAD.map(|(name, _)| name))?;
-        let mut present = LOAD.into_iter().filter(|(name, _)| load.has(name));
-        let allowed = "finite and > 0 (or `approach`, `semi_axis_a`, `semi_axis_b`)";
-        let (name, given) = present.next().ok_or_else(|| load.missing("force", allowed))?;
+        let load = case.section(&LOAD)?;
+        let ways = [
+            (&FORCE, Given::Force),
+            (&APPROACH, Given::Approach),
+            (&SEMI_AXIS_A, Given::SemiAxisA),
+            (&SEMI_AXIS_B, Given::SemiAxisB),
+        ];
+        let mut present = ways.into_iter().filter(|(field, _)| load.has(*field));
+        let (field, given) = present.next().ok_or_else(|| load.missing(&FORCE))?;
         if let Some((other, _)) = present.next() {
-            return Err(load.conflict(other, name, "give one of them"));
+            return Err(load.conflict(other, field, "give one of them"));
         }
-        Ok(Self {
-            hertz,
-            given,
-            values: load.numbers(name, Range::Positive.of(given.dimension()))?,
-        })
+        Ok(Self { hertz, given, values: load.numbers(field)? })
     }
 }

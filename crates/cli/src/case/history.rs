@@ -1,20 +1,58 @@
 //! The case file of `carom history`.
 
-use super::contact::LAWS_OF_SHIFTS;
+use super::contact::{COULOMB, FIXED_DIRECTION, FRICTION, LAWS_OF_SHIFTS};
 use super::error::CaseError;
-use super::pair;
+use super::field::{Default, Field, Form, Rows};
+use super::pair::{self, ANGLE, BODY_1, BODY_2};
 use super::range::Range;
 use super::section::{Section, parse};
-use super::unit::Dimension;
+use super::unit::{Dimension, Measure};
 use carom_laws::coulomb::Tolerance;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::Shift;
 use std::path::PathBuf;
 
-const FIELDS: &[&str] = &["body_1", "body_2", "contact", "history"];
-const FILE: &str =
-    "the name of a CSV file with the columns zeta, xi, eta and perhaps omega (or give `steps`)";
-const ROWS: &str = "a list of rows [zeta, xi, eta] or [zeta, xi, eta, omega]";
+const LAW: Field =
+    Field::new("law", Form::Word(LAWS_OF_SHIFTS), "the law of a shift whose direction turns")
+        .default(Default::Word(COULOMB));
+const TOLERANCE: Field = Field::number(
+    "tolerance",
+    Range::LawTolerance.pure(),
+    "of the law \"coulomb\", over the largest shift",
+)
+.default(Default::Number(1e-3));
+const CONTACT: Field = Field::new(
+    "contact",
+    Form::Table(&[ANGLE, FRICTION, LAW, TOLERANCE]),
+    "how the bodies lie on each other, and friction",
+);
+const LENGTH: Measure = Range::Finite.of(Dimension::Length);
+const STEPS: Field = Field::new(
+    "steps",
+    Form::Rows(Rows {
+        parts: &["zeta", "xi", "eta", "omega"],
+        measures: &[LENGTH, LENGTH, LENGTH, Range::Finite.of(Dimension::Radians)],
+        optional: 1,
+        least: 1,
+        words: "a list of rows [zeta, xi, eta] or [zeta, xi, eta, omega]",
+    }),
+    "shifts of body 2 against body 1 after each step, and its twist",
+)
+.or("`file`")
+.such_as("[[1e-6, 0, 0], [1e-6, 2e-7, 0], [1e-6, 0, 0]]");
+const FILE: Field = Field::new(
+    "file",
+    Form::Text("the name of a CSV file with the columns zeta, xi, eta and perhaps omega"),
+    "steps in plain units, relative to the case file",
+)
+.or("`steps`")
+.such_as("\"steps.csv\"");
+const HISTORY: Field =
+    Field::new("history", Form::Table(&[STEPS, FILE]), "the shifts that the contact goes through")
+        .begun(&[(&STEPS, "")]);
+
+/// All fields.
+pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, HISTORY];
 
 /// A contact and the shifts it goes through.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,39 +94,33 @@ impl HistoryCase {
     pub fn parse(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
-        let contact = case.section("contact", &["angle", "friction", "law", "tolerance"])?;
+        let contact = case.section(&CONTACT)?;
         let law = turning_law(&contact)?;
         let hertz = pair::read(&case, &contact)?;
-        let friction = contact.number("friction", Range::NonNegativeOrInfinite)?;
-        let history = case.section("history", &["steps", "file"])?;
-        let steps = if history.has("steps") {
-            if history.has("file") {
-                return Err(history.conflict("file", "steps", "give one of them"));
+        let friction = contact.number(&FRICTION)?;
+        let history = case.section(&HISTORY)?;
+        let given = history.given([&STEPS, &FILE]);
+        let steps = match given.as_slice() {
+            [field] if field.name == STEPS.name => {
+                Steps::Inline(history.rows(&STEPS)?.into_iter().map(shift).collect())
             }
-            let length = Range::Finite.of(Dimension::Length);
-            let angle = Range::Finite.of(Dimension::Radians);
-            let rows = history.rows("steps", [length, length, length, angle], ROWS)?;
-            Steps::Inline(rows.into_iter().map(shift).collect())
-        } else {
-            Steps::File(history.text("file", FILE)?.into())
+            [] | [_] => Steps::File(history.text(&FILE)?.into()),
+            both => return Err(history.several(both, "give one of them")),
         };
         Ok(Self { hertz, friction, law, steps })
     }
 }
 
 fn turning_law(contact: &Section<'_>) -> Result<TurningLaw, CaseError> {
-    let fixed = contact.has("law") && contact.word("law", LAWS_OF_SHIFTS)? == "fixed-direction";
-    if !contact.has("tolerance") {
-        let coulomb = TurningLaw::Coulomb(Tolerance::default());
-        return Ok(if fixed { TurningLaw::FixedDirection } else { coulomb });
+    if contact.word(&LAW)? == FIXED_DIRECTION {
+        return match contact.has(&TOLERANCE) {
+            true => Err(contact.conflict(&TOLERANCE, &LAW, "a fixed direction needs none")),
+            false => Ok(TurningLaw::FixedDirection),
+        };
     }
-    if fixed {
-        return Err(contact.conflict("tolerance", "law", "a fixed direction needs none"));
-    }
-    let number = contact.number("tolerance", Range::Finite)?;
-    Tolerance::new(number)
+    Tolerance::new(contact.number(&TOLERANCE)?)
         .map(TurningLaw::Coulomb)
-        .map_err(|error| contact.out_of_range("tolerance", error.value, error.allowed))
+        .map_err(|error| contact.out_of_range(&TOLERANCE, error.value, error.allowed))
 }
 
 /// The shift of a row zeta, xi, eta, omega.

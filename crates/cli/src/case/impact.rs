@@ -4,15 +4,17 @@
 //! the bodies touch where `[contact]` says so, or where a search finds it. A number may stand for
 //! several, a sweep, or be a distribution.
 
-use super::body::{BodyCase, Velocity};
-use super::contact::{self, Contact};
+use super::body::{BODY_1, BODY_2, BodyCase, FIXED, MASS, SHAPE, Velocity};
+use super::contact::{Contact, FRICTION, LAW, TORSION};
 use super::error::CaseError;
+use super::field::{Field, Form};
+use super::material::MATERIAL;
 use super::range::Range;
 use super::section::{Section, parse};
-use super::touch::{self, Touch};
-use super::uncertainty::Uncertainty;
+use super::touch::{POINT, POINT_1, POINT_2, SEARCH, Touch};
+use super::uncertainty::{UNCERTAINTY, Uncertainty};
 use super::unit::Dimension;
-use super::varied::{Input, Variation, Varied};
+use super::varied::{Input, Varied};
 use carom_halfspace::MaterialPair;
 use carom_impact::{Body, Collision, CollisionError, Motion};
 use carom_laws::friction::Friction;
@@ -20,7 +22,30 @@ use nalgebra::Vector3;
 use toml::Spanned;
 use toml::de::DeTable;
 
-const FIELDS: &[&str] = &["body_1", "body_2", "contact", "approach", "uncertainty"];
+const SPEED: Field =
+    Field::number("speed", Range::NonNegativeSpeed.of(Dimension::Speed), "of body 1 in space")
+        .such_as("1");
+const ANGLE: Field = Field::number(
+    "angle",
+    Range::Incidence.of(Dimension::Degrees),
+    "of the velocity, from the normal; along +x, as far as that is tangential",
+)
+.such_as("45");
+const APPROACH: Field = Field::new(
+    "approach",
+    Form::Table(&[SPEED, ANGLE]),
+    "the velocity of body 1 by speed and angle",
+)
+.may("the velocity is `body_1.velocity`");
+pub(super) const CONTACT: Field = Field::new(
+    "contact",
+    Form::Table(&[FRICTION, LAW, TORSION, POINT, POINT_1, POINT_2, SEARCH]),
+    "friction, and where the bodies touch",
+);
+
+/// All fields.
+pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, CONTACT, APPROACH, UNCERTAINTY];
+
 /// An impact of two bodies.
 #[derive(Debug, Clone)]
 pub struct ImpactCase {
@@ -57,7 +82,12 @@ impl<'a> ImpactFile<'a> {
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let sweeps: Vec<&Input> = inputs.iter().filter(|input| input.sweep().is_some()).collect();
         if let [one, other, ..] = sweeps.as_slice() {
-            return Err(case.conflict(other.field, one.field, "sweep over one field at a time"));
+            return Err(CaseError::Conflict {
+                field: other.field.to_owned(),
+                line: other.line,
+                other: one.field.to_owned(),
+                reason: "sweep over one field at a time",
+            });
         }
         let uncertainty = Uncertainty::read(&case, &inputs)?;
         Ok(Self { source, table, inputs, uncertainty, nominal })
@@ -99,16 +129,15 @@ impl<'a> ImpactFile<'a> {
 
 fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase, CaseError> {
     let case = &Section::root(source, table, FIELDS)?.varying(varied);
-    let velocity = if case.has("approach") { Velocity::Approach } else { Velocity::Own };
+    let velocity = if case.has(&APPROACH) { Velocity::Approach } else { Velocity::Own };
     let approach = match velocity {
         Velocity::Approach => Some(Approach::read(case)?),
         Velocity::Own => None,
     };
     let bodies =
-        [BodyCase::read(case, "body_1", velocity)?, BodyCase::read(case, "body_2", Velocity::Own)?];
+        [BodyCase::read(case, &BODY_1, velocity)?, BodyCase::read(case, &BODY_2, Velocity::Own)?];
     check_pair(case, &bodies)?;
-    let fields: Vec<&'static str> = contact::FIELDS.into_iter().chain(touch::FIELDS).collect();
-    let table = case.section("contact", &fields)?;
+    let table = case.section(&CONTACT)?;
     let contact = Contact::read(&table)?;
     let touch = Touch::read(case, &table, &bodies)?;
     let [one, two] = bodies.map(|body| body.body);
@@ -131,16 +160,16 @@ fn check_pair(case: &Section<'_>, bodies: &[BodyCase; 2]) -> Result<(), CaseErro
     let [one, two] = bodies;
     if one.is_plane && two.is_plane {
         let reason = "two planes do not meet in a point";
-        return Err(case.conflict("body_2.shape", "body_1.shape", reason));
+        return Err(case.conflict([&BODY_2, &SHAPE], [&BODY_1, &SHAPE], reason));
     }
     if one.is_heavy() && two.is_heavy() {
-        let name = if case.has("body_2.fixed") { "body_2.fixed" } else { "body_2.mass" };
+        let field = if case.has([&BODY_2, &FIXED]) { &FIXED } else { &MASS };
         let allowed = "a finite mass for at least one of the two bodies";
-        return Err(case.out_of_range(name, f64::INFINITY, allowed));
+        return Err(case.out_of_range([&BODY_2, field], f64::INFINITY, allowed));
     }
     MaterialPair::new(one.body.material(), two.body.material())
         .map(|_| ())
-        .map_err(|error| case.out_of_range("body_2.material", error.value, error.allowed))
+        .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))
 }
 
 /// Body 1 coming at a speed under an angle.
@@ -154,10 +183,8 @@ struct Approach {
 
 impl Approach {
     fn read(case: &Section<'_>) -> Result<Self, CaseError> {
-        let approach = case.section("approach", &["speed", "angle"])?;
-        let speed = approach.number("speed", Range::NonNegativeSpeed.of(Dimension::Speed))?;
-        let angle = approach.number("angle", Range::Incidence.of(Dimension::Degrees))?;
-        Ok(Self { speed, angle })
+        let approach = case.section(&APPROACH)?;
+        Ok(Self { speed: approach.number(&SPEED)?, angle: approach.number(&ANGLE)? })
     }
 
     fn velocity(&self, normal: &Vector3<f64>) -> Vector3<f64> {
@@ -186,16 +213,5 @@ impl Approach {
         let first = meet(moving(&Vector3::z())?)?;
         let normal = first.frame().z();
         if comes || normal == Vector3::z() { Ok(first) } else { meet(moving(&normal)?) }
-    }
-}
-
-impl Variation {
-    /// What stands for it where one number must.
-    pub(super) fn nominal(&self) -> f64 {
-        match self {
-            // A sweep has at least one value.
-            Self::Sweep(values) => values.first().copied().unwrap_or(f64::NAN),
-            Self::Uncertain(distribution) => distribution.mean(),
-        }
     }
 }

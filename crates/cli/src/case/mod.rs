@@ -1,12 +1,16 @@
 //! Case files: TOML, read strictly, in SI units or with units of their own. An unknown, missing or
-//! impossible field is an error that names it.
+//! impossible field is an error that names it. Each kind of case has one table of its fields.
 
+mod begin;
 mod body;
 mod contact;
 mod error;
+mod field;
 mod hertz;
 mod history;
 mod impact;
+mod kind;
+mod material;
 mod pair;
 mod range;
 mod scene;
@@ -19,13 +23,15 @@ mod varied;
 
 pub use contact::Contact;
 pub use error::CaseError;
+pub use field::{Default, Entry, Field, Form, Need, Rows, Word, entries};
 pub use hertz::{Given, HertzCase};
 pub use history::{HistoryCase, Steps, TurningLaw};
 pub use impact::{ImpactCase, ImpactFile};
-pub use range::Range;
+pub use kind::{CaseKind, Understood};
+pub use range::{End, Range};
 pub use scene::SceneCase;
 pub use section::Numbers;
-pub use solve::{GapCase, HeightMap, Leg, SolveCase, Target};
+pub use solve::{GapCase, HeightFile, Leg, SolveCase, Target};
 pub use uncertainty::Uncertainty;
 pub use unit::{Dimension, Measure};
 pub use varied::{Input, Variation};

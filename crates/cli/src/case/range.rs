@@ -23,33 +23,95 @@ pub enum Range {
     Radius,
     /// Degrees from the normal.
     Incidence,
+    /// A part of a whole.
+    Part,
+    /// The tolerance of a law.
+    LawTolerance,
+    /// The tolerance of a solution.
+    SolveTolerance,
     /// A number of values.
     Count,
     /// A number of things, at least one.
     Whole,
+    /// A number of cells along an axis.
+    Cells,
+    /// The seed of a generator.
+    Seed,
 }
 
 /// Values that a sweep may have at most.
 const MOST: f64 = 1e6;
+/// The largest whole number that a floating-point number holds with all before it.
+const MOST_SEED: f64 = 9_007_199_254_740_992.0;
+/// The largest speed: its square is still finite.
+const MOST_SPEED: f64 = 1e100;
+
+/// The ends of a range.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum End {
+    /// It belongs to the range.
+    In(f64),
+    /// It does not.
+    Out(f64),
+}
+
+impl End {
+    /// The number.
+    #[must_use]
+    pub const fn number(self) -> f64 {
+        match self {
+            Self::In(end) | Self::Out(end) => end,
+        }
+    }
+}
 
 impl Range {
+    /// The ends, lower and upper.
+    #[must_use]
+    pub const fn ends(self) -> [End; 2] {
+        use End::{In, Out};
+        let (zero, infinite) = (0.0, Out(f64::INFINITY));
+        match self {
+            Self::Finite => [Out(f64::NEG_INFINITY), infinite],
+            Self::Speed => [In(-MOST_SPEED), In(MOST_SPEED)],
+            Self::NonNegativeSpeed => [In(zero), In(MOST_SPEED)],
+            Self::Positive => [Out(zero), infinite],
+            Self::PositiveOrInfinite => [Out(zero), In(f64::INFINITY)],
+            Self::NonNegative => [In(zero), infinite],
+            Self::NonNegativeOrInfinite => [In(zero), In(f64::INFINITY)],
+            Self::Poisson => [Out(-1.0), In(0.5)],
+            Self::Radius => [In(f64::NEG_INFINITY), In(f64::INFINITY)],
+            Self::Incidence => [In(zero), In(90.0)],
+            Self::Part => [In(zero), In(1.0)],
+            Self::LawTolerance => [Out(zero), In(0.1)],
+            Self::SolveTolerance => [In(1e-13), In(0.01)],
+            Self::Count => [In(2.0), In(MOST)],
+            Self::Whole => [In(1.0), In(MOST)],
+            Self::Cells => [In(1.0), In(4096.0)],
+            Self::Seed => [In(zero), In(MOST_SEED)],
+        }
+    }
+
+    /// Whether only whole numbers lie in it.
+    #[must_use]
+    pub const fn is_whole(self) -> bool {
+        matches!(self, Self::Count | Self::Whole | Self::Cells | Self::Seed)
+    }
+
     /// Whether `value` lies in it.
     #[must_use]
     pub fn holds(self, value: f64) -> bool {
-        match self {
-            Self::Finite => value.is_finite(),
-            Self::Speed => value.abs() <= 1e100,
-            Self::NonNegativeSpeed => (0.0..=1e100).contains(&value),
-            Self::Positive => value.is_finite() && value > 0.0,
-            Self::PositiveOrInfinite => value > 0.0,
-            Self::NonNegative => value.is_finite() && value >= 0.0,
-            Self::NonNegativeOrInfinite => value >= 0.0,
-            Self::Poisson => value > -1.0 && value <= 0.5,
-            Self::Radius => value != 0.0 && !value.is_nan(),
-            Self::Incidence => (0.0..=90.0).contains(&value),
-            Self::Count => (2.0..=MOST).contains(&value) && value.fract() == 0.0,
-            Self::Whole => (1.0..=MOST).contains(&value) && value.fract() == 0.0,
-        }
+        let [low, high] = self.ends();
+        let is_above = match low {
+            End::In(end) => value >= end,
+            End::Out(end) => value > end,
+        };
+        let is_below = match high {
+            End::In(end) => value <= end,
+            End::Out(end) => value < end,
+        };
+        let is_fit = !self.is_whole() || value.fract() == 0.0;
+        is_above && is_below && is_fit && (self != Self::Radius || value != 0.0)
     }
 
     /// What is allowed, in words.
@@ -66,8 +128,44 @@ impl Range {
             Self::Poisson => "in (-1, 0.5]",
             Self::Radius => "nonzero (inf: straight, negative: hollow)",
             Self::Incidence => "in [0, 90], degrees from the normal",
+            Self::Part => "in [0, 1]",
+            Self::LawTolerance => "> 0 and <= 0.1",
+            Self::SolveTolerance => "from 1e-13 to 0.01",
             Self::Count => "a whole number from 2 to 1000000",
             Self::Whole => "a whole number from 1 to 1000000",
+            Self::Cells => "a whole number from 1 to 4096",
+            Self::Seed => "a whole number from 0 to 2^53",
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ends_belong_to_a_range_or_not() {
+        for (range, inside, outside) in [
+            (Range::Finite, &[0.0, -f64::MAX, f64::MAX][..], &[f64::INFINITY, f64::NAN][..]),
+            (Range::Speed, &[1e100, -1e100], &[1.1e100, f64::NAN, f64::NEG_INFINITY]),
+            (Range::Positive, &[f64::MIN_POSITIVE], &[0.0, f64::INFINITY]),
+            (Range::PositiveOrInfinite, &[f64::INFINITY], &[0.0, -0.0, f64::NAN]),
+            (Range::NonNegativeOrInfinite, &[0.0, -0.0, f64::INFINITY], &[-1e-300]),
+            (Range::Poisson, &[0.5, 0.0, -0.999], &[-1.0, 0.51]),
+            (Range::Radius, &[-1.0, f64::NEG_INFINITY, f64::INFINITY], &[0.0, -0.0, f64::NAN]),
+            (Range::Count, &[2.0, 1e6], &[1.0, 2.5, 1_000_001.0]),
+            (Range::Seed, &[0.0, MOST_SEED], &[-1.0, 0.5, 2.0 * MOST_SEED]),
+        ] {
+            assert!(inside.iter().all(|value| range.holds(*value)), "{range:?}");
+            assert!(!outside.iter().any(|value| range.holds(*value)), "{range:?}");
+        }
+    }
+
+    #[test]
+    fn the_tolerance_of_a_law_is_that_of_the_library() {
+        for tolerance in [0.0, 1e-300, 1e-3, 0.1, 0.1 + 1e-16, 0.100_000_1, -1.0, f64::NAN] {
+            let library = carom_laws::coulomb::Tolerance::new(tolerance).is_ok();
+            assert_eq!(Range::LawTolerance.holds(tolerance), library, "{tolerance}");
         }
     }
 }

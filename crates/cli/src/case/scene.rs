@@ -1,18 +1,76 @@
 //! The case file of `carom scene`: a ball, walls, gravity and limits.
 
-use super::body::{BodyCase, Velocity, read_material};
+use super::body::{BALL, BodyCase, INERTIA, MASS, POSITION, Velocity};
+use super::contact::FRICTION;
 use super::error::CaseError;
+use super::field::{Default, Field, Form};
+use super::material::{self, MATERIAL};
 use super::range::Range;
 use super::section::{Section, parse};
-use super::unit::Dimension;
+use super::unit::{Dimension, Measure};
 use carom_impact::scene::{Ball, Limits, Scene, SceneError, Wall};
 use carom_laws::friction::Friction;
 use carom_special::RangeError;
 
-const FIELDS: &[&str] = &["ball", "wall", "scene"];
-const SCENE_FIELDS: &[&str] = &["start", "gravity", "time", "bounces", "rebound_height"];
-const WALL_FIELDS: &[&str] =
-    &["name", "point", "normal", "material", "friction", "along", "length", "width"];
+const LENGTH_ABOVE_0: Measure = Range::Positive.of(Dimension::Length);
+const NAME: Field = Field::new("name", Form::Text("a text"), "for the results")
+    .may("its number")
+    .such_as("\"floor\"");
+const POINT: Field = Field::vector(
+    "point",
+    Range::Finite.of(Dimension::Length),
+    "of the wall; of a rectangle its centre",
+)
+.such_as("[0, 0, 0]");
+const NORMAL: Field = Field::vector(
+    "normal",
+    Range::Finite.pure(),
+    "into the free side, of any length; a rectangle is hit from both",
+)
+.such_as("[0, 0, 1]");
+const WHOLE_PLANE: &str =
+    "the wall is a plane without end; a rectangle has `along`, `length`, `width`";
+const ALONG: Field = Field::vector("along", Range::Finite.pure(), "direction of the length")
+    .may(WHOLE_PLANE)
+    .such_as("[1, 0, 0]");
+const LENGTH: Field =
+    Field::number("length", LENGTH_ABOVE_0, "of a rectangle").may(WHOLE_PLANE).such_as("1");
+const WIDTH: Field =
+    Field::number("width", LENGTH_ABOVE_0, "of a rectangle").may(WHOLE_PLANE).such_as("0.5");
+const WALL: Field = Field::new(
+    "wall",
+    Form::Tables(&[NAME, POINT, NORMAL, ALONG, LENGTH, WIDTH, MATERIAL, FRICTION]),
+    "a plane held fast that the ball bounces off",
+);
+const START: Field =
+    Field::vector("start", Range::Finite.of(Dimension::Length), "centre of the ball at the start")
+        .or("`ball.position`")
+        .such_as("[0, 0, 0.5]");
+const GRAVITY: Field = Field::vector(
+    "gravity",
+    Range::Finite.of(Dimension::Acceleration),
+    "acceleration of free fall",
+)
+.such_as("[0, 0, -9.81]");
+const TIME: Field =
+    Field::number("time", Range::Positive.of(Dimension::Time), "when to stop").such_as("2");
+const BOUNCES: Field = Field::number("bounces", Range::Whole.pure(), "after how many to stop")
+    .default(Default::Number(1000.0));
+const REBOUND_HEIGHT: Field = Field::number(
+    "rebound_height",
+    Range::NonNegative.of(Dimension::Length),
+    "a rebound that is lower counts as rest",
+)
+.default(Default::Number(0.0));
+const SETTING: Field = Field::new(
+    "scene",
+    Form::Table(&[START, GRAVITY, TIME, BOUNCES, REBOUND_HEIGHT]),
+    "start, gravity and limits",
+)
+.begun(&[(&START, "")]);
+
+/// All fields.
+pub(super) const FIELDS: &[Field] = &[BALL, WALL, SETTING];
 
 /// A scene, ready to run.
 #[derive(Debug, Clone)]
@@ -36,82 +94,62 @@ impl SceneCase {
     pub fn parse(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
-        let setting = case.section("scene", SCENE_FIELDS)?;
+        let setting = case.section(&SETTING)?;
         let ball = read_ball(&case, &setting)?;
-        let gravity = setting.vector("gravity", Range::Finite.of(Dimension::Acceleration))?;
-        let mut scene = Scene::new(gravity).map_err(at(&setting))?;
+        let mut scene = Scene::new(setting.vector(&GRAVITY)?).map_err(at(&setting))?;
         let mut names = Vec::new();
-        for (index, wall) in case.sections("wall", WALL_FIELDS)?.iter().enumerate() {
-            names.push(read_name(wall, index)?);
+        for (index, wall) in case.sections(&WALL)?.iter().enumerate() {
+            names.push(match wall.has(&NAME) {
+                true => wall.text(&NAME)?.to_owned(),
+                false => format!("wall {}", index + 1),
+            });
             scene = scene.with(read_wall(wall)?);
         }
-        Ok(Self { scene, names, ball, limits: read_limits(&setting)? })
+        let height = setting.number(&REBOUND_HEIGHT)?;
+        let limits = Limits::new(setting.number(&TIME)?, setting.count(&BOUNCES)?)
+            .and_then(|limits| limits.at_rest_below(height))
+            .map_err(at(&setting))?;
+        Ok(Self { scene, names, ball, limits })
     }
 }
 
 fn read_ball(case: &Section<'_>, setting: &Section<'_>) -> Result<Ball, CaseError> {
-    if case.has("ball.position") {
-        return Err(case.conflict("ball.position", "scene.start", "the ball begins there"));
+    if case.has([&BALL, &POSITION]) && setting.has(&START) {
+        return Err(case.conflict([&BALL, &POSITION], [&SETTING, &START], "give one of them"));
     }
-    let ball = BodyCase::read(case, "ball", Velocity::Own)?.body;
-    if ball.placed().surface().radius().is_none() {
-        let reason = "the ball of a scene is a sphere: the turning of other bodies in flight is \
-                      not followed";
-        return Err(case.conflict("ball.shape", "wall", reason));
-    }
-    if case.has("ball.fixed") && ball.inertia().mass().is_infinite() {
-        return Err(case.conflict("ball.fixed", "wall", "the ball of a scene moves"));
-    }
-    let mass = ball.inertia().mass();
+    let BodyCase { body, has_position, .. } = BodyCase::read(case, &BALL, Velocity::Own)?;
+    let mass = body.inertia().mass();
     if mass.is_infinite() {
-        return Err(case.out_of_range("ball.mass", mass, "finite: the walls turn it back"));
+        return Err(case.out_of_range([&BALL, &MASS], mass, "finite: the walls turn it back"));
     }
-    let start = setting.vector("start", Range::Finite.of(Dimension::Length))?;
-    Ball::new(ball.at(start).map_err(at(setting))?).map_err(|error| {
-        let field = if case.has("ball.inertia") { "ball.inertia" } else { "ball.mass" };
+    let body = match has_position {
+        true => body,
+        false => body.at(setting.vector(&START)?).map_err(at(setting))?,
+    };
+    Ball::new(body).map_err(|error| {
+        let field = if case.has([&BALL, &INERTIA]) { &INERTIA } else { &MASS };
         match error {
-            SceneError::Range(error) => case.out_of_range(field, error.value, error.allowed),
-            _ => case.out_of_range(field, mass, "that of a sphere"),
+            SceneError::Range(error) => {
+                case.out_of_range([&BALL, field], error.value, error.allowed)
+            }
+            _ => case.out_of_range([&BALL, field], mass, "that of a sphere"),
         }
     })
 }
 
-fn read_name(wall: &Section<'_>, index: usize) -> Result<String, CaseError> {
-    if wall.has("name") {
-        return wall.text("name", "a text").map(str::to_owned);
-    }
-    Ok(format!("wall {}", index + 1))
-}
-
 fn read_wall(wall: &Section<'_>) -> Result<Wall, CaseError> {
-    let point = wall.vector("point", Range::Finite.of(Dimension::Length))?;
-    let normal = wall.vector("normal", Range::Finite)?;
-    let friction = wall.number("friction", Range::NonNegativeOrInfinite)?;
-    let friction = Friction::new(friction).map_err(at(wall))?;
-    let plane = Wall::new(point, normal, read_material(wall)?, friction).map_err(at(wall))?;
-    if !["along", "length", "width"].iter().any(|name| wall.has(name)) {
+    let (point, normal) = (wall.vector(&POINT)?, wall.vector(&NORMAL)?);
+    let friction = Friction::new(wall.number(&FRICTION)?).map_err(at(wall))?;
+    let plane = Wall::new(point, normal, material::read(wall)?, friction).map_err(at(wall))?;
+    if wall.given([&ALONG, &LENGTH, &WIDTH]).is_empty() {
         return Ok(plane);
     }
     // A rectangle has all three.
-    let along = wall.vector("along", Range::Finite)?;
-    let half = |name| Ok(0.5 * wall.number(name, Range::Positive.of(Dimension::Length))?);
-    plane.rectangle(along, [half("length")?, half("width")?]).map_err(at(wall))
+    let half = [0.5 * wall.number(&LENGTH)?, 0.5 * wall.number(&WIDTH)?];
+    plane.rectangle(wall.vector(&ALONG)?, half).map_err(at(wall))
 }
 
-fn read_limits(setting: &Section<'_>) -> Result<Limits, CaseError> {
-    let time = setting.number("time", Range::Positive.of(Dimension::Time))?;
-    let bounces = match setting.has("bounces") {
-        true => setting.number("bounces", Range::Whole)? as usize,
-        false => 1000,
-    };
-    let limits = Limits::new(time, bounces).map_err(at(setting))?;
-    if !setting.has("rebound_height") {
-        return Ok(limits);
-    }
-    let height = setting.number("rebound_height", Range::NonNegative.of(Dimension::Length))?;
-    limits.at_rest_below(height).map_err(at(setting))
-}
-
+/// The error that a value is out of the library's range, at the field of the library's name.
 fn at<'a>(section: &'a Section<'_>) -> impl Fn(RangeError) -> CaseError + 'a {
-    |error| section.out_of_range(error.field, error.value, error.allowed)
+    |error| section.refused(error)
 }

@@ -1,27 +1,46 @@
 //! A table of a case file, read field by field; every error names the field by its full path.
 
 mod arrays;
+mod error;
 
 use super::error::CaseError;
-use super::range::Range;
+use super::field::{Default, Field, Form, Need};
 use super::unit::Measure;
-use super::varied::Varied;
+use super::varied::{self, Varied};
+use std::cmp::Reverse;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
 /// Letters of a bad value that its message shows.
 const MOST_SHOWN: usize = 200;
 
-const LIST: &str = "a list with at least one number";
-
-/// A table of a case file.
+/// A table of a case file, of which nothing but its fields can be read.
 #[derive(Debug, Clone)]
 pub(super) struct Section<'a> {
     source: &'a str,
     path: String,
     table: &'a DeTable<'a>,
+    fields: &'static [Field],
     /// Where numbers may stand for many.
     varied: Option<&'a Varied>,
+}
+
+/// A field of this table, or one further down.
+pub(super) trait Place {
+    /// The names on the way.
+    fn names(&self) -> Vec<&'static str>;
+}
+
+impl Place for &Field {
+    fn names(&self) -> Vec<&'static str> {
+        vec![self.name]
+    }
+}
+
+impl<const N: usize> Place for [&Field; N] {
+    fn names(&self) -> Vec<&'static str> {
+        self.map(|field| field.name).to_vec()
+    }
 }
 
 impl<'a> Section<'a> {
@@ -32,21 +51,10 @@ impl<'a> Section<'a> {
     pub(super) fn root(
         source: &'a str,
         table: &'a DeTable<'a>,
-        valid: &[&'static str],
+        fields: &'static [Field],
     ) -> Result<Self, CaseError> {
-        Self::new(source, String::new(), table, valid)
-    }
-
-    /// The table at `path`, which takes these fields and no others.
-    pub(super) fn new(
-        source: &'a str,
-        path: String,
-        table: &'a DeTable<'a>,
-        valid: &[&'static str],
-    ) -> Result<Self, CaseError> {
-        let section = Self { source, path, table, varied: None };
-        section.check(valid)?;
-        Ok(section)
+        let section = Self { source, path: String::new(), table, fields, varied: None };
+        section.check(None).map(|()| section)
     }
 
     /// The same, in which every number may stand for many.
@@ -54,39 +62,37 @@ impl<'a> Section<'a> {
         Self { varied: Some(varied), ..self }
     }
 
-    /// Whether it has these fields and no others.
-    pub(super) fn check(&self, valid: &[&'static str]) -> Result<(), CaseError> {
-        let unknown = self.table.iter().find(|(name, _)| !valid.contains(&name.get_ref().as_ref()));
+    /// Whether it has the fields of this shape and no others.
+    fn check(&self, shape: Option<&str>) -> Result<(), CaseError> {
+        let valid =
+            || self.fields.iter().filter(|field| field.is_of(shape)).map(|field| field.name);
+        let unknown = self
+            .table
+            .iter()
+            .find(|(name, _)| valid().all(|valid| valid != name.get_ref().as_ref()));
         match unknown {
-            Some((name, _)) => Err(self.unknown(name.get_ref(), name.span().start, valid)),
+            Some((name, _)) => {
+                let valid: Vec<_> = valid().collect();
+                Err(self.unknown(name.get_ref(), name.span().start, shape, &valid))
+            }
             None => Ok(()),
         }
     }
 
-    /// The table that stands as `value`, which takes any field.
+    /// The table that stands as the value of a number, which takes these fields.
     pub(super) fn table_at(
         &self,
         name: &str,
         value: &'a Spanned<DeValue<'a>>,
+        fields: &'static [Field],
     ) -> Result<Self, CaseError> {
         match value.get_ref() {
             DeValue::Table(table) => {
-                Ok(Self { source: self.source, path: self.full(name), table, varied: None })
+                let path = self.full(name);
+                let section = Self { source: self.source, path, table, fields, varied: None };
+                section.check(None).map(|()| section)
             }
             _ => Err(self.kind(name, value, "a table")),
-        }
-    }
-
-    fn unknown(&self, name: &str, at: usize, valid: &[&'static str]) -> CaseError {
-        CaseError::Unknown {
-            field: self.full(name),
-            line: line_at(self.source, at),
-            table: match self.path.as_str() {
-                "" => "a case".to_owned(),
-                path => format!("`{path}`"),
-            },
-            nearest: nearest(name, valid),
-            valid: valid.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
         }
     }
 
@@ -98,76 +104,118 @@ impl<'a> Section<'a> {
 
     /// Whether the field is there.
     #[must_use]
-    pub(super) fn has(&self, name: &str) -> bool {
-        self.find(name).is_some()
+    pub(super) fn has(&self, place: impl Place) -> bool {
+        self.find(&place).is_some()
+    }
+
+    /// Those of the fields that are there.
+    #[must_use]
+    pub(super) fn given<const N: usize>(&self, fields: [&'static Field; N]) -> Vec<&'static Field> {
+        fields.into_iter().filter(|field| self.has(*field)).collect()
     }
 
     /// The line of the field, or 0 if it is not there.
     #[must_use]
-    pub(super) fn line(&self, name: &str) -> usize {
-        self.find(name).map_or(0, |value| line_at(self.source, value.span().start))
+    pub(super) fn line(&self, place: impl Place) -> usize {
+        self.find(&place).map_or(0, |value| line_at(self.source, value.span().start))
     }
 
-    /// A table in this one, which takes these fields and no others.
+    /// A table in this one.
     ///
     /// # Errors
     /// If it is missing, no table, or has a field of another name.
-    pub(super) fn section(&self, name: &str, valid: &[&'static str]) -> Result<Self, CaseError> {
-        let value = self.find(name).ok_or_else(|| self.missing(name, "a table"))?;
-        match value.get_ref() {
-            DeValue::Table(table) => {
-                let section = Self::new(self.source, self.full(name), table, valid)?;
-                Ok(Self { varied: self.varied, ..section })
-            }
-            _ => Err(self.kind(name, value, "a table")),
+    pub(super) fn section(&self, field: &Field) -> Result<Self, CaseError> {
+        let section = self.unchecked(field)?;
+        section.check(None).map(|()| section)
+    }
+
+    /// A table in this one, and which of the words of its field `shape` it has; it takes the fields of
+    /// that only.
+    ///
+    /// # Errors
+    /// As [`Section::section`], or if it has no such word.
+    pub(super) fn shaped(
+        &self,
+        field: &Field,
+        shape: &Field,
+    ) -> Result<(Self, &'static str), CaseError> {
+        let section = self.unchecked(field)?;
+        match section.word(shape) {
+            // Perhaps its name is mistyped.
+            Err(missing @ CaseError::Missing { .. }) => section.check(None).and(Err(missing)),
+            Err(wrong) => Err(wrong),
+            Ok(word) => section.check(Some(word)).map(|()| (section, word)),
         }
     }
 
-    /// The tables `[[name]]`, at least one, which take these fields and no others.
+    fn unchecked(&self, field: &Field) -> Result<Self, CaseError> {
+        let value = self.value(field)?;
+        match value.get_ref() {
+            DeValue::Table(table) => Ok(Self {
+                path: self.full(field.name),
+                table,
+                fields: field.fields(),
+                ..self.clone()
+            }),
+            _ => Err(self.wrong(field, value)),
+        }
+    }
+
+    /// The tables `[[name]]`, at least one.
     ///
     /// # Errors
     /// If there is none, or one has a field of another name.
-    pub(super) fn sections(
-        &self,
-        name: &str,
-        valid: &[&'static str],
-    ) -> Result<Vec<Self>, CaseError> {
-        let allowed = "at least one table, headed by the name in double brackets";
-        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
-        let DeValue::Array(items) = value.get_ref() else {
-            return Err(self.kind(name, value, allowed));
+    pub(super) fn sections(&self, field: &Field) -> Result<Vec<Self>, CaseError> {
+        let value = self.value(field)?;
+        let items = match value.get_ref() {
+            DeValue::Array(items) if items.iter().next().is_some() => items,
+            _ => return Err(self.wrong(field, value)),
         };
-        let sections = items.iter().enumerate().map(|(i, item)| match item.get_ref() {
-            DeValue::Table(table) => {
-                Self::new(self.source, self.full(&format!("{name}[{i}]")), table, valid)
-            }
-            _ => Err(self.kind(name, value, allowed)),
-        });
+        let sections = items
+            .iter()
+            .enumerate()
+            .map(|(i, item)| self.table_at(&format!("{}[{i}]", field.name), item, field.fields()));
         sections.collect()
     }
 
-    /// A number in its range.
+    /// A number in its range, or the default.
     ///
     /// # Errors
-    /// If it is missing, no number, or out of range.
-    pub(super) fn number(&self, name: &str, measure: impl Into<Measure>) -> Result<f64, CaseError> {
-        let measure = measure.into();
-        let value = self.find(name).ok_or_else(|| self.missing(name, measure.range.allowed()))?;
-        self.as_number(name, value, measure)
+    /// If it is missing without a default, no number, or out of range.
+    pub(super) fn number(&self, field: &Field) -> Result<f64, CaseError> {
+        match (self.find(&field), field.need, field.measure()) {
+            (None, Need::Default(Default::Number(number)), _) => Ok(number),
+            (Some(value), _, Some(measure)) => self.as_number(field.name, value, measure),
+            _ => Err(self.missing(field)),
+        }
     }
 
-    /// A list of numbers in their range, at least one.
+    /// A number in its range, if it is there.
     ///
     /// # Errors
-    /// If it is missing, no such list, or a number is out of range.
-    pub(super) fn list(
-        &self,
-        name: &str,
-        measure: impl Into<Measure>,
-    ) -> Result<Vec<f64>, CaseError> {
-        let measure = measure.into();
-        let value = self.find(name).ok_or_else(|| self.missing(name, LIST))?;
-        self.list_at(name, value, measure)
+    /// If it is no number, or out of range.
+    pub(super) fn maybe(&self, field: &Field) -> Result<Option<f64>, CaseError> {
+        self.has(field).then(|| self.number(field)).transpose()
+    }
+
+    /// A whole number in its range, or the default.
+    ///
+    /// # Errors
+    /// As [`Section::number`].
+    pub(super) fn count(&self, field: &Field) -> Result<usize, CaseError> {
+        Ok(self.number(field)? as usize)
+    }
+
+    /// A list of numbers in their range, at least one, or the default.
+    ///
+    /// # Errors
+    /// If it is missing without a default, no such list, or a number is out of range.
+    pub(super) fn list(&self, field: &Field) -> Result<Vec<f64>, CaseError> {
+        match (self.find(&field), field.need, field.measure()) {
+            (None, Need::Default(Default::List(numbers)), _) => Ok(numbers.to_vec()),
+            (Some(value), _, Some(measure)) => self.list_at(field.name, value, measure),
+            _ => Err(self.missing(field)),
+        }
     }
 
     pub(super) fn list_at(
@@ -180,110 +228,105 @@ impl<'a> Section<'a> {
             DeValue::Array(items) if items.iter().next().is_some() => {
                 items.iter().map(|item| self.plain_number(name, item, measure)).collect()
             }
-            _ => Err(self.kind(name, value, LIST)),
+            _ => Err(self.kind(name, value, "a list with at least one number")),
         }
     }
 
-    /// One of these words.
+    /// One of the words of the field, or the default.
     ///
     /// # Errors
-    /// If it is missing or another word.
-    pub(super) fn word(&self, name: &str, words: Words) -> Result<&'a str, CaseError> {
-        let value = self.find(name).ok_or_else(|| self.missing(name, words.allowed))?;
-        match value.get_ref() {
-            DeValue::String(word) if words.words.contains(&word.as_ref()) => Ok(word),
-            _ => Err(self.kind(name, value, words.allowed)),
-        }
+    /// If it is missing without a default, or another word.
+    pub(super) fn word(&self, field: &Field) -> Result<&'static str, CaseError> {
+        // The words that this table allows.
+        let field = self.fields.iter().find(|own| own.name == field.name).unwrap_or(field);
+        let (Form::Word(words) | Form::WordOrVector(words, ..)) = field.form else {
+            return Err(self.missing(field));
+        };
+        let value = match (self.find(&field), field.need) {
+            (Some(value), _) => value,
+            (None, Need::Default(Default::Word(word))) => return Ok(word),
+            (None, _) => return Err(self.missing(field)),
+        };
+        let text = value.get_ref().as_str();
+        let known = words.iter().find(|(word, _)| text == Some(word));
+        known.map(|(word, _)| *word).ok_or_else(|| self.wrong(field, value))
     }
 
     /// True or false; false if it is missing.
     ///
     /// # Errors
     /// If it is neither.
-    pub(super) fn switch(&self, name: &str) -> Result<bool, CaseError> {
-        match self.find(name) {
-            None => Ok(false),
-            Some(value) => match value.get_ref() {
-                DeValue::Boolean(value) => Ok(*value),
-                _ => Err(self.kind(name, value, "true or false")),
-            },
-        }
+    pub(super) fn switch(&self, field: &Field) -> Result<bool, CaseError> {
+        let Some(value) = self.find(&field) else { return Ok(false) };
+        value.get_ref().as_bool().ok_or_else(|| self.wrong(field, value))
     }
 
     /// One number in its range, a list of them, or `{ start, stop, count }`.
     ///
     /// # Errors
     /// If it is missing, of another kind, or a number is out of range.
-    pub(super) fn numbers(
-        &self,
-        name: &str,
-        measure: impl Into<Measure>,
-    ) -> Result<Numbers, CaseError> {
-        let measure = measure.into();
-        match self.find(name).map(Spanned::get_ref) {
-            Some(DeValue::Array(_)) => self.list(name, measure).map(Numbers::Sweep),
-            Some(DeValue::Table(_)) => self.spaced(name, measure).map(Numbers::Sweep),
-            _ => self.number(name, measure).map(Numbers::One),
+    pub(super) fn numbers(&self, field: &Field) -> Result<Numbers, CaseError> {
+        let value = self.value(field)?;
+        match (value.get_ref(), field.measure()) {
+            (DeValue::Array(_), _) => self.list(field).map(Numbers::Sweep),
+            (DeValue::Table(_), Some(measure)) => {
+                let table = self.table_at(field.name, value, varied::SWEEP)?;
+                varied::spaced(&table, measure).map(Numbers::Sweep)
+            }
+            _ => self.number(field).map(Numbers::One),
         }
-    }
-
-    fn spaced(&self, name: &str, measure: Measure) -> Result<Vec<f64>, CaseError> {
-        let table = self.section(name, &["start", "stop", "count"])?;
-        let start = table.number("start", measure)?;
-        let stop = table.number("stop", measure)?;
-        let count = table.number("count", Range::Count)?;
-        Ok(carom_plot::linspace(start, stop, count as usize))
     }
 
     /// A text.
     ///
     /// # Errors
     /// If it is missing or no text.
-    pub(super) fn text(&self, name: &str, allowed: &'static str) -> Result<&'a str, CaseError> {
-        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
-        match value.get_ref() {
-            DeValue::String(text) => Ok(text),
-            _ => Err(self.kind(name, value, allowed)),
+    pub(super) fn text(&self, field: &Field) -> Result<&'a str, CaseError> {
+        let value = self.value(field)?;
+        value.get_ref().as_str().ok_or_else(|| self.wrong(field, value))
+    }
+
+    /// A value as it stands, numbers with units as plain ones.
+    #[must_use]
+    pub(super) fn shown(&self, value: &Spanned<DeValue<'_>>, measure: Option<Measure>) -> String {
+        let written = || shortened(self.source.get(value.span()).unwrap_or("?").trim());
+        match (value.get_ref(), measure) {
+            (DeValue::String(text), Some(measure)) => {
+                measure.dimension.read(text).map_or_else(written, |number| number.to_string())
+            }
+            (DeValue::Array(items), Some(_)) => {
+                let items: Vec<_> = items.iter().map(|item| self.shown(item, measure)).collect();
+                format!("[{}]", items.join(", "))
+            }
+            _ => written(),
         }
     }
 
-    /// The error that `name` is missing.
+    /// The line of a value.
     #[must_use]
-    pub(super) fn missing(&self, name: &str, allowed: &'static str) -> CaseError {
-        CaseError::Missing { field: self.full(name), allowed }
+    pub(super) fn line_of(&self, value: &Spanned<DeValue<'_>>) -> usize {
+        line_at(self.source, value.span().start)
     }
 
-    /// The error that a value found elsewhere to be bad stands at field `name`.
-    #[must_use]
-    pub(super) fn out_of_range(&self, name: &str, value: f64, allowed: &str) -> CaseError {
-        CaseError::Range {
-            field: self.full(name),
-            line: self.line(name),
-            value,
-            allowed: allowed.to_owned(),
+    fn value(&self, field: &Field) -> Result<&'a Spanned<DeValue<'a>>, CaseError> {
+        self.find(&field).ok_or_else(|| self.missing(field))
+    }
+
+    /// The value of a field; what is no field of the table is never there.
+    fn find(&self, place: &impl Place) -> Option<&'a Spanned<DeValue<'a>>> {
+        let (mut table, mut fields) = (self.table, self.fields);
+        let mut found = None;
+        for name in place.names() {
+            let field = fields.iter().find(|field| field.name == name)?;
+            let (_, value) = table.iter().find(|(key, _)| key.get_ref() == name)?;
+            found = Some(value);
+            if let DeValue::Table(inner) = value.get_ref() {
+                (table, fields) = (inner, field.fields());
+            } else {
+                fields = &[];
+            }
         }
-    }
-
-    /// The error that `name` excludes `other`.
-    #[must_use]
-    pub(super) fn conflict(&self, name: &str, other: &str, reason: &'static str) -> CaseError {
-        CaseError::Conflict {
-            field: self.full(name),
-            line: self.line(name),
-            other: self.full(other),
-            reason,
-        }
-    }
-
-    /// The value at `name`, which may be a path with dots.
-    fn find(&self, name: &str) -> Option<&'a Spanned<DeValue<'a>>> {
-        name.split('.').try_fold(None, |found: Option<&'a Spanned<DeValue<'a>>>, part| {
-            let table = match found {
-                None => self.table,
-                Some(value) => value.get_ref().as_table()?,
-            };
-            table.iter().find(|(key, _)| key.get_ref() == part).map(|(_, value)| Some(value))
-        })?
+        found
     }
 
     fn as_number(
@@ -296,19 +339,6 @@ impl<'a> Section<'a> {
         match varied.transpose()?.flatten() {
             Some(number) => Ok(number),
             None => self.plain_number(name, value, measure),
-        }
-    }
-
-    /// A number that stands for a value, if it is in its range.
-    pub(super) fn in_range(
-        &self,
-        name: &str,
-        number: f64,
-        Measure { range, .. }: Measure,
-    ) -> Result<f64, CaseError> {
-        match range.holds(number) {
-            true => Ok(number),
-            false => Err(self.out_of_range(name, number, range.allowed())),
         }
     }
 
@@ -334,16 +364,6 @@ impl<'a> Section<'a> {
             // As it is written.
             Some(_) => Err(self.kind(name, value, range.allowed())),
             None => Err(self.kind(name, value, &dimension.allowed(range))),
-        }
-    }
-
-    fn kind(&self, name: &str, value: &Spanned<DeValue<'_>>, allowed: &str) -> CaseError {
-        let span = value.span();
-        CaseError::Kind {
-            field: self.full(name),
-            line: line_at(self.source, span.start),
-            found: shortened(self.source.get(span).unwrap_or("?").trim()),
-            allowed: allowed.to_owned(),
         }
     }
 }
@@ -379,15 +399,6 @@ impl Numbers {
     }
 }
 
-/// Words among which a field chooses.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Words {
-    /// The words.
-    pub(super) words: &'static [&'static str],
-    /// The same, for a message.
-    pub(super) allowed: &'static str,
-}
-
 fn number(value: &DeValue<'_>) -> Option<f64> {
     match value {
         DeValue::Float(float) => float.as_str().parse().ok(),
@@ -412,11 +423,15 @@ fn line_at(source: &str, offset: usize) -> usize {
     1 + source.bytes().take(offset).filter(|byte| *byte == b'\n').count()
 }
 
-/// The valid name most like `name`, if it is like it at all.
-fn nearest(name: &str, valid: &[&'static str]) -> Option<&'static str> {
-    let scored = valid.iter().map(|candidate| (distance(name, candidate), *candidate));
-    let (distance, candidate) = scored.min()?;
-    (distance <= 1 + candidate.len() / 3).then_some(candidate)
+/// The valid name most like `name`, of several that which begins like it longest; none if none is
+/// like it at all.
+pub(super) fn nearest(name: &str, valid: &[&'static str]) -> Option<&'static str> {
+    let same = |candidate: &str| {
+        name.bytes().zip(candidate.bytes()).take_while(|(one, other)| one == other).count()
+    };
+    let score = |candidate: &str| (distance(name, candidate), Reverse(same(candidate)));
+    let candidate = valid.iter().copied().min_by_key(|candidate| score(candidate))?;
+    (distance(name, candidate) <= 1 + candidate.len() / 3).then_some(candidate)
 }
 
 /// How many letters must be put in, taken out or changed (Levenshtein).
@@ -445,6 +460,7 @@ mod tests {
         assert_eq!(nearest("radus", &valid), Some("radius"));
         assert_eq!(nearest("Density", &valid), Some("density"));
         assert_eq!(nearest("temperature", &valid), None);
+        assert_eq!(nearest("F_zx", &["F_x", "F_y", "F_z"]), Some("F_z"));
         assert_eq!(distance("kitten", "sitting"), 3);
     }
 

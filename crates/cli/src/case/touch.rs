@@ -1,24 +1,41 @@
 //! Where the two bodies of an impact touch.
 
-use super::body::BodyCase;
+use super::body::{BODY_1, BODY_2, BodyCase, KNOWN_POINT, POSITION, RADII, SHAPE};
 use super::error::CaseError;
+use super::field::{AXES, Default, Field, Form};
+use super::impact::CONTACT;
 use super::range::Range;
-use super::section::{Section, Words};
-use super::unit::Dimension;
+use super::section::Section;
+use super::unit::{Dimension, Measure};
 use carom_geometry::{FrameError, SearchError, SurfaceError};
 use carom_impact::{Body, Collision, CollisionError};
 use carom_laws::friction::Friction;
 use nalgebra::Vector3;
 
-/// Fields of `[contact]` that say it.
-pub(super) const FIELDS: [&str; 4] = ["point", "point_1", "point_2", "search"];
-const SEARCH: Words = Words {
-    words: &["touch", "approach"],
-    allowed: "\"touch\" (the bodies touch where they are) or \"approach\" (body 1 goes on straight \
-              until they do)",
-};
-const POSITION: &str = "three numbers [x, y, z], the centre of mass";
-const POINT: &str = "three numbers [x, y, z], the contact point in the body's axes";
+const TOUCH: &str = "touch";
+const APPROACH: &str = "approach";
+const PLACE: Measure = Range::Finite.of(Dimension::Length);
+pub(super) const SEARCH: Field = Field::new(
+    "search",
+    Form::Word(&[
+        (TOUCH, "the bodies touch where they are"),
+        (APPROACH, "body 1 goes on straight until they do"),
+    ]),
+    "how the contact point is found",
+)
+.default(Default::Word(TOUCH));
+pub(super) const POINT: Field = Field::vector("point", PLACE, "the contact point in space")
+    .may("it is found")
+    .such_as("[0, 0, 0]");
+pub(super) const POINT_1: Field = own("point_1", "the contact point in the axes of body 1");
+pub(super) const POINT_2: Field = own("point_2", "the contact point in the axes of body 2");
+const OWN: &str = "three numbers [x, y, z], the contact point in the body's axes";
+
+const fn own(name: &'static str, meaning: &'static str) -> Field {
+    Field::new(name, Form::Vector(AXES, PLACE, OWN), meaning)
+        .may("it is found; the point of a surface of shape \"given\"")
+        .such_as("[0, 0, -0.01]")
+}
 
 /// How the bodies touch.
 #[derive(Debug, Clone, Copy)]
@@ -41,22 +58,21 @@ impl Touch {
         contact: &Section<'_>,
         bodies: &[BodyCase; 2],
     ) -> Result<Self, CaseError> {
-        let has_own = contact.has("point_1") || contact.has("point_2");
-        let ways = ["point", "search", if contact.has("point_1") { "point_1" } else { "point_2" }];
-        let given: Vec<&str> = ways.into_iter().filter(|name| contact.has(name)).collect();
-        if let [one, other, ..] = given.as_slice() {
-            return Err(contact.conflict(other, one, "give one way to find the contact point"));
+        let own = if contact.has(&POINT_1) { &POINT_1 } else { &POINT_2 };
+        let given = contact.given([&POINT, &SEARCH, own]);
+        if given.len() > 1 {
+            return Err(contact.several(&given, "give one way to find the contact point"));
         }
         let is_given = bodies.iter().any(|body| body.point.is_some());
-        let is_asked = contact.has("point") || contact.has("search");
-        if has_own || (is_given && !is_asked) {
+        let is_asked = contact.has(&POINT) || contact.has(&SEARCH);
+        if contact.has(own) || (is_given && !is_asked) {
             if bodies[0].has_position {
                 let reason = "body 1 is put where its own contact point touches body 2";
-                return Err(case.conflict("body_1.position", "contact.point_1", reason));
+                return Err(case.conflict([&BODY_1, &POSITION], [&CONTACT, &POINT_1], reason));
             }
             return Ok(Self::Own([
-                read_own(case, contact, ["point_1", "body_1.point"], &bodies[0])?,
-                read_own(case, contact, ["point_2", "body_2.point"], &bodies[1])?,
+                read_own(case, contact, &POINT_1, &BODY_1, &bodies[0])?,
+                read_own(case, contact, &POINT_2, &BODY_2, &bodies[1])?,
             ]));
         }
         // A plane without a position runs through the origin.
@@ -65,18 +81,15 @@ impl Touch {
         if !is_asked && (is_anywhere || bodies.iter().any(unplaced)) {
             return Ok(Self::along(bodies));
         }
-        for (body, name) in bodies.iter().zip(["body_1.position", "body_2.position"]) {
+        for (body, field) in bodies.iter().zip([&BODY_1, &BODY_2]) {
             if unplaced(body) {
-                return Err(case.missing(name, POSITION));
+                return Err(case.missing_as([field, &POSITION], POSITION.allowed()));
             }
         }
-        if contact.has("point") {
-            return contact.vector("point", Range::Finite.of(Dimension::Length)).map(Self::At);
+        if contact.has(&POINT) {
+            return contact.vector(&POINT).map(Self::At);
         }
-        match contact.has("search") {
-            true if contact.word("search", SEARCH)? == "approach" => Ok(Self::Approach),
-            _ => Ok(Self::Found),
-        }
+        Ok(if contact.word(&SEARCH)? == APPROACH { Self::Approach } else { Self::Found })
     }
 
     fn along([one, two]: &[BodyCase; 2]) -> Self {
@@ -119,57 +132,61 @@ impl Touch {
 
     /// The field that is to blame, with its line.
     pub(super) fn at_fault(&self, case: &Section<'_>, source: CollisionError) -> CaseError {
-        let own = |body: u8| if body == 1 { "contact.point_1" } else { "contact.point_2" };
-        let shape = |body: u8| if body == 1 { "body_1.shape" } else { "body_2.shape" };
-        let field = match (&source, self) {
-            (CollisionError::Search(SearchError::NotTouching { gap, .. }), Touch::Approach)
+        let body = |body: &u8| if *body == 1 { &BODY_1 } else { &BODY_2 };
+        let own = |body: &u8| if *body == 1 { &POINT_1 } else { &POINT_2 };
+        let at = match (&source, self) {
+            (CollisionError::Search(SearchError::NotTouching { gap, .. }), Self::Approach)
                 if *gap > 0.0 =>
             {
-                "contact.search"
+                [&CONTACT, &SEARCH]
             }
-            (CollisionError::Search(SearchError::NotTouching { .. }), _) => "body_1.position",
-            (CollisionError::Search(SearchError::Surface { body, source }), touch) => {
-                match (source, touch) {
-                    (_, Touch::At(_)) => "contact.point",
-                    (SurfaceError::OffSurface { .. }, Touch::Own(_)) => own(*body),
-                    _ => shape(*body),
-                }
+            (CollisionError::Search(SearchError::NotTouching { .. }), _) => [&BODY_1, &POSITION],
+            (CollisionError::Search(SearchError::Surface { .. }), Self::At(_)) => {
+                [&CONTACT, &POINT]
+            }
+            (
+                CollisionError::Search(SearchError::Surface {
+                    body,
+                    source: SurfaceError::OffSurface { .. },
+                }),
+                Self::Own(_),
+            ) => [&CONTACT, own(body)],
+            (CollisionError::Search(SearchError::Surface { body: which, .. }), _) => {
+                [body(which), &SHAPE]
             }
             (CollisionError::Search(SearchError::Frame(FrameError::Curvature(_))), _) => {
-                let radii =
-                    ["body_1.radii", "body_2.radii"].into_iter().find(|name| case.has(name));
-                radii.unwrap_or("body_2.shape")
+                let radii = [[&BODY_1, &RADII], [&BODY_2, &RADII]];
+                radii.into_iter().find(|at| case.has(*at)).unwrap_or([&BODY_2, &SHAPE])
             }
-            (CollisionError::Search(SearchError::Frame(_)), _) => "contact",
-            (CollisionError::Search(_), _) => "body_1.shape",
-            _ => "contact",
+            (CollisionError::Search(SearchError::Frame(_)), _) => [&CONTACT, &POINT],
+            (CollisionError::Search(_), _) => [&BODY_1, &SHAPE],
+            _ => [&CONTACT, &POINT],
         };
         // A field that the file leaves to its default has no line of its own.
-        let field = if case.has(field) { field } else { "contact" };
-        CaseError::Collision {
-            field,
-            line: case.line(field),
-            hint: hint(&source, self),
-            source: Box::new(source),
-        }
+        let (field, line) = match case.has(at) {
+            true => (case.path(&at), case.line(at)),
+            false => (CONTACT.name.to_owned(), case.line(&CONTACT)),
+        };
+        CaseError::Collision { field, line, hint: hint(&source, self), source: Box::new(source) }
     }
 }
 
 fn read_own(
     case: &Section<'_>,
     contact: &Section<'_>,
-    [name, own]: [&str; 2],
+    field: &'static Field,
+    of: &'static Field,
     body: &BodyCase,
 ) -> Result<[f64; 3], CaseError> {
-    match body.point {
-        Some(_) if contact.has(name) => {
+    match (body.point, contact.has(field)) {
+        (Some(_), true) => {
             let reason = "the surface is known at that point only";
-            Err(case.conflict(&contact.full(name), own, reason))
+            Err(case.conflict([&CONTACT, field], [of, &KNOWN_POINT], reason))
         }
-        Some(point) => Ok(point),
-        None if contact.has(name) => contact.vector(name, Range::Finite.of(Dimension::Length)),
-        None if body.is_plane => Ok([0.0; 3]),
-        None => Err(contact.missing(name, POINT)),
+        (Some(point), false) => Ok(point),
+        (None, true) => contact.vector(field),
+        (None, false) if body.is_plane => Ok([0.0; 3]),
+        (None, false) => Err(contact.missing(field)),
     }
 }
 

@@ -18,6 +18,8 @@ pub enum Dimension {
     Pressure,
     /// A force.
     Force,
+    /// A torque.
+    Torque,
     /// A velocity.
     Speed,
     /// An angular velocity.
@@ -91,6 +93,9 @@ impl Dimension {
                 ("uN", Ten(-6)),
                 ("nN", Ten(-9)),
             ],
+            Self::Torque => {
+                &[("N m", Ten(0)), ("kN m", Ten(3)), ("N mm", Ten(-3)), ("mN m", Ten(-3))]
+            }
             Self::Speed => &[
                 ("m/s", Ten(0)),
                 ("km/s", Ten(3)),
@@ -200,18 +205,17 @@ pub struct Measure {
     pub dimension: Dimension,
 }
 
-impl From<Range> for Measure {
-    /// A pure number.
-    fn from(range: Range) -> Self {
-        Self { range, dimension: Dimension::None }
-    }
-}
-
 impl Range {
     /// The range of a quantity with a unit.
     #[must_use]
     pub const fn of(self, dimension: Dimension) -> Measure {
         Measure { range: self, dimension }
+    }
+
+    /// The range of a pure number.
+    #[must_use]
+    pub const fn pure(self) -> Measure {
+        self.of(Dimension::None)
     }
 }
 
@@ -242,6 +246,7 @@ mod tests {
             (Dimension::Speed, "36 km/h", 10.0),
             (Dimension::Inertia, "12 g·cm²", 12e-7),
             (Dimension::Acceleration, "9.81 m/s^2", 9.81),
+            (Dimension::Torque, "3 N·mm", 0.003),
         ] {
             let read = dimension.read(text);
             let is_close = |read: f64| (read - value).abs() <= 4e-16 * value.abs();

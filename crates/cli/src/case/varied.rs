@@ -1,21 +1,49 @@
 //! Numbers of a case that stand for many: a sweep, or a distribution.
 
 use super::error::CaseError;
+use super::field::{Field, Form, interned};
 use super::range::Range;
-use super::section::{Section, Words};
-use super::unit::{Dimension, Measure};
+use super::section::Section;
+use super::unit::Measure;
 use carom_impact::uncertain::Distribution;
 use std::cell::RefCell;
 use toml::Spanned;
 use toml::de::DeValue;
 
-const SWEEP: [&str; 3] = ["start", "stop", "count"];
-const KINDS: Words = Words {
-    words: &["normal", "log_normal", "uniform", "triangular"],
-    allowed: "{ normal = { mean, sd } }, { log_normal = { mean, sd } }, \
-              { uniform = { low, high } }, { triangular = { low, mode, high } } or a sweep \
-              { start, stop, count }",
-};
+const fn number(name: &'static str, meaning: &'static str) -> Field {
+    Field::number(name, Range::Finite.pure(), meaning)
+}
+
+const fn distribution(
+    name: &'static str,
+    fields: &'static [Field],
+    meaning: &'static str,
+) -> Field {
+    Field::new(name, Form::Table(fields), meaning).or(KINDS)
+}
+
+const START: Field = number("start", "first value of a sweep");
+const STOP: Field = number("stop", "last value");
+const COUNT: Field = Field::number("count", Range::Count.pure(), "of the values, equally spaced");
+const MEAN: Field = number("mean", "of the number itself");
+const DEVIATION: Field = number("sd", "standard deviation of the number itself");
+const LOW: Field = number("low", "least value");
+const MODE: Field = number("mode", "most likely value");
+const HIGH: Field = number("high", "greatest value");
+const NORMAL: Field = distribution("normal", &[MEAN, DEVIATION], "a normal distribution");
+const LOG_NORMAL: Field =
+    distribution("log_normal", &[MEAN, DEVIATION], "one whose logarithm is normal");
+const UNIFORM: Field = distribution("uniform", &[LOW, HIGH], "alike between two ends");
+const TRIANGULAR: Field =
+    distribution("triangular", &[LOW, MODE, HIGH], "rising and falling between two ends");
+const KINDS: &str = "{ normal = { mean, sd } }, { log_normal = { mean, sd } }, \
+                     { uniform = { low, high } }, { triangular = { low, mode, high } } or a sweep \
+                     { start, stop, count }";
+
+/// The fields of a sweep.
+pub(super) const SWEEP: &[Field] = &[START, STOP, COUNT];
+/// Those of any number of an impact that stands for many.
+pub(super) const VARIED: &[Field] = &[START, STOP, COUNT, NORMAL, LOG_NORMAL, UNIFORM, TRIANGULAR];
 
 /// What a number stands for.
 #[derive(Debug, Clone, PartialEq)]
@@ -24,6 +52,17 @@ pub enum Variation {
     Sweep(Vec<f64>),
     /// Drawn from this distribution.
     Uncertain(Distribution),
+}
+
+impl Variation {
+    /// What stands for it where one number must.
+    fn nominal(&self) -> f64 {
+        match self {
+            // A sweep has at least one value.
+            Self::Sweep(values) => values.first().copied().unwrap_or(f64::NAN),
+            Self::Uncertain(distribution) => distribution.mean(),
+        }
+    }
 }
 
 /// A varied number.
@@ -37,6 +76,8 @@ pub struct Input {
     pub allowed: &'static str,
     /// What it stands for.
     pub variation: Variation,
+    /// Its line, from 1.
+    pub line: usize,
     /// Where in the file it stands.
     place: usize,
 }
@@ -95,59 +136,65 @@ impl Varied {
     ) -> Result<Option<f64>, CaseError> {
         let place = value.span().start;
         if let Some((_, number)) = self.drawn.iter().find(|(at, _)| *at == place) {
-            return section.in_range(name, *number, measure).map(Some);
+            return section.in_range(name, value, *number, measure).map(Some);
         }
         let variation = match value.get_ref() {
             DeValue::Array(_) => Variation::Sweep(section.list_at(name, value, measure)?),
-            DeValue::Table(_) => read(&section.table_at(name, value)?, measure)?,
+            DeValue::Table(_) => read(&section.table_at(name, value, VARIED)?, measure)?,
             _ => return Ok(None),
         };
-        let number = section.in_range(name, variation.nominal(), measure)?;
+        let number = section.in_range(name, value, variation.nominal(), measure)?;
         let mut found = self.found.borrow_mut();
         if found.iter().all(|input| input.place != place) {
-            // A few names, as long as the program runs: errors of the library carry such.
-            let field = section.full(name).leak();
+            let (field, line) = (interned(&section.full(name)), section.line_of(value));
             let (unit, allowed) = (measure.dimension.unit(), measure.range.allowed());
-            found.push(Input { field, unit, allowed, variation, place });
+            found.push(Input { field, unit, allowed, variation, line, place });
         }
         Ok(Some(number))
     }
 }
 
 fn read(section: &Section<'_>, measure: Measure) -> Result<Variation, CaseError> {
-    if SWEEP.iter().any(|name| section.has(name)) {
-        section.check(&SWEEP)?;
-        let start = section.number("start", measure)?;
-        let stop = section.number("stop", measure)?;
-        let count = section.number("count", Range::Count)?;
-        return Ok(Variation::Sweep(carom_plot::linspace(start, stop, count as usize)));
+    let sweep = section.given([&START, &STOP, &COUNT]);
+    let kinds = section.given([&NORMAL, &LOG_NORMAL, &UNIFORM, &TRIANGULAR]);
+    match (sweep.as_slice(), kinds.as_slice()) {
+        ([], [kind]) => read_distribution(section, kind, measure).map(Variation::Uncertain),
+        ([], []) => Err(section.missing_as(&NORMAL, KINDS)),
+        (_, []) => spaced(section, measure).map(Variation::Sweep),
+        ([], several) => Err(section.several(several, "give one of them")),
+        ([one, ..], [other, ..]) => {
+            Err(section.conflict(*other, *one, "give a sweep or a distribution"))
+        }
     }
-    section.check(KINDS.words)?;
-    read_distribution(section, measure.dimension).map(Variation::Uncertain)
+}
+
+/// The values of a sweep.
+pub(super) fn spaced(section: &Section<'_>, measure: Measure) -> Result<Vec<f64>, CaseError> {
+    let start = section.number(&START.measured(measure))?;
+    let stop = section.number(&STOP.measured(measure))?;
+    Ok(carom_special::linspace(start, stop, section.count(&COUNT)?))
 }
 
 fn read_distribution(
     section: &Section<'_>,
-    dimension: Dimension,
+    kind: &'static Field,
+    measure: Measure,
 ) -> Result<Distribution, CaseError> {
-    let given: Vec<&str> = KINDS.words.iter().copied().filter(|word| section.has(word)).collect();
-    let kind = match given.as_slice() {
-        [kind] => *kind,
-        [] => return Err(section.missing("normal", KINDS.allowed)),
-        [one, other, ..] => return Err(section.conflict(other, one, "give one of them")),
+    let of = section.section(kind)?;
+    let plain = Range::Finite.of(measure.dimension);
+    let number = |field: &Field| of.number(&field.measured(plain));
+    let made = if kind.name == UNIFORM.name {
+        Distribution::uniform(number(&LOW)?, number(&HIGH)?)
+    } else if kind.name == TRIANGULAR.name {
+        Distribution::triangular(number(&LOW)?, number(&MODE)?, number(&HIGH)?)
+    } else if kind.name == NORMAL.name {
+        Distribution::normal(number(&MEAN)?, number(&DEVIATION)?)
+    } else {
+        Distribution::log_normal(number(&MEAN)?, number(&DEVIATION)?)
     };
-    let names: &[&'static str] = match kind {
-        "uniform" => &["low", "high"],
-        "triangular" => &["low", "mode", "high"],
-        _ => &["mean", "sd"],
-    };
-    let of = section.section(kind, names)?;
-    let number = |name: &str| of.number(name, Range::Finite.of(dimension));
-    let made = match kind {
-        "uniform" => Distribution::uniform(number("low")?, number("high")?),
-        "triangular" => Distribution::triangular(number("low")?, number("mode")?, number("high")?),
-        "normal" => Distribution::normal(number("mean")?, number("sd")?),
-        _ => Distribution::log_normal(number("mean")?, number("sd")?),
-    };
-    made.map_err(|error| of.out_of_range(error.field, error.value, error.allowed))
+    made.map_err(|error| {
+        let field = [&MEAN, &DEVIATION, &LOW, &MODE, &HIGH];
+        let field = field.into_iter().find(|field| field.name == error.field);
+        of.out_of_range(field.unwrap_or(&MEAN), error.value, error.allowed)
+    })
 }

@@ -1,12 +1,15 @@
 //! The commands, one a file. Each works out an [`Answer`] and writes nothing itself, but for rows
 //! that are too many to hold.
 
+mod begin;
+mod check;
 mod hertz;
 mod history;
 mod impact;
 mod plot;
 mod restitution;
 mod scene;
+mod schema;
 mod solve;
 mod theory;
 
@@ -69,6 +72,9 @@ enum Command {
     Scene(scene::Arguments),
     Solve(solve::Arguments),
     Compare(solve::compare::Arguments),
+    New(begin::Arguments),
+    Check(check::Arguments),
+    Schema(schema::Arguments),
 }
 
 /// Works out what the command asks for.
@@ -84,5 +90,8 @@ pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError>
         Command::Scene(arguments) => scene::run(arguments),
         Command::Solve(arguments) => solve::run(arguments),
         Command::Compare(arguments) => solve::compare::run(arguments),
+        Command::New(arguments) => begin::run(arguments),
+        Command::Check(arguments) => check::run(arguments),
+        Command::Schema(arguments) => schema::run(arguments),
     }
 }

@@ -3,6 +3,7 @@
 //! A sphere, a capsule and a torus are such bodies whole, a cylinder with its side; an edge is
 //! one with a ball of no size.
 
+use carom_special::roots::bisect;
 use nalgebra::Vector3;
 use std::f64::consts::PI;
 
@@ -14,10 +15,10 @@ use crate::placed::Placed;
 const LEVEL: f64 = 1e-12;
 
 /// Places along a curve from which minima are looked for, where there may be many.
-const STATIONS: i32 = 96;
+const SAMPLES: i32 = 96;
 
 /// The same along an edge, which is refused wherever it touches.
-const STATIONS_OF_EDGE: i32 = 20;
+const SAMPLES_OF_EDGE: i32 = 20;
 
 /// A curve in the axes of its body.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -79,18 +80,18 @@ impl Rail<'_> {
                 self.touch(0.0, other).into_iter().collect()
             }
             Curve::Straight { half_length, .. } => {
-                let pieces = if other.is_convex() { 1 } else { self.stations() };
+                let pieces = if other.is_convex() { 1 } else { self.samples() };
                 self.minima((-half_length, half_length), pieces, other)
             }
             Curve::Round { .. } => {
                 let begin = self.descent_on_circle(other);
-                self.minima((begin, begin + 2.0 * PI), self.stations(), other)
+                self.minima((begin, begin + 2.0 * PI), self.samples(), other)
             }
         }
     }
 
-    fn stations(&self) -> i32 {
-        if self.radius == 0.0 { STATIONS_OF_EDGE } else { STATIONS }
+    fn samples(&self) -> i32 {
+        if self.radius == 0.0 { SAMPLES_OF_EDGE } else { SAMPLES }
     }
 
     fn trend(&self, t: f64, other: &Target<'_>) -> Option<Trend> {
@@ -118,10 +119,10 @@ impl Rail<'_> {
 
     // A place from which the distance falls, so that no minimum is cut in two.
     fn descent_on_circle(&self, other: &Target<'_>) -> f64 {
-        let stations = self.stations();
-        let place = |i: i32| f64::from(i) * 2.0 * PI / f64::from(stations);
+        let samples = self.samples();
+        let place = |i: i32| f64::from(i) * 2.0 * PI / f64::from(samples);
         let falling = |t: &f64| self.trend(*t, other) == Some(Trend::Falling);
-        (0..stations).map(place).find(falling).unwrap_or(0.0)
+        (0..samples).map(place).find(falling).unwrap_or(0.0)
     }
 
     // Places where the trend changes from falling to rising, perhaps by way of a level stretch,
@@ -138,7 +139,7 @@ impl Rail<'_> {
                 Some(Trend::Falling) => (fell, low) = (Some(t), None),
                 Some(trend) => {
                     if let (Some(from), None) = (fell, low) {
-                        low = Some(self.bisect(from, t, other, |t| t == Trend::Falling));
+                        low = Some(self.change(from, t, other, |t| t == Trend::Falling));
                     }
                     if let (Trend::Rising, Some(bottom)) = (trend, low) {
                         let from = last.max(bottom);
@@ -167,7 +168,7 @@ impl Rail<'_> {
             left += stride;
             stride *= 4.0;
         }
-        self.bisect(left, to.min(left + stride), other, |t| t != Trend::Rising)
+        self.change(left, to.min(left + stride), other, |t| t != Trend::Rising)
     }
 
     fn finest(&self) -> f64 {
@@ -178,23 +179,11 @@ impl Rail<'_> {
         1e-16 * reach
     }
 
-    fn bisect(
-        &self,
-        mut low: f64,
-        mut high: f64,
-        other: &Target<'_>,
-        holds: impl Fn(Trend) -> bool,
-    ) -> f64 {
-        let finest = self.finest();
-        loop {
-            let middle = 0.5 * (low + high);
-            if high - low <= finest || middle <= low || middle >= high {
-                return middle;
-            }
-            match self.trend(middle, other) {
-                Some(trend) if holds(trend) => low = middle,
-                _ => high = middle,
-            }
-        }
+    // Where a trend ends, to [`Self::finest`].
+    fn change(&self, from: f64, to: f64, other: &Target<'_>, holds: impl Fn(Trend) -> bool) -> f64 {
+        let halvings = libm::ceil(libm::log2((to - from) / self.finest())).max(0.0);
+        let [low, high] =
+            bisect([from, to], halvings as usize, |t| self.trend(t, other).is_some_and(&holds));
+        0.5 * (low + high)
     }
 }

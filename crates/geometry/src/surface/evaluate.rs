@@ -4,7 +4,7 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::jet::Jet;
 use super::local::LocalSurface;
-use super::{Kind, Side, Surface, SurfaceError};
+use super::{BodySide, Kind, Surface, SurfaceError};
 
 /// How far off the surface a point may lie, over the size of the body.
 const ON_SURFACE: f64 = 1e-6;
@@ -117,7 +117,7 @@ pub(super) fn ellipsoid(semi_axes: &Vector3<f64>, point: &Vector3<f64>) -> Jet {
 }
 
 // (8.13): f = c(a, b) - c where the body lies above.
-fn of_height(height: &Jet, side: Side, c: f64) -> Jet {
+fn of_height(height: &Jet, side: BodySide, c: f64) -> Jet {
     let sign = side.sign();
     let (slope, bend) = (height.gradient, height.hessian);
     let (c_aa, c_ab, c_bb) = (bend.m11, bend.m12, bend.m22);

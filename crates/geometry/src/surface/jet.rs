@@ -6,13 +6,13 @@ use std::sync::Arc;
 
 /// Value, gradient and Hessian of f(a, b, c).
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Jet {
+pub(crate) struct Jet {
     /// f.
-    pub value: f64,
+    pub(super) value: f64,
     /// Its first derivatives.
-    pub gradient: Vector3<f64>,
+    pub(super) gradient: Vector3<f64>,
     /// Its second derivatives.
-    pub hessian: Matrix3<f64>,
+    pub(super) hessian: Matrix3<f64>,
 }
 
 /// Value and derivatives of an explicit surface c(a, b), the five numbers of (8.14)-(8.16).

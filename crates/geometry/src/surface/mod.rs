@@ -15,7 +15,7 @@ mod sample;
 mod volume;
 
 pub use error::SurfaceError;
-pub use jet::{Height, Jet};
+pub use jet::Height;
 pub use local::{LocalSurface, perpendicular};
 
 pub(crate) use closest::{Closest, invert_in_plane, support_of_ellipsoid};
@@ -53,20 +53,20 @@ pub(crate) enum Kind {
     Torus { major: f64, minor: f64 },
     Box { half: Vector3<f64> },
     Implicit { size: f64, function: Source },
-    Explicit { size: f64, side: Side, function: Source },
+    Explicit { size: f64, side: BodySide, function: Source },
     Given { local: LocalSurface },
 }
 
 /// On which side of an explicit surface c(a, b) the body lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Side {
+pub enum BodySide {
     /// The body lies where c is larger: it touches with its lower face.
     Above,
     /// The body lies where c is smaller: it touches with its upper face.
     Below,
 }
 
-impl Side {
+impl BodySide {
     /// Sign of c(a, b) - c outside the body.
     const fn sign(self) -> f64 {
         match self {
@@ -176,20 +176,6 @@ impl Surface {
         Ok(Self::of(Kind::Implicit { size, function }))
     }
 
-    /// The surface f(a, b, c) = 0 with its exact derivatives; f < 0 inside. `size` is a length
-    /// of the body, against which the distance of a point from the surface is measured.
-    ///
-    /// # Errors
-    /// [`RangeError`] unless the size is finite and positive.
-    pub fn implicit_with(
-        size: f64,
-        function: impl Fn(&Vector3<f64>) -> Jet + Send + Sync + 'static,
-    ) -> Result<Self, RangeError> {
-        RangeError::positive("size", size)?;
-        let function = Source::Exact(Field::new(function));
-        Ok(Self::of(Kind::Implicit { size, function }))
-    }
-
     /// The surface c(a, b) of a body on the given side of it, with derivatives by differences as
     /// in [`Surface::implicit`]. Where c is not finite there is no surface. A search for the
     /// contact begins over |a|, |b| <= 2 sizes and next to the other body.
@@ -198,7 +184,7 @@ impl Surface {
     /// [`RangeError`] unless the size is finite and positive.
     pub fn explicit(
         size: f64,
-        side: Side,
+        side: BodySide,
         function: impl Fn(f64, f64) -> f64 + Send + Sync + 'static,
     ) -> Result<Self, RangeError> {
         RangeError::positive("size", size)?;
@@ -213,7 +199,7 @@ impl Surface {
     /// [`RangeError`] unless the size is finite and positive.
     pub fn explicit_with(
         size: f64,
-        side: Side,
+        side: BodySide,
         function: impl Fn(&[f64; 2]) -> Height + Send + Sync + 'static,
     ) -> Result<Self, RangeError> {
         RangeError::positive("size", size)?;

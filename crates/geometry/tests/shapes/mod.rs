@@ -1,12 +1,12 @@
 //! Surfaces with their parametrisations, and the distance between two by walking over both.
 
 use crate::random::Numbers;
-use carom_geometry::{Attitude, Placed, Side, Surface};
+use carom_geometry::{Attitude, BodySide, Placed, Surface};
 use nalgebra::Vector3;
 use std::f64::consts::{PI, TAU};
 use std::sync::Arc;
 
-type Walk = Arc<dyn Fn([f64; 3]) -> Vector3<f64> + Send + Sync>;
+type Parametrisation = Arc<dyn Fn([f64; 3]) -> Vector3<f64> + Send + Sync>;
 
 /// A surface and a map of three numbers onto it, or onto the solid with flat faces inside it: a
 /// step along an edge is then one with a number at its bound. From 0 to 1 they reach all of it.
@@ -14,23 +14,23 @@ type Walk = Arc<dyn Fn([f64; 3]) -> Vector3<f64> + Send + Sync>;
 pub(crate) struct Shape {
     pub(crate) name: &'static str,
     pub(crate) surface: Surface,
-    pub(crate) walk: Walk,
+    pub(crate) point: Parametrisation,
 }
 
 fn shape(
     name: &'static str,
     surface: Surface,
-    walk: impl Fn(f64, f64) -> Vector3<f64> + Send + Sync + 'static,
+    point: impl Fn(f64, f64) -> Vector3<f64> + Send + Sync + 'static,
 ) -> Shape {
-    Shape { name, surface, walk: Arc::new(move |[u, v, _]| walk(u, v)) }
+    Shape { name, surface, point: Arc::new(move |[u, v, _]| point(u, v)) }
 }
 
 fn solid(
     name: &'static str,
     surface: Surface,
-    walk: impl Fn(f64, f64, f64) -> Vector3<f64> + Send + Sync + 'static,
+    point: impl Fn(f64, f64, f64) -> Vector3<f64> + Send + Sync + 'static,
 ) -> Shape {
-    Shape { name, surface, walk: Arc::new(move |[u, v, w]| walk(u, v, w)) }
+    Shape { name, surface, point: Arc::new(move |[u, v, w]| point(u, v, w)) }
 }
 
 fn ray(u: f64, v: f64) -> Vector3<f64> {
@@ -55,21 +55,21 @@ pub(crate) fn sphere() -> Shape {
 
 pub(crate) fn ellipsoid() -> Shape {
     let axes = [1.5, 1.0, 0.6];
-    let walk = move |u, v| ray(u, v).component_mul(&Vector3::from(axes));
-    shape("ellipsoid", Surface::ellipsoid(axes).unwrap(), walk)
+    let point = move |u, v| ray(u, v).component_mul(&Vector3::from(axes));
+    shape("ellipsoid", Surface::ellipsoid(axes).unwrap(), point)
 }
 
 pub(crate) fn cylinder() -> Shape {
-    let walk = |u: f64, v: f64, w| {
+    let point = |u: f64, v: f64, w| {
         let across = Vector3::new(u - 0.5, v - 0.5, 0.0);
         let disc = across / (across.norm() / 0.5).max(1.0);
         disc + Vector3::z() * (1.2 * (2.0 * clamped(w) - 1.0))
     };
-    solid("cylinder", Surface::cylinder(0.5, 2.4).unwrap(), walk)
+    solid("cylinder", Surface::cylinder(0.5, 2.4).unwrap(), point)
 }
 
 pub(crate) fn capsule() -> Shape {
-    let walk = |u, v: f64| {
+    let point = |u, v: f64| {
         let arc = 0.5 * PI;
         let (angle, middle) = match clamped(v) * (2.0 * arc + 1.0) {
             s if s < arc => (s, 0.9),
@@ -78,23 +78,23 @@ pub(crate) fn capsule() -> Shape {
         };
         turned(u, 0.4 * angle.sin(), middle + 0.4 * angle.cos())
     };
-    shape("capsule", Surface::capsule(0.4, 1.8).unwrap(), walk)
+    shape("capsule", Surface::capsule(0.4, 1.8).unwrap(), point)
 }
 
 pub(crate) fn cuboid() -> Shape {
-    let walk = |u, v, w| {
+    let point = |u, v, w| {
         let centred = Vector3::new(clamped(u), clamped(v), clamped(w)).add_scalar(-0.5);
         centred.component_mul(&Vector3::new(1.6, 1.2, 2.0))
     };
-    solid("box", Surface::cuboid([1.6, 1.2, 2.0]).unwrap(), walk)
+    solid("box", Surface::cuboid([1.6, 1.2, 2.0]).unwrap(), point)
 }
 
 pub(crate) fn torus() -> Shape {
-    let walk = |u, v: f64| {
+    let point = |u, v: f64| {
         let (sin, cos) = (TAU * v).sin_cos();
         turned(u, 1.4 + 0.35 * cos, 0.35 * sin)
     };
-    shape("torus", Surface::torus(1.4, 0.35).unwrap(), walk)
+    shape("torus", Surface::torus(1.4, 0.35).unwrap(), point)
 }
 
 /// A convex implicit surface: an ellipsoid written otherwise.
@@ -121,7 +121,7 @@ pub(crate) fn clover() -> Shape {
 /// A wavy floor.
 pub(crate) fn waves() -> Shape {
     let height = |a: f64, b: f64| 0.2 * (1.3 * a).sin() * (0.9 * b).cos() + 0.02 * a * a;
-    let surface = Surface::explicit(2.0, Side::Below, height).unwrap();
+    let surface = Surface::explicit(2.0, BodySide::Below, height).unwrap();
     shape("explicit waves", surface, move |u, v| {
         let (a, b) = (8.0 * u - 4.0, 8.0 * v - 4.0);
         Vector3::new(a, b, height(a, b))
@@ -140,7 +140,7 @@ pub(crate) fn placed(shape: &Shape, centre: Vector3<f64>, attitude: Attitude) ->
 /// smaller random steps from the nearest pairs of it. No derivative, closest point or support.
 pub(crate) fn walked_distance(one: (&Shape, &Placed), two: (&Shape, &Placed)) -> f64 {
     let at = |(shape, body): (&Shape, &Placed), place: [f64; 3]| {
-        body.centre() + body.attitude().to_space(&(shape.walk)(place))
+        body.centre() + body.attitude().to_space(&(shape.point)(place))
     };
     let n = 20;
     let net = |pair| -> Vec<([f64; 3], Vector3<f64>)> {

@@ -63,7 +63,9 @@ pub trait SurfaceOperator: Send + Sync {
     }
 
     /// The working memory of repeated products.
-    fn workspace(&self) -> Workspace;
+    fn workspace(&self) -> Workspace {
+        Workspace::default()
+    }
 
     /// The displacements of all cells by the tractions on all cells.
     ///

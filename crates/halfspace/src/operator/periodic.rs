@@ -185,10 +185,6 @@ impl SurfaceOperator for PeriodicOperator {
         })
     }
 
-    fn workspace(&self) -> Workspace {
-        Workspace::default()
-    }
-
     fn apply(
         &self,
         tractions: TractionField<'_>,

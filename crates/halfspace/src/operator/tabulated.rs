@@ -255,10 +255,6 @@ impl SurfaceOperator for KernelOperator {
         self.kernel.coefficients(columns, rows)
     }
 
-    fn workspace(&self) -> Workspace {
-        Workspace::default()
-    }
-
     fn apply(
         &self,
         tractions: TractionField<'_>,

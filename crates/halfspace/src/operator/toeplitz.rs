@@ -147,10 +147,6 @@ impl SurfaceOperator for HalfSpaceOperator {
         Some(build())
     }
 
-    fn workspace(&self) -> Workspace {
-        Workspace::default()
-    }
-
     fn apply(
         &self,
         tractions: TractionField<'_>,

@@ -13,7 +13,7 @@ pub use adhesion::{AdhesiveCompression, compression_time};
 pub use constants::ImpactConstants;
 pub use energy::{normal_energy_loss, tangential_energy_loss};
 pub(crate) use wave_loss::radiated_energy;
-pub use wave_loss::{NOTICEABLE, PRINTED_COEFFICIENT, wave_loss, wave_loss_coefficient};
+pub use wave_loss::{NOTICEABLE, wave_loss, wave_loss_coefficient};
 
 /// phi = sqrt(1 + 120 chi) of (9.15), the parameter of the adhesion solutions.
 #[must_use]

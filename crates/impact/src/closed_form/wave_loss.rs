@@ -5,14 +5,10 @@
 //! waves, shear waves and the Rayleigh pole. With the exact Hertz pulse of a sphere on a
 //! half-space of its own material the share becomes `C(nu) (v/c_0)^(3/5)`, c_0 = sqrt(E/rho).
 
-use std::sync::LazyLock;
-
 use carom_halfspace::Material;
 use carom_special::RangeError;
-use carom_special::quadrature::GaussLegendre;
-
-/// Hunter's coefficient as the thesis prints it in (3.2), an approximation for nu = 1/4.
-pub const PRINTED_COEFFICIENT: f64 = 1.04;
+use carom_special::quadrature::FixedRule;
+use carom_special::roots::bisect;
 
 /// Share of the energy above which the elastic outcome carries a warning.
 pub const NOTICEABLE: f64 = 0.01;
@@ -68,25 +64,23 @@ fn pulse_integral() -> f64 {
     1.8 * libm::tgamma(0.8) * libm::tgamma(1.5) / libm::tgamma(2.3)
 }
 
-static RULE: LazyLock<GaussLegendre> =
-    LazyLock::new(|| GaussLegendre::new(160).unwrap_or_else(|_| unreachable!("160 is an order")));
+static RULE: FixedRule<160> = FixedRule::fixed();
 
 // I: minus the imaginary part of int q a/R dq, a = sqrt(q^2 - h^2), b = sqrt(q^2 - 1),
 // R = (2 q^2 - 1)^2 - 4 q^2 a b, q in units of the shear wave number, h = c_T/c_L.
 fn radiation(poisson: f64) -> Result<f64, RangeError> {
     let h2 = (1.0 - 2.0 * poisson) / (2.0 * (1.0 - poisson));
     let h = h2.sqrt();
-    let rule = &*RULE;
     let right = 0.5 * std::f64::consts::PI;
     // q = h sin t and q^2 = h^2 + (1 - h^2) sin^2 t remove the roots at the ends.
-    let compressional = rule.integrate(0.0, right, |t| {
+    let compressional = RULE.integrate(0.0, right, |t| {
         let (sin, cos) = (libm::sin(t), libm::cos(t));
         let q2 = h2 * sin * sin;
         let a = h * cos;
         let square = (2.0 * q2 - 1.0) * (2.0 * q2 - 1.0);
         h * sin * a / (square + 4.0 * q2 * a * (1.0 - q2).sqrt()) * a
     });
-    let shear = rule.integrate(0.0, right, |t| {
+    let shear = RULE.integrate(0.0, right, |t| {
         let (sin, cos) = (libm::sin(t), libm::cos(t));
         let width = 1.0 - h2;
         let q2 = h2 + width * sin * sin;
@@ -105,11 +99,7 @@ fn rayleigh(h2: f64) -> f64 {
         (2.0 * p - 1.0) * (2.0 * p - 1.0) - 4.0 * p * root
     };
     // p = q^2 from 1, where R > 0, to 4/3 at nu = 0 and less beyond: bisection.
-    let (mut low, mut high) = (1.0, 1.5);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if function(middle) > 0.0 { low = middle } else { high = middle }
-    }
+    let [low, high] = bisect([1.0, 1.5], 60, |p| function(p) > 0.0);
     let p = 0.5 * (low + high);
     let (a, b) = ((p - h2).sqrt(), (p - 1.0).sqrt());
     // dR/dp; dR/dq = 2 q dR/dp

@@ -47,4 +47,8 @@ impl Staged for AnyLaw {
     }
 }
 
-impl ImpactLaw for AnyLaw {}
+impl ImpactLaw for AnyLaw {
+    fn rings(&self) -> Option<usize> {
+        each!(self, law => law.rings())
+    }
+}

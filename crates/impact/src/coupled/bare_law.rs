@@ -2,7 +2,7 @@
 
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
-use carom_laws::memory::{AdhesionMemory, Lateral, Memory, Regime};
+use carom_laws::memory::{AdhesionMemory, Lateral, Memory, MemoryRegime as Regime};
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 

@@ -102,6 +102,7 @@ mod tests {
             compressions: 1,
             steps: 1,
             rings: None,
+            work: 1,
         }
     }
 

@@ -22,9 +22,9 @@ use crate::outcome::{LogEntry, Warning};
 /// short of 1e-8 after 2^24 steps.
 const PLANAR: f64 = 1e-8;
 const SPATIAL: f64 = 5e-6;
-/// How far the line of anchors may be off, over the limit of traction: this over the square of the
-/// resolution.
-const OFF_LINE: f64 = 0.01;
+/// Force that the line of anchors may lose with one ring, over the greatest one: this over the cube
+/// of the resolution.
+const OFF_LINE: f64 = 0.6;
 
 /// Why a coupled impact cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -277,7 +277,7 @@ impl CoupledImpact {
         &self,
         make: impl Fn(usize) -> L,
     ) -> Result<CoupledOutcome, CoupledError<L::Error>> {
-        let settled = self.settled_with(|_, resolution| make(resolution))?;
+        let settled = self.settled_with(make)?;
         Ok(self.outcome_in(&settled, &Units::GIVEN))
     }
 
@@ -289,8 +289,7 @@ impl CoupledImpact {
         &self,
         make: impl Fn(usize) -> L,
     ) -> Result<(CoupledOutcome, Vec<LogEntry>), CoupledError<L::Error>> {
-        let make = |_: f64, resolution| make(resolution);
-        let settled = self.settled_with(make)?;
+        let settled = self.settled_with(&make)?;
         let mut log = Log::default();
         let view = View { units: Units::GIVEN, frame: Matrix3::identity() };
         self.replay(&settled, make, view, |sample| log.see(&sample, &self.velocity))?;
@@ -305,8 +304,7 @@ impl CoupledImpact {
         &self,
         make: impl Fn(usize) -> L,
     ) -> Result<Vec<Sample>, CoupledError<L::Error>> {
-        let make = |_: f64, resolution| make(resolution);
-        let settled = self.settled_with(make)?;
+        let settled = self.settled_with(&make)?;
         let view = View { units: Units::GIVEN, frame: Matrix3::identity() };
         self.samples(&settled, make, view)
     }
@@ -335,7 +333,7 @@ impl CoupledImpact {
             _ => {
                 let settled = self.settled(law)?;
                 let mut log = Log::default();
-                let make = |peak, rings| self.law(law, peak, rings);
+                let make = |rings| self.law(law, rings);
                 self.replay(&settled, make, self.view(), |sample| {
                     log.see(&sample, &self.velocity)
                 })?;
@@ -354,7 +352,7 @@ impl CoupledImpact {
             return self.traced(&direction);
         }
         let settled = self.settled(law)?;
-        self.samples(&settled, |peak, rings| self.law(law, peak, rings), self.view())
+        self.samples(&settled, |rings| self.law(law, rings), self.view())
     }
 }
 
@@ -404,7 +402,7 @@ impl CoupledImpact {
         let problem = self.problem();
         let apart = self.passage() == Passage::Spatial { coupled: false };
         let limits = Limits::new(&problem.mobility, self.friction, &problem.velocity, apart);
-        let make = |peak: f64, rings: usize| self.law(law, peak, rings);
+        let make = |rings| self.law(law, rings);
         let settled = problem
             .settle(self.tolerance(), make, |velocity| limits.hold(velocity))
             .map_err(|failure| self.failed(failure))?;
@@ -414,13 +412,12 @@ impl CoupledImpact {
     // With a law in the units of the data.
     fn settled_with<L: ImpactLaw>(
         &self,
-        make: impl Fn(f64, usize) -> L,
+        make: impl Fn(usize) -> L,
     ) -> Result<Settled, CoupledError<L::Error>> {
         let problem = Problem {
             mobility: *self.mobility.matrix(),
             velocity: self.velocity,
             stiffness: self.stiffness,
-            peak: self.normal.maximal_approach(),
             expected: self.is_mild().then(|| self.normal.duration()),
         };
         let settled = problem
@@ -445,7 +442,7 @@ impl CoupledImpact {
     fn replay<L: ImpactLaw + Staged>(
         &self,
         settled: &Settled,
-        make: impl Fn(f64, usize) -> L,
+        make: impl Fn(usize) -> L,
         view: View,
         mut observe: impl FnMut(Sample),
     ) -> Result<(), CoupledError<L::Error>> {
@@ -466,7 +463,7 @@ impl CoupledImpact {
     fn samples<L: ImpactLaw + Staged>(
         &self,
         settled: &Settled,
-        make: impl Fn(f64, usize) -> L,
+        make: impl Fn(usize) -> L,
         view: View,
     ) -> Result<Vec<Sample>, CoupledError<L::Error>> {
         let mut samples = Vec::new();
@@ -544,7 +541,7 @@ impl CoupledImpact {
         }
         let stiffness = self.scaled();
         let expected = self.is_mild().then_some(normal::DURATION);
-        Problem { mobility, velocity, stiffness, peak: 1.0, expected }
+        Problem { mobility, velocity, stiffness, expected }
     }
 
     // Whether it passes much like a free impact: friction hardly drives the normal motion, and the
@@ -571,7 +568,7 @@ impl CoupledImpact {
         ContactStiffness { c_x: c_x * unit, c_y: c_y * unit, c_z: 1.5 }
     }
 
-    fn law(&self, law: VectorLaw, peak: f64, rings: usize) -> AnyLaw {
+    fn law(&self, law: VectorLaw, rings: usize) -> AnyLaw {
         let (stiffness, friction) = (self.scaled(), self.friction);
         match (self.passage(), law) {
             (Passage::Planar { .. }, _) => {
@@ -579,10 +576,9 @@ impl CoupledImpact {
             }
             (_, VectorLaw::Coulomb) => {
                 let n = rings as f64;
-                let spacing = (peak * 1.0001).sqrt() / n;
-                let off = OFF_LINE / (n * n);
+                let off = OFF_LINE / (n * n * n);
                 // Without a limit every direction is on its own, and without friction none acts.
-                SlipLines::new(stiffness, friction.get(), spacing, off).map_or_else(
+                SlipLines::new(stiffness, friction.get(), off).map_or_else(
                     |_| AnyLaw::Plane(Box::new(BareLaw::new(stiffness, friction))),
                     |lines| AnyLaw::Lines(Box::new(lines)),
                 )

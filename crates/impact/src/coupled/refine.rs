@@ -13,27 +13,27 @@ const COARSEST: Level = Level { steps: 32, rings: 16 };
 /// Runs by the clock, which find duration and greatest approach, and those that count.
 const TIMED_SCOUT: Level = Level { steps: 16, rings: 8 };
 const TIMED: Series = Series { first: COARSEST, most: 1 << 22 };
-const CHOSEN: Series = Series { first: COARSEST, most: 1 << 24 };
+const CHOSEN: Series = Series { first: COARSEST, most: 1 << 25 };
 /// The first level at which an outcome may count.
 const LEAST: usize = 64;
-/// Work of a law of rings, counted by them, over that of a law without.
-const RINGED: usize = 1 << 9;
 
-/// Runs that double steps and rings, while the next run takes no more than so many steps.
+/// How many rings may be moved where a law without rings may take one step.
+const RINGED: usize = 4;
+
+/// Runs that double steps and rings, while the next one takes no more than so many steps.
 #[derive(Debug, Clone, Copy)]
 struct Series {
     first: Level,
     most: usize,
 }
 
-/// The initial value problem and a first guess of the greatest approach.
+/// The initial value problem.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Problem {
     pub(super) mobility: Matrix3<f64>,
     pub(super) velocity: Vector3<f64>,
     pub(super) stiffness: ContactStiffness,
-    pub(super) peak: f64,
-    /// And of the duration, where steps by the clock may do.
+    /// A first guess of the duration, where steps by the clock may do.
     pub(super) expected: Option<f64>,
 }
 
@@ -53,6 +53,8 @@ pub(super) struct Run {
     pub(super) steps: usize,
     /// The most rings of the law, if it has rings.
     pub(super) rings: Option<usize>,
+    /// Rings of all steps together, or steps of a law without.
+    pub(super) work: usize,
 }
 
 /// Where the runs lead, how far it may be off over |v_A|, and the finest level used.
@@ -78,19 +80,18 @@ impl Problem {
     /// Runs of twice as many steps and rings until their limit is sure to the tolerance times
     /// |v_A|, or further ones would take too long: then the best.
     ///
-    /// `make` gives a fresh law whose rings reach up to the approach given; `hold` moves the
-    /// velocity of a limit to where it may be.
+    /// `make` gives a fresh law of so many rings; `hold` moves the velocity of a limit to where it
+    /// may be.
     pub(super) fn settle<L: ImpactLaw>(
         &self,
         tolerance: f64,
-        make: impl Fn(f64, usize) -> L,
+        make: impl Fn(usize) -> L,
         hold: impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Settled, Failure<L::Error>> {
         if let Some(settled) = self.timed(tolerance, &make, &hold)? {
             return Ok(settled);
         }
-        let mut problem = Self { expected: None, ..*self };
-        problem = problem.scouted(&problem.run(COARSEST, &make, |_, _| ())?);
+        let problem = Self { expected: None, ..*self };
         problem.refined(&CHOSEN, tolerance, &make, &hold)
     }
 
@@ -98,7 +99,7 @@ impl Problem {
     fn timed<L: ImpactLaw>(
         &self,
         tolerance: f64,
-        make: &impl Fn(f64, usize) -> L,
+        make: &impl Fn(usize) -> L,
         hold: &impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Option<Settled>, Failure<L::Error>> {
         if self.expected.is_none() {
@@ -122,7 +123,7 @@ impl Problem {
         &self,
         series: &Series,
         tolerance: f64,
-        make: &impl Fn(f64, usize) -> L,
+        make: &impl Fn(usize) -> L,
         hold: &impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Settled, Failure<L::Error>> {
         let scale = self.velocity.norm();
@@ -138,7 +139,7 @@ impl Problem {
             let error = table.error().max((held - run.velocity).norm()) / scale;
             run.velocity = held;
             let settled = error <= tolerance && held.z < 0.0 && level.steps >= LEAST;
-            if settled || table.finest().work() > series.most / 2 {
+            if settled || table.finest().next() > series.most {
                 return Ok(Settled { run, error, level, problem, settled });
             }
         }
@@ -147,7 +148,7 @@ impl Problem {
     /// The finest run again, with what it led to as a guess, seen by `observe`.
     pub(super) fn replay<L: ImpactLaw>(
         settled: &Settled,
-        make: impl Fn(f64, usize) -> L,
+        make: impl Fn(usize) -> L,
         observe: impl FnMut(&Point, &L),
     ) -> Result<Run, Failure<L::Error>> {
         settled.problem.scouted(&settled.run).run(settled.level, &make, observe)
@@ -155,18 +156,19 @@ impl Problem {
 
     fn scouted(&self, run: &Run) -> Self {
         let expected = self.expected.map(|_| run.duration);
-        Self { peak: run.peak, expected, ..*self }
+        Self { expected, ..*self }
     }
 
     fn run<L: ImpactLaw>(
         &self,
         level: Level,
-        make: &impl Fn(f64, usize) -> L,
+        make: &impl Fn(usize) -> L,
         mut observe: impl FnMut(&Point, &L),
     ) -> Result<Run, Failure<L::Error>> {
-        let mut law = make(self.peak, level.rings);
+        let mut law = make(level.rings);
         let mut peaks = Peaks::default();
         let mut rings = law.rings();
+        let mut work: usize = 0;
         let course = Course {
             mobility: self.mobility,
             velocity: self.velocity,
@@ -177,7 +179,9 @@ impl Problem {
         let end = course
             .follow(&mut law, |point, law| {
                 peaks.see(point);
-                rings = rings.max(law.rings());
+                let moved = law.rings();
+                rings = rings.max(moved);
+                work = work.saturating_add(moved.map_or(1, |count| count.max(1)));
                 observe(point, law);
             })
             .map_err(Failure::Law)?
@@ -189,6 +193,7 @@ impl Problem {
             compressions: peaks.compressions,
             steps: peaks.steps,
             rings,
+            work,
         })
     }
 }
@@ -200,9 +205,10 @@ impl Level {
 }
 
 impl Run {
-    // In steps of a law without rings.
-    fn work(&self) -> usize {
-        self.rings.map_or(self.steps, |rings| self.steps.saturating_mul(rings) / RINGED)
+    // The work of a run of twice as many steps, and of twice as many rings if there are, in steps of a
+    // law without.
+    fn next(&self) -> usize {
+        self.rings.map_or(2 * self.work, |_| self.work.saturating_mul(4) / RINGED)
     }
 
     /// Extrapolated from a run of half as many steps, whose error is this much + 1 times as large.
@@ -215,6 +221,7 @@ impl Run {
             compressions: self.compressions,
             steps: self.steps,
             rings: self.rings,
+            work: self.work,
         }
     }
 }
@@ -261,7 +268,6 @@ mod tests {
                 * Matrix3::new(tangential, 0.0, coupling, 0.0, 1.0, 0.0, coupling, 0.0, 1.0),
             velocity: Vector3::new(slip, 0.0, 1.0),
             stiffness: ContactStiffness { c_x: 1.2, c_y: 1.2, c_z: 1.5 },
-            peak: 1.0,
             expected: Some(normal::DURATION),
         }
     }
@@ -274,7 +280,7 @@ mod tests {
                 for slip in [-2.0, -0.1, 0.6, 5.0] {
                     let problem = planar(tangential, coupling, slip);
                     let settle = |problem: Problem| {
-                        let make = |_, _| BareLaw::<f64>::new(problem.stiffness, friction);
+                        let make = |_| BareLaw::<f64>::new(problem.stiffness, friction);
                         problem.settle(1e-8, make, |velocity| *velocity).expect("separates")
                     };
                     let clock = settle(problem);

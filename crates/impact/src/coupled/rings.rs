@@ -12,7 +12,7 @@ use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use super::turning::{inverse_mean, onset, turned};
+use super::turning::{Pull, inverse_mean, onset, turned};
 
 /// The vector law of Coulomb friction on rings at equal distances.
 ///
@@ -526,7 +526,8 @@ impl Step {
             [self.pull[0] / pull, self.pull[1] / pull]
         };
         let length = (1.0 - onset) * inverse_mean(start + onset * growth, bound);
-        let turned = turned(direction, length, self.stiffness, self.pull, growth);
+        let pull = Pull { stiffness: self.stiffness, by: self.pull, growth };
+        let turned = turned(direction, length, &pull, 1e-6);
         ring.traction = [bound * turned[0], bound * turned[1]];
     }
 }

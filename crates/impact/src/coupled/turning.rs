@@ -3,41 +3,114 @@
 /// The direction e of a traction at its limit after the slip of a straight step: it turns towards that of
 /// steady sliding (8.58), with the springs' pull `by` and the limit's `growth` over the step,
 /// `dtheta/dq = (c_x e_x by_y - c_y e_y by_x + (c_y - c_x) e_x e_y growth)/(e.C e)`, dq = ds/L up to
-/// `length`. Exponential steps of second order neither ring nor overshoot at the rim, where L is small.
-pub(super) fn turned(
-    mut e: [f64; 2],
-    length: f64,
-    stiffness: [f64; 2],
-    by: [f64; 2],
-    growth: f64,
-) -> [f64; 2] {
-    const LARGEST: f64 = 0.15;
-    const MAX_TURNS: usize = 200;
-    let [c_x, c_y] = stiffness;
-    let [x, y] = by;
-    let mut left = length;
+/// `length`. Exponential steps neither ring nor overshoot at the rim, where L is small; a ring may
+/// cross the whole of a thin slip ring within one step of the contact, so that they are of third or
+/// fourth order, and each is about as `accurate` as this, in radians.
+pub(super) fn turned(e: [f64; 2], length: f64, pull: &Pull, accurate: f64) -> [f64; 2] {
+    const MAX_TURNS: usize = 400;
+    let (mut e, mut left) = (e, length);
     for _ in 0..MAX_TURNS {
-        let [cos, sin] = e;
-        let skew = c_y - c_x;
-        let along = c_x * cos * cos + c_y * sin * sin;
-        let rate = (c_x * cos * y - c_y * sin * x + skew * cos * sin * growth) / along;
-        let slope = (skew * (cos * cos - sin * sin) * growth
-            - (c_y * cos * x + c_x * sin * y)
-            - 2.0 * rate * skew * cos * sin)
-            / along;
-        let mut part = if slope * left > 1.0 { 1.0 / slope } else { left };
-        let mut angle = rate * part * growth_mean(slope * part);
-        if angle.abs() > LARGEST {
-            part = part.min(LARGEST / rate.abs());
-            angle = rate * part * growth_mean(slope * part);
-        }
-        e = rotated(e, angle.clamp(-2.0 * LARGEST, 2.0 * LARGEST));
+        let (angle, part) = pull.turn(e, left, accurate);
+        e = rotated(e, angle);
         left -= part;
         if left <= 0.0 {
             break;
         }
     }
     e
+}
+
+/// What turns a traction at its limit.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Pull {
+    pub(super) stiffness: [f64; 2],
+    pub(super) by: [f64; 2],
+    pub(super) growth: f64,
+}
+
+impl Pull {
+    // dtheta/dq and its slope over theta.
+    fn rate(&self, [cos, sin]: [f64; 2]) -> (f64, f64) {
+        let ([c_x, c_y], [x, y]) = (self.stiffness, self.by);
+        let skew = c_y - c_x;
+        let along = 1.0 / (c_x * cos * cos + c_y * sin * sin);
+        let rate = (c_x * cos * y - c_y * sin * x + skew * cos * sin * self.growth) * along;
+        let slope = (skew * (cos * cos - sin * sin) * self.growth
+            - (c_y * cos * x + c_x * sin * y)
+            - 2.0 * rate * skew * cos * sin)
+            * along;
+        (rate, slope)
+    }
+
+    // One step of at most this length: the angle, and how far it went. Exponential Rosenbrock methods
+    // (Hochbruck and Ostermann 2010): exprb32 where its correction is small, else exprb43.
+    fn turn(&self, e: [f64; 2], left: f64, accurate: f64) -> (f64, f64) {
+        const LARGEST: f64 = 0.3;
+        // Farther from where it ends a stiff step is too coarse.
+        const NEAR: f64 = 1e-3;
+        let (rate, slope) = self.rate(e);
+        let stiff = slope.abs() * left;
+        let near = slope < 0.0 && rate.abs() < NEAR * slope.abs();
+        let mut h = match slope > 0.0 {
+            true if stiff > 1.0 => 1.0 / slope,
+            false if stiff > 2.0 && !near => -2.0 / slope,
+            _ => left,
+        };
+        loop {
+            let whole = Means::of(slope * h);
+            let first = h * whole.one * rate;
+            if first.abs() > LARGEST {
+                h *= (0.9 * LARGEST / first.abs()).max(0.1);
+                continue;
+            }
+            let more = |angle: f64| h * (self.rate(rotated(e, angle)).0 - rate - slope * angle);
+            let correction = 2.0 * whole.three * more(first);
+            if correction.abs() <= accurate {
+                return (first + correction, h);
+            }
+            let half = Means::of(0.5 * slope * h);
+            let d_2 = more((0.5 * h * half.one * rate).clamp(-LARGEST, LARGEST));
+            let d_3 = more((first + whole.one * d_2).clamp(-LARGEST, LARGEST));
+            let correction = whole.four * (12.0 * d_3 - 48.0 * d_2);
+            if correction.abs() > 10.0 * accurate {
+                h *= 0.5;
+                continue;
+            }
+            let angle = first + whole.three * (16.0 * d_2 - 2.0 * d_3) + correction;
+            return (angle.clamp(-LARGEST, LARGEST), h);
+        }
+    }
+}
+
+/// phi_1, phi_3 and phi_4, `phi_k(z) = z phi_(k+1)(z) + 1/k!`, phi_0 = exp.
+struct Means {
+    one: f64,
+    three: f64,
+    four: f64,
+}
+
+impl Means {
+    fn of(z: f64) -> Self {
+        if z.abs() > 0.5 {
+            let one = libm::expm1(z) / z;
+            let three = ((one - 1.0) / z - 0.5) / z;
+            return Self { one, three, four: (three - 1.0 / 6.0) / z };
+        }
+        // Sum of z^k/(k + 4)!.
+        const TERMS: [f64; 8] = [
+            1.0 / 24.0,
+            1.0 / 120.0,
+            1.0 / 720.0,
+            1.0 / 5040.0,
+            1.0 / 40320.0,
+            1.0 / 362_880.0,
+            1.0 / 3_628_800.0,
+            1.0 / 39_916_800.0,
+        ];
+        let four = TERMS.iter().rev().fold(0.0, |sum, term| sum * z + term);
+        let three = z * four + 1.0 / 6.0;
+        Self { one: z * (z * three + 0.5) + 1.0, three, four }
+    }
 }
 
 /// The part of the step after which a traction meets its limit: |u + s by| = start + s growth.
@@ -64,14 +137,6 @@ pub(super) fn inverse_mean(low: f64, high: f64) -> f64 {
     let square = u * u;
     let series = 1.0 / 5.0 + square * (1.0 / 7.0 + square / 9.0);
     2.0 / sum * (1.0 + square * (1.0 / 3.0 + square * series))
-}
-
-// (exp(x) - 1)/x.
-fn growth_mean(x: f64) -> f64 {
-    if x.abs() > 0.05 {
-        return libm::expm1(x) / x;
-    }
-    1.0 + x * (0.5 + x * (1.0 / 6.0 + x * (1.0 / 24.0 + x * (1.0 / 120.0 + x / 720.0))))
 }
 
 // By an angle of at most 0.3, through the tangent of its half.

@@ -1,9 +1,9 @@
 //! The oblique impact as a value: its restitution and its phases.
 
-use super::engine::Walk;
 use super::groups::Groups;
+use super::recorder::{Recorder, Silent};
 use super::regime::{Event, ObliqueError, Phase, Regime};
-use super::trace::{Recorder, Silent};
+use super::trajectory::Trajectory;
 use crate::closed_form;
 
 /// Below this psi nothing distinguishes the impact from one without slip.
@@ -29,7 +29,7 @@ impl ObliqueImpact {
     /// Follow the impact with these groups.
     ///
     /// # Errors
-    /// [`ObliqueError`] if the walk does not reach separation: not seen in two million random cases
+    /// [`ObliqueError`] if separation is not reached: not seen in two million random cases
     /// with chi in [0.01, 100] and psi in [1e-6, 1000].
     pub fn new(groups: Groups) -> Result<Self, ObliqueError> {
         if groups.psi() < PSI_MIN {
@@ -44,10 +44,10 @@ impl ObliqueImpact {
         groups: Groups,
         recorder: &mut R,
     ) -> Result<Self, ObliqueError> {
-        let mut walk = Walk::new(groups, recorder);
+        let mut trajectory = Trajectory::new(groups, recorder);
         // Energy never grows: the bound holds exactly, whatever the integration rounds to.
-        let restitution = (0.0 - walk.run()?).clamp(-1.0, 1.0);
-        Ok(Self { groups, restitution, phases: walk.phases })
+        let restitution = (0.0 - trajectory.run()?).clamp(-1.0, 1.0);
+        Ok(Self { groups, restitution, phases: trajectory.phases })
     }
 
     /// The groups it was made with.

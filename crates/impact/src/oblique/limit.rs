@@ -1,8 +1,8 @@
 //! Where adhesion reaches its limit |u| = w, with u in units of zeta'_A.
 
 use super::adhesion::Segment;
-use super::journey::GRAZE;
 use super::place::Place;
+use super::slip_integration::GRAZE;
 
 /// The limit of adhesion for one impact.
 #[derive(Debug, Clone, Copy)]

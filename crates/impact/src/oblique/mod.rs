@@ -5,17 +5,19 @@
 //! Spheres: chi = 7/(2 kappa), psi = lambda/kappa.
 
 mod adhesion;
-mod engine;
 mod groups;
 mod impact;
-mod journey;
 mod limit;
 mod memory;
 mod onset;
 mod place;
+mod recorder;
 mod regime;
 mod slip;
+mod slip_integration;
+mod state;
 mod trace;
+mod trajectory;
 
 pub use groups::Groups;
 pub use impact::ObliqueImpact;

@@ -1,4 +1,4 @@
-//! Regimes, the events between them, and why a walk through them may fail.
+//! Regimes, the events between them, and why an impact may not be followed through them.
 
 use carom_special::ode::OdeError;
 

@@ -147,19 +147,19 @@ impl<'a> Slip<'a> {
 
     // q^2 = M + E and H at the stick place, with L where the memory is adhesive.
     #[inline(always)]
-    fn memory(&self, stick: &Place, rest: f64) -> Course {
+    fn memory(&self, stick: &Place, rest: f64) -> FirstIntegral {
         let more = 1.0 + stick.radius;
         match &self.stretch.shape {
             Shape::Adhesion(segment) => {
                 let lag = self.psi * segment.nearly_velocity(stick) - self.sign * stick.w;
                 let slip = self.sign * (lag * lag + self.unit * rest).sqrt();
                 let per_lag = -2.0 * stick.radius * more * more / stick.omega;
-                Course { slip, steep: per_lag * lag, lag, per_lag }
+                FirstIntegral { slip, steep: per_lag * lag, lag, per_lag }
             }
             Shape::Slip(frozen) => {
                 let square = self.stored_square(frozen, stick) + self.unit * rest;
                 let slip = self.sign * square.sqrt();
-                Course { slip, steep: self.steep(stick), lag: 0.0, per_lag: 0.0 }
+                FirstIntegral { slip, steep: self.steep(stick), lag: 0.0, per_lag: 0.0 }
             }
         }
     }
@@ -197,7 +197,7 @@ impl<'a> Slip<'a> {
         let stick = Place::at(tau);
         let now = Place::at(self.unit * gap - tau);
         let rest = rest * self.square;
-        let Course { slip, steep, lag, .. } = self.memory(&stick, rest);
+        let FirstIntegral { slip, steep, lag, .. } = self.memory(&stick, rest);
         let difference = Difference::new(&now, &stick);
         let radii = half_radii(&now, &stick) * gap; // (a - a*)/unit
         let rest_rate = -2.5 * self.sign * (self.chi - 1.0) / self.square
@@ -221,7 +221,7 @@ impl<'a> Slip<'a> {
     fn along_release(&self, tau: f64, ring: f64, rest: f64) -> Unknowns {
         let stick = Place::at(tau);
         let rest = rest * self.square;
-        let Course { slip, steep, lag, per_lag } = self.memory(&stick, rest);
+        let FirstIntegral { slip, steep, lag, per_lag } = self.memory(&stick, rest);
         let (zeta, depth) = (stick.zeta() + self.unit * ring, stick.zeta());
         let radius = zeta.max(0.0).sqrt();
         let (squares, product) = (zeta + depth, radius * stick.radius);
@@ -303,7 +303,7 @@ impl<'a> Slip<'a> {
         let stick = Place::at(stick);
         let now = Place::at(self.unit * gap - stick.tau);
         let rest = rest * self.square;
-        let Course { slip, lag, .. } = self.memory(&stick, rest);
+        let FirstIntegral { slip, lag, .. } = self.memory(&stick, rest);
         let pair = Pair { now, stick, gap, slip_velocity: slip, velocity: 0.0 };
         let velocity = match &self.stretch.shape {
             Shape::Adhesion(segment) => {
@@ -373,7 +373,7 @@ fn release_tau(radius: f64) -> f64 {
     -((1.0 - radius).max(0.0) / (1.0 + radius)).sqrt()
 }
 
-struct Course {
+struct FirstIntegral {
     slip: f64,
     steep: f64,
     lag: f64,

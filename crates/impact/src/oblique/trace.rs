@@ -1,16 +1,18 @@
-//! The course of an oblique impact at chosen instants.
+//! The states of an oblique impact at chosen instants.
 
 use carom_special::ode::{Stepper, Tolerance};
+use carom_special::roots::bisect;
 
 use super::adhesion::Segment;
-use super::engine::State;
 use super::groups::Groups;
 use super::impact::{ObliqueImpact, PSI_MIN};
 use super::memory::Shape;
 use super::onset::{Opened, Opening};
 use super::place::Place;
+use super::recorder::Recorder;
 use super::regime::{ObliqueError, Regime};
 use super::slip::{Clock, Pair, Slip, Unknowns};
+use super::state::State;
 use crate::normal::time;
 
 /// Stands for psi = 0 where a history is wanted: it differs from the limit by less than this.
@@ -64,50 +66,6 @@ impl ObliqueImpact {
         }
         Ok(recorder.points)
     }
-}
-
-/// Watches the walk.
-pub(super) trait Recorder {
-    /// Adhesion moves from `state` to the velocity `w` on `segment`; keeps `state.shift` up to date.
-    fn adhesion(&mut self, chi: f64, psi: f64, segment: &Segment, state: &mut State, w: f64);
-    /// The whole release retraces the adhesive loading on `segment`, from maximal compression.
-    fn retrace(&mut self, chi: f64, segment: &Segment, state: &State);
-    /// The first moments of partial slip.
-    fn onset(&mut self, slip: &Slip<'_>, opening: &Opening);
-    /// An accepted step of partial slip.
-    fn slip<F: FnMut(f64, &Unknowns) -> Unknowns>(
-        &mut self,
-        slip: &Slip<'_>,
-        clock: Clock,
-        walk: &mut Stepper<2, F>,
-    );
-    /// The shift in partial slip.
-    fn shift(&self, slip: &Slip<'_>, pair: &Pair) -> f64;
-    /// Separation in `state` at the end of `regime`.
-    fn separation(&mut self, state: &State, regime: Regime);
-    /// Sliding from `state` to the velocity `w`; keeps `state.shift` up to date.
-    fn slide(&mut self, chi: f64, psi: f64, sign: f64, state: &mut State, w: f64);
-}
-
-/// Records nothing.
-pub(super) struct Silent;
-
-impl Recorder for Silent {
-    fn adhesion(&mut self, _: f64, _: f64, _: &Segment, _: &mut State, _: f64) {}
-    fn retrace(&mut self, _: f64, _: &Segment, _: &State) {}
-    fn onset(&mut self, _: &Slip<'_>, _: &Opening) {}
-    fn slip<F: FnMut(f64, &Unknowns) -> Unknowns>(
-        &mut self,
-        _: &Slip<'_>,
-        _: Clock,
-        _: &mut Stepper<2, F>,
-    ) {
-    }
-    fn shift(&self, _: &Slip<'_>, _: &Pair) -> f64 {
-        0.0
-    }
-    fn separation(&mut self, _: &State, _: Regime) {}
-    fn slide(&mut self, _: f64, _: f64, _: f64, _: &mut State, _: f64) {}
 }
 
 struct Trace<'a> {
@@ -192,13 +150,13 @@ impl Recorder for Trace<'_> {
         &mut self,
         slip: &Slip<'_>,
         clock: Clock,
-        walk: &mut Stepper<2, F>,
+        stepper: &mut Stepper<2, F>,
     ) {
-        let end = slip.at(clock, walk.x(), walk.y()).now.w;
+        let end = slip.at(clock, stepper.x(), stepper.y()).now.w;
         if self.targets.first().is_none_or(|&target| target < end) {
             return;
         }
-        let dense = walk.dense();
+        let dense = stepper.dense();
         while let Some(target) = self.next(end) {
             let velocity = |x: f64| slip.at(clock, x, &dense.at(x)).now.w;
             let x = reading(velocity, [dense.start(), dense.end()], target);
@@ -260,15 +218,8 @@ impl Recorder for Trace<'_> {
 }
 
 // The reading within a range at which the normal velocity is `w`: bisection.
-fn reading(velocity: impl Fn(f64) -> f64, [mut early, mut late]: [f64; 2], w: f64) -> f64 {
-    for _ in 0..60 {
-        let middle = 0.5 * (early + late);
-        if velocity(middle) > w {
-            early = middle;
-        } else {
-            late = middle;
-        }
-    }
+fn reading(velocity: impl Fn(f64) -> f64, range: [f64; 2], w: f64) -> f64 {
+    let [early, late] = bisect(range, 60, |x| velocity(x) > w);
     0.5 * (early + late)
 }
 
@@ -287,13 +238,13 @@ fn integrate(from: f64, to: f64, slope: impl FnMut(f64, &[f64; 1]) -> [f64; 1]) 
     if from == to {
         return 0.0;
     }
-    let Ok(mut walk) = Stepper::new(from, [0.0], to - from, TOLERANCE, slope) else {
+    let Ok(mut stepper) = Stepper::new(from, [0.0], to - from, TOLERANCE, slope) else {
         return f64::NAN;
     };
-    while walk.x() != to {
-        if walk.step(to).is_err() {
+    while stepper.x() != to {
+        if stepper.step(to).is_err() {
             break;
         }
     }
-    walk.y()[0]
+    stepper.y()[0]
 }

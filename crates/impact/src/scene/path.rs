@@ -1,6 +1,7 @@
-//! What a scene leaves behind: legs of flight, bounces and the end.
+//! What a scene leaves behind: flights, bounces and the end.
 
 use carom_special::RangeError;
+use carom_table::Column;
 use nalgebra::Vector3;
 
 use super::flight::Flight;
@@ -55,29 +56,16 @@ impl Limits {
 
 /// A flight from a start or a bounce to the next event.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Leg {
+pub(super) struct TimedFlight {
     pub(super) start: f64,
     pub(super) duration: f64,
     pub(super) flight: Flight,
     pub(super) spin: Vector3<f64>,
 }
 
-impl Leg {
-    /// When it starts.
-    #[must_use]
-    pub const fn start(&self) -> f64 {
-        self.start
-    }
-
-    /// How long it takes.
-    #[must_use]
-    pub const fn duration(&self) -> f64 {
-        self.duration
-    }
-
-    /// The ball at `time` after the start of the leg.
-    #[must_use]
-    pub fn after(&self, time: f64) -> PathPoint {
+impl TimedFlight {
+    /// The ball at `time` after the start.
+    pub(super) fn after(&self, time: f64) -> PathPoint {
         let velocity = self.flight.velocity_after(time);
         PathPoint {
             time: self.start + time,
@@ -117,6 +105,39 @@ pub struct Bounce {
     pub rebound: Rebound,
 }
 
+impl Bounce {
+    /// When, where and how the ball moves; what came of the impact is in
+    /// [`Rebound::COLUMNS`].
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("time", "s", "since the start", |bounce| bounce.time.into()),
+        Column::vector("position", "m", "of the centre", |bounce| {
+            <[f64; 3]>::from(bounce.position).into()
+        }),
+        Column::vector("velocity_before", "m/s", "of the centre", |bounce| {
+            <[f64; 3]>::from(bounce.before.velocity).into()
+        }),
+        Column::vector("spin_before", "rad/s", "", |b| <[f64; 3]>::from(b.before.spin).into()),
+        Column::vector("velocity", "m/s", "of the centre afterwards", |bounce| {
+            <[f64; 3]>::from(bounce.after.velocity).into()
+        }),
+        Column::vector("spin", "rad/s", "afterwards", |b| <[f64; 3]>::from(b.after.spin).into()),
+    ];
+}
+
+impl PathPoint {
+    /// When, where and how.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("time", "s", "since the start", |point| point.time.into()),
+        Column::vector("position", "m", "of the centre", |point| {
+            <[f64; 3]>::from(point.position).into()
+        }),
+        Column::vector("velocity", "m/s", "of the centre", |point| {
+            <[f64; 3]>::from(point.motion.velocity).into()
+        }),
+        Column::vector("spin", "rad/s", "", |point| <[f64; 3]>::from(point.motion.spin).into()),
+    ];
+}
+
 /// Why a path ends.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Ending {
@@ -139,19 +160,13 @@ pub enum Ending {
 /// The path of the ball.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
-    pub(super) legs: Vec<Leg>,
+    pub(super) flights: Vec<TimedFlight>,
     pub(super) bounces: Vec<Bounce>,
     pub(super) ending: Ending,
     pub(super) last: PathPoint,
 }
 
 impl Path {
-    /// The flights in order, one more than bounces or as many.
-    #[must_use]
-    pub fn legs(&self) -> &[Leg] {
-        &self.legs
-    }
-
     /// The bounces in order.
     #[must_use]
     pub fn bounces(&self) -> &[Bounce] {
@@ -170,7 +185,7 @@ impl Path {
         self.last
     }
 
-    /// The ball at `count` instants of every leg, equally spaced in time, both ends included: at
+    /// The ball at `count` instants of every flight, equally spaced in time, both ends included: at
     /// a bounce one point before and one after it.
     ///
     /// # Errors
@@ -178,10 +193,10 @@ impl Path {
     pub fn points(&self, count: usize) -> Result<Vec<PathPoint>, RangeError> {
         RangeError::check("points", count as f64, count >= 2, ">= 2")?;
         let last = (count - 1) as f64;
-        let of = |leg: &Leg| {
-            let leg = *leg;
-            (0..count).map(move |i| leg.after(leg.duration * (i as f64 / last)))
+        let of = |flight: &TimedFlight| {
+            let flight = *flight;
+            (0..count).map(move |i| flight.after(flight.duration * (i as f64 / last)))
         };
-        Ok(self.legs.iter().flat_map(of).collect())
+        Ok(self.flights.iter().flat_map(of).collect())
     }
 }

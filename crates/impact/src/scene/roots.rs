@@ -1,5 +1,7 @@
 //! Where a polynomial of degree four or less falls through zero.
 
+use carom_special::roots::{ALL_DIGITS, bisect};
+
 /// Calls `visit` with every place in `[0, end]`, in order, at which the polynomial with these
 /// coefficients (by rising powers) falls from positive to negative.
 pub(super) fn falls(coefficients: &[f64; 5], end: f64, mut visit: impl FnMut(f64)) {
@@ -9,7 +11,7 @@ pub(super) fn falls(coefficients: &[f64; 5], end: f64, mut visit: impl FnMut(f64
     for &high in breaks[..count].iter().chain(&[end]) {
         let at_high = evaluate(coefficients, high);
         if at_low > 0.0 && at_high <= 0.0 {
-            visit(bisect(coefficients, low, high));
+            visit(change(coefficients, low, high));
         }
         (low, at_low) = (high, at_high);
     }
@@ -40,7 +42,7 @@ fn crossings(coefficients: &[f64; 5], degree: usize, end: f64) -> ([f64; 3], usi
     for &high in breaks[..break_count].iter().chain(&[end]) {
         let (at_low, at_high) = (evaluate(coefficients, low), evaluate(coefficients, high));
         if (at_low > 0.0) != (at_high > 0.0) && count < degree {
-            found[count] = bisect(coefficients, low, high);
+            found[count] = change(coefficients, low, high);
             count += 1;
         }
         low = high;
@@ -50,19 +52,11 @@ fn crossings(coefficients: &[f64; 5], degree: usize, end: f64) -> ([f64; 3], usi
 
 /// The last number before the change of sign in `[low, high]`: a distance there has not yet
 /// fallen below its bound.
-fn bisect(coefficients: &[f64; 5], mut low: f64, mut high: f64) -> f64 {
+fn change(coefficients: &[f64; 5], low: f64, high: f64) -> f64 {
     let positive = evaluate(coefficients, low) > 0.0;
-    loop {
-        let middle = 0.5 * (low + high);
-        if middle <= low || middle >= high {
-            return low;
-        }
-        if (evaluate(coefficients, middle) > 0.0) == positive {
-            low = middle;
-        } else {
-            high = middle;
-        }
-    }
+    let [before, _] =
+        bisect([low, high], ALL_DIGITS, |x| (evaluate(coefficients, x) > 0.0) == positive);
+    before
 }
 
 fn evaluate(coefficients: &[f64; 5], x: f64) -> f64 {

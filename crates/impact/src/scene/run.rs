@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::ball::Ball;
 use super::error::SceneError;
 use super::flight::Flight;
-use super::path::{Bounce, Ending, Leg, Limits, Path, PathPoint};
+use super::path::{Bounce, Ending, Limits, Path, PathPoint, TimedFlight};
 use super::wall::{Meeting, Wall};
 use crate::body::Body;
 use crate::collision::Collision;
@@ -112,7 +112,7 @@ struct Run<'a> {
     radius: f64,
     limits: Limits,
     now: PathPoint,
-    legs: Vec<Leg>,
+    flights: Vec<TimedFlight>,
     bounces: Vec<Bounce>,
 }
 
@@ -125,7 +125,7 @@ impl<'a> Run<'a> {
             radius: ball.radius(),
             limits,
             now: PathPoint { time: 0.0, position: ball.position(), motion },
-            legs: Vec::new(),
+            flights: Vec::new(),
             bounces: Vec::new(),
         }
     }
@@ -136,7 +136,7 @@ impl<'a> Run<'a> {
                 break ending;
             }
         };
-        Ok(Path { legs: self.legs, bounces: self.bounces, ending, last: self.now })
+        Ok(Path { flights: self.flights, bounces: self.bounces, ending, last: self.now })
     }
 
     /// To the next event; the ending if it is the last.
@@ -181,11 +181,11 @@ impl<'a> Run<'a> {
 
     fn fly(&mut self, duration: f64) -> Result<(), SceneError> {
         let (start, spin) = (self.now.time, self.now.motion.spin);
-        let leg = Leg { start, duration, flight: self.flight(), spin };
-        let next = leg.after(duration);
+        let flight = TimedFlight { start, duration, flight: self.flight(), spin };
+        let next = flight.after(duration);
         RangeError::finite("position", next.position.sum())?;
         RangeError::finite("velocity", next.motion.velocity.sum())?;
-        self.legs.push(leg);
+        self.flights.push(flight);
         self.now = next;
         Ok(())
     }

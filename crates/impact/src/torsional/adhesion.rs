@@ -4,10 +4,10 @@
 //! keep the right-hand side analytic: the radius al = sqrt(zeta) up to `SWITCH_RADIUS`, from there
 //! the normal velocity w.
 
-use carom_special::ode::{DenseStep, OdeError, Stepper, Tolerance};
+use carom_special::ode::{DenseStep, Stepper, Tolerance};
 use carom_special::roots::{self, Bracket};
 
-use super::impact::TorsionalError;
+use super::error::TorsionalError;
 
 /// The normal velocity at which the argument changes, and the contact radius there.
 pub(super) const SWITCH_VELOCITY: f64 = 0.7;
@@ -65,25 +65,25 @@ impl Adhesion {
             onset_velocity: 0.0,
             at_onset: Turn::from(start),
         };
-        let mut walk = Stepper::new(0.0, start, LONGEST, TOLERANCE, |al, y: &[f64; 3]| {
+        let mut stepper = Stepper::new(0.0, start, LONGEST, TOLERANCE, |al, y: &[f64; 3]| {
             Self::slope_by_radius(epsilon, al, y)
         })?;
-        while walk.x() < SWITCH_RADIUS {
-            walk.step((walk.x() + LONGEST).min(SWITCH_RADIUS))?;
-            course.by_radius.push(walk.dense());
-            if course.slips(walk.x(), velocity_at(walk.x()), walk.y()) {
+        while stepper.x() < SWITCH_RADIUS {
+            stepper.step((stepper.x() + LONGEST).min(SWITCH_RADIUS))?;
+            course.by_radius.push(stepper.dense());
+            if course.slips(stepper.x(), velocity_at(stepper.x()), stepper.y()) {
                 course.find_onset_by_radius()?;
                 return Ok(course);
             }
         }
-        let state = *walk.y();
+        let state = *stepper.y();
         let slope = |w: f64, y: &[f64; 3]| Self::slope_by_velocity(epsilon, w, y);
-        let mut walk = Stepper::new(SWITCH_VELOCITY, state, LONGEST, TOLERANCE, slope)?;
-        while walk.x() > 0.0 {
-            walk.step((walk.x() - LONGEST).max(0.0))?;
-            course.by_velocity.push(walk.dense());
-            let w = walk.x();
-            if omega > 0.0 && w > 0.0 && course.slips(radius_at(w), w, walk.y()) {
+        let mut stepper = Stepper::new(SWITCH_VELOCITY, state, LONGEST, TOLERANCE, slope)?;
+        while stepper.x() > 0.0 {
+            stepper.step((stepper.x() - LONGEST).max(0.0))?;
+            course.by_velocity.push(stepper.dense());
+            let w = stepper.x();
+            if omega > 0.0 && w > 0.0 && course.slips(radius_at(w), w, stepper.y()) {
                 break;
             }
         }
@@ -192,16 +192,6 @@ pub(super) fn radius_at(w: f64) -> f64 {
 }
 
 /// The spin at maximal compression over the initial one, y_1, without any slip.
-pub(super) fn spin_at_maximum(epsilon: f64) -> Result<f64, OdeError> {
-    let slope = |al: f64, y: &[f64; 3]| Adhesion::slope_by_radius(epsilon, al, y);
-    let mut walk = Stepper::new(0.0, [0.0; 3], LONGEST, TOLERANCE, slope)?;
-    while walk.x() < SWITCH_RADIUS {
-        walk.step(SWITCH_RADIUS)?;
-    }
-    let slope = |w: f64, y: &[f64; 3]| Adhesion::slope_by_velocity(epsilon, w, y);
-    let mut walk = Stepper::new(SWITCH_VELOCITY, *walk.y(), LONGEST, TOLERANCE, slope)?;
-    while walk.x() > 0.0 {
-        walk.step(0.0)?;
-    }
-    Ok(1.0 - epsilon * walk.y()[0])
+pub(super) fn spin_at_maximum(epsilon: f64) -> Result<f64, TorsionalError> {
+    Ok(Adhesion::new(epsilon, 0.0)?.at_onset().spin(epsilon))
 }

@@ -1,43 +1,11 @@
 //! The torsional impact of a circular contact, from touch to separation.
 
-use carom_special::RangeError;
-use carom_special::ode::{OdeError, Stepper, Tolerance};
-use carom_special::roots::RootError;
-
-use super::adhesion::{Adhesion, SWITCH_RADIUS, SWITCH_VELOCITY, Turn, radius_at, velocity_at};
+use super::adhesion::Adhesion;
+use super::error::TorsionalError;
 use super::groups::{SMALL_OMEGA, TorsionalGroups};
 use super::limits;
-use super::slip::{Answer, SlippingContact};
 use super::stepped::{self, Settled};
-
-/// Why a torsional impact cannot be given.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum TorsionalError {
-    /// A value out of range.
-    #[error(transparent)]
-    Range(#[from] RangeError),
-    /// The equation of motion could not be integrated.
-    #[error(transparent)]
-    Ode(#[from] OdeError),
-    /// The onset of slip could not be found.
-    #[error(transparent)]
-    Root(#[from] RootError),
-}
-
-/// Why a walk with one slip ring ends early.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum WalkError {
-    /// The spin turns back so fast that the slip ring does not keep its direction; the law used
-    /// here (10.25) then ends. This takes epsilon > 0.826, far outside Hertz's theory for spheres.
-    TurnsBack,
-    Failed(TorsionalError),
-}
-
-impl<E: Into<TorsionalError>> From<E> for WalkError {
-    fn from(error: E) -> Self {
-        Self::Failed(error.into())
-    }
-}
+use super::trajectory::{Trajectory, TrajectoryError};
 
 /// A torsional impact, solved: complete adhesion first, then a slip ring that grows from the rim
 /// until separation (chapter 10, with (10.7), (10.25)-(10.29) corrected).
@@ -61,8 +29,6 @@ pub struct TorsionalImpact {
     error_estimate: f64,
 }
 
-/// The tolerance while a ring slips: the adhesion before it is more exact, as its slopes count.
-const TOLERANCE: Tolerance = Tolerance { absolute: 1e-13, relative: 2e-13 };
 /// The error of the solution with one slip ring.
 const EXACT: f64 = 1e-12;
 
@@ -75,17 +41,17 @@ impl TorsionalImpact {
         let history = Adhesion::new(groups.epsilon(), groups.omega())?;
         let onset_radius = history.onset();
         if groups.omega() >= SMALL_OMEGA {
-            return match Walk::new(groups, &history).advance_to(-1.0) {
+            return match Trajectory::new(groups, &history).advance_to(-1.0) {
                 Ok(end) => {
                     let spin_ratio = end.turn.spin(groups.epsilon());
                     Ok(Self { groups, onset_radius, spin_ratio, error_estimate: EXACT })
                 }
-                Err(WalkError::TurnsBack) => {
+                Err(TrajectoryError::TurnsBack) => {
                     let Settled { spin_ratio, change } = stepped::settle(groups)?;
                     let error_estimate = change.max(EXACT);
                     Ok(Self { groups, onset_radius, spin_ratio, error_estimate })
                 }
-                Err(WalkError::Failed(error)) => Err(error),
+                Err(TrajectoryError::Failed(error)) => Err(error),
             };
         }
         let limit = limits::no_slip(groups.epsilon())?;
@@ -125,123 +91,5 @@ impl TorsionalImpact {
     #[must_use]
     pub fn energy_loss(&self) -> f64 {
         (1.0 - self.spin_ratio) * (1.0 + self.spin_ratio)
-    }
-}
-
-/// One instant of the walk.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Station {
-    pub(super) turn: Turn,
-    pub(super) radius: f64,
-    pub(super) stick: f64,
-}
-
-/// The course of an impact, by falling normal velocity.
-#[derive(Debug, Clone)]
-pub(super) struct Walk<'a> {
-    groups: TorsionalGroups,
-    history: &'a Adhesion,
-    contact: SlippingContact<'a>,
-    w: f64,
-    state: [f64; 2],
-    trial: f64,
-    innermost: f64,
-}
-
-impl<'a> Walk<'a> {
-    pub(super) fn new(groups: TorsionalGroups, history: &'a Adhesion) -> Self {
-        let at_onset = history.at_onset();
-        Self {
-            groups,
-            history,
-            contact: SlippingContact::new(groups.omega(), history),
-            w: history.onset_velocity(),
-            state: [at_onset.impulse, at_onset.twist],
-            trial: 0.05,
-            innermost: history.onset(),
-        }
-    }
-
-    /// Goes on to the normal velocity `w` in [-1, 1], below the last one asked for.
-    pub(super) fn advance_to(&mut self, w: f64) -> Result<Station, WalkError> {
-        let radius = radius_at(w);
-        if w >= self.history.onset_velocity() {
-            let turn = self.history.at(radius, w);
-            return Ok(Station { turn, radius, stick: radius });
-        }
-        if self.w > SWITCH_VELOCITY {
-            let to = if w > SWITCH_VELOCITY { radius } else { SWITCH_RADIUS };
-            self.along_radius(radius_at(self.w), to, 1.0)?;
-            self.w = w.max(SWITCH_VELOCITY);
-        }
-        if self.w > -SWITCH_VELOCITY && w < self.w {
-            self.along_velocity(w.max(-SWITCH_VELOCITY))?;
-        }
-        if w < self.w {
-            let from = if self.w == -SWITCH_VELOCITY { SWITCH_RADIUS } else { radius_at(self.w) };
-            self.along_radius(from, radius, -1.0)?;
-            self.w = w;
-        }
-        let [impulse, twist] = self.state;
-        let Answer { torque, stick } = self.contact.answer(radius, w, twist);
-        Ok(Station { turn: Turn { impulse, twist, torque }, radius, stick })
-    }
-
-    fn spin(&self) -> f64 {
-        1.0 - self.groups.epsilon() * self.state[0]
-    }
-
-    /// The contact radius is the argument: `dt = 2 al dal/w`, in compression (`way` 1) or
-    /// restitution (-1).
-    fn along_radius(&mut self, from: f64, to: f64, way: f64) -> Result<(), WalkError> {
-        let epsilon = self.groups.epsilon();
-        let mut contact = self.contact.clone();
-        let slope = |al: f64, y: &[f64; 2]| {
-            let w = velocity_at(al);
-            let dt = way * 2.0 * al / w;
-            [contact.answer(al, w, y[1]).torque * dt, (1.0 - epsilon * y[0]) * dt]
-        };
-        let mut walk = Stepper::new(from, self.state, self.trial, TOLERANCE, slope)?;
-        while walk.x() != to {
-            walk.step(to)?;
-            self.state = *walk.y();
-            self.check(way * velocity_at(walk.x()), walk.x())?;
-        }
-        self.trial = walk.trial_step().abs();
-        Ok(())
-    }
-
-    /// The normal velocity is the argument: `dt = -(4/5) zeta^(-3/2) dw`.
-    fn along_velocity(&mut self, to: f64) -> Result<(), WalkError> {
-        let epsilon = self.groups.epsilon();
-        let mut contact = self.contact.clone();
-        let slope = |w: f64, y: &[f64; 2]| {
-            let al = radius_at(w);
-            let dt = -0.8 / (al * al * al);
-            [contact.answer(al, w, y[1]).torque * dt, (1.0 - epsilon * y[0]) * dt]
-        };
-        let mut walk = Stepper::new(self.w, self.state, self.trial, TOLERANCE, slope)?;
-        while walk.x() != to {
-            walk.step(to)?;
-            self.state = *walk.y();
-            self.w = walk.x();
-            self.check(walk.x(), radius_at(walk.x()))?;
-        }
-        self.trial = walk.trial_step().abs();
-        Ok(())
-    }
-
-    /// The law holds while the slip ring grows, and while in restitution the twist turns back no
-    /// faster than the edge recedes.
-    fn check(&mut self, w: f64, al: f64) -> Result<(), WalkError> {
-        let stick = self.contact.answer(al, w, self.state[1]).stick;
-        let grows = stick <= self.innermost * (1.0 + 1e-7);
-        let onward = self.contact.sign() * self.groups.omega() * self.spin();
-        let keeps = if w >= 0.0 { onward >= 0.0 } else { onward * 2.0 * al >= w };
-        if grows && keeps {
-            self.innermost = self.innermost.min(stick);
-            return Ok(());
-        }
-        Err(WalkError::TurnsBack)
     }
 }

@@ -1,8 +1,9 @@
 //! Closed forms and limits of the torsional restitution: small spin, sliding, small epsilon.
 
 use super::adhesion::{self, Adhesion};
+use super::error::TorsionalError;
 use super::groups::{SMALL_OMEGA, TorsionalGroups};
-use super::impact::{TorsionalError, Walk, WalkError};
+use super::trajectory::{Trajectory, TrajectoryError};
 use crate::normal::DURATION;
 use carom_special::ode::OdeError;
 
@@ -83,10 +84,10 @@ pub fn first_order_loss(omega: f64) -> Result<f64, TorsionalError> {
         return Ok(SMALL_SPIN_LOSS + omega * slope);
     }
     let history = Adhesion::new(0.0, omega)?;
-    match Walk::new(groups, &history).advance_to(-1.0) {
+    match Trajectory::new(groups, &history).advance_to(-1.0) {
         Ok(end) => Ok(end.turn.impulse),
-        Err(WalkError::Failed(error)) => Err(error),
+        Err(TrajectoryError::Failed(error)) => Err(error),
         // A spin that stays constant does not turn back.
-        Err(WalkError::TurnsBack) => Err(OdeError::NotFinite { x: omega }.into()),
+        Err(TrajectoryError::TurnsBack) => Err(OdeError::NotFinite { x: omega }.into()),
     }
 }

@@ -5,16 +5,19 @@
 //! adhesive one. [`SpinCollision`] is the same with dimensions; [`limits`] holds the closed forms.
 
 mod adhesion;
+mod error;
 mod groups;
 mod impact;
 mod slip;
 mod spin;
 mod stepped;
 mod trace;
+mod trajectory;
 
 pub mod limits;
 
+pub use error::TorsionalError;
 pub use groups::TorsionalGroups;
-pub use impact::{TorsionalError, TorsionalImpact};
+pub use impact::TorsionalImpact;
 pub use spin::{SpinCollision, SpinOutcome, Spinner};
 pub use trace::{TorsionalPhase, TorsionalPoint};

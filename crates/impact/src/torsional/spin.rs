@@ -8,8 +8,9 @@ use carom_laws::hertz::Hertz;
 use carom_laws::torsion::adhesion::{AdhesiveTorsion, sliding_torque_arm};
 use carom_special::RangeError;
 
+use super::error::TorsionalError;
 use super::groups::TorsionalGroups;
-use super::impact::{TorsionalError, TorsionalImpact};
+use super::impact::TorsionalImpact;
 use super::limits;
 use crate::normal::NormalImpact;
 

@@ -20,8 +20,8 @@ pub(super) struct Settled {
 /// Follows the impact with ever finer steps, twice.
 pub(super) fn settle(groups: TorsionalGroups) -> Result<Settled, RangeError> {
     let run = |steps: usize| -> Result<f64, RangeError> {
-        let mut walk = SteppedWalk::new(groups, steps);
-        Ok(walk.advance_to(-1.0)?.spin)
+        let mut trajectory = SteppedTrajectory::new(groups, steps);
+        Ok(trajectory.advance_to(-1.0)?.spin)
     };
     let (coarse, fine) = (run(STEPS)?, run(2 * STEPS)?);
     // No impact speeds up the spin.
@@ -38,10 +38,10 @@ pub(super) struct Step {
     pub(super) torque: f64,
 }
 
-/// A walk by falling normal velocity: half a step of the torque, a step of the spin, half a step of
+/// The motion by falling normal velocity: half a step of the torque, a step of the spin, half a step of
 /// the new torque.
 #[derive(Debug, Clone)]
-pub(super) struct SteppedWalk {
+pub(super) struct SteppedTrajectory {
     groups: TorsionalGroups,
     history: TwistHistory,
     longest: f64,
@@ -53,7 +53,7 @@ pub(super) struct SteppedWalk {
     torque: f64,
 }
 
-impl SteppedWalk {
+impl SteppedTrajectory {
     pub(super) fn new(groups: TorsionalGroups, steps: usize) -> Self {
         Self {
             groups,

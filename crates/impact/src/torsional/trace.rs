@@ -1,11 +1,13 @@
-//! The course of a torsional impact at chosen instants.
+//! The states of a torsional impact at chosen instants.
 
 use carom_special::RangeError;
 
 use super::adhesion::Adhesion;
+use super::error::TorsionalError;
 use super::groups::TorsionalGroups;
-use super::impact::{TorsionalError, TorsionalImpact, Walk, WalkError};
-use super::stepped::{Step, SteppedWalk};
+use super::impact::TorsionalImpact;
+use super::stepped::{Step, SteppedTrajectory};
+use super::trajectory::{Instant, Trajectory, TrajectoryError};
 use crate::normal;
 
 /// What the contact area does.
@@ -59,8 +61,8 @@ impl TorsionalImpact {
         let groups = groups.away_from_zero();
         match Self::trace_one_ring(groups, w) {
             Ok(points) => Ok(points),
-            Err(WalkError::TurnsBack) => Ok(Self::trace_in_steps(groups, w)?),
-            Err(WalkError::Failed(error)) => Err(error),
+            Err(TrajectoryError::TurnsBack) => Ok(Self::trace_in_steps(groups, w)?),
+            Err(TrajectoryError::Failed(error)) => Err(error),
         }
     }
 
@@ -69,64 +71,60 @@ impl TorsionalImpact {
         w: &[f64],
     ) -> Result<Vec<TorsionalPoint>, RangeError> {
         const STEPS: usize = 4000;
-        let mut walk = SteppedWalk::new(groups, STEPS);
-        let mut last = 1.0;
-        let mut points = Vec::with_capacity(w.len());
-        for &target in w {
-            last = target.clamp(-1.0, last);
-            let Step { radius, stick, spin, twist, torque } = walk.advance_to(last)?;
-            let phase = if stick >= radius * (1.0 - 1e-12) {
-                TorsionalPhase::Adhesion
-            } else if stick > 0.0 {
-                TorsionalPhase::PartialSlip
-            } else {
-                TorsionalPhase::Sliding
-            };
-            points.push(TorsionalPoint {
-                time: normal::time(last),
-                normal_velocity: last,
-                radius,
-                stick_radius: stick,
-                spin,
-                twist,
-                torque,
-                phase,
-            });
-        }
-        Ok(points)
+        let mut trajectory = SteppedTrajectory::new(groups, STEPS);
+        falling(w, |w| {
+            let Step { radius, stick, spin, twist, torque } = trajectory.advance_to(w)?;
+            let adheres = stick >= radius * (1.0 - 1e-12);
+            Ok(point(w, [radius, stick], [spin, twist, torque], adheres))
+        })
     }
 
     fn trace_one_ring(
         groups: TorsionalGroups,
         w: &[f64],
-    ) -> Result<Vec<TorsionalPoint>, WalkError> {
+    ) -> Result<Vec<TorsionalPoint>, TrajectoryError> {
         let history = Adhesion::new(groups.epsilon(), groups.omega())?;
-        let onset_velocity = history.onset_velocity();
-        let mut walk = Walk::new(groups, &history);
-        let mut last = 1.0;
-        let mut points = Vec::with_capacity(w.len());
-        for &target in w {
-            let w = target.clamp(-1.0, last);
-            last = w;
-            let station = walk.advance_to(w)?;
-            let phase = if w >= onset_velocity {
-                TorsionalPhase::Adhesion
-            } else if station.stick > 0.0 {
-                TorsionalPhase::PartialSlip
-            } else {
-                TorsionalPhase::Sliding
-            };
-            points.push(TorsionalPoint {
-                time: normal::time(w),
-                normal_velocity: w,
-                radius: station.radius,
-                stick_radius: station.stick,
-                spin: station.turn.spin(groups.epsilon()),
-                twist: station.turn.twist,
-                torque: station.turn.torque,
-                phase,
-            });
-        }
-        Ok(points)
+        let mut trajectory = Trajectory::new(groups, &history);
+        falling(w, |w| {
+            let Instant { turn, radius, stick } = trajectory.advance_to(w)?;
+            let state = [turn.spin(groups.epsilon()), turn.twist, turn.torque];
+            Ok(point(w, [radius, stick], state, w >= history.onset_velocity()))
+        })
+    }
+}
+
+/// The points at velocities that are made to fall from 1 to -1.
+fn falling<E>(
+    w: &[f64],
+    mut point: impl FnMut(f64) -> Result<TorsionalPoint, E>,
+) -> Result<Vec<TorsionalPoint>, E> {
+    let mut last = 1.0;
+    let next = |target: &f64| {
+        last = target.clamp(-1.0, last);
+        point(last)
+    };
+    w.iter().map(next).collect()
+}
+
+fn point(
+    w: f64,
+    [radius, stick]: [f64; 2],
+    [spin, twist, torque]: [f64; 3],
+    adheres: bool,
+) -> TorsionalPoint {
+    let phase = match stick {
+        _ if adheres => TorsionalPhase::Adhesion,
+        0.0 => TorsionalPhase::Sliding,
+        _ => TorsionalPhase::PartialSlip,
+    };
+    TorsionalPoint {
+        time: normal::time(w),
+        normal_velocity: w,
+        radius,
+        stick_radius: stick,
+        spin,
+        twist,
+        torque,
+        phase,
     }
 }

@@ -24,7 +24,7 @@ pub(crate) fn chi_of_sphere(poisson: f64) -> f64 {
 }
 
 /// What rounding leaves open of R_x. The slip is a difference of velocities, known to a rounding of
-/// these; R_x changes with the logarithm of psi by about the lesser of psi and 1/psi, and the walk
+/// these; R_x changes with the logarithm of psi by about the lesser of psi and 1/psi, and the solution
 /// itself is good to twice its tolerance of 5e-12, wherever such a slip puts it.
 pub(crate) fn unknown(encounter: &Collision, rebound: &Rebound) -> f64 {
     let frame = encounter.frame();

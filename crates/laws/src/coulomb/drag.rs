@@ -14,8 +14,8 @@ pub(super) struct Step<V> {
     pub(super) length: f64,
     /// The direction of the step; zero if there is none.
     pub(super) ahead: V,
-    /// What is across by round-off only.
-    grain: f64,
+    /// What is no length to round-off.
+    pub(super) grain: f64,
     /// dz over the length, and one less its square.
     pub(super) slope: f64,
     curve: f64,
@@ -23,26 +23,28 @@ pub(super) struct Step<V> {
 
 /// A step so steep that its direction does not matter to round-off.
 const STEEP: f64 = 1e15;
-/// What is across by round-off, over approach and shift.
+/// What is no length to round-off, over approach and shift.
 const GRAIN: f64 = 1e-15;
+/// What is beyond the limit by round-off, over the grain.
+pub(super) const BEYOND: f64 = 20.0;
 
 impl<V: Lateral> Step<V> {
     #[inline]
     pub(super) fn new(from: (f64, V), to: (f64, V)) -> Self {
         let (dz, dx) = (to.0 - from.0, to.1.minus(from.1));
         let length = dx.length();
+        let grain = grain(to.0, to.1);
         if length == 0.0 || dz.abs() > STEEP * length {
-            return Self { zeta: to.0, shift: to.1, dz, ..Self::default() };
+            return Self { zeta: to.0, shift: to.1, dz, grain, ..Self::default() };
         }
         let slope = dz / length;
-        let [x, y] = to.1.components();
         Self {
             zeta: to.0,
             shift: to.1,
             dz,
             length,
             ahead: dx.times(1.0 / length),
-            grain: GRAIN * (x.abs() + y.abs() + to.0),
+            grain,
             slope,
             curve: (1.0 - slope) * (1.0 + slope),
         }
@@ -55,6 +57,21 @@ impl<V: Lateral> Step<V> {
         let stretch = self.shift.minus(anchor);
         let limit = self.zeta - depth;
         stretch.dot(stretch) - limit * limit
+    }
+
+    /// The same at the start.
+    pub(super) fn excess_before(&self, depth: f64, anchor: V) -> f64 {
+        let stretch = self.shift.minus(self.ahead.times(self.length)).minus(anchor);
+        let limit = self.zeta - self.dz - depth;
+        stretch.dot(stretch) - limit * limit.abs()
+    }
+
+    /// Whether a ring is beyond its limit at the end by more than round-off, which must not decide
+    /// where the shift returns to where it has been.
+    #[inline]
+    pub(super) fn is_beyond(&self, depth: f64, anchor: V) -> bool {
+        let excess = self.excess(depth, anchor);
+        excess > 0.0 && excess > BEYOND * self.grain * (self.zeta - depth)
     }
 
     /// The anchor, at the end, of a ring that lies on the line behind the end.
@@ -84,8 +101,32 @@ impl<V: Lateral> Step<V> {
         }
         let along = stretch.dot(self.ahead);
         let across = cross(self.ahead, stretch);
-        let [forward, aside] = self.turned(along, across, limit);
-        self.shift.minus(combine(self.ahead, forward, aside))
+        let met = self.met(along, across, limit);
+        if met.grazes {
+            return self.drag_settled(depth, anchor);
+        }
+        self.turned(&met, limit)
+    }
+
+    /// The same of a ring that was drawn beyond its limit and would not have come within it: it
+    /// settles on its limit before the step.
+    #[cold]
+    fn drag_settled(&self, depth: f64, anchor: V) -> V {
+        let (limit, anchor) = (self.zeta - depth, self.settled(depth, anchor));
+        let stretch = self.shift.minus(anchor);
+        if stretch.dot(stretch) <= limit * limit {
+            return anchor;
+        }
+        let met = self.met(stretch.dot(self.ahead), cross(self.ahead, stretch), limit);
+        self.turned(&met, limit)
+    }
+
+    /// The anchor from which a ring is at its limit at the start.
+    pub(super) fn settled(&self, depth: f64, anchor: V) -> V {
+        let start = self.shift.minus(self.ahead.times(self.length));
+        let stretch = start.minus(anchor);
+        let limit = (self.zeta - self.dz - depth).max(0.0);
+        start.minus(stretch.times((limit / stretch.length()).min(1.0)))
     }
 
     /// Where a ring meets its limit, from the stretch along and across the step that it would have
@@ -97,41 +138,47 @@ impl<V: Lateral> Step<V> {
             return Met {
                 rest: self.length * (limit / self.dz),
                 at: 0.0,
+                arm: 0.0,
+                grazes: false,
                 limit: 0.0,
-                tangent: None,
+                half: None,
             };
         }
         // |stretch - rest| = limit - slope rest, from the end, where nothing cancels.
         let half = along - self.slope * limit;
         let excess = along * along + across * across - limit * limit;
-        let root = (half * half - self.curve * excess).max(0.0).sqrt();
+        let square = half * half - self.curve * excess;
+        let root = square.max(0.0).sqrt();
         let rest = if half > 0.0 { excess / (half + root) } else { (half - root) / self.curve };
-        // Not positive only where it is beyond its limit by round-off, on its way back.
-        let rest = if rest > 0.0 { rest.min(self.length) } else { 0.0 };
+        let grazes = square < 0.0 || rest <= 0.0;
+        let inside = rest <= self.length;
+        let rest = rest.clamp(0.0, self.length);
         let (at, met) = (along - rest, limit - self.slope * rest);
+        // At its limit, but for what the curve was off before the step.
         let arm = (at * at + across * across).sqrt();
+        let grazes = grazes || (!inside && at < self.slope * arm);
         let on_line = if arm == 0.0 || met <= 0.0 {
-            return Met { rest, at: 0.0, limit: met, tangent: None };
+            return Met { rest, at: 0.0, arm: 0.0, limit: met, half: None, grazes };
         } else if at < 0.0 {
             // Against the step a ring would not stay, but in one direction.
             across.abs() < self.grain.max(1e-16 * arm)
         } else {
             across.abs() < 1e-16 * arm
         };
-        let tangent = if at > 0.0 { across / (arm + at) } else { (arm - at) / across };
-        Met { rest, at, limit: met, tangent: (!on_line).then_some(tangent) }
+        let half = if at > 0.0 { [arm + at, across] } else { [across, arm - at] };
+        Met { rest, at, arm, limit: met, half: (!on_line).then_some(half), grazes }
     }
 
-    /// The stretch of a slipping ring at the end, along and across the step.
+    /// The anchor of a slipping ring at the end.
     #[inline]
-    fn turned(&self, along: f64, across: f64, limit: f64) -> [f64; 2] {
-        let met = self.met(along, across, limit);
-        let Some(tangent) = met.tangent else {
-            return [if met.at < 0.0 { -limit } else { limit }, 0.0];
+    fn turned(&self, met: &Met, limit: f64) -> V {
+        let Some([near, far]) = met.half else {
+            return self.shift.minus(self.ahead.times(limit.copysign(met.at)));
         };
-        let tangent = tangent * libm::exp(-met.rest * pull(met.limit, limit));
-        let scale = limit / (1.0 + tangent * tangent);
-        [(1.0 - tangent) * (1.0 + tangent) * scale, 2.0 * tangent * scale]
+        let far = far * decay(fall(met.rest, met.limit, self.slope));
+        let scale = limit / (near * near + far * far);
+        let (forward, aside) = ((near - far) * (near + far) * scale, 2.0 * near * far * scale);
+        self.shift.minus(combine(self.ahead, forward, aside))
     }
 }
 
@@ -141,26 +188,77 @@ pub(super) struct Met {
     pub(super) rest: f64,
     /// The stretch along the step.
     pub(super) at: f64,
+    /// The stretch; beyond the limit if it was drawn so.
+    pub(super) arm: f64,
     pub(super) limit: f64,
-    /// `tan(theta/2)`, theta from the step to the traction; none if they are on one line.
-    pub(super) tangent: Option<f64>,
+    /// Two numbers whose ratio, second to first, is `tan(theta/2)`, theta from the step to the
+    /// traction; none if they are on one line.
+    pub(super) half: Option<[f64; 2]>,
+    /// Whether the ring was not within its limit before.
+    pub(super) grazes: bool,
 }
 
-/// One over the logarithmic mean of the limits at both ends.
+/// By how much the logarithm of `tan(theta/2)` falls on a way over which the limit grows by the
+/// slope, `int dl/r`: the way over the logarithmic mean of the limits at both ends.
 #[inline]
-pub(super) fn pull(met: f64, limit: f64) -> f64 {
-    let growth = (limit - met) / met;
-    let part = if growth.abs() < 0.01 {
-        // log(1 + g)/g, the next term is below 2e-15
-        let g = growth;
-        1.0 + g
-            * (-1.0 / 2.0
-                + g * (1.0 / 3.0
-                    + g * (-1.0 / 4.0 + g * (1.0 / 5.0 + g * (-1.0 / 6.0 + g * (1.0 / 7.0))))))
-    } else {
-        libm::log1p(growth) / growth
-    };
-    part / met
+pub(super) fn fall(way: f64, limit: f64, slope: f64) -> f64 {
+    let part = way / limit;
+    let growth = slope * part;
+    if growth == 0.0 {
+        return part;
+    }
+    // log(1 + g)/g = 2 artanh(z)/g, z = g/(2 + g)
+    let inverse = 1.0 / (2.0 + growth);
+    let z = growth * inverse;
+    if z.abs() > 0.12 {
+        return part * (libm::log1p(growth) / growth);
+    }
+    let w = z * z;
+    let (u, v) = (w * w, w * w * (w * w));
+    let low = 1.0 + w * (1.0 / 3.0) + u * (1.0 / 5.0 + w * (1.0 / 7.0));
+    let high = 1.0 / 9.0 + w * (1.0 / 11.0) + u * (1.0 / 13.0 + w * (1.0 / 15.0));
+    part * (2.0 * inverse) * (low + v * high)
+}
+
+/// `exp(-x)` of an x that is not negative, to some units in the last place: by `2^-k` and the
+/// series of what is left, at most half of ln 2.
+#[inline]
+pub(super) fn decay(x: f64) -> f64 {
+    const HIGH: f64 = 6.931_471_803_691_238e-1;
+    const LOW: f64 = 1.908_214_929_270_587_7e-10;
+    /// Its last place is one: what is added to it becomes whole.
+    const WHOLE: f64 = 6_755_399_441_055_744.0;
+    if x > 700.0 {
+        return 0.0;
+    }
+    let whole = x * std::f64::consts::LOG2_E + WHOLE;
+    let halvings = whole - WHOLE;
+    let r = (halvings * HIGH - x) + halvings * LOW;
+    let (r2, r4) = (r * r, (r * r) * (r * r));
+    let c = |n: usize| TAYLOR[n];
+    let low = (c(0) + c(1) * r) + r2 * (c(2) + c(3) * r);
+    let middle = (c(4) + c(5) * r) + r2 * (c(6) + c(7) * r);
+    let high = (c(8) + c(9) * r) + r2 * (c(10) + c(11) * r) + r4 * (c(12) + c(13) * r);
+    let series = low + r4 * (middle + r4 * high);
+    series * f64::from_bits((1023 - halvings as u64) << 52)
+}
+
+/// One over the factorials.
+const TAYLOR: [f64; 14] = {
+    let mut terms = [1.0; 14];
+    let mut n = 1;
+    while n < 14 {
+        terms[n] = terms[n - 1] / n as f64;
+        n += 1;
+    }
+    terms
+};
+
+/// What is no length to round-off, at an approach and a shift.
+#[inline]
+pub(super) fn grain<V: Lateral>(zeta: f64, shift: V) -> f64 {
+    let [x, y] = shift.components();
+    GRAIN * (x.abs() + y.abs() + zeta)
 }
 
 /// `a x b`.

@@ -5,6 +5,7 @@ use carom_special::quadrature::{QuadratureError, Tolerance, adaptive};
 use super::CoulombMemory;
 use super::drag::Step;
 use super::piece::{End, Knot, Piece};
+use crate::bounds::in_memory;
 use crate::memory::{Lateral, VertexStack};
 use crate::profile::GAUSS;
 
@@ -12,11 +13,13 @@ use crate::profile::GAUSS;
 /// stretch.
 const RELATIVE: f64 = 1e-12;
 const OF_LARGEST: f64 = 1e-15;
+/// In how many parts of a piece it is looked for where slip begins.
+const LOOKS: usize = 8;
 
 impl<V: Lateral> Piece<V> {
     /// The elastic energy of its rings at a shift, per direction: `(3/4) int |X - W(t^2)|^2 dt`, a
     /// polynomial of degree 8 in t.
-    fn energy(&self, shift: V) -> V {
+    pub(super) fn energy(&self, shift: V) -> V {
         let (low, high) = (self.low.root, self.high.root);
         let length = self.high.depth - self.low.depth;
         if length <= 0.0 {
@@ -32,10 +35,52 @@ impl<V: Lateral> Piece<V> {
     }
 }
 
+/// What is told about a step by the way.
+pub(super) trait Notes<V> {
+    /// The rings were dragged and drawn; nothing is joined yet.
+    fn drawn(&mut self, chain: impl Iterator<Item = Piece<V>>, shift: V);
+    /// A piece takes the place of two, at a shift.
+    fn joined(&mut self, two: [&Piece<V>; 2], one: &Piece<V>, shift: V);
+}
+
+/// Nothing is noted.
+pub(super) struct Unnoted;
+
+impl<V> Notes<V> for Unnoted {
+    #[inline]
+    fn drawn(&mut self, _: impl Iterator<Item = Piece<V>>, _: V) {}
+
+    #[inline]
+    fn joined(&mut self, _: [&Piece<V>; 2], _: &Piece<V>, _: V) {}
+}
+
+/// The elastic energy of the rings as drawn, and what joins add to it.
+struct Book {
+    drawn: Option<f64>,
+    joined: f64,
+}
+
+impl<V: Lateral> Notes<V> for Book {
+    fn drawn(&mut self, chain: impl Iterator<Item = Piece<V>>, shift: V) {
+        let unit = V::from_components([1.0, 1.0]);
+        self.drawn = Some(chain.map(|piece| piece.energy(shift).dot(unit)).sum());
+    }
+
+    fn joined(&mut self, [below, above]: [&Piece<V>; 2], one: &Piece<V>, shift: V) {
+        let unit = V::from_components([1.0, 1.0]);
+        let two = below.energy(shift).plus(above.energy(shift));
+        self.joined += one.energy(shift).minus(two).dot(unit);
+    }
+}
+
 impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     /// The pieces of the curve, from the deepest ring to the edge.
     pub(super) fn chain(&self) -> impl Iterator<Item = Piece<V>> + '_ {
-        let tip = End { depth: self.zeta, root: self.root, anchor: self.shift };
+        self.chain_to(End { depth: self.zeta, root: self.root, anchor: self.shift })
+    }
+
+    /// The same to another end.
+    pub(super) fn chain_to(&self, tip: End<V>) -> impl Iterator<Item = Piece<V>> + '_ {
         (0..self.stack.len()).map(move |i| {
             let end = match i + 1 < self.stack.len() {
                 true => Knot::of(self.stack.get(i + 1)).end(),
@@ -61,26 +106,27 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         V::from_components([along([1.0, 0.0]), along([0.0, 1.0])])
     }
 
-    /// The work of the force in the straight step to a new approach and shift, of each ring exactly;
-    /// conjugate to Phi and X.
+    /// The work of the force in the straight step to a new approach and shift, of each ring by
+    /// itself, by quadrature; conjugate to Phi and X.
     #[must_use]
     pub fn work(&self, zeta: f64, shift: V) -> f64 {
-        let unit = V::from_components([1.0, 1.0]);
-        let stored = self.stored_energy().dot(unit);
-        self.exact_energy(zeta, shift) - stored + self.heat(zeta, shift, unit)
+        self.over_rings(zeta, shift, Step::work)
     }
 
     /// The energy that drawing parabolas through the dragged rings, and joining them, adds in a
     /// step, with its sign: work is the growth of [`CoulombMemory::stored_energy`], less this, and
-    /// the heat. It vanishes with the tolerance.
+    /// the heat. It vanishes with the tolerance. In storage that is full it has that of the joins
+    /// for want of room.
     #[must_use]
     pub fn joined_energy(&self, zeta: f64, shift: V) -> f64 {
-        let mut after = self.clone();
-        if after.advance(zeta, shift).is_err() {
+        if in_memory("zeta", zeta).is_err() || !shift.is_finite() {
             return 0.0;
         }
         let unit = V::from_components([1.0, 1.0]);
-        after.stored_energy().dot(unit) - self.exact_energy(zeta, shift)
+        let (mut after, mut book) = (self.clone(), Book { drawn: None, joined: 0.0 });
+        after.step_noted(zeta, shift, &mut book);
+        let drawn = book.drawn.unwrap_or_else(|| after.stored_energy().dot(unit) - book.joined);
+        drawn - self.exact_energy(zeta, shift) + book.joined
     }
 
     /// The scalar product of [`CoulombMemory::dissipation`] and the energies `unit`.
@@ -130,7 +176,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 }
 
-/// The integral over the springs of a piece, parted at its middle and where slip begins.
+/// The integral over the springs of a piece, parted at its middle and where rings
+/// come beyond their limit in the step or, as they were drawn, are so before it.
 fn over_piece<V: Lateral>(
     piece: &Piece<V>,
     step: &Step<V>,
@@ -150,11 +197,15 @@ fn over_piece<V: Lateral>(
         1.5 * f(step, piece.depth_at(part), piece.at(part))
     };
     let excess = |part: f64| step.excess(piece.depth_at(part), piece.at(part));
-    let mut marks = [0.0, 0.5, 1.0, 1.0, 1.0];
+    let before = |part: f64| step.excess_before(piece.depth_at(part), piece.at(part));
+    let mut marks = [1.0; 3 + 2 * LOOKS];
+    (marks[0], marks[1]) = (0.0, 0.5);
     let mut count = 3;
-    for (from, to) in [(0.0, 0.5), (0.5, 1.0)] {
-        if (excess(from) > 0.0) != (excess(to) > 0.0) {
-            marks[count] = sign_change(&excess, from, to);
+    for look in 0..LOOKS {
+        let [from, to] = [look, look + 1].map(|look| look as f64 / LOOKS as f64);
+        let kinks = [kink(&excess, from, to), kink(&before, from, to)];
+        for mark in kinks.into_iter().flatten() {
+            marks[count] = mark;
             count += 1;
         }
     }
@@ -169,11 +220,15 @@ fn over_piece<V: Lateral>(
     marks.windows(2).map(integral).sum()
 }
 
-fn sign_change(f: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
+/// Where a function changes its sign between two places, if it has two signs there.
+fn kink(f: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> Option<f64> {
     let beyond = f(to) > 0.0;
+    if (f(from) > 0.0) == beyond {
+        return None;
+    }
     for _ in 0..50 {
         let middle = 0.5 * (from + to);
         if (f(middle) > 0.0) == beyond { to = middle } else { from = middle }
     }
-    0.5 * (from + to)
+    Some(0.5 * (from + to))
 }

@@ -1,6 +1,6 @@
-//! The heat of one ring on a straight step.
+//! The heat of one ring on a straight step, and its work.
 
-use super::drag::{Step, cross};
+use super::drag::{Met, Step, cross, fall};
 use crate::memory::Lateral;
 use crate::profile::GAUSS;
 
@@ -28,89 +28,218 @@ impl<V: Lateral> Units<V> {
     }
 }
 
+/// Where a ring begins to slip, and its limit at the end.
+struct Slip {
+    met: Met,
+    limit: f64,
+    across: f64,
+    /// The energy beyond the limit that a ring may have as it was drawn; it snaps back.
+    beyond: f64,
+}
+
 impl<V: Lateral> Step<V> {
     /// What a ring turns into heat: the integral of traction times slip, which is parallel to it,
     /// `int r (cos theta - dr/dl) dl`, r the limit and l the way. A ring that touches on the way
     /// begins there; one that parts ends there.
     pub(super) fn heat(&self, depth: f64, anchor: V, unit: V) -> f64 {
-        let limit = self.zeta - depth;
-        let start = limit - self.dz;
-        if limit < 0.0 {
-            let part = start / -self.dz;
-            let before = self.shift.minus(self.ahead.times(self.length));
-            let until = before.plus(self.ahead.times(part * self.length));
-            return Self::new((self.zeta - self.dz, before), (depth, until))
-                .heat(depth, anchor, unit);
+        if self.zeta < depth {
+            return self.until(depth).heat(depth, anchor, unit);
         }
-        let stretch = self.shift.minus(anchor);
-        let square = stretch.dot(stretch);
-        if square <= limit * limit {
-            return 0.0;
-        }
-        let units = Units { unit, ahead: self.ahead };
         if self.length == 0.0 {
+            let (stretch, limit) = (self.shift.minus(anchor), self.zeta - depth);
+            let square = stretch.dot(stretch);
+            if square <= limit * limit {
+                return 0.0;
+            }
             let direction = Units { unit, ahead: stretch.times(1.0 / square.sqrt()) };
             return 0.5 * (square - limit * limit) * direction.of(1.0, 0.0);
         }
+        if self.grazes(depth, anchor) {
+            let (settled, before) =
+                (self.settled(depth, anchor), self.shift.minus(self.ahead.times(self.length)));
+            let [from, to] = [anchor, settled].map(|anchor| before.minus(anchor));
+            let direction = Units { unit, ahead: from.times(1.0 / from.length()) };
+            let snap = 0.5 * (from.dot(from) - to.dot(to)).max(0.0);
+            return snap * direction.of(1.0, 0.0) + self.slip_heat(depth, settled, unit);
+        }
+        self.slip_heat(depth, anchor, unit)
+    }
+
+    /// The heat of a ring that touches at the end and was within its limit.
+    fn slip_heat(&self, depth: f64, anchor: V, unit: V) -> f64 {
+        let units = Units { unit, ahead: self.ahead };
+        let rate = |cos: f64, sin: f64| (cos - self.slope).max(0.0) * units.of(cos, sin);
+        self.slip(depth, anchor).map_or(0.0, |slip| {
+            let Slip { met, across, beyond, .. } = &slip;
+            let snap = if *beyond > 0.0 {
+                beyond * units.of(met.at / met.arm, across / met.arm)
+            } else {
+                0.0
+            };
+            snap + self.over_slip(&slip, rate)
+        })
+    }
+
+    /// The work of a ring's traction on the shift: what it takes up until it slips, then
+    /// `int r cos theta dl`.
+    pub(super) fn work(&self, depth: f64, anchor: V) -> f64 {
+        if self.zeta < depth {
+            return self.until(depth).work(depth, anchor);
+        }
+        let anchor = if self.grazes(depth, anchor) { self.settled(depth, anchor) } else { anchor };
+        let stretch = self.shift.minus(anchor);
+        let elastic = |way: f64, rest: f64| {
+            // From the start to where `rest` is left: way times the traction between.
+            way * (stretch.dot(self.ahead) - rest - 0.5 * way)
+        };
+        // A ring that touches on the way has its anchor there, and no stretch.
+        let limit = self.zeta - depth;
+        let way = if self.dz > 0.0 {
+            self.length.min(self.length * (limit / self.dz))
+        } else {
+            self.length
+        };
+        match self.slip(depth, anchor) {
+            None => elastic(way, 0.0),
+            Some(slip) => {
+                let before = elastic((way - slip.met.rest).max(0.0), slip.met.rest);
+                before + self.over_slip(&slip, |cos, _| cos)
+            }
+        }
+    }
+
+    /// Whether a ring, as it was drawn, was beyond its limit and would not have come within it.
+    fn grazes(&self, depth: f64, anchor: V) -> bool {
+        self.slip(depth, anchor).is_some_and(|slip| slip.met.grazes)
+    }
+
+    /// The step until the ring of a depth parts.
+    fn until(&self, depth: f64) -> Self {
+        let start = self.zeta - self.dz;
+        let before = self.shift.minus(self.ahead.times(self.length));
+        let part = (start - depth) / -self.dz;
+        Self::new((start, before), (depth, before.plus(self.ahead.times(part * self.length))))
+    }
+
+    /// The slip of a ring that touches at the end of the step, if it slips.
+    fn slip(&self, depth: f64, anchor: V) -> Option<Slip> {
+        let limit = self.zeta - depth;
+        let stretch = self.shift.minus(anchor);
+        if self.length == 0.0 || stretch.dot(stretch) <= limit * limit {
+            return None;
+        }
         let (along, across) = (stretch.dot(self.ahead), cross(self.ahead, stretch));
         let met = self.met(along, across, limit);
-        let rest = met.rest;
-        if rest <= 0.0 {
-            return 0.0;
-        }
-        let straight = |way: f64, mean: f64, cos: f64| {
-            (way * mean * (cos - self.slope) * units.of(cos, 0.0)).max(0.0)
-        };
-        let Some(tangent) = met.tangent else {
+        let beyond = 0.5 * (met.arm - met.limit) * (met.arm + met.limit);
+        Some(Slip { met, limit, across, beyond })
+    }
+
+    /// The integral of `r rate(cos theta, sin theta) dl` over the slip of a ring.
+    fn over_slip(&self, slip: &Slip, rate: impl Fn(f64, f64) -> f64) -> f64 {
+        let Slip { met, limit, .. } = slip;
+        let straight = |way: f64, mean: f64, cos: f64| way * mean * rate(cos, 0.0);
+        let Some([near, far]) = met.half else {
             let cos = if met.at < 0.0 { -1.0 } else { 1.0 };
-            return straight(rest, 0.5 * (met.limit + limit), cos);
+            return straight(met.rest, 0.5 * (met.limit + limit), cos);
         };
+        let tangent = far / near;
         if self.slope <= -1.0 {
-            return self.steep_heat(tangent, [limit, met.limit], &units);
+            return self.over_steep_slip(tangent, [*limit, met.limit], rate);
         }
         // In x = log tan(theta/2): dx = -dl/r, r = r_0 exp(slope (x_0 - x)).
         let first = libm::log(tangent.abs());
-        let fall = rest * super::drag::pull(met.limit, limit);
+        let fall = fall(met.rest, met.limit, self.slope);
         let last = (first - fall).max(ALIGNED.min(first));
         let limit_at = |x: f64| met.limit * libm::exp(self.slope * (first - x));
-        let rate = |x: f64| {
+        let at = |x: f64| {
             let (tangent, limit) = (libm::exp(x).copysign(tangent), limit_at(x));
-            let scale = 1.0 / (1.0 + tangent * tangent);
-            let cos = (1.0 - tangent) * (1.0 + tangent) * scale;
-            limit * limit * (cos - self.slope).max(0.0) * units.of(cos, 2.0 * tangent * scale)
+            let [cos, sin] = directions(tangent);
+            limit * limit * rate(cos, sin)
         };
         let panels = ((first - last) / PANEL).ceil().max(1.0);
         let width = (first - last) / panels;
         let mut sum = 0.0;
         for panel in 0..panels as usize {
             let from = last + panel as f64 * width;
-            sum += GAUSS.iter().map(|(x, w)| w * rate(from + x * width)).sum::<f64>() * width;
+            sum += GAUSS.iter().map(|(x, w)| w * at(from + x * width)).sum::<f64>() * width;
         }
         let aligned = limit_at(last);
         let way = if self.slope == 0.0 {
-            rest - met.limit * (first - last)
+            met.rest - met.limit * (first - last)
         } else {
-            rest - (aligned - met.limit) / self.slope
+            met.rest - (aligned - met.limit) / self.slope
         };
         sum + straight(way.max(0.0), 0.5 * (aligned + limit), 1.0)
     }
 
     /// The same where the limit shrinks faster than the shift moves: over the limit r, in panels
     /// that shrink with it, `tan(theta/2) ~ r^(-1/slope)`.
-    fn steep_heat(&self, tangent: f64, [last, first]: [f64; 2], units: &Units<V>) -> f64 {
-        let rate = |limit: f64| {
-            let tangent = tangent * libm::pow(limit / first, -1.0 / self.slope);
-            let scale = 1.0 / (1.0 + tangent * tangent);
-            let cos = (1.0 - tangent) * (1.0 + tangent) * scale;
-            limit * (1.0 - cos / self.slope) * units.of(cos, 2.0 * tangent * scale)
+    fn over_steep_slip(
+        &self,
+        tangent: f64,
+        [last, first]: [f64; 2],
+        rate: impl Fn(f64, f64) -> f64,
+    ) -> f64 {
+        let at = |limit: f64| {
+            let [cos, sin] = directions(tangent * libm::pow(limit / first, -1.0 / self.slope));
+            limit * rate(cos, sin) / -self.slope
         };
         let (mut high, mut sum) = (first, 0.0);
         for panel in 1..=STEEP_PANELS {
             let low = if panel == STEEP_PANELS { last } else { (SHRINK * high).max(last) };
             let width = high - low;
-            sum += GAUSS.iter().map(|(x, w)| w * rate(low + x * width)).sum::<f64>() * width;
+            sum += GAUSS.iter().map(|(x, w)| w * at(low + x * width)).sum::<f64>() * width;
             high = low;
         }
         sum
+    }
+}
+
+/// Cosine and sine of an angle from the tangent of its half.
+fn directions(tangent: f64) -> [f64; 2] {
+    let scale = 1.0 / (1.0 + tangent * tangent);
+    [(1.0 - tangent) * (1.0 + tangent) * scale, 2.0 * tangent * scale]
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn size(v: [f64; 2]) -> f64 {
+        v[0].hypot(v[1])
+    }
+
+    #[test]
+    fn work_of_a_ring_is_stored_or_heat() {
+        let mut state = 1_u64;
+        let mut unit = || {
+            state = state
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
+            (state >> 11) as f64 / (1_u64 << 53) as f64
+        };
+        let mut worst = 0.0_f64;
+        for case in 0..200_000 {
+            let (zeta, depth) = (0.2 + unit(), 0.15 * unit());
+            let limit = zeta - depth;
+            // At the limit, within it, or, as it may be drawn, beyond.
+            let reach = [1.0, unit(), 1.0 + 0.01 * unit()][case % 3] * limit;
+            let angle = std::f64::consts::TAU * unit();
+            let anchor = [reach * angle.cos(), reach * angle.sin()];
+            let length = 10_f64.powf(2.0 * unit() - 2.0);
+            let growth = [0.0, 2.0 * unit() - 1.0, 30.0 * (unit() - 0.5)][case / 3 % 3];
+            let to = (zeta + (length * growth).max(-0.15), [length, 0.0]);
+            let step = Step::new((zeta, [0.0; 2]), to);
+            if to.0 < depth {
+                continue;
+            }
+            let after = size(step.shift.minus(step.drag(depth, anchor)));
+            let stored = 0.5 * (after * after - reach * reach);
+            let balance = step.work(depth, anchor) - stored - step.heat(depth, anchor, [1.0; 2]);
+            let error = balance.abs() / (reach * (reach + length));
+            assert!(error < 1e-11, "{case}: {balance:e}, {zeta} {depth} {anchor:?} {to:?}");
+            worst = worst.max(error);
+        }
+        println!("{worst:e}");
     }
 }

@@ -33,7 +33,7 @@ pub use report::Arc;
 use carom_special::RangeError;
 
 use crate::bounds::in_memory;
-use crate::memory::{Growing, Lateral, Regime, VertexStack};
+use crate::memory::{Growing, Lateral, MemoryRegime as Regime, VertexStack};
 
 /// The memory of a contact whose rings slip each by itself.
 ///
@@ -71,7 +71,7 @@ pub struct CoulombMemory<V, S = Growing<V>> {
 pub struct Tolerance(f64);
 
 /// The largest bubble over the power 2/3 of the tolerance.
-const BULGE: f64 = 0.215;
+const BULGE: f64 = 0.3;
 
 impl Tolerance {
     /// That of many particles: 1e-2.

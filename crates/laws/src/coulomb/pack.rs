@@ -5,7 +5,7 @@ use carom_special::RangeError;
 use super::CoulombMemory;
 use super::piece::{End, Knot};
 use crate::bounds::in_memory;
-use crate::memory::{Regime, VertexStack};
+use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 
 /// The version of the format; the first number is `1e4 version + 100 regime + vertices`.
 const VERSION: f64 = 1.0;
@@ -13,16 +13,6 @@ const HEAD: usize = 6;
 const EACH: usize = 5;
 /// The most vertices that the first number can count.
 const MOST: usize = 99;
-
-const REGIMES: [Regime; 7] = [
-    Regime::Separated,
-    Regime::Adhesion,
-    Regime::Release,
-    Regime::Slip,
-    Regime::Reversal,
-    Regime::Overlay,
-    Regime::Sliding,
-];
 
 /// How many numbers the state of a contact takes in that many vertices: 66 for 12.
 ///
@@ -34,7 +24,7 @@ pub const fn packed_numbers(vertices: usize) -> usize {
     HEAD + EACH * vertices
 }
 
-impl<S: VertexStack<[f64; 2]>> CoulombMemory<[f64; 2], S> {
+impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     /// Writes the state into numbers: a mark of version, regime and number of vertices, the
     /// approach, the shift, the depth of the front, the largest stretch, and of each vertex depth,
     /// anchor and bubble. What is left over becomes zero. All zeros are two bodies apart.
@@ -47,13 +37,12 @@ impl<S: VertexStack<[f64; 2]>> CoulombMemory<[f64; 2], S> {
         let holds = numbers.len() >= packed_numbers(len) && len <= MOST;
         RangeError::check("numbers", room, holds, ">= 6 + 5 per vertex, of which at most 99")?;
         numbers.fill(0.0);
-        let regime = REGIMES.iter().position(|regime| *regime == self.regime).unwrap_or(0);
-        let [x, y] = self.shift;
-        let mark = 1e4 * VERSION + 100.0 * regime as f64 + len as f64;
+        let [x, y] = self.shift.components();
+        let mark = 1e4 * VERSION + 100.0 * f64::from(self.regime.number()) + len as f64;
         numbers[..HEAD].copy_from_slice(&[mark, self.zeta, x, y, self.front, self.extent]);
         for (i, numbers) in numbers[HEAD..].chunks_exact_mut(EACH).take(len).enumerate() {
             let knot = Knot::of(self.stack.get(i));
-            let ([w_x, w_y], [b_x, b_y]) = (knot.anchor, knot.bubble);
+            let ([w_x, w_y], [b_x, b_y]) = (knot.anchor.components(), knot.bubble.components());
             numbers.copy_from_slice(&[knot.depth, w_x, w_y, b_x, b_y]);
         }
         Ok(())
@@ -67,46 +56,52 @@ impl<S: VertexStack<[f64; 2]>> CoulombMemory<[f64; 2], S> {
     /// for, depths that do not rise to the approach, or values out of range; the state is then
     /// unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
-        let room = numbers.len() as f64;
-        RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
-        let mark = if numbers[0] == 0.0 { 1e4 * VERSION } else { numbers[0] };
-        let rest = mark - 1e4 * VERSION;
-        let (regime, len) = ((rest / 100.0).floor(), rest.rem_euclid(100.0));
-        let known = (0.0..REGIMES.len() as f64).contains(&regime) && len == len.floor();
-        RangeError::check("mark", mark, known, "of version 1")?;
-        let len = len as usize;
-        let holds = len <= self.stack.capacity() && numbers.len() >= packed_numbers(len);
-        RangeError::check("vertices", len as f64, holds, "not above the room for them")?;
-        for value in &numbers[1..packed_numbers(len)] {
-            in_memory("numbers", *value)?;
-        }
-        let mut next = Self { stack: S::default(), ..self.clone() };
-        next.zeta = numbers[1];
-        next.root = next.zeta.max(0.0).sqrt();
-        next.shift = [numbers[2], numbers[3]];
-        (next.front, next.extent) = (numbers[4], numbers[5]);
-        next.regime = REGIMES[regime as usize];
-        next.force = <[f64; 2]>::default();
-        let mut below = -1.0;
+        let (regime, len) = check(numbers, self.stack.capacity())?;
+        self.zeta = numbers[1];
+        self.root = self.zeta.max(0.0).sqrt();
+        self.shift = V::from_components([numbers[2], numbers[3]]);
+        (self.front, self.extent) = (numbers[4], numbers[5]);
+        (self.regime, self.force) = (regime, V::default());
+        self.stack.truncate(0);
         for vertex in numbers[HEAD..].chunks_exact(EACH).take(len) {
-            let depth = vertex[0];
-            let first = below < 0.0;
-            let rises = if first { depth == 0.0 } else { depth > below && depth < next.zeta };
-            RangeError::check("depth", depth, rises, "rising from 0 to below the approach")?;
             let knot = Knot {
-                depth,
-                root: depth.sqrt(),
-                anchor: [vertex[1], vertex[2]],
-                bubble: [vertex[3], vertex[4]],
-                force: [0.0; 2],
+                depth: vertex[0],
+                root: vertex[0].sqrt(),
+                anchor: V::from_components([vertex[1], vertex[2]]),
+                bubble: V::from_components([vertex[3], vertex[4]]),
+                force: V::default(),
             };
-            next.stack.push(knot.vertex());
-            below = depth;
+            self.stack.push(knot.vertex());
         }
         if len > 0 {
-            next.finish(End { depth: next.zeta, root: next.root, anchor: next.shift }, 0);
+            self.finish(End { depth: self.zeta, root: self.root, anchor: self.shift }, 0);
         }
-        *self = next;
         Ok(())
     }
+}
+
+/// The regime and the number of vertices, if the numbers are a state.
+fn check(numbers: &[f64], capacity: usize) -> Result<(Regime, usize), RangeError> {
+    let room = numbers.len() as f64;
+    RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
+    let mark = if numbers[0] == 0.0 { 1e4 * VERSION } else { numbers[0] };
+    let rest = mark - 1e4 * VERSION;
+    let (regime, len) = ((rest / 100.0).floor(), rest.rem_euclid(100.0));
+    let known = Regime::of_number(regime).filter(|_| len == len.floor());
+    let regime = known.ok_or(RangeError::new("mark", mark, "of version 1"))?;
+    let len = len as usize;
+    let holds = len <= capacity && numbers.len() >= packed_numbers(len);
+    RangeError::check("vertices", len as f64, holds, "not above the room for them")?;
+    for value in &numbers[1..packed_numbers(len)] {
+        in_memory("numbers", *value)?;
+    }
+    let mut below = -1.0;
+    for vertex in numbers[HEAD..].chunks_exact(EACH).take(len) {
+        let depth = vertex[0];
+        let rises = if below < 0.0 { depth == 0.0 } else { depth > below && depth < numbers[1] };
+        RangeError::check("depth", depth, rises, "rising from 0 to below the approach")?;
+        below = depth;
+    }
+    RangeError::check("approach", numbers[1], (numbers[1] > 0.0) == (len > 0), "> 0 in contact")?;
+    Ok((regime, len))
 }

@@ -2,7 +2,7 @@
 
 use super::CoulombMemory;
 use super::piece::Piece;
-use crate::memory::{Lateral, Regime, Tangent, Turn, VertexStack};
+use crate::memory::{Lateral, MemoryRegime as Regime, Tangent, Turn, VertexStack};
 use crate::profile::GAUSS;
 
 /// A piece of the curve of anchors: `W = chord + 4 tau (1 - tau) bubble`, tau from 0 to 1 over the

@@ -1,15 +1,24 @@
 //! A straight step: adhesion lays a piece down, slip drags what is beyond its limit.
 
 use super::CoulombMemory;
-use super::drag::Step;
+use super::drag::{BEYOND, Step, grain};
+use super::energy::{Notes, Unnoted};
 use super::join::{Sizes, join, make_room};
 use super::piece::{End, Knot, Piece};
-use crate::memory::{Lateral, Regime, VertexStack};
+use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 
 /// What counts as no length at all, over the approach and over the shift.
 const EXACT: [f64; 2] = [1e-13, 1e-15];
 /// The share of the tolerance by which a join may move the curve.
-const SHARE: f64 = 0.2;
+const SHARE: f64 = 0.1;
+/// What is a straight line behind the tip, as a share of what a join may move.
+const STRAIGHT: f64 = 1e-6;
+/// How far a parabola may be off in a boundary layer, as a share of the same.
+const LAYER: f64 = 0.3;
+/// Between which ratios of limits a piece may hide a boundary layer, and how near to its upper end
+/// that is looked for.
+const HIDES: f64 = 0.43;
+const NEAR: f64 = 0.75;
 /// How often a piece may be halved in one step.
 const HALVINGS: u32 = 6;
 /// How near to its upper end a piece is split.
@@ -29,6 +38,11 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     /// A step that was checked.
     #[inline]
     pub(crate) fn step(&mut self, zeta: f64, shift: V) {
+        self.step_noted(zeta, shift, &mut Unnoted);
+    }
+
+    #[inline]
+    pub(super) fn step_noted(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
         if zeta <= 0.0 {
             self.separate(zeta, shift);
             return;
@@ -43,10 +57,12 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         }
         let stretch = shift.minus(self.stack.get(0).anchor);
         self.extent = self.extent.max(stretch.length());
-        if dz > 0.0 && dx.dot(dx) <= dz * dz {
-            self.adhere(zeta, shift);
+        // On the cone itself, to round-off, the rings that touch may as well slip.
+        let clear = dz - grain(zeta, shift);
+        if clear > 0.0 && dx.dot(dx) <= clear * clear {
+            self.adhere(zeta, shift, notes);
         } else {
-            self.slip(zeta, shift);
+            self.slip(zeta, shift, notes);
         }
         (self.zeta, self.shift) = (zeta, shift);
     }
@@ -71,10 +87,10 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     #[inline]
     fn sizes(&self, end: End<V>) -> Sizes {
         let [x, y] = end.anchor.components();
-        let size = end.depth.min(self.extent);
         Sizes {
-            miss: SHARE * self.tolerance * size,
-            bulge: self.bulge * size,
+            extent: self.extent,
+            miss: SHARE * self.tolerance,
+            bulge: self.bulge,
             exact: EXACT[0] * end.depth + EXACT[1] * (x.abs() + y.abs()),
         }
     }
@@ -93,13 +109,14 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
 
     /// The piece laid down in complete adhesion (6.45), (7.54).
     #[inline]
-    fn adhere(&mut self, zeta: f64, shift: V) {
+    fn adhere(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
         let end = End { depth: zeta, root: zeta.sqrt(), anchor: shift };
         let top = self.grow();
         self.force = self.force.plus(Piece::new(&self.tip(), end).force());
         if top > 0 {
             let sizes = self.sizes(end);
-            join(&mut self.stack, top, end, &sizes);
+            notes.drawn(self.chain_to(end), shift);
+            join(&mut self.stack, top, end, &sizes, notes);
         }
         (self.root, self.regime, self.front) = (end.root, Regime::Adhesion, self.zeta);
     }
@@ -118,7 +135,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 
     /// Drags what is beyond its limit at the end of the step.
-    fn slip(&mut self, zeta: f64, shift: V) {
+    fn slip(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
         let step = Step::new((self.zeta, self.shift), (zeta, shift));
         let released = zeta < self.zeta;
         if zeta > self.zeta {
@@ -143,7 +160,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         self.report(first, slides, zeta);
         self.drag_from(first, &step, old, &self.sizes(end));
         self.finish(end, first.saturating_sub(1));
-        self.join_from(first.max(1), end);
+        notes.drawn(self.chain_to(end), shift);
+        self.join_from(first.max(1), end, notes);
     }
 
     /// Cuts the curve at an approach; its end there before anything is dragged.
@@ -181,16 +199,16 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     fn find_front(&self, step: &Step<V>, old: End<V>) -> Front {
         let len = self.stack.len();
         let mut knot = Knot::of(self.stack.get(0));
-        if step.excess(knot.depth, knot.anchor) > 0.0 {
+        if step.is_beyond(knot.depth, knot.anchor) {
             return Front::Bottom;
         }
         for i in 0..len {
             let piece = Piece::new(&knot, self.end_of(i, old));
-            if step.excess(piece.middle_depth(), piece.middle()) > 0.0 {
+            if step.is_beyond(piece.middle_depth(), piece.middle()) {
                 return Front::On { piece: i, within: 0.0, beyond: 0.5 };
             }
             let high = piece.high;
-            if step.excess(high.depth, high.anchor) > 0.0 {
+            if step.is_beyond(high.depth, high.anchor) {
                 return Front::On { piece: i, within: 0.5, beyond: 1.0 };
             }
             if i + 1 < len {
@@ -206,10 +224,11 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         let piece = Piece::new(&knot, self.end_of(i, old));
         let part = piece.front(step, within, beyond);
         let cut = piece.cut(part);
-        if cut.depth <= knot.depth {
+        let grain = BEYOND * step.grain;
+        if cut.depth <= knot.depth + grain {
             return i;
         }
-        if cut.depth >= piece.high.depth {
+        if cut.depth >= piece.high.depth - grain {
             // The vertex above is the front, or a ring at the edge too thin to be seen.
             return (i + 1).min(self.stack.len() - 1);
         }
@@ -231,11 +250,13 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         let mut old = old;
         let mut new = step.shift;
         let mut in_line = true;
+        let end = End { depth: step.zeta, root: old.root, anchor: new };
+        let straight = sizes.exact.max(STRAIGHT * sizes.miss(&end));
         for i in (first..self.stack.len()).rev() {
             let knot = Knot::of(self.stack.get(i));
             let piece = Piece::new(&knot, old);
             let anchor = step.drag(knot.depth, knot.anchor);
-            in_line = in_line && self.lies_behind(step, &piece, anchor, sizes.exact);
+            in_line = in_line && self.lies_behind(step, &piece, anchor, straight);
             if in_line {
                 // One piece, straight behind the tip.
                 self.stack.truncate(i + 1);
@@ -271,18 +292,28 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     ) {
         let middle = step.drag(old.middle_depth(), old.middle());
         let bubble = middle.minus(new[0].plus(new[1]).times(0.5));
-        let is_straight = bubble.dot(bubble) <= sizes.exact * sizes.exact;
+        let miss = sizes.miss(&old.high);
+        let straight = sizes.exact.max(STRAIGHT * miss);
+        let square = bubble.dot(bubble);
         let vertex = self.stack.get_mut(i);
         vertex.anchor = new[0];
-        vertex.slope = if is_straight { V::default() } else { bubble };
-        let full = self.stack.len() >= self.stack.capacity();
-        let within = bubble.dot(bubble) <= sizes.bulge * sizes.bulge;
-        if within || halvings == 0 || full {
+        vertex.slope = if square <= straight * straight { V::default() } else { bubble };
+        if halvings == 0 || self.stack.len() >= self.stack.capacity() {
             return;
         }
-        // Where the angle seen from the tip is halved.
-        let (low, high) = (step.shift.minus(new[0]).length(), step.shift.minus(new[1]).length());
-        let part = (low / (low + high)).clamp(1.0 - HIGHEST, HIGHEST);
+        let bulge = sizes.bulge(&old.high);
+        let part = if square > bulge * bulge {
+            // Where the angle seen from the tip is halved.
+            let [low, high] = new.map(|anchor| step.shift.minus(anchor).length());
+            (low / (low + high)).clamp(1.0 - HIGHEST, HIGHEST)
+        } else if square > LAYER * LAYER * miss * miss {
+            match layer(old, new, bubble, step, LAYER * miss) {
+                Some(part) => part,
+                None => return,
+            }
+        } else {
+            return;
+        };
         let at = old.cut(part);
         if !(at.depth > old.low.depth && at.depth < old.high.depth) {
             return; // too thin, or at the tip itself
@@ -322,11 +353,11 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
 
     /// Joins what can be joined from a vertex up.
     #[inline]
-    fn join_from(&mut self, first: usize, end: End<V>) {
+    fn join_from(&mut self, first: usize, end: End<V>, notes: &mut impl Notes<V>) {
         let sizes = self.sizes(end);
         let mut i = first;
         while i < self.stack.len() {
-            if !join(&mut self.stack, i, end, &sizes) {
+            if !join(&mut self.stack, i, end, &sizes, notes) {
                 i += 1;
             }
         }
@@ -340,8 +371,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             let piece = Piece::new(&knot, self.end_of(i, old));
             let middle = piece.middle_depth();
             knot.depth >= self.zeta
-                || (step.excess(knot.depth, knot.anchor) > 0.0
-                    && (middle >= self.zeta || step.excess(middle, piece.middle()) > 0.0))
+                || (step.is_beyond(knot.depth, knot.anchor)
+                    && (middle >= self.zeta || step.is_beyond(middle, piece.middle())))
         })
     }
 
@@ -358,4 +389,27 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         };
         self.front = front;
     }
+}
+
+/// Where a dragged piece is to be split since its parabola, though flat, is off by more than allowed
+/// near its upper end: rings of limits below the length of the step have turned, others have not.
+#[inline]
+fn layer<V: Lateral>(
+    old: &Piece<V>,
+    new: [V; 2],
+    bubble: V,
+    step: &Step<V>,
+    allowed: f64,
+) -> Option<f64> {
+    let [low, high] = [old.low.depth, old.high.depth].map(|depth| step.zeta - depth);
+    if high > HIDES * low {
+        return None;
+    }
+    let [low, high] = [low, high].map(|limit| limit + step.length);
+    let part = ((low - (low * high).sqrt()) / (low - high)).max(NEAR);
+    let depth = old.depth_at(part);
+    let on = new[0].plus(new[1].minus(new[0]).times(part));
+    let on = on.plus(bubble.times(4.0 * part * (1.0 - part)));
+    let off = step.drag(depth, old.at(part)).minus(on);
+    (off.dot(off) > allowed * allowed).then_some(part)
 }

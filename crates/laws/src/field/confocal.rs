@@ -3,11 +3,9 @@
 //! With `lambda` the ellipsoidal coordinate of the point, the largest root of
 //! `x^2/(a^2+l) + y^2/(b^2+l) + z^2/l = 1`, and `Delta = sqrt((a^2+s)(b^2+s)s)`.
 
-use std::sync::LazyLock;
-
 use carom_special::RangeError;
 use carom_special::elliptic::{Amplitude, incomplete};
-use carom_special::quadrature::GaussLegendre;
+use carom_special::quadrature::FixedRule;
 
 use crate::ellipse::ContactEllipse;
 
@@ -15,8 +13,7 @@ use crate::ellipse::ContactEllipse;
 /// is exact to round-off.
 const ROUND: f64 = 0.7;
 
-static RULE: LazyLock<GaussLegendre> =
-    LazyLock::new(|| GaussLegendre::new(24).unwrap_or_else(|_| unreachable!("24 is an order")));
+static RULE: FixedRule<24> = FixedRule::fixed();
 
 /// Elliptic integrals from lambda to infinity.
 #[derive(Debug, Clone, Copy)]

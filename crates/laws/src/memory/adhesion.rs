@@ -1,5 +1,7 @@
 //! The memory of bodies that never slip, the limit of infinite friction.
 
+mod pack;
+
 use carom_special::RangeError;
 
 use super::energy::{flat_energy, spring_energy};

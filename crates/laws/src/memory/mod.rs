@@ -20,6 +20,7 @@ mod adhesion;
 mod energy;
 mod lateral;
 mod merge;
+mod pack;
 mod report;
 mod slip_in_line;
 mod slip_in_plane;
@@ -39,7 +40,7 @@ use merge::push;
 
 /// What the last step did to a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub enum Regime {
+pub enum MemoryRegime {
     /// The bodies are apart.
     #[default]
     Separated,
@@ -63,11 +64,11 @@ pub enum Regime {
 /// normal law.
 ///
 /// ```
-/// use carom_laws::memory::{Memory, Regime};
+/// use carom_laws::memory::{Memory, MemoryRegime};
 /// let mut memory: Memory<f64> = Memory::new();
 /// memory.advance(1.0, 0.0)?; // press
 /// memory.advance(1.0, 0.6)?; // shift
-/// assert_eq!(memory.regime(), Regime::Slip);
+/// assert_eq!(memory.regime(), MemoryRegime::Slip);
 /// assert_eq!(memory.stick_depth(), 0.4);
 /// let virgin = 1.0 - 0.4_f64.powf(1.5);
 /// assert!((memory.force() - virgin).abs() < 1e-15);
@@ -80,7 +81,7 @@ pub struct Memory<V, S = Growing<V>, P = Hertzian> {
     zeta: f64,
     shift: V,
     force: V,
-    regime: Regime,
+    regime: MemoryRegime,
     stack: S,
     profile: P,
 }
@@ -89,10 +90,6 @@ pub struct Memory<V, S = Growing<V>, P = Hertzian> {
 pub type ScalarMemory = Memory<f64>;
 /// The exact memory of a shift in two directions.
 pub type VectorMemory = Memory<[f64; 2]>;
-/// One direction in at most N vertices, plain data.
-pub type FixedScalarMemory<const N: usize> = Memory<f64, Fixed<f64, N>>;
-/// Two directions in at most N vertices, plain data.
-pub type FixedVectorMemory<const N: usize> = Memory<[f64; 2], Fixed<[f64; 2], N>>;
 
 impl<V: Lateral, S: VertexStack<V>> Default for Memory<V, S> {
     fn default() -> Self {
@@ -116,7 +113,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
             zeta: 0.0,
             shift: V::default(),
             force: V::default(),
-            regime: Regime::Separated,
+            regime: MemoryRegime::Separated,
             stack: S::default(),
             profile,
         }
@@ -163,7 +160,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     #[cold]
     fn separate(&mut self, zeta: f64, shift: V) {
         self.stack.truncate(0);
-        (self.zeta, self.shift, self.regime) = (zeta, shift, Regime::Separated);
+        (self.zeta, self.shift, self.regime) = (zeta, shift, MemoryRegime::Separated);
         self.force = V::default();
     }
 
@@ -195,11 +192,11 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         } else if below.slope != slope || below.force_slope != slope {
             push(&mut self.stack, vertex, &self.profile);
         }
-        self.finish(zeta, Regime::Adhesion);
+        self.finish(zeta, MemoryRegime::Adhesion);
     }
 
     #[inline]
-    fn finish(&mut self, zeta: f64, regime: Regime) {
+    fn finish(&mut self, zeta: f64, regime: MemoryRegime) {
         self.force = self.stack.get(self.stack.len() - 1).force_at(zeta, &self.profile);
         self.regime = regime;
     }
@@ -239,7 +236,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         }
         self.stack.truncate(i + 1);
         let in_ring = self.stack.get(i).is_slip();
-        self.finish(zeta, if in_ring { Regime::Slip } else { Regime::Release });
+        self.finish(zeta, if in_ring { MemoryRegime::Slip } else { MemoryRegime::Release });
     }
 
     /// The slip ring that ends on segment i, `reach` deep.
@@ -259,9 +256,9 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         );
         self.force = force.plus(slope.times(self.profile.growth(depth, reach)));
         self.regime = match rings {
-            0 if reversed => Regime::Reversal,
-            0 | 1 => Regime::Slip,
-            _ => Regime::Overlay,
+            0 if reversed => MemoryRegime::Reversal,
+            0 | 1 => MemoryRegime::Slip,
+            _ => MemoryRegime::Overlay,
         };
     }
 
@@ -290,6 +287,6 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
             },
             &self.profile,
         );
-        self.finish(zeta, Regime::Sliding);
+        self.finish(zeta, MemoryRegime::Sliding);
     }
 }

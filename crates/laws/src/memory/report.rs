@@ -1,6 +1,6 @@
 //! What a memory can tell: the quantities of the thesis, tractions, tangents.
 
-use super::{Lateral, Memory, Regime, Vertex, VertexStack};
+use super::{Lateral, Memory, MemoryRegime, Vertex, VertexStack};
 use crate::profile::NormalProfile;
 
 /// A straight piece of the memory polyline.
@@ -58,7 +58,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
 
     /// What the last step did.
     #[must_use]
-    pub fn regime(&self) -> Regime {
+    pub fn regime(&self) -> MemoryRegime {
         self.regime
     }
 
@@ -91,8 +91,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     #[must_use]
     pub fn stick_depth(&self) -> f64 {
         match self.regime {
-            Regime::Separated | Regime::Sliding => 0.0,
-            Regime::Adhesion | Regime::Release => self.zeta,
+            MemoryRegime::Separated | MemoryRegime::Sliding => 0.0,
+            MemoryRegime::Adhesion | MemoryRegime::Release => self.zeta,
             _ => self.stack.get(self.stack.len() - 1).depth,
         }
     }
@@ -132,7 +132,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     #[must_use]
     pub fn slip_direction(&self) -> Option<V> {
         match self.regime {
-            Regime::Separated | Regime::Adhesion | Regime::Release => None,
+            MemoryRegime::Separated | MemoryRegime::Adhesion | MemoryRegime::Release => None,
             _ => Some(self.stack.get(self.stack.len() - 1).slope),
         }
     }
@@ -205,15 +205,17 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         let stiffness = self.profile.stiffness(self.zeta);
         let top = self.stack.get(self.stack.len() - 1);
         let length = self.zeta - top.depth;
-        if self.regime == Regime::Release || length <= 0.0 {
+        if self.regime == MemoryRegime::Release || length <= 0.0 {
             return rest(isotropic(stiffness));
         }
         let m = top.slope.components();
         let chord = self.profile.growth(top.depth, length) / length;
         let normal_turn = m.map(|m| m * (stiffness - chord));
         match self.regime {
-            Regime::Adhesion => Tangent { by_shift: isotropic(chord), by_approach: normal_turn },
-            Regime::Sliding => {
+            MemoryRegime::Adhesion => {
+                Tangent { by_shift: isotropic(chord), by_approach: normal_turn }
+            }
+            MemoryRegime::Sliding => {
                 Tangent { by_shift: turning(m, chord), by_approach: m.map(|m| m * stiffness) }
             }
             _ => self.slip_tangent(m, stiffness, chord),

@@ -8,6 +8,7 @@
 use std::f64::consts::{FRAC_2_PI, LN_2};
 
 use carom_special::elliptic::complete;
+use carom_special::roots::bisect;
 
 use super::heat::Meter;
 use super::history::{TwistHistory, Way};
@@ -16,6 +17,8 @@ use super::sliding::{sliding_torque, sliding_twist, with_ratio};
 
 /// Beyond this depth a stick radius is as good as none.
 const DEEPEST: f64 = 690.0;
+/// Halvings of a growth: to rounding.
+const HALVINGS: usize = 50;
 
 impl TwistHistory {
     /// New area laid down in complete adhesion.
@@ -68,18 +71,11 @@ impl TwistHistory {
             let twist = self.twist + rate * (al - self.radius);
             sign * (twist - self.twist_below(ratio * al)) - sliding_twist(ratio * al, al)
         };
-        let (mut low, mut high) = (self.radius, radius.min(self.radius / ratio));
-        if excess(high) < 0.0 {
+        let largest = radius.min(self.radius / ratio);
+        if excess(largest) < 0.0 {
             return radius;
         }
-        while high - low > 1e-15 * high {
-            let middle = 0.5 * (low + high);
-            if middle <= low || middle >= high {
-                break;
-            }
-            if excess(middle) < 0.0 { low = middle } else { high = middle }
-        }
-        high
+        bisect([self.radius, largest], HALVINGS, |al| excess(al) < 0.0)[1]
     }
 
     /// The inner edge of the slip ring moves out with the contact.

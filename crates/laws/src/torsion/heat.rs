@@ -7,20 +7,16 @@
 //! `al^4 [p(v) sign dbh - g(v) dal]`, where p = P/al^4 and
 //! `g = p(c) + int_c^al (dbF/dal) (p(c) - p(s)) ds`.
 
+use carom_special::quadrature::FixedRule;
+use carom_special::roots::bisect;
+
 use super::grow::steady_rate;
 use super::history::{TwistHistory, Way};
 use super::rings::Rings;
 use super::sliding::{heat_of_growth, heat_of_twist, sliding_twist};
 
-/// Gauss's nodes on (0, 1) and weights.
-const SIX: [(f64, f64); 6] = [
-    (0.033_765_242_898_423_99, 0.085_662_246_189_585_17),
-    (0.169_395_306_766_867_74, 0.180_380_786_524_069_3),
-    (0.380_690_406_958_401_55, 0.233_956_967_286_345_52),
-    (0.619_309_593_041_598_5, 0.233_956_967_286_345_52),
-    (0.830_604_693_233_132_3, 0.180_380_786_524_069_3),
-    (0.966_234_757_101_576, 0.085_662_246_189_585_17),
-];
+/// Gauss's nodes and weights on (0, 1).
+const GAUSS: [(f64, f64); 6] = FixedRule::parts();
 
 /// Parts that a way is halved into at most, and the accuracy over the torque of sliding times the
 /// step at which a part is left whole.
@@ -136,16 +132,12 @@ impl Path<'_> {
                 sign * twist - sliding_twist(segment.from, before.radius + t * grown)
             };
             for sign in [1.0, -1.0] {
-                let (mut low, mut high) = (0.0, 1.0);
-                let rises = excess(sign, low) < 0.0;
-                if segment.from == 0.0 || rises == (excess(sign, high) < 0.0) {
+                let rises = excess(sign, 0.0) < 0.0;
+                if segment.from == 0.0 || rises == (excess(sign, 1.0) < 0.0) {
                     continue;
                 }
-                for _ in 0..50 {
-                    let middle = 0.5 * (low + high);
-                    if (excess(sign, middle) < 0.0) == rises { low = middle } else { high = middle }
-                }
-                ends.push(high);
+                let [_, passed] = bisect([0.0, 1.0], 50, |t| (excess(sign, t) < 0.0) == rises);
+                ends.push(passed);
             }
         }
         ends.sort_by(f64::total_cmp);
@@ -167,7 +159,7 @@ impl Path<'_> {
 
     fn sum(&self, low: f64, high: f64) -> f64 {
         let part = high - low;
-        SIX.iter().map(|(node, weight)| weight * part * self.rate(low + node * part)).sum()
+        GAUSS.iter().map(|(node, weight)| weight * part * self.rate(low + node * part)).sum()
     }
 
     /// Heat by the step's parameter from 0 to 1.

@@ -6,10 +6,8 @@
 //! contact that slides at the radius al has `b = (2/pi) E(k)/k'`, `k' = s/al`. A step finds the
 //! stick radius c below which the density is kept, and puts the sliding one above it (10.25).
 
-use std::sync::LazyLock;
-
 use carom_special::RangeError;
-use carom_special::quadrature::GaussLegendre;
+use carom_special::quadrature::FixedRule;
 
 use super::heat::{Heat, Unmetered};
 use super::rings;
@@ -25,8 +23,7 @@ const LAST_TOUCH: f64 = 1e-4;
 const PANEL: f64 = 0.4;
 const PANELS: usize = 14;
 
-static RULE: LazyLock<GaussLegendre> =
-    LazyLock::new(|| GaussLegendre::new(16).unwrap_or_else(|_| unreachable!("16 is an order")));
+static RULE: FixedRule<16> = FixedRule::fixed();
 
 /// A way on which the pattern of slip is known.
 #[derive(Debug, Clone, Copy, PartialEq)]

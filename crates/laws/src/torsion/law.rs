@@ -3,6 +3,7 @@
 use std::f64::consts::PI;
 
 use carom_special::RangeError;
+use carom_special::quadrature::FixedRule;
 
 use super::adhesion::{AdhesiveTorsion, sliding_torque_arm};
 use super::history::TwistHistory;
@@ -15,14 +16,8 @@ use crate::memory::{AdhesionMemory, Growing};
 use crate::profile::PowerLaw;
 use crate::shift_law::ShiftLaw;
 
-/// Gauss's nodes and weights on (0, 1), five points.
-const GAUSS: [(f64, f64); 5] = [
-    (0.046_910_077_030_668, 0.118_463_442_528_094_54),
-    (0.230_765_344_947_158_45, 0.239_314_335_249_683_24),
-    (0.5, 0.284_444_444_444_444_44),
-    (0.769_234_655_052_841_5, 0.239_314_335_249_683_24),
-    (0.953_089_922_969_332, 0.118_463_442_528_094_54),
-];
+/// Gauss's nodes and weights on (0, 1).
+const GAUSS: [(f64, f64); 5] = FixedRule::parts();
 
 /// The law of normal load and twist about the normal.
 ///

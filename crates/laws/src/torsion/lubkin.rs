@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 use std::sync::LazyLock;
 
 use carom_special::elliptic::{Amplitude, complete, incomplete};
-use carom_special::quadrature::GaussLegendre;
+use carom_special::quadrature::FixedRule;
 use carom_special::{AxisRatio, RangeError};
 
 /// The normalised torque of complete sliding, `M_z/(f F_z a) = 3 pi/16`.
@@ -13,10 +13,8 @@ pub const SLIDING_TORQUE: f64 = 3.0 * PI / 16.0;
 /// Below this stick radius the torque is found from what it lacks to sliding.
 const SMALL_STICK: f64 = 0.4;
 
-static RULE: LazyLock<GaussLegendre> =
-    LazyLock::new(|| GaussLegendre::new(16).unwrap_or_else(|_| unreachable!("16 is an order")));
-static FINE: LazyLock<GaussLegendre> =
-    LazyLock::new(|| GaussLegendre::new(48).unwrap_or_else(|_| unreachable!("48 is an order")));
+static RULE: FixedRule<16> = FixedRule::fixed();
+static FINE: FixedRule<48> = FixedRule::fixed();
 
 /// A circular contact under constant normal load, twisted once from rest.
 ///

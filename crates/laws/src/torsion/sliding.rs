@@ -11,7 +11,7 @@ use std::sync::LazyLock;
 
 use carom_special::AxisRatio;
 use carom_special::elliptic::complete;
-use carom_special::quadrature::GaussLegendre;
+use carom_special::quadrature::FixedRule;
 
 use super::lubkin::{Lubkin, SLIDING_TORQUE};
 
@@ -40,11 +40,9 @@ static TABLE: LazyLock<Table> = LazyLock::new(|| Table {
     torque: std::array::from_fn(|i| fitted(i, |v| Lubkin::at_depth(v).torque())),
 });
 
-static RULE: LazyLock<GaussLegendre> =
-    LazyLock::new(|| GaussLegendre::new(16).unwrap_or_else(|_| unreachable!("16 is an order")));
+static RULE: FixedRule<16> = FixedRule::fixed();
 
-static FINE: LazyLock<GaussLegendre> =
-    LazyLock::new(|| GaussLegendre::new(32).unwrap_or_else(|_| unreachable!("32 is an order")));
+static FINE: FixedRule<32> = FixedRule::fixed();
 
 /// `G = K - E` at the depth v, by the integral D.
 fn twist_at(v: f64) -> f64 {

@@ -1,5 +1,5 @@
 //! Reading of reference tables and comparison with them.
-#![allow(dead_code)]
+#![allow(dead_code)] // no test needs all of it
 
 use serde_json::Value;
 

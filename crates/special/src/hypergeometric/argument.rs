@@ -52,10 +52,4 @@ impl UnitArgument {
     pub const fn complement(self) -> f64 {
         self.complement
     }
-
-    /// 1 - x as an argument.
-    #[must_use]
-    pub const fn reflected(self) -> Self {
-        Self { value: self.complement, complement: self.value }
-    }
 }

@@ -41,11 +41,11 @@ pub enum OdeError {
 /// use carom_special::ode::{Stepper, Tolerance};
 /// let slope = |_: f64, y: &[f64; 2]| [y[1], -y[0]];
 /// let tolerance = Tolerance { absolute: 1e-13, relative: 1e-13 };
-/// let mut walk = Stepper::new(0.0, [0.0, 1.0], 1.0, tolerance, slope)?;
-/// while walk.x() < 2.0 {
-///     walk.step(2.0)?;
+/// let mut stepper = Stepper::new(0.0, [0.0, 1.0], 1.0, tolerance, slope)?;
+/// while stepper.x() < 2.0 {
+///     stepper.step(2.0)?;
 /// }
-/// assert!((walk.y()[0] - 2.0_f64.sin()).abs() < 1e-12);
+/// assert!((stepper.y()[0] - 2.0_f64.sin()).abs() < 1e-12);
 /// # Ok::<(), carom_special::ode::OdeError>(())
 /// ```
 #[derive(Debug, Clone)]
@@ -309,20 +309,20 @@ mod tests {
     fn kepler_orbit_closes_and_dense_output_follows_it() {
         let start = [0.4, 0.0, 0.0, 2.0]; // eccentricity 0.6, period 2 pi
         let period = 2.0 * std::f64::consts::PI;
-        let mut walk = Stepper::new(0.0, start, 0.1, TIGHT, kepler).unwrap();
+        let mut stepper = Stepper::new(0.0, start, 0.1, TIGHT, kepler).unwrap();
         let mut worst: f64 = 0.0;
-        while walk.x() < period {
-            walk.step(period).unwrap();
-            let dense = walk.dense();
-            assert_eq!(dense.at(dense.start()), *walk.before().1);
+        while stepper.x() < period {
+            stepper.step(period).unwrap();
+            let dense = stepper.dense();
+            assert_eq!(dense.at(dense.start()), *stepper.before().1);
             for i in 1..8 {
                 let y = dense.at(dense.start() + 0.125 * i as f64 * (dense.end() - dense.start()));
                 let energy = 0.5 * (y[2] * y[2] + y[3] * y[3]) - 1.0 / y[0].hypot(y[1]);
                 worst = worst.max((energy + 0.5).abs());
             }
         }
-        for (end, begin) in walk.y().iter().zip(start) {
-            assert!((end - begin).abs() < 3e-11, "{:?}", walk.y());
+        for (end, begin) in stepper.y().iter().zip(start) {
+            assert!((end - begin).abs() < 3e-11, "{:?}", stepper.y());
         }
         assert!(worst < 1e-10, "{worst}");
     }
@@ -332,9 +332,10 @@ mod tests {
         // One fixed step of exp: the error falls by 2^9 when the step halves.
         let error = |step: f64| {
             let loose = Tolerance { absolute: 1.0, relative: 1.0 };
-            let mut walk = Stepper::new(0.0, [1.0], step, loose, |_, y: &[f64; 1]| [y[0]]).unwrap();
-            walk.step(step).unwrap();
-            (walk.y()[0] - step.exp()).abs()
+            let mut stepper =
+                Stepper::new(0.0, [1.0], step, loose, |_, y: &[f64; 1]| [y[0]]).unwrap();
+            stepper.step(step).unwrap();
+            (stepper.y()[0] - step.exp()).abs()
         };
         let ratio = error(2.0) / error(1.0);
         assert!((256.0..1500.0).contains(&ratio), "{ratio}");
@@ -342,11 +343,11 @@ mod tests {
 
     #[test]
     fn backward_integration_and_failure_are_typed() {
-        let mut walk = Stepper::new(1.0, [1.0], -0.1, TIGHT, |_, y: &[f64; 1]| [y[0]]).unwrap();
-        while walk.x() > 0.0 {
-            walk.step(0.0).unwrap();
+        let mut stepper = Stepper::new(1.0, [1.0], -0.1, TIGHT, |_, y: &[f64; 1]| [y[0]]).unwrap();
+        while stepper.x() > 0.0 {
+            stepper.step(0.0).unwrap();
         }
-        assert!((walk.y()[0] - (-1.0_f64).exp()).abs() < 1e-12);
+        assert!((stepper.y()[0] - (-1.0_f64).exp()).abs() < 1e-12);
         let mut blow =
             Stepper::new(0.0, [1.0], 0.1, TIGHT, |_, y: &[f64; 1]| [y[0] * y[0]]).unwrap();
         let error = loop {

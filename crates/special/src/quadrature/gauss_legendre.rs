@@ -3,6 +3,8 @@
 use crate::RangeError;
 use std::f64::consts::PI;
 
+use super::twofold::Twofold;
+
 /// A node of a rule on (-1, 1) with its weight.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Node {
@@ -30,9 +32,19 @@ pub struct Node {
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
 #[derive(Debug, Clone, PartialEq)]
-pub struct GaussLegendre {
-    nodes: Vec<Node>,
+pub struct GaussLegendre<S = Vec<Node>> {
+    nodes: S,
 }
+
+/// A [`GaussLegendre`] rule of `N` nodes that is made when the program is compiled, for `N` from 1
+/// to 200: its nodes and weights are the doubles next to the exact ones.
+///
+/// ```
+/// use carom_special::quadrature::FixedRule;
+/// const RULE: FixedRule<8> = FixedRule::fixed();
+/// assert!((RULE.integrate(0.0, 1.0, |x| x.powi(15)) - 1.0 / 16.0).abs() < 1e-16);
+/// ```
+pub type FixedRule<const N: usize> = GaussLegendre<[Node; N]>;
 
 impl GaussLegendre {
     /// The largest order: the work to make a rule grows as its square.
@@ -53,17 +65,57 @@ impl GaussLegendre {
         }
         Ok(Self { nodes })
     }
+}
+
+impl<const N: usize> FixedRule<N> {
+    /// The rule.
+    #[must_use]
+    pub const fn fixed() -> Self {
+        let mut nodes = [Node { position: 0.0, weight: 0.0 }; N];
+        let mut i = 0;
+        while i < N.div_ceil(2) {
+            let Exact { from_one, weight } = nth_from_above(N, i).exact(N);
+            let position = Twofold::new(1.0).minus(from_one).high;
+            nodes[i] = Node { position: -position, weight: weight.high };
+            nodes[N - 1 - i] = Node { position, weight: weight.high };
+            i += 1;
+        }
+        Self { nodes }
+    }
 
     /// The nodes on (-1, 1), ascending.
     #[must_use]
+    pub const fn into_nodes(self) -> [Node; N] {
+        self.nodes
+    }
+
+    /// Places and weights on (0, 1), ascending.
+    #[must_use]
+    pub const fn parts() -> [(f64, f64); N] {
+        let mut parts = [(0.0, 0.0); N];
+        let mut i = 0;
+        while i < N.div_ceil(2) {
+            let Exact { from_one, weight } = nth_from_above(N, i).exact(N);
+            let half = Twofold::new(0.5).times(from_one);
+            parts[i] = (half.high, 0.5 * weight.high);
+            parts[N - 1 - i] = (Twofold::new(1.0).minus(half).high, 0.5 * weight.high);
+            i += 1;
+        }
+        parts
+    }
+}
+
+impl<S: AsRef<[Node]>> GaussLegendre<S> {
+    /// The nodes on (-1, 1), ascending.
+    #[must_use]
     pub fn nodes(&self) -> &[Node] {
-        &self.nodes
+        self.nodes.as_ref()
     }
 
     /// The nodes and weights of the interval from `lower` to `upper`, ascending in that direction.
     pub fn on(&self, lower: f64, upper: f64) -> impl Iterator<Item = Node> + '_ {
         let (middle, half) = (0.5 * (lower + upper), 0.5 * (upper - lower));
-        self.nodes.iter().map(move |node| Node {
+        self.nodes().iter().map(move |node| Node {
             position: middle + half * node.position,
             weight: half * node.weight,
         })
@@ -82,33 +134,81 @@ struct Gap {
     weight: f64,
 }
 
+/// The same to all digits of a double and more.
+struct Exact {
+    from_one: Twofold,
+    weight: Twofold,
+}
+
+impl Gap {
+    /// By one more of Newton's steps.
+    const fn exact(&self, order: usize) -> Exact {
+        let [one, two, n] = [Twofold::new(1.0), Twofold::new(2.0), Twofold::new(order as f64)];
+        let mut y = Twofold::new(self.from_one);
+        let mut steps = 0;
+        loop {
+            // The recurrence of [`Legendre::at`].
+            let (mut value, mut before) = (one.minus(y), one);
+            let mut difference = value.minus(one);
+            let mut k = 1;
+            while k < order {
+                let (low, high) = (Twofold::new(k as f64), Twofold::new(k as f64 + 1.0));
+                let change = low.plus(high).times(y).times(value);
+                difference = low.times(difference).minus(change).over(high);
+                before = value;
+                value = value.plus(difference);
+                k += 1;
+            }
+            // (1 - x^2) P_n' = n fall
+            let fall = before.minus(value).plus(y.times(value));
+            let square = y.times(two.minus(y)); // 1 - x^2
+            if steps == 1 {
+                let slope = n.times(fall);
+                return Exact { from_one: y, weight: two.times(square).over(slope.times(slope)) };
+            }
+            y = y.plus(value.times(square).over(n.times(fall)));
+            steps += 1;
+        }
+    }
+}
+
 /// The node number `i` counted from 1 downwards, in the upper half.
-fn nth_from_above(order: usize, i: usize) -> Gap {
+const fn nth_from_above(order: usize, i: usize) -> Gap {
     let n = order as f64;
-    let mut y = if 2 * i + 1 == order {
+    let is_middle = 2 * i + 1 == order;
+    let mut y = if is_middle {
         1.0
     } else {
         // Tricomi's estimate, off by O(n^-4).
-        let angle = PI * (4.0 * i as f64 + 3.0) / (4.0 * n + 2.0);
-        let half = libm::sin(0.5 * angle);
+        let half_angle = 0.5 * PI * (4.0 * i as f64 + 3.0) / (4.0 * n + 2.0);
+        let half = sine(half_angle);
         let shrink = (n - 1.0) / (8.0 * n * n * n);
-        2.0 * half * half + shrink * libm::cos(angle)
+        2.0 * half * half + shrink * (1.0 - 2.0 * half * half)
     };
     let mut legendre = Legendre::at(order, y);
-    for _ in 0..8 {
+    let mut steps = 0;
+    while steps < 8 && !is_middle {
         let step = legendre.value / legendre.slope;
-        if 2 * i + 1 == order {
-            break;
-        }
         y += step;
         legendre = Legendre::at(order, y);
         if step.abs() < 1e-10 * y {
             break;
         }
+        steps += 1;
     }
     // One step further changes nothing in y but what rounding leaves in the slope.
     let slope = legendre.slope;
     Gap { from_one: y, weight: 2.0 / (y * (2.0 - y) * slope * slope) }
+}
+
+/// sin x for x in [0, pi/4], by its series: libm's is not known to the compiler.
+const fn sine(x: f64) -> f64 {
+    let (mut sum, mut k) = (1.0, 8.0);
+    while k > 0.0 {
+        sum = 1.0 - x * x / (2.0 * k * (2.0 * k + 1.0)) * sum;
+        k -= 1.0;
+    }
+    x * sum
 }
 
 /// P_n and dP_n/dx at `x = 1 - y`.
@@ -119,17 +219,18 @@ struct Legendre {
 
 impl Legendre {
     /// By the recurrence of the differences `P_(k+1) - P_k`, which loses nothing for small `y`.
-    fn at(order: usize, y: f64) -> Self {
+    const fn at(order: usize, y: f64) -> Self {
         let (mut value, mut before) = (1.0 - y, 1.0);
         let mut difference = -y;
-        for k in 1..order {
-            let k = k as f64;
+        let (mut k, last) = (1.0, order as f64);
+        while k < last {
             difference = (k * difference - (2.0 * k + 1.0) * y * value) / (k + 1.0);
             before = value;
             value += difference;
+            k += 1.0;
         }
         // (1 - x^2) P_n' = n (P_(n-1) - x P_n)
-        let slope = order as f64 * (before - value + y * value) / (y * (2.0 - y));
+        let slope = last * (before - value + y * value) / (y * (2.0 - y));
         Self { value, slope }
     }
 }
@@ -149,6 +250,37 @@ mod tests {
         }
         assert!((rule.nodes()[2].weight - 128.0 / 225.0).abs() < 3e-16);
         assert_eq!(GaussLegendre::new(1).expect("order").nodes()[0].weight, 2.0);
+    }
+
+    #[test]
+    fn rules_fixed_when_compiled_are_the_same() {
+        const RULE: FixedRule<24> = FixedRule::fixed();
+        const PARTS: [(f64, f64); 24] = FixedRule::parts();
+        let rule = GaussLegendre::new(24).expect("order");
+        for ((fixed, node), part) in RULE.nodes().iter().zip(rule.nodes()).zip(PARTS) {
+            assert!((fixed.position - node.position).abs() < 3e-16);
+            assert!((fixed.weight / node.weight - 1.0).abs() < 2e-15);
+            assert!((part.0 - 0.5 * (1.0 + fixed.position)).abs() < 2e-16);
+            assert_eq!(part.1, 0.5 * fixed.weight);
+        }
+    }
+
+    #[test]
+    fn fixed_rules_are_rounded_from_20_digits() {
+        // Tabulated with 20 digits.
+        let upper = [
+            (0.12523340851146891547, 0.249147045813402785),
+            (0.36783149899818019375, 0.23349253653835480876),
+            (0.5873179542866174473, 0.20316742672306592175),
+            (0.76990267419430468704, 0.16007832854334622633),
+            (0.90411725637047485668, 0.10693932599531843096),
+            (0.98156063424671925069, 0.047175336386511827195),
+        ];
+        for (node, exact) in FixedRule::<12>::fixed().nodes()[6..].iter().zip(upper) {
+            assert_eq!((node.position, node.weight), exact);
+        }
+        let [(low, weight), middle, _] = FixedRule::<3>::parts();
+        assert_eq!((low, weight, middle), (0.112_701_665_379_258_31, 5.0 / 18.0, (0.5, 4.0 / 9.0)));
     }
 
     #[test]

@@ -3,6 +3,7 @@
 //! | rule | use |
 //! |---|---|
 //! | [`GaussLegendre`] | smooth integrand, known order; nothing allocated while integrating |
+//! | [`FixedRule`] | the same, with the order fixed when the program is compiled |
 //! | [`adaptive`] | smooth in pieces, unknown difficulty; with an error estimate |
 //! | [`tanh_sinh`] | algebraic or logarithmic singularities at the ends |
 //!
@@ -12,9 +13,10 @@
 mod gauss_kronrod;
 mod gauss_legendre;
 mod tanh_sinh;
+mod twofold;
 
 pub use gauss_kronrod::adaptive;
-pub use gauss_legendre::{GaussLegendre, Node};
+pub use gauss_legendre::{FixedRule, GaussLegendre, Node};
 pub use tanh_sinh::{Abscissa, tanh_sinh};
 
 use crate::RangeError;

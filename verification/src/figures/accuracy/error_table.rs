@@ -1,6 +1,6 @@
 //! A table of errors in eps: maximum and 99 % of each function over a set of reference values.
 
-use crate::{Cell, Claim, Figure, Table};
+use crate::{Cell, Claim, Failure, Figure, Table};
 
 /// Columns of numbers with their names, from comma-separated text.
 pub(super) struct Reference {
@@ -13,7 +13,7 @@ impl Reference {
     ///
     /// # Errors
     /// If the text is not a table of numbers below a line of names.
-    pub(super) fn parse(text: &str) -> Result<Self, Box<dyn std::error::Error + Send + Sync>> {
+    pub(super) fn parse(text: &str) -> Result<Self, Failure> {
         let mut reader = crate::reference::reader(text);
         let names = reader.headers()?.iter().map(str::to_owned).collect();
         let mut rows = Vec::new();

@@ -1,7 +1,7 @@
 //! Errors of the point load and of the coefficients of a rectangle.
 
 use super::error_table::{ErrorTable, Errors, Reference};
-use crate::{Figure, FigureResult};
+use crate::{Failure, Figure, FigureResult};
 use carom_halfspace::{
     Force, LoadedRectangle, Material, MaterialPair, Offset, Point, PointLoad, Rectangle,
     RectangleInfluence, Traction,
@@ -11,7 +11,7 @@ use carom_special::RangeError;
 /// 1e-14 in eps.
 const COEFFICIENTS: f64 = 1e-14 / f64::EPSILON;
 
-type Done = Result<(), Box<dyn std::error::Error + Send + Sync>>;
+type Done = Result<(), Failure>;
 
 pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();

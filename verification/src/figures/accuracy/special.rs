@@ -1,7 +1,7 @@
 //! Errors of the special functions.
 
 use super::error_table::{ErrorTable, Errors, Reference};
-use crate::{Figure, FigureResult};
+use crate::{Failure, Figure, FigureResult};
 use carom_special::elliptic::{Amplitude, complete, incomplete};
 use carom_special::gamma::{gamma, ln_gamma};
 use carom_special::hypergeometric::{Gauss, HypergeometricError, ThreeFTwo, UnitArgument};
@@ -27,7 +27,7 @@ pub(super) fn draw() -> FigureResult {
     Ok(figure)
 }
 
-type Done = Result<(), Box<dyn std::error::Error + Send + Sync>>;
+type Done = Result<(), Failure>;
 
 fn complete_integrals(table: &mut ErrorTable) -> Done {
     let reference = Reference::parse(include_str!("../../../data/special/complete.csv"))?;

@@ -5,8 +5,7 @@ use carom_laws::memory::{VectorMemory, VertexStack as _};
 use carom_laws::sliders::SliderLaw;
 use carom_special::quadrature::{self, adaptive};
 
-use super::super::Failure;
-use crate::{Axis, Cell, Claim, Figure, FigureResult, Panel, Series, Table};
+use crate::{Axis, Cell, Failure, Figure, FigureResult, Panel, Series, Table};
 
 /// The radius of the circle, the approach being 1, and the steps of a turn.
 const RADIUS: f64 = 0.5;
@@ -135,10 +134,9 @@ pub(super) fn draw() -> FigureResult {
             "-".into(),
             old_jump.into(),
         ]);
-        figure.claim(
-            Claim::at_least(format!("{name}: chapter 7 misses by"), missed, 0.02)
-                .source("sliders, each dragged by itself"),
-        );
+        figure
+            .at_least(format!("{name}: chapter 7 misses by"), missed, 0.02)
+            .source("sliders, each dragged by itself");
         let mut errors = Vec::new();
         for tolerance in TOLERANCES {
             let (forces, vertices) = follow(path, tolerance)?;
@@ -151,22 +149,12 @@ pub(super) fn draw() -> FigureResult {
                 Cell::Remark(format!("{vertices:.1}")),
                 Cell::Remark(format!("{stiff:.3}")),
             ]);
-            figure.claim(
-                Claim::at_most(
-                    format!("{name}: error at {tolerance:e}"),
-                    error,
-                    tolerance.max(5e-5),
-                )
-                .source("sliders, each dragged by itself"),
-            );
-            figure.claim(
-                Claim::at_most(
-                    format!("{name}: stiffness at {tolerance:e}"),
-                    stiff,
-                    1.0 + tolerance,
-                )
-                .source("no contact is stiffer than one that sticks"),
-            );
+            figure
+                .at_most(format!("{name}: error at {tolerance:e}"), error, tolerance.max(5e-5))
+                .source("sliders, each dragged by itself");
+            figure
+                .at_most(format!("{name}: stiffness at {tolerance:e}"), stiff, 1.0 + tolerance)
+                .source("no contact is stiffer than one that sticks");
             errors.push((tolerance, error));
         }
         panel.add(Series::line(*name, errors));
@@ -183,7 +171,7 @@ fn steady_claims(figure: &mut Figure) -> Result<(), Failure> {
     let laws = [("chapter 7", chapter_7(&path)?), ("sliders", sliders(&path)?), ("Coulomb", fine)];
     let expected = steady()?;
     let last = path.len() - 1;
-    let mut panel = Panel::new(Axis::linear("turns"), Axis::linear("Φ/ζ^1.5 along the circle"));
+    let mut panel = Panel::new("turns", "Φ/ζ^1.5 along the circle");
     for (i, (name, forces)) in laws.iter().enumerate() {
         let curve: Vec<_> = (1..=3 * TURN)
             .map(|step| ((step - 1) as f64 / TURN as f64, about(forces[step], path[step].1)[1]))
@@ -193,14 +181,12 @@ fn steady_claims(figure: &mut Figure) -> Result<(), Failure> {
     panel.add(Series::dashed("steady", [(0.0, expected[1]), (3.0, expected[1])]).coloured(3));
     figure.panel(panel);
     let [outwards, along] = about(laws[2].1[last], path[last].1);
-    let tolerance = crate::Tolerance::Absolute(1e-3);
-    figure.claim(
-        Claim::close("circle: force outwards", outwards, expected[0], tolerance)
-            .source("closed form: steady tractrices of a circle"),
-    );
-    figure.claim(
-        Claim::close("circle: force along", along, expected[1], tolerance)
-            .source("closed form: steady tractrices of a circle"),
-    );
+    let tolerance = crate::Absolute(1e-3);
+    figure
+        .close("circle: force outwards", outwards, expected[0], tolerance)
+        .source("closed form: steady tractrices of a circle");
+    figure
+        .close("circle: force along", along, expected[1], tolerance)
+        .source("closed form: steady tractrices of a circle");
     Ok(())
 }

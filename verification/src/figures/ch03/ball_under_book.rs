@@ -6,8 +6,7 @@ use carom_impact::restitution::of_spheres;
 use carom_impact::{Body, Collision, Motion};
 use carom_laws::friction::Friction;
 
-use super::super::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult, Panel, Series};
 
 const FRICTION: f64 = 0.3;
 const KAPPA: f64 = 1.5;
@@ -83,8 +82,7 @@ pub(super) fn draw() -> FigureResult {
     let (smooth, unlost) = collisions(0.0)?;
     let constant = flights(|_| 0.6);
     let plastic = flights(|_| 0.0);
-    let mut panel = Panel::new(Axis::linear("x / gap"), Axis::linear("height / gap"))
-        .titled("Path between table and book");
+    let mut panel = Panel::new("x / gap", "height / gap").titled("Path between table and book");
     for (label, flights) in [
         ("carom, κ = 3/2, f = 0.3", &exact),
         ("R_x = 0.6 throughout", &constant),
@@ -102,14 +100,13 @@ pub(super) fn draw() -> FigureResult {
     let velocities = [0.548_29, -0.051_71, -0.174_42];
     let rims = [1.129_275, -0.370_725, -0.063_95];
     let printed = velocities.into_iter().zip(rims).flat_map(|(velocity, rim)| [velocity, rim]);
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "velocity and rim velocity after each bounce",
             states(&exact).into_iter().zip(printed),
-            Tolerance::Absolute(5e-5),
+            Absolute(5e-5),
         )
-        .source("independent program, five decimals; momentum of a solid ball"),
-    );
+        .source("independent program, five decimals; momentum of a solid ball");
     let energy = |velocity: f64, rim: f64| 0.5 * velocity * velocity + 0.2 * rim * rim;
     let mut before = 0.5;
     let losses: Vec<(f64, f64)> = (0..3)
@@ -120,30 +117,22 @@ pub(super) fn draw() -> FigureResult {
             pair
         })
         .collect();
-    figure.claim(
-        Claim::all_close("energy lost at each bounce", losses, Tolerance::Absolute(5e-5))
-            .source("kinetic energies of the independent program's velocities"),
-    );
+    figure
+        .all_close("energy lost at each bounce", losses, Absolute(5e-5))
+        .source("kinetic energies of the independent program's velocities");
     let first = tangential_energy_loss([MASS, f64::INFINITY], of_spheres(KAPPA, 10.0 / 3.0)?, 1.0)?;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "of the first by (9.59), over the mass",
             first / MASS,
             (1.0 - 0.580_998 * 0.580_998) / 7.0,
-            Tolerance::Absolute(2e-7),
+            Absolute(2e-7),
         )
-        .source("(9.59) with R_x of an independent program"),
-    );
+        .source("(9.59) with R_x of an independent program");
     let normal = normal_energy_loss([MASS, f64::INFINITY], 0.6, 1.0)?;
-    figure.claim(
-        Claim::close(
-            "(9.60) for R_z = 0.6, over the mass",
-            normal / MASS,
-            0.32,
-            Tolerance::Absolute(1e-15),
-        )
-        .source("(1 - 0.36)/2"),
-    );
+    figure
+        .close("(9.60) for R_z = 0.6, over the mass", normal / MASS, 0.32, Absolute(1e-15))
+        .source("(1 - 0.36)/2");
     // A hollow ball has θ = (2/3) m R², so that D_xx/D_zz = 5/2.
     let rubber = Material::from_shear(1e6, 0.5)?;
     let hollow = Body::spherical_shell(RADIUS, rubber, MASS)?
@@ -151,39 +140,31 @@ pub(super) fn draw() -> FigureResult {
     let outcome =
         Collision::new(hollow, Body::plane(Material::RIGID), Friction::new(0.1)?)?.solve()?;
     let [ball, _] = outcome.motions();
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "a hollow ball that slides throughout, f = 0.1: velocity and rim velocity",
             [(ball.velocity.x, 0.8), (RADIUS * ball.spin.y, 0.3)],
-            Tolerance::Absolute(1e-12),
+            Absolute(1e-12),
         )
-        .source("impulse 2 f m v_n; moment of inertia (2/3) m R²"),
-    );
+        .source("impulse 2 f m v_n; moment of inertia (2/3) m R²");
     let restitutions = [(3.0, 0.595_052), (10.0 / 3.0, 0.580_998), (2.8325, 0.597_008_7)];
     let restitutions: Result<Vec<(f64, f64)>, Failure> =
         restitutions.iter().map(|&(lambda, r)| Ok((of_spheres(KAPPA, lambda)?, r))).collect();
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "R_x at λ = 3, at 45° (λ = 10/3), and at its peak",
             restitutions?,
-            Tolerance::Absolute(1e-6),
+            Absolute(1e-6),
         )
-        .source("independent program; the text says 0.6"),
-    );
-    figure.claim(
-        Claim::at_most("the ball comes back from the book", exact[2].velocity, -0.05)
-            .source("text: the ball comes back"),
-    );
+        .source("independent program; the text says 0.6");
+    figure
+        .at_most("the ball comes back from the book", exact[2].velocity, -0.05)
+        .source("text: the ball comes back");
     let kept = smooth[1..].iter().map(|ball| (ball.velocity, 1.0));
     let kept = kept.chain(unlost.map(|lost| (lost, 0.0)));
-    figure.claim(
-        Claim::all_close(
-            "without friction it flies on, with its energy",
-            kept,
-            Tolerance::Absolute(0.0),
-        )
-        .source("text: R_x = -1 without friction"),
-    );
+    figure
+        .all_close("without friction it flies on, with its energy", kept, Absolute(0.0))
+        .source("text: R_x = -1 without friction");
     figure.deviation("fig. 15.1 in the text", "fig. 15.2", "slip of the text");
     Ok(figure)
 }

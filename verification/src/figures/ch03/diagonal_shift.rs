@@ -8,10 +8,10 @@ use carom_laws::law::{ContactLaw, Energies as _, Shift};
 use carom_laws::shift::{CattaneoMindlin, turned_stiffness};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
+use carom_special::roots::bisect;
 use carom_special::{AxisRatio, RangeError};
 
-use super::super::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Relative, Series, linspace};
 
 const RATIO: f64 = 20.0;
 const POISSON: f64 = 0.5;
@@ -74,34 +74,30 @@ fn numerical() -> Result<Vec<Step>, Failure> {
 fn numerical_claims(figure: &mut Figure, run: &[Step]) {
     let source = "an independent half-space program on the same mesh";
     let turned = |i: usize| angle([run[i].load.f_x, run[i].load.f_y]);
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "numerical direction of the force in steps 2, 11, 12 and 21, in degrees",
             [(1, 55.21), (10, 53.26), (11, 52.52), (20, 47.99)].map(|(i, a)| (turned(i), a)),
-            Tolerance::Absolute(0.02),
+            Absolute(0.02),
         )
-        .source(source),
-    );
+        .source(source);
     let theory = turned(1);
     let away = (1..=10).map(|i| (turned(i) / theory - 1.0).abs()).fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("while an area sticks the direction turns by less than", away, 0.05)
-            .source("the thesis, below the figure: less than 5 %"),
-    );
-    figure.claim(
-        Claim::all_close(
+    figure
+        .at_most("while an area sticks the direction turns by less than", away, 0.05)
+        .source("the thesis, below the figure: less than 5 %");
+    figure
+        .all_close(
             "parts that stick at ξ = ζ and 1.1 ζ",
             [(run[10].stick(), 0.0062), (run[11].stick(), 0.0)],
-            Tolerance::Absolute(1e-3),
+            Absolute(1e-3),
         )
-        .source(source),
-    );
+        .source(source);
 }
 
 fn panels(figure: &mut Figure, thesis: &Curve, coulomb: &Curve, run: &[Step]) {
-    let mut forces = Panel::new(Axis::linear("ξ/ζ"), Axis::linear("F / (f F_z)")).titled("Force");
-    let mut angles =
-        Panel::new(Axis::linear("ξ/ζ"), Axis::linear("angle of the force / °")).titled("Direction");
+    let mut forces = Panel::new("ξ/ζ", "F / (f F_z)").titled("Force");
+    let mut angles = Panel::new("ξ/ζ", "angle of the force / °").titled("Direction");
     for (name, curve) in [("Cattaneo", thesis), ("Coulomb", coulomb)] {
         let part = |i: usize| curve.iter().map(move |(x, force)| (*x, force[i]));
         forces.add(Series::line(format!("F_x, {name}"), part(0)));
@@ -128,19 +124,12 @@ fn partial_slip_claims(
 ) -> Result<(), Failure> {
     let ratios =
         [(stiffness.c_x / stiffness.c_z, 0.564_102), (stiffness.c_y / stiffness.c_z, 0.814_816)];
-    figure.claim(
-        Claim::all_close("c_x/c_z and c_y/c_z", ratios, Tolerance::Absolute(5e-7))
-            .source("(5.25) by an independent program"),
-    );
-    figure.claim(
-        Claim::close(
-            "ξ = η at complete sliding over f ζ",
-            complete,
-            1.009_05,
-            Tolerance::Absolute(5e-6),
-        )
-        .source("1/|(c_x, c_y)| c_z by an independent program"),
-    );
+    figure
+        .all_close("c_x/c_z and c_y/c_z", ratios, Absolute(5e-7))
+        .source("(5.25) by an independent program");
+    figure
+        .close("ξ = η at complete sliding over f ζ", complete, 1.009_05, Absolute(5e-6))
+        .source("1/|(c_x, c_y)| c_z by an independent program");
     let law = CattaneoMindlin::new(*stiffness, Friction::new(1.0)?);
     let (mut closed, mut ratio) = (Vec::new(), Vec::new());
     for (x, force) in thesis.iter().skip(1).filter(|(x, _)| *x < complete) {
@@ -148,18 +137,12 @@ fn partial_slip_claims(
         closed.extend((0..2).map(|i| (force[i], state.force[i] / state.normal_force)));
         ratio.push((force[0] / force[1], 0.692_306));
     }
-    figure.claim(
-        Claim::all_close(
-            "the law is Cattaneo's in partial slip",
-            closed,
-            Tolerance::Absolute(1e-14),
-        )
-        .source("closed form (5.26)"),
-    );
-    figure.claim(
-        Claim::all_close("F_x/F_y in partial slip", ratio, Tolerance::Absolute(5e-7))
-            .source("c_x/c_y by an independent program; 55.305° to x"),
-    );
+    figure
+        .all_close("the law is Cattaneo's in partial slip", closed, Absolute(1e-14))
+        .source("closed form (5.26)");
+    figure
+        .all_close("F_x/F_y in partial slip", ratio, Absolute(5e-7))
+        .source("c_x/c_y by an independent program; 55.305° to x");
     Ok(())
 }
 
@@ -198,18 +181,14 @@ fn energy_claim(figure: &mut Figure, stiffness: &ContactStiffness) -> Result<(),
     let (stored, lost) = (rings.stored_energy(), rings.dissipated());
     let expected =
         [4.0 / 15.0 * 1.2 + 0.4 * force * onset, 0.2 * force * onset + 0.5 * force * onset];
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "rings of one stiffness: energy stored and lost, over those of Cattaneo",
             [(stored / expected[0], 1.0), (lost / expected[1], 1.0)],
-            Tolerance::Absolute(2e-3),
+            Absolute(2e-3),
         )
-        .source("∫F dξ of (5.28) and the work of sliding"),
-    );
-    figure.claim(
-        Claim::close("and F_x/(f F_z) in sliding", limit, 1.0, Tolerance::Absolute(1e-12))
-            .source("Coulomb"),
-    );
+        .source("∫F dξ of (5.28) and the work of sliding");
+    figure.close("and F_x/(f F_z) in sliding", limit, 1.0, Absolute(1e-12)).source("Coulomb");
     let turned = turned_stiffness(stiffness, 0.7);
     let (sin, cos) = (0.7_f64.sin(), 0.7_f64.cos());
     let axes = [[cos, sin], [-sin, cos]];
@@ -221,22 +200,12 @@ fn energy_claim(figure: &mut Figure, stiffness: &ContactStiffness) -> Result<(),
             entries.push((turned[i][j], sum));
         }
     }
-    figure.claim(
-        Claim::all_close(
-            "stiffness in axes turned by 0.7 rad",
-            entries,
-            Tolerance::Absolute(1e-15),
-        )
-        .source("proposition 1: a tensor of second order"),
-    );
-    figure.claim(
-        Claim::all_close(
-            "energy stored and lost at ξ = η = 1.5 ζ by Cattaneo",
-            pairs,
-            Tolerance::Relative(1e-9),
-        )
-        .source("∫F dξ of (5.28): 2/5 of force times shift stored at sliding, 1/5 lost before"),
-    );
+    figure
+        .all_close("stiffness in axes turned by 0.7 rad", entries, Absolute(1e-15))
+        .source("proposition 1: a tensor of second order");
+    figure
+        .all_close("energy stored and lost at ξ = η = 1.5 ζ by Cattaneo", pairs, Relative(1e-9))
+        .source("∫F dξ of (5.28): 2/5 of force times shift stored at sliding, 1/5 lost before");
     Ok(())
 }
 
@@ -253,35 +222,28 @@ fn sliding_claims(
     };
     for (name, curve) in [("Cattaneo", thesis), ("Coulomb", coulomb)] {
         let [low, high] = bounds(curve);
-        figure.claim(
-            Claim::at_least(format!("F_x/F_y, {name}, from below"), low, 0.5).source("(3.18)"),
-        );
-        figure.claim(
-            Claim::at_most(format!("F_x/F_y, {name}, from above"), high, 1.0).source("(3.18)"),
-        );
+        figure.at_least(format!("F_x/F_y, {name}, from below"), low, 0.5).source("(3.18)");
+        figure.at_most(format!("F_x/F_y, {name}, from above"), high, 1.0).source("(3.18)");
     }
     let size = |force: &[f64; 2]| libm::hypot(force[0], force[1]);
     let most = coulomb.iter().map(|(_, force)| size(force)).fold(0.0, f64::max);
-    figure.claim(Claim::at_most("|F_t|/(f F_z)", most, 1.0 + 1e-14).source("Coulomb"));
+    figure.at_most("|F_t|/(f F_z)", most, 1.0 + 1e-14).source("Coulomb");
     let slides = coulomb.iter().filter(|(x, _)| *x > 2.0 * complete);
     let sizes = slides.map(|(_, force)| (size(force), 1.0));
-    figure.claim(
-        Claim::all_close("|F_t|/(f F_z) far in sliding", sizes, Tolerance::Absolute(5e-4))
-            .source("Coulomb, where the rings have turned alike"),
-    );
+    figure
+        .all_close("|F_t|/(f F_z) far in sliding", sizes, Absolute(5e-4))
+        .source("Coulomb, where the rings have turned alike");
     let turning = coulomb.iter().filter(|(x, _)| *x > 0.05).map(|(_, force)| angle(*force));
-    figure.claim(
-        Claim::decreasing("Coulomb's force turns towards the slip", turning)
-            .source("slip along the traction: 45° in rigid sliding"),
-    );
-    figure.claim(
-        Claim::all_close(
+    figure
+        .decreasing("Coulomb's force turns towards the slip", turning)
+        .source("slip along the traction: 45° in rigid sliding");
+    figure
+        .all_close(
             "F_x and F_y of Coulomb's rings over f F_z at ten shifts",
             dragged_rings(stiffness, coulomb),
-            Tolerance::Absolute(1e-3),
+            Absolute(1e-3),
         )
-        .source("500 rings dragged by steps of ζ/2000, each along its own traction"),
-    );
+        .source("500 rings dragged by steps of ζ/2000, each along its own traction");
 }
 
 /// F_x, F_y of the law at every 30th point beside those of rings dragged in small steps.
@@ -321,14 +283,11 @@ fn dragged(anchor: [f64; 2], shift: f64, c: [f64; 2], limit: f64) -> [f64; 2] {
     if size(trial) <= limit {
         return anchor;
     }
-    let (mut low, mut high) = (0.0, 1.0);
-    while size(at(high)) > limit && high < 1e9 {
-        high *= 2.0;
+    let mut enough = 1.0;
+    while size(at(enough)) > limit && enough < 1e9 {
+        enough *= 2.0;
     }
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if size(at(middle)) > limit { low = middle } else { high = middle }
-    }
-    let held = at(high);
+    let [_, slip] = bisect([0.0, enough], 40, |slip| size(at(slip)) > limit);
+    let held = at(slip);
     [0, 1].map(|i| shift - held[i] / c[i])
 }

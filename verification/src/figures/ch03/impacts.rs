@@ -9,8 +9,12 @@ use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::torsion::law::TorsionLaw;
 
-use super::super::{Failure, spring_impact};
-use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance, linspace};
+use super::super::outline::ellipse;
+use super::super::spheres::kappa;
+use super::super::spring_impact;
+use crate::{
+    Absolute, Arrow, Axis, Failure, Figure, FigureResult, Panel, Point, Relative, Series, linspace,
+};
 
 const RADIUS: f64 = 0.01;
 const MASS: f64 = 0.0329;
@@ -49,11 +53,6 @@ fn spinning(velocity: f64, spin: f64) -> Result<SpinCollision, Failure> {
     Ok(SpinCollision::new(&hertz, friction, [ball(1.0)?, ball(-1.0)?], velocity)?)
 }
 
-fn circle(centre: f64) -> Vec<Point> {
-    let point = |angle: f64| Point::new(libm::cos(angle), centre + libm::sin(angle));
-    linspace(0.0, 2.0 * std::f64::consts::PI, 121).into_iter().map(point).collect()
-}
-
 fn arrow(from: (f64, f64), to: (f64, f64)) -> Arrow {
     Arrow { tail: from.into(), head: to.into() }
 }
@@ -71,8 +70,8 @@ fn sketch(title: &str, arrows: Vec<Arrow>) -> Panel {
         Panel::new(Axis::linear("x/R").between(-2.0, 2.0), Axis::linear("z/R").between(-2.5, 2.5))
             .titled(title)
             .equal_aspect();
-    panel.add(Series::line("body 1", circle(1.0)));
-    panel.add(Series::line("body 2", circle(-1.0)));
+    panel.add(Series::line("body 1", ellipse([0.0, 1.0], [1.0; 2], 120)));
+    panel.add(Series::line("body 2", ellipse([0.0, -1.0], [1.0; 2], 120)));
     panel.add(Series::dotted("tangential plane", [(-1.8, 0.0), (1.8, 0.0)]));
     panel.add(Series::arrows("velocities", arrows));
     panel
@@ -99,8 +98,7 @@ fn loads(figure: &mut Figure) -> Result<(), Failure> {
     let oblique = collision(SLIP)?.history(401)?;
     let peak = rebound(SLIP)?;
     let clock = peak.duration;
-    let mut panel = Panel::new(Axis::linear("t/T"), Axis::linear("load over its limit"))
-        .titled("Loads of the three");
+    let mut panel = Panel::new("t/T", "load over its limit").titled("Loads of the three");
     let over = |scale: f64, value: f64| value / (scale * peak.maximal_force);
     panel.add(Series::line(
         "F_z / max F_z",
@@ -125,25 +123,19 @@ fn loads(figure: &mut Figure) -> Result<(), Failure> {
 
     let shares = trace.iter().map(|p| (scale * p.torque).abs() - p.radius.powi(4));
     let excess = shares.fold(f64::NEG_INFINITY, f64::max);
-    figure.claim(
-        Claim::at_most(
-            "M_z never exceeds that of sliding, (a/a_max)⁴ of its maximum",
-            excess,
-            1e-9,
-        )
-        .source("Coulomb: 3π/16 f F_z a"),
-    );
+    figure
+        .at_most("M_z never exceeds that of sliding, (a/a_max)⁴ of its maximum", excess, 1e-9)
+        .source("Coulomb: 3π/16 f F_z a");
     let starts = trace.iter().map(|p| f64::from(u8::from(p.phase != TorsionalPhase::Adhesion)));
     let first: Vec<f64> = starts.collect();
     let changes = first.windows(2).filter(|pair| pair[0] != pair[1]).count();
-    figure.claim(
-        Claim::holds(
+    figure
+        .holds(
             "the torsional impact too begins in adhesion and goes on in slip",
             first[0] == 0.0 && first[399] == 1.0 && changes == 1,
             changes as f64,
         )
-        .source("text above the figure"),
-    );
+        .source("text above the figure");
     Ok(())
 }
 
@@ -151,42 +143,39 @@ fn normal_claims(figure: &mut Figure) -> Result<(), Failure> {
     let straight = rebound(0.0)?;
     let [one, two] = straight.motions;
     let kept = (one.velocity.z - 0.5 * APPROACH).abs().max((two.velocity.z + 0.5 * APPROACH).abs());
-    figure.claim(
-        Claim::at_most("the normal impact is reversible: the balls exchange velocities", kept, 0.0)
-            .source("text below the figure"),
-    );
+    figure
+        .at_most("the normal impact is reversible: the balls exchange velocities", kept, 0.0)
+        .source("text below the figure");
     // Hertz's formulas with E*, R* and m*.
     let (modulus, radius, mass) =
         (YOUNG / (2.0 * (1.0 - POISSON * POISSON)), 0.5 * RADIUS, 0.5 * MASS);
     let deepest =
         libm::pow(15.0 * mass * APPROACH * APPROACH / (16.0 * modulus * radius.sqrt()), 0.4);
     let force = 4.0 / 3.0 * modulus * radius.sqrt() * deepest * deepest.sqrt();
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "greatest approach and force of the normal impact",
             [(straight.maximal_approach, deepest), (straight.maximal_force, force)],
-            Tolerance::Relative(1e-13),
+            Relative(1e-13),
         )
-        .source("Hertz's formulas with E*, R*, m*"),
-    );
+        .source("Hertz's formulas with E*, R*, m*");
     let share = libm::tgamma(0.4) / libm::tgamma(0.9);
     let duration = 0.8 * std::f64::consts::PI.sqrt() * share * deepest / APPROACH;
     let pressed = (radius * deepest).sqrt();
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "duration, greatest contact radius and impulse",
             [
                 (straight.duration, duration),
                 (straight.maximal_contact.semi_axis_b(), pressed),
                 (straight.impulse.z, 2.0 * mass * APPROACH),
             ],
-            Tolerance::Relative(1e-13),
+            Relative(1e-13),
         )
-        .source("Hertz's formulas; (9.8); momentum"),
-    );
+        .source("Hertz's formulas; (9.8); momentum");
     let before = 0.25 * MASS * APPROACH * APPROACH;
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "kinetic energy before and after, heat, over that before",
             [
                 (straight.energy.before / before, 1.0),
@@ -194,10 +183,9 @@ fn normal_claims(figure: &mut Figure) -> Result<(), Failure> {
                 (straight.energy.dissipated / before, 0.0),
                 (collision(0.0)?.hertz().normal_energy(deepest) / before, 1.0),
             ],
-            Tolerance::Absolute(1e-13),
+            Absolute(1e-13),
         )
-        .source("m v²/2 of both balls; all of it elastic at the greatest approach"),
-    );
+        .source("m v²/2 of both balls; all of it elastic at the greatest approach");
     // Lamb's integral with 20 digits at nu = 0.3.
     let coefficient = 1.131_809_722_782_67;
     let expected = |velocity: f64, density: f64| {
@@ -212,39 +200,35 @@ fn normal_claims(figure: &mut Figure) -> Result<(), Failure> {
         Warning::WaveLoss { share } => Some(*share),
         _ => None,
     });
-    figure.claim(
-        Claim::all_close(
+    figure.all_close(
             "share of the energy that waves carry away: 1 m/s, and a ball at 5 m/s on its own steel",
             [
                 (wave_loss(POISSON, 1.0, (YOUNG / 7850.0).sqrt())?, expected(1.0, 7850.0)),
                 (warned.sum::<f64>(), expected(5.0, density)),
             ],
-            Tolerance::Relative(1e-12),
-        )
-        .source("(3.2) with the coefficient of Lamb's integral in 20 digits"),
-    );
+            Relative(1e-12),
+        ).source("(3.2) with the coefficient of Lamb's integral in 20 digits");
     Ok(())
 }
 
 fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
     let oblique = rebound(SLIP)?;
-    let kappa = (2.0 - POISSON) / (2.0 * (1.0 - POISSON));
+    let kappa = kappa(POISSON);
     let stepped = spring_impact::restitution(3.5 / kappa, 1.0 / kappa);
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "R_x of the tangential impact",
             oblique.tangential_restitution.ok_or("no R_x")?,
             stepped,
-            Tolerance::Absolute(5e-6),
+            Absolute(5e-6),
         )
-        .source("springs with sliders, stepped in time"),
-    );
+        .source("springs with sliders, stepped in time");
     // The impulse changes the slip by 7/2 of what it changes the velocities by: reduced mass m/2.
     let push = 0.5 * MASS * (1.0 + stepped) * SLIP * 2.0 / 7.0;
     let [one, two] = oblique.motions;
     let spin = 2.5 * push / (MASS * RADIUS);
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "impulse along the surface and the spins it makes, over those of R_x = 0",
             [
                 (oblique.impulse.x, push),
@@ -254,25 +238,23 @@ fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
                 (MASS * (two.velocity.x - 0.5 * SLIP), -push),
             ]
             .map(|(found, wanted)| (found / (MASS * SLIP / 7.0), wanted / (MASS * SLIP / 7.0))),
-            Tolerance::Absolute(2e-5),
+            Absolute(2e-5),
         )
-        .source("momenta of solid balls, R_x of the springs"),
-    );
+        .source("momenta of solid balls, R_x of the springs");
     history_claim(figure, &oblique, stepped)?;
     let taken = 0.5 * MASS / 7.0 * (1.0 - stepped * stepped) * SLIP * SLIP;
     let budget = oblique.energy;
     let restitution = oblique.tangential_restitution.ok_or("no R_x")?;
     let closed = tangential_energy_loss([MASS, MASS], restitution, SLIP)?;
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "energy that friction takes, the loss of kinetic energy and (9.59), over m v²/14",
             [budget.dissipated, budget.before - budget.after, closed].map(|found| {
                 (found / (0.5 * MASS / 7.0 * SLIP * SLIP), taken / (0.5 * MASS / 7.0 * SLIP * SLIP))
             }),
-            Tolerance::Absolute(2e-5),
+            Absolute(2e-5),
         )
-        .source("(9.59) with R_x of the springs"),
-    );
+        .source("(9.59) with R_x of the springs");
     let groups = Groups::of_spheres(kappa, 1.0)?;
     let walk = ObliqueImpact::new(groups)?;
     let times: Vec<(f64, f64)> = oblique
@@ -284,8 +266,8 @@ fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
         })
         .collect();
     let starts = spring_impact::course(3.5 / kappa, 1.0 / kappa);
-    figure.claim(
-        Claim::holds(
+    figure
+        .holds(
             "adhesion, then partial slip, complete sliding against the first slip at the end",
             walk.phases().first().is_some_and(|phase| phase.regime == Regime::Adhesion)
                 && walk.phases().last().is_some_and(|phase| phase.regime == Regime::SlideBackward)
@@ -293,17 +275,15 @@ fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
                 && times.len() == walk.phases().len(),
             starts.last_force,
         )
-        .source("text below the figure; last force of the springs"),
-    );
-    figure.claim(
-        Claim::close(
+        .source("text below the figure; last force of the springs");
+    figure
+        .close(
             "slip begins where the shift no longer keeps up with the approach: t/T",
             times[1].0,
             starts.slips_at / normal::DURATION,
-            Tolerance::Absolute(2e-3),
+            Absolute(2e-3),
         )
-        .source("first slider of the springs to give way"),
-    );
+        .source("first slider of the springs to give way");
     Ok(())
 }
 
@@ -317,7 +297,7 @@ fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result
         tangential += 0.5 * dt * (pair[0].force.x + pair[1].force.x);
     }
     let push = 0.5 * MASS * (1.0 + stepped) * SLIP * 2.0 / 7.0;
-    let kappa = (2.0 - POISSON) / (2.0 * (1.0 - POISSON));
+    let kappa = kappa(POISSON);
     let course = spring_impact::course(3.5 / kappa, 1.0 / kappa);
     let last = history.last().ok_or("an impact has a course")?;
     // The springs count shifts in f κ ζ_max.
@@ -325,8 +305,7 @@ fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result
     let early = &history[200];
     let middle = &history[2000];
     let stuck = early.stick_radius.ok_or("spheres have one")?;
-    figure.claim(
-        Claim::all_close(
+    figure.all_close(
             "the course: impulses, last shift, velocity, contact and stick radii, over those expected",
             [
                 (normal_sum / (MASS * APPROACH), 1.0),
@@ -337,10 +316,8 @@ fn history_claim(figure: &mut Figure, outcome: &Rebound, stepped: f64) -> Result
                 (early.semi_axes[0] / (0.5 * RADIUS * early.shift.z).sqrt(), 1.0),
                 (middle.semi_axes[0] / (0.5 * RADIUS * outcome.maximal_approach).sqrt(), 1.0),
             ],
-            Tolerance::Absolute(1e-3),
-        )
-        .source("∫F dt, momentum; shift by the springs; a² = R ζ/2; all sticks at first"),
-    );
+            Absolute(1e-3),
+        ).source("∫F dt, momentum; shift by the springs; a² = R ζ/2; all sticks at first");
     Ok(())
 }
 
@@ -369,23 +346,22 @@ fn stepped_spin(velocity: f64, spin: f64, steps: usize) -> Result<f64, Failure> 
 
 fn torsional_claims(figure: &mut Figure) -> Result<(), Failure> {
     let outcome = spinning(APPROACH, SPIN)?.solve()?;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "spin after over spin before, torsional impact",
             outcome.spin_ratio,
             stepped_spin(APPROACH, SPIN, 2000)?,
-            Tolerance::Absolute(1e-6),
+            Absolute(1e-6),
         )
-        .source("Newton's equations stepped in time with Lubkin's law"),
-    );
+        .source("Newton's equations stepped in time with Lubkin's law");
     let (ratio, inertia) = (stepped_spin(APPROACH, SPIN, 2000)?, 0.4 * MASS * RADIUS * RADIUS);
     // The reduced moment of inertia is half of one ball's.
     let [impulse, loss] = [
         -0.5 * inertia * (1.0 - ratio) * SPIN,
         0.25 * inertia * (1.0 - ratio * ratio) * SPIN * SPIN,
     ];
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "impulse of the torque, energy lost and spins, over those expected",
             [
                 (outcome.torque_impulse / impulse, 1.0),
@@ -393,10 +369,9 @@ fn torsional_claims(figure: &mut Figure) -> Result<(), Failure> {
                 (outcome.spins[0] / (0.5 * ratio * SPIN), 1.0),
                 (outcome.spins[1] / (-0.5 * ratio * SPIN), 1.0),
             ],
-            Tolerance::Absolute(1e-3),
+            Absolute(1e-3),
         )
-        .source("momentum about the normal, with the spin ratio stepped in time"),
-    );
+        .source("momentum about the normal, with the spin ratio stepped in time");
     // The same by two bodies in space.
     let ball = |side: f64| -> Result<Body, Failure> {
         let motion =
@@ -406,8 +381,8 @@ fn torsional_claims(figure: &mut Figure) -> Result<(), Failure> {
     let both = Collision::new(ball(1.0)?, ball(-1.0)?, Friction::new(FRICTION)?)?.with_torsion();
     let both = both.solve()?;
     let both = both.rebound().ok_or("the balls approach each other")?;
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "the same impact of two bodies in space: spins and heat, over those expected",
             [
                 (both.motions[0].spin.z / (0.5 * ratio * SPIN), 1.0),
@@ -415,10 +390,9 @@ fn torsional_claims(figure: &mut Figure) -> Result<(), Failure> {
                 (both.energy.dissipated / loss, 1.0),
                 ((both.energy.before - both.energy.after) / loss, 1.0),
             ],
-            Tolerance::Absolute(1e-3),
+            Absolute(1e-3),
         )
-        .source("momentum about the normal, with the spin ratio stepped in time"),
-    );
+        .source("momentum about the normal, with the spin ratio stepped in time");
     // Omega, the spin over the velocity times the contact radius, is kept.
     let base = spinning(APPROACH, SPIN)?;
     let loss = |velocity: f64| -> Result<(f64, f64), Failure> {
@@ -430,14 +404,13 @@ fn torsional_claims(figure: &mut Figure) -> Result<(), Failure> {
     let (slow, _) = loss(0.001 * APPROACH)?;
     let shares: Result<Vec<f64>, Failure> =
         [0.03, 0.3, 1.0].iter().map(|v| Ok(loss(v * APPROACH)?.0)).collect();
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "the loss of spin goes with (a/R)², from 1 mm/s to 1 m/s",
             shares?.into_iter().map(|share| (share, slow)),
-            Tolerance::Relative(0.02),
+            Relative(0.02),
         )
-        .source("text beside the figure"),
-    );
+        .source("text beside the figure");
     Ok(())
 }
 

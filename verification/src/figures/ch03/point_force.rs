@@ -1,6 +1,6 @@
 //! Fig. 3.2: displacements of the surface under a normal point force.
 
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Figure, FigureResult, Panel, Relative, Series, linspace};
 use carom_halfspace::{Displacement, Force, Material, Point, PointLoad};
 use carom_special::RangeError;
 use std::f64::consts::PI;
@@ -21,7 +21,7 @@ pub(super) fn draw() -> FigureResult {
     figure.assumed("x", "0.02 to 1, in any unit of length");
     let right = linspace(0.02, 1.0, 197);
     let left: Vec<f64> = right.iter().rev().map(|x| -x).collect();
-    let mut panel = Panel::new(Axis::linear("x"), Axis::linear("displacement"));
+    let mut panel = Panel::new("x", "displacement");
     for (labels, at) in [(["u", "w"], &left), (["", ""], &right)] {
         let found = surface(POISSON, at)?;
         let points = |pick: fn(&Displacement) -> f64| {
@@ -36,22 +36,19 @@ pub(super) fn draw() -> FigureResult {
         .iter()
         .zip(&found)
         .flat_map(|(x, d)| [(d.u, -0.02 * shrink / x), (d.w, 0.04 * (1.0 - POISSON) / x)]);
-    figure.claim(
-        Claim::all_close("hyperbolas u(x), w(x) of (3.6)", closed, Tolerance::Relative(1e-14))
-            .source("closed form (3.6)"),
-    );
+    figure
+        .all_close("hyperbolas u(x), w(x) of (3.6)", closed, Relative(1e-14))
+        .source("closed form (3.6)");
     let mirrored = surface(POISSON, &right.iter().map(|x| -x).collect::<Vec<_>>())?;
     let parity = found.iter().zip(&mirrored).flat_map(|(d, m)| [(m.u, -d.u), (m.w, d.w)]);
-    figure.claim(
-        Claim::all_close("u is odd, w even in x", parity, Tolerance::Absolute(0.0))
-            .source("symmetry about the force"),
-    );
+    figure
+        .all_close("u is odd, w even in x", parity, Absolute(0.0))
+        .source("symmetry about the force");
     let incompressible = surface(0.5, &right)?;
     let largest = incompressible.iter().fold(0.0f64, |m, d| m.max(d.u.abs()));
-    figure.claim(
-        Claim::at_most("the surface does not spread for ν = 1/2", largest, 0.0)
-            .source("factor 1 - 2ν of (3.6)"),
-    );
+    figure
+        .at_most("the surface does not spread for ν = 1/2", largest, 0.0)
+        .source("factor 1 - 2ν of (3.6)");
     figure.panel(panel);
     Ok(figure)
 }

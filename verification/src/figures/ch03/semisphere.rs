@@ -1,7 +1,7 @@
 //! Fig. 3.4: displacements in the contact under a semispherical tangential traction.
 
-use super::super::{Failure, numbers};
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace};
+use crate::reference::rows;
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
 use carom_halfspace::operator::{
     Blocks, DisplacementField, HalfSpaceOperator, SurfaceOperator, Threads, TractionField,
 };
@@ -64,8 +64,8 @@ pub(super) fn draw() -> FigureResult {
     figure.assumed("unit of displacement", "π C a/(32 G)");
     let radii = linspace(0.0, 1.0, 51);
     let mesh = by_rectangles(POISSON, 81)?;
-    let mut u_panel = Panel::new(Axis::linear("ρ/a"), Axis::linear("u")).titled("u");
-    let mut v_panel = Panel::new(Axis::linear("ρ/a"), Axis::linear("v")).titled("v");
+    let mut u_panel = Panel::new("ρ/a", "u").titled("u");
+    let mut v_panel = Panel::new("ρ/a", "v").titled("v");
     for (name, along) in
         [("θ = 0", [1.0, 0.0]), ("θ = 45°", [1.0 / SQRT_2; 2]), ("θ = 90°", [0.0, 1.0])]
     {
@@ -96,23 +96,14 @@ pub(super) fn draw() -> FigureResult {
     law_claims(&mut figure)?;
     reference_claim(&mut figure)?;
     let transverse = by_rectangles(0.0, 41)?.iter().fold(0.0f64, |m, p| m.max(p[3].abs()));
-    figure.claim(
-        Claim::at_most("no transverse displacement for ν = 0", transverse, 1e-13)
-            .source("text below (4.5)"),
-    );
+    figure
+        .at_most("no transverse displacement for ν = 0", transverse, 1e-13)
+        .source("text below (4.5)");
     let errors = [error(21)?, error(41)?, error(81)?];
-    figure.claim(
-        Claim::decreasing("rectangles converge to (3.17)", errors)
-            .source("independent program path"),
-    );
-    figure.claim(
-        Claim::at_most(
-            "81 by 81 rectangles differ from u(0) by 0.2 % at most",
-            errors[2] / 6.0,
-            2e-3,
-        )
-        .source("(3.17) corrected; the mesh's own error at the rim"),
-    );
+    figure.decreasing("rectangles converge to (3.17)", errors).source("independent program path");
+    figure
+        .at_most("81 by 81 rectangles differ from u(0) by 0.2 % at most", errors[2] / 6.0, 2e-3)
+        .source("(3.17) corrected; the mesh's own error at the rim");
     figure.deviation(
         "(3.17) with 1/16",
         "1/32 with the combined G of (4.7), or G of one body for its displacement",
@@ -126,14 +117,9 @@ fn law_claims(figure: &mut Figure) -> Result<(), Failure> {
     let corners = [(0.0, 0.0, 6.0), (1.0, 0.0, 3.5), (0.0, 1.0, 2.5)];
     let corners: Result<Vec<(f64, f64)>, Failure> =
         corners.iter().map(|&(x, y, u)| Ok((by_law(POISSON, x, y)?[0], u))).collect();
-    figure.claim(
-        Claim::all_close(
-            "u is 6 at the centre, 3.5 and 2.5 at the rim",
-            corners?,
-            Tolerance::Absolute(1e-14),
-        )
-        .source("(3.17) corrected, worked out by hand"),
-    );
+    figure
+        .all_close("u is 6 at the centre, 3.5 and 2.5 at the rim", corners?, Absolute(1e-14))
+        .source("(3.17) corrected, worked out by hand");
     let mut field = Vec::new();
     for nu in [0.0, 0.2, POISSON] {
         for x in linspace(-0.9, 0.9, 7) {
@@ -142,10 +128,9 @@ fn law_claims(figure: &mut Figure) -> Result<(), Failure> {
             }
         }
     }
-    figure.claim(
-        Claim::all_close("u and v of the law at 105 points", field, Tolerance::Absolute(1e-14))
-            .source("(3.17) corrected"),
-    );
+    figure
+        .all_close("u and v of the law at 105 points", field, Absolute(1e-14))
+        .source("(3.17) corrected");
     let mut largest = (0.0, 0.0);
     for t in linspace(0.0, PI / 2.0, 181) {
         let v = by_law(POISSON, libm::cos(t), libm::sin(t))?[1];
@@ -153,21 +138,20 @@ fn law_claims(figure: &mut Figure) -> Result<(), Failure> {
             largest = (t, v);
         }
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "v is largest at 45°, 1/12 of u(0)",
             [(largest.0, PI / 4.0), (largest.1, 0.5)],
-            Tolerance::Absolute(1e-14),
+            Absolute(1e-14),
         )
-        .source("caption and text; (3.17) corrected"),
-    );
+        .source("caption and text; (3.17) corrected");
     Ok(())
 }
 
 /// Holds the law against values of 70 digits for circles.
 fn reference_claim(figure: &mut Figure) -> Result<(), Failure> {
     let text = include_str!("../../../data/halfspace/ellipsoid_traction.csv");
-    let rows = numbers::rows(text)?;
+    let rows = rows::<8>(text)?;
     let circles = rows.iter().filter(|row| row[2] == 1.0 && row[3] == 1.0);
     let mut pairs = Vec::new();
     for row in circles {
@@ -175,9 +159,8 @@ fn reference_claim(figure: &mut Figure) -> Result<(), Failure> {
         let [u, v] = by_law(row[5], row[0], row[1])?;
         pairs.extend([(u * unit, row[6]), (v * unit, row[7])]);
     }
-    figure.claim(
-        Claim::all_close("the field of the law", pairs, Tolerance::Absolute(1e-15))
-            .source("quadrature with 70 digits, ν = 0 and 0.5"),
-    );
+    figure
+        .all_close("the field of the law", pairs, Absolute(1e-15))
+        .source("quadrature with 70 digits, ν = 0 and 0.5");
     Ok(())
 }

@@ -7,9 +7,9 @@ use carom_laws::stiffness::ContactStiffness;
 use carom_special::quadrature::GaussLegendre;
 use carom_special::{AxisRatio, RangeError};
 
-use super::super::{Failure, sphere_traction};
+use super::super::sphere_traction;
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Failure, Figure, FigureResult, Panel, Relative, Series, linspace};
 
 const FRICTION: f64 = 0.5;
 const SHIFTS: [f64; 5] = [0.2, 0.4, 0.6, 0.8, 1.0];
@@ -46,8 +46,8 @@ pub(super) fn draw() -> FigureResult {
     figure.assumed("c_x ξ/(f c_z ζ)", "0.2, 0.4, 0.6, 0.8, 1");
     figure.assumed("axes", "x/a, σ_zx/(f σ_z0)");
     let contact = Contact::new(1.0, 0.3)?;
-    let mut panel = Panel::new(Axis::linear("x/a"), Axis::linear("σ_zx / (f σ_z0)"))
-        .titled("Stress for shifts c_x ξ/(f c_z ζ)");
+    let mut panel =
+        Panel::new("x/a", "σ_zx / (f σ_z0)").titled("Stress for shifts c_x ξ/(f c_z ζ)");
     for share in SHIFTS {
         let (state, mut xs) = (contact.at(share)?, linspace(-1.0, 1.0, 401));
         xs.extend([-state.stick_radius(), state.stick_radius()]);
@@ -85,18 +85,12 @@ fn stress_claims(figure: &mut Figure, contact: &Contact) -> Result<(), Failure> 
             slender.push((ellipse.stress(&other, x), stress));
         }
     }
-    figure.claim(Claim::at_most("σ_zx never exceeds f p_z", excess, 1e-15).source("Coulomb"));
-    figure.claim(
-        Claim::all_close("and equals it in the slip ring", ring, Tolerance::Absolute(1e-15))
-            .source("Coulomb"),
-    );
-    figure.claim(
-        Claim::all_close("σ₁ - σ₂", shape, Tolerance::Absolute(1e-14)).source("(3.11), corrected"),
-    );
-    figure.claim(
-        Claim::all_close("the same for a/b = 0.2, ν = 0.45", slender, Tolerance::Absolute(1e-14))
-            .source("text below (5.27)"),
-    );
+    figure.at_most("σ_zx never exceeds f p_z", excess, 1e-15).source("Coulomb");
+    figure.all_close("and equals it in the slip ring", ring, Absolute(1e-15)).source("Coulomb");
+    figure.all_close("σ₁ - σ₂", shape, Absolute(1e-14)).source("(3.11), corrected");
+    figure
+        .all_close("the same for a/b = 0.2, ν = 0.45", slender, Absolute(1e-14))
+        .source("text below (5.27)");
     Ok(())
 }
 
@@ -119,14 +113,12 @@ fn force_claims(figure: &mut Figure, contact: &Contact) -> Result<(), Failure> {
         forces.push((force, 1.0 - stick * stick * stick));
         inner.push((state.force[0] / (FRICTION * state.normal_force), force));
     }
-    figure.claim(
-        Claim::all_close("∫σ_zx dS = f F_z (1 - (a*/a)³)", forces, Tolerance::Relative(1e-9))
-            .source("quadrature of the drawn stress against (3.12)"),
-    );
-    figure.claim(
-        Claim::all_close("and is the force of the law", inner, Tolerance::Relative(1e-9))
-            .source("quadrature of the drawn stress"),
-    );
+    figure
+        .all_close("∫σ_zx dS = f F_z (1 - (a*/a)³)", forces, Relative(1e-9))
+        .source("quadrature of the drawn stress against (3.12)");
+    figure
+        .all_close("and is the force of the law", inner, Relative(1e-9))
+        .source("quadrature of the drawn stress");
     let mut inverse = Vec::new();
     for share in [0.2_f64, 0.4, 0.6, 0.8] {
         let rest = 1.0 - share;
@@ -136,14 +128,9 @@ fn force_claims(figure: &mut Figure, contact: &Contact) -> Result<(), Failure> {
         let xi = share * FRICTION / contact.stiffness.c_x;
         inverse.extend([(state.shift[0], xi), (state.stick_depth(), rest)]);
     }
-    figure.claim(
-        Claim::all_close(
-            "shift and stick area under that force",
-            inverse,
-            Tolerance::Absolute(1e-13),
-        )
-        .source("(5.28), (5.29): the inverse of (3.12) worked out"),
-    );
+    figure
+        .all_close("shift and stick area under that force", inverse, Absolute(1e-13))
+        .source("(5.28), (5.29): the inverse of (3.12) worked out");
     // c_z = 4 G a/(1 - ν) at ζ = 1, a = 1, and σ_z0 = c_z/π.
     let nu = 0.3;
     let (modulus, peak) = (0.25 * (1.0 - nu), std::f64::consts::FRAC_1_PI);
@@ -154,28 +141,17 @@ fn force_claims(figure: &mut Figure, contact: &Contact) -> Result<(), Failure> {
         let xi = share * FRICTION / contact.stiffness.c_x;
         (FRICTION * peak / modulus * (outer - inner), xi)
     });
-    figure.claim(
-        Claim::all_close(
-            "the stress displaces the centre by ξ",
-            shifts,
-            Tolerance::Relative(1e-14),
-        )
-        .source("displacement (3.17), corrected"),
-    );
+    figure
+        .all_close("the stress displaces the centre by ξ", shifts, Relative(1e-14))
+        .source("displacement (3.17), corrected");
     let state = contact.at(0.6)?;
     let stick = state.stick_radius();
     let steep = (contact.stress(&state, stick) - contact.stress(&state, stick - 1e-8)) / 1e-8;
     // sqrt(2 a* h) over h, and the slope of the limit.
     let expected = (2.0 * stick / 1e-8).sqrt() - stick / (1.0 - stick * stick).sqrt();
-    figure.claim(
-        Claim::close(
-            "slope just inside a*, over 1e-8 a",
-            steep,
-            expected,
-            Tolerance::Relative(1e-5),
-        )
-        .source("vertical: the square root of σ₂ at a*"),
-    );
+    figure
+        .close("slope just inside a*, over 1e-8 a", steep, expected, Relative(1e-5))
+        .source("vertical: the square root of σ₂ at a*");
     Ok(())
 }
 
@@ -193,9 +169,8 @@ fn table_claims(figure: &mut Figure) -> Result<(), Failure> {
             (state.normal_force / f_z, 1.0),
         ]);
     }
-    figure.claim(
-        Claim::all_close("stick area and forces of 84 shifts", pairs, Tolerance::Absolute(1e-12))
-            .source("(5.25)-(5.27) in 25 digits by an independent program"),
-    );
+    figure
+        .all_close("stick area and forces of 84 shifts", pairs, Absolute(1e-12))
+        .source("(5.25)-(5.27) in 25 digits by an independent program");
     Ok(())
 }

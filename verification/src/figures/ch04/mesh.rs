@@ -2,8 +2,9 @@
 
 use std::f64::consts::PI;
 
-use super::super::Failure;
-use crate::{Arrow, Axis, Cell, Claim, Figure, FigureResult, Panel, Series, Table, Tolerance};
+use crate::{
+    Absolute, Arrow, Axis, Cell, Failure, Figure, FigureResult, Panel, Relative, Series, Table,
+};
 use carom_halfspace::operator::CoefficientTable;
 use carom_halfspace::{
     Coefficients, Grid, Material, MaterialPair, Offset, Rectangle, RectangleInfluence,
@@ -143,22 +144,16 @@ fn coefficient_claims(figure: &mut Figure) -> Result<(), Failure> {
             }
         }
     }
-    figure.claim(
-        Claim::all_close(
-            "nine coefficients at 118 offsets of either sign",
-            stored,
-            Tolerance::Absolute(1e-12),
-        )
-        .source("kernels (4.4) to (4.6) written out, Gauss's rule over each cell"),
-    );
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close("nine coefficients at 118 offsets of either sign", stored, Absolute(1e-12))
+        .source("kernels (4.4) to (4.6) written out, Gauss's rule over each cell");
+    figure
+        .all_close(
             "A[i,j,k; l,m,n] = A[l,m,n; i,j,k]: back and exchanged",
             reciprocal,
-            Tolerance::Absolute(1e-12),
+            Absolute(1e-12),
         )
-        .source("text below (4.23), by the same quadrature"),
-    );
+        .source("text below (4.23), by the same quadrature");
     own_cell_claim(figure, &table);
     let quarter = RectangleInfluence::new(pair()?, Rectangle::new(0.5 * dx, 0.5 * dy)?);
     let offset = Offset { x: 2.0, y: -1.0 };
@@ -171,10 +166,9 @@ fn coefficient_claims(figure: &mut Figure) -> Result<(), Failure> {
     }
     let whole = quadrature(&rule, offset.x, offset.y);
     let pairs = sum.into_iter().flatten().zip(whole.into_iter().flatten());
-    figure.claim(
-        Claim::all_close("four quarters act as the whole cell", pairs, Tolerance::Absolute(1e-13))
-            .source("additivity, the whole by quadrature"),
-    );
+    figure
+        .all_close("four quarters act as the whole cell", pairs, Absolute(1e-13))
+        .source("additivity, the whole by quadrature");
     let integrals = Rectangle::new(dx, dy)?.integrals(offset)?;
     let direct: f64 = rule
         .on(offset.x - 0.5 * dx, offset.x + 0.5 * dx)
@@ -185,14 +179,13 @@ fn coefficient_claims(figure: &mut Figure) -> Result<(), Failure> {
             })
         })
         .sum();
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "∫dS/r, itself and as the sum of the integrals of the second derivatives of r",
             [(integrals.inverse_distance, direct), (integrals.xx + integrals.yy, direct)],
-            Tolerance::Relative(1e-13),
+            Relative(1e-13),
         )
-        .source("(4.29); Gauss's rule over the cell"),
-    );
+        .source("(4.29); Gauss's rule over the cell");
     Ok(())
 }
 
@@ -208,14 +201,13 @@ fn own_cell_claim(figure: &mut Figure, table: &CoefficientTable) {
     let expected =
         [normal + lateral * over_x, normal + lateral * over_y, normal].map(|v| v / (2.0 * PI));
     let own = table.coefficients(0, 0).rows;
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "the cell under its own load",
             (0..3).map(|i| (own[i][i], expected[i])),
-            Tolerance::Relative(1e-14),
+            Relative(1e-14),
         )
-        .source("(4.4) to (4.6) in polar coordinates: ∫x²/r³ dS = 4 Δy arsinh(Δx/Δy)"),
-    );
+        .source("(4.4) to (4.6) in polar coordinates: ∫x²/r³ dS = 4 Δy arsinh(Δx/Δy)");
 }
 
 /// How many values that differ in size, zero left out, the nine coefficients have.
@@ -245,14 +237,13 @@ fn memory_claims(figure: &mut Figure) -> Result<(), Failure> {
         table.row([Cell::from(what), Cell::from(bytes)]);
     }
     figure.table(table);
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "bytes of the library's table: 6/9 and 4/9 of the text's 28.8 kB",
             [(six, 19_200.0), (four, 12_800.0)],
-            Tolerance::Absolute(0.0),
+            Absolute(0.0),
         )
-        .source("text after (4.23): 28.8 kB for nine doubles of 400 cells"),
-    );
+        .source("text after (4.23): 28.8 kB for nine doubles of 400 cells");
     let cell = Rectangle::new(1.0, 1.0)?;
     let at = Offset { x: 3.0, y: 2.0 };
     let mut counts = Vec::new();
@@ -260,13 +251,12 @@ fn memory_claims(figure: &mut Figure) -> Result<(), Failure> {
         let found = RectangleInfluence::new(materials, cell).coefficients(at)?;
         counts.push((distinct(&found) as f64, count));
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "independent entries of the nine: six, or four for similar bodies",
             counts,
-            Tolerance::Absolute(0.0),
+            Absolute(0.0),
         )
-        .source("symmetry of (4.23); no coupling for ε = 0"),
-    );
+        .source("symmetry of (4.23); no coupling for ε = 0");
     Ok(())
 }

@@ -13,9 +13,8 @@ use carom_laws::torsion::law::TorsionLaw;
 use carom_special::RangeError;
 use carom_special::quadrature::GaussLegendre;
 
-use super::super::Failure;
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Axis, Failure, Figure, FigureResult, Panel, Relative, Series, linspace};
 
 const POISSON: [f64; 4] = [0.0, 0.25, 0.3, 0.5];
 
@@ -56,28 +55,24 @@ pub(super) fn draw() -> FigureResult {
     let table = rows::<4>(include_str!("../../../data/laws/torsion_compliance.csv"))?;
     let pairs: Result<Vec<(f64, f64)>, RangeError> =
         table.iter().map(|&[a, b, nu, value]| Ok((compliance(a, b, nu)?, value))).collect();
-    figure.claim(
-        Claim::all_close("33 values, a/b from 1e-4 to 1e4", pairs?, Tolerance::Relative(1e-13))
-            .source("(5.35) in 25 digits by an independent program"),
-    );
+    figure
+        .all_close("33 values, a/b from 1e-4 to 1e4", pairs?, Relative(1e-13))
+        .source("(5.35) in 25 digits by an independent program");
     let mindlin: Result<Vec<(f64, f64)>, RangeError> =
         POISSON.iter().map(|&nu| Ok((compliance(1.0, 1.0, nu)?, 1.0))).collect();
-    figure.claim(
-        Claim::all_close("1 at a/b = 1 for every ν", mindlin?, Tolerance::Absolute(1e-14))
-            .source("M_z = (16/3) G a³ β, Mindlin"),
-    );
+    figure
+        .all_close("1 at a/b = 1 for every ν", mindlin?, Absolute(1e-14))
+        .source("M_z = (16/3) G a³ β, Mindlin");
     let fall = (0..ratios.len() - 1)
         .flat_map(|i| curves.windows(2).map(move |pair| pair[0][i] - pair[1][i]))
         .fold(f64::INFINITY, f64::min);
-    figure.claim(
-        Claim::holds("it falls with ν where a < b", fall > 0.0, fall)
-            .source("(5.35) by an independent program"),
-    );
+    figure
+        .holds("it falls with ν where a < b", fall > 0.0, fall)
+        .source("(5.35) by an independent program");
     for (nu, curve) in POISSON.into_iter().zip(&curves) {
-        figure.claim(
-            Claim::decreasing(format!("ν = {nu}: it falls with a/b"), curve.iter().copied())
-                .source("(5.35) by an independent program"),
-        );
+        figure
+            .decreasing(format!("ν = {nu}: it falls with a/b"), curve.iter().copied())
+            .source("(5.35) by an independent program");
     }
     symmetry_claims(&mut figure)?;
     moment_claim(&mut figure)?;
@@ -100,14 +95,10 @@ fn symmetry_claims(figure: &mut Figure) -> Result<(), Failure> {
         let [along_x, along_y] = torsion(ratio, 1.0, 0.5)?.coefficients();
         equal.push((along_x, along_y));
     }
-    figure.claim(
-        Claim::all_close("a and b may be exchanged", swapped, Tolerance::Relative(1e-13))
-            .source("symmetry; computed with the parameter k² < 0"),
-    );
-    figure.claim(
-        Claim::all_close("T′ = T″ for ν = 0.5", equal, Tolerance::Relative(1e-13))
-            .source("errata of (5.34)"),
-    );
+    figure
+        .all_close("a and b may be exchanged", swapped, Relative(1e-13))
+        .source("symmetry; computed with the parameter k² < 0");
+    figure.all_close("T′ = T″ for ν = 0.5", equal, Relative(1e-13)).source("errata of (5.34)");
     Ok(())
 }
 
@@ -136,14 +127,13 @@ fn law_claim(figure: &mut Figure) -> Result<(), Failure> {
     let energy = 0.5 * (9e-6 * first + 4e-6 * (second - first));
     pairs.push((law.twist_energy() / energy, 1.0));
     pairs.push((law.dissipated() / energy, 0.0));
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "torque and energy of a twist, a compression and a twist without slip, over (5.35)",
             pairs,
-            Tolerance::Absolute(1e-12),
+            Absolute(1e-12),
         )
-        .source("M_z = K₁ β₁ + K₂ (β - β₁) and half of Σ K β² with K of the figure"),
-    );
+        .source("M_z = K₁ β₁ + K₂ (β - β₁) and half of Σ K β² with K of the figure");
     Ok(())
 }
 
@@ -173,13 +163,11 @@ fn moment_claim(figure: &mut Figure) -> Result<(), Failure> {
         pairs.push((area * (along_x - along_y), torsion.stiffness()));
         wrong = wrong.min(1.0 - area * (along_x + along_y) / torsion.stiffness());
     }
-    figure.claim(
-        Claim::all_close("∫(y σ_zx - x σ_zy)dS is M_z", pairs, Tolerance::Relative(1e-12))
-            .source("quadrature of (5.32) against (5.35)"),
-    );
-    figure.claim(
-        Claim::at_least("with the printed sign of σ_zy the moment lacks", wrong, 0.1)
-            .source("quadrature"),
-    );
+    figure
+        .all_close("∫(y σ_zx - x σ_zy)dS is M_z", pairs, Relative(1e-12))
+        .source("quadrature of (5.32) against (5.35)");
+    figure
+        .at_least("with the printed sign of σ_zy the moment lacks", wrong, 0.1)
+        .source("quadrature");
     Ok(())
 }

@@ -6,9 +6,8 @@ use carom_laws::friction::Friction;
 use carom_laws::hertz::{Hertz, HertzState};
 use carom_laws::shift::CattaneoMindlin;
 
-use super::super::Failure;
 use super::super::sphere_traction;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Failure, Figure, FigureResult, Panel, Relative, Series, linspace};
 
 const APPROACH: f64 = 0.1;
 const RADII: [f64; 2] = [1.0, 1.6];
@@ -74,8 +73,7 @@ pub(super) fn contact() -> FigureResult {
     figure.assumed("materials", "G₁ = 1, ν₁ = 0.3; G₂ = 3, ν₂ = 0.2");
     let spheres = pair([1.0, 3.0], [0.3, 0.2])?;
     let xs = linspace(-0.55, 0.55, 221);
-    let mut panel = Panel::new(Axis::linear("x"), Axis::linear("z (into body 1)"))
-        .titled("Section y = 0, body 1 above");
+    let mut panel = Panel::new("x", "z (into body 1)").titled("Section y = 0, body 1 above");
     let curve = |f: &dyn Fn(f64) -> f64| xs.iter().map(|&x| (x, f(x))).collect::<Vec<_>>();
     panel.add(Series::line("body 1, z₁ + w₁", curve(&|x| spheres.surfaces(x)[0])));
     panel.add(Series::line("body 2, ζ - z₂ - w₂", curve(&|x| spheres.surfaces(x)[1])));
@@ -93,14 +91,9 @@ pub(super) fn contact() -> FigureResult {
         let z = spheres.contact_surface(x);
         spheres.surfaces(x).map(|surface| (z, surface))
     });
-    figure.claim(
-        Claim::all_close(
-            "(5.17), corrected, is both deformed surfaces",
-            both,
-            Tolerance::Absolute(1e-14),
-        )
-        .source("w of the semi-ellipsoidal pressure in closed form"),
-    );
+    figure
+        .all_close("(5.17), corrected, is both deformed surfaces", both, Absolute(1e-14))
+        .source("w of the semi-ellipsoidal pressure in closed form");
     let between = inside.iter().map(|&x| {
         let ([z_1, z_2], z) = (Spheres::undeformed(x), spheres.contact_surface(x));
         (z - z_1).min(APPROACH - z_2 - z)
@@ -108,25 +101,23 @@ pub(super) fn contact() -> FigureResult {
     // Nearest to z_1, that of the softer body's share, at the edge: one or the other of the shares of
     // the gap ζ - z_1 - z_2, which is half of ζ there.
     let [one, two] = spheres.shares;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "it lies between z₁ and ζ - z₂, by at least",
             between.fold(f64::INFINITY, f64::min),
             0.5 * APPROACH * one.min(two),
-            Tolerance::Absolute(1e-15),
+            Absolute(1e-15),
         )
-        .source("(5.17): the gap in the ratio of both compliances"),
-    );
+        .source("(5.17): the gap in the ratio of both compliances");
     let a = spheres.state.ellipse.semi_axis_a();
     let outside = xs.iter().filter(|x| x.abs() > 1.02 * a).map(|&x| {
         let [above, below] = spheres.surfaces(x);
         above - below
     });
     let gap = outside.fold(f64::INFINITY, f64::min);
-    figure.claim(
-        Claim::at_least("the bodies are apart outside the contact, from 1.02 a on", gap, 5e-4)
-            .source("text above (5.15)"),
-    );
+    figure
+        .at_least("the bodies are apart outside the contact, from 1.02 a on", gap, 5e-4)
+        .source("text above (5.15)");
     limit_claims(&mut figure)?;
     let [one, two] = spheres.shares;
     let printed = |x: f64| {
@@ -134,15 +125,14 @@ pub(super) fn contact() -> FigureResult {
         two * z_1 - one * z_2 + two * APPROACH
     };
     let miss = (printed(0.0) - spheres.contact_surface(0.0)).abs() / APPROACH;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "(5.17) as printed misses at the centre by, over ζ",
             miss,
             (0.7 - 0.8 / 3.0) / (0.7 + 0.8 / 3.0),
-            Tolerance::Absolute(1e-14),
+            Absolute(1e-14),
         )
-        .source("difference of both compliances (1 - ν)/G over their sum"),
-    );
+        .source("difference of both compliances (1 - ν)/G over their sum");
     figure.deviation(
         "… + φ₂ ξ as last term of (5.17)",
         "… + φ₁ ζ",
@@ -155,20 +145,18 @@ fn limit_claims(figure: &mut Figure) -> Result<(), Failure> {
     let hard = Spheres::new([Material::RIGID, Material::from_shear(1.0, 0.3)?])?;
     let pairs =
         hard.inside(21).into_iter().map(|x| (hard.contact_surface(x), Spheres::undeformed(x)[0]));
-    figure.claim(
-        Claim::all_close("z = z₁ for a rigid body 1", pairs, Tolerance::Absolute(1e-16))
-            .source("text below (5.17): the contour of the harder body"),
-    );
+    figure
+        .all_close("z = z₁ for a rigid body 1", pairs, Absolute(1e-16))
+        .source("text below (5.17): the contour of the harder body");
     // Two equal spheres: (ζ + z₁ - z₂)/2 with z₁ = z₂.
     let similar = pair([1.0, 1.0], [0.3, 0.3])?;
     let flat = similar.inside(21).into_iter().map(|x| {
         let [z_1, _] = Spheres::undeformed(x);
         (similar.hertz.contact_surface(APPROACH, z_1, z_1), 0.5 * APPROACH)
     });
-    figure.claim(
-        Claim::all_close("the plane z = ζ/2 for equal bodies", flat, Tolerance::Absolute(1e-16))
-            .source("text below (5.17)"),
-    );
+    figure
+        .all_close("the plane z = ζ/2 for equal bodies", flat, Absolute(1e-16))
+        .source("text below (5.17)");
     Ok(())
 }
 
@@ -195,8 +183,8 @@ pub(super) fn shifted() -> FigureResult {
         peak / modulus * (outer - inner)
     };
 
-    let mut panel = Panel::new(Axis::linear("x"), Axis::linear("z (into body 1)"))
-        .titled("Surface points that lay opposite each other");
+    let mut panel =
+        Panel::new("x", "z (into body 1)").titled("Surface points that lay opposite each other");
     let xs = linspace(-0.4, 0.4, 161);
     panel.add(Series::line(
         "body 1",
@@ -223,45 +211,28 @@ pub(super) fn shifted() -> FigureResult {
         .coloured(4),
     );
     figure.panel(panel);
-    let mut slip = Panel::new(Axis::linear("x/a"), Axis::linear("(u₁ - u₂)/ξ"))
-        .titled("Relative displacement");
+    let mut slip = Panel::new("x/a", "(u₁ - u₂)/ξ").titled("Relative displacement");
     let wide = linspace(-1.5, 1.5, 301);
     slip.add(Series::line("u₁ - u₂", wide.iter().map(|&s| (s, relative(s * a) / xi))));
     slip.add(Series::dashed("ξ, in the stick area", [(-1.0, 1.0), (1.0, 1.0)]));
     figure.panel(slip);
 
     let stuck = linspace(0.0, stick, 21).into_iter().map(|x| (relative(x), xi));
-    figure.claim(
-        Claim::all_close("u₁ = u₂ + ξ in the stick area", stuck, Tolerance::Relative(1e-13))
-            .source("(5.19) by the displacement (6.6) of two ellipsoids of traction"),
-    );
+    figure
+        .all_close("u₁ = u₂ + ξ in the stick area", stuck, Relative(1e-13))
+        .source("(5.19) by the displacement (6.6) of two ellipsoids of traction");
     let lag: Vec<f64> = linspace(stick, a, 31).into_iter().map(|x| relative(x) / xi).collect();
-    figure.claim(
-        Claim::decreasing("the slip grows from its border to the edge", lag).source("(6.11)"),
-    );
-    figure.claim(
-        Claim::close(
-            "(a*/a)² = 1 - c_x ξ/(f c_z ζ)",
-            state.stick_depth(),
-            1.0 - share,
-            Tolerance::Absolute(1e-15),
-        )
-        .source("(5.26)"),
-    );
+    figure.decreasing("the slip grows from its border to the edge", lag).source("(6.11)");
+    figure
+        .close("(a*/a)² = 1 - c_x ξ/(f c_z ζ)", state.stick_depth(), 1.0 - share, Absolute(1e-15))
+        .source("(5.26)");
     let order = linspace(-0.4, 0.4, 81).into_iter().map(|x| x + 0.5 * relative(x));
-    figure.claim(
-        Claim::increasing("no two surface points of body 1 cross", order)
-            .source("displacements are continuous and small"),
-    );
+    figure
+        .increasing("no two surface points of body 1 cross", order)
+        .source("displacements are continuous and small");
     let curvature = 0.5 / RADII[0] + 0.5 / RADII[1];
-    figure.claim(
-        Claim::close(
-            "a² (A + B) = ζ",
-            a * a * 2.0 * curvature,
-            APPROACH,
-            Tolerance::Relative(1e-14),
-        )
-        .source("(5.14) with β = 1"),
-    );
+    figure
+        .close("a² (A + B) = ζ", a * a * 2.0 * curvature, APPROACH, Relative(1e-14))
+        .source("(5.14) with β = 1");
     Ok(figure)
 }

@@ -6,9 +6,10 @@ use carom_laws::hertz::{Hertz, HertzParameters};
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::{AxisRatio, RangeError};
 
-use super::super::Failure;
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use crate::{
+    Absolute, Axis, Claim, Failure, Figure, FigureResult, Panel, Relative, Series, linspace,
+};
 
 const NAMES: [&str; 4] = ["α", "β", "γ", "δ"];
 
@@ -37,19 +38,17 @@ pub(super) fn draw() -> FigureResult {
     for (i, name) in NAMES.into_iter().enumerate() {
         let pairs: Result<Vec<(f64, f64)>, RangeError> =
             table.iter().map(|row| Ok((values(row[0])?[i], row[i + 1]))).collect();
-        figure.claim(
-            Claim::all_close(format!("{name} at 22 ratios"), pairs?, Tolerance::Relative(4e-15))
-                .source("(5.12) in 25 digits by an independent program"),
-        );
+        figure
+            .all_close(format!("{name} at 22 ratios"), pairs?, Relative(4e-15))
+            .source("(5.12) in 25 digits by an independent program");
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "a/b = 1: 3/4, 1, 1/2, 1/2",
             values(1.0)?.into_iter().zip([0.75, 1.0, 0.5, 0.5]),
-            Tolerance::Absolute(1e-15),
+            Absolute(1e-15),
         )
-        .source("closed form"),
-    );
+        .source("closed form");
     for (i, name) in NAMES.into_iter().enumerate() {
         let column = curves.iter().map(|curve| curve[i]);
         let claim = if i < 2 {
@@ -76,14 +75,13 @@ fn limit_claims(figure: &mut Figure) -> Result<(), Failure> {
     let ratio = 1e-6;
     let k = libm::log(4.0 / ratio);
     let expected = [0.477_464_829_275_686 * ratio, 1.0 / k, 1.0, 1.0 - 1.0 / k];
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "a/b = 1e-6: β = 1/ln(4b/a) and δ = 1 - β approach 0 and 1 only as a logarithm",
             values(ratio)?.into_iter().zip(expected),
-            Tolerance::Relative(1e-9),
+            Relative(1e-9),
         )
-        .source("K = ln(4b/a), E = 1, α = (3/2π) a/b"),
-    );
+        .source("K = ln(4b/a), E = 1, α = (3/2π) a/b");
     Ok(())
 }
 
@@ -103,10 +101,9 @@ fn definition_claims(figure: &mut Figure) -> Result<(), Failure> {
         pairs.push((beta, a * a / state.approach));
         pairs.push((gamma, share));
     }
-    figure.claim(
-        Claim::all_close("(5.14) for contacts of A + B = 1", pairs, Tolerance::Relative(1e-13))
-            .source("force, approach and semi-axis of the Hertz contact"),
-    );
+    figure
+        .all_close("(5.14) for contacts of A + B = 1", pairs, Relative(1e-13))
+        .source("force, approach and semi-axis of the Hertz contact");
     Ok(())
 }
 
@@ -119,9 +116,7 @@ fn stiffness_claims(figure: &mut Figure, ratios: &[f64]) -> Result<(), Failure> 
             most = most.max(c.c_x).max(c.c_y);
         }
     }
-    figure.claim(
-        Claim::at_least("c_x/c_z and c_y/c_z for ν from 0 to 0.5", least, 0.5).source("(15.8)"),
-    );
-    figure.claim(Claim::at_most("and at most", most, 1.0).source("(15.8)"));
+    figure.at_least("c_x/c_z and c_y/c_z for ν from 0 to 0.5", least, 0.5).source("(15.8)");
+    figure.at_most("and at most", most, 1.0).source("(15.8)");
     Ok(())
 }

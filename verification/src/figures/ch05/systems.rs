@@ -4,10 +4,9 @@ use std::f64::consts::PI;
 
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 
-use super::super::Failure;
 use super::super::paraboloid::Paraboloid;
 use crate::reference::rows;
-use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance};
+use crate::{Absolute, Arrow, Failure, Figure, FigureResult, Panel, Point, Relative, Series};
 
 const OMEGA: f64 = 50.0 * PI / 180.0;
 
@@ -28,7 +27,7 @@ pub(super) fn draw() -> FigureResult {
     );
     let surfaces =
         [Paraboloid::new(one, 0.0), Paraboloid::new(two, OMEGA), Paraboloid::gap(gap, gap.angle())];
-    let mut panel = Panel::new(Axis::linear("along x_A"), Axis::linear("along y_A"))
+    let mut panel = Panel::new("along x_A", "along y_A")
         .titled("Lines of equal height 0.05 and the axes")
         .equal_aspect();
     let names =
@@ -63,10 +62,9 @@ fn sum_claims(figure: &mut Figure, [one, two, gap]: &[Paraboloid; 3]) {
         (r * libm::cos(angle), r * libm::sin(angle))
     });
     let pairs = points.map(|(x, y)| (gap.height(x, y), one.height(x, y) + two.height(x, y)));
-    figure.claim(
-        Claim::all_close("A x² + B y² = z₁ + z₂ at 60 points", pairs, Tolerance::Absolute(1e-15))
-            .source("(5.1), (5.2)"),
-    );
+    figure
+        .all_close("A x² + B y² = z₁ + z₂ at 60 points", pairs, Absolute(1e-15))
+        .source("(5.1), (5.2)");
 }
 
 fn table_claims(figure: &mut Figure) -> Result<(), Failure> {
@@ -80,14 +78,12 @@ fn table_claims(figure: &mut Figure) -> Result<(), Failure> {
             directions.push((libm::sin(gap.angle() - angle), 0.0));
         }
     }
-    figure.claim(
-        Claim::all_close("A and B of 13 pairs", coefficients, Tolerance::Relative(1e-14))
-            .source("eigenvalues of the sum of both forms, in 25 digits"),
-    );
-    figure.claim(
-        Claim::all_close("the x-axis of those with A > B", directions, Tolerance::Absolute(1e-9))
-            .source("eigenvectors, in 25 digits"),
-    );
+    figure
+        .all_close("A and B of 13 pairs", coefficients, Relative(1e-14))
+        .source("eigenvalues of the sum of both forms, in 25 digits");
+    figure
+        .all_close("the x-axis of those with A > B", directions, Absolute(1e-9))
+        .source("eigenvectors, in 25 digits");
     Ok(())
 }
 
@@ -98,23 +94,20 @@ fn formula_claims(figure: &mut Figure, gap: RelativeCurvature) -> Result<(), Fai
     let sum = r1 + r1_across + r2 + r2_across;
     let difference = one * one + two * two + 2.0 * one * two * cos;
     let (a, b) = (gap.a(), gap.b());
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "2(A + B) and 4(A - B)²",
             [(2.0 * (a + b), sum), (4.0 * (a - b) * (a - b), difference)],
-            Tolerance::Relative(1e-14),
+            Relative(1e-14),
         )
-        .source("(5.3a)"),
-    );
+        .source("(5.3a)");
     let (sin, tan) = (libm::sin(2.0 * OMEGA), libm::tan(2.0 * gap.angle()));
-    figure.claim(
-        Claim::close("(5.3b), corrected", (cos + one / two) * tan, sin, Tolerance::Relative(1e-14))
-            .source("errata"),
-    );
+    figure
+        .close("(5.3b), corrected", (cos + one / two) * tan, sin, Relative(1e-14))
+        .source("errata");
     let printed = ((cos - one / two) * tan + sin).abs();
-    figure.claim(
-        Claim::at_least("(5.3b) as printed misses by, where sin 2ω is 0.985", printed, 0.1)
-            .source("errata"),
-    );
+    figure
+        .at_least("(5.3b) as printed misses by, where sin 2ω is 0.985", printed, 0.1)
+        .source("errata");
     Ok(())
 }

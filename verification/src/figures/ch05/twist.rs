@@ -13,9 +13,8 @@ use carom_laws::torsion::lubkin::{Lubkin, SLIDING_TORQUE, approximate_torque};
 use carom_special::RangeError;
 use carom_special::quadrature::{GaussLegendre, Tolerance as Within, adaptive, tanh_sinh};
 
-use super::super::Failure;
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Relative, Series, linspace};
 
 fn exact(twist: f64) -> Result<f64, RangeError> {
     Ok(Lubkin::at_twist(twist)?.torque())
@@ -28,8 +27,7 @@ pub(super) fn draw() -> FigureResult {
     let twists = linspace(0.0, 0.5, 501);
     let curve: Vec<f64> = twists.iter().map(|&twist| exact(twist)).collect::<Result<_, _>>()?;
     let table = rows::<4>(include_str!("../../../data/laws/lubkin.csv"))?;
-    let mut panel = Panel::new(Axis::linear("G a² β / (f F_z)"), Axis::linear("M_z / (f F_z a)"))
-        .titled("Torsion of a circle");
+    let mut panel = Panel::new("G a² β / (f F_z)", "M_z / (f F_z a)").titled("Torsion of a circle");
     panel.add(Series::line("exact (5.41)", twists.iter().copied().zip(curve.iter().copied())));
     panel.add(Series::dashed(
         "approximate (5.42)",
@@ -49,9 +47,7 @@ pub(super) fn draw() -> FigureResult {
     traction_claims(&mut figure)?;
     history_claims(&mut figure, &table)?;
     energy_claims(&mut figure)?;
-    figure.claim(
-        Claim::increasing("the torque rises", curve).source("its slope (16/3) G a*³ is positive"),
-    );
+    figure.increasing("the torque rises", curve).source("its slope (16/3) G a*³ is positive");
     figure.deviation(
         "k'²/(4π) before the bracket of (5.41)",
         "k'k²/(4π)",
@@ -77,33 +73,22 @@ fn table_claims(figure: &mut Figure, table: &[[f64; 4]]) -> Result<(), Failure> 
     for (name, pairs) in
         [("torque", torques), ("twist", twists), ("approximate torque", approximate)]
     {
-        figure.claim(
-            Claim::all_close(
-                format!("{name} at 17 stick radii"),
-                pairs,
-                Tolerance::Relative(1e-13),
-            )
-            .source(source),
-        );
+        figure
+            .all_close(format!("{name} at 17 stick radii"), pairs, Relative(1e-13))
+            .source(source);
     }
     let slopes = [exact(1e-7)? / 1e-7, approximate_torque(1e-7) / 1e-7];
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "both begin with the slope 16/3",
             slopes.map(|slope| (slope, 16.0 / 3.0)),
-            Tolerance::Relative(1e-5),
+            Relative(1e-5),
         )
-        .source("(5.35) for the circle"),
-    );
+        .source("(5.35) for the circle");
     let ends = [exact(10.0)?, approximate_torque(10.0)];
-    figure.claim(
-        Claim::all_close(
-            "both end at 3π/16",
-            ends.map(|end| (end, 3.0 * PI / 16.0)),
-            Tolerance::Absolute(1e-12),
-        )
-        .source("∫ρ f p_z dS"),
-    );
+    figure
+        .all_close("both end at 3π/16", ends.map(|end| (end, 3.0 * PI / 16.0)), Absolute(1e-12))
+        .source("∫ρ f p_z dS");
     Ok(())
 }
 
@@ -121,34 +106,18 @@ fn error_claims(figure: &mut Figure) -> Result<(), Failure> {
     let (at_own, _, of_itself) =
         errors.iter().copied().fold(none, |m, e| if e.2 > m.2 { e } else { m });
     let least = errors.iter().map(|e| e.1).fold(f64::INFINITY, f64::min);
-    figure.claim(
-        Claim::at_most("error of (5.42) over the sliding moment", of_sliding, 0.03)
-            .source("text: maximal error 3 %"),
-    );
-    figure.claim(
-        Claim::close("exactly", of_sliding, 0.027_560, Tolerance::Absolute(1e-6))
-            .source("independent program"),
-    );
-    figure.claim(
-        Claim::close("at", at, 0.195_29, Tolerance::Absolute(1e-4)).source("independent program"),
-    );
-    figure.claim(
-        Claim::close(
-            "error over the moment itself",
-            of_itself,
-            0.033_465,
-            Tolerance::Absolute(1e-6),
-        )
-        .source("independent program; the 3 % of the text do not hold for it"),
-    );
-    figure.claim(
-        Claim::close("at", at_own, 0.153_79, Tolerance::Absolute(1e-4))
-            .source("independent program"),
-    );
-    figure.claim(
-        Claim::at_least("(5.42) lies below (5.41) everywhere", least, 0.0)
-            .source("independent program"),
-    );
+    figure
+        .at_most("error of (5.42) over the sliding moment", of_sliding, 0.03)
+        .source("text: maximal error 3 %");
+    figure.close("exactly", of_sliding, 0.027_560, Absolute(1e-6)).source("independent program");
+    figure.close("at", at, 0.195_29, Absolute(1e-4)).source("independent program");
+    figure
+        .close("error over the moment itself", of_itself, 0.033_465, Absolute(1e-6))
+        .source("independent program; the 3 % of the text do not hold for it");
+    figure.close("at", at_own, 0.153_79, Absolute(1e-4)).source("independent program");
+    figure
+        .at_least("(5.42) lies below (5.41) everywhere", least, 0.0)
+        .source("independent program");
     Ok(())
 }
 
@@ -171,18 +140,15 @@ fn traction_claims(figure: &mut Figure) -> Result<(), Failure> {
         let slope = (exact(state.twist() + step)? - exact(state.twist() - step)?) / (2.0 * step);
         slopes.push((slope, 16.0 / 3.0 * stick * stick * stick));
     }
-    figure.claim(
-        Claim::all_close("moment of the traction (5.37)", moments, Tolerance::Relative(1e-9))
-            .source("quadrature over the contact area"),
-    );
-    figure.claim(
-        Claim::all_close("(5.41) with k'k²/(4π)", printed, Tolerance::Relative(1e-9))
-            .source("(5.41) corrected, every integral by quadrature"),
-    );
-    figure.claim(
-        Claim::all_close("dM_z/dβ = (16/3) G a*³", slopes, Tolerance::Relative(1e-6))
-            .source("a further slip ring twists the stick area as a rigid disc"),
-    );
+    figure
+        .all_close("moment of the traction (5.37)", moments, Relative(1e-9))
+        .source("quadrature over the contact area");
+    figure
+        .all_close("(5.41) with k'k²/(4π)", printed, Relative(1e-9))
+        .source("(5.41) corrected, every integral by quadrature");
+    figure
+        .all_close("dM_z/dβ = (16/3) G a*³", slopes, Relative(1e-6))
+        .source("a further slip ring twists the stick area as a rigid disc");
     Ok(())
 }
 
@@ -197,14 +163,13 @@ fn history_claims(figure: &mut Figure, table: &[[f64; 4]]) -> Result<(), Failure
         pairs.push((history.stick_radius(), stick));
         pairs.push((history.tangent(), stick * stick * stick));
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "torque, stick radius and slope by the memory of a twisted contact",
             pairs,
-            Tolerance::Absolute(1e-9),
+            Absolute(1e-9),
         )
-        .source("integration of (5.37) in 25 digits; slope (16/3) G a*³"),
-    );
+        .source("integration of (5.37) in 25 digits; slope (16/3) G a*³");
     Ok(())
 }
 
@@ -232,14 +197,13 @@ fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
         pairs.push((law.twist_energy() / scale, (end * twist - sum) / twist));
         pairs.push((law.dissipated() / scale, (2.0 * sum - end * twist) / twist));
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "torque, energy stored and turned into heat by three twists",
             pairs,
-            Tolerance::Absolute(1e-4),
+            Absolute(1e-4),
         )
-        .source("M β - ∫M dβ and 2 ∫M dβ - M β of (5.41)"),
-    );
+        .source("M β - ∫M dβ and 2 ∫M dβ - M β of (5.41)");
     Ok(())
 }
 

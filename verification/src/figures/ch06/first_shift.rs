@@ -14,18 +14,15 @@ use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::quadrature::{Tolerance as Within, tanh_sinh};
 
-use super::super::Failure;
+use super::super::outline::ellipse;
 use super::history::{
     add_terms, follow, force_panel, profile, reference_claim, sigma, springs_claim, stress,
     stress_claims, stress_panel, virgin,
 };
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Failure, Figure, FigureResult, Panel, Relative, Series, linspace};
 
 fn circle(radius: f64) -> Vec<(f64, f64)> {
-    linspace(0.0, TAU, 145)
-        .into_iter()
-        .map(|t| (radius * libm::cos(t), radius * libm::sin(t)))
-        .collect()
+    ellipse([0.0; 2], [radius; 2], 144)
 }
 
 /// Fig. 6.1.
@@ -33,16 +30,14 @@ pub(super) fn regions() -> FigureResult {
     let mut figure = Figure::new();
     figure.assumed("a_k/a_i", "0.6");
     let (outer, inner) = (1.0, 0.36);
-    let mut map = Panel::new(Axis::linear("x/a_i"), Axis::linear("y/a_i"))
-        .titled("Stick circle A_k and slip ring S_i")
-        .equal_aspect();
+    let mut map =
+        Panel::new("x/a_i", "y/a_i").titled("Stick circle A_k and slip ring S_i").equal_aspect();
     map.add(Series::area("S_i", circle(1.0)).coloured(0));
     map.add(Series::area("A_k", circle(0.6)).coloured(2));
     map.add(Series::line("edge of A_i", circle(1.0)).coloured(0));
     map.add(Series::line("edge of A_k", circle(0.6)).coloured(2));
     figure.panel(map);
-    let mut panel = Panel::new(Axis::linear("ρ/a_i"), Axis::linear("σ_CM / (μ a_i)"))
-        .titled("Function σ_CM(a_i, a_k)");
+    let mut panel = Panel::new("ρ/a_i", "σ_CM / (μ a_i)").titled("Function σ_CM(a_i, a_k)");
     panel.add(Series::line("σ_CM", profile(&[outer, inner], |rho| sigma(outer, inner, rho))));
     panel.add(Series::dashed("f p_z", profile(&[outer], |rho| sigma(outer, 0.0, rho))));
     figure.panel(panel);
@@ -50,20 +45,16 @@ pub(super) fn regions() -> FigureResult {
     let memory = follow(&[(1.0, 0.0), (1.0, 1.0 - inner)])?;
     let radii = linspace(0.0, 0.999, 101);
     let pairs = radii.iter().map(|&rho| (stress(&memory, rho), sigma(outer, inner, rho)));
-    figure.claim(
-        Claim::all_close("σ_CM is the stress after a shift", pairs, Tolerance::Absolute(1e-14))
-            .source("(6.3)"),
-    );
+    figure.all_close("σ_CM is the stress after a shift", pairs, Absolute(1e-14)).source("(6.3)");
     let within = Within::relative(1e-12)?;
     let mut force = 0.0;
     for (low, high) in [(0.0, 0.6), (0.6, 1.0)] {
         force += TAU
             * tanh_sinh(low, high, within, |at| at.position * stress(&memory, at.position))?.value;
     }
-    figure.claim(
-        Claim::close("force", force, TAU / 3.0 * (1.0 - 0.216), Tolerance::Relative(1e-9))
-            .source("(6.5): (2πμ/3)(a_i³ - a_k³)"),
-    );
+    figure
+        .close("force", force, TAU / 3.0 * (1.0 - 0.216), Relative(1e-9))
+        .source("(6.5): (2πμ/3)(a_i³ - a_k³)");
     rigid_claims(&mut figure, inner)?;
     figure.deviation(
         "regions A_p, A_k; force integrated over A_k",
@@ -87,21 +78,18 @@ pub(super) fn stress_after_shift() -> FigureResult {
 
     let memory = follow(&history)?;
     let stick = memory.stick_radius();
-    figure.claim(
-        Claim::close("a₁*/a₁", stick, 0.5_f64.sqrt(), Tolerance::Absolute(1e-15)).source("(6.13)"),
-    );
+    figure.close("a₁*/a₁", stick, 0.5_f64.sqrt(), Absolute(1e-15)).source("(6.13)");
     let slope = |rho: f64| (stress(&memory, rho) - stress(&memory, rho - 1e-7)) / 1e-7;
     // Over h inside the break sqrt(2 a* h) is lost; outside the slope is that of f p_z.
     let (inside, h) = ((2.0 * stick / 1e-7).sqrt(), 1e-7);
     let outside = -stick / (1.0 - stick * stick).sqrt();
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "slopes over 1e-7 a₁ just inside and outside the break, over those expected",
             [(slope(stick) / (inside + outside), 1.0), (slope(stick + 2.0 * h) / outside, 1.0)],
-            Tolerance::Absolute(1e-4),
+            Absolute(1e-4),
         )
-        .source("square root of σ_CM at a₁*"),
-    );
+        .source("square root of σ_CM at a₁*");
     slip_claims(&mut figure)?;
     figure.deviation(
         "(6.11) without μ; v of (6.6) for ρ > a without ν",
@@ -140,27 +128,17 @@ fn rigid_claims(figure: &mut Figure, inner: f64) -> Result<(), Failure> {
             stuck.extend([(peak * u, shift), (peak * v, 0.0)]);
         }
     }
-    figure.claim(
-        Claim::all_close(
-            "A_k is displaced as a rigid body, by f κ (ζ_i - ζ_k)",
-            stuck,
-            Tolerance::Absolute(1e-14),
-        )
-        .source("(6.5), (6.13); f = 0.4, ζ_i = 1, ν = 0.3"),
-    );
+    figure
+        .all_close("A_k is displaced as a rigid body, by f κ (ζ_i - ζ_k)", stuck, Absolute(1e-14))
+        .source("(6.5), (6.13); f = 0.4, ζ_i = 1, ν = 0.3");
     // a² = R ζ: R = 1 for a = ζ = 1.
     let mut pressed = Vec::new();
     for rho in linspace(0.0, 1.0, 11) {
         pressed.push((normal_displacement(&state, &pair, 0.0, rho)?, 1.0 - 0.5 * rho * rho));
     }
-    figure.claim(
-        Claim::all_close(
-            "Hertz's pressure displaces it by ζ - ρ²/(2R)",
-            pressed,
-            Tolerance::Absolute(1e-14),
-        )
-        .source("shape of the gap between sphere and plane"),
-    );
+    figure
+        .all_close("Hertz's pressure displaces it by ζ - ρ²/(2R)", pressed, Absolute(1e-14))
+        .source("shape of the gap between sphere and plane");
     Ok(())
 }
 
@@ -180,13 +158,10 @@ fn slip_claims(figure: &mut Figure) -> Result<(), Failure> {
         slips.push((found, -lag.value));
         slip.push(found);
     }
-    figure.claim(
-        Claim::all_close("slip of the ring", slips, Tolerance::Absolute(1e-11))
-            .source("(6.11), corrected, as the sum of its rates a* arccos(a*/ρ) da*, ν = 0"),
-    );
-    figure.claim(
-        Claim::decreasing("the slip is negative and grows to the edge", slip).source("(6.11)"),
-    );
+    figure
+        .all_close("slip of the ring", slips, Absolute(1e-11))
+        .source("(6.11), corrected, as the sum of its rates a* arccos(a*/ρ) da*, ν = 0");
+    figure.decreasing("the slip is negative and grows to the edge", slip).source("(6.11)");
     for (nu, expected) in [(0.3, 0.047_34), (0.5, 0.089_42)] {
         let mut most = 0.0_f64;
         for stick in linspace(0.01, 0.99, 99) {
@@ -197,15 +172,14 @@ fn slip_claims(figure: &mut Figure) -> Result<(), Failure> {
                 most = most.max(0.5 * (along - across).abs() / whole);
             }
         }
-        figure.claim(
-            Claim::close(
+        figure
+            .close(
                 format!("ν = {nu}: largest term in cos 2θ over the stick displacement"),
                 most,
                 expected,
-                Tolerance::Absolute(2e-5),
+                Absolute(2e-5),
             )
-            .source("independent program; the text says below 5 %"),
-        );
+            .source("independent program; the text says below 5 %");
     }
     Ok(())
 }
@@ -223,10 +197,9 @@ pub(super) fn virgin_curve() -> FigureResult {
     figure.panel(panel);
 
     let pairs = curve.iter().take(101).zip(virgin(1.0)).map(|(here, there)| (here.1, there.1));
-    figure.claim(
-        Claim::all_close("F_x = f F_z [1 - (1 - X)^(3/2)]", pairs, Tolerance::Absolute(1e-15))
-            .source("(6.14), corrected"),
-    );
+    figure
+        .all_close("F_x = f F_z [1 - (1 - X)^(3/2)]", pairs, Absolute(1e-15))
+        .source("(6.14), corrected");
     let slopes = [0.1, 0.3, 0.5, 0.7, 0.9].map(|shift: f64| {
         let force = |shift| follow(&[(1.0, 0.0), (1.0, shift)]).map(|memory| memory.force());
         let step = 1e-5;
@@ -234,24 +207,14 @@ pub(super) fn virgin_curve() -> FigureResult {
             .and_then(|above| force(shift - step).map(|below| (above - below) / (2.0 * step)));
         (slope.unwrap_or(f64::NAN), 1.5 * (1.0 - shift).sqrt())
     });
-    figure.claim(
-        Claim::all_close("slope (3/2) sqrt(1 - X) = (3/2) a*/a", slopes, Tolerance::Absolute(1e-8))
-            .source("(6.15)"),
-    );
+    figure
+        .all_close("slope (3/2) sqrt(1 - X) = (3/2) a*/a", slopes, Absolute(1e-8))
+        .source("(6.15)");
     let last = &curve[99..];
-    figure.claim(
-        Claim::close(
-            "horizontal at (1, 1): 1 - F at 0.99",
-            1.0 - last[0].1,
-            1e-3,
-            Tolerance::Absolute(1e-12),
-        )
-        .source("(6.14): 0.01^(3/2)"),
-    );
-    figure.claim(
-        Claim::close("constant in sliding", last[2].1, 1.0, Tolerance::Absolute(1e-15))
-            .source("Coulomb's law"),
-    );
+    figure
+        .close("horizontal at (1, 1): 1 - F at 0.99", 1.0 - last[0].1, 1e-3, Absolute(1e-12))
+        .source("(6.14): 0.01^(3/2)");
+    figure.close("constant in sliding", last[2].1, 1.0, Absolute(1e-15)).source("Coulomb's law");
     springs_claim(
         &mut figure,
         "first loading",
@@ -303,26 +266,19 @@ fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
             ]);
         }
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "work of the shift, stored and lost, over f F_z ξ at sliding",
             work,
-            Tolerance::Absolute(1e-11),
+            Absolute(1e-11),
         )
-        .source("∫F_x dξ of (6.14); compression stored (2/5) F_z ζ"),
-    );
-    figure.claim(
-        Claim::all_close(
-            "dF_x/dξ, dF_x/dζ, dF_z/dζ and (a*/a)²",
-            tangents,
-            Tolerance::Absolute(1e-13),
-        )
-        .source("derivatives of (2/3) f c_z [ζ^(3/2) - (ζ - c_x ξ/(f c_z))^(3/2)]"),
-    );
-    figure.claim(
-        Claim::all_close("and turned into heat", heat, Tolerance::Absolute(1e-11))
-            .source("2 ∫F_x dξ - F_x ξ: elastic energy is half of traction times displacement"),
-    );
+        .source("∫F_x dξ of (6.14); compression stored (2/5) F_z ζ");
+    figure
+        .all_close("dF_x/dξ, dF_x/dζ, dF_z/dζ and (a*/a)²", tangents, Absolute(1e-13))
+        .source("derivatives of (2/3) f c_z [ζ^(3/2) - (ζ - c_x ξ/(f c_z))^(3/2)]");
+    figure
+        .all_close("and turned into heat", heat, Absolute(1e-11))
+        .source("2 ∫F_x dξ - F_x ξ: elastic energy is half of traction times displacement");
     Ok(())
 }
 
@@ -339,32 +295,29 @@ fn sphere_claims(figure: &mut Figure) -> Result<(), Failure> {
     let little = Shift { zeta: 2.0 * zeta, xi: 2e-9, ..Shift::default() };
     let slope = law.clone().advance(little)?.f_x / 1e-9;
     let loaded = law.advance(Shift { zeta: 2.0 * zeta, xi: 2.0 * xi, ..Shift::default() })?;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "initial slope of two spheres",
             slope,
             8.0 * modulus * a / (2.0 - nu),
-            Tolerance::Relative(1e-6),
+            Relative(1e-6),
         )
-        .source("(6.15): 8Ga/(2 - ν) for ξ of one sphere"),
-    );
-    figure.claim(
-        Claim::all_close(
+        .source("(6.15): 8Ga/(2 - ν) for ξ of one sphere");
+    figure
+        .all_close(
             "F_z and F_x of two spheres",
             [(pressed.f_z, 69.850_504_439_993_43), (loaded.f_x, 11.288_655_440_163_24)],
-            Tolerance::Relative(1e-11),
+            Relative(1e-11),
         )
-        .source("40-digit program, R = 0.05, G = 82 000, ν = 0.3, f = 0.25, ζ = 0.01"),
-    );
+        .source("40-digit program, R = 0.05, G = 82 000, ν = 0.3, f = 0.25, ζ = 0.01");
     let mu = 4.0 * 0.25 * modulus / (PI * radius * (1.0 - nu));
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "f F_z = (2πμ/3) a³",
             0.25 * pressed.f_z,
             TAU * mu / 3.0 * (a * a * a),
-            Tolerance::Relative(1e-13),
+            Relative(1e-13),
         )
-        .source("(6.4), (6.5)"),
-    );
+        .source("(6.4), (6.5)");
     Ok(())
 }

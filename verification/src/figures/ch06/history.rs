@@ -8,20 +8,19 @@ use carom_laws::memory::ScalarMemory;
 use carom_special::RangeError;
 use carom_special::quadrature::{Tolerance as Within, tanh_sinh};
 
-use super::super::Failure;
 pub(super) use super::springs::Place;
 use super::springs::Springs;
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Failure, Figure, Panel, Series, linspace};
 
 /// The axes of a stress distribution.
 pub(super) fn stress_panel(title: &str) -> Panel {
-    Panel::new(Axis::linear("ρ/a₁"), Axis::linear("σ_zx / (μ a₁)")).titled(title)
+    Panel::new("ρ/a₁", "σ_zx / (μ a₁)").titled(title)
 }
 
 /// The axes of force against shift.
 pub(super) fn force_panel(title: &str) -> Panel {
-    Panel::new(Axis::linear("ξ / (f κ ζ₁)"), Axis::linear("F_x / (f F_z1)")).titled(title)
+    Panel::new("ξ / (f κ ζ₁)", "F_x / (f F_z1)").titled(title)
 }
 
 /// The memory at the end of a history.
@@ -116,19 +115,11 @@ pub(super) fn stress_claims(
     let edge = zeta.sqrt();
     let radii = linspace(0.0, 0.9999 * edge, 201);
     let pairs = radii.iter().map(|&rho| (stress(&memory, rho), sum(terms, rho)));
-    figure.claim(
-        Claim::all_close(format!("{name}: the stress"), pairs, Tolerance::Absolute(1e-13))
-            .source(equation),
-    );
+    figure.all_close(format!("{name}: the stress"), pairs, Absolute(1e-13)).source(equation);
     let excess = radii.iter().map(|&rho| stress(&memory, rho).abs() - (zeta - rho * rho).sqrt());
-    figure.claim(
-        Claim::at_most(
-            format!("{name}: |σ_zx| - f p_z"),
-            excess.fold(f64::NEG_INFINITY, f64::max),
-            1e-14,
-        )
-        .source("Coulomb's law"),
-    );
+    figure
+        .at_most(format!("{name}: |σ_zx| - f p_z"), excess.fold(f64::NEG_INFINITY, f64::max), 1e-14)
+        .source("Coulomb's law");
     let mut squares: Vec<f64> = ends(terms).into_iter().filter(|&end| end > 0.0).collect();
     squares.extend([0.0, zeta]);
     squares.retain(|&square| square <= zeta);
@@ -141,14 +132,13 @@ pub(super) fn stress_claims(
             tanh_sinh(low, high, within, |at| at.position * stress(&memory, at.position))?.value;
         displacement += tanh_sinh(low, high, within, |at| stress(&memory, at.position))?.value;
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             format!("{name}: force and shift of the centre"),
             [(3.0 * force, memory.force()), (4.0 / std::f64::consts::PI * displacement, shift)],
-            Tolerance::Absolute(1e-8),
+            Absolute(1e-8),
         )
-        .source("∫σ ρ dρ and Cerruti's ∫σ dρ by quadrature of the stress"),
-    );
+        .source("∫σ ρ dρ and Cerruti's ∫σ dρ by quadrature of the stress");
     Ok(())
 }
 
@@ -162,13 +152,8 @@ pub(super) fn reference_claim(figure: &mut Figure, name: &str, csv: &str) -> Res
         depths.push((memory.stick_depth(), depth));
     }
     let source = "40-digit program, two equal spheres, G = 82 000, ν = 0.3, f = 0.25";
-    figure.claim(
-        Claim::all_close(format!("{name}: forces"), forces, Tolerance::Absolute(1e-10))
-            .source(source),
-    );
-    figure.claim(
-        Claim::all_close(format!("{name}: ζ*"), depths, Tolerance::Absolute(1e-9)).source(source),
-    );
+    figure.all_close(format!("{name}: forces"), forces, Absolute(1e-10)).source(source);
+    figure.all_close(format!("{name}: ζ*"), depths, Absolute(1e-9)).source(source);
     Ok(())
 }
 
@@ -188,21 +173,15 @@ pub(super) fn springs_claim(
         energies.push((memory.stored_energy(), springs.energy()));
         energies.push((heat, springs.heat()));
     }
-    figure.claim(
-        Claim::all_close(
-            format!("{name}: forces at the corners"),
-            pairs,
-            Tolerance::Absolute(1e-3),
-        )
-        .source("2000 independent springs with friction, 1000 steps a side"),
-    );
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(format!("{name}: forces at the corners"), pairs, Absolute(1e-3))
+        .source("2000 independent springs with friction, 1000 steps a side");
+    figure
+        .all_close(
             format!("{name}: energy stored and turned into heat up to the corners"),
             energies,
-            Tolerance::Absolute(1e-3),
+            Absolute(1e-3),
         )
-        .source("the same springs: half of stiffness times stretch squared, friction times slip"),
-    );
+        .source("the same springs: half of stiffness times stretch squared, friction times slip");
     Ok(())
 }

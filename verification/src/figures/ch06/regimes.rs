@@ -1,11 +1,11 @@
 //! Figs. 6.13 and 6.14: which regime follows which increment.
 
-use carom_laws::memory::{Regime, ScalarMemory};
+use carom_laws::memory::{MemoryRegime, ScalarMemory};
 use carom_special::RangeError;
+use carom_special::roots::try_bisect;
 
-use super::super::Failure;
 use super::history::{Place, follow};
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Axis, Claim, Failure, Figure, FigureResult, Panel, Series, linspace};
 
 /// What a step leads to.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -20,8 +20,8 @@ enum Kind {
 
 fn kind(memory: &ScalarMemory) -> Kind {
     match (memory.regime(), memory.slip_direction()) {
-        (Regime::Sliding, _) => Kind::Sliding,
-        (Regime::Adhesion, _) => Kind::Adhesion,
+        (MemoryRegime::Sliding, _) => Kind::Sliding,
+        (MemoryRegime::Adhesion, _) => Kind::Adhesion,
         (_, Some(sign)) => Kind::Decrease(memory.decrease(), if sign > 0.0 { 1 } else { -1 }),
         // A receding edge without slip: the running decrease stays.
         (_, None) => Kind::Decrease(memory.decrease(), 0),
@@ -57,11 +57,8 @@ impl Bar {
         for pair in places.windows(2) {
             let next = self.kind(pair[1])?;
             if next != running {
-                let (mut low, mut high) = (pair[0], pair[1]);
-                for _ in 0..50 {
-                    let middle = 0.5 * (low + high);
-                    if self.kind(middle)? == running { low = middle } else { high = middle }
-                }
+                let runs = |at: f64| Ok::<_, RangeError>(self.kind(at)? == running);
+                let [low, high] = try_bisect([pair[0], pair[1]], 50, runs)?;
                 pieces.push((running, start, low));
                 (running, start) = (next, high);
             }
@@ -87,7 +84,7 @@ impl Bar {
         marks: &[(&str, f64)],
     ) -> Result<Panel, RangeError> {
         let mut panel = Panel::new(
-            Axis::linear(axis),
+            axis,
             Axis::linear("stick area over contact area, (a*/a)²").between(0.0, 1.75),
         )
         .titled(title);
@@ -133,11 +130,7 @@ impl Bar {
                 pairs.push((self.stick(shift)?, depth / self.zeta));
             }
         }
-        Ok(Claim::all_close(
-            format!("{name}: size of the stick area"),
-            pairs,
-            Tolerance::Absolute(1e-12),
-        ))
+        Ok(Claim::all_close(format!("{name}: size of the stick area"), pairs, Absolute(1e-12)))
     }
 
     /// The inner ends of the pieces, beside those expected.
@@ -157,8 +150,7 @@ impl Bar {
         Ok([
             Claim::holds(format!("{name}: regimes in this order"), same, matches as f64)
                 .source(source),
-            Claim::all_close(format!("{name}: borders"), pairs, Tolerance::Absolute(1e-9))
-                .source(source),
+            Claim::all_close(format!("{name}: borders"), pairs, Absolute(1e-9)).source(source),
         ])
     }
 }
@@ -376,22 +368,18 @@ fn nth_claims(figure: &mut Figure) -> Result<(), Failure> {
             wrong += 1.0;
         }
     }
-    figure.claim(
-        Claim::at_most("of 5000 random steps another regime follows in", wrong, 0.0)
-            .source("(6.51)"),
-    );
+    figure.at_most("of 5000 random steps another regime follows in", wrong, 0.0).source("(6.51)");
     // The edge recedes behind zeta_2* = 0.95 with little shift: P_1 is erased.
     let receding: [Place; 4] = [(1.0, 0.0), (1.0, 0.6), (1.0, 0.5), (0.7, 0.48)];
     let memory = follow(&receding)?;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "slip rings after the edge recedes behind ζ₂*",
             memory.decrease() as f64,
             1.0,
-            Tolerance::Absolute(0.0),
+            Absolute(0.0),
         )
-        .source("the second ring has left the contact"),
-    );
+        .source("the second ring has left the contact");
     super::history::springs_claim(figure, "receding edge", &receding)?;
     super::history::springs_claim(
         figure,

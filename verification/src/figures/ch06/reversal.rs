@@ -3,7 +3,7 @@
 use super::history::{
     Place, Terms, add_terms, follow, reference_claim, springs_claim, stress_claims, stress_panel,
 };
-use crate::{Claim, Figure, FigureResult, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult};
 
 const FIRST: [Place; 2] = [(1.0, 0.0), (1.0, 0.5)];
 
@@ -40,11 +40,7 @@ struct Case<'a> {
     history: &'a [Place],
 }
 
-fn add_case(
-    figure: &mut Figure,
-    case: &Case<'_>,
-    equation: &str,
-) -> Result<(), super::super::Failure> {
+fn add_case(figure: &mut Figure, case: &Case<'_>, equation: &str) -> Result<(), Failure> {
     let mut panel = stress_panel(case.title);
     add_terms(&mut panel, case.names, case.parts, "σ_zx");
     figure.panel(panel);
@@ -55,34 +51,26 @@ fn add_case(
     let pairs = crate::linspace(0.0, 0.99 * last.0.sqrt(), 60)
         .into_iter()
         .map(|rho| (super::history::stress(&memory, rho), super::history::sum(&total, rho)));
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             format!("{}: σ_CM(a₂, a₁*) - 2 σ_CM(a₂, a₂*)", case.title),
             pairs,
-            Tolerance::Absolute(1e-13),
+            Absolute(1e-13),
         )
-        .source("(6.38c)"),
-    );
-    figure.claim(
-        Claim::close(
-            format!("{}: force", case.title),
-            memory.force(),
-            force(last),
-            Tolerance::Absolute(1e-14),
-        )
-        .source("(6.39)"),
-    );
+        .source("(6.38c)");
+    figure
+        .close(format!("{}: force", case.title), memory.force(), force(last), Absolute(1e-14))
+        .source("(6.39)");
     let inner = memory.segments().find(|segment| segment.is_slip).map(|segment| segment.from);
     let outer: Vec<f64> = memory.instantaneous_adhesions().collect();
     let found = [inner.unwrap_or(f64::NAN), outer.first().copied().unwrap_or(f64::NAN)];
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             format!("{}: breaks at a₁* and a₂*", case.title),
             [(found[0], 0.5), (found[1], depth(last)), (memory.stick_depth(), depth(last))],
-            Tolerance::Absolute(1e-14),
+            Absolute(1e-14),
         )
-        .source("(6.40)"),
-    );
+        .source("(6.40)");
     springs_claim(figure, case.title, case.history)
 }
 
@@ -158,9 +146,7 @@ pub(super) fn second_decrease() -> FigureResult {
             -power(three.0) + power(two.0) - 2.0 * power(depth(two)) + 2.0 * power(depth(three));
         pairs.push((follow(&after(&[two, three]))?.force(), force(two) + added));
     }
-    figure.claim(
-        Claim::all_close("F_x3 = F_x2 + …", pairs, Tolerance::Absolute(1e-14)).source("(6.41c)"),
-    );
+    figure.all_close("F_x3 = F_x2 + …", pairs, Absolute(1e-14)).source("(6.41c)");
     let mut slopes = Vec::new();
     for ([two, three], rate) in [(GROWING, -0.25), (FALLING, 0.25)] {
         let memory = follow(&after(&[two, three]))?;
@@ -170,9 +156,6 @@ pub(super) fn second_decrease() -> FigureResult {
         let expected = 1.5 * (-three.0.sqrt() * rate + stick * (1.0 + rate));
         slopes.push(((moved - memory.force()) / step, expected));
     }
-    figure.claim(
-        Claim::all_close("dF_x/dξ for dζ/dX = ∓1/4", slopes, Tolerance::Absolute(1e-5))
-            .source("(6.41d)"),
-    );
+    figure.all_close("dF_x/dξ for dζ/dX = ∓1/4", slopes, Absolute(1e-5)).source("(6.41d)");
     Ok(figure)
 }

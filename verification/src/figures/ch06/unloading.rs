@@ -1,11 +1,12 @@
 //! Figs. 6.4 and 6.5: the shift decreases at constant approach.
 
-use super::super::Failure;
+use carom_special::roots::try_bisect;
+
 use super::history::{
     Place, add_terms, follow, force_panel, path, profile, reference_claim, springs_claim,
     stress_claims, stress_panel, virgin, virgin_force,
 };
-use crate::{Claim, Figure, FigureResult, Marker, Series, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Relative, Series};
 
 const PEAK: f64 = 0.6;
 
@@ -22,25 +23,13 @@ pub(super) fn stress() -> FigureResult {
     figure.panel(panel);
     stress_claims(&mut figure, "X = 0.2", &history, &terms, "(6.17)")?;
     let memory = follow(&history)?;
-    figure.claim(
-        Claim::close("(a*/a)²", memory.stick_depth(), 0.8, Tolerance::Absolute(1e-15))
-            .source("(6.20), corrected"),
-    );
+    figure.close("(a*/a)²", memory.stick_depth(), 0.8, Absolute(1e-15)).source("(6.20), corrected");
     let inner: Vec<f64> = memory.instantaneous_adhesions().collect();
-    figure.claim(
-        Claim::close(
-            "live points of instantaneous adhesion",
-            inner.len() as f64,
-            1.0,
-            Tolerance::Absolute(0.0),
-        )
-        .source("P₁ of (6.17)"),
-    );
+    figure
+        .close("live points of instantaneous adhesion", inner.len() as f64, 1.0, Absolute(0.0))
+        .source("P₁ of (6.17)");
     let outside = super::history::stress(&memory, 0.95) + (1.0 - 0.95_f64 * 0.95).sqrt();
-    figure.claim(
-        Claim::close("-f p_z in the outer ring", outside, 0.0, Tolerance::Absolute(1e-15))
-            .source("Coulomb"),
-    );
+    figure.close("-f p_z in the outer ring", outside, 0.0, Absolute(1e-15)).source("Coulomb");
     figure.deviation(
         "the square root of (6.20) with ξ/ζ confused",
         "a* = sqrt(R ζ) sqrt(1 - |ξ₁ - ξ|/(2 f κ ζ))",
@@ -70,52 +59,31 @@ pub(super) fn force_loop() -> FigureResult {
         2.0 * stick * stick.sqrt() - 1.0 - 0.4 * 0.4_f64.sqrt()
     };
     let pairs = unloading.iter().map(|&(shift, f)| (f, force(shift)));
-    figure.claim(
-        Claim::all_close("unloading", pairs, Tolerance::Absolute(1e-14))
-            .source("(6.18), (6.20), corrected"),
-    );
+    figure.all_close("unloading", pairs, Absolute(1e-14)).source("(6.18), (6.20), corrected");
     let mirrored = unloading.iter().zip(&reloading).map(|(down, up)| (up.1, -down.1));
-    figure.claim(
-        Claim::all_close(
-            "reloading is unloading turned by 180°",
-            mirrored,
-            Tolerance::Absolute(1e-14),
-        )
-        .source("Masing's rule"),
-    );
-    figure.claim(
-        Claim::close(
-            "F(-ξ₁) = -F(ξ₁)",
-            turned.force(),
-            -virgin_force(1.0, PEAK),
-            Tolerance::Absolute(1e-15),
-        )
-        .source("(6.14), (6.18)"),
-    );
+    figure
+        .all_close("reloading is unloading turned by 180°", mirrored, Absolute(1e-14))
+        .source("Masing's rule");
+    figure
+        .close("F(-ξ₁) = -F(ξ₁)", turned.force(), -virgin_force(1.0, PEAK), Absolute(1e-15))
+        .source("(6.14), (6.18)");
     let slope = |points: &[(f64, f64)], i: usize| {
         (points[i + 1].1 - points[i].1) / (points[i + 1].0 - points[i].0)
     };
     let step = PEAK * 0.02;
     let virgin_slope = (virgin_force(1.0, PEAK) - virgin_force(1.0, PEAK - step)) / step;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "tangent to the virgin curve at -ξ₁",
             slope(&unloading, 99),
             virgin_slope,
-            Tolerance::Absolute(0.01),
+            Absolute(0.01),
         )
-        .source("(6.21), corrected: 8Ga*/(2 - ν) with a* = a₁*"),
-    );
+        .source("(6.21), corrected: 8Ga*/(2 - ν) with a* = a₁*");
     let first = loaded.clone().advance(1.0, PEAK - 1e-7)?;
-    figure.claim(
-        Claim::close(
-            "initial slope of unloading",
-            (loaded.force() - first) / 1e-7,
-            1.5,
-            Tolerance::Absolute(1e-6),
-        )
-        .source("text below (6.21): that of first loading"),
-    );
+    figure
+        .close("initial slope of unloading", (loaded.force() - first) / 1e-7, 1.5, Absolute(1e-6))
+        .source("text below (6.21): that of first loading");
     set_claims(&mut figure)?;
     let area: f64 = [&unloading, &reloading]
         .iter()
@@ -123,10 +91,9 @@ pub(super) fn force_loop() -> FigureResult {
         .map(|w| 0.5 * (w[0].1 + w[1].1) * (w[1].0 - w[0].0))
         .sum();
     // int F dX over the loop of (6.18): per half 2 X_1 F_1 - 2 int ... in closed form.
-    figure.claim(
-        Claim::close("work lost in the loop", area, loop_work(PEAK), Tolerance::Relative(1e-3))
-            .source("closed form of ∮F dξ (Mindlin)"),
-    );
+    figure
+        .close("work lost in the loop", area, loop_work(PEAK), Relative(1e-3))
+        .source("closed form of ∮F dξ (Mindlin)");
     let history: Vec<Place> = [0.0, 0.6, 0.2, -0.6, 0.1, 0.6].map(|shift| (1.0, shift)).to_vec();
     springs_claim(&mut figure, "loop", &history)?;
     reference_claim(
@@ -159,11 +126,8 @@ fn loop_work(peak: f64) -> f64 {
 /// The shift at which the force vanishes on unloading from `peak`, by bisection.
 fn permanent_set(peak: f64) -> Result<f64, Failure> {
     let loaded = follow(&[(1.0, 0.0), (1.0, peak)])?;
-    let (mut low, mut high) = (-peak, peak);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if loaded.clone().advance(1.0, middle)? > 0.0 { high = middle } else { low = middle }
-    }
+    let pulls = |shift: f64| Ok::<_, Failure>(loaded.clone().advance(1.0, shift)? > 0.0);
+    let [low, high] = try_bisect([-peak, peak], 60, |shift| Ok::<_, Failure>(!pulls(shift)?))?;
     Ok(0.5 * (low + high))
 }
 
@@ -174,13 +138,8 @@ fn set_claims(figure: &mut Figure) -> Result<(), Failure> {
     {
         pairs.push((permanent_set(peak)?, expected));
     }
-    figure.claim(
-        Claim::all_close(
-            "permanent set after ξ₁ = 0.3, 0.5, 0.6, 0.9",
-            pairs,
-            Tolerance::Absolute(1e-7),
-        )
-        .source("F_x = 0 in (6.18)"),
-    );
+    figure
+        .all_close("permanent set after ξ₁ = 0.3, 0.5, 0.6, 0.9", pairs, Absolute(1e-7))
+        .source("F_x = 0 in (6.18)");
     Ok(())
 }

@@ -1,11 +1,10 @@
 //! Figs. 6.6 to 6.10: the shift grows while the approach grows or falls.
 
-use super::super::Failure;
 use super::history::{
     Place, add_terms, follow, force_panel, path, profile, reference_claim, springs_claim, stress,
     stress_claims, stress_panel, sum, virgin, virgin_force,
 };
-use crate::{Claim, Figure, FigureResult, Marker, Series, Tolerance, linspace};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Series, linspace};
 
 /// P_1 of all five figures: X_1 = 0.5, so that (a_1*)² = 0.5.
 const FIRST: [Place; 2] = [(1.0, 0.0), (1.0, 0.5)];
@@ -63,29 +62,22 @@ pub(super) fn within_cone() -> FigureResult {
         "(6.27), corrected, integrated for a straight path: (Δξ/f κ Δζ) σ_CM(a, a₁)",
     )?;
     let memory = follow(&staircase(1))?;
-    figure.claim(
-        Claim::close(
-            "(a*/a₁)² = (ζ - ΔX)/ζ₁",
-            memory.stick_depth(),
-            1.1,
-            Tolerance::Absolute(1e-15),
-        )
-        .source("(6.23)"),
-    );
+    figure
+        .close("(a*/a₁)² = (ζ - ΔX)/ζ₁", memory.stick_depth(), 1.1, Absolute(1e-15))
+        .source("(6.23)");
     // The adhesive step: dF/dX is that of the discs that joined, (6.27).
     let tangent = straight.tangent();
     let chord = (libm::pow(1.2, 1.5) - 1.0) / 0.2;
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "both together: dF_x/dX and dF_x/dζ of the step",
             [
                 (tangent.by_shift[0][0], chord),
                 (tangent.by_approach[0], 0.5 * (1.5 * 1.2_f64.sqrt() - chord)),
             ],
-            Tolerance::Absolute(1e-13),
+            Absolute(1e-13),
         )
-        .source("derivatives of F₁ + (ΔX/Δζ) (ζ^(3/2) - ζ₁^(3/2)), (6.27)"),
-    );
+        .source("derivatives of F₁ + (ΔX/Δζ) (ζ^(3/2) - ζ₁^(3/2)), (6.27)");
     let distance = |steps: u32| -> Result<f64, Failure> {
         let memory = follow(&staircase(steps))?;
         let radii = linspace(0.0, 1.0, 41);
@@ -95,10 +87,9 @@ pub(super) fn within_cone() -> FigureResult {
             .fold(0.0, f64::max))
     };
     let distances: Result<Vec<f64>, Failure> = [1, 4, 16, 64].into_iter().map(distance).collect();
-    figure.claim(
-        Claim::decreasing("smaller steps approach (6.27)", distances?)
-            .source("text: complete adhesion is the limit of small steps"),
-    );
+    figure
+        .decreasing("smaller steps approach (6.27)", distances?)
+        .source("text: complete adhesion is the limit of small steps");
     springs_claim(&mut figure, "both together", &after(&[(1.2, 0.6)]))?;
     figure.deviation(
         "∫₀^a … dξ da in (6.27)",
@@ -140,10 +131,7 @@ fn superposition_claim(
     let pairs = linspace(0.0, 0.999 * outer.sqrt(), 121)
         .into_iter()
         .map(|rho| (stress(&memory, rho), sum(&[(1.0, outer, inner)], rho)));
-    figure.claim(
-        Claim::all_close("the parts make σ_CM(a, a*)", pairs, Tolerance::Absolute(1e-14))
-            .source("(6.9)"),
-    );
+    figure.all_close("the parts make σ_CM(a, a*)", pairs, Absolute(1e-14)).source("(6.9)");
     Ok(())
 }
 
@@ -170,45 +158,22 @@ pub(super) fn force_growing() -> FigureResult {
     figure.panel(panel);
 
     let one = virgin_force(1.0, 0.5);
-    figure.claim(
-        Claim::close(
-            "compression leaves the force",
-            pressed.force(),
-            one,
-            Tolerance::Absolute(1e-15),
-        )
-        .source("no tangential displacement"),
-    );
+    figure
+        .close("compression leaves the force", pressed.force(), one, Absolute(1e-15))
+        .source("no tangential displacement");
     // Slip ring outside a_1: F = F_1 + zeta^(3/2) - (zeta - dX)^(3/2).
     let pairs =
         to_two[..100].iter().map(|&(shift, force)| (force, one + virgin_force(zeta, shift - 0.5)));
-    figure.claim(
-        Claim::all_close("1-2", pairs, Tolerance::Absolute(1e-14)).source("(6.23) in (6.5)"),
-    );
+    figure.all_close("1-2", pairs, Absolute(1e-14)).source("(6.23) in (6.5)");
     let slope = (pressed.clone().advance(zeta, 0.5 + 1e-7)? - one) / 1e-7;
-    figure.claim(
-        Claim::close(
-            "initial slope (3/2) a/a₁",
-            slope,
-            1.5 * zeta.sqrt(),
-            Tolerance::Absolute(1e-6),
-        )
-        .source("(6.24): 8Ga/(2 - ν)"),
-    );
-    figure.claim(
-        Claim::close(
-            "at 2 the stick area is the old one",
-            second.stick_depth(),
-            0.5,
-            Tolerance::Absolute(1e-12),
-        )
-        .source("(6.29)"),
-    );
+    figure
+        .close("initial slope (3/2) a/a₁", slope, 1.5 * zeta.sqrt(), Absolute(1e-6))
+        .source("(6.24): 8Ga/(2 - ν)");
+    figure
+        .close("at 2 the stick area is the old one", second.stick_depth(), 0.5, Absolute(1e-12))
+        .source("(6.29)");
     let pairs = to_three.iter().map(|&(shift, force)| (force, virgin_force(zeta, shift)));
-    figure.claim(
-        Claim::all_close("2-3 is the virgin curve of ζ", pairs, Tolerance::Absolute(1e-14))
-            .source("(6.31)"),
-    );
+    figure.all_close("2-3 is the virgin curve of ζ", pairs, Absolute(1e-14)).source("(6.31)");
     let orders = [
         vec![(zeta, 0.0), (zeta, 0.9)],
         after(&[(zeta, 0.5), (zeta, 0.9)]),
@@ -219,14 +184,9 @@ pub(super) fn force_growing() -> FigureResult {
     for order in &orders {
         pairs.push((follow(order)?.force(), virgin_force(zeta, 0.9)));
     }
-    figure.claim(
-        Claim::all_close(
-            "the order of ζ and ξ does not matter beyond 2",
-            pairs,
-            Tolerance::Absolute(1e-14),
-        )
-        .source("text below (6.29)"),
-    );
+    figure
+        .all_close("the order of ζ and ξ does not matter beyond 2", pairs, Absolute(1e-14))
+        .source("text below (6.29)");
     springs_claim(&mut figure, "0-1-2-3", &after(&[(zeta, 0.5), (zeta, 0.7), (zeta, 1.1)]))?;
     reference_claim(
         &mut figure,
@@ -278,49 +238,41 @@ pub(super) fn force_shrinking() -> FigureResult {
     panel.add(Series::markers("points 1, 2, 3", Marker::Circle, [(0.5, one), two, direct[100]]));
     figure.panel(panel);
 
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "straight to 2, which lies on the virgin curve of ζ",
             follow(&after(&[(zeta, two.0)]))?.force(),
             two.1,
-            Tolerance::Absolute(1e-14),
+            Absolute(1e-14),
         )
-        .source("(6.5), (6.36)"),
-    );
+        .source("(6.5), (6.36)");
     let pairs = linspace(0.0, 1.0, 101)
         .into_iter()
         .zip(&direct)
         .map(|(part, point)| (point.1, virgin_force(1.0 - 0.2 * part, point.0)));
-    figure.claim(
-        Claim::all_close(
-            "every point lies on the virgin curve of its ζ",
-            pairs,
-            Tolerance::Absolute(1e-14),
-        )
-        .source("(6.36)"),
-    );
+    figure
+        .all_close("every point lies on the virgin curve of its ζ", pairs, Absolute(1e-14))
+        .source("(6.36)");
     let orders = [vec![(0.8, 0.6)], vec![(1.0, 0.6), (0.8, 0.6)], vec![(0.9, 0.6), (0.8, 0.6)]];
     let mut pairs = Vec::new();
     for order in &orders {
         pairs.push((follow(&after(order))?.force(), virgin_force(zeta, 0.6)));
     }
-    figure.claim(
-        Claim::all_close("whatever the function ζ(ξ)", pairs, Tolerance::Absolute(1e-14))
-            .source("text below (6.35)"),
-    );
+    figure
+        .all_close("whatever the function ζ(ξ)", pairs, Absolute(1e-14))
+        .source("text below (6.35)");
     let memory = follow(&FIRST)?;
     let (step, rate) = (1e-6, -2.0);
     let slope = (memory.clone().advance(1.0 + rate * step, 0.5 + step)? - one) / step;
     let stick = 0.5_f64.sqrt();
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "slope at 1 for dζ/dX = -2",
             slope,
             1.5 * (rate + stick * (1.0 - rate)),
-            Tolerance::Absolute(1e-5),
+            Absolute(1e-5),
         )
-        .source("(6.37)"),
-    );
+        .source("(6.37)");
     springs_claim(&mut figure, "1-3", &after(&[(0.8, 0.6)]))?;
     reference_claim(
         &mut figure,

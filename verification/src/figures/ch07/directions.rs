@@ -4,11 +4,11 @@
 use carom_laws::memory::{Lateral, VectorMemory};
 use carom_laws::sliders::SliderLaw;
 
-use super::super::Failure;
+use super::super::outline::circle;
 use super::examples::Example;
-use super::led::{circle, polar};
+use super::led::polar;
 use super::ring_contact::RingContact;
-use crate::{Arrow, Axis, Claim, Figure, FigureResult, Marker, Panel, Point, Series, Tolerance};
+use crate::{Absolute, Arrow, Failure, Figure, FigureResult, Marker, Panel, Point, Series};
 
 const RINGS: usize = 80;
 /// Parts of each step; the slip is that of the last one.
@@ -42,9 +42,8 @@ fn at(rings: &RingContact, values: &[[f64; 2]], radius: f64) -> [f64; 2] {
 
 /// Slip of body 1 and stress at the centres of the meshes inside the circle.
 fn map(rings: &RingContact) -> Panel {
-    let mut panel = Panel::new(Axis::linear("x/a"), Axis::linear("y/a"))
-        .titled("10 by 10 meshes, after step 21")
-        .equal_aspect();
+    let mut panel =
+        Panel::new("x/a", "y/a").titled("10 by 10 meshes, after step 21").equal_aspect();
     let (mut slips, mut stresses) = (Vec::new(), Vec::new());
     let width = 2.0 / MESH as f64;
     for row in 0..MESH {
@@ -93,8 +92,7 @@ pub(super) fn draw() -> FigureResult {
     let (slip, stress) = (angles(&rings, rings.slips()), angles(&rings, rings.tractions()));
     let theory: Vec<(f64, f64)> =
         rings.radii().iter().map(|&r| (r, degrees(memory.traction(r * r).times(-1.0)))).collect();
-    let mut panel = Panel::new(Axis::linear("ρ/a"), Axis::linear("angle / degrees"))
-        .titled("Across the contact");
+    let mut panel = Panel::new("ρ/a", "angle / degrees").titled("Across the contact");
     panel.add(Series::line("slip", slip.iter().copied()).coloured(0));
     panel.add(Series::dashed("stress, reversed", stress.iter().copied()).coloured(1));
     panel.add(Series::dotted("closed law of chapter 7, both", theory.iter().copied()).coloured(2));
@@ -119,9 +117,8 @@ fn numerical(figure: &mut Figure) -> Result<(), Failure> {
     let example = Example::new(3);
     let coarse = example.numerical(MESH)?;
     let last = &coarse[coarse.len() - 1];
-    let mut panel = Panel::new(Axis::linear("x/a"), Axis::linear("y/a"))
-        .titled("numerical solution, 10 by 10 elements")
-        .equal_aspect();
+    let mut panel =
+        Panel::new("x/a", "y/a").titled("numerical solution, 10 by 10 elements").equal_aspect();
     panel.add(Series::line("edge of the contact", circle([0.0; 2], 1.0)).coloured(6));
     panel.add(last.arrows("slip of body 1", 0.2, |cell| cell.slip).coloured(0));
     panel.add(last.arrows("stress on body 1", 0.2, |cell| cell.traction).coloured(1));
@@ -136,23 +133,19 @@ fn numerical(figure: &mut Figure) -> Result<(), Failure> {
     };
     let source = "an independent half-space program";
     for (elements, known) in [(MESH, [-18.8, -38.8]), (40, [-18.7, -40.3])] {
-        figure.claim(
-            Claim::all_close(
+        figure
+            .all_close(
                 format!("slip at the border and in the middle, {elements} by {elements} elements"),
                 range(elements)?.into_iter().zip(known),
-                Tolerance::Absolute(0.6),
+                Absolute(0.6),
             )
-            .source(source),
-        );
+            .source(source);
     }
     let opposed = last.touching().map(|cell| {
         let turn = degrees(cell.slip) - cell.angle();
         (turn - 360.0 * (turn / 360.0).floor(), 180.0)
     });
-    figure.claim(
-        Claim::all_close("slip opposes the stress", opposed, Tolerance::Absolute(1e-3))
-            .source("Coulomb's law"),
-    );
+    figure.all_close("slip opposes the stress", opposed, Absolute(1e-3)).source("Coulomb's law");
     Ok(())
 }
 
@@ -161,48 +154,35 @@ fn ring_claims(figure: &mut Figure, rings: &RingContact, slip: &[(f64, f64)]) {
         let v = at(rings, rings.slips(), radius.clamp(slip[0].0, slip[slip.len() - 1].0));
         (degrees(v.times(-1.0)), angle)
     });
-    figure.claim(
-        Claim::all_close(
-            "angle of slip at eight radii, in degrees",
-            found,
-            Tolerance::Absolute(0.6),
-        )
-        .source("independent program: half-space of 200 rings, 4 parts a step"),
-    );
-    figure.claim(
-        Claim::decreasing(
+    figure
+        .all_close("angle of slip at eight radii, in degrees", found, Absolute(0.6))
+        .source("independent program: half-space of 200 rings, 4 parts a step");
+    figure
+        .decreasing(
             "the slip turns all the way from the border to the centre",
             slip.iter().rev().map(|point| point.1),
         )
-        .source("text of 7.7: -15° at the border, -35° at the centre"),
-    );
+        .source("text of 7.7: -15° at the border, -35° at the centre");
     let ends = [-0.899_92, 0.423_15];
-    figure.claim(
-        Claim::all_close(
-            "F_x, F_y over f F_z",
-            rings.force().into_iter().zip(ends),
-            Tolerance::Absolute(2e-3),
-        )
-        .source("independent program: half-space of 200 rings, 4 parts a step"),
-    );
+    figure
+        .all_close("F_x, F_y over f F_z", rings.force().into_iter().zip(ends), Absolute(2e-3))
+        .source("independent program: half-space of 200 rings, 4 parts a step");
     let pairs = rings.radii().iter().zip(rings.tractions());
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "every ring carries f p_z",
             pairs.map(|(r, t)| (t.length(), (1.0 - r * r).sqrt())),
-            Tolerance::Absolute(1e-12),
+            Absolute(1e-12),
         )
-        .source("Coulomb's law: the whole contact slides"),
-    );
+        .source("Coulomb's law: the whole contact slides");
     let pairs = rings.slips().iter().zip(rings.tractions());
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "and slips along its stress, in degrees",
             pairs.map(|(slip, t)| (degrees(*slip), degrees(*t))),
-            Tolerance::Absolute(0.05),
+            Absolute(0.05),
         )
-        .source("Coulomb's law"),
-    );
+        .source("Coulomb's law");
 }
 
 /// The library's springs with sliders, which are no half-space, come close to the rings' stress.
@@ -229,14 +209,13 @@ fn slider_claim(
         let (found, expected) = (stress(radius), at(rings, rings.tractions(), radius));
         [(found[0], expected[0]), (found[1], expected[1])]
     });
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "stress of springs with sliders at four radii, over f p_z of the centre",
             pairs,
-            Tolerance::Absolute(0.05),
+            Absolute(0.05),
         )
-        .source("the rings of the figure; springs are bounded one by one, not point by point"),
-    );
+        .source("the rings of the figure; springs are bounded one by one, not point by point");
     Ok(())
 }
 
@@ -248,26 +227,23 @@ fn law_claims(
     // 2 times 165 degrees + 180 less the 180 of the first slip, (7.29).
     let slip = memory.slip_direction().ok_or("the contact slips")?.times(-1.0);
     let expected = polar(1.0, 2.0 * 165.0 + 180.0 - 180.0);
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "the closed law slips at -30°",
             (0..2).map(|i| (slip[i], expected[i])),
-            Tolerance::Absolute(1e-6),
+            Absolute(1e-6),
         )
-        .source("(7.29), and text of 7.7"),
-    );
-    figure.claim(
-        Claim::all_close(
+        .source("(7.29), and text of 7.7");
+    figure
+        .all_close(
             "its traction is opposite all over the contact",
             theory.iter().map(|point| (point.1, -30.0)),
-            Tolerance::Absolute(1e-3),
+            Absolute(1e-3),
         )
-        .source("(7.16)"),
-    );
+        .source("(7.16)");
     let size = memory.traction(0.25).length();
-    figure.claim(
-        Claim::close("and f p_z in size", size, (1.0 - 0.25_f64).sqrt(), Tolerance::Absolute(1e-9))
-            .source("Coulomb's law"),
-    );
+    figure
+        .close("and f p_z in size", size, (1.0 - 0.25_f64).sqrt(), Absolute(1e-9))
+        .source("Coulomb's law");
     Ok(())
 }

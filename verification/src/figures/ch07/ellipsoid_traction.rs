@@ -1,7 +1,7 @@
 //! Fig. 7.2: the functions of the displacement under an ellipsoidal tangential traction.
 
-use super::super::numbers;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, logspace};
+use crate::reference::rows;
+use crate::{Absolute, Axis, Figure, FigureResult, Panel, Relative, Series, logspace};
 use carom_halfspace::{Material, MaterialPair, Offset, Rectangle, RectangleInfluence, Traction};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::field::ellipsoidal_shear;
@@ -48,7 +48,7 @@ pub(super) fn draw() -> FigureResult {
     let ratios = logspace(0.1, 10.0, 101);
     let names = ["Γ", "Φ", "Ψ", "Θ"];
     for (index, name) in names.into_iter().enumerate() {
-        let mut panel = Panel::new(Axis::log("a/b"), Axis::linear(name)).titled(name);
+        let mut panel = Panel::new(Axis::log("a/b"), name).titled(name);
         for nu in [0.0, 0.25, 0.5] {
             let value = |&ratio: &f64| functions(ratio, nu).map(|all| (ratio, all[index]));
             let points: Vec<(f64, f64)> = ratios.iter().map(value).collect::<Result<_, _>>()?;
@@ -58,17 +58,12 @@ pub(super) fn draw() -> FigureResult {
     }
     let text = include_str!("../../../data/halfspace/gamma_phi_psi_theta.csv");
     let mut pairs = Vec::new();
-    for row in numbers::rows(text)? {
-        pairs.extend(functions(row[0], row[1])?.into_iter().zip(row[2..].iter().copied()));
+    for [ratio, nu, expected @ ..] in rows::<6>(text)? {
+        pairs.extend(functions(ratio, nu)?.into_iter().zip(expected));
     }
-    figure.claim(
-        Claim::all_close(
-            "Γ, Φ, Ψ, Θ for a < b, a = b and a > b",
-            pairs,
-            Tolerance::Absolute(1e-14),
-        )
-        .source("40-digit arithmetic, checked by quadrature"),
-    );
+    figure
+        .all_close("Γ, Φ, Ψ, Θ for a < b, a = b and a > b", pairs, Absolute(1e-14))
+        .source("40-digit arithmetic, checked by quadrature");
     let mut circle = Vec::new();
     for nu in [0.0, 0.25, 0.5] {
         let closed = [4.0 * (2.0 - nu), 4.0 - 3.0 * nu, 4.0 - nu, 2.0 * nu];
@@ -77,21 +72,19 @@ pub(super) fn draw() -> FigureResult {
             circle.extend(functions(ratio, nu)?.into_iter().zip(closed));
         }
     }
-    figure.claim(
-        Claim::all_close("both branches meet at the circle", circle, Tolerance::Absolute(1e-12))
-            .source("closed forms for a = b in (7.11)-(7.14)"),
-    );
+    figure
+        .all_close("both branches meet at the circle", circle, Absolute(1e-12))
+        .source("closed forms for a = b in (7.11)-(7.14)");
     let theta = ratios.iter().map(|&ratio| functions(ratio, 0.0).map(|all| all[3]));
     let theta = theta.collect::<Result<Vec<_>, _>>()?.into_iter().fold(0.0, f64::max);
-    figure.claim(Claim::at_most("Θ = 0 for ν = 0", theta, 0.0).source("text below (4.5)"));
+    figure.at_most("Θ = 0 for ν = 0", theta, 0.0).source("text below (4.5)");
     let mut sums = Vec::new();
     for (ratio, nu) in [(0.2, 0.3), (0.5, 0.5), (1.0, 0.3), (3.0, 0.4)] {
         sums.push((centre(ratio, nu, 101)?, functions(ratio, nu)?[0]));
     }
-    figure.claim(
-        Claim::all_close("Γ is u/u₀ at the centre", sums, Tolerance::Relative(2e-3))
-            .source("sum over 101 by 101 rectangles of constant traction"),
-    );
+    figure
+        .all_close("Γ is u/u₀ at the centre", sums, Relative(2e-3))
+        .source("sum over 101 by 101 rectangles of constant traction");
     let mut laws = Vec::new();
     for (ratio, nu) in [(0.2, 0.3), (0.5, 0.5), (1.0, 0.3), (3.0, 0.4)] {
         let [gamma, phi, psi, theta] = functions(ratio, nu)?;
@@ -104,10 +97,9 @@ pub(super) fn draw() -> FigureResult {
             laws.push((v, scale * theta * s * t));
         }
     }
-    figure.claim(
-        Claim::all_close("u and v all over the ellipse", laws, Tolerance::Absolute(1e-14))
-            .source("(7.10) with the drawn functions"),
-    );
+    figure
+        .all_close("u and v all over the ellipse", laws, Absolute(1e-14))
+        .source("(7.10) with the drawn functions");
     figure.deviation("\"Fig. 7.1\" in the text", "Fig. 7.2", "number of the figure");
     Ok(figure)
 }

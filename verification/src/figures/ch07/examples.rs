@@ -1,12 +1,11 @@
 //! Figs. 7.12 to 7.14: three histories of turning shifts.
 
-use super::super::Failure;
 use super::super::mesh::{APPROACH, Mesh, Step};
 use super::led::{distance, polar};
 use super::ring_contact::RingContact;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Absolute, Claim, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
-use carom_laws::memory::{Lateral, Regime, VectorMemory};
+use carom_laws::memory::{Lateral, MemoryRegime, VectorMemory};
 use carom_laws::sliders::SliderLaw;
 
 /// A path of the thesis: so many steps to e_1, then so many of the second direction.
@@ -91,11 +90,11 @@ fn draw(number: usize) -> FigureResult {
             markers[k].push((step, other[k]));
         }
         curves[4].push((step, memory.stick_depth()));
-        if memory.regime() == Regime::Reversal && reversal.is_none() {
+        if memory.regime() == MemoryRegime::Reversal && reversal.is_none() {
             reversal = Some((step, memory.stick_depth()));
         }
     }
-    let mut forces = Panel::new(Axis::linear("step"), Axis::linear("F/(f F_z)"));
+    let mut forces = Panel::new("step", "F/(f F_z)");
     for k in 0..2 {
         forces.add(Series::line(["F_x", "F_y"][k], curves[k].clone()));
         forces.add(Series::markers(
@@ -117,66 +116,58 @@ fn draw(number: usize) -> FigureResult {
     }
     figure.panel(forces);
     numerical_claims(&mut figure, &example, number)?;
-    let mut shifts = Panel::new(Axis::linear("step"), Axis::linear("e, ζ*/ζ"));
+    let mut shifts = Panel::new("step", "e, ζ*/ζ");
     for (k, name) in ["e_x", "e_y", "ζ*/ζ"].into_iter().enumerate() {
         shifts.add(Series::line(name, curves[2 + k].clone()));
     }
     figure.panel(shifts);
     figure.claim(work_claim(&example)?);
     let end = memory.force();
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "the theory ends where the thesis says",
             end.into_iter().zip(example.theory),
-            Tolerance::Absolute(1e-6),
+            Absolute(1e-6),
         )
-        .source("closed form at the end of the path"),
-    );
+        .source("closed form at the end of the path");
     let first = example.steps as f64 + 2.0;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "P₁ appears in the step after the turn",
             reversal.map_or(0.0, |r| r.0),
             first,
-            Tolerance::Absolute(0.0),
+            Absolute(0.0),
         )
-        .source("text of 7.7"),
-    );
+        .source("text of 7.7");
     if number == 1 {
         let depths: Vec<(f64, f64)> =
             curves[4][6..11].iter().map(|p| p.1).zip([0.9, 0.8, 0.7, 0.6, 0.5]).collect();
-        figure.claim(
-            Claim::all_close("ζ*/ζ in steps 7 to 11", depths, Tolerance::Absolute(1e-12))
-                .source("(7.20)"),
-        );
+        figure.all_close("ζ*/ζ in steps 7 to 11", depths, Absolute(1e-12)).source("(7.20)");
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "F_x, F_y over f F_z of the rings at the end",
             rings.force().into_iter().zip(example.rings),
-            Tolerance::Absolute(2e-3),
+            Absolute(2e-3),
         )
-        .source("independent program: half-space of 200 rings, 4 parts a step"),
-    );
+        .source("independent program: half-space of 200 rings, 4 parts a step");
     let allowed = [0.002, 0.013, 0.006][number - 1];
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "F_x, F_y of the springs with sliders at the end",
             sliders.force().into_iter().zip(example.rings),
-            Tolerance::Absolute(allowed),
+            Absolute(allowed),
         )
-        .source("independent program: half-space of 200 rings, 4 parts a step"),
-    );
+        .source("independent program: half-space of 200 rings, 4 parts a step");
     let far = [0.038, 0.214, 0.084][number - 1];
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "how far the closed law ends from the rings",
             distance(end, rings.force()),
             far,
-            Tolerance::Absolute(2e-3),
+            Absolute(2e-3),
         )
-        .source("theory of 7.7 less the end of the independent program's rings"),
-    );
+        .source("theory of 7.7 less the end of the independent program's rings");
     let caption = format!("text names fig. 7.{}", 12 + number);
     figure.deviation(caption, format!("fig. 7.{}", 11 + number), "numbers of figures in 7.7");
     Ok(figure)
@@ -191,14 +182,13 @@ fn mesh_force(step: &Step) -> [f64; 2] {
 fn numerical_claims(figure: &mut Figure, example: &Example, number: usize) -> Result<(), Failure> {
     let (run, source) = (example.numerical(40)?, "an independent half-space program, 60 by 60");
     let end = mesh_force(&run[run.len() - 1]);
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "F_x, F_y over f F_z of the numerical solution at the end",
             end.into_iter().zip(example.mesh),
-            Tolerance::Absolute(2e-3),
+            Absolute(2e-3),
         )
-        .source(source),
-    );
+        .source(source);
     // Parts of the contact that stick before the turn, after it, and at the end.
     let turn = example.steps;
     let sticks = [turn, turn + 1, 2 * turn].map(|i| run[i].stick());
@@ -207,14 +197,13 @@ fn numerical_claims(figure: &mut Figure, example: &Example, number: usize) -> Re
         2 => [0.0, 0.8945, 0.0],
         _ => [0.0, 0.9058, 0.0],
     };
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "parts that stick before the turn, after it, at the end",
             sticks.into_iter().zip(known),
-            Tolerance::Absolute(0.03),
+            Absolute(0.03),
         )
-        .source(source),
-    );
+        .source(source);
     Ok(())
 }
 
@@ -252,7 +241,7 @@ fn work_claim(example: &Example) -> Result<Claim, carom_special::RangeError> {
         "energy stored and turned into heat by the closed law, over f F_z ζ",
         stored + heat,
         work,
-        Tolerance::Absolute(2e-3),
+        Absolute(2e-3),
     )
     .source("work of its force along the path, in 400 parts a step"))
 }

@@ -25,13 +25,3 @@ pub(super) fn polar(length: f64, degrees: f64) -> [f64; 2] {
 pub(super) fn distance(a: [f64; 2], b: [f64; 2]) -> f64 {
     a.minus(b).length()
 }
-
-/// A circle as a curve.
-pub(super) fn circle(centre: [f64; 2], radius: f64) -> Vec<(f64, f64)> {
-    (0..=180)
-        .map(|i| {
-            let [x, y] = polar(radius, 2.0 * f64::from(i));
-            (centre[0] + x, centre[1] + y)
-        })
-        .collect()
-}

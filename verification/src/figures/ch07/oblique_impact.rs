@@ -6,8 +6,8 @@ use carom_impact::oblique::{Event, Groups, ObliqueImpact, TracePoint};
 
 use carom_special::hypergeometric::UnitArgument;
 
-use super::super::{Failure, spring_impact};
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use super::super::spring_impact;
+use crate::{Absolute, Failure, Figure, FigureResult, Panel, Series, linspace};
 
 pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
@@ -19,14 +19,11 @@ pub(super) fn draw() -> FigureResult {
     let trace = ObliqueImpact::trace(groups, &velocities)?;
     let impact = ObliqueImpact::new(groups)?;
 
-    let mut panel =
-        Panel::new(Axis::linear("t ζ′_A / ζ_max"), Axis::linear("ζ/ζ_max, c_x ξ/(f c_z ζ_max)"))
-            .titled("Shifts");
+    let mut panel = Panel::new("t ζ′_A / ζ_max", "ζ/ζ_max, c_x ξ/(f c_z ζ_max)").titled("Shifts");
     panel.add(Series::line("ζ", trace.iter().map(|p| (p.time, p.compression))));
     panel.add(Series::line("ξ", trace.iter().map(|p| (p.time, groups.psi() * p.shift))));
     figure.panel(panel);
-    let mut forces = Panel::new(Axis::linear("t ζ′_A / ζ_max"), Axis::linear("force / (f F_max)"))
-        .titled("Forces");
+    let mut forces = Panel::new("t ζ′_A / ζ_max", "force / (f F_max)").titled("Forces");
     let limit = |p: &TracePoint| p.compression * p.compression.sqrt();
     forces.add(Series::line("F_x", trace.iter().map(|p| (p.time, groups.psi() * p.force))));
     forces.add(Series::dashed("f F_z", trace.iter().map(|p| (p.time, limit(p)))));
@@ -41,30 +38,19 @@ pub(super) fn draw() -> FigureResult {
     let peak =
         trace.iter().max_by(|p, q| p.shift.total_cmp(&q.shift)).ok_or("the trace is empty")?;
     let end = normal::time(onset.start);
-    figure.claim(
-        Claim::close("adhesion ends", end, 1.217_076_971_237_919, Tolerance::Absolute(1e-9))
-            .source("independent program"),
-    );
-    figure.claim(
-        Claim::close(
-            "the maximum of ξ comes before",
-            peak.time,
-            stepped.peak,
-            Tolerance::Absolute(4e-3),
-        )
-        .source("springs with sliders, stepped in time; text below the figure"),
-    );
+    figure
+        .close("adhesion ends", end, 1.217_076_971_237_919, Absolute(1e-9))
+        .source("independent program");
+    figure
+        .close("the maximum of ξ comes before", peak.time, stepped.peak, Absolute(4e-3))
+        .source("springs with sliders, stepped in time; text below the figure");
     let before = 0.5 * normal::DURATION - end;
-    figure.claim(
-        Claim::at_least("adhesion ends before maximal compression, by", before, 0.1)
-            .source("text below the figure"),
-    );
+    figure
+        .at_least("adhesion ends before maximal compression, by", before, 0.1)
+        .source("text below the figure");
     let at_onset = ObliqueImpact::trace(groups, &[onset.start])?;
     let limit = groups.psi() * at_onset[0].velocity.abs();
-    figure.claim(
-        Claim::close("there |c_x ξ′| = f c_z ζ′", limit, onset.start, Tolerance::Absolute(1e-10))
-            .source("(8.50)"),
-    );
+    figure.close("there |c_x ξ′| = f c_z ζ′", limit, onset.start, Absolute(1e-10)).source("(8.50)");
     adhesion_claim(&mut figure, groups, onset.start)?;
     let least = trace.iter().map(|p| p.shift).fold(f64::INFINITY, f64::min);
     let last = trace[1000];
@@ -73,30 +59,27 @@ pub(super) fn draw() -> FigureResult {
         (groups.psi() * last.shift, stepped.last),
         (impact.restitution(), stepped.restitution),
     ];
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "least ξ, in restitution as R_x < 0, ξ at the end, and R_x",
             shifts,
-            Tolerance::Absolute(1e-4),
+            Absolute(1e-4),
         )
-        .source("springs with sliders, stepped in time; text below the figure"),
-    );
+        .source("springs with sliders, stepped in time; text below the figure");
     let excess = trace.iter().map(|p| p.friction_used.abs()).fold(0.0, f64::max);
-    figure.claim(
-        Claim::close("greatest |F_x|/(f F_z): sliding", excess, 1.0, Tolerance::Absolute(1e-12))
-            .source("Coulomb's law"),
-    );
+    figure
+        .close("greatest |F_x|/(f F_z): sliding", excess, 1.0, Absolute(1e-12))
+        .source("Coulomb's law");
     let step = normal::DURATION / 1000.0;
     let impulse: f64 = trace.iter().map(|p| p.force * step).sum();
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "the impulse is the change of velocity",
             1.25 * groups.chi() * impulse,
             1.0 + impact.restitution(),
-            Tolerance::Absolute(1e-4),
+            Absolute(1e-4),
         )
-        .source("e″ = -(5/4) χ Φ summed by the trapezoidal rule"),
-    );
+        .source("e″ = -(5/4) χ Φ summed by the trapezoidal rule");
     Ok(figure)
 }
 
@@ -113,16 +96,15 @@ fn adhesion_claim(figure: &mut Figure, groups: Groups, end: f64) -> Result<(), F
         pairs.extend([(motion.velocity(s)?, velocity), (motion.shift(s)?, shift)]);
         pairs.extend([(point.velocity, velocity), (point.shift, shift)]);
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "ξ and its rate while the contact sticks: closed form and walk",
             pairs,
-            Tolerance::Absolute(1e-7),
+            Absolute(1e-7),
         )
         .source(
             "(1 - w²) u″ - (6/5) w u′ + (6/5) χ u = 0 as equations in time, by Runge and Kutta",
-        ),
-    );
+        );
     Ok(())
 }
 

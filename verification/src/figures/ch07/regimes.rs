@@ -1,13 +1,13 @@
 //! Figs. 7.3 to 7.8: two directions of slip and the circles of their conditions.
 
-use super::led::{circle, distance, led, polar};
-use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance, linspace};
-use carom_laws::memory::{Lateral, Regime, VectorMemory};
+use super::super::outline::circle;
+use super::led::{distance, led, polar};
+use crate::{Absolute, Arrow, Claim, Figure, FigureResult, Panel, Point, Series, linspace};
+use carom_laws::memory::{Lateral, MemoryRegime, VectorMemory};
 
 /// The plane of the shifts e = (c_x ξ, c_y η)/(f c_z ζ₁).
 fn e_plane() -> Panel {
-    Panel::new(Axis::linear("e_x = c_x ξ/(f c_z ζ₁)"), Axis::linear("e_y = c_y η/(f c_z ζ₁)"))
-        .equal_aspect()
+    Panel::new("e_x = c_x ξ/(f c_z ζ₁)", "e_y = c_y η/(f c_z ζ₁)").equal_aspect()
 }
 
 fn arrow(tail: [f64; 2], head: [f64; 2]) -> Arrow {
@@ -30,7 +30,7 @@ pub(super) fn draw_stress() -> FigureResult {
     let step = polar(0.4, 120.0);
     let memory = led(1.0, &[(1.0, [0.5, 0.0]), (1.0, [0.5 + step[0], step[1]])])?;
     let radii = linspace(0.0, 0.999, 300);
-    let mut panel = Panel::new(Axis::linear("ρ/a"), Axis::linear("σ/(f σ_z0)"));
+    let mut panel = Panel::new("ρ/a", "σ/(f σ_z0)");
     for (i, name) in ["σ_zx", "σ_zy"].into_iter().enumerate() {
         panel.add(Series::line(name, radii.iter().map(|&r| (r, memory.traction(r * r)[i]))));
     }
@@ -38,22 +38,17 @@ pub(super) fn draw_stress() -> FigureResult {
     figure.panel(panel);
     // zeta_2* of (7.20), corrected, and the turned direction of (7.29).
     let star = 1.0 + step.dot(step) / (2.0 * step[0]);
-    figure.claim(
-        Claim::close("ζ₂*", memory.stick_depth(), star, Tolerance::Absolute(1e-15))
-            .source("(7.20), corrected"),
-    );
+    figure.close("ζ₂*", memory.stick_depth(), star, Absolute(1e-15)).source("(7.20), corrected");
     let excess = radii.iter().map(|&r| memory.traction(r * r).length() - (1.0 - r * r).sqrt());
-    figure.claim(
-        Claim::at_most("|σ| does not exceed f p", excess.fold(f64::NEG_INFINITY, f64::max), 1e-14)
-            .source("Coulomb's law"),
-    );
+    figure
+        .at_most("|σ| does not exceed f p", excess.fold(f64::NEG_INFINITY, f64::max), 1e-14)
+        .source("Coulomb's law");
     let ring = linspace(star.sqrt() + 1e-6, 0.999, 100)
         .into_iter()
         .map(|r| (memory.traction(r * r).length(), (1.0 - r * r).sqrt()));
-    figure.claim(
-        Claim::all_close("|σ| = f p in the whole ring", ring, Tolerance::Absolute(1e-14))
-            .source("|p₁ + p₂| = 1 (7.16)"),
-    );
+    figure
+        .all_close("|σ| = f p in the whole ring", ring, Absolute(1e-14))
+        .source("|p₁ + p₂| = 1 (7.16)");
     figure.deviation(
         "ζ₂* = ζ₂ + |e₁||de₂|²/(e₁·de₂)",
         "ζ₂* = ζ₂ + |e₁||de₂|²/(2 e₁·de₂)",
@@ -67,7 +62,7 @@ fn regime(
     state: &VectorMemory,
     zeta: f64,
     e: [f64; 2],
-) -> Result<Regime, carom_special::RangeError> {
+) -> Result<MemoryRegime, carom_special::RangeError> {
     let mut memory = state.clone();
     memory.advance(zeta, e)?;
     Ok(memory.regime())
@@ -79,7 +74,7 @@ fn disagreements(
     state: &VectorMemory,
     zeta: f64,
     reach: f64,
-    expected: impl Fn([f64; 2]) -> Option<Regime>,
+    expected: impl Fn([f64; 2]) -> Option<MemoryRegime>,
 ) -> Result<(u32, u32), carom_special::RangeError> {
     let (mut wrong, mut tested) = (0, 0);
     for dx in linspace(-reach, reach, 61) {
@@ -120,7 +115,7 @@ fn turning_claim(from: [f64; 2], to: [f64; 2]) -> Result<Claim, carom_special::R
     Ok(Claim::all_close(
         "heat of a shift from e₁ to (0.6, 0.6), whose slip turns, along x and y, over f F_z ζ",
         (0..2).map(|i| (heat[i], lost[i])),
-        Tolerance::Absolute(1e-5),
+        Absolute(1e-5),
     )
     .source("work of the force in 4000 parts less the energy stored"))
 }
@@ -153,10 +148,9 @@ pub(super) fn draw_circle() -> FigureResult {
         let expected = if to.length() < 0.5 { turned } else { 1.0 - to.length() };
         depths.push((memory.stick_depth(), expected));
     }
-    figure.claim(
-        Claim::all_close("ζ₂* at the two ends drawn", depths, Tolerance::Absolute(1e-14))
-            .source("(7.20), corrected, inside; (7.5) outside"),
-    );
+    figure
+        .all_close("ζ₂* at the two ends drawn", depths, Absolute(1e-14))
+        .source("(7.20), corrected, inside; (7.5) outside");
     figure.claim(turning_claim(e_1, [0.6, 0.6])?);
     let state = led(1.0, &[(1.0, e_1)])?;
     let found = disagreements(&state, 1.0, 1.2, |d| {
@@ -164,7 +158,7 @@ pub(super) fn draw_circle() -> FigureResult {
         if (size - 0.5).abs() < 1e-3 || size > 0.999 {
             None
         } else {
-            Some(if size < 0.5 { Regime::Reversal } else { Regime::Slip })
+            Some(if size < 0.5 { MemoryRegime::Reversal } else { MemoryRegime::Slip })
         }
     })?;
     figure.claim(agreement("P₁ appears exactly inside the circle", found).source("(7.23)"));
@@ -203,14 +197,12 @@ pub(super) fn draw_reflection() -> FigureResult {
     let across = [-0.12, 0.12].map(|length| last.plus(polar(length, 80.0)));
     panel.add(Series::dashed("mirror, across de₂", across.map(|p| (p[0], p[1]))).coloured(2));
     figure.panel(panel);
-    figure.claim(
-        Claim::all_close("ζ₂* for the six lengths", depths, Tolerance::Absolute(1e-14))
-            .source("(7.20), corrected"),
-    );
-    figure.claim(
-        Claim::all_close("β₂ = 2 α₂ + π − β₁, whatever |de₂|", pairs, Tolerance::Absolute(1e-13))
-            .source("(7.29), a reflection"),
-    );
+    figure
+        .all_close("ζ₂* for the six lengths", depths, Absolute(1e-14))
+        .source("(7.20), corrected");
+    figure
+        .all_close("β₂ = 2 α₂ + π − β₁, whatever |de₂|", pairs, Absolute(1e-13))
+        .source("(7.29), a reflection");
     Ok(figure)
 }
 
@@ -245,32 +237,30 @@ pub(super) fn draw_condition() -> FigureResult {
         radii.push((radius, condition_radius(&shifts[..n])));
         let found = disagreements(&state, 1.0, 0.5, |d| {
             let size = distance(state.shift().plus(d), centre);
-            ((size - radius).abs() > 1e-3 && size < radius).then_some(Regime::Reversal)
+            ((size - radius).abs() > 1e-3 && size < radius).then_some(MemoryRegime::Reversal)
         })?;
         if n == 1 {
             figure.claim(agreement("a new point appears inside", found).source("(7.40)"));
         } else {
             let statement = format!("N = {}: a new point appears inside", n + 1);
-            figure.claim(Claim::at_most(statement, f64::from(found.0), 0.0).source("(7.40)"));
+            figure.at_most(statement, f64::from(found.0), 0.0).source("(7.40)");
         }
     }
     figure.panel(panel);
-    figure.claim(
-        Claim::all_close("radii of the circles", radii, Tolerance::Absolute(1e-14))
-            .source("(7.40): |e₁|, then |de_N-1|/(2 cos γ_N-1) with slip mirrored at each step"),
-    );
+    figure
+        .all_close("radii of the circles", radii, Absolute(1e-14))
+        .source("(7.40): |e₁|, then |de_N-1|/(2 cos γ_N-1) with slip mirrored at each step");
     let outside = nested.windows(2).map(|pair| {
         let ((outer, big), (inner, small)) = (pair[0], pair[1]);
         distance(outer, inner) + small - big
     });
-    figure.claim(
-        Claim::at_most(
+    figure
+        .at_most(
             "each circle lies inside the one before",
             outside.fold(f64::NEG_INFINITY, f64::max),
             1e-12,
         )
-        .source("text below (7.40)"),
-    );
+        .source("text below (7.40)");
     Ok(figure)
 }
 
@@ -307,25 +297,20 @@ pub(super) fn draw_varying() -> FigureResult {
                 }
             }
         }
-        figure.claim(
-            Claim::all_close(
-                format!("{title}: ζ₂* inside the first circle"),
-                depths,
-                Tolerance::Absolute(1e-13),
-            )
-            .source("(7.48)"),
-        );
+        figure
+            .all_close(format!("{title}: ζ₂* inside the first circle"), depths, Absolute(1e-13))
+            .source("(7.48)");
         let found = disagreements(&state, 1.0 + dz, 1.1, |d| {
             let (size, step) = (e_1.plus(d).length(), d.length());
             let border = (size - outer).abs() < 1e-3 || (step - dz.abs()).abs() < 1e-3;
             if border || size > 0.998 + dz || (dz < 0.0 && step < -dz) {
                 None
             } else if step < dz {
-                Some(Regime::Adhesion)
+                Some(MemoryRegime::Adhesion)
             } else if size < outer {
-                Some(Regime::Reversal)
+                Some(MemoryRegime::Reversal)
             } else {
-                Some(Regime::Slip)
+                Some(MemoryRegime::Slip)
             }
         })?;
         figure.claim(
@@ -369,14 +354,9 @@ pub(super) fn draw_equal_radii() -> FigureResult {
                 pairs.push((memory.stick_depth(), old));
             }
         }
-        figure.claim(
-            Claim::all_close(
-                format!("{title}: ζ₃* = ζ₂* on the circle"),
-                pairs,
-                Tolerance::Absolute(1e-6),
-            )
-            .source("(7.64)"),
-        );
+        figure
+            .all_close(format!("{title}: ζ₃* = ζ₂* on the circle"), pairs, Absolute(1e-6))
+            .source("(7.64)");
     }
     figure.deviation(
         "denominator of (7.60) with s_N",

@@ -5,11 +5,10 @@
 //! comes from the field of the contact law. Every step is solved by Gauss and Seidel's method with
 //! the traction of each ring held within its own limit.
 
+use crate::Failure;
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::field::circular_shear;
 use carom_laws::memory::Lateral;
-
-use super::super::Failure;
 
 const MAX_SWEEPS: usize = 20_000;
 /// Change of a traction, over the greatest friction, at which a step is done.

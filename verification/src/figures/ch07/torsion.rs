@@ -1,8 +1,9 @@
 //! Figs. 7.9 to 7.11: torsion of an ellipse by the exponential law.
 
-use super::super::Failure;
 use super::super::mesh::{APPROACH, Mesh};
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace, logspace};
+use crate::{
+    Absolute, Axis, Failure, Figure, FigureResult, Panel, Relative, Series, linspace, logspace,
+};
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::law::Shift;
@@ -35,7 +36,7 @@ const DELTA: [[f64; 3]; 5] = [
 pub(super) fn draw_stiffness() -> FigureResult {
     let mut figure = Figure::new();
     figure.assumed("ν", "0, 0.25, 0.5");
-    let mut panel = Panel::new(Axis::log("a/b"), Axis::linear("δ_T"));
+    let mut panel = Panel::new(Axis::log("a/b"), "δ_T");
     for nu in [0.0, 0.25, 0.5] {
         let curve: Result<Vec<_>, _> = logspace(0.05, 1.0, 61)
             .into_iter()
@@ -48,18 +49,14 @@ pub(super) fn draw_stiffness() -> FigureResult {
     for [ratio, nu, want] in DELTA {
         pairs.push((delta(ratio, nu)?, want));
     }
-    figure.claim(
-        Claim::all_close("δ_T at five ellipses", pairs, Tolerance::Relative(1e-14))
-            .source("40-digit arithmetic"),
-    );
+    figure.all_close("δ_T at five ellipses", pairs, Relative(1e-14)).source("40-digit arithmetic");
     let mut circle = Vec::new();
     for nu in [0.0, 0.2, 0.5] {
         circle.push((delta(1.0, nu)?, 256.0 / (9.0 * PI)));
     }
-    figure.claim(
-        Claim::all_close("256/(9π) for the circle, whatever ν", circle, Tolerance::Relative(1e-14))
-            .source("Mindlin's 16 G a³/3"),
-    );
+    figure
+        .all_close("256/(9π) for the circle, whatever ν", circle, Relative(1e-14))
+        .source("Mindlin's 16 G a³/3");
     Ok(figure)
 }
 
@@ -73,7 +70,7 @@ pub(super) fn draw_loading() -> FigureResult {
     figure.stated("a/b", "1 and 10");
     figure.assumed("G b²/(f F_z)", "1, ν = 0; torque over f F_z b");
     figure.assumed("numerical markers", "10 steps of 1.6° (circle, ζ/a = 0.1) and 0.2° (a/b = 10)");
-    let mut panel = Panel::new(Axis::linear("G b² β/(f F_z)"), Axis::linear("M_z/(f F_z b)"));
+    let mut panel = Panel::new("G b² β/(f F_z)", "M_z/(f F_z b)");
     for ratio in [1.0, 0.1] {
         let mut torsion = law(ratio, 0.0)?;
         let mut curve = Vec::new();
@@ -110,50 +107,40 @@ pub(super) fn draw_loading() -> FigureResult {
         }
         misses.push((worst / torsion.sliding_torque(), miss));
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "what (7.65) misses of the numerical torque at most, over sliding: circle, ratio 10",
             misses,
-            Tolerance::Absolute(0.002),
+            Absolute(0.002),
         )
-        .source("an independent half-space program"),
-    );
+        .source("an independent half-space program");
     let sliding = law(0.1, 0.0)?.sliding_torque();
     let apart = coarse.iter().zip(&fine).map(|(a, b)| (a.1 - b.1).abs() / sliding);
-    figure.claim(
-        Claim::at_most("50 elements do nearly as well as 640", apart.fold(0.0, f64::max), 0.02)
-            .source("the text; an independent program: 0.016"),
-    );
+    figure
+        .at_most("50 elements do nearly as well as 640", apart.fold(0.0, f64::max), 0.02)
+        .source("the text; an independent program: 0.016");
     let mut worst = 0.0_f64;
     for (twist, want) in exact {
         let mut torsion = law(1.0, 0.0)?;
         torsion.advance(twist)?;
         worst = worst.max((torsion.torque() - want).abs() / SLIDING_TORQUE);
     }
-    figure.claim(
-        Claim::at_most("on the circle (7.65) is within 2.76 % of sliding", worst, 0.0276)
-            .source("Lubkin (5.39), (5.41)"),
-    );
+    figure
+        .at_most("on the circle (7.65) is within 2.76 % of sliding", worst, 0.0276)
+        .source("Lubkin (5.39), (5.41)");
     let slender = ContactEllipse::new(0.1, 1.0)?;
     let sliding = law(0.1, 0.0)?.sliding_torque();
-    figure.claim(
-        Claim::close(
-            "sliding torque, ratio 10",
-            sliding,
-            0.380_997_579_384_459,
-            Tolerance::Relative(1e-14),
-        )
-        .source("(10.57), 40-digit arithmetic"),
-    );
-    figure.claim(
-        Claim::close(
+    figure
+        .close("sliding torque, ratio 10", sliding, 0.380_997_579_384_459, Relative(1e-14))
+        .source("(10.57), 40-digit arithmetic");
+    figure
+        .close(
             "the same with the axes exchanged",
             sliding_torque_arm(&slender.exchanged()),
             sliding,
-            Tolerance::Relative(1e-14),
+            Relative(1e-14),
         )
-        .source("symmetry"),
-    );
+        .source("symmetry");
     Ok(figure)
 }
 
@@ -197,36 +184,23 @@ pub(super) fn draw_reversals() -> FigureResult {
         }
         at.push(torsion.torque());
     }
-    let mut panel = Panel::new(Axis::linear("G b² β/(f F_z)"), Axis::linear("M_z/(f F_z b)"));
+    let mut panel = Panel::new("G b² β/(f F_z)", "M_z/(f F_z b)");
     panel.add(Series::line("(7.66)", curve));
     figure.panel(panel);
-    figure.claim(
-        Claim::close("M(−β₁) = −M₁", at[4], -at[0], Tolerance::Absolute(1e-15))
-            .source("(7.66), exponent corrected"),
-    );
-    figure.claim(
-        Claim::close("the inner loop closes", at[3], at[1], Tolerance::Absolute(1e-15))
-            .source("Madelung's rule"),
-    );
-    figure.claim(
-        Claim::close("the outer loop closes", at[5], at[0], Tolerance::Absolute(1e-15))
-            .source("Madelung's rule"),
-    );
+    figure
+        .close("M(−β₁) = −M₁", at[4], -at[0], Absolute(1e-15))
+        .source("(7.66), exponent corrected");
+    figure.close("the inner loop closes", at[3], at[1], Absolute(1e-15)).source("Madelung's rule");
+    figure.close("the outer loop closes", at[5], at[0], Absolute(1e-15)).source("Madelung's rule");
     exponential_claims(&mut figure)?;
     let mut unload = law(0.1, 0.0)?;
     unload.advance(0.5)?;
     let first = unload.torque();
     unload.advance(0.5 - 1e-7)?;
     let slope = (first - unload.torque()) / 1e-7;
-    figure.claim(
-        Claim::close(
-            "unloading starts with M_zA'",
-            slope,
-            unload.initial_stiffness(),
-            Tolerance::Relative(1e-5),
-        )
-        .source("Masing's rule"),
-    );
+    figure
+        .close("unloading starts with M_zA'", slope, unload.initial_stiffness(), Relative(1e-5))
+        .source("Masing's rule");
     figure.deviation(
         "exp[+M_zA'(β₁ − β)/(2 M_zS)] in (7.66)",
         "exp[−M_zA'(β₁ − β)/(2 M_zS)]",
@@ -240,15 +214,9 @@ fn exponential_claims(figure: &mut Figure) -> Result<(), Failure> {
     // By 40-digit arithmetic, a/b = 0.1: M_zS over f F_z b, and M_zA' = (3/8) E δ_T.
     let sliding = 0.380_997_579_384_459;
     let slope = law(0.1, 0.3)?.initial_stiffness();
-    figure.claim(
-        Claim::close(
-            "initial stiffness at ν = 0.3",
-            slope,
-            sliding * DELTA[3][2],
-            Tolerance::Relative(1e-13),
-        )
-        .source("(7.65): (3/8) G b³ E δ_T in 40-digit arithmetic"),
-    );
+    figure
+        .close("initial stiffness at ν = 0.3", slope, sliding * DELTA[3][2], Relative(1e-13))
+        .source("(7.65): (3/8) G b³ E δ_T in 40-digit arithmetic");
     let decay = |twist: f64| libm::exp(-slope * twist / sliding);
     let first = |twist: f64| sliding * (1.0 - decay(twist));
     let (mut torques, mut energies) = (Vec::new(), Vec::new());
@@ -273,21 +241,19 @@ fn exponential_claims(figure: &mut Figure) -> Result<(), Failure> {
     torques.extend([(torsion.torque(), first(0.7)), (torsion.tangent(), slope * decay(0.7))]);
     torsion.advance(-0.9)?;
     torques.extend([(torsion.torque(), -first(0.9)), (torsion.tangent(), slope * decay(0.9))]);
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "torque and slope in loading, unloading, and beyond both turning points",
             torques,
-            Tolerance::Absolute(1e-13),
+            Absolute(1e-13),
         )
-        .source("(7.65), (7.66), corrected, written out; Masing's and Madelung's rules"),
-    );
-    figure.claim(
-        Claim::all_close(
+        .source("(7.65), (7.66), corrected, written out; Masing's and Madelung's rules");
+    figure
+        .all_close(
             "energy stored and turned into heat, after loading and after a whole loop",
             energies,
-            Tolerance::Absolute(1e-13),
+            Absolute(1e-13),
         )
-        .source("M β - ∫M dβ and 2 ∫M dβ - M β of (7.65); four times that for the loop"),
-    );
+        .source("M β - ∫M dβ and 2 ∫M dβ - M β of (7.65); four times that for the loop");
     Ok(())
 }

@@ -7,8 +7,7 @@ use carom_impact::{Body, Collision, Lever, Motion, Rebound};
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
 
-use super::super::Failure;
-use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance, linspace};
+use crate::{Absolute, Arrow, Failure, Figure, FigureResult, Panel, Point, Series, linspace};
 
 const UPPER: [f64; 3] = [0.03, 0.02, 0.015];
 const LOWER: [f64; 3] = [0.04, 0.025, 0.02];
@@ -90,68 +89,61 @@ fn claims(figure: &mut Figure, encounter: &Collision, rebound: &Rebound) {
     let before = encounter.bodies().each_ref().map(Body::motion);
     let (p, l) = momenta(encounter, &before);
     let (q, m) = momenta(encounter, &rebound.motions);
-    figure.claim(
-        Claim::at_most("momentum kept", (p - q).norm() / p.norm(), 1e-13)
-            .source("equal and opposite forces"),
-    );
-    figure.claim(
-        Claim::at_most("angular momentum kept", (l - m).norm() / l.norm(), 1e-12)
-            .source("equal and opposite forces through one point"),
-    );
+    figure
+        .at_most("momentum kept", (p - q).norm() / p.norm(), 1e-13)
+        .source("equal and opposite forces");
+    figure
+        .at_most("angular momentum kept", (l - m).norm() / l.norm(), 1e-12)
+        .source("equal and opposite forces through one point");
     let given =
         encounter.bodies()[0].inertia().mass() * (rebound.motions[0].velocity - before[0].velocity);
-    figure.claim(
-        Claim::at_most(
+    figure
+        .at_most(
             "the impulse is what body 1 gained",
             (rebound.impulse - given).norm() / given.norm(),
             1e-13,
         )
-        .source("momentum"),
-    );
+        .source("momentum");
     let levers = encounter.levers();
     let after = relative(levers, &rebound.motions);
-    figure.claim(
-        Claim::at_most(
+    figure
+        .at_most(
             "the bodies after the impulse part with v_E at the contact point",
             (after - rebound.velocity_after).norm(),
             1e-13,
         )
-        .source("(8.27)"),
-    );
+        .source("(8.27)");
     let d = encounter.mobility().matrix();
     let change = encounter.frame().to_contact(&(rebound.velocity_before - after));
     let impulse = encounter.frame().to_contact(&rebound.impulse);
-    figure.claim(
-        Claim::at_most("v_A - v_E = D J", (d * impulse - change).norm() / change.norm(), 1e-13)
-            .source("(8.29), motion of both bodies under J and -J"),
-    );
+    figure
+        .at_most("v_A - v_E = D J", (d * impulse - change).norm() / change.norm(), 1e-13)
+        .source("(8.29), motion of both bodies under J and -J");
     let [first, last] = [kinetic(encounter, &before), kinetic(encounter, &rebound.motions)];
     let energy = rebound.energy;
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "kinetic energy before, after, and friction work, over that before",
             [
                 (energy.before / first, 1.0),
                 (energy.after / first, last / first),
                 (energy.dissipated / first, 1.0 - last / first),
             ],
-            Tolerance::Absolute(1e-13),
+            Absolute(1e-13),
         )
-        .source("m v²/2 and θ ω²/2 of both bodies"),
-    );
+        .source("m v²/2 and θ ω²/2 of both bodies");
     // Pressed together to rest at the contact point, the bodies would lose v D^-1 v/2.
     let approach = encounter.frame().to_contact(&rebound.velocity_before);
     let most =
         d.try_inverse().map_or(f64::NAN, |inverse| 0.5 * approach.dot(&(inverse * approach)));
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "energy of the relative motion, over that before",
             encounter.mobility().energy(&approach) / first,
             most / first,
-            Tolerance::Absolute(1e-14),
+            Absolute(1e-14),
         )
-        .source("v D⁻¹ v/2"),
-    );
+        .source("v D⁻¹ v/2");
 }
 
 /// The forces of the course add up to the impulse, their work along the slip to the heat; without
@@ -180,21 +172,18 @@ fn course_claims(
     pairs.push((rebound.maximal_force / peak, 1.0));
     let last = history.last().map_or(f64::NAN, |p| p.time);
     pairs.push((rebound.duration / last, 1.0));
-    figure.claim(
-        Claim::all_close(
+    figure.all_close(
             "impulse and work of the forces drawn, their peak and duration, over those of the impact",
             pairs,
-            Tolerance::Absolute(2e-3),
-        )
-        .source("∫F dt and ∫F·dx by the trapezoidal rule"),
-    );
+            Absolute(2e-3),
+        ).source("∫F dt and ∫F·dx by the trapezoidal rule");
     let outcome = smooth.solve()?;
     let free = outcome.rebound().ok_or("the bodies approach each other")?;
     let approach = smooth.frame().to_contact(&free.velocity_before).z;
     let along = 2.0 * approach / smooth.mobility().matrix().m33;
     let impulse = smooth.frame().to_contact(&free.impulse);
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "without friction: impulse over 2 v_z/D_zz along the normal, and heat",
             [
                 (impulse.x / along, 0.0),
@@ -203,10 +192,9 @@ fn course_claims(
                 (free.energy.dissipated / free.energy.before, 0.0),
                 (1.0 - free.energy.after / free.energy.before, 0.0),
             ],
-            Tolerance::Absolute(1e-12),
+            Absolute(1e-12),
         )
-        .source("an elastic impact reverses v_z (9.1)"),
-    );
+        .source("an elastic impact reverses v_z (9.1)");
     Ok(())
 }
 
@@ -229,8 +217,7 @@ pub(super) fn draw() -> FigureResult {
     let shift = encounter.frame().to_space(&deepest.shift) * 40.0;
     let panels = [("first touch", Vector3::zeros()), ("at the greatest approach, 40 times", shift)];
     for (title, shift) in panels {
-        let mut panel =
-            Panel::new(Axis::linear("x / mm"), Axis::linear("z / mm")).titled(title).equal_aspect();
+        let mut panel = Panel::new("x / mm", "z / mm").titled(title).equal_aspect();
         let [one, two] = encounter.bodies();
         panel.add(Series::line("body 1", outline(one, UPPER, &Vector3::zeros())));
         panel.add(Series::line("body 2", outline(two, LOWER, &shift)));
@@ -243,14 +230,12 @@ pub(super) fn draw() -> FigureResult {
         figure.panel(panel);
     }
     let z = encounter.frame().z();
-    figure.claim(
-        Claim::at_most("the search finds the touch", encounter.point().norm(), 1e-12)
-            .source("both bodies were placed with it in the origin"),
-    );
-    figure.claim(
-        Claim::at_most("e_z is the common normal into body 1", (z - up).norm(), 1e-9)
-            .source("both bodies were placed with it upright"),
-    );
+    figure
+        .at_most("the search finds the touch", encounter.point().norm(), 1e-12)
+        .source("both bodies were placed with it in the origin");
+    figure
+        .at_most("e_z is the common normal into body 1", (z - up).norm(), 1e-9)
+        .source("both bodies were placed with it upright");
     // From the supports of the two ellipsoids, turned back.
     let arms = encounter.levers().each_ref().map(Lever::arm);
     let mut pairs = Vec::new();
@@ -260,15 +245,14 @@ pub(super) fn draw() -> FigureResult {
         let height = Vector3::from(axes).component_mul(&inside).norm();
         pairs.push((arms[i].dot(&z), [-height, height][i]));
     }
-    figure.claim(Claim::all_close("R₁z < 0, R₂z > 0", pairs, Tolerance::Absolute(1e-12)).source(
+    figure.all_close("R₁z < 0, R₂z > 0", pairs, Absolute(1e-12)).source(
         "distance of a tangent plane from the middle of an ellipsoid, |(a n_x, b n_y, c n_z)|",
-    ));
-    let gap = encounter.frame().relative_curvature();
-    figure.claim(Claim::decreasing("A > B > 0", [gap.a(), gap.b(), 0.0]).source("(5.2)"));
-    figure.claim(
-        Claim::at_most("A x² + B y² is the gap, error at 0.1 mm", gap_error(&encounter), 1e-3)
-            .source("distance between the ellipsoids along the normal"),
     );
+    let gap = encounter.frame().relative_curvature();
+    figure.decreasing("A > B > 0", [gap.a(), gap.b(), 0.0]).source("(5.2)");
+    figure
+        .at_most("A x² + B y² is the gap, error at 0.1 mm", gap_error(&encounter), 1e-3)
+        .source("distance between the ellipsoids along the normal");
     claims(&mut figure, &encounter, rebound);
     course_claims(&mut figure, &encounter, rebound, &smooth)?;
     figure.deviation(

@@ -1,10 +1,9 @@
 //! Fig. 8.1: the three rotations of the contact axes against the body's axes.
 
-use carom_geometry::{Attitude, Side, Surface, angle_matrix};
+use carom_geometry::{Attitude, BodySide, Surface, angle_matrix};
 use nalgebra::{Matrix3, Vector3};
 
-use super::super::Failure;
-use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance, linspace};
+use crate::{Absolute, Arrow, Axis, Failure, Figure, FigureResult, Panel, Point, Series, linspace};
 
 const ANGLES: [f64; 3] = [0.45, 0.3, 0.6]; // alpha, beta, gamma
 
@@ -86,7 +85,7 @@ fn worst_curvature() -> Result<f64, Failure> {
             c_bb: s,
             c_ab: t,
         };
-        let surface = Surface::explicit_with(1.0, Side::Above, height)?;
+        let surface = Surface::explicit_with(1.0, BodySide::Above, height)?;
         let [k_1, k_2] = surface.local(&Vector3::zeros())?.curvatures();
         // Gauss and mean curvature.
         let steep = 1.0 + p * p + q * q;
@@ -131,54 +130,48 @@ pub(super) fn draw() -> FigureResult {
 
     let product = elementary(2, gamma) * elementary(1, beta) * elementary(0, alpha);
     let pi = angle_matrix(alpha, beta, gamma);
-    figure.claim(
-        Claim::at_most("Π of (8.5) is z-y'-x'' in turn", (pi.transpose() - product).amax(), 1e-15)
-            .source("product of three textbook matrices"),
-    );
+    figure
+        .at_most("Π of (8.5) is z-y'-x'' in turn", (pi.transpose() - product).amax(), 1e-15)
+        .source("product of three textbook matrices");
     let last = stages[3].matrix();
-    figure.claim(
-        Claim::at_most("so is the attitude of these angles", (last - product).amax(), 1e-15)
-            .source("product of three textbook matrices"),
-    );
+    figure
+        .at_most("so is the attitude of these angles", (last - product).amax(), 1e-15)
+        .source("product of three textbook matrices");
     let printed = off_orthogonal(&printed(ANGLES));
-    figure.claim(Claim::at_most("Π Πᵀ = 1", off_orthogonal(&pi), 1e-15).source("Π turns, (8.4)"));
+    figure.at_most("Π Πᵀ = 1", off_orthogonal(&pi), 1e-15).source("Π turns, (8.4)");
     // Row 3 times row 1 of the printed matrix is 2 sin α sin γ cos β cos γ off.
     let off = 2.0 * alpha.sin() * gamma.sin() * beta.cos() * gamma.cos();
-    figure.claim(
-        Claim::close("Π Πᵀ - 1 of (8.5) as printed", printed, off, Tolerance::Absolute(1e-14))
-            .source("one wrong sign in the entry (c, x), worked out"),
-    );
+    figure
+        .close("Π Πᵀ - 1 of (8.5) as printed", printed, off, Absolute(1e-14))
+        .source("one wrong sign in the entry (c, x), worked out");
     // Euler's angles z-x-z of the rows (e_b, e_c, e_a).
     let right = std::f64::consts::FRAC_PI_2;
     let euler = elementary(2, gamma + right) * elementary(0, beta + right) * elementary(2, alpha);
     let rows = Matrix3::from_columns(&[pi.row(1), pi.row(2), pi.row(0)].map(|row| row.transpose()));
-    figure.claim(
-        Claim::at_most(
+    figure
+        .at_most(
             "Euler's angles (γ + π/2, β + π/2, α) give (e_b, e_c, e_a)",
             (euler - rows).amax(),
             1e-15,
         )
-        .source("product of three textbook matrices"),
-    );
-    figure.claim(
-        Claim::at_most(
+        .source("product of three textbook matrices");
+    figure
+        .at_most(
             "principal curvatures of 200 surfaces, Gauss and mean curvature",
             worst_curvature()?,
             1e-14,
         )
-        .source("first and second fundamental form"),
-    );
+        .source("first and second fundamental form");
     let egg = Surface::ellipsoid([3.0, 2.0, 1.5])?;
     let local = egg.local(&Vector3::new(1.5, -0.9, -1.109_898_644_021_155_6))?;
     let curvatures = local.curvatures().into_iter();
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "k_x, k_y of the ellipsoid 3, 2, 1.5 at (1.5, -0.9)",
             curvatures.zip([0.505_268_948_416_564_9, 0.236_043_885_903_308_9]),
-            Tolerance::Absolute(1e-14),
+            Absolute(1e-14),
         )
-        .source("corrected (8.16) to (8.24)"),
-    );
+        .source("corrected (8.16) to (8.24)");
     figure.deviation(
         "the first rotation is about e_x; entry (c, x) of (8.5) with -sin α sin γ",
         "about e_z; + sin α sin γ",

@@ -3,10 +3,10 @@
 use carom_halfspace::Material;
 use carom_impact::closed_form::{ImpactConstants, restitution_without_slip};
 use carom_impact::restitution::of_groups;
+use carom_special::roots::{Bracket, brent};
 
-use super::super::Failure;
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Relative, Series, linspace};
 
 fn by_phi(phi: f64) -> f64 {
     restitution_without_slip((phi * phi - 1.0) / 120.0)
@@ -19,13 +19,12 @@ pub(super) fn draw() -> FigureResult {
     figure.derived("ellipsoids", "φ from sqrt 61 to sqrt 721 (15.9)");
     let curve: Vec<(f64, f64)> =
         linspace(7.0, 27.0, 401).into_iter().map(|phi| (phi, by_phi(phi))).collect();
-    let mut panel =
-        Panel::new(Axis::linear("φ"), Axis::linear("R_x")).titled("Without slip (9.46)");
+    let mut panel = Panel::new("φ", "R_x").titled("Without slip (9.46)");
     panel.add(Series::line("R_x(φ)", curve));
     let spheres: Vec<(f64, f64)> = linspace(0.0, 0.5, 6)
         .into_iter()
         .map(|nu| {
-            let chi = 7.0 * (1.0 - nu) / (2.0 - nu);
+            let chi = super::super::spheres::chi(nu);
             let phi = (1.0 + 120.0 * chi).sqrt();
             (phi, by_phi(phi))
         })
@@ -37,58 +36,43 @@ pub(super) fn draw() -> FigureResult {
 
     let table = rows::<2>(include_str!("../../../data/impact/no_slip.csv"))?;
     let pairs = table.iter().map(|[chi, r]| (restitution_without_slip(*chi), *r));
-    figure.claim(
-        Claim::all_close("nine values", pairs, Tolerance::Absolute(1e-13))
-            .source("(9.46) in 25 digits by an independent program"),
-    );
+    figure
+        .all_close("nine values", pairs, Absolute(1e-13))
+        .source("(9.46) in 25 digits by an independent program");
     let walked: Result<Vec<(f64, f64)>, _> = table
         .iter()
         .map(|[chi, _]| of_groups(*chi, 1e-9).map(|r| (r, restitution_without_slip(*chi))))
         .collect();
-    figure.claim(
-        Claim::all_close(
-            "limit of the event-driven impact, ψ = 1e-9",
-            walked?,
-            Tolerance::Absolute(1e-8),
-        )
-        .source("integration through partial slip"),
-    );
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close("limit of the event-driven impact, ψ = 1e-9", walked?, Absolute(1e-8))
+        .source("integration through partial slip");
+    figure
+        .all_close(
             "ends R_x(sqrt 61), R_x(sqrt 721)",
             ends.map(|(_, r)| r).into_iter().zip([0.619_660_3, 0.512_442_9]),
-            Tolerance::Absolute(5e-8),
+            Absolute(5e-8),
         )
-        .source("independent program"),
-    );
+        .source("independent program");
     for (low, high, zero) in [(17.0, 18.0, 17.270_338), (24.0, 25.0, 24.400_798)] {
-        let root = bisect(by_phi, low, high);
-        figure.claim(
-            Claim::close(format!("zero near {zero}"), root, zero, Tolerance::Absolute(1e-6))
-                .source("independent program"),
-        );
+        let root = brent(by_phi, Bracket::new(low, high)?, 0.0)?.position;
+        figure
+            .close(format!("zero near {zero}"), root, zero, Absolute(1e-6))
+            .source("independent program");
     }
     let (at, least) = linspace(20.0, 22.0, 20_001)
         .into_iter()
         .map(|phi| (phi, by_phi(phi)))
         .fold((0.0, f64::INFINITY), |best, point| if point.1 < best.1 { point } else { best });
-    figure.claim(
-        Claim::close("least R_x", least, -0.390_03, Tolerance::Absolute(1e-5))
-            .source("independent program"),
-    );
-    figure.claim(
-        Claim::close("φ of the least R_x", at, 20.82, Tolerance::Absolute(0.01))
-            .source("independent program"),
-    );
+    figure.close("least R_x", least, -0.390_03, Absolute(1e-5)).source("independent program");
+    figure.close("φ of the least R_x", at, 20.82, Absolute(0.01)).source("independent program");
     constants_claim(&mut figure)?;
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "full reversal at φ = 11 and 31",
             [11.0, 31.0].map(|phi| (by_phi(phi), 1.0)),
-            Tolerance::Absolute(1e-14),
+            Absolute(1e-14),
         )
-        .source("poles of Γ((11 - φ)/20)"),
-    );
+        .source("poles of Γ((11 - φ)/20)");
     figure.deviation("fig. 9.1 named in section 15.4", "fig. 9.2", "slip of the text");
     Ok(figure)
 }
@@ -110,22 +94,8 @@ fn constants_claim(figure: &mut Figure) -> Result<(), Failure> {
             (found.c_z / (2.0 * shear / (1.0 - nu) * root), 1.0),
         ]);
     }
-    figure.claim(
-        Claim::all_close(
-            "constants of two unlike spheres, three ν",
-            pairs,
-            Tolerance::Relative(1e-14),
-        )
-        .source("1/m₁ + 1/m₂, 7/2 of it; Hertz's and Mindlin's stiffness with E*, G*, R*"),
-    );
+    figure
+        .all_close("constants of two unlike spheres, three ν", pairs, Relative(1e-14))
+        .source("1/m₁ + 1/m₂, 7/2 of it; Hertz's and Mindlin's stiffness with E*, G*, R*");
     Ok(())
-}
-
-fn bisect(f: impl Fn(f64) -> f64, low: f64, high: f64) -> f64 {
-    let (mut low, mut high) = (low, high);
-    for _ in 0..60 {
-        let middle = 0.5 * (low + high);
-        if (f(middle) > 0.0) == (f(low) > 0.0) { low = middle } else { high = middle }
-    }
-    0.5 * (low + high)
 }

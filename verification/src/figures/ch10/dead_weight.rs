@@ -7,8 +7,7 @@ use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::hertz::Hertz;
 use carom_special::quadrature::GaussLegendre;
 
-use super::super::Failure;
-use crate::{Cell, Claim, Figure, FigureResult, Table, Tolerance};
+use crate::{Cell, Failure, Figure, FigureResult, Relative, Table};
 
 const YOUNG: f64 = 210_000.0; // N/mm^2
 const POISSON: f64 = 0.3;
@@ -36,22 +35,19 @@ pub(super) fn draw() -> FigureResult {
     }
     figure.table(table);
     let growth = shares.windows(2).map(|pair| (pair[1] / pair[0], 10.0));
-    figure.claim(
-        Claim::all_close("a/R grows tenfold from line to line", growth, Tolerance::Relative(1e-13))
-            .source("Hertz's table: radii a thousandfold, a/R = R^(1/3)/1000"),
-    );
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close("a/R grows tenfold from line to line", growth, Relative(1e-13))
+        .source("Hertz's table: radii a thousandfold, a/R = R^(1/3)/1000");
+    figure
+        .all_close(
             "a³ = π R⁴ γ (1 - ν²)/E by the contact law",
             computed.iter().copied(),
-            Tolerance::Relative(1e-13),
+            Relative(1e-13),
         )
-        .source("(10.42), corrected"),
-    );
-    figure.claim(
-        Claim::close("steel's coefficient", computed[0].0, 1e-3, Tolerance::Relative(0.02))
-            .source("(10.42): 1/1000"),
-    );
+        .source("(10.42), corrected");
+    figure
+        .close("steel's coefficient", computed[0].0, 1e-3, Relative(0.02))
+        .source("(10.42): 1/1000");
     energy_claim(&mut figure)?;
     figure.deviation("(10.42): a³ = R⁴γ(1 - ν²)/E", "π R⁴γ(1 - ν²)/E", "without π 0.69/1000");
     figure.deviation("(10.42): a³ = R^(4/3)/1000", "a = R^(4/3)/1000", "misprint");
@@ -67,37 +63,34 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
     let modulus = YOUNG / (1.0 - POISSON * POISSON);
     let approach = libm::pow(0.75 * weight / (modulus * radius.sqrt()), 2.0 / 3.0);
     let pressure = libm::cbrt(6.0 * weight * modulus * modulus / (radius * radius)) / PI;
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "approach and greatest pressure at R = 1 m",
             [(state.approach, approach), (state.peak_pressure, pressure)],
-            Tolerance::Relative(1e-13),
+            Relative(1e-13),
         )
-        .source("Hertz's formulas with E* and R"),
-    );
+        .source("Hertz's formulas with E* and R");
     // The force as a power of the approach: smooth in its root.
     let rule = GaussLegendre::new(8)?;
     let work = rule.integrate(0.0, approach.sqrt(), |root| {
         4.0 / 3.0 * modulus * radius.sqrt() * root * root * root * 2.0 * root
     });
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "elastic energy of the ball at rest on the plane",
             hertz.normal_energy(state.approach),
             work,
-            Tolerance::Relative(1e-13),
+            Relative(1e-13),
         )
-        .source("∫F dζ by quadrature of Hertz's force"),
-    );
-    figure.claim(
-        Claim::close(
+        .source("∫F dζ by quadrature of Hertz's force");
+    figure
+        .close(
             "stiffness under the weight",
             state.normal_stiffness,
             2.0 * modulus * (radius * approach).sqrt(),
-            Tolerance::Relative(1e-13),
+            Relative(1e-13),
         )
-        .source("2 E* a, a flat punch of the contact's size"),
-    );
+        .source("2 E* a, a flat punch of the contact's size");
     Ok(())
 }
 

@@ -10,8 +10,9 @@ use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::torsion::law::TorsionLaw;
 
-use super::super::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace, logspace};
+use crate::{
+    Absolute, Axis, Failure, Figure, FigureResult, Panel, Relative, Series, linspace, logspace,
+};
 
 struct Sphere {
     name: &'static str,
@@ -54,15 +55,14 @@ pub(super) fn draw() -> FigureResult {
         draw_sphere(&mut figure, sphere)?;
     }
     fast_spin(&mut figure, &SPHERES[0])?;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "impulse of the torque of a constant spin, Ω = 0.3",
             limits::first_order_loss(0.3)?,
             0.970_346_115,
-            Tolerance::Absolute(1e-9),
+            Absolute(1e-9),
         )
-        .source("independent program"),
-    );
+        .source("independent program");
     figure.deviation(
         "(10.40), (10.63): [1 - 5/2 δ(T - 2)] [1 - 5 δ(T - 2)]",
         "2 y_1² - 1, to first order 1 - 10 δ(T - 2)",
@@ -88,15 +88,13 @@ fn draw_sphere(figure: &mut Figure, sphere: &Sphere) -> Result<(), Failure> {
         points.push((before, after));
         above = above.min(after - (low * before).max(before - d));
     }
-    let mut panel =
-        Panel::new(Axis::linear("β'(0), rad/s"), Axis::linear("β'(T), rad/s")).titled(name);
+    let mut panel = Panel::new("β'(0), rad/s", "β'(T), rad/s").titled(name);
     panel.add(Series::line("computed", points.clone()));
     panel.add(Series::dashed("(10.63) corrected", vec![(0.0, 0.0), (shift, shift - d)]));
     panel.add(Series::dashed("(10.64) corrected", vec![(d, 0.0), (2.5 * shift, 2.5 * shift - d)]));
     figure.panel(panel);
-    let mut panel =
-        Panel::new(Axis::linear("β'(0), rad/s"), Axis::linear("lost spin β'(0) - β'(T), rad/s"))
-            .titled(format!("{name}: loss"));
+    let mut panel = Panel::new("β'(0), rad/s", "lost spin β'(0) - β'(T), rad/s")
+        .titled(format!("{name}: loss"));
     let lost = |(x, y): (f64, f64)| (x, x - y);
     panel.add(Series::line("computed", points.iter().copied().map(lost).collect::<Vec<_>>()));
     let ends = |slope: f64, most: f64| vec![(0.0, 0.0), (most / slope, most)];
@@ -107,48 +105,43 @@ fn draw_sphere(figure: &mut Figure, sphere: &Sphere) -> Result<(), Failure> {
     figure.panel(panel);
 
     let measured = [epsilon, low, low_printed, d, 1.4 * d];
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             format!("{name}: ε, small-spin ratio (corrected, printed), d (corrected, printed)"),
             measured.into_iter().zip(sphere.expected),
-            Tolerance::Relative(4e-5),
+            Relative(4e-5),
         )
-        .source("independent program"),
-    );
+        .source("independent program");
     let spin = 3.0 * shift;
     let omega = sphere.collision(spin)?.groups()?.map_or(f64::NAN, |groups| groups.omega());
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             format!("{name}: asymptotes in the groups ε, Ω: sliding and no slip"),
             [
                 (limits::sliding(epsilon, omega), 1.0 - sphere.expected[3] / spin),
                 (limits::no_slip_first_order(epsilon), sphere.first_order()),
             ],
-            Tolerance::Absolute(2e-5),
+            Absolute(2e-5),
         )
-        .source("d by an independent program; 2 (1 - (5/2) δ (1 - ν) (T - 2))² - 1"),
-    );
-    figure.claim(
-        Claim::at_least(format!("{name}: spin above both asymptotes"), above, -1e-9 * d)
-            .source("the text at fig. 10.2"),
-    );
+        .source("d by an independent program; 2 (1 - (5/2) δ (1 - ν) (T - 2))² - 1");
+    figure
+        .at_least(format!("{name}: spin above both asymptotes"), above, -1e-9 * d)
+        .source("the text at fig. 10.2");
     let fast = 1e4 * shift;
     let outcome = sphere.collision(fast)?.solve()?;
     let lost = fast - outcome.spins[0];
-    figure.claim(
-        Claim::close(format!("{name}: spin lost in sliding"), lost, d, Tolerance::Relative(1e-8))
-            .source("(10.64), corrected"),
-    );
+    figure
+        .close(format!("{name}: spin lost in sliding"), lost, d, Relative(1e-8))
+        .source("(10.64), corrected");
     let inertia = 0.4 * sphere.mass() * sphere.radius * sphere.radius;
     let taken = 0.5 * inertia * (fast * fast - (fast - d) * (fast - d));
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             format!("{name}: energy and impulse of the torque in sliding, over those of d"),
             [(outcome.energy_loss / taken, 1.0), (outcome.torque_impulse / (-inertia * d), 1.0)],
-            Tolerance::Absolute(1e-7),
+            Absolute(1e-7),
         )
-        .source("(2/5) m R² and the spin lost in (10.64), corrected"),
-    );
+        .source("(2/5) m R² and the spin lost in (10.64), corrected");
     Ok(())
 }
 
@@ -169,7 +162,7 @@ fn fast_spin(figure: &mut Figure, sphere: &Sphere) -> Result<(), Failure> {
     }
     let mut panel = Panel::new(
         Axis::log("spin before / (rotations per second)"),
-        Axis::linear("lost spin over d of (10.64)"),
+        "lost spin over d of (10.64)",
     )
     .titled(format!("{}: when complete sliding is reached", sphere.name));
     panel.add(Series::line("computed", curve));
@@ -182,14 +175,13 @@ fn fast_spin(figure: &mut Figure, sphere: &Sphere) -> Result<(), Failure> {
     for (turns, steps) in [(20.0, 4000), (162.0, 4000), (1000.0, 8000), (5000.0, 16_000)] {
         shares.push((lost(turns)?, sphere.stepped_loss(TAU * turns, steps)? / d));
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "steel: loss over d at 20, 162, 1000 and 5000 rotations per second",
             shares,
-            Tolerance::Absolute(1e-3),
+            Absolute(1e-3),
         )
-        .source("Newton's equations stepped in time with Lubkin's law; d of (10.64), corrected"),
-    );
+        .source("Newton's equations stepped in time with Lubkin's law; d of (10.64), corrected");
     // Where one per cent is left.
     let (mut low, mut high) = (1.0, 1e5);
     for _ in 0..50 {
@@ -199,22 +191,15 @@ fn fast_spin(figure: &mut Figure, sphere: &Sphere) -> Result<(), Failure> {
     let turns = f64::sqrt(low * high);
     figure.derived("rotations per second at 99 % of d, steel", format!("{turns:.0}"));
     let there = sphere.stepped_loss(TAU * turns, 8000)? / d;
-    figure.claim(
-        Claim::close("99 % of d there", there, 0.99, Tolerance::Absolute(1e-3))
-            .source("Newton's equations stepped in time with Lubkin's law"),
-    );
-    figure.claim(
-        Claim::at_most(
-            "loss at several thousand, 1000 to 5000, short of d by",
-            1.0 - lost(1e3)?,
-            0.01,
-        )
-        .source("text: (10.64) is valid for several thousand rotations per second"),
-    );
-    figure.claim(
-        Claim::at_least("and at 100 rotations per second by", 1.0 - lost(100.0)?, 0.05)
-            .source("text: only for very large angular velocities"),
-    );
+    figure
+        .close("99 % of d there", there, 0.99, Absolute(1e-3))
+        .source("Newton's equations stepped in time with Lubkin's law");
+    figure
+        .at_most("loss at several thousand, 1000 to 5000, short of d by", 1.0 - lost(1e3)?, 0.01)
+        .source("text: (10.64) is valid for several thousand rotations per second");
+    figure
+        .at_least("and at 100 rotations per second by", 1.0 - lost(100.0)?, 0.05)
+        .source("text: only for very large angular velocities");
     Ok(())
 }
 

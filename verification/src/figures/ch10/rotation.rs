@@ -4,15 +4,13 @@ use carom_impact::normal::{DURATION, state_at};
 use carom_impact::torsional::{TorsionalGroups, TorsionalImpact, TorsionalPoint, limits};
 use carom_laws::torsion::history::TwistHistory;
 
-use super::super::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
+use crate::{Absolute, Claim, Failure, Figure, FigureResult, Panel, Series};
 
 pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
     figure.assumed("ε, Ω", "0.5, 0.1: strong torsion, so that the rebound shows");
     let course = course(0.5, 0.1)?;
-    let mut panel =
-        Panel::new(Axis::linear("time, normalised (9.4)"), Axis::linear("rotation, normalised"));
+    let mut panel = Panel::new("time, normalised (9.4)", "rotation, normalised");
     let points: Vec<(f64, f64)> = course.iter().map(|p| (p.time, p.twist)).collect();
     panel.add(Series::line("β", points));
     let compression = |p: &&TorsionalPoint| p.normal_velocity >= 0.0;
@@ -20,8 +18,7 @@ pub(super) fn draw() -> FigureResult {
         course.iter().filter(compression).map(|p| (DURATION - p.time, p.twist)).collect();
     panel.add(Series::dashed("mirror image of the compression", mirrored));
     figure.panel(panel);
-    let mut panel =
-        Panel::new(Axis::linear("time, normalised (9.4)"), Axis::linear("radius, by its maximum"));
+    let mut panel = Panel::new("time, normalised (9.4)", "radius, by its maximum");
     let radius: Vec<(f64, f64)> = course.iter().map(|p| (p.time, p.radius)).collect();
     panel.add(Series::line("contact radius", radius));
     let stick: Vec<(f64, f64)> = course.iter().map(|p| (p.time, p.stick_radius)).collect();
@@ -35,31 +32,24 @@ pub(super) fn draw() -> FigureResult {
         (most(|p| p.torque), stepped.torque),
         (course.last().map_or(f64::NAN, |p| p.twist), stepped.last),
     ];
-    figure.claim(
-        Claim::all_close(
-            "greatest rotation and torque, rotation at the end",
-            found,
-            Tolerance::Absolute(1e-4),
-        )
-        .source("β″ = -ε M stepped in time with the memory of a twisted contact"),
-    );
+    figure
+        .all_close("greatest rotation and torque, rotation at the end", found, Absolute(1e-4))
+        .source("β″ = -ε M stepped in time with the memory of a twisted contact");
     let end = course.last().map_or(f64::NAN, |p| p.spin);
-    figure.claim(
-        Claim::close("spin at the end", end, 0.404_980_700_744, Tolerance::Absolute(2e-11))
-            .source("independent program"),
-    );
+    figure
+        .close("spin at the end", end, 0.404_980_700_744, Absolute(2e-11))
+        .source("independent program");
     let whole = TorsionalImpact::new(TorsionalGroups::new(0.5, 0.1)?)?;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "energy lost over that of the spin",
             whole.energy_loss(),
             1.0 - 0.404_980_700_744 * 0.404_980_700_744,
-            Tolerance::Absolute(4e-11),
+            Absolute(4e-11),
         )
-        .source("1 less the square of the spin at the end, independent program"),
-    );
+        .source("1 less the square of the spin at the end, independent program");
     let falling = course.iter().filter(|p| p.time > 1.5).map(|p| p.stick_radius);
-    figure.claim(Claim::decreasing("stick radius in restitution", falling).source("section 10.2"));
+    figure.decreasing("stick radius in restitution", falling).source("section 10.2");
     figure.claim(reversal()?);
     figure.deviation(
         "(10.7): slip where the torques' increments meet, 3π/16",
@@ -87,7 +77,7 @@ fn reversal() -> Result<Claim, Failure> {
     let y_1 = course[150].spin;
     let limit = limits::no_slip(0.5)?;
     let pairs = [(end, limit), (2.0 * y_1 * y_1 - 1.0, limit)];
-    Ok(Claim::all_close("small spin: 2 y_1² - 1", pairs, Tolerance::Absolute(2e-6))
+    Ok(Claim::all_close("small spin: 2 y_1² - 1", pairs, Absolute(2e-6))
         .source("Wronskian of the two halves"))
 }
 

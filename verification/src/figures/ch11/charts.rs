@@ -1,9 +1,8 @@
 //! Figs 11.2 and 11.3: the processes NORM and TANG, drawn from what runs and held against a run.
 
-use super::super::Failure;
 use super::super::mesh::Mesh;
 use super::super::structure;
-use crate::{Cell, Claim, Figure, FigureResult, Table, Tolerance};
+use crate::{Absolute, Cell, Failure, Figure, FigureResult, Relative, Table};
 use carom_laws::law::Shift;
 use carom_solver::kalker::{
     KalkerScratch, NORM, NormStep, Panagiotopoulos, ProcessStep, TANG, TangStep,
@@ -58,10 +57,9 @@ fn trace<S: Step>(
     figure.table(table);
     let all = traces.iter().filter(|trace| trace.follows(chart)).count();
     let statement = format!("every {name} of the run walks the chart as it is drawn");
-    figure.claim(
-        Claim::close(statement, all as f64, traces.len() as f64, Tolerance::Absolute(0.0))
-            .source("the trace of the run, read by the chart as by a grammar"),
-    );
+    figure
+        .close(statement, all as f64, traces.len() as f64, Absolute(0.0))
+        .source("the trace of the run, read by the chart as by a grammar");
 }
 
 pub(super) fn norm() -> FigureResult {
@@ -72,28 +70,24 @@ pub(super) fn norm() -> FigureResult {
     let traces = &scratch.traces().norm;
     trace(&mut figure, "NORM", NORM, traces);
     let [Block::Until { body, .. }] = NORM else { return Err("NORM is one loop".into()) };
-    figure.claim(
-        Claim::holds("without its outer loop the chart fits no run", !traces[0].follows(body), 0.0)
-            .source("loops are nested and not sequential (section 11.2)"),
-    );
+    figure
+        .holds("without its outer loop the chart fits no run", !traces[0].follows(body), 0.0)
+        .source("loops are nested and not sequential (section 11.2)");
     let dropped: Vec<f64> = traces.iter().map(|trace| trace.total(NormStep::DropTension)).collect();
-    figure.claim(
-        Claim::at_least("elements leave K in the first NORM", dropped[0], 1.0)
-            .source("K starts as the undeformed overlap, twice the area of contact"),
-    );
+    figure
+        .at_least("elements leave K in the first NORM", dropped[0], 1.0)
+        .source("K starts as the undeformed overlap, twice the area of contact");
     let rounds = traces[0].entries().iter().filter(|entry| entry.step == NormStep::Solve);
     let before_growth = rounds.map(|entry| entry.amount).take(traces[0].count(NormStep::NoTension));
     let sizes: Vec<f64> = before_growth.take(2).collect();
-    figure.claim(
-        Claim::decreasing("K first decreases", sizes)
-            .source("“the contact area first decreases until it remains constant”"),
-    );
-    figure.claim(
-        Claim::at_most("dᵢ = 0 in K, dᵢ ≥ 0 outside, over ζ", reached.residuals.normal, 1e-10)
-            .source("(12.3), (12.6)"),
-    );
+    figure
+        .decreasing("K first decreases", sizes)
+        .source("“the contact area first decreases until it remains constant”");
+    figure
+        .at_most("dᵢ = 0 in K, dᵢ ≥ 0 outside, over ζ", reached.residuals.normal, 1e-10)
+        .source("(12.3), (12.6)");
     let lowest = state.pressure.values().iter().copied().fold(f64::INFINITY, f64::min);
-    figure.claim(Claim::at_least("no pᵢ < 0", lowest, 0.0).source("(12.3)"));
+    figure.at_least("no pᵢ < 0", lowest, 0.0).source("(12.3)");
     let touching = problem.grid().cells() - state.count(CellState::Exterior);
     let passes = scratch.traces().process.count(ProcessStep::Norm);
     figure.derived("elements in contact, passes of NORM", format!("{touching}, {passes}"));
@@ -116,15 +110,10 @@ pub(super) fn tang() -> FigureResult {
     let [Block::Until { body, .. }] = TANG else { return Err("TANG is one loop".into()) };
     let two = Block::Until { body: &[Block::Do(TangStep::Solve)], done: TangStep::NoneTooLarge };
     let wrong = traces[0].follows(body) || traces[0].follows(&[two]);
-    figure.claim(
-        Claim::holds("no chart of fewer loops fits", !wrong, 0.0).source("the trace of the run"),
-    );
-    figure.claim(
-        Claim::at_least("the third loop is needed: systems per set", per_set(&traces[0]), 1.5)
-            .source(
-                "section 11.3: the Newton-Raphson formula converges only for small corrections",
-            ),
-    );
+    figure.holds("no chart of fewer loops fits", !wrong, 0.0).source("the trace of the run");
+    figure
+        .at_least("the third loop is needed: systems per set", per_set(&traces[0]), 1.5)
+        .source("section 11.3: the Newton-Raphson formula converges only for small corrections");
     let mut law = Vec::new();
     for i in 0..problem.grid().cells() {
         let t = state.traction_x.values()[i].hypot(state.traction_y.values()[i]);
@@ -132,14 +121,10 @@ pub(super) fn tang() -> FigureResult {
             law.push((t, FRICTION * state.pressure.values()[i]));
         }
     }
-    figure.claim(
-        Claim::all_close("|σₜ| = f σₙ where it slips", law, Tolerance::Relative(1e-12))
-            .source("Coulomb (12.4)"),
-    );
-    figure.claim(
-        Claim::at_most("what is left of (12.4), over f p", reached.residuals.tangential, 1e-10)
-            .source("s = 0 in A, s against σₜ elsewhere"),
-    );
+    figure.all_close("|σₜ| = f σₙ where it slips", law, Relative(1e-12)).source("Coulomb (12.4)");
+    figure
+        .at_most("what is left of (12.4), over f p", reached.residuals.tangential, 1e-10)
+        .source("s = 0 in A, s against σₜ elsewhere");
     Ok(figure)
 }
 

@@ -2,8 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::super::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
+use super::super::outline::ellipse;
+use crate::{Absolute, Axis, Failure, Figure, FigureResult, Panel, Relative, Series};
 use carom_halfspace::{Material, MaterialPair, Offset, Rectangle, RectangleInfluence};
 
 /// Δx, Δy: full lengths of the sides.
@@ -82,11 +82,7 @@ fn mesh() -> Panel {
         panel.add(Series::line("", [(0.0, y), (right, y)]).coloured(6));
     }
     let (a, b) = (0.44 * right, 0.42 * top);
-    let turn = |i: i32| f64::from(i) * PI / 60.0;
-    let outline = (0..=120).map(|i| {
-        let (sin, cos) = turn(i).sin_cos();
-        (0.5 * right + a * cos, 0.5 * top + b * sin)
-    });
+    let outline = ellipse([0.5 * right, 0.5 * top], [a, b], 120);
     panel.add(Series::line("contact area", outline).coloured(1));
     let corner = (2.0 * SIDES[0], 2.0 * SIDES[1]);
     let cell = [(0.0, 0.0), (1.0, 0.0), (1.0, 1.0), (0.0, 1.0)]
@@ -100,18 +96,16 @@ pub(super) fn draw() -> FigureResult {
     figure.assumed("Δx, Δy", "1, 0.75");
     figure.assumed("G, ν of the claims", "1, 0.1 and 2.5, 0.4");
     figure.panel(mesh());
-    figure.claim(
-        Claim::all_close("(11.1) is (4.14)", pairs(0.25)?, Tolerance::Absolute(1e-13))
-            .source("the coefficients (4.29), checked by quadrature; K/G with 1/4"),
-    );
+    figure
+        .all_close("(11.1) is (4.14)", pairs(0.25)?, Absolute(1e-13))
+        .source("the coefficients (4.29), checked by quadrature; K/G with 1/4");
     let printed = pairs(0.5)?;
     let worst = printed.iter().map(|(his, own)| (his - own).abs()).fold(0.0, f64::max);
     let largest = |(his, own): &(f64, f64)| (his - own).abs() == worst;
     let doubled = printed.iter().find(|pair| largest(pair)).map_or(0.0, |(his, own)| his / own);
-    figure.claim(
-        Claim::close("printed K doubles the coupling", doubled, 2.0, Tolerance::Relative(1e-10))
-            .source("(11.2) as printed: K/G = (1/2) (..)"),
-    );
+    figure
+        .close("printed K doubles the coupling", doubled, 2.0, Relative(1e-10))
+        .source("(11.2) as printed: K/G = (1/2) (..)");
     let cause = "comparison with (4.14)";
     figure.deviation(
         "(11.2): K/G = ½ ((1−2ν₁)/G₁ − (1−2ν₂)/G₂)",

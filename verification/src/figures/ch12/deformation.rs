@@ -1,7 +1,6 @@
 //! Fig. 12.2: the same stress on elements 1 and 2, and the structure of the matrix.
 
-use super::super::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_halfspace::operator::{HalfSpaceOperator, SurfaceOperator as _};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use nalgebra::DMatrix;
@@ -53,7 +52,7 @@ pub(super) fn draw() -> FigureResult {
     figure.assumed("mesh", "three rows of eight squares of side 1; G = 1, ν = 0 and 1/2");
     let operator = operator()?;
     let (first, second) = (row(&operator, 0), row(&operator, 1));
-    let mut panel = Panel::new(Axis::linear("element of the first row"), Axis::linear("u"))
+    let mut panel = Panel::new("element of the first row", "u")
         .titled("Deformation of the first row by unit stress");
     panel.add(Series::line("", first.clone()).coloured(0));
     panel.add(Series::markers("on element 1", Marker::Circle, first.clone()).coloured(0));
@@ -62,32 +61,21 @@ pub(super) fn draw() -> FigureResult {
     figure.panel(panel);
 
     let shifted = first.iter().zip(&second[1..]).map(|((_, one), (_, two))| (*two, *one));
-    figure.claim(
-        Claim::all_close(
-            "the second is the first, moved by one",
-            shifted,
-            Tolerance::Absolute(0.0),
-        )
-        .source("(12.13): constant diagonals"),
-    );
-    figure.claim(
-        Claim::close(
-            "and symmetric about its element",
-            second[0].1,
-            second[2].1,
-            Tolerance::Absolute(0.0),
-        )
-        .source("(12.13): bⱼₖ stands on both sides of the diagonal"),
-    );
+    figure
+        .all_close("the second is the first, moved by one", shifted, Absolute(0.0))
+        .source("(12.13): constant diagonals");
+    figure
+        .close("and symmetric about its element", second[0].1, second[2].1, Absolute(0.0))
+        .source("(12.13): bⱼₖ stands on both sides of the diagonal");
     let count = 3 * COLUMNS * ROWS;
     let whole = DMatrix::from_fn(count, count, |i, l| {
         let cells = COLUMNS * ROWS;
         entry(&operator, [i / cells, l / cells], [i % cells, l % cells])
     });
     let skew = (&whole - whole.transpose()).amax() / whole.amax();
-    figure.claim(Claim::at_most("A is symmetric", skew, 1e-15).source("(12.15)"));
+    figure.at_most("A is symmetric", skew, 1e-15).source("(12.15)");
     let least = whole.symmetric_eigenvalues().min() / whole.amax();
-    figure.claim(Claim::at_least("and positive definite", least, 1e-3).source("(12.18)"));
+    figure.at_least("and positive definite", least, 1e-3).source("(12.18)");
     let structures = [
         ("A₁₁: symmetric blocks, symmetric arrangement", [0, 0], [1.0, 1.0], "(12.11), (12.13)"),
         ("A₁₂: skew blocks, skew arrangement", [0, 1], [-1.0, -1.0], "(12.14)"),
@@ -96,13 +84,12 @@ pub(super) fn draw() -> FigureResult {
     ];
     for (statement, part, signs, source) in structures {
         let worst = deviation(&operator, part, signs);
-        figure.claim(Claim::at_most(statement, worst, 1e-15).source(source));
+        figure.at_most(statement, worst, 1e-15).source(source);
     }
     let printed = deviation(&operator, [0, 2], [-1.0, 1.0]);
-    figure.claim(
-        Claim::at_least("printed structure of A₁₃ does not hold", printed, 0.5)
-            .source("text before (12.15)"),
-    );
+    figure
+        .at_least("printed structure of A₁₃ does not hold", printed, 0.5)
+        .source("text before (12.15)");
     figure.deviation(
         "A₁₃: symmetric blocks in skew arrangement, A₂₃: skew blocks in symmetric arrangement",
         "the other way round",

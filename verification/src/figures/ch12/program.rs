@@ -2,7 +2,7 @@
 
 use super::super::mesh::Mesh;
 use super::super::structure;
-use crate::{Cell, Claim, Figure, FigureResult, Table, Tolerance};
+use crate::{Absolute, Cell, Figure, FigureResult, Table};
 use carom_laws::law::Shift;
 use carom_solver::jaeger::{GaussSeidel, PROGRAM, ProgramStep};
 use carom_solver::{Block, ContactState, Drive, Frictional, Method as _};
@@ -48,24 +48,21 @@ pub(super) fn draw() -> FigureResult {
     }
     figure.table(table);
 
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "every step of the run walks the chart as it is drawn",
             walked as f64,
             history.len() as f64,
-            Tolerance::Absolute(0.0),
+            Absolute(0.0),
         )
-        .source("the traces of the run, read by the chart as by a grammar"),
-    );
+        .source("the traces of the run, read by the chart as by a grammar");
     let [Block::Until { body, .. }] = PROGRAM else { return Err("one loop around all".into()) };
-    figure.claim(
-        Claim::holds("without the outermost loop it does not fit", !trace.follows(body), 0.0)
-            .source("the last part tests again and repeats all loops"),
-    );
-    figure.claim(
-        Claim::all_close("sweeps in the trace and iterations", sweeps, Tolerance::Absolute(0.0))
-            .source("the method counts its own sweeps"),
-    );
+    figure
+        .holds("without the outermost loop it does not fit", !trace.follows(body), 0.0)
+        .source("the last part tests again and repeats all loops");
+    figure
+        .all_close("sweeps in the trace and iterations", sweeps, Absolute(0.0))
+        .source("the method counts its own sweeps");
     let depth = [
         ProgramStep::TestAll,
         ProgramStep::DefineStickArea,
@@ -75,14 +72,12 @@ pub(super) fn draw() -> FigureResult {
     ];
     let counts = depth.map(|step| trace.count(step) as f64);
     let nested = counts.windows(2).all(|pair| pair[0] <= pair[1]);
-    figure.claim(
-        Claim::holds("inner loops turn at least as often as outer ones", nested, counts[4])
-            .source("every step of an outer loop repeats all inner loops (section 12.5)"),
-    );
-    figure.claim(
-        Claim::all_close("stresses over the largest pressure", pairs, Tolerance::Absolute(1e-8))
-            .source("Newton's method on active sets, a method of today, on the same mesh"),
-    );
+    figure
+        .holds("inner loops turn at least as often as outer ones", nested, counts[4])
+        .source("every step of an outer loop repeats all inner loops (section 12.5)");
+    figure
+        .all_close("stresses over the largest pressure", pairs, Absolute(1e-8))
+        .source("Newton's method on active sets, a method of today, on the same mesh");
     figure.deviation(
         "DefineStickArea, then Testsign; DefineConstants at the end",
         "Testsign first; no DefineConstants",

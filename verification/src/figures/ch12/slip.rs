@@ -1,8 +1,7 @@
 //! Fig. 12.1: slip of body 1 against body 2, and the stress of body 2 on body 1.
 
-use super::super::Failure;
 use super::super::mesh::{Mesh, Step, steps};
-use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
+use crate::{Absolute, Arrow, Axis, Failure, Figure, FigureResult, Panel, Series};
 use carom_laws::law::Shift;
 
 const FRICTION: f64 = 0.3;
@@ -46,31 +45,21 @@ pub(super) fn draw() -> FigureResult {
     figure.panel(sketch());
     let steps = run()?;
     let last = &steps[steps.len() - 1];
-    let mut map = Panel::new(Axis::linear("x"), Axis::linear("y"))
-        .titled("Stress on body 1 and slip of body 1")
-        .equal_aspect();
+    let mut map = Panel::new("x", "y").titled("Stress on body 1 and slip of body 1").equal_aspect();
     map.add(last.arrows("stress", 0.3, |cell| cell.traction).coloured(0));
     map.add(last.arrows("slip", 0.3, |cell| cell.slip).coloured(2));
     figure.panel(map);
 
     let slipping = || last.touching().filter(|cell| !cell.sticks);
-    let opposed = slipping().map(|cell| {
-        let along = cell.slip[0] * cell.traction[0] + cell.slip[1] * cell.traction[1];
-        (along / (cell.slip[0].hypot(cell.slip[1]) * cell.size()), -1.0)
-    });
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "slip opposes the stress on the same body",
-            opposed,
-            Tolerance::Absolute(1e-6),
+            last.cosines_to_slip(),
+            Absolute(1e-6),
         )
-        .source("Coulomb (12.4): cosine of the angle between s₁₂ and σ₂₁"),
-    );
+        .source("Coulomb (12.4): cosine of the angle between s₁₂ and σ₂₁");
     let sizes = slipping().map(|cell| (cell.size() / cell.pressure, FRICTION));
-    figure.claim(
-        Claim::all_close("|σₜ|/σₙ = f where it slips", sizes, Tolerance::Absolute(1e-9))
-            .source("(12.4)"),
-    );
+    figure.all_close("|σₜ|/σₙ = f where it slips", sizes, Absolute(1e-9)).source("(12.4)");
     let before = &steps[steps.len() - 2];
     let turn = last.state.shift.omega - before.state.shift.omega;
     let reach = |slip: [f64; 2]| slip[0].hypot(slip[1]);
@@ -80,18 +69,12 @@ pub(super) fn draw() -> FigureResult {
         .map(|cell| reach([cell.slip[0] + 2.0 * cell.y * turn, cell.slip[1] - 2.0 * cell.x * turn]))
         .fold(0.0, f64::max);
     let moved = (last.state.shift.xi - before.state.shift.xi).abs();
-    figure.claim(
-        Claim::at_most("no slip in the stick area, over Δξ", still / moved, 1e-7)
-            .source("(12.2) and the sign of Ω that goes with it"),
-    );
-    figure.claim(
-        Claim::at_least(
-            "with the printed signs of (12.5) there is slip, over Δξ",
-            printed / moved,
-            0.1,
-        )
-        .source("(12.5): +y ΔΩ, −x ΔΩ, opposite to (12.2)"),
-    );
+    figure
+        .at_most("no slip in the stick area, over Δξ", still / moved, 1e-7)
+        .source("(12.2) and the sign of Ω that goes with it");
+    figure
+        .at_least("with the printed signs of (12.5) there is slip, over Δξ", printed / moved, 0.1)
+        .source("(12.5): +y ΔΩ, −x ΔΩ, opposite to (12.2)");
     figure.deviation(
         "(12.5): sₓ = −Δξ + ΔU₁ + y ΔΩ, s_y = −Δη + ΔU₂ − x ΔΩ",
         "− y ΔΩ, + x ΔΩ",

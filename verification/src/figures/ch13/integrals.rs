@@ -1,6 +1,6 @@
 //! Table 13.1: the integrals of the convergence estimates.
 
-use crate::{Cell, Claim, Figure, FigureResult, Table, Tolerance};
+use crate::{Absolute, Cell, Figure, FigureResult, Table};
 use carom_halfspace::{Offset, Rectangle, RectangleIntegrals};
 use carom_special::RangeError;
 
@@ -57,14 +57,13 @@ pub(super) fn draw() -> FigureResult {
     figure.table(table);
 
     let pairs = |a: &[f64], b: [f64; 9]| a.iter().copied().zip(b).collect::<Vec<_>>();
-    let ten = Tolerance::Absolute(6e-10);
-    figure.claim(Claim::all_close("e", pairs(&e, EXACT_E), ten).source("30-digit arithmetic"));
-    figure.claim(Claim::all_close("f", pairs(&f, EXACT_F), ten).source("30-digit arithmetic"));
+    let ten = Absolute(6e-10);
+    figure.all_close("e", pairs(&e, EXACT_E), ten).source("30-digit arithmetic");
+    figure.all_close("f", pairs(&f, EXACT_F), ten).source("30-digit arithmetic");
     let wrong = wrong_digits(&e, PRINTED_E).chain(wrong_digits(&f, PRINTED_F)).count();
-    figure.claim(
-        Claim::close("three printed values are wrong", wrong as f64, 3.0, Tolerance::Absolute(0.0))
-            .source("errors above half of the last printed digit"),
-    );
+    figure
+        .close("three printed values are wrong", wrong as f64, 3.0, Absolute(0.0))
+        .source("errors above half of the last printed digit");
     for (name, values, printed) in [("e", &e, PRINTED_E), ("f", &f, PRINTED_F)] {
         for k in wrong_digits(values, printed) {
             figure.deviation(
@@ -76,14 +75,11 @@ pub(super) fn draw() -> FigureResult {
     }
     // (13.5) replaces e and f by g: for k = 1 the ratio f/e is off by less than 6 %.
     let ratio = (f[1] / e[1]).abs();
-    figure.claim(
-        Claim::at_most("error of (13.5) for k = 1 below 6 %", 1.0 - ratio, 0.06)
-            .source("text below Table 13.1"),
-    );
+    figure
+        .at_most("error of (13.5) for k = 1 below 6 %", 1.0 - ratio, 0.06)
+        .source("text below Table 13.1");
     let falling = (1..9).map(|k| 1.0 - (f[k] / e[k]).abs());
-    figure.claim(
-        Claim::decreasing("and it decreases with k", falling).source("text below Table 13.1"),
-    );
+    figure.decreasing("and it decreases with k", falling).source("text below Table 13.1");
     Ok(figure)
 }
 

@@ -1,6 +1,6 @@
 //! Fig. 14.30: force and moment of a contact that slides and spins as a whole.
 
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Figure, FigureResult, Panel, Series, linspace};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::rigid_slip::{RigidSlip, pole_of, spin_about};
 use std::f64::consts::PI;
@@ -40,8 +40,8 @@ pub(super) fn draw() -> FigureResult {
     figure.assumed("v_K, α", "0 to 6; 0°, 45°, 90°");
     let (slender, circle) = (ContactEllipse::new(1.0, 10.0)?, ContactEllipse::circle(1.0)?);
     let distances = linspace(0.0, 6.0, 121);
-    let mut forces = Panel::new(Axis::linear("v_K"), Axis::linear("F/(f F_z)"));
-    let mut moments = Panel::new(Axis::linear("v_K"), Axis::linear("M_z/(f F_z √(ab))"));
+    let mut forces = Panel::new("v_K", "F/(f F_z)");
+    let mut moments = Panel::new("v_K", "M_z/(f F_z √(ab))");
     for degrees in [0.0, 45.0, 90.0] {
         let curve: Result<Vec<_>, _> =
             distances.iter().map(|&v| load(&slender, v, degrees).map(|load| (v, load))).collect();
@@ -63,37 +63,27 @@ pub(super) fn draw() -> FigureResult {
     figure.panel(forces);
     figure.panel(moments);
     let pairs = round.iter().map(|(v, l)| (force(l), circle_force(*v)));
-    figure.claim(
-        Claim::all_close("force of the circle", pairs, Tolerance::Absolute(1e-12))
-            .source("closed form"),
-    );
+    figure.all_close("force of the circle", pairs, Absolute(1e-12)).source("closed form");
     let inside = round
         .iter()
         .filter(|(v, _)| *v <= 1.0)
         .map(|(v, l)| (l.torque, 3.0 * PI / 16.0 * (1.0 - v * v + 0.375 * v.powi(4))));
-    figure.claim(
-        Claim::all_close("moment of the circle, pole inside", inside, Tolerance::Absolute(1e-13))
-            .source("closed form"),
-    );
+    figure
+        .all_close("moment of the circle, pole inside", inside, Absolute(1e-13))
+        .source("closed form");
     let mut pairs = Vec::new();
     for [v, degrees, f, m] in REFERENCE {
         let load = load(&slender, v, degrees)?;
         pairs.push((force(&load), f));
         pairs.push((load.torque, m));
     }
-    figure.claim(
-        Claim::all_close("a/b = 1/10", pairs, Tolerance::Absolute(6e-7))
-            .source("chord integrals at twice the order"),
-    );
+    figure
+        .all_close("a/b = 1/10", pairs, Absolute(6e-7))
+        .source("chord integrals at twice the order");
     let excess = round.iter().map(|(_, l)| force(l)).fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("the force does not exceed f F_z", excess, 1.0).source("Coulomb's law"),
-    );
+    figure.at_most("the force does not exceed f F_z", excess, 1.0).source("Coulomb's law");
     let far = load(&slender, 1e6, 45.0)?;
-    figure.claim(
-        Claim::close("a far pole slides only", force(&far), 1.0, Tolerance::Absolute(1e-10))
-            .source("limit"),
-    );
+    figure.close("a far pole slides only", force(&far), 1.0, Absolute(1e-10)).source("limit");
     figure.deviation("m_z over f F_z", "m_z over f F_z √(ab)", "norm of (14.3)");
     Ok(figure)
 }

@@ -1,7 +1,7 @@
 //! Figs. 14.15, 14.16: dissimilar bodies pressed together and let go.
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Absolute, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
 
 const INDEPENDENT: &str = "an independent half-space program";
@@ -60,10 +60,7 @@ pub(super) fn angle() -> FigureResult {
         let angle = cell.angle();
         (law_angle(&cell, mesh.semi_axes, 1.0), angle - 180.0 * (angle / 180.0).floor())
     });
-    let mut panel = Panel::new(
-        Axis::linear("angle of (x/a, y/b) in degrees"),
-        Axis::linear("angle of t in degrees"),
-    );
+    let mut panel = Panel::new("angle of (x/a, y/b) in degrees", "angle of t in degrees");
     panel.add(Series::markers("numerical, step 10", Marker::Dot, points.collect::<Vec<_>>()));
     let line = (0..=90).map(|degrees| {
         let angle = f64::from(degrees).to_radians();
@@ -71,31 +68,23 @@ pub(super) fn angle() -> FigureResult {
     });
     panel.add(Series::line("(14.1), k = 2", line));
     figure.panel(panel);
-    figure.claim(
-        Claim::close(
-            "the best k of (14.1)",
-            best(last, mesh.semi_axes),
-            1.92,
-            Tolerance::Absolute(0.06),
-        )
-        .source(INDEPENDENT),
-    );
-    figure.claim(
-        Claim::at_most(
+    figure
+        .close("the best k of (14.1)", best(last, mesh.semi_axes), 1.92, Absolute(0.06))
+        .source(INDEPENDENT);
+    figure
+        .at_most(
             "root mean square of what k = 2 misses, in degrees",
             misfit(last, mesh.semi_axes, 2.0),
             3.2,
         )
-        .source(INDEPENDENT),
-    );
-    figure.claim(
-        Claim::at_least(
+        .source(INDEPENDENT);
+    figure
+        .at_least(
             "with y/x in place of (y/b)/(x/a) it misses, in degrees",
             misfit(last, [1.0, 1.0], 2.0),
             15.0,
         )
-        .source("(14.1) as printed"),
-    );
+        .source("(14.1) as printed");
     figure.deviation(
         "σ_zy/σ_zx = 2 y/x",
         "σ_zy/σ_zx = k (y/b)/(x/a), k = 1.92",
@@ -112,7 +101,7 @@ pub(super) fn size() -> FigureResult {
     let hertz = mesh.hertz()?;
     let peak = hertz.at_approach(APPROACH)?.pressure(0.0, 0.0);
     let [a, b] = mesh.semi_axes;
-    let mut panel = Panel::new(Axis::linear("√(x²/a² + y²/b²)"), Axis::linear("|t|/(f p₀)"));
+    let mut panel = Panel::new("√(x²/a² + y²/b²)", "|t|/(f p₀)");
     for (colour, number) in [4, 10, 11, 13].into_iter().enumerate() {
         let points = run[number - 1]
             .touching()
@@ -122,18 +111,11 @@ pub(super) fn size() -> FigureResult {
     figure.panel(panel);
     figure.panel(run[12].stick_map("stick and slip in step 13")?);
     let loading = run[..10].iter().map(Step::stick).fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("while loading all slips but the middle", loading, 0.03).source(INDEPENDENT),
-    );
+    figure.at_most("while loading all slips but the middle", loading, 0.03).source(INDEPENDENT);
     let released = run[10..13].iter().map(|step| (step.stick(), 0.44));
-    figure.claim(
-        Claim::all_close(
-            "from the first unloading step a ring sticks",
-            released,
-            Tolerance::Absolute(0.03),
-        )
-        .source(INDEPENDENT),
-    );
+    figure
+        .all_close("from the first unloading step a ring sticks", released, Absolute(0.03))
+        .source(INDEPENDENT);
     let ring = |step: &Step| {
         let cells: Vec<f64> = step
             .touching()
@@ -143,16 +125,12 @@ pub(super) fn size() -> FigureResult {
         cells.iter().sum::<f64>() / cells.len() as f64
     };
     let radii: Vec<f64> = [11, 13, 15, 17].map(|n| ring(&run[n - 1])).to_vec();
-    figure.claim(Claim::decreasing("the ring moves inwards", radii).source("Turner; section 14.2"));
+    figure.decreasing("the ring moves inwards", radii).source("Turner; section 14.2");
     let force = run[9].load.f_z / hertz.force(APPROACH);
-    figure.claim(
-        Claim::close("F_z over Hertz's", force, 1.0075, Tolerance::Absolute(0.001))
-            .source(INDEPENDENT),
-    );
+    figure.close("F_z over Hertz's", force, 1.0075, Absolute(0.001)).source(INDEPENDENT);
     let middle = run[9].touching().map(|cell| cell.pressure).fold(0.0, f64::max) / peak;
-    figure.claim(
-        Claim::close("greatest pressure over Hertz's", middle, 1.07, Tolerance::Absolute(0.015))
-            .source(INDEPENDENT),
-    );
+    figure
+        .close("greatest pressure over Hertz's", middle, 1.07, Absolute(0.015))
+        .source(INDEPENDENT);
     Ok(figure)
 }

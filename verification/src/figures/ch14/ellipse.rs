@@ -1,7 +1,7 @@
 //! Fig. 14.14: an ellipse with nu = 0.5 shifted along x and back.
 
 use super::super::mesh::{APPROACH, Mesh, Touching, steps};
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Absolute, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
 use carom_laws::memory::Memory;
 
@@ -22,9 +22,8 @@ pub(super) fn draw() -> FigureResult {
     path.extend(steps(at(0.1585), at(-0.1585), 10));
     let run = mesh.follow(&path)?;
     let peak = hertz.at_approach(APPROACH)?.pressure(0.0, 0.0);
-    let mut angles =
-        Panel::new(Axis::linear("√(x²/a² + y²/b²)"), Axis::linear("angle of t in degrees"));
-    let mut sizes = Panel::new(Axis::linear("√(x²/a² + y²/b²)"), Axis::linear("|t|/(f p₀)"));
+    let mut angles = Panel::new("√(x²/a² + y²/b²)", "angle of t in degrees");
+    let mut sizes = Panel::new("√(x²/a² + y²/b²)", "|t|/(f p₀)");
     let radius = |cell: &Touching| (0.5 * cell.x).hypot(cell.y);
     for (colour, number) in [6, 8, 10, 12, 14, 16].into_iter().enumerate() {
         let (step, name) = (&run[number - 1], format!("step {number}"));
@@ -41,31 +40,27 @@ pub(super) fn draw() -> FigureResult {
         let force = memory.advance(1.0, shift.xi * stiffness.c_x / stiffness.c_z / APPROACH)?;
         pairs.push((step.load.f_x / step.load.f_z, force));
     }
-    figure.claim(
-        Claim::all_close("the force is that of chapter 7", pairs, Tolerance::Absolute(0.0045))
-            .source("closed form with c_x of (5.25)"),
-    );
+    figure
+        .all_close("the force is that of chapter 7", pairs, Absolute(0.0045))
+        .source("closed form with c_x of (5.25)");
     let sticks = STICK.into_iter().enumerate().map(|(i, part)| (run[i + 1].stick(), part));
-    figure.claim(
-        Claim::all_close("parts that stick after steps 2 to 5", sticks, Tolerance::Absolute(0.01))
-            .source("an independent half-space program"),
-    );
+    figure
+        .all_close("parts that stick after steps 2 to 5", sticks, Absolute(0.01))
+        .source("an independent half-space program");
     let turned = run[15].touching().map(|cell| {
         let angle = cell.angle().abs();
         angle.min(180.0 - angle)
     });
-    figure.claim(
-        Claim::at_most(
+    figure
+        .at_most(
             "in the last step the stress is along x within degrees",
             turned.fold(0.0, f64::max),
             4.7,
         )
-        .source("an independent half-space program: 4.6"),
-    );
-    figure.claim(
-        Claim::close("c_z/c_x", stiffness.c_z / stiffness.c_x, 1.584_56, Tolerance::Absolute(6e-6))
-            .source("(5.25) evaluated apart"),
-    );
+        .source("an independent half-space program: 4.6");
+    figure
+        .close("c_z/c_x", stiffness.c_z / stiffness.c_x, 1.584_56, Absolute(6e-6))
+        .source("(5.25) evaluated apart");
     figure.deviation(
         "c_1/c_2 = 1.585, c_y/c_z = 1.415",
         "c_z/c_x = 1.585, c_z/c_y = 1.415",

@@ -2,8 +2,7 @@
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
 use super::dissimilar::{law_angle, misfit};
-use crate::figures::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
 
 const INDEPENDENT: &str = "an independent half-space program";
@@ -37,7 +36,7 @@ pub(super) fn path() -> FigureResult {
     let mut figure = Figure::new();
     inputs(&mut figure);
     let path = history(1.0);
-    let mut panel = Panel::new(Axis::linear("step"), Axis::linear("ζ, ξ, η in mm"));
+    let mut panel = Panel::new("step", "ζ, ξ, η in mm");
     let by_step = |value: fn(&Shift) -> f64| -> Vec<(f64, f64)> {
         path.iter().enumerate().map(|(i, shift)| ((i + 1) as f64, value(shift))).collect()
     };
@@ -50,39 +49,27 @@ pub(super) fn path() -> FigureResult {
     let force = |value: fn(&Step) -> f64| -> Vec<(f64, f64)> {
         run.iter().enumerate().map(|(i, step)| ((i + 1) as f64, value(step))).collect()
     };
-    let mut forces = Panel::new(Axis::linear("step"), Axis::linear("F_x, F_y over f F_z"));
+    let mut forces = Panel::new("step", "F_x, F_y over f F_z");
     forces.add(Series::line("F_x", force(|step| step.load.f_x / step.load.f_z)));
     forces.add(Series::line("F_y", force(|step| step.load.f_y / step.load.f_z)));
     figure.panel(forces);
     let hertz = mesh(1.0).hertz()?.force(APPROACH);
-    figure.claim(
-        Claim::close(
-            "F_z over Hertz's after step 10",
-            run[9].load.f_z / hertz,
-            1.0034,
-            Tolerance::Absolute(0.0005),
-        )
-        .source(INDEPENDENT),
-    );
-    figure.claim(
-        Claim::close("F_x after step 15", run[14].load.f_x, 17_387.3, Tolerance::Absolute(60.0))
-            .source(INDEPENDENT),
-    );
-    figure.claim(
-        Claim::at_least(
-            "back where it began a force is left",
-            run[29].load.f_x.abs() / hertz,
-            0.01,
-        )
-        .source("friction remembers"),
-    );
+    figure
+        .close("F_z over Hertz's after step 10", run[9].load.f_z / hertz, 1.0034, Absolute(0.0005))
+        .source(INDEPENDENT);
+    figure
+        .close("F_x after step 15", run[14].load.f_x, 17_387.3, Absolute(60.0))
+        .source(INDEPENDENT);
+    figure
+        .at_least("back where it began a force is left", run[29].load.f_x.abs() / hertz, 0.01)
+        .source("friction remembers");
     Ok(figure)
 }
 
 pub(super) fn stick_area() -> FigureResult {
     let mut figure = Figure::new();
     inputs(&mut figure);
-    let mut panel = Panel::new(Axis::linear("step"), Axis::linear("part that sticks"));
+    let mut panel = Panel::new("step", "part that sticks");
     let run = |friction: f64| -> Result<Vec<f64>, Failure> {
         Ok(mesh(friction).follow(&history(friction))?.iter().map(Step::stick).collect())
     };
@@ -98,34 +85,31 @@ pub(super) fn stick_area() -> FigureResult {
     ];
     for (name, parts, values) in known {
         let pairs = [20, 21, 25, 26].map(|step| parts[step - 1]).into_iter().zip(values);
-        figure.claim(
-            Claim::all_close(
+        figure
+            .all_close(
                 format!("{name}: the parts before and after the turns of steps 21 and 26"),
                 pairs,
-                Tolerance::Absolute(0.025),
+                Absolute(0.025),
             )
-            .source(INDEPENDENT),
-        );
+            .source(INDEPENDENT);
         let peaks: Vec<f64> = (11..29)
             .filter(|i| parts[i - 1] < parts[*i] && parts[*i] >= parts[i + 1])
             .map(|i| (i + 1) as f64)
             .collect();
         let pairs = peaks.iter().copied().zip([16.0, 21.0, 26.0]);
         let last_two = peaks.len().saturating_sub(2);
-        figure.claim(
-            Claim::all_close(
+        figure
+            .all_close(
                 format!("{name}: the stick area is largest in steps 21 and 26"),
                 pairs.skip(last_two.min(1)).take(2),
-                Tolerance::Absolute(0.0),
+                Absolute(0.0),
             )
-            .source("points of instantaneous adhesion, chapter 7"),
-        );
+            .source("points of instantaneous adhesion, chapter 7");
     }
     let pressed = strong[4..10].iter().copied().fold(f64::INFINITY, f64::min);
-    figure.claim(
-        Claim::at_least("f = 1: pressed alone, nearly all sticks (steps 5 to 10)", pressed, 0.93)
-            .source(INDEPENDENT),
-    );
+    figure
+        .at_least("f = 1: pressed alone, nearly all sticks (steps 5 to 10)", pressed, 0.93)
+        .source(INDEPENDENT);
     Ok(figure)
 }
 
@@ -133,10 +117,7 @@ fn angles(numbers: &[usize], friction: f64) -> Result<(Figure, Vec<Step>), Failu
     let mut figure = Figure::new();
     inputs(&mut figure);
     let run = mesh(friction).follow(&history(friction))?;
-    let mut panel = Panel::new(
-        Axis::linear("angle of (x/a, y/b) in degrees"),
-        Axis::linear("angle of t in degrees"),
-    );
+    let mut panel = Panel::new("angle of (x/a, y/b) in degrees", "angle of t in degrees");
     let markers = [Marker::Cross, Marker::Square, Marker::Circle];
     for (number, marker) in numbers.iter().zip(markers) {
         let points = run[number - 1].touching().map(|cell: Touching| {
@@ -158,27 +139,21 @@ fn angles(numbers: &[usize], friction: f64) -> Result<(Figure, Vec<Step>), Failu
 pub(super) fn pressing() -> FigureResult {
     let (mut figure, run) = angles(&[2, 3, 10], 0.1)?;
     let worst = [2, 3, 10].map(|n| misfit(&run[n - 1], AXES, 1.93)).into_iter().fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most(
-            "while pressed the angle is (14.1)'s within degrees, root mean square",
-            worst,
-            6.0,
-        )
-        .source("the thesis, (14.1), in coordinates over the semi-axes"),
-    );
+    figure
+        .at_most("while pressed the angle is (14.1)'s within degrees, root mean square", worst, 6.0)
+        .source("the thesis, (14.1), in coordinates over the semi-axes");
     // All act inwards or all outwards.
     let sign = |cell: &Touching| (cell.traction[0] * cell.x + cell.traction[1] * cell.y).signum();
     let sum: f64 = run[9].touching().map(|cell| sign(&cell)).sum();
     let count = run[9].touching().count() as f64;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "all tractions point the same way, in or out",
             sum.abs() / count,
             1.0,
-            Tolerance::Absolute(0.01),
+            Absolute(0.01),
         )
-        .source("symmetry of dissimilar bodies pressed together"),
-    );
+        .source("symmetry of dissimilar bodies pressed together");
     Ok(figure)
 }
 
@@ -189,29 +164,20 @@ pub(super) fn first_shift() -> FigureResult {
         let f_z = step.load.f_z;
         (step.load.f_x / (0.1 * f_z), step.load.f_y / (0.1 * f_z))
     };
-    let slipping = run[14].touching().filter(|cell| !cell.sticks);
-    let slips: Vec<(f64, f64)> = slipping
-        .map(|cell| {
-            let along = cell.traction[0] * cell.slip[0] + cell.traction[1] * cell.slip[1];
-            (along / (cell.size() * cell.slip[0].hypot(cell.slip[1])), -1.0)
-        })
-        .collect();
-    figure.claim(
-        Claim::all_close("slip opposes the stress", slips, Tolerance::Absolute(1e-6))
-            .source("Coulomb's law"),
-    );
-    figure.claim(
-        Claim::increasing("the force along x grows", vec![mean(11).0, mean(13).0, mean(15).0])
-            .source("the shift along x"),
-    );
-    figure.claim(Claim::at_most("none along y", mean(15).1.abs(), 1e-8).source("symmetry"));
+    figure
+        .all_close("slip opposes the stress", run[14].cosines_to_slip(), Absolute(1e-6))
+        .source("Coulomb's law");
+    figure
+        .increasing("the force along x grows", vec![mean(11).0, mean(13).0, mean(15).0])
+        .source("the shift along x");
+    figure.at_most("none along y", mean(15).1.abs(), 1e-8).source("symmetry");
     Ok(figure)
 }
 
 pub(super) fn way_back() -> FigureResult {
     let (mut figure, run) = angles(&[25], 0.1)?;
     let step = &run[24];
-    let mut sizes = Panel::new(Axis::linear("√(x²/a² + y²/b²)"), Axis::linear("|t|/(f p)"));
+    let mut sizes = Panel::new("√(x²/a² + y²/b²)", "|t|/(f p)");
     let points = step.touching().map(|cell| {
         ((cell.x / AXES[0]).hypot(cell.y / AXES[1]), cell.size() / (0.1 * cell.pressure))
     });
@@ -220,18 +186,11 @@ pub(super) fn way_back() -> FigureResult {
     figure.panel(step.stick_map("stick and slip in step 25")?);
     let stuck = step.touching().filter(|cell| cell.sticks);
     let within = stuck.map(|cell| cell.size() / (0.1 * cell.pressure)).fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("where it sticks the stress is within its limit", within, 1.0)
-            .source("Coulomb's law"),
-    );
-    figure.claim(
-        Claim::close(
-            "part that sticks in step 25",
-            step.stick(),
-            0.446,
-            Tolerance::Absolute(0.025),
-        )
-        .source(INDEPENDENT),
-    );
+    figure
+        .at_most("where it sticks the stress is within its limit", within, 1.0)
+        .source("Coulomb's law");
+    figure
+        .close("part that sticks in step 25", step.stick(), 0.446, Absolute(0.025))
+        .source(INDEPENDENT);
     Ok(figure)
 }

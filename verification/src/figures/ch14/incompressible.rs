@@ -1,8 +1,7 @@
 //! Figs. 14.4, 14.5: the history of fig. 14.1 with nu = 0.5, where directions couple.
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
-use crate::figures::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
 use carom_laws::memory::Memory;
 
@@ -51,18 +50,15 @@ pub(super) fn loop_of_force() -> FigureResult {
     }
     let points: Vec<(f64, f64)> =
         path.iter().zip(&run).map(|(s, step)| (s.xi, step.load.f_x / step.load.f_z)).collect();
-    let mut panel = Panel::new(Axis::linear("ξ in mm"), Axis::linear("F_x/(f F_z)"));
+    let mut panel = Panel::new("ξ in mm", "F_x/(f F_z)");
     panel.add(Series::line("Mindlin", curve));
     panel.add(Series::markers("numerical", Marker::Circle, points.iter().copied()));
     figure.panel(panel);
     let source = "closed form of Cattaneo and Mindlin, which takes the stress to point along x";
     let pairs = points.iter().map(|point| point.1).zip(exact);
-    figure.claim(
-        Claim::all_close("the loop is nearly Mindlin's", pairs, Tolerance::Absolute(0.0055))
-            .source(source),
-    );
+    figure.all_close("the loop is nearly Mindlin's", pairs, Absolute(0.0055)).source(source);
     let across = run.iter().map(|step| (step.load.f_y / step.load.f_z).abs()).fold(0.0, f64::max);
-    figure.claim(Claim::at_most("no force along y", across, 1e-8).source("symmetry"));
+    figure.at_most("no force along y", across, 1e-8).source("symmetry");
     Ok(figure)
 }
 
@@ -77,8 +73,8 @@ pub(super) fn stress() -> FigureResult {
     let mesh = mesh(ELEMENTS);
     let run = mesh.follow(&history()[..16])?;
     let peak = mesh.hertz()?.at_approach(APPROACH)?.pressure(0.0, 0.0);
-    let mut angles = Panel::new(Axis::linear("r/a"), Axis::linear("angle of t in degrees"));
-    let mut sizes = Panel::new(Axis::linear("r/a"), Axis::linear("|t|/(f p₀)"));
+    let mut angles = Panel::new("r/a", "angle of t in degrees");
+    let mut sizes = Panel::new("r/a", "|t|/(f p₀)");
     let sector = |cell: &Touching| cell.x > 0.0 && cell.y > 0.0;
     for (colour, number) in [6, 8, 10, 12, 14, 16].into_iter().enumerate() {
         let of = |value: &dyn Fn(&Touching) -> f64| -> Vec<(f64, f64)> {
@@ -97,17 +93,12 @@ pub(super) fn stress() -> FigureResult {
     for (number, angle, tolerance) in ANGLES {
         let measured = at(&run[number - 1], 0.475, 0.475)?.angle();
         let statement = format!("step {number}: angle at (0.475, 0.475), which turns by 180°");
-        figure.claim(
-            Claim::close(statement, measured, angle, Tolerance::Absolute(tolerance))
-                .source(INDEPENDENT),
-        );
+        figure.close(statement, measured, angle, Absolute(tolerance)).source(INDEPENDENT);
     }
     // On the axes symmetry keeps it along x: cells beside them turn little.
     let beside = run[9].touching().filter(|cell| cell.y.abs() < 0.03 && cell.size() > 0.05 * peak);
     let turned = beside.map(|cell| cell.traction[1].abs() / cell.size()).fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("beside the x-axis it hardly turns", turned, 0.15).source("symmetry"),
-    );
+    figure.at_most("beside the x-axis it hardly turns", turned, 0.15).source("symmetry");
     let circle: Vec<f64> = run[9]
         .touching()
         .filter(|cell| (cell.x.hypot(cell.y) - 0.67).abs() < 0.03)
@@ -115,9 +106,8 @@ pub(super) fn stress() -> FigureResult {
         .collect();
     let spread = circle.iter().copied().fold(0.0, f64::max)
         - circle.iter().copied().fold(f64::INFINITY, f64::min);
-    figure.claim(
-        Claim::at_least("in step 10 the angle is not constant on circles", spread, 30.0)
-            .source("the thesis, below fig. 14.3"),
-    );
+    figure
+        .at_least("in step 10 the angle is not constant on circles", spread, 30.0)
+        .source("the thesis, below fig. 14.3");
     Ok(figure)
 }

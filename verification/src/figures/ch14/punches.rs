@@ -1,8 +1,7 @@
 //! Figs. 14.33 to 14.37: flat punches, pressed and shifted, or of other stuff than the half-space.
 
 use super::super::mesh::{APPROACH, Mesh, SHEAR_MODULUS, Shape, Step, steps};
-use crate::figures::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult, Panel, Relative, Series};
 use carom_halfspace::operator::{DisplacementField, TractionField};
 use carom_laws::law::Shift;
 use carom_plot::Field;
@@ -36,15 +35,9 @@ fn punch(semi_axes: [f64; 2], elements: [usize; 2], inside: Outline) -> Mesh {
 }
 
 fn slip_opposes(figure: &mut Figure, step: &Step) {
-    let slipping = step.touching().filter(|cell| !cell.sticks);
-    let cosines = slipping.map(|cell| {
-        let along = cell.traction[0] * cell.slip[0] + cell.traction[1] * cell.slip[1];
-        (along / (cell.size() * cell.slip[0].hypot(cell.slip[1])), -1.0)
-    });
-    figure.claim(
-        Claim::all_close("slip opposes the stress", cosines, Tolerance::Absolute(1e-5))
-            .source("Coulomb's law"),
-    );
+    figure
+        .all_close("slip opposes the stress", step.cosines_to_slip(), Absolute(1e-5))
+        .source("Coulomb's law");
 }
 
 pub(super) fn square_and_triangle() -> FigureResult {
@@ -58,15 +51,9 @@ pub(super) fn square_and_triangle() -> FigureResult {
         let run = punch([1.0; 2], [40; 2], outline).follow(&shifted(xi))?;
         let last = &run[5];
         figure.panel(last.stick_map(format!("{name}, ξ = {xi}"))?);
-        figure.claim(
-            Claim::close(
-                format!("part of the {name} that sticks"),
-                last.stick(),
-                stick,
-                Tolerance::Absolute(0.025),
-            )
-            .source(INDEPENDENT),
-        );
+        figure
+            .close(format!("part of the {name} that sticks"), last.stick(), stick, Absolute(0.025))
+            .source(INDEPENDENT);
         if name == "square" {
             let cells = last.state.cells.values();
             let grid = last.state.cells.grid();
@@ -75,25 +62,19 @@ pub(super) fn square_and_triangle() -> FigureResult {
             };
             let pairs = (0..40).flat_map(|j| (0..40).map(move |i| (i, j)));
             let odd: f64 = pairs.map(|(i, j)| same(i, j, 39 - i, j) + same(i, j, i, 39 - j)).sum();
-            figure.claim(
-                Claim::at_most(
-                    "the square's map has both symmetries: cells that break them",
-                    odd,
-                    0.0,
-                )
-                .source("symmetry"),
-            );
+            figure
+                .at_most("the square's map has both symmetries: cells that break them", odd, 0.0)
+                .source("symmetry");
             let at = |i: usize, j: usize| cells[grid.index(i, j)];
             let ahead = at(0, 20) == CellState::Slip && at(39, 20) == CellState::Slip;
             let beside = at(20, 0) == CellState::Stick && at(20, 39) == CellState::Stick;
-            figure.claim(
-                Claim::holds(
+            figure
+                .holds(
                     "the borders ahead and behind slip, those beside stick",
                     ahead && beside,
                     last.stick(),
                 )
-                .source("section 14.5"),
-            );
+                .source("section 14.5");
         }
         slip_opposes(&mut figure, last);
     }
@@ -130,22 +111,15 @@ pub(super) fn four_letters() -> FigureResult {
     figure.panel(run[5].stick_map("ξ = 0.15")?);
     let squares = LETTERS.iter().flat_map(|line| line.bytes()).filter(|c| *c == b'#').count();
     let touching = run[5].touching().count() as f64;
-    figure.claim(
-        Claim::close(
-            "elements that touch",
-            touching,
-            9.0 * squares as f64,
-            Tolerance::Absolute(0.0),
-        )
-        .source("a flat punch touches all over"),
-    );
+    figure
+        .close("elements that touch", touching, 9.0 * squares as f64, Absolute(0.0))
+        .source("a flat punch touches all over");
     let sticks: Vec<f64> = run.iter().map(Step::stick).collect();
-    figure.claim(
-        Claim::at_least("what sticks falls with the shift", sticks[3] - sticks[5], 0.02)
-            .source("Cattaneo: slip spreads from the borders"),
-    );
+    figure
+        .at_least("what sticks falls with the shift", sticks[3] - sticks[5], 0.02)
+        .source("Cattaneo: slip spreads from the borders");
     let mixed = sticks[5] > 0.0 && sticks[5] < 1.0;
-    figure.claim(Claim::holds("both stick and slip", mixed, sticks[5]).source("fig. 14.34"));
+    figure.holds("both stick and slip", mixed, sticks[5]).source("fig. 14.34");
     slip_opposes(&mut figure, &run[5]);
     Ok(figure)
 }
@@ -190,28 +164,25 @@ pub(super) fn maps() -> FigureResult {
         .flat_map(|step| step.state.cells.values().iter().zip(first))
         .map(|(now, then)| f64::from(u8::from(now != then)))
         .sum();
-    figure.claim(
-        Claim::at_most("while the load grows the map stays: cells that change", changed, 0.0)
-            .source("proportional loading; section 14.6"),
-    );
+    figure
+        .at_most("while the load grows the map stays: cells that change", changed, 0.0)
+        .source("proportional loading; section 14.6");
     let pairs = [(6, 0.48), (7, 0.41), (8, 0.16), (9, 0.005)];
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "parts that stick in steps 6 to 9",
             pairs.map(|(n, part)| (run[n - 1].stick(), part)),
-            Tolerance::Absolute(0.035),
+            Absolute(0.035),
         )
-        .source(INDEPENDENT),
-    );
+        .source(INDEPENDENT);
     let rim = |step: &Step| {
         let cells = step.touching().filter(|cell| cell.sticks);
         let radii: Vec<f64> = cells.map(|cell| cell.x.hypot(cell.y / 0.3)).collect();
         radii.iter().sum::<f64>() / radii.len() as f64
     };
-    figure.claim(
-        Claim::decreasing("where it sticks moves inwards", [6, 7, 8].map(|n| rim(&run[n - 1])))
-            .source("section 14.6"),
-    );
+    figure
+        .decreasing("where it sticks moves inwards", [6, 7, 8].map(|n| rim(&run[n - 1])))
+        .source("section 14.6");
     Ok(figure)
 }
 
@@ -234,14 +205,13 @@ pub(super) fn displacement_and_stress() -> FigureResult {
     let y: Vec<f64> = (0..grid.ny()).map(|i| grid.centred_y(i)).collect();
     let map = |title: &str, label: &str, values: Vec<f64>| -> Result<Panel, Failure> {
         let field = Field::new(label, x.clone(), y.clone(), values)?;
-        let panel = Panel::new(Axis::linear("x"), Axis::linear("y")).titled(title);
+        let panel = Panel::new("x", "y").titled(title);
         Ok(panel.equal_aspect().over(field))
     };
     figure.panel(map("normal displacement", "w/ζ", w.iter().map(|w| w / APPROACH).collect())?);
     let stress = state.pressure.values().iter().map(|p| p / MEAN_STRESS).collect();
     figure.panel(map("normal stress", "−σ_zz/σ_M", stress)?);
-    let mut arrows =
-        Panel::new(Axis::linear("x"), Axis::linear("y")).titled("tangential stress").equal_aspect();
+    let mut arrows = Panel::new("x", "y").titled("tangential stress").equal_aspect();
     arrows.add(step.arrows("t", 0.08, |cell| cell.traction));
     figure.panel(arrows);
     // Hertz: F_z/(pi a b) by quadrature of the elliptic integral, apart from the library.
@@ -261,43 +231,30 @@ pub(super) fn displacement_and_stress() -> FigureResult {
         let compliance = 1.5 / SHEAR_MODULUS;
         4.0 / 3.0 * APPROACH / (0.3 * compliance * k)
     };
-    figure.claim(
-        Claim::close("Hertz's mean stress", hertz, MEAN_STRESS, Tolerance::Relative(1e-6))
-            .source("the thesis prints 9246; closed form"),
-    );
+    figure
+        .close("Hertz's mean stress", hertz, MEAN_STRESS, Relative(1e-6))
+        .source("the thesis prints 9246; closed form");
     let touching: Vec<f64> = w
         .iter()
         .zip(state.pressure.values())
         .filter(|(_, p)| **p > 0.0)
         .map(|(w, _)| w / APPROACH)
         .collect();
-    figure.claim(
-        Claim::all_close(
-            "below the punch w = ζ",
-            touching.into_iter().map(|w| (w, 1.0)),
-            Tolerance::Absolute(1e-8),
-        )
-        .source("a flat punch"),
-    );
+    figure
+        .all_close("below the punch w = ζ", touching.into_iter().map(|w| (w, 1.0)), Absolute(1e-8))
+        .source("a flat punch");
     let middle = grid.index(grid.nx() / 2, grid.ny() / 2);
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "pressure in the middle over σ_M",
             state.pressure.values()[middle] / MEAN_STRESS,
             0.835,
-            Tolerance::Absolute(0.01),
+            Absolute(0.01),
         )
-        .source(INDEPENDENT),
-    );
-    figure.claim(
-        Claim::close(
-            "F_z over Hertz's",
-            step.load.f_z / (MEAN_STRESS * 0.3 * PI),
-            1.51,
-            Tolerance::Absolute(0.01),
-        )
-        .source(INDEPENDENT),
-    );
+        .source(INDEPENDENT);
+    figure
+        .close("F_z over Hertz's", step.load.f_z / (MEAN_STRESS * 0.3 * PI), 1.51, Absolute(0.01))
+        .source(INDEPENDENT);
     Ok(figure)
 }
 
@@ -306,8 +263,7 @@ pub(super) fn slip() -> FigureResult {
     inputs(&mut figure);
     let (_, run) = pressed()?;
     let step = &run[4];
-    let mut panel =
-        Panel::new(Axis::linear("x"), Axis::linear("y")).titled("slip in step 5").equal_aspect();
+    let mut panel = Panel::new("x", "y").titled("slip in step 5").equal_aspect();
     panel.add(step.arrows("slip of body 1", 0.08, |cell| cell.slip));
     let mut outline: Vec<(f64, f64)> = (0..=120)
         .map(|i| {
@@ -319,17 +275,9 @@ pub(super) fn slip() -> FigureResult {
     panel.add(Series::line("punch", outline));
     figure.panel(panel);
     slip_opposes(&mut figure, step);
-    let most = step.touching().map(|cell| cell.slip[0].hypot(cell.slip[1])).fold(0.0, f64::max);
-    let earlier =
-        run[0].touching().map(|cell| cell.slip[0].hypot(cell.slip[1])).fold(0.0, f64::max);
-    figure.claim(
-        Claim::close(
-            "each step of loading slips alike",
-            most / earlier,
-            1.0,
-            Tolerance::Absolute(1e-5),
-        )
-        .source("proportional loading"),
-    );
+    let most = |step: &Step| step.touching().map(|cell| cell.slip_size()).fold(0.0, f64::max);
+    figure
+        .close("each step of loading slips alike", most(step) / most(&run[0]), 1.0, Absolute(1e-5))
+        .source("proportional loading");
     Ok(figure)
 }

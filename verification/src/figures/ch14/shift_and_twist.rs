@@ -1,8 +1,7 @@
 //! Figs. 14.25 to 14.29, 14.31, 14.32: an ellipse shifted and twisted at once.
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
-use crate::figures::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
 use carom_laws::rigid_slip::spin_about;
 
@@ -74,9 +73,8 @@ fn mean(values: &[f64]) -> f64 {
 /// Angles along three rows of elements, with rigid slip as lines; sizes over p_0.
 fn panels(figure: &mut Figure, step: &Step, shift: &Shift, title: &str) -> Result<(), Failure> {
     let peak = mesh().hertz()?.at_approach(APPROACH)?.pressure(0.0, 0.0);
-    let mut angles =
-        Panel::new(Axis::linear("x"), Axis::linear("angle of t in degrees")).titled(title);
-    let mut sizes = Panel::new(Axis::linear("x"), Axis::linear("|t|/(f p₀)")).titled(title);
+    let mut angles = Panel::new("x", "angle of t in degrees").titled(title);
+    let mut sizes = Panel::new("x", "|t|/(f p₀)").titled(title);
     let rows = [-0.5, 1.0 / 30.0, 0.5];
     for (colour, row) in rows.into_iter().enumerate() {
         let cells: Vec<Touching> =
@@ -99,24 +97,12 @@ pub(super) fn along_x_first() -> FigureResult {
     let shift = Way::X.history()[1];
     panels(&mut figure, &run[1], &shift, "step 2")?;
     let turns = turns(&run[1], &shift);
-    figure.claim(
-        Claim::close(
-            "mean turn from rigid slip in degrees",
-            mean(&turns),
-            8.0,
-            Tolerance::Absolute(1.0),
-        )
-        .source(INDEPENDENT),
-    );
-    figure.claim(
-        Claim::close("greatest turn", turns[turns.len() - 1], 28.0, Tolerance::Absolute(2.0))
-            .source(INDEPENDENT),
-    );
+    figure
+        .close("mean turn from rigid slip in degrees", mean(&turns), 8.0, Absolute(1.0))
+        .source(INDEPENDENT);
+    figure.close("greatest turn", turns[turns.len() - 1], 28.0, Absolute(2.0)).source(INDEPENDENT);
     let most = turns[turns.len() * 95 / 100];
-    figure.claim(
-        Claim::close("95 % turn less than", most, 24.0, Tolerance::Absolute(2.0))
-            .source(INDEPENDENT),
-    );
+    figure.close("95 % turn less than", most, 24.0, Absolute(2.0)).source(INDEPENDENT);
     figure.deviation("Δζ = 0.02", "Δξ = 0.02", "the text above fig. 14.25 against its captions");
     Ok(figure)
 }
@@ -126,46 +112,37 @@ pub(super) fn along_x_last() -> FigureResult {
     let shift = Way::X.history()[10];
     panels(&mut figure, &run[10], &shift, "step 11")?;
     let turns = turns(&run[10], &shift);
-    figure.claim(
-        Claim::close(
-            "mean turn from rigid slip in degrees",
-            mean(&turns),
-            0.8,
-            Tolerance::Absolute(0.2),
-        )
-        .source(INDEPENDENT),
-    );
-    figure.claim(
-        Claim::at_most("greatest turn", turns[turns.len() - 1], 2.0)
-            .source("an independent half-space program: 1.6"),
-    );
+    figure
+        .close("mean turn from rigid slip in degrees", mean(&turns), 0.8, Absolute(0.2))
+        .source(INDEPENDENT);
+    figure
+        .at_most("greatest turn", turns[turns.len() - 1], 2.0)
+        .source("an independent half-space program: 1.6");
     let ellipse = mesh().ellipse()?;
     // The pole of (12.2): x' = eta/Omega, y' = -xi/Omega.
     let rigid = spin_about(&ellipse, 0.0, -shift.xi / shift.omega)?;
     let load = run[10].load;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "force over (14.3)",
             load.f_x.abs() / load.f_z,
             rigid.force_x.hypot(rigid.force_y),
-            Tolerance::Absolute(0.01),
+            Absolute(0.01),
         )
-        .source("rigid slip (14.3)"),
-    );
+        .source("rigid slip (14.3)");
     Ok(figure)
 }
 
 fn contours(figure: &mut Figure, run: &[Step], known: &[f64]) {
-    let mut panel = Panel::new(Axis::linear("x"), Axis::linear("y"));
+    let mut panel = Panel::new("x", "y");
     for (i, step) in run.iter().enumerate().skip(1).take(7).filter(|(_, step)| step.stick() > 0.0) {
         panel.add(Series::line(format!("step {}", i + 1), step.stick_outline()));
     }
     figure.panel(panel);
     let pairs = known.iter().enumerate().map(|(i, part)| (run[i + 1].stick(), *part));
-    figure.claim(
-        Claim::all_close("parts that stick, from step 2 on", pairs, Tolerance::Absolute(1.5e-3))
-            .source(INDEPENDENT),
-    );
+    figure
+        .all_close("parts that stick, from step 2 on", pairs, Absolute(1.5e-3))
+        .source(INDEPENDENT);
 }
 
 pub(super) fn contours_along_x() -> FigureResult {
@@ -173,11 +150,10 @@ pub(super) fn contours_along_x() -> FigureResult {
     contours(&mut figure, &run, &[0.666, 0.418, 0.220, 0.077, 0.0]);
     let centres = [2, 3, 4, 5].map(|n| run[n - 1].stick_centre());
     let aside = centres.iter().map(|c| c[0].abs()).fold(0.0, f64::max);
-    figure.claim(Claim::at_most("it moves along y only", aside, 1e-9).source("symmetry"));
-    figure.claim(
-        Claim::decreasing("towards the pole at y' = -ξ/β", centres.map(|c| c[1]))
-            .source("the pole of slip (12.2)"),
-    );
+    figure.at_most("it moves along y only", aside, 1e-9).source("symmetry");
+    figure
+        .decreasing("towards the pole at y' = -ξ/β", centres.map(|c| c[1]))
+        .source("the pole of slip (12.2)");
     Ok(figure)
 }
 
@@ -187,24 +163,12 @@ pub(super) fn along_y() -> FigureResult {
     panels(&mut figure, &run[1], &path[1], "step 2")?;
     panels(&mut figure, &run[10], &path[10], "step 11")?;
     let turns = turns(&run[1], &path[1]);
-    figure.claim(
-        Claim::close(
-            "step 2: mean turn from rigid slip in degrees",
-            mean(&turns),
-            8.6,
-            Tolerance::Absolute(1.0),
-        )
-        .source(INDEPENDENT),
-    );
-    figure.claim(
-        Claim::close(
-            "step 2: 95 % turn less than",
-            turns[turns.len() * 95 / 100],
-            37.0,
-            Tolerance::Absolute(3.0),
-        )
-        .source(INDEPENDENT),
-    );
+    figure
+        .close("step 2: mean turn from rigid slip in degrees", mean(&turns), 8.6, Absolute(1.0))
+        .source(INDEPENDENT);
+    figure
+        .close("step 2: 95 % turn less than", turns[turns.len() * 95 / 100], 37.0, Absolute(3.0))
+        .source(INDEPENDENT);
     Ok(figure)
 }
 
@@ -214,12 +178,9 @@ pub(super) fn contours_along_y() -> FigureResult {
     contours(&mut figure, &run, &known);
     let centres: Vec<[f64; 2]> = run[1..].iter().map(Step::stick_centre).collect();
     let aside = centres.iter().map(|c| c[1].abs()).fold(0.0, f64::max);
-    figure.claim(Claim::at_most("it moves along x only", aside, 1e-9).source("symmetry"));
+    figure.at_most("it moves along x only", aside, 1e-9).source("symmetry");
     let ends = [(centres[0][0], 1.16), (centres[9][0], 4.96)];
-    figure.claim(
-        Claim::all_close("its middle in steps 2 and 11", ends, Tolerance::Absolute(0.1))
-            .source(INDEPENDENT),
-    );
+    figure.all_close("its middle in steps 2 and 11", ends, Absolute(0.1)).source(INDEPENDENT);
     Ok(figure)
 }
 
@@ -239,7 +200,7 @@ fn loads(way: Way) -> Result<Vec<[f64; 3]>, Failure> {
 pub(super) fn torques() -> FigureResult {
     let (mut figure, _) = start(Way::X)?;
     figure.stated("increments of the other", "Δη = 0.02, Δβ = 0.2°");
-    let mut panel = Panel::new(Axis::linear("step"), Axis::linear("M_z/(f F_z √(ab))"));
+    let mut panel = Panel::new("step", "M_z/(f F_z √(ab))");
     // The greatest moment and the step it comes in, that of step 11, and (14.3)'s.
     let known = [(Way::X, 0.862, 5.0, 0.772, 0.758), (Way::Y, 0.776, 4.0, 0.676, 0.559)];
     for (way, top, top_step, end, rigid) in known {
@@ -253,35 +214,27 @@ pub(super) fn torques() -> FigureResult {
             .max_by(|a, b| a.1.total_cmp(b.1))
             .map_or((0.0, 0.0), |(i, m)| ((i + 1) as f64, *m));
         let pairs = [(most, top), (moments[10], end)];
-        figure.claim(
-            Claim::all_close(
+        figure
+            .all_close(
                 format!("with {}: the greatest moment, and the last", way.name()),
                 pairs,
-                Tolerance::Absolute(0.003),
+                Absolute(0.003),
             )
-            .source(INDEPENDENT),
-        );
-        figure.claim(
-            Claim::close(
+            .source(INDEPENDENT);
+        figure
+            .close(
                 format!("with {}: the step of the greatest", way.name()),
                 at,
                 top_step,
-                Tolerance::Absolute(0.0),
+                Absolute(0.0),
             )
-            .source(INDEPENDENT),
-        );
+            .source(INDEPENDENT);
         let last = way.history()[10];
         let pole = [last.eta / last.omega, -last.xi / last.omega];
         let sliding = spin_about(&mesh().ellipse()?, pole[0], pole[1])?.torque.abs();
-        figure.claim(
-            Claim::close(
-                format!("(14.3) with {}", way.name()),
-                sliding,
-                rigid,
-                Tolerance::Absolute(1e-3),
-            )
-            .source("an independent evaluation of (14.3)"),
-        );
+        figure
+            .close(format!("(14.3) with {}", way.name()), sliding, rigid, Absolute(1e-3))
+            .source("an independent evaluation of (14.3)");
     }
     figure.panel(panel);
     Ok(figure)
@@ -290,7 +243,7 @@ pub(super) fn torques() -> FigureResult {
 pub(super) fn forces() -> FigureResult {
     let (mut figure, _) = start(Way::X)?;
     figure.stated("increments of the other", "Δη = 0.02, Δβ = 0.2°");
-    let mut panel = Panel::new(Axis::linear("step"), Axis::linear("F/(f F_z)"));
+    let mut panel = Panel::new("step", "F/(f F_z)");
     let (x, y) = (loads(Way::X)?, loads(Way::Y)?);
     for (name, values, axis) in [("F_x, with ξ", &x, 0), ("F_y, with η", &y, 1)] {
         let points = values.iter().enumerate().map(|(i, load)| ((i + 1) as f64, load[axis].abs()));
@@ -298,20 +251,15 @@ pub(super) fn forces() -> FigureResult {
     }
     figure.panel(panel);
     let across = x.iter().map(|l| l[1].abs()).chain(y.iter().map(|l| l[0].abs()));
-    figure.claim(
-        Claim::at_most("no force across the shift", across.fold(0.0, f64::max), 1e-8)
-            .source("symmetry"),
-    );
-    figure.claim(
-        Claim::close("F_x in step 11", x[10][0].abs(), 0.8207, Tolerance::Absolute(0.002))
-            .source(INDEPENDENT),
-    );
+    figure
+        .at_most("no force across the shift", across.fold(0.0, f64::max), 1e-8)
+        .source("symmetry");
+    figure.close("F_x in step 11", x[10][0].abs(), 0.8207, Absolute(0.002)).source(INDEPENDENT);
     let grows: Vec<f64> = x.iter().map(|load| load[0].abs()).collect();
-    figure.claim(
-        Claim::increasing("the force grows while the moment passes its greatest", grows)
-            .source("section 14.4"),
-    );
+    figure
+        .increasing("the force grows while the moment passes its greatest", grows)
+        .source("section 14.4");
     let bound = x.iter().chain(&y).map(|l| l[0].hypot(l[1])).fold(0.0, f64::max);
-    figure.claim(Claim::at_most("never beyond f F_z", bound, 1.0).source("Coulomb's law"));
+    figure.at_most("never beyond f F_z", bound, 1.0).source("Coulomb's law");
     Ok(figure)
 }

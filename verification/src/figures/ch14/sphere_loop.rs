@@ -1,8 +1,7 @@
 //! Figs. 14.1, 14.2: two spheres pressed together, shifted to sliding, back, and forth again.
 
 use super::super::mesh::{APPROACH, Mesh, Step, steps};
-use crate::figures::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
 use carom_laws::memory::Memory;
 
@@ -50,7 +49,7 @@ pub(super) fn forces_by_step() -> FigureResult {
     let by_step = |values: &[f64]| {
         values.iter().enumerate().map(|(i, v)| ((i + 1) as f64, *v)).collect::<Vec<_>>()
     };
-    let mut panel = Panel::new(Axis::linear("step"), Axis::linear("F_x/(f F_z), ξ/(f ζ)"));
+    let mut panel = Panel::new("step", "F_x/(f F_z), ξ/(f ζ)");
     panel.add(Series::line("F_x, Mindlin", by_step(&exact)));
     panel.add(Series::markers("F_x, 20 × 20", Marker::Circle, by_step(&middle)).coloured(0));
     let shifts: Vec<f64> = path.iter().map(|shift| shift.xi / APPROACH).collect();
@@ -62,28 +61,25 @@ pub(super) fn forces_by_step() -> FigureResult {
     for (name, values, bound) in
         [("6 × 6", &coarse, 0.022), ("20 × 20", &middle, 0.0015), ("40 × 40", &fine, 3e-4)]
     {
-        figure.claim(
-            Claim::at_most(
+        figure
+            .at_most(
                 format!("with {name} elements the force is as close as it should be"),
                 worst(values),
                 bound,
             )
-            .source(reference),
-        );
+            .source(reference);
     }
-    figure.claim(
-        Claim::at_least(
+    figure
+        .at_least(
             "halving the elements twice over takes most of the error",
             worst(&coarse) / worst(&middle),
             5.0,
         )
-        .source(reference),
-    );
+        .source(reference);
     let ends = [5, 15, 25, 35].map(|i| (middle[i].abs(), 1.0));
-    figure.claim(
-        Claim::all_close("it slides where the direction turns", ends, Tolerance::Absolute(1e-7))
-            .source("Coulomb's law"),
-    );
+    figure
+        .all_close("it slides where the direction turns", ends, Absolute(1e-7))
+        .source("Coulomb's law");
     Ok(figure)
 }
 
@@ -104,29 +100,25 @@ pub(super) fn loop_of_force() -> FigureResult {
         }
         last = *shift;
     }
-    let mut panel = Panel::new(Axis::linear("ξ/(f ζ)"), Axis::linear("F_x/(f F_z)"));
+    let mut panel = Panel::new("ξ/(f ζ)", "F_x/(f F_z)");
     panel.add(Series::line("Mindlin", curve));
     let points = path.iter().zip(&values).map(|(shift, v)| (shift.xi / APPROACH, *v));
     panel.add(Series::markers("20 × 20 elements", Marker::Circle, points));
     figure.panel(panel);
     let exact = closed_form(&path)?;
     let pairs = values.iter().copied().zip(exact);
-    figure.claim(
-        Claim::all_close("the loop is Mindlin's", pairs, Tolerance::Absolute(1.5e-3))
-            .source("closed form of Cattaneo and Mindlin"),
-    );
+    figure
+        .all_close("the loop is Mindlin's", pairs, Absolute(1.5e-3))
+        .source("closed form of Cattaneo and Mindlin");
     let closes = (values[15] - values[35]).abs();
-    figure.claim(
-        Claim::at_most("the loop closes", closes, 1e-7).source("sliding forgets what was before"),
-    );
+    figure.at_most("the loop closes", closes, 1e-7).source("sliding forgets what was before");
     // (6.9): on the way back F = 1 - 2 [1 - (1 - s/2)^(3/2)], s = 1 - xi/(f zeta).
     let back = (5..=15).map(|i| {
         let s = 1.0 - path[i].xi / APPROACH;
         (values[i], 1.0 - 2.0 * (1.0 - (1.0 - 0.5 * s).powf(1.5)))
     });
-    figure.claim(
-        Claim::all_close("unloading is twice as soft", back, Tolerance::Absolute(1.5e-3))
-            .source("Masing's rule on (6.9)"),
-    );
+    figure
+        .all_close("unloading is twice as soft", back, Absolute(1.5e-3))
+        .source("Masing's rule on (6.9)");
     Ok(figure)
 }

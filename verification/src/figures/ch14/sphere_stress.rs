@@ -2,7 +2,7 @@
 
 use super::super::mesh::{Mesh, Step};
 use super::sphere_loop::{history, inputs};
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Absolute, Figure, FigureResult, Marker, Panel, Series};
 
 /// Steps shown: full sliding, and every second one on the way back.
 const STEPS: [usize; 6] = [6, 8, 10, 12, 14, 16];
@@ -33,8 +33,8 @@ pub(super) fn draw() -> FigureResult {
     let mesh = Mesh::of([1.0; 2], [ELEMENTS; 2]);
     let run = mesh.follow(&history()[..16])?;
     let peak = mesh.hertz()?.at_approach(super::super::mesh::APPROACH)?.pressure(0.0, 0.0);
-    let mut angles = Panel::new(Axis::linear("r/a"), Axis::linear("angle of t in degrees"));
-    let mut sizes_panel = Panel::new(Axis::linear("r/a"), Axis::linear("|t|/(f p₀)"));
+    let mut angles = Panel::new("r/a", "angle of t in degrees");
+    let mut sizes_panel = Panel::new("r/a", "|t|/(f p₀)");
     let radii: Vec<f64> = (0..=100).map(|i| f64::from(i) / 100.0).collect();
     for (colour, number) in STEPS.into_iter().enumerate() {
         let (step, stick) = (&run[number - 1], stick_radius(number));
@@ -61,31 +61,21 @@ pub(super) fn draw() -> FigureResult {
     };
     let source = "closed form of Cattaneo and Mindlin";
     let worst = STEPS.map(worst_error).into_iter().fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("away from borders the stress is Mindlin's", worst, 0.02).source(source),
-    );
+    figure.at_most("away from borders the stress is Mindlin's", worst, 0.02).source(source);
     let sticks = [8, 10, 12, 14].map(|n| (run[n - 1].stick(), stick_radius(n).powi(2)));
-    figure.claim(
-        Claim::all_close("part of the contact that sticks", sticks, Tolerance::Absolute(0.02))
-            .source(source),
-    );
-    figure.claim(
-        Claim::at_most("nothing sticks in steps 6 and 16", run[5].stick() + run[15].stick(), 0.0)
-            .source(source),
-    );
+    figure.all_close("part of the contact that sticks", sticks, Absolute(0.02)).source(source);
+    figure
+        .at_most("nothing sticks in steps 6 and 16", run[5].stick() + run[15].stick(), 0.0)
+        .source(source);
     let across = STEPS
         .iter()
         .flat_map(|n| run[n - 1].touching())
         .map(|cell| (cell.traction[1] / peak).abs())
         .fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("for ν = 0 the stress points along x", across, 1e-8)
-            .source("without ν the displacements along x and y are uncoupled (4.14)"),
-    );
+    figure
+        .at_most("for ν = 0 the stress points along x", across, 1e-8)
+        .source("without ν the displacements along x and y are uncoupled (4.14)");
     let limit = run[15].touching().map(|cell| (cell.size() / cell.pressure, 1.0));
-    figure.claim(
-        Claim::all_close("in step 16 all slips at f p", limit, Tolerance::Absolute(1e-9))
-            .source("Coulomb's law"),
-    );
+    figure.all_close("in step 16 all slips at f p", limit, Absolute(1e-9)).source("Coulomb's law");
     Ok(figure)
 }

@@ -1,8 +1,7 @@
 //! Figs. 14.22 to 14.24: torque of ellipses that are twisted, and where they stick.
 
 use super::super::mesh::{APPROACH, Mesh, Step, steps};
-use crate::figures::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_laws::law::Shift;
 use carom_laws::torsion::adhesion::sliding_torque_arm;
 use carom_laws::torsion::ellipse::EllipseTorsion;
@@ -44,7 +43,7 @@ pub(super) fn torque() -> FigureResult {
     figure.assumed("f, Δβ", "1; 1.6° (circle) and 0.2° (a/b = 10), 10 steps");
     figure.assumed("ν₁, ν₂", "0, 0 and 0, 0.5, equal G");
     figure.assumed("elements", "40 × 40 and 60 × 30; 12 × 5 for the coarse one");
-    let mut panel = Panel::new(Axis::linear("β M_zA′/M_zS"), Axis::linear("M_z/M_zS"));
+    let mut panel = Panel::new("β M_zA′/M_zS", "M_z/M_zS");
     // The axes, twist a step, elements, and what (7.65) misses for similar and dissimilar bodies.
     let cases = [
         ("a/b = 1", [1.0, 1.0], 1.6, [40, 40], [0.028, 0.053]),
@@ -72,15 +71,14 @@ pub(super) fn torque() -> FigureResult {
             panel.add(
                 Series::markers(format!("{name}, {kind}"), marker, points(&found)).coloured(colour),
             );
-            figure.claim(
-                Claim::close(
+            figure
+                .close(
                     format!("what (7.65) misses at most: {name}, {kind}"),
                     distance(&theory, &found),
                     miss,
-                    Tolerance::Absolute(0.001),
+                    Absolute(0.001),
                 )
-                .source(INDEPENDENT),
-            );
+                .source(INDEPENDENT);
         }
     }
     figure.panel(panel);
@@ -89,14 +87,9 @@ pub(super) fn torque() -> FigureResult {
     let fine = Mesh::of([10.0, 1.0], [40, 20]);
     let coarse = torques(&coarse, &coarse.follow(&path)?)?;
     let fine = torques(&fine, &fine.follow(&path)?)?;
-    figure.claim(
-        Claim::at_most(
-            "about 50 elements do nearly as well as 600",
-            distance(&coarse, &fine),
-            0.02,
-        )
-        .source("the thesis, below fig. 14.21; an independent program: 0.016"),
-    );
+    figure
+        .at_most("about 50 elements do nearly as well as 600", distance(&coarse, &fine), 0.02)
+        .source("the thesis, below fig. 14.21; an independent program: 0.016");
     Ok(figure)
 }
 
@@ -111,24 +104,20 @@ pub(super) fn contours() -> FigureResult {
     figure.assumed("elements", "60 × 30 (40 × 20 in the thesis)");
     let mesh = Mesh::of([10.0, 1.0], [60, 30]);
     let run = mesh.follow(&history(0.2))?;
-    let mut panel = Panel::new(Axis::linear("x"), Axis::linear("y"));
+    let mut panel = Panel::new("x", "y");
     for (i, step) in run.iter().enumerate().take(8) {
         panel.add(Series::line(format!("β = {:.1}°", 0.2 * i as f64), step.stick_outline()));
     }
     figure.panel(panel);
     let pairs = run.iter().map(Step::stick).zip(STICK);
-    figure.claim(
-        Claim::all_close("parts that stick", pairs, Tolerance::Absolute(1.5e-3))
-            .source(INDEPENDENT),
-    );
+    figure.all_close("parts that stick", pairs, Absolute(1.5e-3)).source(INDEPENDENT);
     let offset = run[1..8].iter().map(|step| {
         let [x, y] = step.stick_centre();
         x.abs() / 10.0 + y.abs()
     });
-    figure.claim(
-        Claim::at_most("the stick area stays in the middle", offset.fold(0.0, f64::max), 1e-9)
-            .source("symmetry"),
-    );
+    figure
+        .at_most("the stick area stays in the middle", offset.fold(0.0, f64::max), 1e-9)
+        .source("symmetry");
     Ok(figure)
 }
 
@@ -147,30 +136,17 @@ pub(super) fn varying() -> FigureResult {
     let points = |values: &[f64]| -> Vec<(f64, f64)> {
         path.iter().zip(values).map(|(shift, m)| (shift.omega.to_degrees(), *m)).collect()
     };
-    let mut panel = Panel::new(Axis::linear("β in degrees"), Axis::linear("M_z/M_zS"));
+    let mut panel = Panel::new("β in degrees", "M_z/M_zS");
     panel.add(Series::dashed("(7.66)", points(&theory)));
     panel.add(Series::markers("numerical", Marker::Circle, points(&found)).coloured(0));
     figure.panel(panel);
-    figure.claim(
-        Claim::close(
-            "what (7.66) misses at most",
-            distance(&theory, &found),
-            0.022,
-            Tolerance::Absolute(0.003),
-        )
-        .source(INDEPENDENT),
-    );
-    figure.claim(
-        Claim::at_most("the loop closes", (found[5] - found[25]).abs(), 1e-3).source(INDEPENDENT),
-    );
+    figure
+        .close("what (7.66) misses at most", distance(&theory, &found), 0.022, Absolute(0.003))
+        .source(INDEPENDENT);
+    figure.at_most("the loop closes", (found[5] - found[25]).abs(), 1e-3).source(INDEPENDENT);
     let opposite = (1..=10).map(|i| (found[15 + i] - found[15], found[5] - found[5 + i]));
-    figure.claim(
-        Claim::all_close(
-            "the way there is the way back, reversed",
-            opposite,
-            Tolerance::Absolute(2e-3),
-        )
-        .source("Masing's rule"),
-    );
+    figure
+        .all_close("the way there is the way back, reversed", opposite, Absolute(2e-3))
+        .source("Masing's rule");
     Ok(figure)
 }

@@ -1,8 +1,8 @@
 //! Figs. 14.6 to 14.13: spheres shifted to sliding, then in another direction.
 
 use super::super::mesh::{APPROACH, Mesh, Step, steps};
-use crate::figures::Failure;
-use crate::{Arrow, Axis, Claim, Figure, FigureResult, Marker, Panel, Point, Series, Tolerance};
+use super::super::outline::ellipse;
+use crate::{Absolute, Arrow, Axis, Failure, Figure, FigureResult, Marker, Panel, Point, Series};
 use carom_laws::law::Shift;
 use carom_laws::memory::VectorMemory;
 
@@ -95,11 +95,7 @@ pub(super) fn legs() -> FigureResult {
         let leg = leg(number);
         panel.add(Series::arrows(leg.name, [arrow([1.0, 0.0], leg.end())]));
     }
-    let circle = (0..=120).map(|i| {
-        let angle = std::f64::consts::TAU * f64::from(i) / 120.0;
-        (angle.cos(), angle.sin())
-    });
-    panel.add(Series::dotted("sliding", circle));
+    panel.add(Series::dotted("sliding", ellipse([0.0; 2], [1.0; 2], 120)));
     figure.panel(panel);
     // Where chapter 7's law slides at the end of each leg.
     let mut limits = Vec::new();
@@ -110,10 +106,9 @@ pub(super) fn legs() -> FigureResult {
         let [x, y] = memory.advance(1.0, leg(number).end())?;
         limits.push((x.hypot(y), 1.0));
     }
-    figure.claim(
-        Claim::all_close("each leg ends in complete sliding", limits, Tolerance::Absolute(1e-12))
-            .source("the thesis, section 14.2: until complete sliding occurs"),
-    );
+    figure
+        .all_close("each leg ends in complete sliding", limits, Absolute(1e-12))
+        .source("the thesis, section 14.2: until complete sliding occurs");
     Ok(figure)
 }
 
@@ -147,8 +142,8 @@ fn panels(
     theory: Option<&Leg>,
 ) -> Result<(), Failure> {
     let peak = mesh.hertz()?.at_approach(APPROACH)?.pressure(0.0, 0.0);
-    let mut directions = Panel::new(Axis::linear("r/a"), Axis::linear("angle of t in degrees"));
-    let mut sizes = Panel::new(Axis::linear("r/a"), Axis::linear("|t|/(f p₀)"));
+    let mut directions = Panel::new("r/a", "angle of t in degrees");
+    let mut sizes = Panel::new("r/a", "|t|/(f p₀)");
     for (colour, number) in [8, 10, LEG + 6].into_iter().enumerate() {
         let (name, step) = (format!("step {number}"), &run[number - 1]);
         directions.add(Series::markers(name.clone(), Marker::Dot, angles(step)).coloured(colour));
@@ -180,10 +175,7 @@ fn draw(number: usize) -> FigureResult {
     panels(&mut figure, &mesh, &run, Some(&leg))?;
     let last = &run[run.len() - 1];
     let limit = last.touching().map(|cell| (cell.size() / cell.pressure, 1.0));
-    figure.claim(
-        Claim::all_close("at the end all slips at f p", limit, Tolerance::Absolute(1e-9))
-            .source("Coulomb's law"),
-    );
+    figure.all_close("at the end all slips at f p", limit, Absolute(1e-9)).source("Coulomb's law");
     let (theory, peak) = (leg.theory()?, mesh.hertz()?.at_approach(APPROACH)?.pressure(0.0, 0.0));
     let mean = |values: &mut dyn Iterator<Item = f64>| {
         let all: Vec<f64> = values.collect();
@@ -196,44 +188,27 @@ fn draw(number: usize) -> FigureResult {
         (cell.size() / peak - x.hypot(y)).abs()
     });
     let difference = mean(&mut { differences });
-    figure.claim(
-        Claim::at_most(
-            "in step 8 the size is chapter 7's, in the mean over f p₀",
-            difference,
-            0.05,
-        )
-        .source("the thesis, below fig. 14.12: it corresponds very well"),
-    );
+    figure
+        .at_most("in step 8 the size is chapter 7's, in the mean over f p₀", difference, 0.05)
+        .source("the thesis, below fig. 14.12: it corresponds very well");
     let rings = rings(last);
     let turned = |ring: usize| rings[ring][0] - theory;
     let source = "an independent half-space program on another mesh";
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "in the middle the stress runs ahead of chapter 7's direction, or lags, by degrees",
             turned(0),
             leg.middle,
-            Tolerance::Absolute(6.0),
+            Absolute(6.0),
         )
-        .source(source),
-    );
-    figure.claim(
-        Claim::close(
-            "at the rim it differs the other way",
-            turned(9),
-            leg.rim,
-            Tolerance::Absolute(6.0),
-        )
-        .source(source),
-    );
+        .source(source);
+    figure
+        .close("at the rim it differs the other way", turned(9), leg.rim, Absolute(6.0))
+        .source(source);
     let spread = rings.iter().map(|ring| ring[1]).fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most(
-            "for ν = 0 the angle is constant on circles, to a ring's width",
-            spread,
-            4.0,
-        )
-        .source("the thesis, below fig. 14.12"),
-    );
+    figure
+        .at_most("for ν = 0 the angle is constant on circles, to a ring's width", spread, 4.0)
+        .source("the thesis, below fig. 14.12");
     Ok(figure)
 }
 
@@ -260,19 +235,15 @@ pub(super) fn incompressible() -> FigureResult {
     let spread = |run: &[Step], number: usize| {
         rings(&run[number - 1]).iter().map(|ring| ring[1]).fold(0.0, f64::max)
     };
-    figure.claim(
-        Claim::at_least(
+    figure
+        .at_least(
             "the angle is no more constant on circles: its spread over that for ν = 0",
             spread(&run, 11) / spread(&stiff, 11),
             1.3,
         )
-        .source("the thesis, below fig. 14.12"),
-    );
+        .source("the thesis, below fig. 14.12");
     let last = &run[10];
     let limit = last.touching().map(|cell| (cell.size() / cell.pressure, 1.0));
-    figure.claim(
-        Claim::all_close("at the end all slips at f p", limit, Tolerance::Absolute(1e-9))
-            .source("Coulomb's law"),
-    );
+    figure.all_close("at the end all slips at f p", limit, Absolute(1e-9)).source("Coulomb's law");
     Ok(figure)
 }

@@ -3,10 +3,9 @@
 use carom_halfspace::Material;
 use carom_solver::{ContactState, Contour};
 
-use super::super::Failure;
 use super::numerical::{Instant, SHEAR_MODULUS, Spheres, stick};
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
+use crate::{Absolute, Axis, Failure, Figure, FigureResult, Panel, Series};
 
 const LAMBDA: f64 = 0.5;
 const CELLS: usize = 20;
@@ -31,7 +30,7 @@ pub(super) fn forces() -> FigureResult {
     inputs(&mut figure);
     let spheres = spheres()?;
     let run = spheres.follow(LAMBDA, 0.0, CELLS, STEPS)?;
-    let mut force = Panel::new(Axis::linear("t in ms"), Axis::linear("forces in kN"));
+    let mut force = Panel::new("t in ms", "forces in kN");
     let line = |of: &dyn Fn(&Instant) -> f64| -> Vec<(f64, f64)> {
         run.iter().map(|instant| (1e3 * instant.time, of(instant))).collect()
     };
@@ -43,7 +42,7 @@ pub(super) fn forces() -> FigureResult {
     // The thesis's picture shows no such limit; where F_x is small beside it nothing slides.
     force.y = force.y.between(-0.35, 0.35);
     figure.panel(force);
-    let mut shift = Panel::new(Axis::linear("t in ms"), Axis::linear("shifts in µm"));
+    let mut shift = Panel::new("t in ms", "shifts in µm");
     shift.add(Series::line("ζ/10", line(&|at| 1e5 * at.shift.zeta)));
     shift.add(Series::line("ξ", line(&|at| 1e6 * at.shift.xi)));
     figure.panel(shift);
@@ -63,36 +62,22 @@ fn claims(figure: &mut Figure, spheres: &Spheres, run: &[Instant]) -> Result<(),
             continue;
         }
         let statement = "R_x";
-        figure.claim(
-            Claim::close(statement, ratio(0), r_x, Tolerance::Absolute(0.006)).source(INDEPENDENT),
-        );
-        figure.claim(
-            Claim::close("e_z", ratio(2), e_z, Tolerance::Absolute(2e-4)).source(INDEPENDENT),
-        );
+        figure.close(statement, ratio(0), r_x, Absolute(0.006)).source(INDEPENDENT);
+        figure.close("e_z", ratio(2), e_z, Absolute(2e-4)).source(INDEPENDENT);
         let found = highest / normal.maximal_approach();
-        figure.claim(
-            Claim::close("ζ_max over Hertz's", found, approach, Tolerance::Absolute(1e-3))
-                .source(INDEPENDENT),
-        );
+        figure.close("ζ_max over Hertz's", found, approach, Absolute(1e-3)).source(INDEPENDENT);
     }
     let found = [peak(&|at| at.load.f_x), peak(&|at| -at.load.f_x)];
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "F_x between -104 N and 280 N",
             [(found[0], 280.0), (found[1], 104.0)],
-            Tolerance::Absolute(6.0),
+            Absolute(6.0),
         )
-        .source(INDEPENDENT),
-    );
-    figure.claim(
-        Claim::close(
-            "greatest F_z in kN",
-            1e-3 * peak(&|at| at.load.f_z),
-            16.2,
-            Tolerance::Absolute(0.1),
-        )
-        .source(INDEPENDENT),
-    );
+        .source(INDEPENDENT);
+    figure
+        .close("greatest F_z in kN", 1e-3 * peak(&|at| at.load.f_z), 16.2, Absolute(0.1))
+        .source(INDEPENDENT);
     // Momentum: what F did is what the velocities changed by.
     let impulse = |of: &dyn Fn(&Instant) -> f64| {
         run.windows(2)
@@ -104,23 +89,17 @@ fn claims(figure: &mut Figure, spheres: &Spheres, run: &[Instant]) -> Result<(),
         (unit * impulse(&|at| at.load.f_z), first.rate[2] - last.rate[2]),
         (3.5 * unit * impulse(&|at| at.load.f_x), first.rate[0] - last.rate[0]),
     ];
-    figure.claim(
-        Claim::all_close(
-            "impulses over masses are changes of velocity",
-            pairs,
-            Tolerance::Absolute(1e-3),
-        )
-        .source("Newton's law"),
-    );
+    figure
+        .all_close("impulses over masses are changes of velocity", pairs, Absolute(1e-3))
+        .source("Newton's law");
     let energy = |at: &Instant| 0.5 * (at.rate[2].powi(2) + at.rate[0].powi(2) / 3.5);
-    figure.claim(
-        Claim::holds(
+    figure
+        .holds(
             "the impact loses energy",
             energy(last) < energy(first),
             energy(last) / energy(first),
         )
-        .source("friction dissipates"),
-    );
+        .source("friction dissipates");
     Ok(())
 }
 
@@ -158,40 +137,31 @@ pub(super) fn areas() -> FigureResult {
     let parts =
         |steps: std::ops::RangeInclusive<usize>| steps.map(part).collect::<Result<Vec<f64>, _>>();
     let compression = parts(10..=20)?.into_iter().fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("while the bodies approach little sticks", compression, 0.05)
-            .source(INDEPENDENT),
-    );
+    figure
+        .at_most("while the bodies approach little sticks", compression, 0.05)
+        .source(INDEPENDENT);
     let ring = parts(27..=30)?;
     let least = ring.iter().copied().fold(1.0, f64::min);
-    figure.claim(
-        Claim::at_least("from half of the time on a ring sticks", least, 0.3).source(INDEPENDENT),
-    );
+    figure.at_least("from half of the time on a ring sticks", least, 0.3).source(INDEPENDENT);
     let greatest = parts(25..=40)?.into_iter().fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("of at most six tenths of the contact", greatest, 0.65).source(INDEPENDENT),
-    );
+    figure.at_most("of at most six tenths of the contact", greatest, 0.65).source(INDEPENDENT);
     let holes = [34, 36, 38, 40].map(hole).into_iter().collect::<Result<Vec<f64>, _>>()?;
-    figure.claim(
-        Claim::decreasing("the slip area inside the ring shrinks", holes).source("section 15.2"),
-    );
+    figure.decreasing("the slip area inside the ring shrinks", holes).source("section 15.2");
     let rims = [34, 37, 40, 43].map(outside).into_iter().collect::<Result<Vec<f64>, _>>()?;
-    figure.claim(
-        Claim::increasing("that at the rim grows, as a part of the contact", rims)
-            .source("section 15.2"),
-    );
+    figure
+        .increasing("that at the rim grows, as a part of the contact", rims)
+        .source("section 15.2");
     let uneven = SHOWN
         .map(|step| contact(step).map(unevenness))
         .into_iter()
         .collect::<Result<Vec<f64>, _>>()?;
-    figure.claim(
-        Claim::at_most(
+    figure
+        .at_most(
             "cells whose mirror image across y = 0 is in another state",
             uneven.into_iter().fold(0.0, f64::max),
             0.0,
         )
-        .source("mirror symmetry"),
-    );
+        .source("mirror symmetry");
     figure.deviation(
         "restitution starts in step 28",
         "it starts in step 25",

@@ -3,9 +3,8 @@
 use carom_halfspace::Material;
 use rayon::prelude::*;
 
-use super::super::Failure;
 use super::numerical::{SHEAR_MODULUS, Spheres};
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
 use carom_impact::restitution::of_spheres;
 
 const CELLS: usize = 12;
@@ -45,7 +44,7 @@ pub(super) fn draw() -> FigureResult {
     let both: Vec<[f64; 2]> = jobs.par_iter().map(run).collect::<Result<_, Failure>>()?;
     let found: Vec<f64> = both.iter().map(|[r_x, _]| *r_x).collect();
     let curves: Vec<&[f64]> = found.chunks(LAMBDAS.len()).collect();
-    let mut panel = Panel::new(Axis::linear("λ"), Axis::linear("R_x")).titled("κ = 1");
+    let mut panel = Panel::new("λ", "R_x").titled("κ = 1");
     let lambdas = crate::linspace(0.05, 8.0, 160);
     let exact: Result<Vec<_>, _> =
         lambdas.into_iter().map(|at| Ok::<_, Failure>((at, of_spheres(1.0, at)?))).collect();
@@ -64,48 +63,42 @@ pub(super) fn draw() -> FigureResult {
     // (9.33) with the normal impulse: what friction can do at most.
     let below: Vec<f64> =
         last.iter().map(|[r_x, e_z]| 3.5 * (1.0 + e_z) / 8.0 - 1.0 - r_x).collect();
-    figure.claim(
-        Claim::at_most("λ = 8, γ = 0 slides throughout: R_x = 7/λ - 1", below[0].abs(), 1e-6)
-            .source("(9.33)"),
-    );
+    figure
+        .at_most("λ = 8, γ = 0 slides throughout: R_x = 7/λ - 1", below[0].abs(), 1e-6)
+        .source("(9.33)");
     let most = below.iter().copied().fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("γ > 0 takes hardly anything from that", most, 0.01)
-            .source("(9.33); the radial slip turns the tractions a little"),
-    );
+    figure
+        .at_most("γ > 0 takes hardly anything from that", most, 0.01)
+        .source("(9.33); the radial slip turns the tractions a little");
     let least = below.iter().copied().fold(f64::INFINITY, f64::min);
-    figure.claim(Claim::at_least("and adds nothing", least, -1e-6).source("|F_x| ≤ f F_z"));
+    figure.at_least("and adds nothing", least, -1e-6).source("|F_x| ≤ f F_z");
     Ok(figure)
 }
 
 fn claims(figure: &mut Figure, curves: &[&[f64]]) -> Result<(), Failure> {
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "λ = 0.5: R_x of f/γ = 0.40 and 0.24",
             [(curves[3][1], 0.024), (curves[4][1], 0.262)],
-            Tolerance::Absolute(0.02),
+            Absolute(0.02),
         )
-        .source(INDEPENDENT),
-    );
+        .source(INDEPENDENT);
     let exact: Result<Vec<f64>, _> = LAMBDAS.iter().map(|at| of_spheres(1.0, *at)).collect();
     let exact = exact?;
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "γ = 0 is the exact walk",
             curves[0].iter().copied().zip(exact.iter().copied()),
-            Tolerance::Absolute(0.02),
+            Absolute(0.02),
         )
-        .source("exact walk; at small λ the steps count"),
-    );
+        .source("exact walk; at small λ the steps count");
     let rise = |curve: &[f64]| curve[1] - curves[0][1];
-    figure.claim(
-        Claim::increasing("λ = 0.5: R_x rises as f/γ falls", [1, 2, 3, 4].map(|i| rise(curves[i])))
-            .source("section 15.2"),
-    );
-    figure.claim(
-        Claim::at_most("f/γ > 1 raises R_x little", rise(curves[1]).abs(), 0.1)
-            .source("section 15.2: only f/γ < 1 changes R_x"),
-    );
+    figure
+        .increasing("λ = 0.5: R_x rises as f/γ falls", [1, 2, 3, 4].map(|i| rise(curves[i])))
+        .source("section 15.2");
+    figure
+        .at_most("f/γ > 1 raises R_x little", rise(curves[1]).abs(), 0.1)
+        .source("section 15.2: only f/γ < 1 changes R_x");
     // The bodies exchanged: gamma changes its sign.
     let lambdas = [0.5, 2.0];
     let pairs: Result<Vec<_>, Failure> = lambdas
@@ -117,9 +110,8 @@ fn claims(figure: &mut Figure, curves: &[&[f64]]) -> Result<(), Failure> {
             Ok((one.restitution(*lambda, 12, 40)?, other.restitution(*lambda, 12, 40)?))
         })
         .collect();
-    figure.claim(
-        Claim::all_close("γ and -γ give the same R_x", pairs?, Tolerance::Absolute(1e-5))
-            .source("exchange of the bodies; section 15.2"),
-    );
+    figure
+        .all_close("γ and -γ give the same R_x", pairs?, Absolute(1e-5))
+        .source("exchange of the bodies; section 15.2");
     Ok(())
 }

@@ -11,9 +11,10 @@ use carom_laws::stiffness::ContactStiffness;
 use carom_special::AxisRatio;
 use rayon::prelude::*;
 
-use super::super::{Failure, spring_impact};
+use super::super::spring_impact;
 use crate::{
-    Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance, linspace, logspace,
+    Absolute, Arrow, Axis, Failure, Figure, FigureResult, Panel, Point, Relative, Series, linspace,
+    logspace,
 };
 
 const MASS: f64 = 0.3;
@@ -72,9 +73,7 @@ fn sketch() -> Panel {
         .into_iter()
         .map(|angle| Point::new(d * libm::cos(angle), c + c * libm::sin(angle)));
     let arrow = |from: (f64, f64), to: (f64, f64)| Arrow { tail: from.into(), head: to.into() };
-    let mut panel = Panel::new(Axis::linear("x"), Axis::linear("z"))
-        .titled("Ellipsoid on a rigid plane")
-        .equal_aspect();
+    let mut panel = Panel::new("x", "z").titled("Ellipsoid on a rigid plane").equal_aspect();
     panel.add(Series::line("ellipsoid", outline));
     panel.add(Series::line("plane", [(-2.2, 0.0), (2.2, 0.0)]));
     panel.add(Series::arrows(
@@ -87,8 +86,7 @@ fn sketch() -> Panel {
 }
 
 fn mobility(figure: &mut Figure) -> Result<(), Failure> {
-    let mut panel =
-        Panel::new(Axis::log("c/d"), Axis::linear("D_xx/D_zz")).titled("Mobility (15.6), (15.7)");
+    let mut panel = Panel::new(Axis::log("c/d"), "D_xx/D_zz").titled("Mobility (15.6), (15.7)");
     let ratios = logspace(0.05, 20.0, 121);
     let curve: Vec<f64> =
         ratios.iter().map(|&ratio| Ellipsoid::of_revolution(ratio).mobility_ratio()).collect();
@@ -111,28 +109,21 @@ fn mobility(figure: &mut Figure) -> Result<(), Failure> {
             ratio.push((along.dot(&(d * along)) / d.m33, body.mobility_ratio()));
         }
     }
-    figure.claim(
-        Claim::all_close("θ_yy of 21 ellipsoids", inertia, Tolerance::Relative(1e-14))
-            .source("(15.5)"),
-    );
-    figure.claim(
-        Claim::all_close("D_xx/D_zz of 21 encounters", ratio, Tolerance::Relative(1e-12))
-            .source("(15.6)"),
-    );
+    figure.all_close("θ_yy of 21 ellipsoids", inertia, Relative(1e-14)).source("(15.5)");
+    figure.all_close("D_xx/D_zz of 21 encounters", ratio, Relative(1e-12)).source("(15.6)");
     let mut ends = Vec::new();
     for (ratio, expected) in [(0.01, 1.000_499_950_005), (100.0, 5.999_500_049_995)] {
         let encounter = Ellipsoid::of_revolution(ratio).encounter(0.0)?;
         let d = encounter.mobility().matrix();
         ends.push((d.m11 / d.m33, expected));
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "D_xx/D_zz at c/d = 0.01 and 100, near the limits 1 and 6",
             ends,
-            Tolerance::Relative(1e-11),
+            Relative(1e-11),
         )
-        .source("(15.6), (15.7): 1 + 5/10001 and 6 - 5/10001"),
-    );
+        .source("(15.6), (15.7): 1 + 5/10001 and 6 - 5/10001");
     Ok(())
 }
 
@@ -143,7 +134,7 @@ fn stiffness_ratios(axes: f64, nu: f64) -> Result<[f64; 2], Failure> {
 }
 
 fn stiffness(figure: &mut Figure) -> Result<(), Failure> {
-    let mut panel = Panel::new(Axis::log("a/b"), Axis::linear("c_x/c_z, c_y/c_z"))
+    let mut panel = Panel::new(Axis::log("a/b"), "c_x/c_z, c_y/c_z")
         .titled("Stiffness (15.8): across the ellipse full, along it dashed");
     for (colour, nu) in [0.1, 0.3, 0.5].into_iter().enumerate() {
         let axes = logspace(1e-4, 1.0, 81);
@@ -164,10 +155,8 @@ fn stiffness(figure: &mut Figure) -> Result<(), Failure> {
     }
     let least = all.iter().copied().fold(f64::INFINITY, f64::min);
     let most = all.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-    figure.claim(
-        Claim::at_least("c/c_z of 1586 ellipses along both axes", least, 0.5).source("(15.8)"),
-    );
-    figure.claim(Claim::at_most("and at most 1", most, 1.0 + 1e-15).source("(15.8)"));
+    figure.at_least("c/c_z of 1586 ellipses along both axes", least, 0.5).source("(15.8)");
+    figure.at_most("and at most 1", most, 1.0 + 1e-15).source("(15.8)");
     // Slender: delta = 1 - 1/K = 1 - 1/ln(4b/a).
     let slow = [1e-3, 1e-6, 1e-12, 1e-24];
     let pairs: Result<Vec<(f64, f64)>, Failure> = slow
@@ -177,22 +166,17 @@ fn stiffness(figure: &mut Figure) -> Result<(), Failure> {
             Ok((stiffness_ratios(axes, 0.5)?[1], 0.5 / (0.5 + 0.5 * delta)))
         })
         .collect();
-    figure.claim(
-        Claim::all_close(
-            "c_y/c_z tends to 1/2 as 1/ln(4b/a), ν = 1/2",
-            pairs?,
-            Tolerance::Absolute(1e-6),
-        )
-        .source("K = ln(4b/a), E = 1 of slender ellipses in (5.25)"),
-    );
+    figure
+        .all_close("c_y/c_z tends to 1/2 as 1/ln(4b/a), ν = 1/2", pairs?, Absolute(1e-6))
+        .source("K = ln(4b/a), E = 1 of slender ellipses in (5.25)");
     let phis = [(phi(0.5), 61.0_f64.sqrt()), (phi(6.0), 721.0_f64.sqrt())];
-    figure.claim(Claim::all_close("ends of φ", phis, Tolerance::Absolute(1e-13)).source("(15.9)"));
+    figure.all_close("ends of φ", phis, Absolute(1e-13)).source("(15.9)");
     Ok(())
 }
 
 fn restitution(figure: &mut Figure) -> Result<(), Failure> {
-    let mut panel = Panel::new(Axis::linear("λ = |ξ'|/(f ζ')"), Axis::linear("R_x"))
-        .titled("Restitution, ν = 1/2, circular contact");
+    let mut panel =
+        Panel::new("λ = |ξ'|/(f ζ')", "R_x").titled("Restitution, ν = 1/2, circular contact");
     let lambdas = linspace(0.0, 12.0, 181);
     for ratio in [0.2, 0.5, 1.0, 2.0, 5.0] {
         let body = Ellipsoid::of_revolution(ratio);
@@ -226,30 +210,19 @@ fn restitution(figure: &mut Figure) -> Result<(), Failure> {
         sphere.push((r, carom_impact::restitution::of_spheres(1.5, lambda)?));
     }
     energy_claim(figure)?;
-    figure.claim(
-        Claim::all_close(
-            "R_x of four ellipsoids, three slips each",
-            stepped,
-            Tolerance::Absolute(1e-5),
-        )
-        .source("springs with sliders, stepped in time, with χ of (15.6)"),
-    );
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close("R_x of four ellipsoids, three slips each", stepped, Absolute(1e-5))
+        .source("springs with sliders, stepped in time, with χ of (15.6)");
+    figure
+        .all_close(
             "complete sliding of the four: R_x = -1 + 2 (D_xx/D_zz)/λ",
             sliding,
-            Tolerance::Absolute(1e-12),
+            Absolute(1e-12),
         )
-        .source("(9.33)"),
-    );
-    figure.claim(
-        Claim::all_close(
-            "d = e = c is the sphere of fig. 15.2",
-            sphere,
-            Tolerance::Absolute(1e-12),
-        )
-        .source("the walk for spheres"),
-    );
+        .source("(9.33)");
+    figure
+        .all_close("d = e = c is the sphere of fig. 15.2", sphere, Absolute(1e-12))
+        .source("the walk for spheres");
     Ok(())
 }
 
@@ -269,8 +242,8 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
     // F_max ζ_max is 5/4 of m v², and T = 2.943275 ζ_max/v.
     let product = rebound.maximal_force * rebound.maximal_approach;
     let clock = rebound.duration * APPROACH / rebound.maximal_approach;
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "impulse, velocity, spin and heat of an ellipsoid, over those expected",
             [
                 (rebound.impulse.x / -push, 1.0),
@@ -281,18 +254,16 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
                 ((energy.before - energy.after) / heat, 1.0),
                 (energy.before / before, 1.0),
             ],
-            Tolerance::Absolute(2e-5),
+            Absolute(2e-5),
         )
-        .source("momenta with (15.5), (15.6), R_x of springs with sliders, stepped in time"),
-    );
-    figure.claim(
-        Claim::all_close(
+        .source("momenta with (15.5), (15.6), R_x of springs with sliders, stepped in time");
+    figure
+        .all_close(
             "F_max ζ_max over m v², T v/ζ_max",
             [(product / (MASS * APPROACH * APPROACH), 1.25), (clock, 2.943_275_184_324_705)],
-            Tolerance::Relative(1e-12),
+            Relative(1e-12),
         )
-        .source("energy (2/5) F ζ = m v²/2; T_N of (9.8)"),
-    );
+        .source("energy (2/5) F ζ = m v²/2; T_N of (9.8)");
     let impact = body.encounter(slip)?.impact()?.ok_or("they approach each other")?;
     let course = impact.history(VectorLaw::default())?;
     let (mut tangential, mut normal) = (0.0, 0.0);
@@ -301,14 +272,13 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
         tangential += impulse.x + impulse.y;
         normal += impulse.z;
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "impulses of the course, over those expected",
             [(f64::abs(tangential) / push, 1.0), (normal / (2.0 * MASS * APPROACH), 1.0)],
-            Tolerance::Absolute(2e-3),
+            Absolute(2e-3),
         )
-        .source("∫F dt of 200 instants; one axis of the contact lies along the slip"),
-    );
+        .source("∫F dt of 200 instants; one axis of the contact lies along the slip");
     // A twist as well: the heat is what the bodies lose.
     let rubber = Material::from_shear(1e6, 0.5)?;
     let surface = Surface::sphere(0.02)?;
@@ -322,15 +292,14 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
     let spun = spun.rebound().ok_or("the ball falls")?;
     let theta = 0.4 * MASS * 0.02 * 0.02;
     let left = spun.motions[0].spin.z;
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "a ball that spins about the normal: heat over the spin's energy",
             spun.energy.dissipated / (0.5 * theta * 1e4),
             1.0 - left * left / 1e4,
-            Tolerance::Absolute(1e-9),
+            Absolute(1e-9),
         )
-        .source("θ (ω² - ω'²)/2 of the spin it keeps"),
-    );
+        .source("θ (ω² - ω'²)/2 of the spin it keeps");
     let ball = Ellipsoid::of_revolution(1.0);
     let round = ball.encounter(0.1)?.solve()?;
     let round = round.rebound().ok_or("the ball falls")?;
@@ -338,18 +307,17 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
     let modulus = 2.0 * 1e6 / 0.5;
     let root = ball.d.sqrt();
     let deepest = libm::pow(15.0 * MASS * APPROACH * APPROACH / (16.0 * modulus * root), 0.4);
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "ζ_max, F_max and a_max of the sphere",
             [
                 (round.maximal_approach, deepest),
                 (round.maximal_force, 4.0 / 3.0 * modulus * root * deepest * deepest.sqrt()),
                 (round.maximal_contact.semi_axis_b(), (ball.d * deepest).sqrt()),
             ],
-            Tolerance::Relative(1e-12),
+            Relative(1e-12),
         )
-        .source("Hertz's formulas with E* and R"),
-    );
+        .source("Hertz's formulas with E* and R");
     Ok(())
 }
 

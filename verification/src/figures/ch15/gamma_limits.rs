@@ -1,6 +1,6 @@
 //! Fig. 15.1: which gamma and kappa two materials can make together.
 
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Figure, FigureResult, Panel, Series, linspace};
 use carom_halfspace::{Material, MaterialPair};
 use carom_special::RangeError;
 
@@ -73,7 +73,7 @@ pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
     figure.stated("δ = G₂/G₁", "1 and 10");
     figure.assumed("ν₁, ν₂", "0 to 1/2, so that the region has four corners");
-    let mut panel = Panel::new(Axis::linear("κ"), Axis::linear("γ"));
+    let mut panel = Panel::new("κ", "γ");
     let printed = [
         (1.0, [(1.0, 0.0), (7.0 / 6.0, 1.0 / 3.0), (1.5, 0.0), (7.0 / 6.0, -1.0 / 3.0)]),
         (
@@ -85,14 +85,9 @@ pub(super) fn draw() -> FigureResult {
         let polygon = corners(stiffness)?;
         let values = polygon.iter().zip(&expected);
         let pairs = values.flat_map(|(p, e)| [(p.0, e.0), (p.1, e.1)]);
-        figure.claim(
-            Claim::all_close(
-                format!("corners of the region, δ = {stiffness}"),
-                pairs,
-                Tolerance::Absolute(1e-14),
-            )
-            .source("fractions worked out from (15.1), (15.2)"),
-        );
+        figure
+            .all_close(format!("corners of the region, δ = {stiffness}"), pairs, Absolute(1e-14))
+            .source("fractions worked out from (15.1), (15.2)");
         let mut farthest = f64::NEG_INFINITY;
         for nu_1 in linspace(0.0, 0.5, 21) {
             for nu_2 in linspace(0.0, 0.5, 21) {
@@ -100,40 +95,32 @@ pub(super) fn draw() -> FigureResult {
             }
         }
         let statement = format!("all ν₁, ν₂ from 0 to 1/2 lie inside the corners, δ = {stiffness}");
-        figure.claim(Claim::at_most(statement, farthest, 1e-14).source("the map is projective"));
+        figure.at_most(statement, farthest, 1e-14).source("the map is projective");
         panel.add(Series::area(format!("δ = {stiffness}"), polygon));
     }
     for stiffness in [0.2, 1.0, 10.0] {
         let (borders, margins) = inequalities(stiffness)?;
-        figure.claim(
-            Claim::all_close(
+        figure
+            .all_close(
                 format!("each of (15.3) is an equality at its limit of ν, δ = {stiffness}"),
                 borders,
-                Tolerance::Absolute(1e-13),
+                Absolute(1e-13),
             )
-            .source("(15.3) as printed"),
-        );
-        figure.claim(
-            Claim::all_close(
+            .source("(15.3) as printed");
+        figure
+            .all_close(
                 format!("and holds inside by as much as ν is away from the limit, δ = {stiffness}"),
                 margins,
-                Tolerance::Absolute(1e-13),
+                Absolute(1e-13),
             )
             .source(
                 "(15.1), (15.2) put into (15.3): 1 - 2 ν, 2.5 ν and their like over Σ (1 - ν)/G",
-            ),
-        );
+            );
     }
     let largest = pair(1e9, 0.0, 0.0)?.gamma();
-    figure.claim(
-        Claim::close(
-            "γ tends to 1/2 as body 2 stiffens, ν = 0",
-            largest,
-            0.5,
-            Tolerance::Absolute(2e-9),
-        )
-        .source("closed form (δ - 1)/(2(δ + 1)) at κ = 1"),
-    );
+    figure
+        .close("γ tends to 1/2 as body 2 stiffens, ν = 0", largest, 0.5, Absolute(2e-9))
+        .source("closed form (δ - 1)/(2(δ + 1)) at κ = 1");
     figure.panel(panel);
     Ok(figure)
 }

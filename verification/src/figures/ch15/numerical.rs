@@ -1,5 +1,6 @@
 //! Impacts of two equal spheres on the numerical contact, step by step as the thesis runs them.
 
+use crate::Failure;
 use carom_halfspace::{Material, MaterialPair};
 use carom_impact::coupled::Course;
 use carom_impact::normal::NormalImpact;
@@ -9,8 +10,6 @@ use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_solver::{CellState, ContactState, NumericalLaw};
 use nalgebra::{Matrix3, Vector3};
-
-use super::super::Failure;
 
 /// 82000 N/mm^2, in Pa.
 pub(super) const SHEAR_MODULUS: f64 = 82e9;

@@ -4,17 +4,13 @@ use carom_impact::closed_form::restitution_without_slip;
 use carom_impact::restitution::{RestitutionError, of_spheres};
 use rayon::prelude::*;
 
-use super::super::Failure;
+use super::super::spheres::kappa;
 use super::numerical::Spheres;
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
 
 /// κ and λ of the row that ends early.
 const EARLY: [f64; 2] = [1.055_6, 0.5];
-
-fn kappa(nu: f64) -> f64 {
-    (2.0 - nu) / (2.0 * (1.0 - nu))
-}
 
 fn values(points: &[(f64, f64)]) -> Result<Vec<f64>, RestitutionError> {
     points.par_iter().map(|&(kappa, lambda)| of_spheres(kappa, lambda)).collect()
@@ -28,7 +24,7 @@ pub(super) fn draw() -> FigureResult {
         "numerical: ν, elements, steps",
         "0, 0.3 and 0.5; 16 × 16 about the greatest contact, 128",
     );
-    let mut panel = Panel::new(Axis::linear("λ"), Axis::linear("R_x")).titled("Spheres");
+    let mut panel = Panel::new("λ", "R_x").titled("Spheres");
     let lambdas = linspace(0.0, 10.0, 201);
     let mut curves = Vec::new();
     for nu in linspace(0.0, 0.5, 6) {
@@ -50,17 +46,15 @@ pub(super) fn draw() -> FigureResult {
     let least_rise = (0..first_merged)
         .flat_map(|i| curves.windows(2).map(move |pair| pair[1][i] - pair[0][i]))
         .fold(f64::INFINITY, f64::min);
-    figure.claim(
-        Claim::holds("R_x rises with ν up to λ = 5.5", least_rise > 0.0, least_rise)
-            .source("ordering of the printed curves"),
-    );
+    figure
+        .holds("R_x rises with ν up to λ = 5.5", least_rise > 0.0, least_rise)
+        .source("ordering of the printed curves");
     let merged = lambdas.iter().enumerate().filter(|(_, lambda)| **lambda >= 6.0 + 1e-9);
     let spread =
         merged.map(|(i, lambda)| (curves[0][i] - (7.0 / lambda - 1.0)).abs()).fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("ν = 0 slides throughout from λ = 6 on: R_x = 7/λ - 1", spread, 1e-15)
-            .source("(9.33)"),
-    );
+    figure
+        .at_most("ν = 0 slides throughout from λ = 6 on: R_x = 7/λ - 1", spread, 1e-15)
+        .source("(9.33)");
     figure.deviation(
         "complete slip for λ ≥ 7",
         "complete slip for λ ≥ 7 - κ",
@@ -91,14 +85,10 @@ fn numerical(figure: &mut Figure, panel: &mut Panel) -> Result<(), Failure> {
     let of = |slowly: bool| -> Result<Vec<_>, RestitutionError> {
         all.iter().filter(|job| slow(job) == slowly).map(|job| exact(*job)).collect()
     };
-    figure.claim(
-        Claim::all_close("numerical R_x for λ ≥ 2", of(false)?, Tolerance::Absolute(0.004))
-            .source("exact walk"),
-    );
-    figure.claim(
-        Claim::all_close("and for λ ≤ 1, where steps count", of(true)?, Tolerance::Absolute(0.02))
-            .source("exact walk"),
-    );
+    figure.all_close("numerical R_x for λ ≥ 2", of(false)?, Absolute(0.004)).source("exact walk");
+    figure
+        .all_close("and for λ ≤ 1, where steps count", of(true)?, Absolute(0.02))
+        .source("exact walk");
     let table = rows::<4>(include_str!("../../../data/impact/numerical_similar.csv"))?;
     // Its first-order steps leave up to 0.02 at smaller λ, as the exact walk shows.
     let fast = table.iter().filter(|[_, lambda, _, _]| *lambda >= 2.0);
@@ -106,18 +96,17 @@ fn numerical(figure: &mut Figure, panel: &mut Panel) -> Result<(), Failure> {
         let own = all.iter().find(|((n, l), _)| n == nu && l == lambda);
         own.map_or(f64::INFINITY, |(_, own)| (own - r_x).abs() / error)
     });
-    figure.claim(
-        Claim::at_most(
+    figure
+        .at_most(
             "numerical R_x for λ ≥ 2 against another half-space program, over its error",
             worst.fold(0.0, f64::max),
             1.0,
         )
-        .source("an independent half-space program with 20 × 20 elements and 100 steps"),
-    );
+        .source("an independent half-space program with 20 × 20 elements and 100 steps");
     Ok(())
 }
 
-fn table_claims(figure: &mut Figure) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+fn table_claims(figure: &mut Figure) -> Result<(), Failure> {
     let table = rows::<3>(include_str!("../../../data/impact/spheres.csv"))?;
     let points: Vec<_> = table.iter().map(|[kappa, lambda, _]| (*kappa, *lambda)).collect();
     let found = values(&points)?;
@@ -129,23 +118,14 @@ fn table_claims(figure: &mut Figure) -> Result<(), Box<dyn std::error::Error + S
         chosen.map(|(row, own)| (*own, row[2])).collect::<Vec<_>>()
     };
     let source = "planar event-driven integration of an independent program";
-    figure.claim(
-        Claim::all_close("R_x of 151 impacts", pairs(false), Tolerance::Absolute(1e-10))
-            .source(source),
-    );
-    figure.claim(
-        Claim::all_close(
-            "and of one whose integration stops 1e-4 T early",
-            pairs(true),
-            Tolerance::Absolute(1e-9),
-        )
-        .source(source),
-    );
+    figure.all_close("R_x of 151 impacts", pairs(false), Absolute(1e-10)).source(source);
+    figure
+        .all_close("and of one whose integration stops 1e-4 T early", pairs(true), Absolute(1e-9))
+        .source(source);
     let peaks = rows::<4>(include_str!("../../../data/impact/peaks.csv"))?;
     let points: Vec<_> = peaks.iter().map(|[_, kappa, lambda, _]| (*kappa, *lambda)).collect();
     let pairs = values(&points)?.into_iter().zip(peaks.iter().map(|row| row[3]));
-    figure
-        .claim(Claim::all_close("the six peaks", pairs, Tolerance::Absolute(1e-9)).source(source));
+    figure.all_close("the six peaks", pairs, Absolute(1e-9)).source(source);
     let beside: Vec<_> = points
         .iter()
         .flat_map(|&(kappa, lambda)| [(kappa, lambda - 0.01), (kappa, lambda + 0.01)])
@@ -155,22 +135,18 @@ fn table_claims(figure: &mut Figure) -> Result<(), Box<dyn std::error::Error + S
     let drop = (0..6)
         .flat_map(|i| [tops[i] - lower[2 * i], tops[i] - lower[2 * i + 1]])
         .fold(f64::INFINITY, f64::min);
-    figure.claim(
-        Claim::holds("R_x is lower on both sides of each peak", drop > 0.0, drop)
-            .source("places of the peaks by the independent program"),
-    );
+    figure
+        .holds("R_x is lower on both sides of each peak", drop > 0.0, drop)
+        .source("places of the peaks by the independent program");
     Ok(())
 }
 
-fn limit_claims(figure: &mut Figure) -> Result<(), Box<dyn std::error::Error + Send + Sync>> {
+fn limit_claims(figure: &mut Figure) -> Result<(), Failure> {
     let nus = linspace(0.0, 0.5, 6);
     let small: Vec<_> = nus.iter().map(|&nu| (kappa(nu), 1e-9)).collect();
     let limits = nus.iter().map(|&nu| restitution_without_slip(3.5 / kappa(nu)));
     let pairs = values(&small)?.into_iter().zip(limits);
-    figure.claim(
-        Claim::all_close("λ = 1e-9 meets (9.46)", pairs, Tolerance::Absolute(1e-8))
-            .source("closed form"),
-    );
+    figure.all_close("λ = 1e-9 meets (9.46)", pairs, Absolute(1e-8)).source("closed form");
     let psi = 1e-4;
     let slope = |nu: f64| -> Result<f64, RestitutionError> {
         let kappa = kappa(nu);
@@ -179,15 +155,11 @@ fn limit_claims(figure: &mut Figure) -> Result<(), Box<dyn std::error::Error + S
     let slopes = [(0.0, 0.0719), (0.3, 0.2577), (0.5, 0.382)];
     let pairs: Result<Vec<(f64, f64)>, RestitutionError> =
         slopes.iter().map(|&(nu, expected)| Ok((slope(nu)?, expected))).collect();
-    figure.claim(
-        Claim::all_close("slope dR_x/dψ at 0, ν = 0, 0.3, 0.5", pairs?, Tolerance::Absolute(5e-4))
-            .source("independent program"),
-    );
+    figure
+        .all_close("slope dR_x/dψ at 0, ν = 0, 0.3, 0.5", pairs?, Absolute(5e-4))
+        .source("independent program");
     let seven: Vec<_> = nus.iter().map(|&nu| (kappa(nu), 7.0)).collect();
     let pairs = values(&seven)?.into_iter().map(|r| (r, 0.0));
-    figure.claim(
-        Claim::all_close("R_x(7) = 0 for every ν", pairs, Tolerance::Absolute(1e-15))
-            .source("(9.33): -1 + 7/λ"),
-    );
+    figure.all_close("R_x(7) = 0 for every ν", pairs, Absolute(1e-15)).source("(9.33): -1 + 7/λ");
     Ok(())
 }

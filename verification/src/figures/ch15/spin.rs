@@ -8,9 +8,8 @@ use carom_impact::torsional::{SpinCollision, Spinner};
 use carom_laws::friction::Friction;
 use rayon::prelude::*;
 
-use super::super::Failure;
 use super::numerical::{SHEAR_MODULUS, Spheres};
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use crate::{Failure, Figure, FigureResult, Marker, Panel, Relative, Series};
 
 const CELLS: usize = 16;
 const STEPS: usize = 50;
@@ -49,8 +48,8 @@ pub(super) fn draw() -> FigureResult {
     let run = |&(spin, lambda): &(f64, f64)| Ok(rebound(&spheres, lambda, spin)?[0]);
     let found: Vec<f64> = jobs.par_iter().map(run).collect::<Result<_, Failure>>()?;
     let curves: Vec<&[f64]> = found.chunks(LAMBDAS.len()).collect();
-    let kappa = (2.0 - POISSON) / (2.0 * (1.0 - POISSON));
-    let mut panel = Panel::new(Axis::linear("λ"), Axis::linear("R_x")).titled("steel spheres");
+    let kappa = super::super::spheres::kappa(POISSON);
+    let mut panel = Panel::new("λ", "R_x").titled("steel spheres");
     let lambdas = crate::linspace(0.05, 8.0, 160);
     let exact: Result<Vec<_>, _> =
         lambdas.into_iter().map(|at| Ok::<_, Failure>((at, of_spheres(kappa, at)?))).collect();
@@ -76,18 +75,14 @@ pub(super) fn draw() -> FigureResult {
 fn claims(figure: &mut Figure, spheres: &Spheres, curves: &[&[f64]]) -> Result<(), Failure> {
     let change = |i: usize, j: usize| curves[i][j] - curves[0][j];
     let slow = (2..LAMBDAS.len()).map(|j| change(1, j).abs()).fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("10 Hz changes R_x little for λ ≥ 1", slow, 0.02).source("section 15.3"),
-    );
+    figure.at_most("10 Hz changes R_x little for λ ≥ 1", slow, 0.02).source("section 15.3");
     let raised = (0..3).map(|j| change(2, j)).fold(f64::INFINITY, f64::min);
-    figure
-        .claim(Claim::at_least("500 Hz raises R_x for λ ≤ 1", raised, 0.05).source("section 15.3"));
+    figure.at_least("500 Hz raises R_x for λ ≤ 1", raised, 0.05).source("section 15.3");
     let low = change(2, 0).min(change(2, 1));
     let twist = change(1, 0).abs().max(change(1, 1).abs());
-    figure.claim(
-        Claim::at_most("below that by a fifth of what 500 Hz does", twist, 0.2 * low)
-            .source("section 15.3: almost to be neglected"),
-    );
+    figure
+        .at_most("below that by a fifth of what 500 Hz does", twist, 0.2 * low)
+        .source("section 15.3: almost to be neglected");
     // Hardly any slip: the torsional impact of chapter 10.
     let friction = Friction::new(spheres.friction)?;
     let still = Spinner::solid_sphere(spheres.mass, spheres.radius)?;
@@ -101,13 +96,8 @@ fn claims(figure: &mut Figure, spheres: &Spheres, curves: &[&[f64]]) -> Result<(
             Ok((1.0 - ratio, 1.0 - exact.spin_ratio))
         })
         .collect();
-    figure.claim(
-        Claim::all_close(
-            "without slip, the part of the spin that is lost",
-            pairs?,
-            Tolerance::Relative(0.05),
-        )
-        .source("torsional impact of chapter 10, exact for circles"),
-    );
+    figure
+        .all_close("without slip, the part of the spin that is lost", pairs?, Relative(0.05))
+        .source("torsional impact of chapter 10, exact for circles");
     Ok(())
 }

@@ -5,9 +5,8 @@ use carom_laws::friction::Friction;
 use carom_laws::shift_law::ShiftLaw;
 use carom_solver::{CellState, ContactState};
 
-use super::super::Failure;
 use super::numerical::{Instant, Spheres, stick};
-use crate::{Arrow, Axis, Claim, Figure, FigureResult, Panel, Point, Series, Tolerance};
+use crate::{Absolute, Arrow, Axis, Failure, Figure, FigureResult, Panel, Point, Series};
 
 const SHOWN: [usize; 5] = [10, 25, 35, 40, 45];
 const STEPS: usize = 50;
@@ -31,8 +30,7 @@ pub(super) fn draw() -> FigureResult {
     let contact = |step: usize| -> Result<&ContactState, Failure> {
         Ok(run.get(step).and_then(|at| at.contact.as_ref()).ok_or("no contact")?)
     };
-    let mut panel = Panel::new(Axis::linear("x/a_max"), Axis::linear("σ_zx/(f p₀,max)"))
-        .titled("along the middle");
+    let mut panel = Panel::new("x/a_max", "σ_zx/(f p₀,max)").titled("along the middle");
     for (colour, step) in SHOWN.into_iter().enumerate() {
         let points = middle_row(contact(step)?);
         let points = points.into_iter().map(|(x, t, _)| (x / radius, t / unit));
@@ -43,28 +41,21 @@ pub(super) fn draw() -> FigureResult {
         figure.panel(arrows(contact(step)?, step, radius));
     }
     claims(&mut figure, &spheres, &run)?;
-    figure.claim(
-        Claim::at_least("step 10: all sticks but the rim", stick(contact(10)?), 0.9)
-            .source("adhesion for λ < κ while the bodies approach (9.42)"),
-    );
+    figure
+        .at_least("step 10: all sticks but the rim", stick(contact(10)?), 0.9)
+        .source("adhesion for λ < κ while the bodies approach (9.42)");
     let parts = SHOWN[1..].iter().map(|step| Ok(stick(contact(*step)?)));
-    figure.claim(
-        Claim::decreasing("then less and less sticks", parts.collect::<Result<Vec<_>, Failure>>()?)
-            .source("regimes of the exact walk: partial slip the other way, then sliding"),
-    );
+    figure
+        .decreasing("then less and less sticks", parts.collect::<Result<Vec<_>, Failure>>()?)
+        .source("regimes of the exact walk: partial slip the other way, then sliding");
     let rim = |step: usize| -> Result<Vec<(f64, f64)>, Failure> {
         let cells = slipping(contact(step)?);
         Ok(cells.into_iter().map(|(t, p)| (t / (spheres.friction * p), -1.0)).collect())
     };
     let pairs = [rim(35)?, rim(40)?, rim(45)?].concat();
-    figure.claim(
-        Claim::all_close(
-            "where it slips the stress is -f p along x",
-            pairs,
-            Tolerance::Absolute(0.05),
-        )
-        .source("Coulomb's law; for ν = 1/2 the stress turns by less than 18 degrees"),
-    );
+    figure
+        .all_close("where it slips the stress is -f p along x", pairs, Absolute(0.05))
+        .source("Coulomb's law; for ν = 1/2 the stress turns by less than 18 degrees");
     Ok(figure)
 }
 
@@ -111,10 +102,9 @@ fn arrows(contact: &ContactState, step: usize, radius: f64) -> Panel {
 fn claims(figure: &mut Figure, spheres: &Spheres, run: &[Instant]) -> Result<(), Failure> {
     let [first, .., last] = run else { return Err("no impact".into()) };
     let exact = of_spheres(1.5, LAMBDA)?;
-    figure.claim(
-        Claim::close("R_x", -last.rate[0] / first.rate[0], exact, Tolerance::Absolute(0.01))
-            .source("exact walk; 50 steps are off by less than 0.01 at λ = 1"),
-    );
+    figure
+        .close("R_x", -last.rate[0] / first.rate[0], exact, Absolute(0.01))
+        .source("exact walk; 50 steps are off by less than 0.01 at λ = 1");
     // The analytic law on the same steps.
     let friction = Friction::new(spheres.friction)?;
     let law = ShiftLaw::<f64>::new(spheres.hertz()?.stiffness(), friction);
@@ -125,9 +115,8 @@ fn claims(figure: &mut Figure, spheres: &Spheres, run: &[Instant]) -> Result<(),
         let unit = 1.0 / (spheres.friction * greatest);
         (unit * run[step].load.f_x, unit * analytic[step].load.f_x)
     });
-    figure.claim(
-        Claim::all_close("F_x/(f F_z,max) at the steps shown", pairs, Tolerance::Absolute(0.02))
-            .source("Cattaneo-Mindlin with memory, the same steps"),
-    );
+    figure
+        .all_close("F_x/(f F_z,max) at the steps shown", pairs, Absolute(0.02))
+        .source("Cattaneo-Mindlin with memory, the same steps");
     Ok(())
 }

@@ -1,5 +1,6 @@
 //! Corrections of chapters 3 and 4.
 
+use crate::Failure;
 use carom_halfspace::{
     Force, LoadedRectangle, Material, MaterialPair, Offset, Point, PointLoad, Rectangle, Traction,
 };
@@ -8,7 +9,7 @@ use carom_laws::field::circular_shear;
 use carom_special::quadrature::GaussLegendre;
 use std::f64::consts::{PI, TAU};
 
-use super::{Correction, Failure};
+use super::Correction;
 
 const NU: f64 = 0.3;
 

@@ -1,5 +1,6 @@
 //! Corrections of chapters 5 to 7 and 14.
 
+use crate::Failure;
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::ellipse::ContactEllipse;
@@ -18,7 +19,7 @@ use carom_special::elliptic::complete;
 use carom_special::quadrature::GaussLegendre;
 use std::f64::consts::{PI, TAU};
 
-use super::{Correction, Failure};
+use super::Correction;
 
 pub(super) fn corrections() -> Result<Vec<Correction>, Failure> {
     Ok(vec![

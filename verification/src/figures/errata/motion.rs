@@ -1,5 +1,6 @@
 //! Corrections of chapters 8 to 10.
 
+use crate::Failure;
 use carom_geometry::{Inertia, angle_matrix};
 use carom_halfspace::{Material, MaterialPair};
 use carom_impact::closed_form::ImpactConstants;
@@ -7,10 +8,11 @@ use carom_impact::oblique::{Groups, ObliqueImpact};
 use carom_impact::torsional::limits::{no_slip, no_slip_as_printed, sliding, sliding_as_printed};
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::hertz::Hertz;
+use carom_special::roots::try_bisect;
 use nalgebra::{Matrix3, Rotation3, Vector3};
 use std::f64::consts::{FRAC_PI_2, PI};
 
-use super::{Correction, Failure};
+use super::Correction;
 
 pub(super) fn corrections() -> Result<Vec<Correction>, Failure> {
     Ok(vec![rotation(), cylinders()?, sliding_begins()?, slow_spin()?, fast_spin()])
@@ -70,17 +72,13 @@ fn sliding_begins() -> Result<Correction, Failure> {
         let impact = ObliqueImpact::new(Groups::of_spheres(kappa, lambda)?)?;
         Ok(impact.phases().len() == 1)
     };
-    let (mut low, mut high) = (4.0, 8.0);
-    for _ in 0..40 {
-        let middle = 0.5 * (low + high);
-        if slides(middle)? { high = middle } else { low = middle }
-    }
+    let [_, least] = try_bisect([4.0, 8.0], 40, |lambda| Ok::<_, Failure>(!slides(lambda)?))?;
     Ok(Correction {
         equation: "9.33",
         printed: r"sliding throughout for $\lambda\ge7$",
         corrected: r"sliding throughout for $\lambda\ge7-\kappa$",
         check: "least λ of a sphere that slides throughout, κ = 1.2",
-        value: high,
+        value: least,
         expected: 7.0 - kappa,
         as_printed: Some(7.0),
         tolerance: 1e-9,

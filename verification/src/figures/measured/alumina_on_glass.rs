@@ -2,10 +2,9 @@
 
 use carom_halfspace::{Material, MaterialPair};
 
-use super::super::Failure;
 use super::models::{Spring, bars, constant, elastic, rms, spring};
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
 
 const RADIUS: f64 = 0.0025;
 const SPEED: f64 = 3.9;
@@ -105,8 +104,7 @@ impl Quantity {
             let value = |angle: &f64| Ok((*angle, (self.of)(After::new(*angle, model)?)));
             angles.iter().map(value).collect()
         };
-        let mut panel = Panel::new(Axis::linear("incidence / degrees"), Axis::linear(self.axis))
-            .titled(self.title);
+        let mut panel = Panel::new("incidence / degrees", self.axis).titled(self.title);
         panel.add(Series::line("carom, no number fitted", curve(&|l| elastic(kappa, l, 1.0))?));
         let walton = curve(&|l| Ok(constant(BETA, l, 1.0)))?;
         panel.add(Series::dashed("constant coefficients", walton));
@@ -142,10 +140,7 @@ pub(super) fn draw() -> FigureResult {
     for quantity in &quantities {
         figure.panel(quantity.panel(kappa)?);
     }
-    figure.claim(
-        Claim::close("κ of alumina on glass", kappa, 1.1639, Tolerance::Absolute(5e-5))
-            .source("(15.1), by hand"),
-    );
+    figure.close("κ of alumina on glass", kappa, 1.1639, Absolute(5e-5)).source("(15.1), by hand");
     measured_claims(&mut figure, &quantities, kappa)?;
     other_models(&mut figure, &quantities[0], kappa)?;
     Ok(figure)
@@ -160,27 +155,20 @@ fn measured_claims(figure: &mut Figure, all: &[Quantity; 4], kappa: f64) -> Resu
         let found = quantity.deviations(|lambda| elastic(kappa, lambda, 1.0))?;
         let worst = found.iter().fold(0.0_f64, |worst, d| worst.max(d.abs()));
         let title = quantity.title.to_lowercase();
-        figure.claim(
-            Claim::at_most(format!("{title}: rms against the measurement"), rms(&found), mean)
-                .source("Kharaz et al. 2001; readings and speed"),
-        );
-        figure.claim(
-            Claim::at_most(format!("{title}: largest deviation"), worst, largest)
-                .source("Kharaz et al. 2001; readings, speed and friction"),
-        );
+        figure
+            .at_most(format!("{title}: rms against the measurement"), rms(&found), mean)
+            .source("Kharaz et al. 2001; readings and speed");
+        figure
+            .at_most(format!("{title}: largest deviation"), worst, largest)
+            .source("Kharaz et al. 2001; readings, speed and friction");
         let mut pairs = Vec::new();
         for [angle, _, reference] in quantity.points.iter().filter(|[angle, ..]| *angle > 1.0) {
             let after = After::new(*angle, |lambda| elastic(kappa, lambda, 1.0))?;
             pairs.push(((quantity.of)(after), *reference));
         }
-        figure.claim(
-            Claim::all_close(
-                format!("{title}: the same bodies"),
-                pairs,
-                Tolerance::Absolute(program),
-            )
-            .source("independent program, by reduced dimensionality"),
-        );
+        figure
+            .all_close(format!("{title}: the same bodies"), pairs, Absolute(program))
+            .source("independent program, by reduced dimensionality");
     }
     Ok(())
 }
@@ -206,9 +194,8 @@ fn other_models(figure: &mut Figure, share: &Quantity, kappa: f64) -> Result<(),
     }
     figure.table(table);
     let best_other = all[2..].iter().copied().fold(f64::INFINITY, f64::min);
-    figure.claim(
-        Claim::at_least("rms of the best other model over carom's", best_other / all[0], 1.5)
-            .source("the models as they are published; none fitted here"),
-    );
+    figure
+        .at_least("rms of the best other model over carom's", best_other / all[0], 1.5)
+        .source("the models as they are published; none fitted here");
     Ok(())
 }

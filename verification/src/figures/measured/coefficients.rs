@@ -3,11 +3,10 @@
 
 use carom_halfspace::{Material, MaterialPair};
 
-use super::super::Failure;
 use super::models::{bars, elastic};
 use crate::reference::reader;
 use crate::{
-    Axis, Cell, Claim, Figure, FigureResult, Marker, Panel, Series, Table, Tolerance, linspace,
+    Absolute, Axis, Cell, Failure, Figure, FigureResult, Marker, Panel, Series, Table, linspace,
 };
 
 struct Measured {
@@ -91,10 +90,8 @@ pub(super) fn draw() -> FigureResult {
             deviations.push((one.name.clone(), deviation));
         }
     }
-    let mut panel = Panel::new(
-        Axis::linear("pair, in the order of the table").between(0.0, 12.0),
-        Axis::linear("β₀"),
-    );
+    let mut panel =
+        Panel::new(Axis::linear("pair, in the order of the table").between(0.0, 12.0), "β₀");
     panel.add(Series::markers("elastic theory", Marker::Square, lines));
     bars(ends).into_iter().for_each(|bar| panel.add(bar));
     panel.add(Series::markers("measured", Marker::Dot, dots).coloured(6));
@@ -110,28 +107,25 @@ pub(super) fn draw() -> FigureResult {
 }
 
 fn claims(figure: &mut Figure, deviations: &[(String, f64)], references: Vec<(f64, f64)>) {
-    figure.claim(
-        Claim::all_close("β₀ of the elastic curve", references, Tolerance::Absolute(4e-3))
-            .source("independent program, by reduced dimensionality"),
-    );
+    figure
+        .all_close("β₀ of the elastic curve", references, Absolute(4e-3))
+        .source("independent program, by reduced dimensionality");
     let near = deviations.iter().filter(|(_, deviation)| deviation.abs() <= 1.6).count();
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "pairs of the ten but for polyurethane within 1.6 deviations",
             near as f64,
             9.0,
-            Tolerance::Absolute(0.0),
+            Absolute(0.0),
         )
-        .source("chart and paper; nothing fitted"),
-    );
+        .source("chart and paper; nothing fitted");
     let steel = deviations.iter().find(|(name, _)| name.starts_with("chrome steel"));
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "chrome steel, in deviations",
             steel.map_or(f64::NAN, |(_, deviation)| *deviation),
             2.8,
-            Tolerance::Absolute(0.1),
+            Absolute(0.1),
         )
-        .source("chart, and an independent program"),
-    );
+        .source("chart, and an independent program");
 }

@@ -4,8 +4,7 @@
 use carom_impact::normal::DURATION;
 use carom_impact::restitution::of_spheres;
 
-use super::super::Failure;
-use crate::Series;
+use crate::{Failure, Series};
 
 /// The exact elastic theory. A normal restitution below 1 enters by the friction impulse, which
 /// falls to (1 + e)/2 of the elastic one; what sticks stays elastic.

@@ -1,9 +1,8 @@
 //! Cross's Superball on granite: large strains, and where the theory of half-spaces ends.
 
-use super::super::Failure;
 use super::models::{bars, elastic};
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
 
 const KAPPA: f64 = 1.5;
 const FRICTION: f64 = 0.45;
@@ -22,9 +21,7 @@ fn share(friction: f64, degrees: f64) -> Result<f64, Failure> {
 type Curve = fn(f64, f64) -> Result<f64, Failure>;
 
 fn panel(title: &str, axis: &str, curve: Curve, points: &[[f64; 3]]) -> Result<Panel, Failure> {
-    let mut panel =
-        Panel::new(Axis::linear("incidence from the surface / degrees"), Axis::linear(axis))
-            .titled(title);
+    let mut panel = Panel::new("incidence from the surface / degrees", axis).titled(title);
     let angles = linspace(5.0, 88.0, 167);
     for (name, friction, colour) in
         [("f = 0.45", FRICTION, 0), ("f = 0.37", 0.37, 5), ("f = 0.53", 0.53, 4)]
@@ -64,22 +61,15 @@ pub(super) fn draw() -> FigureResult {
             steep.push(slip / found);
         }
     }
-    figure.claim(
-        Claim::all_close("e_x and v_x'/v_x of the same ball", pairs, Tolerance::Absolute(4e-3))
-            .source("independent program, by reduced dimensionality"),
-    );
-    figure.claim(
-        Claim::all_close(
-            "v_x'/v_x from 35° to 50°, where it grips",
-            grip,
-            Tolerance::Absolute(0.07),
-        )
-        .source("Cross 2014; friction known to a fifth"),
-    );
+    figure
+        .all_close("e_x and v_x'/v_x of the same ball", pairs, Absolute(4e-3))
+        .source("independent program, by reduced dimensionality");
+    figure
+        .all_close("v_x'/v_x from 35° to 50°, where it grips", grip, Absolute(0.07))
+        .source("Cross 2014; friction known to a fifth");
     let least = steep.into_iter().fold(f64::INFINITY, f64::min);
-    figure.claim(
-        Claim::at_least("above 70° the ball comes back so many times as much", least, 2.0)
-            .source("Cross 2014: beyond the theory, the whole ball shears"),
-    );
+    figure
+        .at_least("above 70° the ball comes back so many times as much", least, 2.0)
+        .source("Cross 2014: beyond the theory, the whole ball shears");
     Ok(figure)
 }

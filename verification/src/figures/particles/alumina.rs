@@ -6,11 +6,10 @@ use carom_impact::restitution::with_normal_restitution;
 use carom_impact::{Body, Collision, Motion, Rebound};
 use carom_laws::friction::Friction;
 
-use super::super::Failure;
 use super::dem::{self, Ball, Contact, Substance};
 use crate::linspace;
 use crate::reference::rows;
-use crate::{Axis, Cell, Claim, Figure, FigureResult, Marker, Panel, Series, Table, Tolerance};
+use crate::{Absolute, Axis, Cell, Failure, Figure, FigureResult, Marker, Panel, Series, Table};
 
 const ALUMINA: Substance = Substance { young: 380e9, poisson: 0.23, density: 4000.0 };
 const RADIUS: f64 = 0.0025;
@@ -59,8 +58,10 @@ fn exact(angle: f64) -> Result<After, Failure> {
 /// The same with a normal restitution, by its engineering rule.
 fn inelastic(angle: f64) -> Result<After, Failure> {
     let [tangential, normal] = speeds(angle);
-    let kappa = (2.0 - ALUMINA.poisson) / (2.0 * (1.0 - ALUMINA.poisson));
-    let groups = Groups::of_spheres(kappa, tangential / (FRICTION * normal))?;
+    let groups = Groups::of_spheres(
+        super::super::spheres::kappa(ALUMINA.poisson),
+        tangential / (FRICTION * normal),
+    )?;
     let restitution = with_normal_restitution(groups, MEASURED_RESTITUTION)?;
     // The impulse changes the slip by 7/2 of what it changes the velocity.
     let change = 2.0 / 7.0 * (1.0 + restitution) * tangential;
@@ -99,10 +100,6 @@ impl Published {
     }
 }
 
-fn markers(label: &str, marker: Marker, points: &[[f64; 2]]) -> Series {
-    Series::markers(label, marker, points.iter().map(|[x, y]| (*x, *y)))
-}
-
 fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
     let angles = linspace(1.0, 87.0, 173);
     let elastic: Result<Vec<After>, Failure> = angles.iter().map(|&a| exact(a)).collect();
@@ -112,26 +109,28 @@ fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
         angles.iter().copied().zip(states.iter().map(value)).collect()
     };
     let incidence = || Axis::linear("angle of incidence / degrees");
-    let mut panel = Panel::new(incidence(), Axis::linear("rebound of the contact point / degrees"))
+    let mut panel = Panel::new(incidence(), "rebound of the contact point / degrees")
         .titled("Angle of rebound");
     panel.add(Series::line("carom, e = 1", line(&elastic, |a| a.contact_angle())));
     panel.add(Series::dashed("carom, e = 0.98", line(&damped, |a| a.contact_angle())));
-    panel.add(markers("measured (Kharaz et al.)", Marker::Dot, &published.measured));
-    panel.add(markers("particle code", Marker::Circle, &published.code));
+    panel.add(Series::markers("measured (Kharaz et al.)", Marker::Dot, &published.measured));
+    panel.add(Series::markers("particle code", Marker::Circle, &published.code));
     figure.panel(panel);
 
-    let mut panel = Panel::new(incidence(), Axis::linear("v_t' / v_t of the centre"))
+    let mut panel = Panel::new(incidence(), "v_t' / v_t of the centre")
         .titled("Tangential restitution of the centre");
     let ratios =
         angles.iter().zip(&elastic).map(|(&a, after)| (a, after.tangential / speeds(a)[0]));
     panel.add(Series::line("carom, e = 1", ratios));
-    panel.add(markers("particle code", Marker::Circle, &published.code_restitution).coloured(3));
+    panel.add(
+        Series::markers("particle code", Marker::Circle, &published.code_restitution).coloured(3),
+    );
     figure.panel(panel);
 
-    let mut panel = Panel::new(incidence(), Axis::linear("spin / (rad/s)")).titled("Spin after");
+    let mut panel = Panel::new(incidence(), "spin / (rad/s)").titled("Spin after");
     panel.add(Series::line("carom, e = 1", line(&elastic, |a| a.spin)));
     let spins = published.code_spin.iter().map(|[x, y]| [*x, -y]).collect::<Vec<_>>();
-    panel.add(markers("particle code", Marker::Circle, &spins).coloured(3));
+    panel.add(Series::markers("particle code", Marker::Circle, spins).coloured(3));
     figure.panel(panel);
     Ok(())
 }
@@ -173,14 +172,13 @@ fn published_claims(figure: &mut Figure, published: &Published) -> Result<(), Fa
     for [angle, spin] in sliding(&published.code_spin) {
         pairs.push((inelastic(angle)?.spin / 600.0, -spin / 600.0));
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "published code from 35° on: v_t'/v_t, and spin over 600/s, with e = 0.98",
             pairs,
-            Tolerance::Absolute(0.01),
+            Absolute(0.01),
         )
-        .source("Chung and Ooi 2011, read off the figures: complete sliding"),
-    );
+        .source("Chung and Ooi 2011, read off the figures: complete sliding");
     Ok(())
 }
 
@@ -203,18 +201,15 @@ fn exact_claims(figure: &mut Figure) -> Result<(), Failure> {
         steps.push((after.normal / SPEED, step.normal / SPEED));
         steps.push((RADIUS * after.spin / SPEED, RADIUS * step.spin / SPEED));
     }
-    figure.claim(
-        Claim::all_close("v_t'/v_t at seven angles", ratios, Tolerance::Absolute(5.1e-6))
-            .source("independent program, five decimals"),
-    );
-    figure.claim(
-        Claim::all_close("spin at seven angles", spins, Tolerance::Absolute(5.1e-3))
-            .source("independent program, two decimals"),
-    );
-    figure.claim(
-        Claim::all_close("velocities and spin at seven angles", steps, Tolerance::Absolute(1e-6))
-            .source("particle code of springs, stepped in time"),
-    );
+    figure
+        .all_close("v_t'/v_t at seven angles", ratios, Absolute(5.1e-6))
+        .source("independent program, five decimals");
+    figure
+        .all_close("spin at seven angles", spins, Absolute(5.1e-3))
+        .source("independent program, two decimals");
+    figure
+        .all_close("velocities and spin at seven angles", steps, Absolute(1e-6))
+        .source("particle code of springs, stepped in time");
     let mut sliding = Vec::new();
     for angle in [32.0, 40.0, 50.0, 65.0, 85.0] {
         let ([tangential, normal], after) = (speeds(angle), exact(angle)?);
@@ -222,10 +217,9 @@ fn exact_claims(figure: &mut Figure) -> Result<(), Failure> {
         sliding.push((after.tangential, tangential - change));
         sliding.push((RADIUS * after.spin, 2.5 * change));
     }
-    figure.claim(
-        Claim::all_close("complete sliding from 32° on", sliding, Tolerance::Absolute(1e-13))
-            .source("impulse 2 f m v_n"),
-    );
+    figure
+        .all_close("complete sliding from 32° on", sliding, Absolute(1e-13))
+        .source("impulse 2 f m v_n");
     let mut heats = Vec::new();
     for (angle, ratio, spin) in printed {
         let [tangential, _] = speeds(angle);
@@ -235,14 +229,13 @@ fn exact_claims(figure: &mut Figure) -> Result<(), Failure> {
         heats.push((energy.dissipated / energy.before, lost / (SPEED * SPEED)));
         heats.push((1.0 - energy.after / energy.before, lost / (SPEED * SPEED)));
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "share of the kinetic energy that friction takes, at seven angles",
             heats,
-            Tolerance::Absolute(2e-5),
+            Absolute(2e-5),
         )
-        .source("velocity and spin of the independent program"),
-    );
+        .source("velocity and spin of the independent program");
     Ok(())
 }
 

@@ -4,10 +4,9 @@ use carom_halfspace::Material;
 use carom_impact::{Body, Collision, Motion, Rebound};
 use carom_laws::friction::Friction;
 
-use super::super::Failure;
 use super::dem::{self, Ball, Contact, Substance};
 use crate::reference::rows;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Table, Tolerance};
+use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Relative, Series, Table};
 
 struct Case {
     name: &'static str,
@@ -91,18 +90,15 @@ struct Published {
 fn panels(figure: &mut Figure, case: &Case, published: &Published) -> Result<(), Failure> {
     let history = case.collision()?.history(201)?;
     let label = "published points";
-    let mut panel = Panel::new(Axis::linear("approach / μm"), Axis::linear("force / kN"))
-        .titled(format!("Test {}", case.name));
+    let mut panel = Panel::new("approach / μm", "force / kN").titled(format!("Test {}", case.name));
     let curve = history.iter().map(|p| (1e6 * p.shift.z, 1e-3 * p.force.z));
     panel.add(Series::line("carom", curve));
-    let points = published.approach.iter().map(|[x, y]| (*x, *y));
-    panel.add(Series::markers(label, Marker::Circle, points));
+    panel.add(Series::markers(label, Marker::Circle, &published.approach));
     figure.panel(panel);
-    let mut panel = Panel::new(Axis::linear("time / μs"), Axis::linear("force / kN"))
-        .titled(format!("Test {}", case.name));
+    let mut panel = Panel::new("time / μs", "force / kN").titled(format!("Test {}", case.name));
     let curve = history.iter().map(|p| (1e6 * p.time, 1e-3 * p.force.z));
     panel.add(Series::line("carom", curve));
-    panel.add(Series::markers(label, Marker::Circle, published.time.iter().map(|[x, y]| (*x, *y))));
+    panel.add(Series::markers(label, Marker::Circle, &published.time));
     figure.panel(panel);
     Ok(())
 }
@@ -121,14 +117,13 @@ fn published_claim(figure: &mut Figure, case: &Case, published: &Published) -> R
         (zeta * zeta.sqrt(), force / peak)
     });
     let pairs: Vec<(f64, f64)> = by_approach.chain(by_time).collect();
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             format!("published forces of test {}, over the greatest", case.name),
             pairs,
-            Tolerance::Absolute(0.02),
+            Absolute(0.02),
         )
-        .source("Chung and Ooi 2011, read off the figures"),
-    );
+        .source("Chung and Ooi 2011, read off the figures");
     Ok(())
 }
 
@@ -154,14 +149,12 @@ fn table(figure: &mut Figure) -> Result<(), Failure> {
         stepped.extend(values.into_iter().zip(expected));
     }
     figure.table(table);
-    figure.claim(
-        Claim::all_close("the twelve extremes", closed, Tolerance::Relative(1e-13))
-            .source("Hertz's formulas with E*, R*, m*"),
-    );
-    figure.claim(
-        Claim::all_close("the twelve extremes once more", stepped, Tolerance::Relative(1e-5))
-            .source("particle code of springs, stepped in time"),
-    );
+    figure
+        .all_close("the twelve extremes", closed, Relative(1e-13))
+        .source("Hertz's formulas with E*, R*, m*");
+    figure
+        .all_close("the twelve extremes once more", stepped, Relative(1e-5))
+        .source("particle code of springs, stepped in time");
     Ok(())
 }
 
@@ -191,14 +184,9 @@ pub(super) fn draw() -> FigureResult {
     table(&mut figure)?;
     let printed = [274.113e-6, 10.6969e3, 40.3395e-6, 49.7172e-6, 11.3699e3, 731.657e-6];
     let values = [extremes(&GLASS.rebound()?), extremes(&ALUMINIUM.rebound()?)].concat();
-    figure.claim(
-        Claim::all_close(
-            "glass and aluminium",
-            values.into_iter().zip(printed),
-            Tolerance::Relative(5e-6),
-        )
-        .source("independent program, six digits"),
-    );
+    figure
+        .all_close("glass and aluminium", values.into_iter().zip(printed), Relative(5e-6))
+        .source("independent program, six digits");
     figure.deviation(
         "the impact of test 1 is elastic and Hertzian",
         "waves would take 4.5 % of the energy, and a/R = 0.117 exceeds 0.1",

@@ -6,11 +6,10 @@ use carom_impact::{Body, Collision, Motion};
 use carom_laws::friction::Friction;
 use rayon::prelude::*;
 
-use super::super::Failure;
 use super::dem::{self, Ball, Contact, Substance};
 use crate::reference::rows;
 use crate::{
-    Axis, Cell, Claim, Figure, FigureResult, Marker, Panel, Series, Table, Tolerance, linspace,
+    Absolute, Axis, Cell, Failure, Figure, FigureResult, Marker, Panel, Series, Table, linspace,
 };
 
 const STEEL: Substance = Substance { young: 208e9, poisson: 0.3, density: 7850.0 };
@@ -28,7 +27,7 @@ struct After {
 
 /// The exact walk in the groups kappa and lambda = V_t/(f V_n).
 fn exact(poisson: f64, slip: f64) -> Result<After, Failure> {
-    let restitution = of_spheres((2.0 - poisson) / (2.0 * (1.0 - poisson)), slip)?;
+    let restitution = of_spheres(super::super::spheres::kappa(poisson), slip)?;
     // The rim takes 5/7 of the change of slip.
     Ok(After { rebound: -restitution * slip, rim: -5.0 / 7.0 * (1.0 + restitution) * slip })
 }
@@ -75,10 +74,6 @@ impl Published {
     }
 }
 
-fn markers(label: &str, marker: Marker, points: &[[f64; 2]]) -> Series {
-    Series::markers(label, marker, points.iter().map(|[x, y]| (*x, *y)))
-}
-
 fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
     let slips = linspace(0.0, 14.0, 281);
     let curve = |poisson: f64| -> Result<Vec<After>, Failure> {
@@ -90,22 +85,22 @@ fn panels(figure: &mut Figure, published: &Published) -> Result<(), Failure> {
     };
     let slip = || Axis::linear("V_t/(f V_n)").between(0.0, 14.0);
     let labels = ["carom, steel (ν = 0.3)", "carom, polyethylene (ν = 0.4)"];
-    let mut panel = Panel::new(slip(), Axis::linear("contact point after, V_st'/(f V_n')"))
+    let mut panel = Panel::new(slip(), "contact point after, V_st'/(f V_n')")
         .titled("Rebound of the contact point");
     panel.add(Series::line(labels[0], line(&steel, |a| a.rebound)));
     panel.add(Series::line(labels[1], line(&polyethylene, |a| a.rebound)));
-    panel.add(markers("finite elements", Marker::Dot, &published.fem_rebound));
+    panel.add(Series::markers("finite elements", Marker::Dot, &published.fem_rebound));
     figure.panel(panel);
-    let mut panel = Panel::new(slip(), Axis::linear("rim after, R ω'/(f V_n)")).titled("Spin");
+    let mut panel = Panel::new(slip(), "rim after, R ω'/(f V_n)").titled("Spin");
     panel.add(Series::line(labels[0], line(&steel, |a| a.rim)));
     panel.add(Series::line(labels[1], line(&polyethylene, |a| a.rim)));
     let within = |points: &[[f64; 2]]| -> Vec<[f64; 2]> {
         points.iter().copied().filter(|[x, _]| *x < 14.0).collect()
     };
-    panel.add(markers("finite elements", Marker::Dot, &within(&published.fem_rim)));
-    panel.add(markers("particle code, steel", Marker::Circle, &within(&published.steel)));
+    panel.add(Series::markers("finite elements", Marker::Dot, within(&published.fem_rim)));
+    panel.add(Series::markers("particle code, steel", Marker::Circle, within(&published.steel)));
     let code = within(&published.polyethylene);
-    panel.add(markers("particle code, polyethylene", Marker::Square, &code));
+    panel.add(Series::markers("particle code, polyethylene", Marker::Square, code));
     figure.panel(panel);
     Ok(())
 }
@@ -140,10 +135,9 @@ fn distances(figure: &mut Figure, published: &Published) -> Result<(), Failure> 
         table.row([Cell::from(points), quantity.into(), distance.into()]);
     }
     figure.table(table);
-    figure.claim(
-        Claim::at_most("rms distance of the finite elements' spin from carom's, steel", rim, 0.06)
-            .source("Chung and Ooi 2011, read off the figures"),
-    );
+    figure
+        .at_most("rms distance of the finite elements' spin from carom's, steel", rim, 0.06)
+        .source("Chung and Ooi 2011, read off the figures");
     // From here on all slides: 5 of spin, and V_t/(f V_n) - 7 of rebound.
     let sliding = |points: &[[f64; 2]], poisson: f64, value: fn(After) -> f64| {
         let far = points.iter().filter(|[x, _]| (6.5..14.0).contains(x));
@@ -154,14 +148,9 @@ fn distances(figure: &mut Figure, published: &Published) -> Result<(), Failure> 
     pairs.extend(sliding(&published.polyethylene, polyethylene, |after| after.rim)?);
     pairs.extend(sliding(&published.fem_rim, steel, |after| after.rim)?);
     pairs.extend(sliding(&published.fem_rebound, steel, |after| after.rebound)?);
-    figure.claim(
-        Claim::all_close(
-            "all published points in complete sliding, over f V_n",
-            pairs,
-            Tolerance::Absolute(0.15),
-        )
-        .source("Chung and Ooi 2011, read off the figures"),
-    );
+    figure
+        .all_close("all published points in complete sliding, over f V_n", pairs, Absolute(0.15))
+        .source("Chung and Ooi 2011, read off the figures");
     Ok(())
 }
 
@@ -180,26 +169,19 @@ fn exact_claims(figure: &mut Figure) -> Result<(), Failure> {
             sliding.extend([(after.rebound, slip - 7.0), (after.rim, -5.0)]);
         }
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "bodies with dimensions, two materials at seven slips",
             dimensions,
-            Tolerance::Absolute(1e-11),
+            Absolute(1e-11),
         )
-        .source("groups κ and λ, momentum of a solid sphere"),
-    );
-    figure.claim(
-        Claim::all_close("the same once more", steps, Tolerance::Absolute(1e-5))
-            .source("particle code of springs, stepped in time"),
-    );
-    figure.claim(
-        Claim::all_close(
-            "complete sliding: V_t/(f V_n) - 7 and -5",
-            sliding,
-            Tolerance::Absolute(1e-12),
-        )
-        .source("impulse 2 f m V_n"),
-    );
+        .source("groups κ and λ, momentum of a solid sphere");
+    figure
+        .all_close("the same once more", steps, Absolute(1e-5))
+        .source("particle code of springs, stepped in time");
+    figure
+        .all_close("complete sliding: V_t/(f V_n) - 7 and -5", sliding, Absolute(1e-12))
+        .source("impulse 2 f m V_n");
     Ok(())
 }
 

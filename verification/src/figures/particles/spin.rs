@@ -7,11 +7,10 @@ use carom_impact::{Body, Collision, Motion};
 use carom_laws::friction::Friction;
 use rayon::prelude::*;
 
-use super::super::Failure;
 use super::dem::{self, Ball, Contact, Substance};
 use crate::reference::rows;
 use crate::{
-    Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace, logspace,
+    Absolute, Axis, Failure, Figure, FigureResult, Marker, Panel, Series, linspace, logspace,
 };
 
 const ALUMINIUM: Substance = Substance { young: 70e9, poisson: 0.33, density: 2700.0 };
@@ -21,7 +20,7 @@ const FRICTION: f64 = 0.4;
 const RESTITUTION: f64 = 0.5;
 
 fn kappa() -> f64 {
-    (2.0 - ALUMINIUM.poisson) / (2.0 * (1.0 - ALUMINIUM.poisson))
+    super::super::spheres::kappa(ALUMINIUM.poisson)
 }
 
 /// Velocity along the surface and spin of a ball.
@@ -81,12 +80,11 @@ fn plane_panel(figure: &mut Figure, published: &[[f64; 2]]) -> Result<(), Failur
     let curve = |normal: f64| -> Result<Vec<(f64, f64)>, Failure> {
         places.par_iter().map(|&x| Ok((x, restitution(x, normal)?))).collect()
     };
-    let mut panel = Panel::new(Axis::log("7 f (1 + e) V_n/(2 V_t)"), Axis::linear("-V_st'/V_st"))
+    let mut panel = Panel::new(Axis::log("7 f (1 + e) V_n/(2 V_t)"), "-V_st'/V_st")
         .titled("Test 6: spinning ball on a plane");
     panel.add(Series::line("carom, e = 1", curve(1.0)?));
     panel.add(Series::dashed("carom, e = 0.5 by its rule", curve(RESTITUTION)?));
-    let points = published.iter().map(|[x, y]| (*x, *y));
-    panel.add(Series::markers("particle code, e = 0.5", Marker::Circle, points));
+    panel.add(Series::markers("particle code, e = 0.5", Marker::Circle, published));
     figure.panel(panel);
     Ok(())
 }
@@ -94,8 +92,8 @@ fn plane_panel(figure: &mut Figure, published: &[[f64; 2]]) -> Result<(), Failur
 fn balls_panel(figure: &mut Figure) -> Result<(), Failure> {
     let rims = linspace(0.0, 12.0, 121);
     let unit = APPROACH / RADIUS;
-    let mut panel = Panel::new(Axis::linear("R ω₁ / V_n before"), Axis::linear("R ω / V_n after"))
-        .titled("Test 7: two equal balls");
+    let mut panel =
+        Panel::new("R ω₁ / V_n before", "R ω / V_n after").titled("Test 7: two equal balls");
     let after = |second: f64| -> Result<Vec<[Turn; 2]>, Failure> {
         rims.par_iter().map(|rim| two_balls([rim * unit, second * rim * unit])).collect()
     };
@@ -127,14 +125,12 @@ fn plane_claims(figure: &mut Figure, published: &[[f64; 2]]) -> Result<(), Failu
         steps.push((after.velocity / slip, step.velocity[0] / slip));
         steps.push((RADIUS * after.spin / slip, RADIUS * step.spin / slip));
     }
-    figure.claim(
-        Claim::all_close("test 6 with dimensions, e = 1", groups, Tolerance::Absolute(1e-12))
-            .source("groups κ and λ"),
-    );
-    figure.claim(
-        Claim::all_close("velocities and spins of test 6, e = 1", steps, Tolerance::Absolute(5e-6))
-            .source("particle code of springs, stepped in time"),
-    );
+    figure
+        .all_close("test 6 with dimensions, e = 1", groups, Absolute(1e-12))
+        .source("groups κ and λ");
+    figure
+        .all_close("velocities and spins of test 6, e = 1", steps, Absolute(5e-6))
+        .source("particle code of springs, stepped in time");
     // 1 + R_x of complete sliding is the abscissa, whatever e.
     let slides = 3.5 * (1.0 + RESTITUTION) / (7.0 - kappa());
     let sliding: Result<Vec<(f64, f64)>, Failure> = published
@@ -142,14 +138,9 @@ fn plane_claims(figure: &mut Figure, published: &[[f64; 2]]) -> Result<(), Failu
         .filter(|[x, _]| *x < slides)
         .map(|&[x, y]| Ok((restitution(x, RESTITUTION)?, y)))
         .collect();
-    figure.claim(
-        Claim::all_close(
-            "published points in complete sliding",
-            sliding?,
-            Tolerance::Absolute(0.02),
-        )
-        .source("Chung and Ooi 2011, read off the figures"),
-    );
+    figure
+        .all_close("published points in complete sliding", sliding?, Absolute(0.02))
+        .source("Chung and Ooi 2011, read off the figures");
     Ok(())
 }
 
@@ -162,10 +153,9 @@ fn balls_claims(figure: &mut Figure) -> Result<(), Failure> {
         let changes = [one.velocity, two.velocity, one.spin - spin, two.spin + spin];
         kept = changes.into_iter().map(f64::abs).fold(kept, f64::max);
     }
-    figure.claim(
-        Claim::at_most("test 7: opposite spins leave all as it was, 17 spins", kept, 0.0)
-            .source("symmetry: the balls roll on each other without slip"),
-    );
+    figure
+        .at_most("test 7: opposite spins leave all as it was, 17 spins", kept, 0.0)
+        .source("symmetry: the balls roll on each other without slip");
     let unit = APPROACH / RADIUS;
     for (first, second) in [(0.3, 0.0), (2.0, 0.0), (5.0, 0.0), (1.0, 1.0), (3.0, -1.0)] {
         let spins = [first * unit, second * unit];
@@ -189,26 +179,19 @@ fn balls_claims(figure: &mut Figure) -> Result<(), Failure> {
         let change = 5.0 * FRICTION;
         sliding.extend([(one.spin / unit, rim - change), (two.spin / unit, -change)]);
     }
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "angular momentum about the contact point, momentum along the surface",
             momentum,
-            Tolerance::Absolute(1e-13),
+            Absolute(1e-13),
         )
-        .source("equal and opposite forces through the contact point"),
-    );
-    figure.claim(
-        Claim::all_close("velocities and spins of test 7, e = 1", steps, Tolerance::Absolute(1e-5))
-            .source("particle code of springs, stepped in time"),
-    );
-    figure.claim(
-        Claim::all_close(
-            "one ball spins fast: the rims in complete sliding",
-            sliding,
-            Tolerance::Absolute(1e-13),
-        )
-        .source("impulse 2 f m V_n"),
-    );
+        .source("equal and opposite forces through the contact point");
+    figure
+        .all_close("velocities and spins of test 7, e = 1", steps, Absolute(1e-5))
+        .source("particle code of springs, stepped in time");
+    figure
+        .all_close("one ball spins fast: the rims in complete sliding", sliding, Absolute(1e-13))
+        .source("impulse 2 f m V_n");
     Ok(())
 }
 

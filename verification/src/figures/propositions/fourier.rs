@@ -1,7 +1,6 @@
 //! Proposition 6: the displacement by fast Fourier transforms; twice the period; many points.
 
-use super::super::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Table, Tolerance};
+use crate::{Absolute, Axis, Failure, Figure, FigureResult, Marker, Panel, Series, Table};
 use carom_halfspace::operator::{
     Blocks, DisplacementField, HalfSpaceOperator, KernelOperator, SurfaceOperator, TabulatedKernel,
     Threads, TractionField, transform_length,
@@ -145,42 +144,34 @@ fn claims(
     periodic: &[(f64, f64)],
 ) -> Result<(), Failure> {
     let difference = direct_difference(&Hertz::on(33)?)?;
-    figure.claim(
-        Claim::at_most("with twice the period the product is that of (4.13)", difference, 1e-14)
-            .source("direct sum"),
-    );
+    figure
+        .at_most("with twice the period the product is that of (4.13)", difference, 1e-14)
+        .source("direct sum");
     let errors = |points: &[(f64, f64)]| points.iter().map(|p| p.1).collect::<Vec<_>>();
-    figure.claim(
-        Claim::decreasing("convergence is certain: (4.29)", errors(integrated))
-            .source("Hertz's displacement"),
-    );
-    figure.claim(
-        Claim::decreasing("and for samples of 1/r", errors(sampled)).source("Hertz's displacement"),
-    );
+    figure
+        .decreasing("convergence is certain: (4.29)", errors(integrated))
+        .source("Hertz's displacement");
+    figure.decreasing("and for samples of 1/r", errors(sampled)).source("Hertz's displacement");
     let last = |points: &[(f64, f64)]| points.last().map_or(f64::NAN, |p| p.1);
     let first = |points: &[(f64, f64)]| points.first().map_or(f64::NAN, |p| p.1);
-    figure.claim(
-        Claim::at_least(
+    figure
+        .at_least(
             "samples of 1/r need many points: error over that of (4.29), 257 cells",
             last(sampled) / last(integrated),
             10.0,
         )
-        .source("the singular own cell"),
-    );
+        .source("the singular own cell");
     let span = libm::log(MESHES[5] as f64 / MESHES[0] as f64);
     let order = |points: &[(f64, f64)]| libm::log(first(points) / last(points)) / span;
-    figure.claim(
-        Claim::close("order of samples of 1/r", order(sampled), 1.0, Tolerance::Absolute(0.1))
-            .source("the own cell's share falls as its width"),
-    );
-    figure.claim(
-        Claim::at_least("order of (4.29)", order(integrated), 1.3)
-            .source("square-root edge of the pressure"),
-    );
-    figure.claim(
-        Claim::at_least("without twice the period the error stays", last(periodic), 0.1)
-            .source("images of the load"),
-    );
+    figure
+        .close("order of samples of 1/r", order(sampled), 1.0, Absolute(0.1))
+        .source("the own cell's share falls as its width");
+    figure
+        .at_least("order of (4.29)", order(integrated), 1.3)
+        .source("square-root edge of the pressure");
+    figure
+        .at_least("without twice the period the error stays", last(periodic), 0.1)
+        .source("images of the load");
     Ok(())
 }
 
@@ -224,20 +215,11 @@ fn waves(figure: &mut Figure) -> Result<(), Failure> {
     let orders = points[1..].windows(2).map(|pair| libm::log2(pair[0].1 / pair[1].1));
     let orders: Vec<f64> = orders.collect();
     let source = "symbol 1/|k| of the half-space, envelope by its moments";
-    figure.claim(
-        Claim::close(
-            "a Fourier mode converges with order 2",
-            orders[2],
-            2.0,
-            Tolerance::Absolute(0.15),
-        )
-        .source(source),
-    );
-    figure.claim(Claim::increasing("and nears it as the mesh is refined", orders).source(source));
-    figure.claim(
-        Claim::at_most("16 cells in a wavelength carry it to 1 %", points[3].1, 0.01)
-            .source(source),
-    );
+    figure
+        .close("a Fourier mode converges with order 2", orders[2], 2.0, Absolute(0.15))
+        .source(source);
+    figure.increasing("and nears it as the mesh is refined", orders).source(source);
+    figure.at_most("16 cells in a wavelength carry it to 1 %", points[3].1, 0.01).source(source);
     let axes = (Axis::log("cells in a wavelength"), Axis::log("error of w"));
     let mut panel = Panel::new(axes.0, axes.1).titled("One Fourier mode");
     panel.add(Series::line("(4.29)", points));
@@ -257,8 +239,7 @@ fn counts(figure: &mut Figure) {
         padded.push((points, 4.0 * n));
     }
     figure.table(table);
-    figure.claim(
-        Claim::all_close("the transforms have 4N points", padded, Tolerance::Absolute(0.0))
-            .source("period doubled in two directions, powers of two"),
-    );
+    figure
+        .all_close("the transforms have 4N points", padded, Absolute(0.0))
+        .source("period doubled in two directions, powers of two");
 }

@@ -1,7 +1,8 @@
 //! Proposition 8: N log N products against elimination, both counted.
 
-use super::super::Failure;
-use crate::{Axis, Cell, Claim, Figure, FigureResult, Panel, Series, Table, Tolerance, logspace};
+use crate::{
+    Absolute, Axis, Cell, Failure, Figure, FigureResult, Panel, Relative, Series, Table, logspace,
+};
 use carom_halfspace::operator::{
     Blocks, DisplacementField, HalfSpaceOperator, KernelOperator, SurfaceOperator, TabulatedKernel,
     Threads, TractionField, transform_length,
@@ -171,26 +172,24 @@ pub(super) fn draw() -> FigureResult {
 fn punch_claims(figure: &mut Figure) -> Result<(), Failure> {
     let (punch, (dense, _)) = (Punch::press(12)?, eliminated(12)?);
     let largest = dense.iter().copied().fold(0.0, f64::max);
-    figure.claim(
-        Claim::all_close(
+    figure
+        .all_close(
             "pressures under the square by fast products and by elimination, over the largest",
             punch.pressure.iter().zip(&dense).map(|(p, q)| (p / largest, q / largest)),
-            Tolerance::Absolute(1e-9),
+            Absolute(1e-9),
         )
-        .source("elimination of the matrix of (4.29), 144 cells"),
-    );
+        .source("elimination of the matrix of (4.29), 144 cells");
     // The capacity of a square plate of side 1, over 4 pi epsilon_0.
     let capacity = 0.366_787_4;
     let forces = [Punch::press(16)?.force, Punch::press(64)?.force];
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "force at w = 1, 64 by 64 cells, extrapolated with 16 by 16",
             forces[1] + (forces[1] - forces[0]) / 3.0,
             capacity,
-            Tolerance::Relative(1e-3),
+            Relative(1e-3),
         )
-        .source("capacity of a square plate, 0.3667874 of its side; error linear in the width"),
-    );
+        .source("capacity of a square plate, 0.3667874 of its side; error linear in the width");
     Ok(())
 }
 
@@ -221,29 +220,22 @@ fn count_claims(figure: &mut Figure) -> Result<(), Failure> {
     }
     figure.table(table);
     let most = coefficients.iter().copied().fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("coefficients that a fast product takes for each of its N cells", most, 4.0)
-            .source("each offset once: (2n - 1)² of n² cells; a matrix takes N"),
-    );
+    figure
+        .at_most("coefficients that a fast product takes for each of its N cells", most, 4.0)
+        .source("each offset once: (2n - 1)² of n² cells; a matrix takes N");
     // Condition of an integral operator of order -1: the number of cells along a side.
     let last = &products[products.len() - 2..];
-    figure.claim(
-        Claim::at_most(
+    figure
+        .at_most(
             "products of a solution grow, from 32² to 64² cells, by",
             last[1].1 / last[0].1,
             1.6,
         )
-        .source("conjugate gradients: as the root of the condition, N^(1/4), which is 1.41"),
-    );
+        .source("conjugate gradients: as the root of the condition, N^(1/4), which is 1.41");
     let (n, count) = products[products.len() - 1];
     let gain = n * n * n / 3.0 / (count * product(64));
-    figure.claim(
-        Claim::at_least(
-            "elimination of 64² unknowns over a solution by fast products",
-            gain,
-            300.0,
-        )
-        .source("proposition 8: the gain is of order N²/log N; both counted"),
-    );
+    figure
+        .at_least("elimination of 64² unknowns over a solution by fast products", gain, 300.0)
+        .source("proposition 8: the gain is of order N²/log N; both counted");
     Ok(())
 }

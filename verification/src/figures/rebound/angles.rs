@@ -7,21 +7,14 @@ use carom_impact::oblique::{Groups, ObliqueImpact};
 use carom_impact::restitution::of_groups;
 use carom_impact::{Body, Collision, Motion};
 use carom_laws::friction::Friction;
+use carom_special::roots::try_bisect;
 use rayon::prelude::*;
 
-use super::super::{Failure, spring_impact};
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance, linspace};
+use super::super::spheres::{chi, kappa};
+use super::super::spring_impact;
+use crate::{Absolute, Axis, Failure, Figure, FigureResult, Marker, Panel, Series, linspace};
 
 const RATIOS: [f64; 4] = [0.0, 0.25, 0.3, 0.5];
-
-/// chi of solid spheres, twice Maw, Barber and Fawcett's.
-fn chi(nu: f64) -> f64 {
-    7.0 * (1.0 - nu) / (2.0 - nu)
-}
-
-fn kappa(nu: f64) -> f64 {
-    (2.0 - nu) / (2.0 * (1.0 - nu))
-}
 
 /// psi_2 = -psi_1 R_x.
 fn rebound(nu: f64, psi: f64) -> Result<f64, Failure> {
@@ -52,9 +45,8 @@ fn curves(figure: &mut Figure) -> Result<(), Failure> {
 /// The same in degrees, for one material and several coefficients of friction.
 fn degrees(figure: &mut Figure) -> Result<(), Failure> {
     let nu = 0.3;
-    let mut panel =
-        Panel::new(Axis::linear("incidence / degrees"), Axis::linear("rebound / degrees"))
-            .titled("Angles at the contact point, ν = 0.3");
+    let mut panel = Panel::new("incidence / degrees", "rebound / degrees")
+        .titled("Angles at the contact point, ν = 0.3");
     let angles = linspace(0.0, 85.0, 171);
     for friction in [0.05, 0.1, 0.3, 1.0] {
         let curve: Result<Vec<f64>, Failure> = angles
@@ -81,10 +73,9 @@ fn degrees(figure: &mut Figure) -> Result<(), Failure> {
         let limit = 0.3 * kappa(nu);
         pairs.push((-after.x / (2.0 * limit), rebound(nu, slope / limit)?));
     }
-    figure.claim(
-        Claim::all_close("a glass ball, with dimensions", pairs, Tolerance::Absolute(1e-11))
-            .source("scaling by f, κ and v_n"),
-    );
+    figure
+        .all_close("a glass ball, with dimensions", pairs, Absolute(1e-11))
+        .source("scaling by f, κ and v_n");
     Ok(())
 }
 
@@ -101,32 +92,24 @@ fn limit_claims(figure: &mut Figure) -> Result<(), Failure> {
         let stop = walk.phases().get(1).ok_or("the sliding does not stop")?.start;
         edges.push((stop, (chi(nu) - before) / (chi(nu) - 1.0)));
     }
-    figure.claim(
-        Claim::all_close("slope at ψ₁ = 0, without slip", slopes, Tolerance::Absolute(1e-6))
-            .source("(9.46)"),
-    );
-    figure.claim(
-        Claim::all_close(
+    figure.all_close("slope at ψ₁ = 0, without slip", slopes, Absolute(1e-6)).source("(9.46)");
+    figure
+        .all_close(
             "ψ₂ = ψ₁ - 2χ from ψ₁ = 2χ - 1 on, with the zero at 2χ",
             sliding,
-            Tolerance::Absolute(1e-12),
+            Absolute(1e-12),
         )
-        .source("complete sliding; Maw, Barber and Fawcett's 4χ - 1 and 4χ"),
-    );
-    figure.claim(
-        Claim::all_close("just below, sliding stops at w", edges, Tolerance::Absolute(1e-12))
-            .source("w = (χ - ψ)/(χ - 1)"),
-    );
+        .source("complete sliding; Maw, Barber and Fawcett's 4χ - 1 and 4χ");
+    figure
+        .all_close("just below, sliding stops at w", edges, Absolute(1e-12))
+        .source("w = (χ - ψ)/(χ - 1)");
     Ok(())
 }
 
 fn root(nu: f64, low: f64, high: f64) -> Result<f64, Failure> {
-    let (mut low, mut high) = (low, high);
     let below = rebound(nu, low)? < 0.0;
-    for _ in 0..48 {
-        let middle = 0.5 * (low + high);
-        if (rebound(nu, middle)? < 0.0) == below { low = middle } else { high = middle }
-    }
+    let same = |psi: f64| Ok::<_, Failure>((rebound(nu, psi)? < 0.0) == below);
+    let [low, high] = try_bisect([low, high], 48, same)?;
     Ok(0.5 * (low + high))
 }
 
@@ -136,25 +119,20 @@ fn zero_claims(figure: &mut Figure) -> Result<(), Failure> {
         let psi = root(nu, 0.3, 2.5)?;
         zeros.push((psi * spring_impact::restitution(chi(nu), psi), 0.0));
     }
-    figure.claim(
-        Claim::all_close("first zero, ν = 0, 0.25, 0.3", zeros, Tolerance::Absolute(1e-5))
-            .source("ψ₂ there by springs with sliders, stepped in time"),
-    );
+    figure
+        .all_close("first zero, ν = 0, 0.25, 0.3", zeros, Absolute(1e-5))
+        .source("ψ₂ there by springs with sliders, stepped in time");
     // The sign at small psi_1 changes where R_x without slip does, at phi = 17.270338.
-    let (mut low, mut high) = (0.3, 0.5);
-    for _ in 0..48 {
-        let nu = 0.5 * (low + high);
-        if rebound(nu, 1e-7)? > 0.0 { low = nu } else { high = nu }
-    }
-    figure.claim(
-        Claim::close(
+    let returns = |nu: f64| Ok::<_, Failure>(rebound(nu, 1e-7)? > 0.0);
+    let [low, high] = try_bisect([0.3, 0.5], 48, returns)?;
+    figure
+        .close(
             "small ψ₁ come back forward up to ν = 0.4525: φ there",
             phi(chi(0.5 * (low + high))),
             17.270_338,
-            Tolerance::Absolute(2e-6),
+            Absolute(2e-6),
         )
-        .source("zero of (9.46) by an independent program"),
-    );
+        .source("zero of (9.46) by an independent program");
     Ok(())
 }
 
@@ -173,20 +151,18 @@ fn value_claims(figure: &mut Figure) -> Result<(), Failure> {
     ];
     let pairs: Result<Vec<(f64, f64)>, Failure> =
         printed.iter().map(|&(psi, value)| Ok((rebound(0.3, psi)?, value))).collect();
-    figure.claim(
-        Claim::all_close("ten values, ν = 0.3", pairs?, Tolerance::Absolute(5.1e-5))
-            .source("independent program, four decimals"),
-    );
+    figure
+        .all_close("ten values, ν = 0.3", pairs?, Absolute(5.1e-5))
+        .source("independent program, four decimals");
     let mut stepped = Vec::new();
     for nu in RATIOS {
         for psi in [0.15, 0.6, 0.95, 1.4, 2.6, 3.8, 5.5] {
             stepped.push((rebound(nu, psi)?, -psi * spring_impact::restitution(chi(nu), psi)));
         }
     }
-    figure.claim(
-        Claim::all_close("28 values, four ν", stepped, Tolerance::Absolute(2e-5))
-            .source("springs with sliders, stepped in time"),
-    );
+    figure
+        .all_close("28 values, four ν", stepped, Absolute(2e-5))
+        .source("springs with sliders, stepped in time");
     Ok(())
 }
 

@@ -5,10 +5,12 @@
 
 use carom_impact::closed_form::phi;
 use carom_impact::oblique::{Event, Groups, ObliqueImpact, Regime};
+use carom_special::roots::try_bisect;
 use rayon::prelude::*;
 
-use super::super::{Failure, spring_impact};
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Tolerance};
+use super::super::spheres::chi;
+use super::super::spring_impact;
+use crate::{Absolute, Axis, Failure, Figure, FigureResult, Marker, Panel, Series};
 use crate::{linspace, logspace};
 
 const CHI_MAX: f64 = 8.0;
@@ -51,31 +53,28 @@ fn slip_stops(impact: &ObliqueImpact) -> bool {
 }
 
 /// Where `test` changes between two values that bracket one change.
-fn bisect(
-    mut low: f64,
-    mut high: f64,
+fn boundary(
+    low: f64,
+    high: f64,
     test: impl Fn(f64) -> Result<bool, Failure>,
 ) -> Result<f64, Failure> {
     let at_low = test(low)?;
     if test(high)? == at_low {
         return Err(format!("no boundary between {low} and {high}").into());
     }
-    for _ in 0..34 {
-        let middle = 0.5 * (low + high);
-        if test(middle)? == at_low { low = middle } else { high = middle }
-    }
+    let [low, high] = try_bisect([low, high], 34, |x| Ok::<_, Failure>(test(x)? == at_low))?;
     Ok(0.5 * (low + high))
 }
 
 /// chi from which on an impact with this psi, having turned back, ends forward.
 fn forward_from(psi: f64) -> Result<f64, Failure> {
     let low = if psi < 1.0 { 1.5 } else { psi.max(1.0) + 1e-9 };
-    bisect(low, CHI_MAX - 1e-3, |chi| Ok(ends_forward(&impact(chi, psi)?)))
+    boundary(low, CHI_MAX - 1e-3, |chi| Ok(ends_forward(&impact(chi, psi)?)))
 }
 
 /// chi from which on a slip stops in an impact with this psi.
 fn stops_from(psi: f64) -> Result<f64, Failure> {
-    bisect(4.5, CHI_MAX - 1e-3, |chi| Ok(slip_stops(&impact(chi, psi)?)))
+    boundary(4.5, CHI_MAX - 1e-3, |chi| Ok(slip_stops(&impact(chi, psi)?)))
 }
 
 fn curve(psis: &[f64], chi: fn(f64) -> Result<f64, Failure>) -> Result<Points, Failure> {
@@ -210,11 +209,10 @@ fn grid_claim(figure: &mut Figure, boundaries: &Boundaries) -> Result<(), Failur
     let judged: Vec<bool> = found?.into_iter().flatten().collect();
     let wrong = judged.iter().filter(|agrees| !**agrees).count();
     let statement = format!("{} impacts outside the drawn areas that they belong to", judged.len());
-    figure.claim(Claim::at_most(statement, wrong as f64, 0.0).source("the walks themselves"));
-    figure.claim(
-        Claim::at_least("judged of 2491", judged.len() as f64, 2400.0)
-            .source("all but those within 0.03 of a numerical boundary"),
-    );
+    figure.at_most(statement, wrong as f64, 0.0).source("the walks themselves");
+    figure
+        .at_least("judged of 2491", judged.len() as f64, 2400.0)
+        .source("all but those within 0.03 of a numerical boundary");
     Ok(())
 }
 
@@ -223,23 +221,20 @@ fn closed_claims(figure: &mut Figure) -> Result<(), Failure> {
     let (mut one, mut diagonal, mut double) = (Vec::new(), Vec::new(), Vec::new());
     for &chi in &chis {
         let edge = |low: f64, high: f64, test: fn(&ObliqueImpact) -> bool| {
-            bisect(low, high, |psi| Ok(test(&impact(chi, psi)?)))
+            boundary(low, high, |psi| Ok(test(&impact(chi, psi)?)))
         };
         one.push((edge(0.5, 1.1, begins_stuck)?, 1.0));
         diagonal.push((edge(1.1, 12.0, sticks)?, chi));
         double.push((edge(1.0, 20.0, slides_throughout)?, 2.0 * chi - 1.0));
     }
-    let tolerance = Tolerance::Absolute(1e-8);
+    let tolerance = Absolute(1e-8);
+    figure.all_close("sticks from touch up to ψ = 1", one, tolerance).source("(8.50)");
     figure
-        .claim(Claim::all_close("sticks from touch up to ψ = 1", one, tolerance).source("(8.50)"));
-    figure.claim(
-        Claim::all_close("sticks at some time up to ψ = χ", diagonal, Tolerance::Absolute(1e-5))
-            .source("sliding ends at w = (χ - ψ)/(χ - 1) > 0; the walk passes over w < 1e-6"),
-    );
-    figure.claim(
-        Claim::all_close("slides throughout from ψ = 2χ - 1 on", double, tolerance)
-            .source("sliding ends before w = -1 if (χ - ψ)/(χ - 1) > -1"),
-    );
+        .all_close("sticks at some time up to ψ = χ", diagonal, Absolute(1e-5))
+        .source("sliding ends at w = (χ - ψ)/(χ - 1) > 0; the walk passes over w < 1e-6");
+    figure
+        .all_close("slides throughout from ψ = 2χ - 1 on", double, tolerance)
+        .source("sliding ends before w = -1 if (χ - ψ)/(χ - 1) > -1");
     Ok(())
 }
 
@@ -247,46 +242,36 @@ fn flip_claims(figure: &mut Figure) -> Result<(), Failure> {
     // psi -> 0: with y the shift since loading at the same compression, y'' = -K chi sqrt(zeta) y
     // from y = 0 at maximal compression, the odd solution of the equation of adhesion. It returns
     // to 0 at separation for phi = 19.
-    figure.claim(
-        Claim::close(
+    figure
+        .close(
             "the slip turns forward before separation from χ = 3 on, ψ = 1e-6",
             forward_from(1e-6)?,
             3.0,
-            Tolerance::Absolute(1e-5),
+            Absolute(1e-5),
         )
-        .source("zero of 1/Γ((19 - φ)/20): the odd solution of the equation of adhesion"),
-    );
-    figure.claim(
-        Claim::close("φ there", phi(3.0), 19.0, Tolerance::Absolute(1e-14))
-            .source("sqrt(1 + 120 · 3)"),
-    );
-    let walk = impact(7.0 * 0.7 / 1.7, 0.3)?;
-    figure.claim(
-        Claim::holds(
+        .source("zero of 1/Γ((19 - φ)/20): the odd solution of the equation of adhesion");
+    figure.close("φ there", phi(3.0), 19.0, Absolute(1e-14)).source("sqrt(1 + 120 · 3)");
+    let walk = impact(chi(0.3), 0.3)?;
+    figure
+        .holds(
             "ν = 0.3, ψ = 0.3: ξ has a minimum in restitution (R_x < 0), the slip does not turn",
             walk.restitution() < 0.0 && !ends_forward(&walk),
             walk.restitution(),
         )
-        .source("against the text below fig. 7.1"),
-    );
-    let nu =
-        bisect(0.1, 0.4, |nu| Ok(ends_forward(&impact(7.0 * (1.0 - nu) / (2.0 - nu), 1e-6)?)))?;
-    figure.claim(
-        Claim::close("of spheres those with ν < 1/4", nu, 0.25, Tolerance::Absolute(1e-5))
-            .source("χ = 7 (1 - ν)/(2 - ν) = 3"),
-    );
+        .source("against the text below fig. 7.1");
+    let nu = boundary(0.1, 0.4, |nu| Ok(ends_forward(&impact(chi(nu), 1e-6)?)))?;
+    figure
+        .close("of spheres those with ν < 1/4", nu, 0.25, Absolute(1e-5))
+        .source("χ = 7 (1 - ν)/(2 - ν) = 3");
     Ok(())
 }
 
 fn stop_claims(figure: &mut Figure, boundaries: &Boundaries) {
     let least = boundaries.stop.iter().map(|point| point.0).fold(f64::INFINITY, f64::min);
-    figure.claim(
-        Claim::at_least("least χ of a slip that stops: no sphere", least, 3.5)
-            .source("χ ≤ 7/2 of spheres"),
-    );
-    figure.claim(
-        Claim::at_most("but upright ellipsoids", least, 6.0).source("χ ≤ 6, (15.7) and (15.8)"),
-    );
+    figure
+        .at_least("least χ of a slip that stops: no sphere", least, 3.5)
+        .source("χ ≤ 7/2 of spheres");
+    figure.at_most("but upright ellipsoids", least, 6.0).source("χ ≤ 6, (15.7) and (15.8)");
 }
 
 fn spring_claim(figure: &mut Figure, boundaries: &Boundaries) -> Result<(), Failure> {
@@ -315,18 +300,16 @@ fn spring_claim(figure: &mut Figure, boundaries: &Boundaries) -> Result<(), Fail
     let count = clear.len();
     let differs = clear.iter().filter(|(walk, step)| ends_forward(walk) != (step.last_force > 0.0));
     let wrong = differs.count();
-    figure.claim(
-        Claim::at_most(
+    figure
+        .at_most(
             format!("of {count} impacts with another last direction by springs"),
             wrong as f64,
             0.0,
         )
-        .source("springs with sliders, stepped in time"),
-    );
-    figure.claim(
-        Claim::all_close("R_x of 42 impacts in all areas", restitutions, Tolerance::Absolute(1e-5))
-            .source("springs with sliders, stepped in time"),
-    );
+        .source("springs with sliders, stepped in time");
+    figure
+        .all_close("R_x of 42 impacts in all areas", restitutions, Absolute(1e-5))
+        .source("springs with sliders, stepped in time");
     Ok(())
 }
 

@@ -2,9 +2,8 @@
 
 use std::f64::consts::PI;
 
-use super::super::Failure;
 use crate::reference::reader;
-use crate::{Axis, Claim, Figure, FigureResult, Marker, Panel, Series, Table, Tolerance};
+use crate::{Axis, Failure, Figure, FigureResult, Marker, Panel, Relative, Series, Table};
 use carom_solver::rolling::creep_coefficients;
 
 /// The axis ratios a/b that are computed.
@@ -67,28 +66,21 @@ pub(super) fn draw() -> FigureResult {
         figure.panel(panel);
         let allowed = if which == 3 { 5e-3 } else { 2e-3 };
         let pairs = rows.iter().map(|row| (row.own[which], row.other[which]));
-        figure.claim(
-            Claim::all_close(
-                format!("{name} by the calculation"),
-                pairs,
-                Tolerance::Relative(allowed),
-            )
-            .source("an independent boundary-element calculation"),
-        );
+        figure
+            .all_close(format!("{name} by the calculation"), pairs, Relative(allowed))
+            .source("an independent boundary-element calculation");
         if which < 3 {
             let pairs = rows.iter().map(|row| (row.own[which], row.printed[which]));
-            figure.claim(
-                Claim::all_close(format!("{name} as printed"), pairs, Tolerance::Relative(0.015))
-                    .source("Kalker 1990, table E.3"),
-            );
+            figure
+                .all_close(format!("{name} as printed"), pairs, Relative(0.015))
+                .source("Kalker 1990, table E.3");
         }
     }
     let circle = rows.iter().find(|row| row.ratio == 1.0 && row.poisson == 0.0);
     let own = circle.ok_or("the circle is missing")?.own;
     let closed = [(own[0], 32.0 / (3.0 * PI)), (own[1], 32.0 / (3.0 * PI)), (own[2], 4.0 / 3.0)];
-    figure.claim(
-        Claim::all_close("circle, ν = 0: 32/3π, 32/3π, 4/3", closed, Tolerance::Relative(1e-4))
-            .source("closed forms of full adhesion"),
-    );
+    figure
+        .all_close("circle, ν = 0: 32/3π, 32/3π, 4/3", closed, Relative(1e-4))
+        .source("closed forms of full adhesion");
     Ok(figure)
 }

@@ -1,7 +1,6 @@
 //! Creep forces of a sphere, with and without spin, and those of FASTSIM beside them.
 
-use super::super::Failure;
-use crate::{Axis, Claim, Figure, FigureResult, Panel, Series, Tolerance};
+use crate::{Absolute, Axis, Failure, Figure, FigureResult, Panel, Relative, Series};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::rolling::{
@@ -106,57 +105,45 @@ pub(super) fn draw() -> FigureResult {
     let spins = curve(&problem, coefficients, spins)?;
 
     let x = Axis::linear("ξ G ab C₁₁/(f F_z)");
-    let mut panel = Panel::new(x, Axis::linear("F_x/(f F_z)")).titled("Creepage along");
+    let mut panel = Panel::new(x, "F_x/(f F_z)").titled("Creepage along");
     draw_curve(&mut panel, "no spin", &pure, 0, 0);
     draw_curve(&mut panel, "spin 1", &spun, 0, 1);
     figure.panel(panel);
     let x = Axis::linear("φ G (ab)^1.5 C₂₃/(f F_z)");
-    let mut panel = Panel::new(x, Axis::linear("F_y/(f F_z)")).titled("Spin alone");
+    let mut panel = Panel::new(x, "F_y/(f F_z)").titled("Spin alone");
     draw_curve(&mut panel, "spin", &spins, 1, 2);
     figure.panel(panel);
 
     let slope = roll(&problem, Creepage { along: along(0.02), ..Creepage::default() })?;
     let slope = slope.state.load().f_x / (0.02 * unit);
-    figure.claim(
-        Claim::close("the curve starts with C₁₁", slope, 1.0, Tolerance::Relative(0.04))
-            .source("creep coefficients; first order in the mesh"),
-    );
+    figure
+        .close("the curve starts with C₁₁", slope, 1.0, Relative(0.04))
+        .source("creep coefficients; first order in the mesh");
     let end = pure.solver[PARTS.len() - 1][0];
-    figure.claim(
-        Claim::close("and ends at full sliding", end, 1.0, Tolerance::Absolute(2e-3))
-            .source("Coulomb's law"),
-    );
-    figure.claim(
-        Claim::holds("of which the solver says so", pure.slides, end).source("no element sticks"),
-    );
+    figure.close("and ends at full sliding", end, 1.0, Absolute(2e-3)).source("Coulomb's law");
+    figure.holds("of which the solver says so", pure.slides, end).source("no element sticks");
     let forces = pure.solver.iter().map(|forces| forces[0]);
-    figure.claim(Claim::increasing("force grows with creepage", forces).source("one direction"));
+    figure.increasing("force grows with creepage", forces).source("one direction");
     let less = pure.solver.iter().zip(&spun.solver).skip(1);
     let less = less.map(|(pure, spun)| pure[0] - spun[0]).fold(f64::INFINITY, f64::min);
-    figure.claim(
-        Claim::at_least("spin takes force away", less, 1e-4)
-            .source("friction is spent on the spin"),
-    );
+    figure.at_least("spin takes force away", less, 1e-4).source("friction is spent on the spin");
     let sizes = spins.solver.iter().map(|forces| -forces[1]).collect::<Vec<_>>();
     let largest = sizes.iter().copied().fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_least("the force by spin has a maximum", largest - sizes[PARTS.len() - 1], 0.02)
-            .source("large spin turns the slip about the middle, where forces cancel"),
-    );
+    figure
+        .at_least("the force by spin has a maximum", largest - sizes[PARTS.len() - 1], 0.02)
+        .source("large spin turns the slip about the middle, where forces cancel");
     let off = [&pure, &spun].into_iter().flat_map(|curve| curve.solver.iter().zip(&curve.springs));
     let off = off.map(|(solver, springs)| (solver[0] - springs[0]).abs()).fold(0.0, f64::max);
-    figure.claim(
-        Claim::at_most("FASTSIM is off by, over f F_z", off, 0.1)
-            .source("the simplified theory is said to be good to about a tenth"),
-    );
+    figure
+        .at_most("FASTSIM is off by, over f F_z", off, 0.1)
+        .source("the simplified theory is said to be good to about a tenth");
     let creepage = Creepage { along: along(0.8), across: along(0.3), spin: spin(0.5) };
-    figure.claim(
-        Claim::at_most(
+    figure
+        .at_most(
             "rolling on ends in steady rolling, over f F_z",
             left_of_the_start(creepage)?,
             1e-6,
         )
-        .source("two methods: steps of the solver, and the steady equations at once"),
-    );
+        .source("two methods: steps of the solver, and the steady equations at once");
     Ok(figure)
 }

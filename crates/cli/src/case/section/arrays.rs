@@ -2,72 +2,72 @@
 
 use super::Section;
 use crate::case::error::CaseError;
+use crate::case::field::{Field, Form, Rows};
 use crate::case::unit::Measure;
 use toml::Spanned;
 use toml::de::DeValue;
 
 impl<'a> Section<'a> {
-    /// Three numbers in their range.
-    ///
-    /// # Errors
-    /// If they are missing, not three numbers, or one is out of range.
-    pub(crate) fn vector(
-        &self,
-        name: &str,
-        measure: impl Into<Measure>,
-    ) -> Result<[f64; 3], CaseError> {
-        self.array(name, ["x", "y", "z"], measure, "three numbers [x, y, z]")
-    }
-
-    /// As many numbers in their range as `parts` names; `allowed` says so in words.
+    /// A number in its range for each part of the field.
     ///
     /// # Errors
     /// If they are missing, more or fewer, or one is out of range.
-    pub(crate) fn array<const N: usize>(
+    pub(in crate::case) fn vector<const N: usize>(
         &self,
-        name: &str,
-        parts: [&str; N],
-        measure: impl Into<Measure>,
-        allowed: &'static str,
+        field: &Field,
     ) -> Result<[f64; N], CaseError> {
-        let measure = measure.into();
-        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
+        let value = self.value(field)?;
+        let (Form::Vector(parts, measure, _) | Form::WordOrVector(_, parts, measure, _)) =
+            field.form
+        else {
+            return Err(self.wrong(field, value));
+        };
         let items = match value.get_ref() {
-            DeValue::Array(items) if items.iter().count() == N => items,
-            _ => return Err(self.kind(name, value, allowed)),
+            DeValue::Array(items) if items.iter().count() == N && parts.len() == N => items,
+            _ => return Err(self.wrong(field, value)),
         };
         let mut numbers = [0.0; N];
         for ((number, item), part) in numbers.iter_mut().zip(items.iter()).zip(parts) {
-            *number = self.as_number(&format!("{name}.{part}"), item, measure)?;
+            *number = self.as_number(&format!("{}.{part}", field.name), item, measure)?;
         }
         Ok(numbers)
     }
 
-    /// Whether the field is there and a list.
-    #[must_use]
-    pub(crate) fn is_list(&self, name: &str) -> bool {
-        matches!(self.find(name).map(Spanned::get_ref), Some(DeValue::Array(_)))
-    }
-
-    /// Rows of N numbers, each in its range, at least one row; a row may lack its last number, which is
-    /// then 0. `allowed` says so in words.
+    /// One number twice, or two of a list.
     ///
     /// # Errors
-    /// If they are missing, of another kind, or a number is out of range.
-    pub(crate) fn rows<const N: usize>(
+    /// If they are missing, of another kind, or one is out of range.
+    pub(in crate::case) fn pair(&self, field: &Field) -> Result<[f64; 2], CaseError> {
+        let value = self.value(field)?;
+        if !self.is_list(field) {
+            return self.number(field).map(|number| [number, number]);
+        }
+        let numbers = self.list(field)?;
+        numbers.try_into().map_err(|_| self.wrong(field, value))
+    }
+
+    /// Whether the field is there and a list.
+    #[must_use]
+    pub(in crate::case) fn is_list(&self, field: &Field) -> bool {
+        self.find(&field).is_some_and(|value| value.get_ref().is_array())
+    }
+
+    /// Rows of N numbers, each in its range.
+    ///
+    /// # Errors
+    /// If they are missing, too few, of another kind, or a number is out of range.
+    pub(in crate::case) fn rows<const N: usize>(
         &self,
-        name: &str,
-        measures: [Measure; N],
-        allowed: &'static str,
+        field: &Field,
     ) -> Result<Vec<[f64; N]>, CaseError> {
-        let value = self.find(name).ok_or_else(|| self.missing(name, allowed))?;
-        match value.get_ref() {
-            DeValue::Array(rows) if rows.iter().next().is_some() => rows
+        let value = self.value(field)?;
+        match (value.get_ref(), field.form) {
+            (DeValue::Array(rows), Form::Rows(form)) if rows.iter().count() >= form.least => rows
                 .iter()
                 .enumerate()
-                .map(|(i, row)| self.row(&format!("{name}[{i}]"), row, measures, allowed))
+                .map(|(i, row)| self.row(&format!("{}[{i}]", field.name), row, form))
                 .collect(),
-            _ => Err(self.kind(name, value, allowed)),
+            _ => Err(self.wrong(field, value)),
         }
     }
 
@@ -75,18 +75,17 @@ impl<'a> Section<'a> {
         &self,
         name: &str,
         value: &'a Spanned<DeValue<'a>>,
-        measures: [Measure; N],
-        allowed: &'static str,
+        Rows { measures, optional, words, .. }: Rows,
     ) -> Result<[f64; N], CaseError> {
+        let allowed = N - optional.min(N)..=N;
         let items = match value.get_ref() {
-            DeValue::Array(items) if matches!(items.iter().count(), n if n == N || n + 1 == N) => {
-                items
-            }
-            _ => return Err(self.kind(name, value, allowed)),
+            DeValue::Array(items) if allowed.contains(&items.iter().count()) => items,
+            _ => return Err(self.kind(name, value, words)),
         };
         let mut numbers = [0.0; N];
+        let measures: &[Measure] = measures;
         for ((number, item), measure) in numbers.iter_mut().zip(items.iter()).zip(measures) {
-            *number = self.as_number(name, item, measure)?;
+            *number = self.as_number(name, item, *measure)?;
         }
         Ok(numbers)
     }

@@ -1,11 +1,52 @@
 //! The history: `[[step]]`.
 
 use crate::case::error::CaseError;
+use crate::case::field::{Default, Field, Form};
 use crate::case::range::Range;
 use crate::case::section::Section;
-use crate::case::unit::Dimension;
+use crate::case::unit::{Dimension, Measure};
 
-const FIELDS: &[&str] = &["zeta", "F_z", "xi", "F_x", "eta", "F_y", "omega", "M_z", "count"];
+const LENGTH: Measure = Range::Finite.of(Dimension::Length);
+const FORCE: Measure = Range::Finite.of(Dimension::Force);
+const KEPT: &str = "stays as it was, the shift or the load that was given";
+const ZETA: Field = Field::number("zeta", LENGTH, "approach")
+    .may("stays as it was; the first step has it or `F_z`")
+    .such_as("1e-6");
+const F_Z: Field = Field::number(
+    "F_z",
+    Range::NonNegative.of(Dimension::Force),
+    "normal force, instead of `zeta`",
+)
+.may(KEPT)
+.such_as("1");
+const XI: Field =
+    Field::number("xi", LENGTH, "shift of body 2 against body 1 along x").may(KEPT).such_as("2e-7");
+const F_X: Field = Field::number("F_x", FORCE, "force on body 1 along x, instead of `xi`")
+    .may(KEPT)
+    .such_as("0.1");
+const ETA: Field = Field::number("eta", LENGTH, "the same along y").may(KEPT).such_as("2e-7");
+const F_Y: Field =
+    Field::number("F_y", FORCE, "the same along y, instead of `eta`").may(KEPT).such_as("0.1");
+const OMEGA: Field =
+    Field::number("omega", Range::Finite.of(Dimension::Radians), "twist about the normal")
+        .may(KEPT)
+        .such_as("1e-3");
+const M_Z: Field = Field::number(
+    "M_z",
+    Range::Finite.of(Dimension::Torque),
+    "torque on body 1, instead of `omega`",
+)
+.may(KEPT)
+.such_as("1e-6");
+const COUNT: Field = Field::number("count", Range::Whole.pure(), "in so many equal parts")
+    .default(Default::Number(1.0));
+/// The field of a case.
+pub(super) const STEP: Field = Field::new(
+    "step",
+    Form::Tables(&[ZETA, F_Z, XI, F_X, ETA, F_Y, OMEGA, M_Z, COUNT]),
+    "where each motion goes, by its shift or its load",
+)
+.begun(&[(&ZETA, ""), (&XI, ""), (&COUNT, "4")]);
 
 /// What one motion reaches at the end of a leg.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -28,38 +69,31 @@ pub struct Leg {
 }
 
 pub(super) fn read(case: &Section<'_>) -> Result<Vec<Leg>, CaseError> {
-    let legs = case.sections("step", FIELDS)?;
-    let legs: Vec<Leg> = legs.iter().map(leg).collect::<Result<_, _>>()?;
-    if legs[0].targets[0] == Target::Kept {
-        return Err(case.missing("step[0].zeta", "given in the first step, or `F_z`"));
+    let sections = case.sections(&STEP)?;
+    let legs: Vec<Leg> = sections.iter().map(leg).collect::<Result<_, _>>()?;
+    match sections.first().zip(legs.first()) {
+        Some((first, leg)) if leg.targets[0] == Target::Kept => {
+            Err(first.missing_as(&ZETA, "given in the first step, or `F_z`"))
+        }
+        _ => Ok(legs),
     }
-    Ok(legs)
 }
 
 fn leg(step: &Section<'_>) -> Result<Leg, CaseError> {
-    let (length, force) = (Dimension::Length, Dimension::Force);
-    let count = match step.has("count") {
-        true => step.number("count", Range::Whole)? as usize,
-        false => 1,
-    };
     let targets = [
-        target(step, ("zeta", length), ("F_z", force, Range::NonNegative))?,
-        target(step, ("xi", length), ("F_x", force, Range::Finite))?,
-        target(step, ("eta", length), ("F_y", force, Range::Finite))?,
-        target(step, ("omega", Dimension::Radians), ("M_z", Dimension::None, Range::Finite))?,
+        target(step, &ZETA, &F_Z)?,
+        target(step, &XI, &F_X)?,
+        target(step, &ETA, &F_Y)?,
+        target(step, &OMEGA, &M_Z)?,
     ];
-    Ok(Leg { targets, count })
+    Ok(Leg { targets, count: step.count(&COUNT)? })
 }
 
-fn target(
-    step: &Section<'_>,
-    (shift, dimension): (&str, Dimension),
-    (load, own, range): (&str, Dimension, Range),
-) -> Result<Target, CaseError> {
-    match (step.has(shift), step.has(load)) {
-        (true, true) => Err(step.conflict(load, shift, "give one of them")),
-        (true, false) => Ok(Target::Shift(step.number(shift, Range::Finite.of(dimension))?)),
-        (false, true) => Ok(Target::Load(step.number(load, range.of(own))?)),
-        (false, false) => Ok(Target::Kept),
+fn target(step: &Section<'_>, shift: &Field, load: &Field) -> Result<Target, CaseError> {
+    match (step.maybe(shift)?, step.maybe(load)?) {
+        (Some(_), Some(_)) => Err(step.conflict(load, shift, "give one of them")),
+        (Some(shift), None) => Ok(Target::Shift(shift)),
+        (None, Some(load)) => Ok(Target::Load(load)),
+        (None, None) => Ok(Target::Kept),
     }
 }

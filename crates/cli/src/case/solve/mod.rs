@@ -3,19 +3,60 @@
 mod gap;
 mod legs;
 
-pub use gap::{GapCase, HeightMap};
+pub use gap::{GapCase, HeightFile};
 pub use legs::{Leg, Target};
 
-use super::body::read_material;
 use super::error::CaseError;
+use super::field::{Default, Field, Form};
+use super::material::{self, MATERIAL};
 use super::range::Range;
 use super::section::{Section, parse};
 use super::unit::Dimension;
 use carom_halfspace::{Grid, MaterialPair};
+use gap::GAP;
+use legs::STEP;
 
-const FIELDS: &[&str] = &["body_1", "body_2", "gap", "grid", "contact", "step"];
-/// Cells of a grid, at most along each axis.
-const MOST_CELLS: f64 = 4096.0;
+const BODY_1: Field =
+    Field::new("body_1", Form::Table(&[MATERIAL]), "the body on the side to which z points");
+const BODY_2: Field = Field::new("body_2", Form::Table(&[MATERIAL]), "the other body");
+const CELLS: Field = Field::new(
+    "cells",
+    Form::Vector(&["x", "y"], Range::Cells.pure(), "two whole numbers [along x, along y]"),
+    "cells of the grid",
+)
+.such_as("[40, 40]");
+const SIZE: Field = Field::new(
+    "size",
+    Form::Vector(
+        &["x", "y"],
+        Range::Positive.of(Dimension::Length),
+        "two lengths [along x, along y]",
+    ),
+    "of the whole grid; the contact must not reach its border",
+)
+.such_as("[2.6e-4, 2.6e-4]");
+const CUT: Field = Field::new(
+    "cut",
+    Form::Switch,
+    "whether the bodies end at the border, so that the contact may reach it",
+)
+.default(Default::False);
+const GRID: Field = Field::new("grid", Form::Table(&[CELLS, SIZE, CUT]), "the cells");
+const FRICTION: Field =
+    Field::number("friction", Range::NonNegative.pure(), "coefficient of friction f")
+        .such_as("0.3");
+const TOLERANCE: Field = Field::number(
+    "tolerance",
+    Range::SolveTolerance.pure(),
+    "to which each step is solved, over the greatest pressure",
+)
+.may("that of the method")
+.such_as("1e-9");
+const CONTACT: Field =
+    Field::new("contact", Form::Table(&[FRICTION, TOLERANCE]), "friction and tolerance");
+
+/// All fields.
+pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, GAP, GRID, CONTACT, STEP];
 
 /// A contact on a grid and what it goes through.
 #[derive(Debug, Clone, PartialEq)]
@@ -45,41 +86,24 @@ impl SolveCase {
     pub fn parse(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
-        let body = |name| read_material(&case.section(name, &["material"])?);
-        let materials = MaterialPair::new(body("body_1")?, body("body_2")?)
-            .map_err(|error| case.out_of_range("body_2.material", error.value, error.allowed))?;
+        let body = |field| material::read(&case.section(field)?);
+        let materials = MaterialPair::new(body(&BODY_1)?, body(&BODY_2)?)
+            .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))?;
         let (grid, is_cut) = read_grid(&case)?;
         let gap = GapCase::read(&case, grid)?;
-        let contact = case.section("contact", &["friction", "tolerance"])?;
-        let friction = contact.number("friction", Range::NonNegative)?;
-        let tolerance = match contact.has("tolerance") {
-            true => Some(contact.number("tolerance", Range::Positive)?),
-            false => None,
-        };
-        if let Some(tolerance) = tolerance
-            && !(1e-13..=0.01).contains(&tolerance)
-        {
-            return Err(contact.out_of_range("tolerance", tolerance, "from 1e-13 to 0.01"));
-        }
+        let contact = case.section(&CONTACT)?;
+        let (friction, tolerance) = (contact.number(&FRICTION)?, contact.maybe(&TOLERANCE)?);
         let legs = legs::read(&case)?;
         Ok(Self { materials, gap, grid, is_cut, friction, tolerance, legs })
     }
 }
 
 fn read_grid(case: &Section<'_>) -> Result<(Grid, bool), CaseError> {
-    let grid = case.section("grid", &["cells", "size", "cut"])?;
-    let is_cut = grid.switch("cut")?;
-    let whole = "two whole numbers [along x, along y]";
-    let counts = grid.array("cells", ["x", "y"], Range::Whole, whole)?;
-    for count in counts {
-        if count > MOST_CELLS {
-            return Err(grid.out_of_range("cells", count, "from 1 to 4096 along each axis"));
-        }
-    }
-    let length = Range::Positive.of(Dimension::Length);
-    let sizes = grid.array("size", ["x", "y"], length, "two lengths [along x, along y]")?;
+    let grid = case.section(&GRID)?;
+    let counts: [f64; 2] = grid.vector(&CELLS)?;
+    let sizes: [f64; 2] = grid.vector(&SIZE)?;
     let [nx, ny] = counts.map(|count| count as usize);
     let made = Grid::new(nx, ny, sizes[0] / counts[0], sizes[1] / counts[1])
-        .map_err(|error| grid.out_of_range("size", error.value, error.allowed))?;
-    Ok((made, is_cut))
+        .map_err(|error| grid.out_of_range(&SIZE, error.value, error.allowed))?;
+    Ok((made, grid.switch(&CUT)?))
 }

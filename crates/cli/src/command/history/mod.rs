@@ -8,6 +8,7 @@ mod twist;
 mod view;
 
 pub use steps::StepsError;
+pub(super) use steps::read as read_steps;
 
 use crate::case::{HistoryCase, Steps};
 use crate::columns;
@@ -47,7 +48,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let shifts = match &case.steps {
         Steps::Inline(shifts) => shifts.clone(),
         Steps::File(name) => {
-            read_steps(&path.parent().unwrap_or(Path::new("")).join(name), arguments)?
+            steps_beside(arguments, &path.parent().unwrap_or(Path::new("")).join(name))?
         }
     };
     let radii = arguments.tractions.map_or(0, |count| count as usize);
@@ -88,12 +89,12 @@ fn help() -> String {
 }
 
 /// The steps in a file, which no output may overwrite either.
-fn read_steps(path: &Path, arguments: &Arguments) -> Result<Vec<Shift>, CliError> {
+fn steps_beside(arguments: &Arguments, path: &Path) -> Result<Vec<Shift>, CliError> {
     check_output(path)?;
     if let Some(plot) = &arguments.given.plot {
         Destination::new("plot", plot, arguments.given.format, &[path])?;
     }
-    steps::read(path)
+    read_steps(path)
 }
 
 /// What the law neglects in this case.

@@ -9,8 +9,8 @@ use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::HertzState;
 use carom_laws::law::{ContactLoad, Shift};
-use carom_laws::memory::Regime;
-use carom_plot::linspace;
+use carom_laws::memory::MemoryRegime;
+use carom_special::linspace;
 use carom_table::Column;
 use serde::Serialize;
 
@@ -197,14 +197,14 @@ pub(super) fn is_circle(ellipse: &ContactEllipse) -> bool {
     (ellipse.axis_ratio().get() - 1.0).abs() < 1e-12
 }
 
-const fn regime_name(regime: Regime) -> &'static str {
+const fn regime_name(regime: MemoryRegime) -> &'static str {
     match regime {
-        Regime::Separated => "separated",
-        Regime::Adhesion => "adhesion",
-        Regime::Release => "release",
-        Regime::Slip => "slip",
-        Regime::Reversal => "reversal",
-        Regime::Overlay => "overlay",
-        Regime::Sliding => "sliding",
+        MemoryRegime::Separated => "separated",
+        MemoryRegime::Adhesion => "adhesion",
+        MemoryRegime::Release => "release",
+        MemoryRegime::Slip => "slip",
+        MemoryRegime::Reversal => "reversal",
+        MemoryRegime::Overlay => "overlay",
+        MemoryRegime::Sliding => "sliding",
     }
 }

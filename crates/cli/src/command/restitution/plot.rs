@@ -5,7 +5,8 @@ use crate::command::plot::{MOST_MARKS, add_curve};
 use crate::error::CliError;
 use crate::output::{Picture, short};
 use carom_impact::oblique::ObliqueImpact;
-use carom_plot::{Axis, Field, Marker, Panel, Series, linspace};
+use carom_plot::{Axis, Field, Marker, Panel, Series};
+use carom_special::linspace;
 use rayon::prelude::*;
 
 /// Nodes of a map, at most: its picture takes eight bytes for each.

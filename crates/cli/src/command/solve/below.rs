@@ -4,9 +4,9 @@ use super::view::Step;
 use crate::case::SolveCase;
 use crate::error::CliError;
 use carom_halfspace::{Material, Stress};
-use carom_plot::linspace;
 use carom_solver::{ContactState, Subsurface};
 use carom_special::RangeError;
+use carom_special::linspace;
 use carom_table::Column;
 use std::path::Path;
 

@@ -3,9 +3,11 @@
 //! The ring that touches at the approach s carries the traction f c_z (X - W(s)), with the shift
 //! `X = C x/(f c_z)` and its anchor W(s), at which it is free; `|X - W(s)| <= zeta - s`, and a ring at
 //! this limit slips along its traction in the physical plane. Between vertices W is linear in s. The
-//! vertices are the edge after every step, so that adhesion on a straight path is exact, and the
-//! places where slip begins, so that a slip ring far thinner than any distance of fixed rings is seen.
+//! vertices are the edge after every step, so that adhesion on a straight path is exact, the places
+//! where slip begins, and those between which tractions turn: each where leaving it out would cost
+//! force, so that a slip ring thinner than any distance of fixed rings is resolved.
 
+mod drag;
 mod step;
 mod vertex;
 mod watch;
@@ -15,8 +17,9 @@ use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 
+use self::drag::Drag;
 use self::step::SlipStep;
-use self::vertex::{Resolution, Vertex, dragged, front, length};
+use self::vertex::{Resolution, Vertex, length};
 use self::watch::Watch;
 use super::{ImpactLaw, Stage, Staged};
 
@@ -26,6 +29,8 @@ pub(super) struct SlipLines {
     stiffness: ContactStiffness,
     /// f c_z.
     limit: f64,
+    /// What may be left out, over the greatest force.
+    tolerance: f64,
     resolution: Resolution,
     shift: Shift,
     /// X from an origin that moves along in gross sliding, as the anchors.
@@ -38,9 +43,10 @@ pub(super) struct SlipLines {
     approached: f64,
     stage: Stage,
     force: [f64; 2],
-    /// Those that a step drags, and what takes their place.
+    /// Those that a step drags, what takes their place, and how many it dragged.
     slipping: Vec<usize>,
     fresh: Vec<Vertex>,
+    moved: usize,
 }
 
 impl SlipLines {
@@ -48,14 +54,14 @@ impl SlipLines {
     pub(super) fn new(
         stiffness: ContactStiffness,
         friction: f64,
-        spacing: f64,
         tolerance: f64,
     ) -> Result<Self, RangeError> {
         Friction::new(RangeError::positive("friction", friction)?)?;
         Ok(Self {
             stiffness,
             limit: friction * stiffness.c_z,
-            resolution: Resolution { spacing, spread: tolerance.sqrt(), tolerance },
+            tolerance,
+            resolution: Resolution { area: 0.0 },
             shift: Shift::default(),
             at: [0.0; 2],
             vertices: Vec::new(),
@@ -66,6 +72,7 @@ impl SlipLines {
             force: [0.0; 2],
             slipping: Vec::new(),
             fresh: Vec::new(),
+            moved: 0,
         })
     }
 
@@ -119,9 +126,9 @@ impl SlipLines {
     }
 
     // The edge of a contact that grows.
-    fn grow(&mut self, edge: Vertex, at: [f64; 2]) {
+    fn grow(&mut self, edge: Vertex) {
         if let [.., a, b] = &self.vertices[..]
-            && self.resolution.spares(a, b, &edge, edge.depth, at)
+            && self.resolution.spares(a, b, &edge)
         {
             self.pop();
         }
@@ -153,44 +160,9 @@ impl SlipLines {
     }
 
     fn drag(&mut self, run: std::ops::Range<usize>, step: &SlipStep, to: [f64; 2]) {
-        let zeta = step.to;
         let mut fresh = std::mem::take(&mut self.fresh);
-        fresh.clear();
-        let below = run.start.checked_sub(1).map(|i| self.vertices[i]);
-        let above = self.vertices.get(run.end).copied();
-        if let Some(front) =
-            below.and_then(|below| front(&below, &self.vertices[run.start], zeta, to))
-        {
-            fresh.push(front);
-        }
-        let resolution = self.resolution;
-        let lay = |fresh: &mut Vec<Vertex>, vertex: Vertex| {
-            let a = fresh.len().checked_sub(2).map_or(below, |i| Some(fresh[i]));
-            if let (Some(a), Some(b)) = (a, fresh.last())
-                && resolution.spares(&a, b, &vertex, zeta, to)
-            {
-                fresh.pop();
-            }
-            fresh.push(vertex);
-        };
-        let mut last: Option<Vertex> = None;
-        for i in run.clone() {
-            let vertex = self.vertices[i];
-            if let Some(last) = last
-                && vertex.radius - last.radius > 1.001 * resolution.spacing
-                && resolution.spreads(&last, &vertex, step.from, self.at, step)
-            {
-                let middle = last.between(&vertex, 0.5 * (last.depth + vertex.depth));
-                lay(&mut fresh, dragged(&middle, step, self.at, to));
-            }
-            lay(&mut fresh, dragged(&vertex, step, self.at, to));
-            last = Some(vertex);
-        }
-        if let Some(front) =
-            above.and_then(|above| front(&above, &self.vertices[run.end - 1], zeta, to))
-        {
-            lay(&mut fresh, front);
-        }
+        let drag = Drag { step, from: self.at, to, resolution: self.resolution };
+        self.moved += drag.lay(&self.vertices, run.clone(), &mut fresh);
         self.replace(run, &fresh);
         self.fresh = fresh;
     }
@@ -233,6 +205,7 @@ impl SlipLines {
         if self.vertices.is_empty() {
             self.touch();
         }
+        self.moved = 0;
         let growth = to - from;
         let moves = length(by);
         let at = [self.at[0] + by[0], self.at[1] + by[1]];
@@ -244,17 +217,21 @@ impl SlipLines {
             self.stage = Stage::Adhesion;
         } else {
             let ContactStiffness { c_x, c_y, .. } = self.stiffness;
-            self.slip(&SlipStep { from, to, by, stiffness: [c_x, c_y] }, at);
+            // A ring of the limit L is about L/(2 sqrt(zeta)) wide.
+            let accuracy = 2.0 * to.sqrt() * self.resolution.area;
+            self.slip(&SlipStep { from, to, by, stiffness: [c_x, c_y], accuracy }, at);
         }
         if growth > 0.0 {
-            self.grow(Vertex::new(to, at), at);
+            self.grow(Vertex::new(to, at));
         }
         self.at = at;
         if self.stage == Stage::Slide {
             self.move_origin();
         }
         let root = to.sqrt();
-        self.force = [0, 1].map(|k| self.limit * (self.at[k] * root - self.integral[k]));
+        let force = [0, 1].map(|k| self.at[k] * root - self.integral[k]);
+        self.resolution.area = self.resolution.area.max(self.tolerance * length(force));
+        self.force = force.map(|force| self.limit * force);
     }
 }
 
@@ -289,7 +266,12 @@ impl ContactLaw for SlipLines {
     }
 }
 
-impl ImpactLaw for SlipLines {}
+impl ImpactLaw for SlipLines {
+    // Those that the last step moved: they are its work.
+    fn rings(&self) -> Option<usize> {
+        Some(self.moved)
+    }
+}
 
 impl Staged for SlipLines {
     fn stage(&self) -> Stage {

@@ -1,6 +1,6 @@
 //! One ring that slips while the shift goes straight.
 
-use crate::coupled::turning::{inverse_mean, onset, turned};
+use crate::coupled::turning::{Pull, inverse_mean, onset, turned};
 
 /// A straight step in normalised shifts, `X = C x/(f c_z)`, from one approach to another.
 #[derive(Debug, Clone, Copy)]
@@ -10,6 +10,8 @@ pub(super) struct SlipStep {
     pub(super) by: [f64; 2],
     /// c_x and c_y.
     pub(super) stiffness: [f64; 2],
+    /// Angle to which the directions of tractions are to be known, times the square of their limit.
+    pub(super) accuracy: f64,
 }
 
 impl SlipStep {
@@ -32,15 +34,10 @@ impl SlipStep {
         }
         let length = (1.0 - onset) * inverse_mean(start + onset * growth, bound);
         let at = [at[0] / norm, at[1] / norm];
-        let [cos, sin] = turned(at, length, self.stiffness, self.by, growth);
+        let pull = Pull { stiffness: self.stiffness, by: self.by, growth };
+        let accurate = (self.accuracy / (bound * bound)).clamp(1e-6, 1e-2);
+        let [cos, sin] = turned(at, length, &pull, accurate);
         [bound * cos, bound * sin]
-    }
-
-    /// The direction that tractions turn to where the limit is small.
-    pub(super) fn steady(&self) -> [f64; 2] {
-        let [x, y] = [self.by[0] / self.stiffness[0], self.by[1] / self.stiffness[1]];
-        let norm = libm::hypot(x, y);
-        [x / norm, y / norm]
     }
 
     // From no traction on a straight path the direction is constant (8.58): the slip l along e, with

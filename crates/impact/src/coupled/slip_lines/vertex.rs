@@ -2,14 +2,12 @@
 
 use super::step::SlipStep;
 
-/// What may be left out.
+/// What may be left out: areas between the anchors over the radius and a straight line up to this.
+///
+/// An area times f c_z is the force that is lost with it; how thin a slip ring is does not count.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Resolution {
-    /// How far apart two vertices may be, as radii, where directions differ by more than `spread`.
-    pub(super) spacing: f64,
-    pub(super) spread: f64,
-    /// How far a vertex that is left out may be off the line, over the limit there.
-    pub(super) tolerance: f64,
+    pub(super) area: f64,
 }
 
 #[derive(Debug, Clone, Copy)]
@@ -44,52 +42,55 @@ impl Vertex {
 }
 
 impl Resolution {
-    /// Whether b may be left out between a and c, with the shift `at`.
-    pub(super) fn spares(
-        &self,
-        a: &Vertex,
-        b: &Vertex,
-        c: &Vertex,
-        zeta: f64,
-        at: [f64; 2],
-    ) -> bool {
+    /// This part of it.
+    pub(super) const fn finer(&self, part: f64) -> Self {
+        Self { area: part * self.area }
+    }
+
+    /// Whether b may be left out between a and c.
+    pub(super) fn spares(&self, a: &Vertex, b: &Vertex, c: &Vertex) -> bool {
         if c.depth <= a.depth {
             return true;
         }
         let line = a.between(c, b.depth);
         let off = [line.anchor[0] - b.anchor[0], line.anchor[1] - b.anchor[1]];
-        length(off) <= self.tolerance * (zeta - a.depth)
-            && (c.radius - a.radius <= self.spacing || {
-                let (u, w) = (direction(a, zeta, at), direction(b, zeta, at));
-                length([w[0] - u[0], w[1] - u[1]]) <= self.spread
-            })
+        0.5 * length(off) * (c.radius - a.radius) <= self.area
     }
 
-    /// Whether the tractions between two vertices turn away from a line in a step.
-    pub(super) fn spreads(
-        &self,
-        a: &Vertex,
-        b: &Vertex,
-        zeta: f64,
-        at: [f64; 2],
-        step: &SlipStep,
-    ) -> bool {
-        let (u, w) = (direction(a, zeta, at), direction(b, zeta, at));
-        let v = step.steady();
-        length([w[0] - u[0], w[1] - u[1]]) > self.spread
-            || length([v[0] - u[0], v[1] - u[1]]) > self.spread
+    /// Whether the tractions between two rings at their limits turn so far that those between are
+    /// off the straight line.
+    pub(super) fn bends(&self, a: &Slipped, b: &Slipped) -> bool {
+        let [x, y] = [a.direction[0] - b.direction[0], a.direction[1] - b.direction[1]];
+        // Where the limit vanishes tractions turn at will.
+        let turn = if b.limit > 0.0 { x * x + y * y } else { 1.0 };
+        let limit = 0.5 * (a.limit + b.limit);
+        limit * turn * (b.after.radius - a.after.radius) > 16.0 * self.area
     }
 }
 
-// The traction over its limit.
-fn direction(vertex: &Vertex, zeta: f64, at: [f64; 2]) -> [f64; 2] {
-    let bound = zeta - vertex.depth;
-    if bound > 0.0 { vertex.stretch(at).map(|u| u / bound) } else { [0.0; 2] }
+/// A ring at its limit after a step, and the direction of its traction.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Slipped {
+    pub(super) after: Vertex,
+    pub(super) limit: f64,
+    pub(super) direction: [f64; 2],
 }
 
-pub(super) fn dragged(vertex: &Vertex, step: &SlipStep, from: [f64; 2], to: [f64; 2]) -> Vertex {
-    let stretch = step.drag(vertex.stretch(from), vertex.depth);
-    Vertex { anchor: [to[0] - stretch[0], to[1] - stretch[1]], ..*vertex }
+impl Slipped {
+    /// One dragged by the step from the shift `from` to the shift `to`.
+    pub(super) fn dragged(vertex: &Vertex, step: &SlipStep, from: [f64; 2], to: [f64; 2]) -> Self {
+        let stretch = step.drag(vertex.stretch(from), vertex.depth);
+        let after = Vertex { anchor: [to[0] - stretch[0], to[1] - stretch[1]], ..*vertex };
+        Self::at(after, step, to)
+    }
+
+    /// One that has come to its limit at the end of the step.
+    pub(super) fn at(after: Vertex, step: &SlipStep, to: [f64; 2]) -> Self {
+        let limit = (step.to - after.depth).max(0.0);
+        let norm = length(after.stretch(to));
+        let direction = if norm > 0.0 { after.stretch(to).map(|u| u / norm) } else { [0.0; 2] };
+        Self { after, limit, direction }
+    }
 }
 
 /// Where between a ring that sticks and one beyond its limit the limit is met.

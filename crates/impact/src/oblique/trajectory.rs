@@ -1,15 +1,16 @@
-//! The event-driven walk through the regimes.
+//! The trajectory of an oblique impact, from event to event through the regimes.
 
 use super::adhesion::{Segment, Tangential};
 use super::groups::Groups;
-use super::journey::{self, Arrival, Crossing, Journey};
 use super::limit::Limit;
 use super::memory::{Frozen, Shape, Stretch};
 use super::onset::{Onset, Opened, Opening};
 use super::place::Place;
+use super::recorder::Recorder;
 use super::regime::{Event, ObliqueError, Phase, Regime};
 use super::slip::{Clock, Slip};
-use super::trace::Recorder;
+use super::slip_integration::{Met, SlipEvent, SlipIntegration, TRIAL};
+use super::state::State;
 
 /// Tangential velocity u at maximal compression below which the impact counts as reversible:
 /// R_x = 1 - 2 u^2 to leading order, so this changes nothing in double precision.
@@ -19,17 +20,8 @@ const NEUTRAL: f64 = 1e-8;
 const MOMENT: f64 = 1e-9;
 /// A stop of the slip at a smaller normal velocity than this counts as one at maximal compression.
 const AT_REST: f64 = 1e-6;
-/// Phases of one impact after which the walk gives up.
+/// Phases of one impact after which it gives up.
 const MAX_PHASES: usize = 200;
-
-/// The moving state, tangential quantities in units of the initial tangential velocity.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct State {
-    pub(super) place: Place,
-    pub(super) velocity: f64,
-    pub(super) shift: f64,
-    pub(super) traction: f64,
-}
 
 /// The slip ring when a slip phase begins.
 #[derive(Debug, Clone)]
@@ -62,8 +54,8 @@ enum Next {
     Separate,
 }
 
-/// The walk from touch to separation.
-pub(super) struct Walk<'r, R> {
+/// The motion from touch to separation.
+pub(super) struct Trajectory<'r, R> {
     chi: f64,
     psi: f64,
     memory: Vec<Stretch>,
@@ -72,7 +64,7 @@ pub(super) struct Walk<'r, R> {
     recorder: &'r mut R,
 }
 
-impl<'r, R: Recorder> Walk<'r, R> {
+impl<'r, R: Recorder> Trajectory<'r, R> {
     pub(super) fn new(groups: Groups, recorder: &'r mut R) -> Self {
         let state = State { place: Place::TOUCH, velocity: 1.0, shift: 0.0, traction: 0.0 };
         Self {
@@ -225,14 +217,14 @@ impl<'r, R: Recorder> Walk<'r, R> {
                 self.memory.pop();
                 continue;
             }
-            let Arrival { crossing, pair } = self.cross(sign, &ring)?;
+            let Met { event, pair } = self.cross(sign, &ring)?;
             ring = Ring { stick: pair.stick.tau, gap: pair.gap * self.psi.min(1.0), opening: None };
-            match crossing {
-                Crossing::StretchEnd => {
+            match event {
+                SlipEvent::StretchEnd => {
                     self.memory.pop();
                 }
-                Crossing::SlipStop => return Ok(self.freeze(sign, &pair.stick)),
-                Crossing::RingClosed => {
+                SlipEvent::SlipStop => return Ok(self.freeze(sign, &pair.stick)),
+                SlipEvent::RingClosed => {
                     if let Some(top) = self.memory.last_mut() {
                         top.outer = pair.stick.tau;
                     }
@@ -283,7 +275,7 @@ impl<'r, R: Recorder> Walk<'r, R> {
     }
 
     // Integrate within one stretch of memory up to the first event.
-    fn cross(&mut self, sign: f64, ring: &Ring) -> Result<Arrival, ObliqueError> {
+    fn cross(&mut self, sign: f64, ring: &Ring) -> Result<Met, ObliqueError> {
         let State { place, velocity, .. } = self.state;
         let w = place.w;
         let Some(stretch) = self.memory.last() else {
@@ -301,21 +293,21 @@ impl<'r, R: Recorder> Walk<'r, R> {
             None => {
                 let start = slip.pair(gap, ring.stick, velocity);
                 let slip = slip.entered(&start);
-                (slip, start, slip.rest(&start), journey::TRIAL)
+                (slip, start, slip.rest(&start), TRIAL)
             }
         };
-        let mut journey = Journey { slip, recorder: &mut *self.recorder };
-        let arrival = journey
+        let mut integration = SlipIntegration { slip, recorder: &mut *self.recorder };
+        let met = integration
             .run(start, rest, trial)
             .map_err(|source| ObliqueError::Integration { w, source })?;
-        let load = slip.load(&arrival.pair);
+        let load = slip.load(&met.pair);
         self.state = State {
-            place: arrival.pair.now,
-            velocity: arrival.pair.velocity,
-            shift: self.recorder.shift(&slip, &arrival.pair),
+            place: met.pair.now,
+            velocity: met.pair.velocity,
+            shift: self.recorder.shift(&slip, &met.pair),
             traction: load.traction,
         };
-        Ok(arrival)
+        Ok(met)
     }
 
     // ---- sliding --------------------------------------------------------------------------

@@ -3,8 +3,8 @@
 use carom_special::ode::{OdeError, Stepper, Tolerance};
 
 use super::memory::Shape;
+use super::recorder::Recorder;
 use super::slip::{Clock, Pair, Slip, Unknowns};
-use super::trace::Recorder;
 
 const TOLERANCE: Tolerance = Tolerance { absolute: 5e-12, relative: 5e-12 };
 /// First steps of tau* and tau.
@@ -15,7 +15,7 @@ const SLOW_TRIAL: f64 = 0.03;
 const HASTY: f64 = 1.6;
 const CALM: f64 = 1.25;
 /// Changes of the clock, and steps with one, after which the integration gives up.
-const MAX_LEGS: usize = 400;
+const MAX_CLOCKS: usize = 400;
 const MAX_STEPS: usize = 2000;
 /// tau from which on the width of the ring is the better unknown.
 const RELEASE: f64 = -0.3;
@@ -28,7 +28,7 @@ const MAX_LANDING: usize = 60;
 
 /// How an integration within one stretch ended.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Crossing {
+pub(super) enum SlipEvent {
     StretchEnd,
     SlipStop,
     RingClosed,
@@ -36,48 +36,48 @@ pub(super) enum Crossing {
 
 /// Where an integration ended.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Arrival {
-    pub(super) crossing: Crossing,
+pub(super) struct Met {
+    pub(super) event: SlipEvent,
     pub(super) pair: Pair,
 }
 
 /// How an integration with one clock ended.
-enum Leg {
-    Arrived(Arrival),
+enum ClockEnd {
+    Event(Met),
     /// The slip is slow here.
     Slow(Pair),
     /// It is not, any more.
     Brisk(Pair),
 }
 
-impl Leg {
-    fn at(crossing: Crossing, pair: Pair) -> Self {
-        Self::Arrived(Arrival { crossing, pair })
+impl ClockEnd {
+    fn at(event: SlipEvent, pair: Pair) -> Self {
+        Self::Event(Met { event, pair })
     }
 }
 
 /// One integration of partial slip over one stretch of memory.
-pub(super) struct Journey<'a, R> {
+pub(super) struct SlipIntegration<'a, R> {
     pub(super) slip: Slip<'a>,
     pub(super) recorder: &'a mut R,
 }
 
-impl<R: Recorder> Journey<'_, R> {
+impl<R: Recorder> SlipIntegration<'_, R> {
     /// From the places of `start` with the rest E of the first integral.
-    pub(super) fn run(&mut self, start: Pair, rest: f64, trial: f64) -> Result<Arrival, OdeError> {
-        let mut leg = self.by_memory(start, rest, trial);
-        for _ in 0..MAX_LEGS {
-            leg = match leg {
-                Leg::Arrived(arrival) => return Ok(arrival),
-                Leg::Slow(pair) => self.by_motion(pair)?,
-                Leg::Brisk(pair) => self.by_memory(pair, self.slip.rest(&pair), TRIAL),
+    pub(super) fn run(&mut self, start: Pair, rest: f64, trial: f64) -> Result<Met, OdeError> {
+        let mut end = self.by_memory(start, rest, trial);
+        for _ in 0..MAX_CLOCKS {
+            end = match end {
+                ClockEnd::Event(met) => return Ok(met),
+                ClockEnd::Slow(pair) => self.by_motion(pair)?,
+                ClockEnd::Brisk(pair) => self.by_memory(pair, self.slip.rest(&pair), TRIAL),
             }
         }
         Err(OdeError::StepTooSmall { x: start.stick.tau, step: 0.0 })
     }
 
     // With the memory as clock; whatever this clock cannot follow is left to the motion.
-    fn by_memory(&mut self, start: Pair, rest: f64, trial: f64) -> Leg {
+    fn by_memory(&mut self, start: Pair, rest: f64, trial: f64) -> ClockEnd {
         let rest = rest * self.slip.square;
         self.slip = self.slip.measured_by(&start);
         let slip = self.slip;
@@ -90,44 +90,44 @@ impl<R: Recorder> Journey<'_, R> {
             (Clock::Memory, start.gap)
         };
         let slope = |x: f64, y: &Unknowns| slip.slope(clock, x, y);
-        let walk = Stepper::new(start.stick.tau, [width, rest], trial, TOLERANCE, slope);
+        let stepper = Stepper::new(start.stick.tau, [width, rest], trial, TOLERANCE, slope);
         let mut pace = -slip.pace(&start);
         let suits = pace < HASTY && !self.is_early(&start);
-        let (Ok(mut walk), true) = (walk, suits) else {
-            return Leg::Slow(start);
+        let (Ok(mut stepper), true) = (stepper, suits) else {
+            return ClockEnd::Slow(start);
         };
         for _ in 0..MAX_STEPS {
-            let (x, y) = (walk.x(), *walk.y());
+            let (x, y) = (stepper.x(), *stepper.y());
             let here = |slip: &Slip<'_>| slip.at(clock, x, &y);
-            if walk.step(end).is_err() {
-                return Leg::Slow(here(&slip));
+            if stepper.step(end).is_err() {
+                return ClockEnd::Slow(here(&slip));
             }
-            if walk.y()[0] < 0.0 {
+            if stepper.y()[0] < 0.0 {
                 let before = here(&slip);
                 return match self.land(Clock::Gap, &before, y[1]) {
-                    Some(pair) => Leg::at(Crossing::RingClosed, pair),
-                    None => Leg::Slow(before),
+                    Some(pair) => ClockEnd::at(SlipEvent::RingClosed, pair),
+                    None => ClockEnd::Slow(before),
                 };
             }
-            let [tau, next] = slip.progress(clock, walk.x(), walk.y(), walk.slope());
+            let [tau, next] = slip.progress(clock, stepper.x(), stepper.y(), stepper.slope());
             let hasty = pace.max(-next) > CALM;
-            if hasty && self.turns(&here(&slip), &slip.at(clock, walk.x(), walk.y())) {
-                return Leg::Slow(here(&slip));
+            if hasty && self.turns(&here(&slip), &slip.at(clock, stepper.x(), stepper.y())) {
+                return ClockEnd::Slow(here(&slip));
             }
-            self.recorder.slip(&slip, clock, &mut walk);
+            self.recorder.slip(&slip, clock, &mut stepper);
             pace = -next;
-            let there = |slip: &Slip<'_>| slip.at(clock, walk.x(), walk.y());
-            if walk.x() == end {
-                return Leg::at(Crossing::StretchEnd, there(&slip));
+            let there = |slip: &Slip<'_>| slip.at(clock, stepper.x(), stepper.y());
+            if stepper.x() == end {
+                return ClockEnd::at(SlipEvent::StretchEnd, there(&slip));
             }
             if pace > HASTY {
-                return Leg::Slow(there(&slip));
+                return ClockEnd::Slow(there(&slip));
             }
             if !releases && tau < RELEASE {
-                return self.by_memory(there(&slip), walk.y()[1], walk.trial_step());
+                return self.by_memory(there(&slip), stepper.y()[1], stepper.trial_step());
             }
         }
-        Leg::Slow(slip.at(clock, walk.x(), walk.y()))
+        ClockEnd::Slow(slip.at(clock, stepper.x(), stepper.y()))
     }
 
     // Over frozen stresses the memory is a poor clock at first.
@@ -141,61 +141,64 @@ impl<R: Recorder> Journey<'_, R> {
         self.slip.load(before).slip_rate < 0.0 && self.slip.load(after).slip_rate > 0.0
     }
 
-    fn by_motion(&mut self, start: Pair) -> Result<Leg, OdeError> {
+    fn by_motion(&mut self, start: Pair) -> Result<ClockEnd, OdeError> {
         let slip = self.slip;
         let mut pair = start;
         let slope = |x: f64, y: &Unknowns| slip.slope(Clock::Motion, x, y);
         let y = [slip.mark(&start.stick), start.slip_velocity / slip.unit];
-        let mut walk = Stepper::new(start.now.tau, y, -SLOW_TRIAL, TOLERANCE, slope)?;
+        let mut stepper = Stepper::new(start.now.tau, y, -SLOW_TRIAL, TOLERANCE, slope)?;
         let mut limit = -1.0;
         for _ in 0..MAX_STEPS {
             // d(s q)/d tau: positive while the slip slows down, as tau falls.
-            let slowing = slip.sign * walk.slope()[1] > 0.0;
-            let checkpoint = walk.clone();
-            if let Err(error) = walk.step(limit) {
+            let slowing = slip.sign * stepper.slope()[1] > 0.0;
+            let checkpoint = stepper.clone();
+            if let Err(error) = stepper.step(limit) {
                 // Stuck at the very event: it is reached.
-                let crossing = self.nearly_passed(&pair).ok_or(error)?;
-                return Ok(Leg::at(crossing, pair));
+                let event = self.nearly_passed(&pair).ok_or(error)?;
+                return Ok(ClockEnd::at(event, pair));
             }
-            let next = slip.at(Clock::Motion, walk.x(), walk.y());
+            let next = slip.at(Clock::Motion, stepper.x(), stepper.y());
             let mut middle = 0.5 * (pair.now.tau + next.now.tau);
-            let mut crossing = self.passed(&next);
-            let turns = slowing && slip.sign * walk.slope()[1] < 0.0;
-            if crossing.is_none()
+            let mut event = self.passed(&next);
+            let turns = slowing && slip.sign * stepper.slope()[1] < 0.0;
+            if event.is_none()
                 && turns
-                && let Some(x) = self.dip(&mut walk)
+                && let Some(x) = self.dip(&mut stepper)
             {
-                (crossing, middle) = (Some(Crossing::SlipStop), x);
-            } else if let Some(crossing) = crossing
-                && let Some(pair) = self.meet(crossing, &pair)
+                (event, middle) = (Some(SlipEvent::SlipStop), x);
+            } else if let Some(event) = event
+                && let Some(pair) = self.meet(event, &pair)
             {
-                return Ok(Leg::at(crossing, pair));
+                return Ok(ClockEnd::at(event, pair));
             }
-            if let Some(crossing) = crossing {
+            if let Some(event) = event {
                 // Close in on the event by shorter steps.
                 if (next.now.tau - pair.now.tau).abs() < 1e-13 {
-                    return Ok(Leg::at(crossing, pair));
+                    return Ok(ClockEnd::at(event, pair));
                 }
                 limit = middle;
-                walk = checkpoint;
+                stepper = checkpoint;
                 continue;
             }
-            self.recorder.slip(&slip, Clock::Motion, &mut walk);
+            self.recorder.slip(&slip, Clock::Motion, &mut stepper);
             pair = next;
             if -slip.pace(&pair) < CALM && !self.is_early(&pair) {
-                return Ok(Leg::Brisk(pair));
+                return Ok(ClockEnd::Brisk(pair));
             }
-            if walk.x() == limit {
+            if stepper.x() == limit {
                 limit = -1.0;
             }
         }
-        Err(OdeError::StepTooSmall { x: walk.x(), step: 0.0 })
+        Err(OdeError::StepTooSmall { x: stepper.x(), step: 0.0 })
     }
 
     // Where within the last step the slip velocity falls to zero and recovers, unseen at its ends.
-    fn dip<F: FnMut(f64, &Unknowns) -> Unknowns>(&self, walk: &mut Stepper<2, F>) -> Option<f64> {
+    fn dip<F: FnMut(f64, &Unknowns) -> Unknowns>(
+        &self,
+        stepper: &mut Stepper<2, F>,
+    ) -> Option<f64> {
         let slip = &self.slip;
-        let dense = walk.dense();
+        let dense = stepper.dense();
         let (mut early, mut late) = (dense.start(), dense.end());
         for _ in 0..40 {
             let middle = 0.5 * (early + late);
@@ -215,37 +218,37 @@ impl<R: Recorder> Journey<'_, R> {
         left < -GRAZE || (left <= 0.0 && falls())
     }
 
-    fn passed(&self, pair: &Pair) -> Option<Crossing> {
+    fn passed(&self, pair: &Pair) -> Option<SlipEvent> {
         if self.stops(pair) {
-            Some(Crossing::SlipStop)
+            Some(SlipEvent::SlipStop)
         } else if pair.gap < 0.0 {
-            Some(Crossing::RingClosed)
+            Some(SlipEvent::RingClosed)
         } else if pair.stick.tau >= self.slip.stretch.inner {
-            Some(Crossing::StretchEnd)
+            Some(SlipEvent::StretchEnd)
         } else {
             None
         }
     }
 
     // The event whose quantity has vanished but for the tolerance.
-    fn nearly_passed(&self, pair: &Pair) -> Option<Crossing> {
+    fn nearly_passed(&self, pair: &Pair) -> Option<SlipEvent> {
         const NEAR: f64 = 1e-9;
         if self.slip.sign * pair.slip_velocity < NEAR {
-            Some(Crossing::SlipStop)
+            Some(SlipEvent::SlipStop)
         } else if pair.gap * self.slip.unit < NEAR && pair.now.tau < 0.0 {
-            Some(Crossing::RingClosed)
+            Some(SlipEvent::RingClosed)
         } else if self.slip.stretch.inner - pair.stick.tau < NEAR {
-            Some(Crossing::StretchEnd)
+            Some(SlipEvent::StretchEnd)
         } else {
             None
         }
     }
 
-    fn meet(&mut self, crossing: Crossing, from: &Pair) -> Option<Pair> {
-        let clock = match crossing {
-            Crossing::SlipStop => Clock::SlipVelocity,
-            Crossing::RingClosed => Clock::Gap,
-            Crossing::StretchEnd => Clock::Memory,
+    fn meet(&mut self, event: SlipEvent, from: &Pair) -> Option<Pair> {
+        let clock = match event {
+            SlipEvent::SlipStop => Clock::SlipVelocity,
+            SlipEvent::RingClosed => Clock::Gap,
+            SlipEvent::StretchEnd => Clock::Memory,
         };
         self.land(clock, from, self.slip.rest(from))
     }
@@ -263,10 +266,10 @@ impl<R: Recorder> Journey<'_, R> {
             return None; // the phase has only begun
         }
         let slope = |x: f64, y: &Unknowns| slip.slope(clock, x, y);
-        let mut walk = Stepper::new(start, y, target - start, TOLERANCE, slope).ok()?;
+        let mut stepper = Stepper::new(start, y, target - start, TOLERANCE, slope).ok()?;
         for _ in 0..MAX_LANDING {
-            walk.step(target).ok()?;
-            let pair = slip.at(clock, walk.x(), walk.y());
+            stepper.step(target).ok()?;
+            let pair = slip.at(clock, stepper.x(), stepper.y());
             let sound = pair.now.tau <= from.now.tau
                 && pair.stick.tau >= from.stick.tau
                 && pair.stick.tau <= inner
@@ -274,8 +277,8 @@ impl<R: Recorder> Journey<'_, R> {
             if !sound {
                 return None;
             }
-            self.recorder.slip(&slip, clock, &mut walk);
-            if walk.x() == target {
+            self.recorder.slip(&slip, clock, &mut stepper);
+            if stepper.x() == target {
                 return Some(pair);
             }
         }

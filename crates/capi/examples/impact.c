@@ -1,0 +1,124 @@
+/* A ball on a plate, and R_x of many balls: carom from C.
+ *
+ *     cc impact.c -I../include -lcarom_capi -lm -o impact
+ *
+ * Prints what it computes, and ends with 1 if anything is not as it must be.
+ */
+#include <math.h>
+#include <stdio.h>
+#include <string.h>
+
+#include "carom.h"
+
+static int failures = 0;
+
+static void must(int holds, const char *what) {
+  if (!holds) {
+    printf("wrong: %s\n", what);
+    failures += 1;
+  }
+}
+
+/* A ball of steel that meets a plate obliquely. */
+static void impact(void) {
+  const carom_material steel = {208e9, 0.3};
+  carom_body ball = {0}, plate = {0};
+  ball.shape = CAROM_SHAPE_SPHERE;
+  ball.sizes[0] = 0.01;
+  ball.mass = 0.0327;
+  ball.material = steel;
+  ball.velocity[0] = 1.0;
+  ball.velocity[2] = -2.0;
+  plate.shape = CAROM_SHAPE_PLANE;
+  plate.material = steel;
+
+  const double up[3] = {0.0, 0.0, 1.0};
+  carom_rebound rebound;
+  carom_error error;
+  const carom_status status = carom_collide(&ball, &plate, 0.15, up, &rebound, &error);
+  if (status != CAROM_STATUS_OK) {
+    printf("%s: %s\n", carom_status_text(status), error.text);
+    failures += 1;
+    return;
+  }
+  printf("after: v = (%.6f, %.6f, %.6f) m/s, spin about y %.3f 1/s\n", rebound.velocity[0][0],
+         rebound.velocity[0][1], rebound.velocity[0][2], rebound.spin[0][1]);
+  printf("R_x = %.6f in %.1f us at up to %.0f N\n", rebound.restitution, 1e6 * rebound.duration,
+         rebound.maximal_force);
+  must(fabs(rebound.velocity[0][2] - 2.0) < 1e-12, "it rises as fast as it fell");
+  const double balance = rebound.energy_before - rebound.energy_after - rebound.dissipated;
+  must(fabs(balance) < 1e-9 * rebound.energy_before, "friction takes the energy that is missing");
+
+  ball.mass = -1.0;
+  must(carom_collide(&ball, &plate, 0.15, up, &rebound, &error) == CAROM_STATUS_OUT_OF_RANGE &&
+           strcmp(error.field, "mass") == 0 && error.value == -1.0,
+       "a bad mass is named");
+}
+
+/* R_x of many impacts by the table, against one by the exact impact. */
+static void restitution(void) {
+  const double kappa = 1.2142857142857142; /* nu = 0.3 */
+  double lambda[100], table[100], exact;
+  for (int i = 0; i < 100; ++i) lambda[i] = 0.08 * (i + 1);
+  must(carom_restitution_many(100, &kappa, 0, lambda, sizeof(double), CAROM_BY_TABLE, table,
+                              sizeof(double), NULL) == CAROM_STATUS_OK,
+       "R_x of many");
+  for (int i = 0; i < 100; i += 11) {
+    must(carom_restitution(kappa, lambda[i], CAROM_EXACT, &exact, NULL) == CAROM_STATUS_OK, "R_x");
+    must(fabs(table[i] - exact) < 1e-8, "the table is within 1e-8");
+  }
+  printf("R_x(1.214, 0.96) = %.8f\n", table[11]);
+}
+
+/* Contacts of a particle code: memories inside the caller's own structures, one call for all. */
+static void contacts(void) {
+  struct particle {
+    int id;
+    carom_shift shift;
+    carom_load load;
+    carom_state memory;
+  } particles[8];
+  memset(particles, 0, sizeof particles);
+
+  const carom_material glass = {70e9, 0.22};
+  carom_pair pair;
+  carom_error error;
+  must(carom_pair_of_spheres(&glass, &glass, 1e-3, 1e-3, 0.4, CAROM_LAW_COULOMB, 0.0, &pair,
+                             &error) == CAROM_STATUS_OK,
+       "a pair");
+  for (int step = 0; step < 200; ++step) {
+    for (int i = 0; i < 8; ++i) {
+      const double t = 0.01 * step;
+      particles[i].shift.zeta = 1e-7 * sin(3.0 * t) * (1.0 + 0.1 * i) - 1e-8;
+      particles[i].shift.xi = 3e-8 * sin(5.0 * t + i);
+      particles[i].shift.eta = 3e-8 * cos(4.0 * t);
+    }
+    const size_t stride = sizeof(struct particle);
+    must(carom_state_advance_many(&pair, 8, &particles[0].memory, stride, &particles[0].shift,
+                                  stride, &particles[0].load, stride, &error) == CAROM_STATUS_OK,
+         "a step of all");
+    for (int i = 0; i < 8; ++i) {
+      const carom_load f = particles[i].load;
+      must(hypot(f.f_x, f.f_y) <= 0.4 * f.f_z * (1.0 + 1e-12) + 1e-300, "Coulomb's limit");
+    }
+  }
+  /* A restart: the memory alone tells the load again. */
+  carom_load again;
+  must(carom_state_load(&pair, &particles[3].memory, &again, &error) == CAROM_STATUS_OK, "a load");
+  printf("contact 3: F = (%.6e, %.6e, %.6e) N\n", again.f_x, again.f_y, again.f_z);
+  must(fabs(again.f_x - particles[3].load.f_x) <= 1e-12 * fabs(again.f_z), "the same load again");
+
+  must(carom_state_advance(&pair, NULL, particles[0].shift, NULL, &error) ==
+           CAROM_STATUS_NULL_POINTER,
+       "a null pointer is told");
+}
+
+int main(void) {
+  printf("carom %s\n", carom_version());
+  must(carom_abi_version() == CAROM_ABI_VERSION, "header and library are of one version");
+  impact();
+  restitution();
+  contacts();
+  printf(failures == 0 ? "all is well\n" : "failed\n");
+  return failures == 0 ? 0 : 1;
+}

@@ -1,0 +1,868 @@
+// carom: elastic impact with friction, for C and C++ (Fortran: see contact.f90).
+//
+// Made by cbindgen from the Rust sources of carom-capi; not to be edited.
+
+#ifndef CAROM_H
+#define CAROM_H
+
+#include <stdarg.h>
+#include <stdbool.h>
+#include <stddef.h>
+#include <stdint.h>
+#include <stdlib.h>
+
+// Constants (carom_pair) are made once, memories (carom_state or carom_contact) are the caller's, and
+// every function returns a carom_status; what is wrong it writes into a carom_error, which may be
+// null. All structures are plain data and may be copied as bytes. Nothing is kept between calls and
+// no function needs another thread's permission: different data may be used by different threads.
+
+// The words of 8 bytes in a `carom_contact`, beside its mark.
+#define CAROM_CONTACT_WORDS 144
+
+// A sphere: `sizes[0]` is its radius.
+#define CAROM_SHAPE_SPHERE 0
+
+// A plane with the half-space behind it, held fast; its axis c looks out of the body.
+#define CAROM_SHAPE_PLANE 1
+
+// An ellipsoid: `sizes` are its semi-axes.
+#define CAROM_SHAPE_ELLIPSOID 2
+
+// A cylinder about its axis c: radius and length.
+#define CAROM_SHAPE_CYLINDER 3
+
+// A cylinder between two half spheres, about its axis c: radius, and length of the straight part.
+#define CAROM_SHAPE_CAPSULE 4
+
+// A torus about its axis c: radius of the circle, radius of the tube.
+#define CAROM_SHAPE_TORUS 5
+
+// A box: `sizes` are its edges. Its edges and corners cannot touch.
+#define CAROM_SHAPE_BOX 6
+
+// The materials couple normal and tangential displacements, which the theory leaves out.
+#define CAROM_WARNING_COUPLING 1
+
+// The contact is not small against the bodies.
+#define CAROM_WARNING_LARGE_CONTACT 2
+
+// Elastic waves would carry away more than 1 % of the normal energy.
+#define CAROM_WARNING_WAVE_LOSS 4
+
+// The spin about the normal is left alone, and torsion would take more than 1 % of it.
+#define CAROM_WARNING_SPIN_LEFT_ALONE 8
+
+// The outcome did not settle to its tolerance.
+#define CAROM_WARNING_NOT_SETTLED 16
+
+// The contact point was found by sampling; the bodies may touch elsewhere too.
+#define CAROM_WARNING_POINT_SAMPLED 32
+
+// Coulomb's law in two directions, each ring of the contact by itself, to a tolerance.
+#define CAROM_LAW_COULOMB 0
+
+// The law of chapter 7 of the thesis: one direction of traction in a slip ring. Exact on straight
+// paths; where the direction turns, off by 5 % of the friction limit in the mean. Faster.
+#define CAROM_LAW_CHAPTER_7 1
+
+// R_x from the table: within 1e-8 of the exact impact, in tens of nanoseconds.
+#define CAROM_BY_TABLE 0
+
+// R_x by the exact impact, in microseconds.
+#define CAROM_EXACT 1
+
+// The numbers in a `carom_state`.
+#define CAROM_STATE_NUMBERS 66
+
+// Changes whenever a structure or a function of this header does; compare it with
+// `carom_abi_version()` of the library that is loaded.
+#define CAROM_ABI_VERSION 1
+
+// How a call ended.
+enum carom_status
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : int32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // All is done.
+  CAROM_STATUS_OK = 0,
+  // A pointer that must not be null is.
+  CAROM_STATUS_NULL_POINTER = 1,
+  // A pointer or a stride is not aligned to what it points to.
+  CAROM_STATUS_MISALIGNED = 2,
+  // A value is out of range: `carom_error` names its field.
+  CAROM_STATUS_OUT_OF_RANGE = 3,
+  // A state is neither zero nor one that this library wrote.
+  CAROM_STATUS_BAD_STATE = 4,
+  // The bodies make no contact that can be computed.
+  CAROM_STATUS_NO_CONTACT = 5,
+  // The impact could not be followed to its end.
+  CAROM_STATUS_NOT_FOLLOWED = 6,
+  // A fault in this library; nothing can be said about the results.
+  CAROM_STATUS_INTERNAL = 7,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum carom_status carom_status;
+#else
+typedef int32_t carom_status;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// What the last step of a contact did.
+enum carom_regime
+#if defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+  : uint32_t
+#endif // defined(__cplusplus) || __STDC_VERSION__ >= 202311L
+ {
+  // The bodies are apart.
+  CAROM_REGIME_SEPARATED = 0,
+  // Complete adhesion: the area grew faster than the shift.
+  CAROM_REGIME_ADHESION = 1,
+  // The edge receded, and what is left did not slip.
+  CAROM_REGIME_RELEASE = 2,
+  // A ring slipped.
+  CAROM_REGIME_SLIP = 3,
+  // Slip began anew at the edge, the other way.
+  CAROM_REGIME_REVERSAL = 4,
+  // A slip ring wiped out older ones.
+  CAROM_REGIME_OVERLAY = 5,
+  // The whole contact slid.
+  CAROM_REGIME_SLIDING = 6,
+};
+#ifndef __cplusplus
+#if __STDC_VERSION__ >= 202311L
+typedef enum carom_regime carom_regime;
+#else
+typedef uint32_t carom_regime;
+#endif // __STDC_VERSION__ >= 202311L
+#endif // __cplusplus
+
+// The constants of a contact: plain data, made by `carom_pair_of_spheres` and its like and not to
+// be changed but by them. Units are SI, or any consistent set.
+typedef struct carom_pair {
+  // Tangential stiffness along x: in full adhesion dF_x = c_x sqrt(zeta) dxi. N/m^1.5.
+  double c_x;
+  // The same along y.
+  double c_y;
+  // Normal stiffness: F_z = (2/3) c_z zeta^1.5. N/m^1.5.
+  double c_z;
+  // The coefficient of friction, from 0 to infinity (no slip).
+  double friction;
+  // How far the friction force may be off over its limit, of CAROM_LAW_COULOMB.
+  double tolerance;
+  // a^2/zeta of the contact ellipse, m; 0 if it is not known.
+  double a_squared;
+  // b^2/zeta of the contact ellipse, m; 0 if it is not known.
+  double b_squared;
+  // CAROM_LAW_COULOMB or CAROM_LAW_CHAPTER_7.
+  uint32_t law;
+  // CAROM_ABI_VERSION of the library that made it.
+  uint32_t version;
+} carom_pair;
+
+// The memory of a contact in 66 numbers, the caller's: zeros are two bodies that just touch, unshifted.
+// The numbers mean the same on any machine and in any build of this `carom_state_version()`, so
+// that they can be kept in files and sent to other processes; a run that goes on from them goes on to
+// the same bits. The friction of the pair must be finite.
+//
+// Where two bodies come near, advance first to a negative zeta: the step that closes the gap finds the
+// place where they touch.
+typedef struct carom_state {
+  // Not to be changed but by the functions of this library.
+  double numbers[CAROM_STATE_NUMBERS];
+} carom_state;
+
+// The rigid shift of body 2 against body 1 in contact axes, z into body 1.
+typedef struct carom_shift {
+  // The approach, positive in contact, m.
+  double zeta;
+  // The shift along x, m.
+  double xi;
+  // The shift along y, m.
+  double eta;
+} carom_shift;
+
+// The load that body 2 exerts on body 1.
+typedef struct carom_load {
+  // Tangential force along x, N.
+  double f_x;
+  // Tangential force along y, N.
+  double f_y;
+  // Normal force, positive in compression, N.
+  double f_z;
+} carom_load;
+
+// What was wrong: filled in by a call that does not return `CAROM_STATUS_OK`, else left alone.
+typedef struct carom_error {
+  // The entry of an array, counted from 0; -1 where there is no array.
+  int64_t index;
+  // The value of the field; 0 where there is none.
+  double value;
+  // The name of the field or argument; empty where there is none. Ends with a zero.
+  char field[40];
+  // A sentence for a person. Ends with a zero.
+  char text[200];
+} carom_error;
+
+// The memory of a contact, the caller's: 1160 bytes, aligned to 8, that may be copied as bytes. Zero bytes
+// are two bodies that just touch, unshifted. It is the law itself, constants and all, so that a
+// step reads and writes only what it needs; it is understood only by the build that wrote it:
+// `carom_contact_pack` makes a `carom_state` of it.
+//
+// The constants are those of the pair with which it was first advanced; to change them, make it zero.
+typedef struct carom_contact {
+  // Not to be changed but by the functions of this library.
+  uint64_t mark;
+  // The law.
+  uint64_t words[CAROM_CONTACT_WORDS];
+} carom_contact;
+
+// What a contact can tell beside its load.
+typedef struct carom_report {
+  // The share of the contact area that sticks.
+  double sticking;
+  // What the last step did.
+  carom_regime regime;
+} carom_report;
+
+// An elastic material, or a rigid one.
+typedef struct carom_material {
+  // Young's modulus, Pa; infinite for a rigid body.
+  double young_modulus;
+  // Poisson's ratio, in (-1, 0.5]; of no meaning for a rigid body.
+  double poisson;
+} carom_material;
+
+// A body about to collide. All that is zero is what is usual: a solid, its axes along those of space,
+// at the origin, at rest.
+typedef struct carom_body {
+  // A CAROM_SHAPE.
+  uint32_t shape;
+  // 1 for a thin shell, 0 for a solid.
+  uint32_t hollow;
+  // What the shape needs, m.
+  double sizes[3];
+  // The mass, kg; infinite if it is held fast. Of no meaning for a plane.
+  double mass;
+  // The principal moments of inertia, kg m^2; zeros are those of the homogeneous shape.
+  double moments[3];
+  // The material.
+  struct carom_material material;
+  // The centre of mass; for a plane any of its points, m.
+  double centre[3];
+  // The unit quaternion (w, i, j, k) that turns the body's components into those of space; zeros for
+  // none.
+  double attitude[4];
+  // The velocity of the centre of mass, m/s.
+  double velocity[3];
+  // The angular velocity in space axes, rad/s.
+  double spin[3];
+} carom_body;
+
+// How two bodies part. Velocities of the contact are of body 2 against body 1.
+typedef struct carom_rebound {
+  // 1 if they collide; 0 if they do not approach each other, where nothing happens and only
+  // `velocity` and `spin` are given.
+  uint32_t collides;
+  // The CAROM_WARNING bits that hold.
+  uint32_t warnings;
+  // The velocities of both centres of mass afterwards, m/s.
+  double velocity[2][3];
+  // The angular velocities of both bodies afterwards, rad/s.
+  double spin[2][3];
+  // The impulse that body 2 gave body 1, N s.
+  double impulse[3];
+  // The place where they touch, m.
+  double point[3];
+  // The normal there, from body 2 into body 1.
+  double normal[3];
+  // The relative velocity of the contact points before, m/s.
+  double velocity_before[3];
+  // The relative velocity of the contact points after, m/s.
+  double velocity_after[3];
+  // R_x, the tangential velocity after over that before, reversed in sign, if `has_restitution`.
+  double restitution;
+  // 1 if there is an R_x.
+  uint32_t has_restitution;
+  // How often the approach grew.
+  uint32_t compressions;
+  // The time from touch to separation, s.
+  double duration;
+  // The greatest normal force, N.
+  double maximal_force;
+  // The greatest approach, m.
+  double maximal_approach;
+  // The semi-axes of the greatest contact ellipse, m.
+  double semi_axes[2];
+  // The kinetic energy before, J.
+  double energy_before;
+  // The kinetic energy after, J.
+  double energy_after;
+  // What friction took, J.
+  double dissipated;
+  // How far the velocity after may be off over that before; 0 where the solution is exact.
+  double error_estimate;
+} carom_rebound;
+
+#ifdef __cplusplus
+extern "C" {
+#endif // __cplusplus
+
+// Advances many contacts of one pair, contact i by its own shift. The strides are the bytes from one
+// entry to the next, so that the arrays may be columns of larger structures; `loads` may be null.
+//
+// All shifts are checked before anything moves: if one is out of range nothing is changed, and
+// `error->index` names it. A state that is none ends the call at its index: those before it have
+// been advanced.
+//
+// # Safety
+// `pair` is null or may be read. `states`, `shifts` and `loads` are null, or each of their `count`
+// entries may be read and, but for the shifts, written; none overlaps another. `error` is null or
+// may be written.
+carom_status carom_state_advance_many(const struct carom_pair *pair,
+                                      size_t count,
+                                      struct carom_state *states,
+                                      size_t state_stride,
+                                      const struct carom_shift *shifts,
+                                      size_t shift_stride,
+                                      struct carom_load *loads,
+                                      size_t load_stride,
+                                      struct carom_error *error);
+
+// Advances many contacts of one pair, as `carom_state_advance_many`.
+//
+// # Safety
+// As `carom_state_advance_many`; each contact is as in `carom_contact_advance`.
+carom_status carom_contact_advance_many(const struct carom_pair *pair,
+                                        size_t count,
+                                        struct carom_contact *contacts,
+                                        size_t contact_stride,
+                                        const struct carom_shift *shifts,
+                                        size_t shift_stride,
+                                        struct carom_load *loads,
+                                        size_t load_stride,
+                                        struct carom_error *error);
+
+// Goes straight from the present shift to a new one; `load` may be null.
+//
+// A `zeta` that is not positive separates the bodies: the memory is lost.
+//
+// # Safety
+// `pair` is null or may be read; `contact`, `load` and `error` are null or may be written. The
+// contact is zero, or was written by this build of the library and not changed since.
+carom_status carom_contact_advance(const struct carom_pair *pair,
+                                   struct carom_contact *contact,
+                                   struct carom_shift shift,
+                                   struct carom_load *load,
+                                   struct carom_error *error);
+
+// The present load.
+//
+// # Safety
+// `pair` and `contact` are null or may be read; `load` and `error` are null or may be written. The
+// contact is as in `carom_contact_advance`.
+carom_status carom_contact_load(const struct carom_pair *pair,
+                                const struct carom_contact *contact,
+                                struct carom_load *load,
+                                struct carom_error *error);
+
+// The elastic energy of the contact, compression included, J.
+//
+// # Safety
+// As `carom_contact_load`.
+carom_status carom_contact_energy(const struct carom_pair *pair,
+                                  const struct carom_contact *contact,
+                                  double *energy,
+                                  struct carom_error *error);
+
+// The energy that the straight step to `shift` would turn into heat, or release at a receding edge,
+// J. Nothing moves.
+//
+// # Safety
+// As `carom_contact_load`.
+carom_status carom_contact_heat(const struct carom_pair *pair,
+                                const struct carom_contact *contact,
+                                struct carom_shift shift,
+                                double *heat,
+                                struct carom_error *error);
+
+// What the last step did, and how much of the contact sticks.
+//
+// # Safety
+// As `carom_contact_load`.
+carom_status carom_contact_report(const struct carom_pair *pair,
+                                  const struct carom_contact *contact,
+                                  struct carom_report *report,
+                                  struct carom_error *error);
+
+// Turns the contact axes by an angle (radians, from x to y): what is remembered is expressed in the
+// new ones, and stays the same in space.
+//
+// # Safety
+// `pair` is null or may be read; `contact` and `error` are null or may be written. The contact is
+// as in `carom_contact_advance`.
+carom_status carom_contact_turn_frame(const struct carom_pair *pair,
+                                      struct carom_contact *contact,
+                                      double angle,
+                                      struct carom_error *error);
+
+// Writes what a contact remembers into a state, for a file or another process.
+//
+// # Safety
+// `pair` and `contact` are null or may be read; `state` and `error` are null or may be written. The
+// contact is as in `carom_contact_advance`.
+carom_status carom_contact_pack(const struct carom_pair *pair,
+                                const struct carom_contact *contact,
+                                struct carom_state *state,
+                                struct carom_error *error);
+
+// Makes a contact of what a state remembers. A contact that is not zero keeps its constants, which is
+// faster: one contact may take up many states of a pair, one after the other.
+//
+// # Safety
+// `pair` and `state` are null or may be read; `contact` and `error` are null or may be written.
+carom_status carom_contact_unpack(const struct carom_pair *pair,
+                                  const struct carom_state *state,
+                                  struct carom_contact *contact,
+                                  struct carom_error *error);
+
+// A few words for each status; never null, and not to be freed.
+const char *carom_status_text(int32_t status);
+
+// The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
+// 2 with that common normal, from body 2 into body 1.
+//
+// # Safety
+// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `rebound` and `error` are
+// null or may be written.
+carom_status carom_collide(const struct carom_body *body_1,
+                           const struct carom_body *body_2,
+                           double friction,
+                           const double *normal,
+                           struct carom_rebound *rebound,
+                           struct carom_error *error);
+
+// Advances many contacts of one pair, contact i by its own shift. The strides are the bytes from one
+// entry to the next, so that the arrays may be columns of larger structures; `loads` may be null.
+//
+// All shifts are checked before anything moves: if one is out of range nothing is changed, and
+// `error->index` names it. A state that is none ends the call at its index: those before it have
+// been advanced.
+//
+// # Safety
+// `pair` is null or may be read. `states`, `shifts` and `loads` are null, or each of their `count`
+// entries may be read and, but for the shifts, written; none overlaps another. `error` is null or
+// may be written.
+carom_status carom_state_advance_many(const struct carom_pair *pair,
+                                      size_t count,
+                                      struct carom_state *states,
+                                      size_t state_stride,
+                                      const struct carom_shift *shifts,
+                                      size_t shift_stride,
+                                      struct carom_load *loads,
+                                      size_t load_stride,
+                                      struct carom_error *error);
+
+// Advances many contacts of one pair, as `carom_state_advance_many`.
+//
+// # Safety
+// As `carom_state_advance_many`; each contact is as in `carom_contact_advance`.
+carom_status carom_contact_advance_many(const struct carom_pair *pair,
+                                        size_t count,
+                                        struct carom_contact *contacts,
+                                        size_t contact_stride,
+                                        const struct carom_shift *shifts,
+                                        size_t shift_stride,
+                                        struct carom_load *loads,
+                                        size_t load_stride,
+                                        struct carom_error *error);
+
+// Goes straight from the present shift to a new one; `load` may be null.
+//
+// A `zeta` that is not positive separates the bodies: the memory is lost.
+//
+// # Safety
+// `pair` is null or may be read; `contact`, `load` and `error` are null or may be written. The
+// contact is zero, or was written by this build of the library and not changed since.
+carom_status carom_contact_advance(const struct carom_pair *pair,
+                                   struct carom_contact *contact,
+                                   struct carom_shift shift,
+                                   struct carom_load *load,
+                                   struct carom_error *error);
+
+// The present load.
+//
+// # Safety
+// `pair` and `contact` are null or may be read; `load` and `error` are null or may be written. The
+// contact is as in `carom_contact_advance`.
+carom_status carom_contact_load(const struct carom_pair *pair,
+                                const struct carom_contact *contact,
+                                struct carom_load *load,
+                                struct carom_error *error);
+
+// The elastic energy of the contact, compression included, J.
+//
+// # Safety
+// As `carom_contact_load`.
+carom_status carom_contact_energy(const struct carom_pair *pair,
+                                  const struct carom_contact *contact,
+                                  double *energy,
+                                  struct carom_error *error);
+
+// The energy that the straight step to `shift` would turn into heat, or release at a receding edge,
+// J. Nothing moves.
+//
+// # Safety
+// As `carom_contact_load`.
+carom_status carom_contact_heat(const struct carom_pair *pair,
+                                const struct carom_contact *contact,
+                                struct carom_shift shift,
+                                double *heat,
+                                struct carom_error *error);
+
+// What the last step did, and how much of the contact sticks.
+//
+// # Safety
+// As `carom_contact_load`.
+carom_status carom_contact_report(const struct carom_pair *pair,
+                                  const struct carom_contact *contact,
+                                  struct carom_report *report,
+                                  struct carom_error *error);
+
+// Turns the contact axes by an angle (radians, from x to y): what is remembered is expressed in the
+// new ones, and stays the same in space.
+//
+// # Safety
+// `pair` is null or may be read; `contact` and `error` are null or may be written. The contact is
+// as in `carom_contact_advance`.
+carom_status carom_contact_turn_frame(const struct carom_pair *pair,
+                                      struct carom_contact *contact,
+                                      double angle,
+                                      struct carom_error *error);
+
+// Writes what a contact remembers into a state, for a file or another process.
+//
+// # Safety
+// `pair` and `contact` are null or may be read; `state` and `error` are null or may be written. The
+// contact is as in `carom_contact_advance`.
+carom_status carom_contact_pack(const struct carom_pair *pair,
+                                const struct carom_contact *contact,
+                                struct carom_state *state,
+                                struct carom_error *error);
+
+// Makes a contact of what a state remembers. A contact that is not zero keeps its constants, which is
+// faster: one contact may take up many states of a pair, one after the other.
+//
+// # Safety
+// `pair` and `state` are null or may be read; `contact` and `error` are null or may be written.
+carom_status carom_contact_unpack(const struct carom_pair *pair,
+                                  const struct carom_state *state,
+                                  struct carom_contact *contact,
+                                  struct carom_error *error);
+
+// A few words for each status; never null, and not to be freed.
+const char *carom_status_text(int32_t status);
+
+// The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
+// 2 with that common normal, from body 2 into body 1.
+//
+// # Safety
+// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `rebound` and `error` are
+// null or may be written.
+carom_status carom_collide(const struct carom_body *body_1,
+                           const struct carom_body *body_2,
+                           double friction,
+                           const double *normal,
+                           struct carom_rebound *rebound,
+                           struct carom_error *error);
+
+// The constants of two spheres, or of a sphere on a plane (an infinite radius) or in a hollow sphere
+// (a negative radius). A tolerance of 0 is that of particles, 1e-2.
+//
+// # Safety
+// The materials are null or may be read, `pair` and `error` null or may be written.
+carom_status carom_pair_of_spheres(const struct carom_material *material_1,
+                                   const struct carom_material *material_2,
+                                   double radius_1,
+                                   double radius_2,
+                                   double friction,
+                                   uint32_t law,
+                                   double tolerance,
+                                   struct carom_pair *pair,
+                                   struct carom_error *error);
+
+// The constants of two bodies whose gap is A x^2 + B y^2 (1/m).
+//
+// # Safety
+// As `carom_pair_of_spheres`.
+carom_status carom_pair_of_curvatures(const struct carom_material *material_1,
+                                      const struct carom_material *material_2,
+                                      double curvature_a,
+                                      double curvature_b,
+                                      double friction,
+                                      uint32_t law,
+                                      double tolerance,
+                                      struct carom_pair *pair,
+                                      struct carom_error *error);
+
+// The constants of a contact of known stiffness, dF_x = c_x sqrt(zeta) dxi and so on.
+//
+// # Safety
+// `pair` and `error` are null or may be written.
+carom_status carom_pair_of_stiffness(double c_x,
+                                     double c_y,
+                                     double c_z,
+                                     double friction,
+                                     uint32_t law,
+                                     double tolerance,
+                                     struct carom_pair *pair,
+                                     struct carom_error *error);
+
+// R_x, the tangential velocity after an impact of solid spheres over that before, reversed in sign.
+//
+// `kappa` = (2 - nu)/(2 (1 - nu)) is that of the materials, in (0.75, 1.5]; `lambda` >= 0 the
+// tangential velocity of the contact over f times the normal one. `method` is CAROM_BY_TABLE or
+// CAROM_EXACT.
+//
+// # Safety
+// `restitution` and `error` are null or may be written.
+carom_status carom_restitution(double kappa,
+                               double lambda,
+                               uint32_t method,
+                               double *restitution,
+                               struct carom_error *error);
+
+// R_x of many pairs of `kappa` and `lambda`. The strides are the bytes from one entry to the next; 0
+// takes the same entry again and again. The first pair without an answer ends the call:
+// `error->index` names it, and those before it have been written.
+//
+// # Safety
+// `kappa`, `lambda` and `restitution` are null, or each of their `count` entries may be read, those of
+// `restitution` written; these overlap nothing. `error` is null or may be written.
+carom_status carom_restitution_many(size_t count,
+                                    const double *kappa,
+                                    size_t kappa_stride,
+                                    const double *lambda,
+                                    size_t lambda_stride,
+                                    uint32_t method,
+                                    double *restitution,
+                                    size_t restitution_stride,
+                                    struct carom_error *error);
+
+// Goes straight from the present shift to a new one; `load` may be null.
+//
+// A `zeta` that is not positive separates the bodies: the memory is lost.
+//
+// # Safety
+// `pair` is null or may be read; `state`, `load` and `error` are null or may be written.
+carom_status carom_state_advance(const struct carom_pair *pair,
+                                 struct carom_state *state,
+                                 struct carom_shift shift,
+                                 struct carom_load *load,
+                                 struct carom_error *error);
+
+// The present load.
+//
+// # Safety
+// `pair` and `state` are null or may be read; `load` and `error` are null or may be written.
+carom_status carom_state_load(const struct carom_pair *pair,
+                              const struct carom_state *state,
+                              struct carom_load *load,
+                              struct carom_error *error);
+
+// The elastic energy of the contact, compression included, J.
+//
+// # Safety
+// As `carom_state_load`.
+carom_status carom_state_energy(const struct carom_pair *pair,
+                                const struct carom_state *state,
+                                double *energy,
+                                struct carom_error *error);
+
+// The energy that the straight step to `shift` would turn into heat, or release at a receding edge,
+// J. Nothing moves.
+//
+// # Safety
+// As `carom_state_load`.
+carom_status carom_state_heat(const struct carom_pair *pair,
+                              const struct carom_state *state,
+                              struct carom_shift shift,
+                              double *heat,
+                              struct carom_error *error);
+
+// What the last step did, and how much of the contact sticks.
+//
+// # Safety
+// As `carom_state_load`.
+carom_status carom_state_report(const struct carom_pair *pair,
+                                const struct carom_state *state,
+                                struct carom_report *report,
+                                struct carom_error *error);
+
+// Turns the contact axes by an angle (radians, from x to y): what is remembered is expressed in the
+// new ones, and stays the same in space.
+//
+// # Safety
+// `pair` is null or may be read; `state` and `error` are null or may be written.
+carom_status carom_state_turn_frame(const struct carom_pair *pair,
+                                    struct carom_state *state,
+                                    double angle,
+                                    struct carom_error *error);
+
+// The version of the library, as "0.1.0"; not to be freed.
+const char *carom_version(void);
+
+// The version of the structures and functions of this library.
+uint32_t carom_abi_version(void);
+
+// The version of the numbers in a `carom_state`: a file of another version cannot be read.
+uint32_t carom_state_version(void);
+
+// The constants of two spheres, or of a sphere on a plane (an infinite radius) or in a hollow sphere
+// (a negative radius). A tolerance of 0 is that of particles, 1e-2.
+//
+// # Safety
+// The materials are null or may be read, `pair` and `error` null or may be written.
+carom_status carom_pair_of_spheres(const struct carom_material *material_1,
+                                   const struct carom_material *material_2,
+                                   double radius_1,
+                                   double radius_2,
+                                   double friction,
+                                   uint32_t law,
+                                   double tolerance,
+                                   struct carom_pair *pair,
+                                   struct carom_error *error);
+
+// The constants of two bodies whose gap is A x^2 + B y^2 (1/m).
+//
+// # Safety
+// As `carom_pair_of_spheres`.
+carom_status carom_pair_of_curvatures(const struct carom_material *material_1,
+                                      const struct carom_material *material_2,
+                                      double curvature_a,
+                                      double curvature_b,
+                                      double friction,
+                                      uint32_t law,
+                                      double tolerance,
+                                      struct carom_pair *pair,
+                                      struct carom_error *error);
+
+// The constants of a contact of known stiffness, dF_x = c_x sqrt(zeta) dxi and so on.
+//
+// # Safety
+// `pair` and `error` are null or may be written.
+carom_status carom_pair_of_stiffness(double c_x,
+                                     double c_y,
+                                     double c_z,
+                                     double friction,
+                                     uint32_t law,
+                                     double tolerance,
+                                     struct carom_pair *pair,
+                                     struct carom_error *error);
+
+// R_x, the tangential velocity after an impact of solid spheres over that before, reversed in sign.
+//
+// `kappa` = (2 - nu)/(2 (1 - nu)) is that of the materials, in (0.75, 1.5]; `lambda` >= 0 the
+// tangential velocity of the contact over f times the normal one. `method` is CAROM_BY_TABLE or
+// CAROM_EXACT.
+//
+// # Safety
+// `restitution` and `error` are null or may be written.
+carom_status carom_restitution(double kappa,
+                               double lambda,
+                               uint32_t method,
+                               double *restitution,
+                               struct carom_error *error);
+
+// R_x of many pairs of `kappa` and `lambda`. The strides are the bytes from one entry to the next; 0
+// takes the same entry again and again. The first pair without an answer ends the call:
+// `error->index` names it, and those before it have been written.
+//
+// # Safety
+// `kappa`, `lambda` and `restitution` are null, or each of their `count` entries may be read, those of
+// `restitution` written; these overlap nothing. `error` is null or may be written.
+carom_status carom_restitution_many(size_t count,
+                                    const double *kappa,
+                                    size_t kappa_stride,
+                                    const double *lambda,
+                                    size_t lambda_stride,
+                                    uint32_t method,
+                                    double *restitution,
+                                    size_t restitution_stride,
+                                    struct carom_error *error);
+
+// Goes straight from the present shift to a new one; `load` may be null.
+//
+// A `zeta` that is not positive separates the bodies: the memory is lost.
+//
+// # Safety
+// `pair` is null or may be read; `state`, `load` and `error` are null or may be written.
+carom_status carom_state_advance(const struct carom_pair *pair,
+                                 struct carom_state *state,
+                                 struct carom_shift shift,
+                                 struct carom_load *load,
+                                 struct carom_error *error);
+
+// The present load.
+//
+// # Safety
+// `pair` and `state` are null or may be read; `load` and `error` are null or may be written.
+carom_status carom_state_load(const struct carom_pair *pair,
+                              const struct carom_state *state,
+                              struct carom_load *load,
+                              struct carom_error *error);
+
+// The elastic energy of the contact, compression included, J.
+//
+// # Safety
+// As `carom_state_load`.
+carom_status carom_state_energy(const struct carom_pair *pair,
+                                const struct carom_state *state,
+                                double *energy,
+                                struct carom_error *error);
+
+// The energy that the straight step to `shift` would turn into heat, or release at a receding edge,
+// J. Nothing moves.
+//
+// # Safety
+// As `carom_state_load`.
+carom_status carom_state_heat(const struct carom_pair *pair,
+                              const struct carom_state *state,
+                              struct carom_shift shift,
+                              double *heat,
+                              struct carom_error *error);
+
+// What the last step did, and how much of the contact sticks.
+//
+// # Safety
+// As `carom_state_load`.
+carom_status carom_state_report(const struct carom_pair *pair,
+                                const struct carom_state *state,
+                                struct carom_report *report,
+                                struct carom_error *error);
+
+// Turns the contact axes by an angle (radians, from x to y): what is remembered is expressed in the
+// new ones, and stays the same in space.
+//
+// # Safety
+// `pair` is null or may be read; `state` and `error` are null or may be written.
+carom_status carom_state_turn_frame(const struct carom_pair *pair,
+                                    struct carom_state *state,
+                                    double angle,
+                                    struct carom_error *error);
+
+// The version of the library, as "0.1.0"; not to be freed.
+const char *carom_version(void);
+
+// The version of the structures and functions of this library.
+uint32_t carom_abi_version(void);
+
+// The version of the numbers in a `carom_state`: a file of another version cannot be read.
+uint32_t carom_state_version(void);
+
+#ifdef __cplusplus
+}  // extern "C"
+#endif  // __cplusplus
+
+#endif  /* CAROM_H */

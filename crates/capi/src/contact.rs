@@ -1,0 +1,255 @@
+//! The memory of a contact as the law itself, in the caller's memory.
+
+use std::mem::MaybeUninit;
+
+use carom_laws::law::ContactLaw;
+use carom_laws::memory::Fixed;
+
+use crate::error::{CaromError, CaromStatus, Failure, border};
+use crate::law::{CaromLoad, CaromReport, CaromShift, Kept, Law};
+use crate::pair::CaromPair;
+use crate::pointers::{read, write};
+use crate::state::{CaromState, advance, ask};
+
+/// The words of 8 bytes in a `carom_contact`, beside its mark.
+pub const CAROM_CONTACT_WORDS: usize = 144;
+
+/// As many vertices as in a `carom_state`, so that both go the same way.
+type Stack = Fixed<[f64; 2], 12>;
+
+const _: () =
+    assert!(size_of::<Law<Stack>>() <= 8 * CAROM_CONTACT_WORDS && align_of::<Law<Stack>>() <= 8);
+const _: () = assert!(!std::mem::needs_drop::<Law<Stack>>());
+
+/// Tells a contact that was made by a build of this size from other bytes.
+const MARK: u64 = 0x6361_726f_6d00_0001 + ((size_of::<Law<Stack>>() as u64) << 8);
+
+/// The memory of a contact, the caller's: 1160 bytes, aligned to 8, that may be copied as bytes. Zero bytes
+/// are two bodies that just touch, unshifted. It is the law itself, constants and all, so that a
+/// step reads and writes only what it needs; it is understood only by the build that wrote it:
+/// `carom_contact_pack` makes a `carom_state` of it.
+///
+/// The constants are those of the pair with which it was first advanced; to change them, make it zero.
+#[derive(Debug, Clone, Copy)]
+#[repr(C)]
+pub struct CaromContact {
+    /// Not to be changed but by the functions of this library.
+    pub mark: u64,
+    /// The law.
+    pub words: [MaybeUninit<u64>; CAROM_CONTACT_WORDS],
+}
+
+impl CaromContact {
+    /// The law, if there is one yet.
+    #[inline]
+    fn present(&self) -> Result<Option<&Law<Stack>>, Failure> {
+        match self.mark {
+            // SAFETY: a law was written there; its size and alignment fit.
+            MARK => Ok(Some(unsafe { &*self.words.as_ptr().cast() })),
+            0 => Ok(None),
+            _ => Err(strange()),
+        }
+    }
+
+    /// The law, if there is one yet, to be changed.
+    #[inline]
+    fn present_mut(&mut self) -> Result<Option<&mut Law<Stack>>, Failure> {
+        match self.mark {
+            // SAFETY: a law was written there; its size and alignment fit.
+            MARK => Ok(Some(unsafe { &mut *self.words.as_mut_ptr().cast() })),
+            0 => Ok(None),
+            _ => Err(strange()),
+        }
+    }
+
+    /// Makes the first step of a contact.
+    #[cold]
+    fn begin(&mut self, pair: &CaromPair, shift: CaromShift) -> Result<CaromLoad, Failure> {
+        let mut law = pair.law()?;
+        let load = law.advance(shift.into())?;
+        self.keep(&law)?;
+        Ok(load.into())
+    }
+}
+
+#[cold]
+fn strange() -> Failure {
+    let text = "the contact was written by another build of carom, or is no contact";
+    Failure::new(CaromStatus::BadState, "contact", text)
+}
+
+impl Kept for CaromContact {
+    type Stack = Stack;
+
+    fn law(&self, pair: &CaromPair) -> Result<Law<Stack>, Failure> {
+        match self.present()? {
+            Some(law) => Ok(*law),
+            None => pair.law(),
+        }
+    }
+
+    fn keep(&mut self, law: &Law<Stack>) -> Result<(), Failure> {
+        // SAFETY: size and alignment fit; what stood there needs no drop.
+        unsafe { self.words.as_mut_ptr().cast::<Law<Stack>>().write(*law) };
+        self.mark = MARK;
+        Ok(())
+    }
+
+    #[inline]
+    fn advance(&mut self, pair: &CaromPair, shift: CaromShift) -> Result<CaromLoad, Failure> {
+        match self.present_mut()? {
+            Some(law) => Ok(law.advance(shift.into())?.into()),
+            None => self.begin(pair, shift),
+        }
+    }
+}
+
+/// Goes straight from the present shift to a new one; `load` may be null.
+///
+/// A `zeta` that is not positive separates the bodies: the memory is lost.
+///
+/// # Safety
+/// `pair` is null or may be read; `contact`, `load` and `error` are null or may be written. The
+/// contact is zero, or was written by this build of the library and not changed since.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_contact_advance(
+    pair: *const CaromPair,
+    contact: *mut CaromContact,
+    shift: CaromShift,
+    load: *mut CaromLoad,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    unsafe { border(error, || advance(pair, contact, shift, load)) }
+}
+
+/// The present load.
+///
+/// # Safety
+/// `pair` and `contact` are null or may be read; `load` and `error` are null or may be written. The
+/// contact is as in `carom_contact_advance`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_contact_load(
+    pair: *const CaromPair,
+    contact: *const CaromContact,
+    load: *mut CaromLoad,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    unsafe { ask(pair, contact, load, "load", error, |contact, pair| contact.load(pair)) }
+}
+
+/// The elastic energy of the contact, compression included, J.
+///
+/// # Safety
+/// As `carom_contact_load`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_contact_energy(
+    pair: *const CaromPair,
+    contact: *const CaromContact,
+    energy: *mut f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    unsafe { ask(pair, contact, energy, "energy", error, |contact, pair| contact.energy(pair)) }
+}
+
+/// The energy that the straight step to `shift` would turn into heat, or release at a receding edge,
+/// J. Nothing moves.
+///
+/// # Safety
+/// As `carom_contact_load`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_contact_heat(
+    pair: *const CaromPair,
+    contact: *const CaromContact,
+    shift: CaromShift,
+    heat: *mut f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    unsafe { ask(pair, contact, heat, "heat", error, |contact, pair| contact.heat(pair, shift)) }
+}
+
+/// What the last step did, and how much of the contact sticks.
+///
+/// # Safety
+/// As `carom_contact_load`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_contact_report(
+    pair: *const CaromPair,
+    contact: *const CaromContact,
+    report: *mut CaromReport,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    unsafe { ask(pair, contact, report, "report", error, |contact, pair| contact.report(pair)) }
+}
+
+/// Turns the contact axes by an angle (radians, from x to y): what is remembered is expressed in the
+/// new ones, and stays the same in space.
+///
+/// # Safety
+/// `pair` is null or may be read; `contact` and `error` are null or may be written. The contact is
+/// as in `carom_contact_advance`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_contact_turn_frame(
+    pair: *const CaromPair,
+    contact: *mut CaromContact,
+    angle: f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    unsafe { border(error, || write(contact, "contact")?.turn_frame(read(pair, "pair")?, angle)) }
+}
+
+/// Writes what a contact remembers into a state, for a file or another process.
+///
+/// # Safety
+/// `pair` and `contact` are null or may be read; `state` and `error` are null or may be written. The
+/// contact is as in `carom_contact_advance`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_contact_pack(
+    pair: *const CaromPair,
+    contact: *const CaromContact,
+    state: *mut CaromState,
+    error: *mut CaromError,
+) -> CaromStatus {
+    let pack = |contact: &CaromContact, pair: &CaromPair| {
+        let mut state = CaromState { numbers: [0.0; crate::CAROM_STATE_NUMBERS] };
+        contact.law(pair)?.pack(&mut state.numbers)?;
+        Ok(state)
+    };
+    // SAFETY: the caller's promise.
+    unsafe { ask(pair, contact, state, "state", error, pack) }
+}
+
+/// Makes a contact of what a state remembers. A contact that is not zero keeps its constants, which is
+/// faster: one contact may take up many states of a pair, one after the other.
+///
+/// # Safety
+/// `pair` and `state` are null or may be read; `contact` and `error` are null or may be written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_contact_unpack(
+    pair: *const CaromPair,
+    state: *const CaromState,
+    contact: *mut CaromContact,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let (pair, state) = (read(pair, "pair")?, read(state, "state")?);
+        let contact = write(contact, "contact")?;
+        let unpack = |law: &mut Law<Stack>| {
+            law.unpack(&state.numbers).map_err(|error| Failure::from(error).in_state())
+        };
+        if let Some(law) = contact.present_mut()? {
+            return unpack(law);
+        }
+        let mut law = pair.law()?;
+        unpack(&mut law)?;
+        contact.keep(&law)
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}

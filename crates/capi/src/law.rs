@@ -1,0 +1,132 @@
+//! What goes into a contact law and what comes out.
+
+use carom_laws::law::{ContactLaw, ContactLoad, Dissipative, Shift};
+use carom_laws::memory::{MemoryRegime, VertexStack};
+use carom_laws::shift_law::ShiftLaw;
+
+use crate::error::Failure;
+use crate::pair::CaromPair;
+
+/// The rigid shift of body 2 against body 1 in contact axes, z into body 1.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct CaromShift {
+    /// The approach, positive in contact, m.
+    pub zeta: f64,
+    /// The shift along x, m.
+    pub xi: f64,
+    /// The shift along y, m.
+    pub eta: f64,
+}
+
+/// The load that body 2 exerts on body 1.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct CaromLoad {
+    /// Tangential force along x, N.
+    pub f_x: f64,
+    /// Tangential force along y, N.
+    pub f_y: f64,
+    /// Normal force, positive in compression, N.
+    pub f_z: f64,
+}
+
+/// What the last step of a contact did.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[repr(u32)]
+pub enum CaromRegime {
+    /// The bodies are apart.
+    Separated = 0,
+    /// Complete adhesion: the area grew faster than the shift.
+    Adhesion = 1,
+    /// The edge receded, and what is left did not slip.
+    Release = 2,
+    /// A ring slipped.
+    Slip = 3,
+    /// Slip began anew at the edge, the other way.
+    Reversal = 4,
+    /// A slip ring wiped out older ones.
+    Overlay = 5,
+    /// The whole contact slid.
+    Sliding = 6,
+}
+
+/// What a contact can tell beside its load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
+pub struct CaromReport {
+    /// The share of the contact area that sticks.
+    pub sticking: f64,
+    /// What the last step did.
+    pub regime: CaromRegime,
+}
+
+/// A law on a stack of fixed capacity.
+pub(crate) type Law<S> = ShiftLaw<[f64; 2], S>;
+
+/// A memory of the caller's: it is a law while something is done with it.
+pub(crate) trait Kept: Sized {
+    type Stack: VertexStack<[f64; 2]>;
+
+    /// The law as it stands.
+    fn law(&self, pair: &CaromPair) -> Result<Law<Self::Stack>, Failure>;
+
+    /// Keeps a law that was changed.
+    fn keep(&mut self, law: &Law<Self::Stack>) -> Result<(), Failure>;
+
+    /// Goes straight to a new shift.
+    fn advance(&mut self, pair: &CaromPair, shift: CaromShift) -> Result<CaromLoad, Failure>;
+
+    fn load(&self, pair: &CaromPair) -> Result<CaromLoad, Failure> {
+        Ok(self.law(pair)?.load().into())
+    }
+
+    fn energy(&self, pair: &CaromPair) -> Result<f64, Failure> {
+        Ok(self.law(pair)?.stored_energy())
+    }
+
+    fn heat(&self, pair: &CaromPair, shift: CaromShift) -> Result<f64, Failure> {
+        Shift::from(shift).check_finite()?;
+        Ok(self.law(pair)?.dissipation(shift.into()))
+    }
+
+    fn report(&self, pair: &CaromPair) -> Result<CaromReport, Failure> {
+        let law = self.law(pair)?;
+        Ok(CaromReport { sticking: law.stick_depth(), regime: law.regime().into() })
+    }
+
+    fn turn_frame(&mut self, pair: &CaromPair, angle: f64) -> Result<(), Failure> {
+        carom_special::RangeError::finite("angle", angle)?;
+        let mut law = self.law(pair)?;
+        law.turn_frame(angle);
+        self.keep(&law)
+    }
+}
+
+impl From<CaromShift> for Shift {
+    #[inline]
+    fn from(CaromShift { zeta, xi, eta }: CaromShift) -> Self {
+        Self { zeta, xi, eta, omega: 0.0 }
+    }
+}
+
+impl From<ContactLoad> for CaromLoad {
+    #[inline]
+    fn from(ContactLoad { f_x, f_y, f_z, .. }: ContactLoad) -> Self {
+        Self { f_x, f_y, f_z }
+    }
+}
+
+impl From<MemoryRegime> for CaromRegime {
+    fn from(regime: MemoryRegime) -> Self {
+        match regime {
+            MemoryRegime::Separated => Self::Separated,
+            MemoryRegime::Adhesion => Self::Adhesion,
+            MemoryRegime::Release => Self::Release,
+            MemoryRegime::Slip => Self::Slip,
+            MemoryRegime::Reversal => Self::Reversal,
+            MemoryRegime::Overlay => Self::Overlay,
+            MemoryRegime::Sliding => Self::Sliding,
+        }
+    }
+}

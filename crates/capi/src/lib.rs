@@ -1,0 +1,50 @@
+//! The front end for C, C++ and Fortran: contact laws with memory, impact and restitution behind plain
+//! data and functions.
+//!
+//! - A [`CaromPair`] holds the constants of a contact; it is made once for two materials, their curvatures
+//!   and a coefficient of friction, and is plain data.
+//! - The memory of a contact is the caller's: [`CaromState`] is 66 numbers that mean the same to any
+//!   build of this version of the format, to be kept in files and sent to other processes;
+//!   [`CaromContact`] is larger and faster, and is understood by the build that wrote it alone.
+//!   Zero bytes are two bodies apart in both.
+//! - Every function returns a [`CaromStatus`]; what is wrong it writes into the caller's [`CaromError`],
+//!   which may be null. Nothing is kept between calls, no panic crosses the border, and a failed
+//!   call leaves the caller's data as they were.
+//!
+//! The header is `include/carom.h`, made from this crate.
+
+mod batch;
+mod contact;
+mod error;
+mod impact;
+mod law;
+mod pair;
+mod pointers;
+mod restitution;
+mod state;
+mod version;
+
+pub use batch::{carom_contact_advance_many, carom_state_advance_many};
+pub use contact::{
+    CAROM_CONTACT_WORDS, CaromContact, carom_contact_advance, carom_contact_energy,
+    carom_contact_heat, carom_contact_load, carom_contact_pack, carom_contact_report,
+    carom_contact_turn_frame, carom_contact_unpack,
+};
+pub use error::{CaromError, CaromStatus, carom_status_text};
+pub use impact::{
+    CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,
+    CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE, CAROM_SHAPE_TORUS, CAROM_WARNING_COUPLING,
+    CAROM_WARNING_LARGE_CONTACT, CAROM_WARNING_NOT_SETTLED, CAROM_WARNING_POINT_SAMPLED,
+    CAROM_WARNING_SPIN_LEFT_ALONE, CAROM_WARNING_WAVE_LOSS, CaromBody, CaromRebound, carom_collide,
+};
+pub use law::{CaromLoad, CaromRegime, CaromReport, CaromShift};
+pub use pair::{
+    CAROM_LAW_CHAPTER_7, CAROM_LAW_COULOMB, CaromMaterial, CaromPair, carom_pair_of_curvatures,
+    carom_pair_of_spheres, carom_pair_of_stiffness,
+};
+pub use restitution::{CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_restitution_many};
+pub use state::{
+    CAROM_STATE_NUMBERS, CaromState, carom_state_advance, carom_state_energy, carom_state_heat,
+    carom_state_load, carom_state_report, carom_state_turn_frame,
+};
+pub use version::{CAROM_ABI_VERSION, carom_abi_version, carom_state_version, carom_version};

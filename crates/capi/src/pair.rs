@@ -1,0 +1,211 @@
+//! The constants of a contact, made once.
+
+use carom_halfspace::{Material, MaterialPair};
+use carom_laws::coulomb::Tolerance;
+use carom_laws::curvature::{CurvatureError, PrincipalRadii, RelativeCurvature};
+use carom_laws::friction::Friction;
+use carom_laws::hertz::Hertz;
+use carom_laws::memory::VertexStack;
+use carom_laws::shift_law::ShiftLaw;
+use carom_laws::stiffness::ContactStiffness;
+
+use crate::error::{CaromError, CaromStatus, Failure, border};
+use crate::pointers::{read, write};
+
+/// Coulomb's law in two directions, each ring of the contact by itself, to a tolerance.
+pub const CAROM_LAW_COULOMB: u32 = 0;
+/// The law of chapter 7 of the thesis: one direction of traction in a slip ring. Exact on straight
+/// paths; where the direction turns, off by 5 % of the friction limit in the mean. Faster.
+pub const CAROM_LAW_CHAPTER_7: u32 = 1;
+
+/// An elastic material, or a rigid one.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
+pub struct CaromMaterial {
+    /// Young's modulus, Pa; infinite for a rigid body.
+    pub young_modulus: f64,
+    /// Poisson's ratio, in (-1, 0.5]; of no meaning for a rigid body.
+    pub poisson: f64,
+}
+
+impl CaromMaterial {
+    pub(crate) fn material(&self) -> Result<Material, Failure> {
+        match self.young_modulus == f64::INFINITY {
+            true => Ok(Material::RIGID),
+            false => Ok(Material::from_young(self.young_modulus, self.poisson)?),
+        }
+    }
+}
+
+/// The constants of a contact: plain data, made by `carom_pair_of_spheres` and its like and not to
+/// be changed but by them. Units are SI, or any consistent set.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
+pub struct CaromPair {
+    /// Tangential stiffness along x: in full adhesion dF_x = c_x sqrt(zeta) dxi. N/m^1.5.
+    pub c_x: f64,
+    /// The same along y.
+    pub c_y: f64,
+    /// Normal stiffness: F_z = (2/3) c_z zeta^1.5. N/m^1.5.
+    pub c_z: f64,
+    /// The coefficient of friction, from 0 to infinity (no slip).
+    pub friction: f64,
+    /// How far the friction force may be off over its limit, of CAROM_LAW_COULOMB.
+    pub tolerance: f64,
+    /// a^2/zeta of the contact ellipse, m; 0 if it is not known.
+    pub a_squared: f64,
+    /// b^2/zeta of the contact ellipse, m; 0 if it is not known.
+    pub b_squared: f64,
+    /// CAROM_LAW_COULOMB or CAROM_LAW_CHAPTER_7.
+    pub law: u32,
+    /// CAROM_ABI_VERSION of the library that made it.
+    pub version: u32,
+}
+
+impl CaromPair {
+    fn new(
+        stiffness: ContactStiffness,
+        [a_squared, b_squared]: [f64; 2],
+        friction: f64,
+        law: u32,
+        tolerance: f64,
+    ) -> Result<Self, Failure> {
+        let ContactStiffness { c_x, c_y, c_z } = stiffness;
+        let tolerance = if tolerance == 0.0 { Tolerance::PARTICLES.get() } else { tolerance };
+        let version = crate::CAROM_ABI_VERSION;
+        let pair = Self { c_x, c_y, c_z, friction, tolerance, a_squared, b_squared, law, version };
+        pair.law::<carom_laws::memory::Fixed<_, 12>>().map(|_| pair)
+    }
+
+    fn of_hertz(hertz: &Hertz, friction: f64, law: u32, tolerance: f64) -> Result<Self, Failure> {
+        let ellipse = hertz.ellipse(1.0)?;
+        let squares = [ellipse.semi_axis_a(), ellipse.semi_axis_b()].map(|a| a * a);
+        Self::new(hertz.stiffness(), squares, friction, law, tolerance)
+    }
+
+    /// The law of a contact of these constants, the bodies apart.
+    #[inline]
+    pub(crate) fn law<S: VertexStack<[f64; 2]>>(&self) -> Result<ShiftLaw<[f64; 2], S>, Failure> {
+        if self.version != crate::CAROM_ABI_VERSION {
+            let text = "the pair was not made by carom_pair_of_spheres or its like of this version";
+            return Err(Failure::new(CaromStatus::BadState, "pair", text));
+        }
+        let stiffness = ContactStiffness::new(self.c_x, self.c_y, self.c_z)?;
+        let friction = Friction::new(self.friction)?;
+        match self.law {
+            CAROM_LAW_COULOMB => {
+                let tolerance = Tolerance::new(self.tolerance)?;
+                Ok(ShiftLaw::with_tolerance(stiffness, friction, tolerance))
+            }
+            CAROM_LAW_CHAPTER_7 => Ok(ShiftLaw::of_chapter_7(stiffness, friction)),
+            law => {
+                let text = format_args!("law = {law} is neither Coulomb's (0) nor chapter 7's (1)");
+                let failure = Failure::new(CaromStatus::OutOfRange, "law", text);
+                Err(Failure { value: f64::from(law), ..failure })
+            }
+        }
+    }
+}
+
+impl From<CurvatureError> for Failure {
+    fn from(error: CurvatureError) -> Self {
+        match error {
+            CurvatureError::Range(error) => error.into(),
+            error => Self::new(CaromStatus::NoContact, "", error),
+        }
+    }
+}
+
+/// The constants of two spheres, or of a sphere on a plane (an infinite radius) or in a hollow sphere
+/// (a negative radius). A tolerance of 0 is that of particles, 1e-2.
+///
+/// # Safety
+/// The materials are null or may be read, `pair` and `error` null or may be written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_pair_of_spheres(
+    material_1: *const CaromMaterial,
+    material_2: *const CaromMaterial,
+    radius_1: f64,
+    radius_2: f64,
+    friction: f64,
+    law: u32,
+    tolerance: f64,
+    pair: *mut CaromPair,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let materials = materials(material_1, material_2)?;
+        let [one, two] = [PrincipalRadii::sphere(radius_1)?, PrincipalRadii::sphere(radius_2)?];
+        let gap = RelativeCurvature::new(one, two, 0.0)?;
+        let hertz = Hertz::new(gap, materials)?;
+        *write(pair, "pair")? = CaromPair::of_hertz(&hertz, friction, law, tolerance)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The constants of two bodies whose gap is A x^2 + B y^2 (1/m).
+///
+/// # Safety
+/// As `carom_pair_of_spheres`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_pair_of_curvatures(
+    material_1: *const CaromMaterial,
+    material_2: *const CaromMaterial,
+    curvature_a: f64,
+    curvature_b: f64,
+    friction: f64,
+    law: u32,
+    tolerance: f64,
+    pair: *mut CaromPair,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let materials = materials(material_1, material_2)?;
+        let gap = RelativeCurvature::from_coefficients(curvature_a, curvature_b)?;
+        let hertz = Hertz::new(gap, materials)?;
+        *write(pair, "pair")? = CaromPair::of_hertz(&hertz, friction, law, tolerance)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The constants of a contact of known stiffness, dF_x = c_x sqrt(zeta) dxi and so on.
+///
+/// # Safety
+/// `pair` and `error` are null or may be written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_pair_of_stiffness(
+    c_x: f64,
+    c_y: f64,
+    c_z: f64,
+    friction: f64,
+    law: u32,
+    tolerance: f64,
+    pair: *mut CaromPair,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let stiffness = ContactStiffness::new(c_x, c_y, c_z)?;
+        *write(pair, "pair")? = CaromPair::new(stiffness, [0.0; 2], friction, law, tolerance)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// # Safety
+/// The pointers are null or may be read.
+unsafe fn materials(
+    one: *const CaromMaterial,
+    two: *const CaromMaterial,
+) -> Result<MaterialPair, Failure> {
+    // SAFETY: the caller's promise.
+    let (one, two) = unsafe { (read(one, "material_1")?, read(two, "material_2")?) };
+    Ok(MaterialPair::new(one.material()?, two.material()?)?)
+}

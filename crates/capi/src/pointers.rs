@@ -1,0 +1,92 @@
+//! The caller's pointers as references, once they are checked.
+
+use crate::error::{CaromStatus, Failure};
+
+/// A thing to be read.
+///
+/// # Safety
+/// A pointer that is neither null nor misaligned points to a `T` that nobody writes for `'a`.
+#[inline]
+pub(crate) unsafe fn read<'a, T>(pointer: *const T, name: &'static str) -> Result<&'a T, Failure> {
+    check(pointer, name)?;
+    // SAFETY: neither null nor misaligned; the rest is the caller's promise.
+    Ok(unsafe { &*pointer })
+}
+
+/// A thing to be written.
+///
+/// # Safety
+/// A pointer that is neither null nor misaligned points to a `T` that nobody else reads or writes for
+/// `'a`.
+#[inline]
+pub(crate) unsafe fn write<'a, T>(
+    pointer: *mut T,
+    name: &'static str,
+) -> Result<&'a mut T, Failure> {
+    check(pointer, name)?;
+    // SAFETY: neither null nor misaligned; the rest is the caller's promise.
+    Ok(unsafe { &mut *pointer })
+}
+
+#[inline]
+fn check<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
+    if pointer.is_null() {
+        return Err(Failure::new(
+            CaromStatus::NullPointer,
+            name,
+            format_args!("{name} is a null pointer"),
+        ));
+    }
+    if !pointer.is_aligned() {
+        let align = align_of::<T>();
+        let text = format_args!("{name} is not aligned to {align} bytes");
+        return Err(Failure::new(CaromStatus::Misaligned, name, text));
+    }
+    Ok(())
+}
+
+/// Entries of the caller's, so many bytes from one to the next.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Strided<T> {
+    first: *mut T,
+    stride: usize,
+}
+
+impl<T> Strided<T> {
+    /// `count` entries; a stride of 0 is the same entry again and again.
+    pub(crate) fn new(
+        first: *mut T,
+        stride: usize,
+        count: usize,
+        name: &'static str,
+    ) -> Result<Self, Failure> {
+        if count > 0 {
+            check(first, name)?;
+        }
+        if !stride.is_multiple_of(align_of::<T>()) {
+            let text = format_args!("the stride of {name}, {stride}, does not keep its alignment");
+            return Err(Failure::new(CaromStatus::Misaligned, name, text));
+        }
+        Ok(Self { first, stride })
+    }
+
+    /// The same, of entries that are written: each has a place of its own.
+    pub(crate) fn apart(
+        first: *mut T,
+        stride: usize,
+        count: usize,
+        name: &'static str,
+    ) -> Result<Self, Failure> {
+        if count > 1 && stride < size_of::<T>() {
+            let text = format_args!("the stride of {name}, {stride}, lets its entries overlap");
+            return Err(Failure::new(CaromStatus::Misaligned, name, text));
+        }
+        Self::new(first, stride, count, name)
+    }
+
+    /// The place of an entry.
+    #[inline]
+    pub(crate) fn at(&self, index: usize) -> *mut T {
+        self.first.wrapping_byte_add(index * self.stride)
+    }
+}

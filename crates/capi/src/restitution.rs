@@ -1,0 +1,90 @@
+//! The tangential coefficient of restitution of spheres.
+
+use carom_impact::oblique::{Groups, ObliqueError, ObliqueImpact};
+use carom_impact::restitution::RestitutionTable;
+
+use crate::error::{CaromError, CaromStatus, Failure, border};
+use crate::pointers::{Strided, write};
+
+/// R_x from the table: within 1e-8 of the exact impact, in tens of nanoseconds.
+pub const CAROM_BY_TABLE: u32 = 0;
+/// R_x by the exact impact, in microseconds.
+pub const CAROM_EXACT: u32 = 1;
+
+/// R_x, the tangential velocity after an impact of solid spheres over that before, reversed in sign.
+///
+/// `kappa` = (2 - nu)/(2 (1 - nu)) is that of the materials, in (0.75, 1.5]; `lambda` >= 0 the
+/// tangential velocity of the contact over f times the normal one. `method` is CAROM_BY_TABLE or
+/// CAROM_EXACT.
+///
+/// # Safety
+/// `restitution` and `error` are null or may be written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_restitution(
+    kappa: f64,
+    lambda: f64,
+    method: u32,
+    restitution: *mut f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let place = write(restitution, "restitution")?;
+        *place = one(kappa, lambda, method)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// R_x of many pairs of `kappa` and `lambda`. The strides are the bytes from one entry to the next; 0
+/// takes the same entry again and again. The first pair without an answer ends the call:
+/// `error->index` names it, and those before it have been written.
+///
+/// # Safety
+/// `kappa`, `lambda` and `restitution` are null, or each of their `count` entries may be read, those of
+/// `restitution` written; these overlap nothing. `error` is null or may be written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_restitution_many(
+    count: usize,
+    kappa: *const f64,
+    kappa_stride: usize,
+    lambda: *const f64,
+    lambda_stride: usize,
+    method: u32,
+    restitution: *mut f64,
+    restitution_stride: usize,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let kappa = Strided::new(kappa.cast_mut(), kappa_stride, count, "kappa")?;
+        let lambda = Strided::new(lambda.cast_mut(), lambda_stride, count, "lambda")?;
+        let places = Strided::apart(restitution, restitution_stride, count, "restitution")?;
+        for i in 0..count {
+            let answer = one(*kappa.at(i), *lambda.at(i), method);
+            *places.at(i) = answer.map_err(|failure| failure.at(i))?;
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+fn one(kappa: f64, lambda: f64, method: u32) -> Result<f64, Failure> {
+    let groups = Groups::of_spheres(kappa, lambda)?;
+    match method {
+        CAROM_BY_TABLE => Ok(RestitutionTable::shared().restitution(groups)?),
+        CAROM_EXACT => Ok(ObliqueImpact::new(groups)?.restitution()),
+        _ => {
+            let text = format_args!("method = {method} is neither the table (0) nor exact (1)");
+            Err(Failure::new(CaromStatus::OutOfRange, "method", text))
+        }
+    }
+}
+
+impl From<ObliqueError> for Failure {
+    fn from(error: ObliqueError) -> Self {
+        Self::new(CaromStatus::NotFollowed, "", error)
+    }
+}

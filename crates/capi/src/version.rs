@@ -1,0 +1,25 @@
+//! Versions.
+
+use std::ffi::c_char;
+
+/// Changes whenever a structure or a function of this header does; compare it with
+/// `carom_abi_version()` of the library that is loaded.
+pub const CAROM_ABI_VERSION: u32 = 1;
+
+/// The version of the library, as "0.1.0"; not to be freed.
+#[unsafe(no_mangle)]
+pub extern "C" fn carom_version() -> *const c_char {
+    concat!(env!("CARGO_PKG_VERSION"), "\0").as_ptr().cast()
+}
+
+/// The version of the structures and functions of this library.
+#[unsafe(no_mangle)]
+pub extern "C" fn carom_abi_version() -> u32 {
+    CAROM_ABI_VERSION
+}
+
+/// The version of the numbers in a `carom_state`: a file of another version cannot be read.
+#[unsafe(no_mangle)]
+pub extern "C" fn carom_state_version() -> u32 {
+    1
+}

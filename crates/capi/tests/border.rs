@@ -1,0 +1,328 @@
+//! What crosses the border: results, and every way to call wrongly.
+
+use std::mem::{MaybeUninit, zeroed};
+use std::ptr::{null, null_mut};
+
+use carom_capi::*;
+use proptest::prelude::*;
+
+const GLASS: CaromMaterial = CaromMaterial { young_modulus: 70e9, poisson: 0.22 };
+
+fn error() -> CaromError {
+    // SAFETY: plain numbers.
+    unsafe { zeroed() }
+}
+
+fn field(error: &CaromError) -> String {
+    let bytes = error.field.iter().take_while(|byte| **byte != 0);
+    bytes.map(|byte| char::from(*byte as u8)).collect()
+}
+
+fn text(error: &CaromError) -> String {
+    let bytes = error.text.iter().take_while(|byte| **byte != 0);
+    bytes.map(|byte| char::from(*byte as u8)).collect()
+}
+
+fn state() -> CaromState {
+    CaromState { numbers: [0.0; CAROM_STATE_NUMBERS] }
+}
+
+fn contact() -> CaromContact {
+    CaromContact { mark: 0, words: [MaybeUninit::new(0); CAROM_CONTACT_WORDS] }
+}
+
+fn pair(friction: f64, law: u32) -> CaromPair {
+    let mut error = error();
+    // SAFETY: all zero is a pair that nothing accepts.
+    let mut pair = unsafe { zeroed() };
+    // SAFETY: all pointers are references.
+    let status = unsafe {
+        let (glass, pair, error) = (&GLASS, &raw mut pair, &raw mut error);
+        carom_pair_of_spheres(glass, glass, 1e-3, 2e-3, friction, law, 0.0, pair, error)
+    };
+    assert_eq!(status, CaromStatus::Ok, "{}", text(&error));
+    pair
+}
+
+/// A random walk of zeta, xi, eta in 0.1 micrometres.
+fn walks() -> impl Strategy<Value = Vec<CaromShift>> {
+    let step = (-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64);
+    prop::collection::vec(step, 1..120).prop_map(|steps| {
+        let mut at = [0.2, 0.0, 0.0];
+        let walk = steps.into_iter().map(|(zeta, xi, eta)| {
+            let next = [at[0] + 0.2 * zeta, at[1] + 0.1 * xi, at[2] + 0.1 * eta];
+            at = [next[0].clamp(-0.3, 2.0), next[1], next[2]];
+            let [zeta, xi, eta] = at.map(|x| 1e-7 * x);
+            CaromShift { zeta, xi, eta }
+        });
+        walk.collect()
+    })
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(100))]
+
+    /// Both memories, one by one and many at once, and with a restart between any two steps.
+    #[test]
+    fn all_ways_to_advance_agree(walk in walks(), law in 0..2_u32, friction in 0.05..1.0_f64) {
+        let pair = pair(friction, law);
+        let (mut one, mut raw) = (state(), contact());
+        let (mut many, mut raws) = ([state(); 3], [contact(); 3]);
+        for shift in walk {
+            let mut loads = [CaromLoad::default(); 2];
+            let (mut of_many, mut of_raws) = ([CaromLoad::default(); 3], [CaromLoad::default(); 3]);
+            // A contact that was another one before.
+            let mut restarted = raws[1];
+            // SAFETY: all pointers are references, strides those of the arrays; stride 0 takes one shift.
+            let statuses = unsafe {
+                let sizes = [size_of::<CaromState>(), size_of::<CaromLoad>(), size_of::<CaromContact>()];
+                let error = null_mut();
+                [
+                    carom_state_advance(&pair, &mut one, shift, &mut loads[0], error),
+                    carom_contact_advance(&pair, &mut raw, shift, &mut loads[1], error),
+                    carom_state_advance_many(
+                        &pair, 3, many.as_mut_ptr(), sizes[0], &shift, 0, of_many.as_mut_ptr(), sizes[1], error,
+                    ),
+                    carom_contact_advance_many(
+                        &pair, 3, raws.as_mut_ptr(), sizes[2], &shift, 0, of_raws.as_mut_ptr(), sizes[1], error,
+                    ),
+                    carom_contact_unpack(&pair, &one, &mut restarted, error),
+                ]
+            };
+            prop_assert_eq!(statuses, [CaromStatus::Ok; 5]);
+            prop_assert_eq!(of_many, [loads[0]; 3]);
+            prop_assert_eq!(of_raws, [loads[1]; 3]);
+            let size = 1e-9 * friction * pair.c_z * 2e-7_f64.powf(1.5);
+            prop_assert_eq!(loads[0].f_z, loads[1].f_z);
+            prop_assert!((loads[0].f_x - loads[1].f_x).abs() <= size, "{:?}", loads);
+            prop_assert!((loads[0].f_y - loads[1].f_y).abs() <= size, "{:?}", loads);
+            let mut packed = state();
+            // SAFETY: all pointers are references.
+            let status = unsafe { carom_contact_pack(&pair, &restarted, &mut packed, null_mut()) };
+            prop_assert_eq!(status, CaromStatus::Ok);
+            prop_assert_eq!(packed.numbers.map(f64::to_bits), one.numbers.map(f64::to_bits));
+        }
+    }
+
+    /// Turning the axes turns the load, and what comes after.
+    #[test]
+    fn turned_axes_see_the_same(walk in walks(), law in 0..2_u32, angle in -3.0..3.0_f64) {
+        let pair = pair(0.4, law);
+        let (mut plain, mut turned, mut raw) = (state(), state(), contact());
+        let (sin, cos) = angle.sin_cos();
+        let turn = |x: f64, y: f64| [cos * x + sin * y, cos * y - sin * x];
+        let half = walk.len() / 2;
+        for (i, shift) in walk.into_iter().enumerate() {
+            let mut loads = [CaromLoad::default(); 3];
+            let error = null_mut();
+            // SAFETY: all pointers are references.
+            unsafe {
+                if i == half {
+                    prop_assert_eq!(carom_state_turn_frame(&pair, &mut turned, angle, error), CaromStatus::Ok);
+                    prop_assert_eq!(carom_contact_turn_frame(&pair, &mut raw, angle, error), CaromStatus::Ok);
+                }
+                let [xi, eta] = if i < half { [shift.xi, shift.eta] } else { turn(shift.xi, shift.eta) };
+                let other = CaromShift { xi, eta, ..shift };
+                prop_assert_eq!(carom_state_advance(&pair, &mut plain, shift, &mut loads[0], error), CaromStatus::Ok);
+                prop_assert_eq!(carom_state_advance(&pair, &mut turned, other, &mut loads[1], error), CaromStatus::Ok);
+                prop_assert_eq!(carom_contact_advance(&pair, &mut raw, other, &mut loads[2], error), CaromStatus::Ok);
+            }
+            let [x, y] = if i < half { [loads[0].f_x, loads[0].f_y] } else { turn(loads[0].f_x, loads[0].f_y) };
+            // Where the capacity or a tolerance decides, round-off may decide otherwise.
+            let size = 0.02 * 0.4 * pair.c_z * 2e-7_f64.powf(1.5);
+            for load in &loads[1..] {
+                prop_assert!((load.f_x - x).hypot(load.f_y - y) <= size, "{:?}", loads);
+            }
+        }
+    }
+}
+
+/// Work done on a closed way is heat and what is stored.
+#[test]
+fn energies_balance() {
+    for law in [CAROM_LAW_COULOMB, CAROM_LAW_CHAPTER_7] {
+        let pair = pair(0.3, law);
+        let mut state = state();
+        let (mut work, mut heat, mut last) = (0.0, 0.0, [0.0; 6]);
+        for i in 1..=4000 {
+            let t = f64::from(i) / 4000.0;
+            let shift = CaromShift {
+                zeta: 1e-7 * (6.0 * t).min(1.0),
+                xi: 6e-8 * (9.0 * t).sin(),
+                eta: if law == CAROM_LAW_COULOMB { 3e-8 * (1.0 - (7.0 * t).cos()) } else { 0.0 },
+            };
+            let (mut load, mut made) = (CaromLoad::default(), 0.0);
+            // SAFETY: all pointers are references.
+            unsafe {
+                let error = null_mut();
+                assert_eq!(
+                    carom_state_heat(&pair, &state, shift, &mut made, error),
+                    CaromStatus::Ok
+                );
+                let status = carom_state_advance(&pair, &mut state, shift, &mut load, error);
+                assert_eq!(status, CaromStatus::Ok);
+            }
+            heat += made;
+            let now = [shift.zeta, shift.xi, shift.eta, load.f_z, load.f_x, load.f_y];
+            work +=
+                (0..3).map(|k| 0.5 * (now[k] - last[k]) * (now[k + 3] + last[k + 3])).sum::<f64>();
+            last = now;
+        }
+        let (mut stored, mut report) = (0.0, MaybeUninit::<CaromReport>::uninit());
+        // SAFETY: all pointers are references; the report is written where the status is Ok.
+        let report = unsafe {
+            assert_eq!(carom_state_energy(&pair, &state, &mut stored, null_mut()), CaromStatus::Ok);
+            let status = carom_state_report(&pair, &state, report.as_mut_ptr(), null_mut());
+            assert_eq!(status, CaromStatus::Ok);
+            report.assume_init()
+        };
+        // Coulomb's forces are within 1e-2 of the limit; chapter 7's law is exact on a straight path.
+        let off = if law == CAROM_LAW_COULOMB { 2e-2 } else { 1e-4 };
+        assert!(heat > 0.0 && (work - stored - heat).abs() < off * heat, "{work} {stored} {heat}");
+        assert!(report.sticking < 1.0 && report.regime != CaromRegime::Separated, "{report:?}");
+    }
+}
+
+/// A failed call leaves everything as it was.
+#[test]
+fn wrong_calls_are_told_and_do_no_harm() {
+    let good = pair(0.3, CAROM_LAW_COULOMB);
+    let mut error = error();
+    let mut load = CaromLoad { f_x: 7.0, ..CaromLoad::default() };
+    let shift = CaromShift { zeta: 1e-8, xi: 1e-9, eta: 0.0 };
+    let mut states = [state(); 4];
+    // SAFETY: every pointer is null, misaligned, or a reference.
+    unsafe {
+        let first = states.as_mut_ptr();
+        let status = carom_state_advance(null(), first, shift, &mut load, &mut error);
+        assert_eq!((status, field(&error)), (CaromStatus::NullPointer, "pair".into()));
+        let odd = first.byte_add(4);
+        let status = carom_state_advance(&good, odd, shift, &mut load, &mut error);
+        assert_eq!((status, field(&error)), (CaromStatus::Misaligned, "state".into()));
+        assert_eq!(
+            carom_state_advance(null(), first, shift, null_mut(), null_mut()),
+            CaromStatus::NullPointer
+        );
+
+        let nan = CaromShift { eta: f64::NAN, ..shift };
+        let status = carom_state_advance(&good, first, nan, &mut load, &mut error);
+        assert_eq!((status, field(&error)), (CaromStatus::OutOfRange, "eta".into()));
+        assert!(error.value.is_nan() && error.index == -1 && text(&error).contains("out of range"));
+
+        let unmade: CaromPair = zeroed();
+        let status = carom_state_advance(&unmade, first, shift, &mut load, &mut error);
+        assert_eq!((status, field(&error)), (CaromStatus::BadState, "pair".into()));
+        let stuck = pair(f64::INFINITY, CAROM_LAW_COULOMB);
+        let status = carom_state_advance(&stuck, first, shift, &mut load, &mut error);
+        assert_eq!((status, field(&error)), (CaromStatus::OutOfRange, "friction".into()));
+
+        let shifts = [shift, shift, nan, shift];
+        let [size, step] = [size_of::<CaromState>(), size_of::<CaromShift>()];
+        let many = |states, stride, shifts: *const CaromShift, error| {
+            carom_state_advance_many(&good, 4, states, stride, shifts, step, null_mut(), 0, error)
+        };
+        assert_eq!(many(first, size, shifts.as_ptr(), &mut error), CaromStatus::OutOfRange);
+        assert_eq!((error.index, field(&error)), (2, "eta".into()));
+        assert_eq!(many(first, size - 8, shifts.as_ptr(), &mut error), CaromStatus::Misaligned);
+        assert_eq!(many(first, size, null(), &mut error), CaromStatus::NullPointer);
+        assert_eq!(states, [state(); 4]);
+        assert_eq!(load.f_x, 7.0);
+
+        states[1].numbers[0] = 77.0;
+        let shifts = [shift; 4];
+        let first = states.as_mut_ptr();
+        assert_eq!(many(first, size, shifts.as_ptr(), &mut error), CaromStatus::BadState);
+        assert_eq!((error.index, field(&error)), (1, "mark".into()));
+        let mut strange = contact();
+        strange.mark = 77;
+        let status = carom_contact_advance(&good, &mut strange, shift, null_mut(), &mut error);
+        assert_eq!(status, CaromStatus::BadState);
+        assert_eq!(strange.mark, 77);
+        let none =
+            carom_state_advance_many(&good, 0, null_mut(), 0, null(), 0, null_mut(), 0, null_mut());
+        assert_eq!(none, CaromStatus::Ok);
+    }
+}
+
+#[test]
+fn bad_constants_are_named() {
+    let mut error = error();
+    // SAFETY: all zero is a pair that nothing accepts.
+    let mut pair = unsafe { zeroed() };
+    let mut make = |young_modulus: f64, radius: f64, friction: f64, law: u32, tolerance: f64| {
+        let one = CaromMaterial { young_modulus, poisson: 0.3 };
+        // SAFETY: all pointers are references.
+        let status = unsafe {
+            let pair = &raw mut pair;
+            carom_pair_of_spheres(
+                &one,
+                &one,
+                radius,
+                f64::INFINITY,
+                friction,
+                law,
+                tolerance,
+                pair,
+                &mut error,
+            )
+        };
+        (status, field(&error))
+    };
+    let bad = |name: &str| (CaromStatus::OutOfRange, name.to_owned());
+    assert_eq!(make(-1.0, 1.0, 0.3, 0, 0.0), bad("young_modulus"));
+    assert_eq!(make(1.0, 0.0, 0.3, 0, 0.0), bad("radius"));
+    assert_eq!(make(1.0, 1.0, -0.3, 0, 0.0), bad("friction"));
+    assert_eq!(make(1.0, 1.0, 0.3, 2, 0.0), bad("law"));
+    assert_eq!(make(1.0, 1.0, 0.3, 0, 2.0), bad("tolerance"));
+    assert_eq!(make(f64::INFINITY, 1.0, 0.3, 0, 0.0), bad("shear_modulus"));
+    assert_eq!(make(1.0, f64::INFINITY, 0.3, 0, 0.0).0, CaromStatus::NoContact);
+    assert_eq!(make(1.0, 1.0, 0.3, 1, 0.0).0, CaromStatus::Ok);
+    // A sphere on a plane of the same material: a^2 = R zeta, F_z = (4/3) E* sqrt(R) zeta^1.5.
+    assert!((pair.a_squared - 1.0).abs() < 1e-14 && (pair.b_squared - 1.0).abs() < 1e-14);
+    let e_star = 0.5 / (1.0 - 0.09);
+    assert!((pair.c_z - 2.0 * e_star).abs() < 1e-14 * pair.c_z, "{}", pair.c_z);
+}
+
+/// Any status has words, and the text is cut off at its room.
+#[test]
+fn words_are_there() {
+    for status in -1..10 {
+        let text = carom_status_text(status);
+        // SAFETY: it ends with a zero.
+        assert!(unsafe { std::ffi::CStr::from_ptr(text) }.to_bytes().len() > 5);
+    }
+    // SAFETY: it ends with a zero.
+    let version = unsafe { std::ffi::CStr::from_ptr(carom_version()) };
+    assert_eq!(version.to_str(), Ok(env!("CARGO_PKG_VERSION")));
+}
+
+#[test]
+fn bodies_of_any_shape_collide() {
+    // SAFETY: zeros are a solid sphere at rest.
+    let mut egg: CaromBody = unsafe { zeroed() };
+    (egg.shape, egg.sizes, egg.mass) = (CAROM_SHAPE_ELLIPSOID, [0.03, 0.02, 0.015], 0.296);
+    (egg.material, egg.velocity) = (GLASS, [-0.6, -0.4, -2.0]);
+    egg.centre = [0.0, 0.0, 0.015];
+    // SAFETY: as above.
+    let mut plane: CaromBody = unsafe { zeroed() };
+    (plane.shape, plane.material) = (CAROM_SHAPE_PLANE, GLASS);
+    let (mut rebound, mut error) = (CaromRebound::default(), error());
+    // SAFETY: all pointers are null or references.
+    unsafe {
+        let status = carom_collide(&egg, &plane, 0.5, null(), &mut rebound, &mut error);
+        assert_eq!(status, CaromStatus::Ok, "{}", text(&error));
+        assert_eq!(rebound.collides, 1);
+        assert!((rebound.velocity[0][2] - 2.0).abs() < 1e-12);
+        assert!(rebound.semi_axes[0] < rebound.semi_axes[1] && rebound.spin[0] != [0.0; 3]);
+        egg.velocity[2] = 1.0;
+        let status = carom_collide(&egg, &plane, 0.5, null(), &mut rebound, &mut error);
+        assert_eq!((status, rebound.collides), (CaromStatus::Ok, 0));
+        egg.centre[2] = 1.0;
+        let status = carom_collide(&egg, &plane, 0.5, null(), &mut rebound, &mut error);
+        assert_eq!(status, CaromStatus::NoContact, "{}", text(&error));
+        egg.shape = 99;
+        let status = carom_collide(&egg, &plane, 0.5, null(), &mut rebound, &mut error);
+        assert_eq!((status, field(&error)), (CaromStatus::OutOfRange, "shape".into()));
+        assert_eq!(error.index, 0);
+    }
+}

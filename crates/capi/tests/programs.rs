@@ -1,0 +1,147 @@
+//! The examples in C and Fortran, compiled and run against the static library; C under valgrind too.
+//!
+//! Each is skipped, and says so, where its compiler is not installed.
+
+use std::path::{Path, PathBuf};
+use std::process::Command;
+
+/// What the static library needs of the system.
+const SYSTEM: &[&str] = &["-lpthread", "-ldl", "-lm"];
+
+fn root() -> &'static Path {
+    Path::new(env!("CARGO_MANIFEST_DIR"))
+}
+
+/// The folder of the built library: that of this test, or above.
+fn library() -> PathBuf {
+    let test = std::env::current_exe().unwrap();
+    let folders = test.ancestors().skip(1).take(2);
+    let mut found = folders.map(|folder| folder.join("libcarom_capi.a"));
+    found.find(|path| path.exists()).expect("libcarom_capi.a beside the tests")
+}
+
+fn is_installed(tool: &str) -> bool {
+    let there = Command::new(tool).arg("--version").output().is_ok_and(|out| out.status.success());
+    if !there {
+        println!("skipped: {tool} is not installed");
+    }
+    there
+}
+
+fn run(command: &mut Command) -> String {
+    let output = command.output().unwrap();
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let wrong = String::from_utf8_lossy(&output.stderr);
+    assert!(output.status.success(), "{command:?} failed:\n{text}\n{wrong}");
+    text
+}
+
+/// Compiles an example into a folder of this process.
+fn compile(compiler: &str, arguments: &[&str], example: &str) -> PathBuf {
+    let folder = std::env::temp_dir().join(format!("carom-{}-{example}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let program = folder.join("program");
+    let mut command = Command::new(compiler);
+    command.current_dir(&folder).args(arguments).arg("-I").arg(root().join("include"));
+    command.arg(root().join("examples").join(example)).arg(library()).args(SYSTEM);
+    run(command.arg("-o").arg(&program));
+    program
+}
+
+const STRICT: &[&str] = &["-std=c99", "-O1", "-g", "-Wall", "-Wextra", "-Wpedantic", "-Werror"];
+
+#[test]
+fn example_in_c() {
+    if !is_installed("cc") {
+        return;
+    }
+    let program = compile("cc", STRICT, "impact.c");
+    let said = run(&mut Command::new(&program));
+    assert!(said.ends_with("all is well\n"), "{said}");
+    if is_installed("valgrind") {
+        let options = ["--quiet", "--error-exitcode=9", "--leak-check=full"];
+        run(Command::new("valgrind").args(options).arg(&program));
+    }
+    std::fs::remove_dir_all(program.parent().unwrap()).unwrap();
+}
+
+/// The line of the README, as it stands but for where the library is.
+#[test]
+fn readme_compiles_the_example() {
+    if !is_installed("cc") {
+        return;
+    }
+    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
+    let line = readme.lines().find(|line| line.starts_with("cc ")).unwrap();
+    let program = std::env::temp_dir().join(format!("carom-{}-readme", std::process::id()));
+    let library = library();
+    let words = line.split_whitespace().skip(1).map(|word| match word {
+        "target/release/libcarom_capi.a" => library.as_os_str(),
+        "target/impact" => program.as_os_str(),
+        word => word.as_ref(),
+    });
+    run(Command::new("cc").current_dir(root().join("../..")).args(words));
+    run(&mut Command::new(&program));
+    std::fs::remove_file(program).unwrap();
+}
+
+/// Installed as a system has it: the shared library, found by pkg-config.
+#[test]
+fn example_in_c_by_pkg_config() {
+    if !is_installed("cc") || !is_installed("pkg-config") {
+        return;
+    }
+    let prefix = std::env::temp_dir().join(format!("carom-{}-prefix", std::process::id()));
+    std::fs::create_dir_all(prefix.join("include")).unwrap();
+    std::fs::create_dir_all(prefix.join("lib/pkgconfig")).unwrap();
+    std::fs::copy(root().join("include/carom.h"), prefix.join("include/carom.h")).unwrap();
+    let shared = library().with_extension("so");
+    std::fs::copy(&shared, prefix.join("lib/libcarom_capi.so")).unwrap();
+    let template = std::fs::read_to_string(root().join("carom.pc.in")).unwrap();
+    let text = template.replace("@PREFIX@", &prefix.to_string_lossy());
+    let text = text.replace("@VERSION@", env!("CARGO_PKG_VERSION"));
+    std::fs::write(prefix.join("lib/pkgconfig/carom.pc"), text).unwrap();
+    let mut ask = Command::new("pkg-config");
+    ask.env("PKG_CONFIG_PATH", prefix.join("lib/pkgconfig"));
+    let said = run(ask.args(["--cflags", "--libs", "carom"]));
+    let program = prefix.join("program");
+    let mut compile = Command::new("cc");
+    compile.args(STRICT).arg(root().join("examples/impact.c")).args(said.split_whitespace());
+    run(compile.arg("-lm").arg("-o").arg(&program));
+    let said = run(Command::new(&program).env("LD_LIBRARY_PATH", prefix.join("lib")));
+    assert!(said.ends_with("all is well\n"), "{said}");
+    std::fs::remove_dir_all(prefix).unwrap();
+}
+
+/// The header is C++ as well.
+#[test]
+fn example_in_c_as_cpp() {
+    if !is_installed("c++") {
+        return;
+    }
+    let folder = std::env::temp_dir().join(format!("carom-{}-header", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let source = folder.join("header.cpp");
+    let text = "#include \"carom.h\"\n\
+                static_assert(sizeof(carom_state) == 8 * CAROM_STATE_NUMBERS, \"state\");\n\
+                static_assert(sizeof(carom_contact) == 8 * (CAROM_CONTACT_WORDS + 1), \"contact\");\n\
+                int main() { return carom_abi_version() == CAROM_ABI_VERSION ? 0 : 1; }\n";
+    std::fs::write(&source, text).unwrap();
+    let program = folder.join("program");
+    let mut command = Command::new("c++");
+    command.args(["-std=c++11", "-Wall", "-Wextra", "-Werror", "-I"]).arg(root().join("include"));
+    run(command.arg(&source).arg(library()).args(SYSTEM).arg("-o").arg(&program));
+    run(&mut Command::new(&program));
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn example_in_fortran() {
+    if !is_installed("gfortran") {
+        return;
+    }
+    let program = compile("gfortran", &["-O1", "-Wall", "-Wno-unused-parameter"], "contact.f90");
+    let said = run(&mut Command::new(&program));
+    assert!(said.ends_with("all is well\n"), "{said}");
+    std::fs::remove_dir_all(program.parent().unwrap()).unwrap();
+}

@@ -1,0 +1,191 @@
+//! The fields of `[body_1]`, `[body_2]` and `[ball]`.
+
+use crate::case::field::{AXES, Default, Field, Form};
+use crate::case::material::MATERIAL;
+use crate::case::range::Range;
+use crate::case::unit::{Dimension, Measure};
+
+pub(super) const SPHERE: &str = "sphere";
+pub(super) const ELLIPSOID: &str = "ellipsoid";
+pub(super) const CYLINDER: &str = "cylinder";
+pub(super) const CAPSULE: &str = "capsule";
+pub(super) const TORUS: &str = "torus";
+pub(super) const BOX: &str = "box";
+pub(super) const PLANE: &str = "plane";
+pub(super) const HALF_SPACE: &str = "half-space";
+pub(super) const GIVEN: &str = "given";
+pub(super) const SOLID: &str = "solid";
+pub(super) const SHELL: &str = "shell";
+
+const LENGTH_ABOVE_0: Measure = Range::Positive.of(Dimension::Length);
+const PLACE: Measure = Range::Finite.of(Dimension::Length);
+
+pub(in crate::case) const SHAPE: Field = Field::new(
+    "shape",
+    Form::Word(&[
+        (SPHERE, "about its centre of mass"),
+        (ELLIPSOID, "with its axes along those of the body"),
+        (CYLINDER, "about the body's axis c; touched on its round side"),
+        (CAPSULE, "a cylinder with round ends, about axis c"),
+        (TORUS, "a ring about axis c"),
+        (BOX, "with its edges along the body's axes; touched on a face"),
+        (PLANE, "that the other body touches"),
+        (HALF_SPACE, "the same"),
+        (GIVEN, "a surface known by its curvatures at one point"),
+    ]),
+    "shape of the surface",
+)
+.such_as("\"sphere\"");
+pub(super) const RADIUS: Field =
+    Field::number("radius", LENGTH_ABOVE_0, "radius; that of the circle in a torus")
+        .of(&[SPHERE, CYLINDER, CAPSULE, TORUS])
+        .such_as("0.01");
+pub(super) const LENGTH: Field =
+    Field::number("length", LENGTH_ABOVE_0, "length of the straight part along axis c")
+        .of(&[CYLINDER, CAPSULE])
+        .such_as("0.05");
+pub(super) const TUBE: Field =
+    Field::number("tube_radius", LENGTH_ABOVE_0, "radius of the tube, less than `radius`")
+        .of(&[TORUS])
+        .such_as("0.004");
+pub(super) const SEMI_AXES: Field =
+    Field::vector("semi_axes", LENGTH_ABOVE_0, "along the body's axes a, b, c")
+        .of(&[ELLIPSOID])
+        .such_as("[0.02, 0.015, 0.01]");
+pub(super) const EDGES: Field =
+    Field::vector("edges", LENGTH_ABOVE_0, "lengths along the body's axes a, b, c")
+        .of(&[BOX])
+        .such_as("[0.03, 0.02, 0.02]");
+pub(in crate::case) const RADII: Field = Field::new(
+    "radii",
+    Form::Vector(
+        &["first", "second"],
+        Range::Radius.of(Dimension::Length),
+        "two principal radii [along `direction`, across]",
+    ),
+    "principal radii of curvature at the point",
+)
+.of(&[GIVEN])
+.such_as("[0.01, 0.02]");
+pub(in crate::case) const POINT: Field =
+    Field::vector("point", PLACE, "the point that is known, in the body's axes")
+        .of(&[GIVEN])
+        .such_as("[0, 0, -0.01]");
+pub(super) const NORMAL: Field =
+    Field::vector("normal", Range::Finite.pure(), "into the free side, of any length")
+        .of(&[PLANE, HALF_SPACE])
+        .may("along z, that of body 1 against it")
+        .such_as("[0, 0, 1]");
+pub(super) const OUTWARD: Field =
+    Field::vector("normal", Range::Finite.pure(), "outward normal there, of any length")
+        .of(&[GIVEN])
+        .such_as("[0, 0, -1]");
+pub(super) const DIRECTION: Field =
+    Field::vector("direction", Range::Finite.pure(), "first principal direction, of any length")
+        .of(&[GIVEN])
+        .such_as("[1, 0, 0]");
+pub(in crate::case) const MASS: Field = Field::number(
+    "mass",
+    Range::PositiveOrInfinite.of(Dimension::Mass),
+    "mass; inf: keeps its motion",
+)
+.or("`density` of a shape with a volume, or `fixed = true`")
+.such_as("0.03");
+pub(super) const DENSITY: Field =
+    Field::number("density", Range::Positive.of(Dimension::Density), "density of a solid body")
+        .or("`mass`, or `fixed = true`")
+        .such_as("7850");
+pub(in crate::case) const FIXED: Field =
+    Field::new("fixed", Form::Switch, "held fast: infinitely heavy and at rest")
+        .default(Default::False)
+        .such_as("true");
+pub(in crate::case) const INERTIA: Field = Field::new(
+    "inertia",
+    Form::WordOrVector(
+        &[(SOLID, "homogeneous"), (SHELL, "a thin shell")],
+        AXES,
+        Range::PositiveOrInfinite.of(Dimension::Inertia),
+        "three moments about the body's axes, each > 0 (inf: does not turn)",
+    ),
+    "what resists turning",
+)
+.default(Default::Word(SOLID));
+pub(in crate::case) const POSITION: Field = Field::new(
+    "position",
+    Form::Vector(AXES, PLACE, "three numbers [x, y, z], the centre of mass"),
+    "where the centre of mass is",
+)
+.may("body 1 lies on top of body 2 along z; a plane runs through the origin")
+.such_as("[0, 0, 0]");
+pub(super) const QUATERNION: Field = Field::new(
+    "quaternion",
+    Form::Vector(&["w", "i", "j", "k"], Range::Finite.pure(), "a unit quaternion [w, i, j, k]"),
+    "attitude: turns the body's axes into those of space",
+)
+.may("as the axes of space, or by `angles`")
+.such_as("[1, 0, 0, 0]");
+pub(super) const ANGLES: Field = Field::new(
+    "angles",
+    Form::Vector(
+        &["alpha", "beta", "gamma"],
+        Range::Finite.of(Dimension::Degrees),
+        "three angles [alpha, beta, gamma] in degrees",
+    ),
+    "attitude (8.3): by gamma about z, beta about the new y, alpha about the newest x",
+)
+.may("as the axes of space, or by `quaternion`")
+.such_as("[0, 0, 0]");
+pub(super) const VELOCITY: Field =
+    Field::vector("velocity", Range::Speed.of(Dimension::Speed), "of the centre of mass")
+        .or("`[approach]`, or `fixed = true`")
+        .such_as("[0.5, 0, -1]");
+pub(super) const SPIN: Field = Field::vector(
+    "spin",
+    Range::Speed.of(Dimension::Spin),
+    "angular velocity, in the axes of space",
+)
+.or("`fixed = true`")
+.such_as("[0, 0, 0]");
+
+/// All of them.
+pub(super) const FIELDS: &[Field] = &[
+    SHAPE, RADIUS, LENGTH, TUBE, SEMI_AXES, EDGES, RADII, POINT, NORMAL, OUTWARD, DIRECTION,
+    MATERIAL, DENSITY, MASS, FIXED, INERTIA, POSITION, QUATERNION, ANGLES, VELOCITY, SPIN,
+];
+/// What a new case says of a body that moves.
+pub(super) const MOVING: &[(&Field, &str)] = &[(&DENSITY, ""), (&VELOCITY, ""), (&SPIN, "")];
+
+/// The body that the other one lies under or strikes.
+pub(in crate::case) const BODY_1: Field =
+    Field::new("body_1", Form::Table(FIELDS), "the body on the side to which z points")
+        .begun(MOVING);
+/// The other one.
+pub(in crate::case) const BODY_2: Field =
+    Field::new("body_2", Form::Table(FIELDS), "the other body")
+        .begun(&[(&SHAPE, "\"plane\""), (&FIXED, "")]);
+const PLACE_OF_BALL: Field = Field::vector("position", PLACE, "centre at the start")
+    .or("`scene.start`")
+    .such_as("[0, 0, 0.5]");
+const SHAPE_OF_BALL: Field = Field::new(
+    "shape",
+    Form::Word(&[(SPHERE, "the turning of other bodies in flight is not followed")]),
+    "shape of the surface",
+)
+.such_as("\"sphere\"");
+/// The body that flies in a scene.
+pub(in crate::case) const BALL: Field = Field::new(
+    "ball",
+    Form::Table(&[
+        SHAPE_OF_BALL,
+        RADIUS,
+        MATERIAL,
+        DENSITY,
+        MASS,
+        INERTIA,
+        PLACE_OF_BALL,
+        VELOCITY,
+        SPIN,
+    ]),
+    "the body that flies",
+)
+.begun(MOVING);

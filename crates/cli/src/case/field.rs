@@ -1,0 +1,352 @@
+//! Fields of case files, each written once: name, kind, range, unit, default and meaning. What reads
+//! a case, what says what is wrong with it, `carom new`, `carom check` and `carom schema` look here.
+
+use super::range::End;
+use super::unit::Measure;
+use carom_table::{Column, Value};
+use std::collections::BTreeSet;
+use std::sync::LazyLock;
+
+/// A field of a case file.
+#[derive(Debug, Clone, Copy)]
+pub struct Field {
+    /// Its name in the table that holds it.
+    pub name: &'static str,
+    /// What stands there.
+    pub form: Form,
+    /// Whether it must be there, and what holds if it is not.
+    pub need: Need,
+    /// What it is, in a few words.
+    pub meaning: &'static str,
+    /// A good value, as TOML; the default if it is empty.
+    pub(super) example: &'static str,
+    /// The words of `shape` that it belongs to; all if there are none.
+    pub(super) shapes: &'static [&'static str],
+    /// What a new case sets in this table, beside what must be there: fields and their values,
+    /// those of the examples if these are empty.
+    pub(super) begun: &'static [(&'static Field, &'static str)],
+}
+
+/// A word with its meaning.
+pub type Word = (&'static str, &'static str);
+
+/// What may stand in a field.
+#[derive(Debug, Clone, Copy)]
+pub enum Form {
+    /// A number; in an impact also several, or a distribution.
+    Number(Measure),
+    /// A number, a list, or a range with a count.
+    Numbers(Measure),
+    /// A number, or a list of two.
+    Pair(Measure),
+    /// A list of numbers, at least one.
+    List(Measure),
+    /// A list with a number for each part, and what this is in words.
+    Vector(&'static [&'static str], Measure, &'static str),
+    /// One of these words, or a list with a number for each part.
+    WordOrVector(&'static [Word], &'static [&'static str], Measure, &'static str),
+    /// A list of such lists.
+    Rows(Rows),
+    /// One of these words.
+    Word(&'static [Word]),
+    /// Any text, and what it is.
+    Text(&'static str),
+    /// True or false.
+    Switch,
+    /// A table.
+    Table(&'static [Field]),
+    /// Tables of one kind, at least one.
+    Tables(&'static [Field]),
+}
+
+/// Rows of numbers.
+#[derive(Debug, Clone, Copy)]
+pub struct Rows {
+    /// The numbers of a row.
+    pub parts: &'static [&'static str],
+    /// Their ranges.
+    pub measures: &'static [Measure],
+    /// Numbers at the end that a row may lack; they are 0 then.
+    pub optional: usize,
+    /// Rows, at least.
+    pub least: usize,
+    /// What they are.
+    pub words: &'static str,
+}
+
+/// Whether a field must be there.
+#[derive(Debug, Clone, Copy)]
+pub enum Need {
+    /// It must.
+    Must,
+    /// It, or what these words name.
+    Or(&'static str),
+    /// If not, this holds.
+    Default(Default),
+    /// It need not, and this is what its absence means.
+    May(&'static str),
+}
+
+/// What holds in the place of a field that is not there.
+#[derive(Debug, Clone, Copy)]
+pub enum Default {
+    /// A number, in the plain unit.
+    Number(f64),
+    /// Numbers.
+    List(&'static [f64]),
+    /// A word.
+    Word(&'static str),
+    /// Not so.
+    False,
+}
+
+/// The axes of a vector.
+pub(super) const AXES: &[&str] = &["x", "y", "z"];
+/// The same in words.
+pub(super) const XYZ: &str = "three numbers [x, y, z]";
+
+impl Field {
+    pub(super) const fn new(name: &'static str, form: Form, meaning: &'static str) -> Self {
+        let (need, example, shapes, begun): (_, _, &[_], &[_]) = (Need::Must, "", &[], &[]);
+        Self { name, form, need, meaning, example, shapes, begun }
+    }
+
+    pub(super) const fn number(
+        name: &'static str,
+        measure: Measure,
+        meaning: &'static str,
+    ) -> Self {
+        Self::new(name, Form::Number(measure), meaning)
+    }
+
+    pub(super) const fn vector(
+        name: &'static str,
+        measure: Measure,
+        meaning: &'static str,
+    ) -> Self {
+        Self::new(name, Form::Vector(AXES, measure, XYZ), meaning)
+    }
+
+    pub(super) const fn such_as(self, example: &'static str) -> Self {
+        Self { example, ..self }
+    }
+
+    pub(super) const fn or(self, others: &'static str) -> Self {
+        Self { need: Need::Or(others), ..self }
+    }
+
+    pub(super) const fn may(self, absent: &'static str) -> Self {
+        Self { need: Need::May(absent), ..self }
+    }
+
+    pub(super) const fn default(self, default: Default) -> Self {
+        Self { need: Need::Default(default), ..self }
+    }
+
+    pub(super) const fn of(self, shapes: &'static [&'static str]) -> Self {
+        Self { shapes, ..self }
+    }
+
+    pub(super) const fn begun(self, begun: &'static [(&'static Self, &'static str)]) -> Self {
+        Self { begun, ..self }
+    }
+
+    /// The same with numbers in another range or unit.
+    pub(super) const fn measured(self, measure: Measure) -> Self {
+        Self { form: Form::Number(measure), ..self }
+    }
+
+    /// Whether it belongs to this shape.
+    pub(super) fn is_of(&self, shape: Option<&str>) -> bool {
+        self.shapes.is_empty() || shape.is_none_or(|shape| self.shapes.contains(&shape))
+    }
+
+    /// The fields of a table; none otherwise.
+    #[must_use]
+    pub const fn fields(&self) -> &'static [Self] {
+        match self.form {
+            Form::Table(fields) | Form::Tables(fields) => fields,
+            _ => &[],
+        }
+    }
+
+    /// The range of its numbers.
+    #[must_use]
+    pub const fn measure(&self) -> Option<Measure> {
+        match self.form {
+            Form::Number(measure)
+            | Form::Numbers(measure)
+            | Form::Pair(measure)
+            | Form::List(measure)
+            | Form::Vector(_, measure, _)
+            | Form::WordOrVector(_, _, measure, _) => Some(measure),
+            _ => None,
+        }
+    }
+
+    /// What must stand there, in words.
+    #[must_use]
+    pub fn allowed(&self) -> String {
+        match self.form {
+            Form::Number(measure) | Form::Numbers(measure) => measure.range.allowed().to_owned(),
+            Form::Pair(_) => "one number, or two in a list".to_owned(),
+            Form::List(_) => "a list with at least one number".to_owned(),
+            Form::Vector(_, _, words) => words.to_owned(),
+            Form::WordOrVector(words, _, _, vector) => {
+                format!("{} or {vector}", quoted(words, ", "))
+            }
+            Form::Rows(rows) => rows.words.to_owned(),
+            Form::Word(words) => quoted(words, " or "),
+            Form::Text(words) => words.to_owned(),
+            Form::Switch => "true or false".to_owned(),
+            Form::Table(_) => "a table".to_owned(),
+            Form::Tables(_) => {
+                "at least one table, headed by the name in double brackets".to_owned()
+            }
+        }
+    }
+
+    /// The default as it would stand in a case; none if there is none.
+    #[must_use]
+    pub fn default_text(&self) -> Option<String> {
+        let Need::Default(default) = self.need else { return None };
+        Some(match default {
+            Default::Number(number) => number.to_string(),
+            Default::List(numbers) => format!("{numbers:?}"),
+            Default::Word(word) => format!("{word:?}"),
+            Default::False => "false".to_owned(),
+        })
+    }
+}
+
+/// Words in quotation marks, `last` before the last.
+fn quoted(words: &[Word], last: &str) -> String {
+    if let [(word, why)] = words {
+        return format!("{word:?} ({why})");
+    }
+    let words: Vec<String> = words.iter().map(|(word, _)| format!("{word:?}")).collect();
+    match words.split_last() {
+        Some((end, before)) => format!("{}{last}{end}", before.join(", ")),
+        None => String::new(),
+    }
+}
+
+/// A field with its path.
+#[derive(Debug, Clone)]
+pub struct Entry {
+    /// The names of its tables and its own, with dots; tables that there may be many of end in `[]`.
+    pub path: String,
+    /// The field.
+    pub field: Field,
+}
+
+/// The fields, each table followed by its own.
+#[must_use]
+pub fn entries(fields: &[Field]) -> Vec<Entry> {
+    let mut found = Vec::new();
+    add("", fields, &mut found);
+    found
+}
+
+fn add(prefix: &str, fields: &[Field], found: &mut Vec<Entry>) {
+    for field in fields {
+        let path = match field.form {
+            Form::Tables(_) => format!("{prefix}{}[]", field.name),
+            _ => format!("{prefix}{}", field.name),
+        };
+        found.push(Entry { path: path.clone(), field: *field });
+        add(&format!("{path}."), field.fields(), found);
+    }
+}
+
+impl Entry {
+    /// The columns of a schema.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("field", "", "name with its path", |entry| entry.path.clone().into()),
+        Column::new("kind", "", "what stands there", |entry| entry.kind().into()),
+        Column::new("allowed", "", "in words", |entry| match entry.field.measure() {
+            Some(measure) => measure.range.allowed().into(),
+            None => entry.field.allowed().into(),
+        }),
+        Column::new("unit", "", "of a plain number", |entry| match entry.field.form {
+            Form::Rows(rows) => rows
+                .measures
+                .iter()
+                .map(|measure| measure.dimension.unit())
+                .collect::<Vec<_>>()
+                .into(),
+            _ => entry.field.measure().map_or("", |measure| measure.dimension.unit()).into(),
+        }),
+        Column::new("need", "", "must, or (one of several), may", |entry| match entry.field.need {
+            Need::Must => "must".into(),
+            Need::Or(_) => "or".into(),
+            Need::Default(_) | Need::May(_) => "may".into(),
+        }),
+        Column::new("default", "", "if it is not there", |entry| entry.field.default_text().into()),
+        Column::new("shapes", "", "that it belongs to", |entry| match entry.field.shapes {
+            [] => Value::Absent,
+            shapes => shapes.to_vec().into(),
+        }),
+        Column::new("meaning", "", "what it is", |entry| entry.field.meaning.into()),
+        Column::new("words", "", "to choose from", |entry| match entry.field.form {
+            Form::Word(words) | Form::WordOrVector(words, ..) => {
+                words.iter().map(|(word, _)| *word).collect::<Vec<_>>().into()
+            }
+            _ => Value::Absent,
+        }),
+        Column::new("low", "", "lower end", |entry| entry.end(0).map(End::number).into()),
+        Column::new("low_is_in", "", "whether that is allowed", |entry| entry.is_in(0)),
+        Column::new("high", "", "upper end", |entry| entry.end(1).map(End::number).into()),
+        Column::new("high_is_in", "", "whether that is allowed", |entry| entry.is_in(1)),
+    ];
+
+    /// Those of a table to read.
+    #[must_use]
+    pub fn readable() -> &'static [Column<Self>] {
+        &Self::COLUMNS[..8]
+    }
+
+    const fn kind(&self) -> &'static str {
+        match self.field.form {
+            Form::Number(Measure { range, .. }) if range.is_whole() => "whole number",
+            Form::Number(_) => "number",
+            Form::Numbers(_) => "number, list or range",
+            Form::Pair(_) => "number or two",
+            Form::List(_) => "list",
+            Form::Vector(_, _, words) => words,
+            Form::WordOrVector(..) => "word or numbers",
+            Form::Rows(_) => "rows",
+            Form::Word(_) => "word",
+            Form::Text(_) => "text",
+            Form::Switch => "true or false",
+            Form::Table(_) => "table",
+            Form::Tables(_) => "tables",
+        }
+    }
+
+    fn end(&self, which: usize) -> Option<End> {
+        self.field.measure().map(|measure| measure.range.ends()[which])
+    }
+
+    fn is_in(&self, which: usize) -> Value {
+        let word = |end| if matches!(end, End::In(_)) { "yes" } else { "no" };
+        self.end(which).map(word).into()
+    }
+}
+
+/// The path of a field that may be varied, as it stands in the tables; a path that they do not have
+/// is "a number of the case".
+pub(super) fn interned(path: &str) -> &'static str {
+    static PATHS: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
+        let paths = entries(super::impact::FIELDS).into_iter().flat_map(|Entry { path, field }| {
+            let parts = match field.form {
+                Form::Vector(parts, ..) | Form::WordOrVector(_, parts, ..) => parts,
+                _ => &[],
+            };
+            let parts: Vec<_> = parts.iter().map(|part| format!("{path}.{part}")).collect();
+            std::iter::once(path).chain(parts)
+        });
+        paths.collect()
+    });
+    PATHS.get(path).map_or("a number of the case", String::as_str)
+}

@@ -1,0 +1,213 @@
+//! The kinds of cases, what each takes, and what a file of one says.
+
+use super::error::CaseError;
+use super::field::{Entry, Field, Form, Need, entries};
+use super::section::{Section, nearest, parse};
+use super::{HertzCase, HistoryCase, ImpactFile, SceneCase, SolveCase};
+use super::{begin, hertz, history, impact, scene, solve, varied};
+use carom_table::Column;
+use toml::de::{DeTable, DeValue};
+
+/// A kind of case, named as the command that takes it.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+pub enum CaseKind {
+    /// An impact of two bodies, a sweep of impacts, or a scatter.
+    Impact,
+    /// A contact under normal load.
+    Hertz,
+    /// A contact that goes through a history of shifts.
+    History,
+    /// A ball between walls.
+    Scene,
+    /// A contact on a grid.
+    Solve,
+}
+
+impl CaseKind {
+    /// All of them.
+    pub const ALL: [Self; 5] = [Self::Impact, Self::Hertz, Self::History, Self::Scene, Self::Solve];
+
+    /// The command that takes it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Impact => "impact",
+            Self::Hertz => "hertz",
+            Self::History => "history",
+            Self::Scene => "scene",
+            Self::Solve => "solve",
+        }
+    }
+
+    /// What it is, in a sentence.
+    #[must_use]
+    pub const fn meaning(self) -> &'static str {
+        match self {
+            Self::Impact => "An impact of two bodies of any smooth shape.",
+            Self::Hertz => "Two surfaces pressed together.",
+            Self::History => "A contact that is pressed, shifted and twisted, step by step.",
+            Self::Scene => "A ball that flies under gravity and bounces between walls.",
+            Self::Solve => "A contact with friction on a grid, step by step.",
+        }
+    }
+
+    /// Its fields.
+    #[must_use]
+    pub const fn fields(self) -> &'static [Field] {
+        match self {
+            Self::Impact => impact::FIELDS,
+            Self::Hertz => hertz::FIELDS,
+            Self::History => history::FIELDS,
+            Self::Scene => scene::FIELDS,
+            Self::Solve => solve::FIELDS,
+        }
+    }
+
+    /// What may stand in the place of any of its numbers but those of `[uncertainty]`.
+    #[must_use]
+    pub const fn varied(self) -> &'static [Field] {
+        match self {
+            Self::Impact => varied::VARIED,
+            _ => &[],
+        }
+    }
+
+    /// Its fields with their paths; what may stand in the place of a number at the end, under `*`.
+    #[must_use]
+    pub fn entries(self) -> Vec<Entry> {
+        let mut all = entries(self.fields());
+        all.extend(
+            entries(self.varied())
+                .into_iter()
+                .map(|entry| Entry { path: format!("*.{}", entry.path), ..entry }),
+        );
+        all
+    }
+
+    /// A commented case of this kind, with every field that it may have: it runs as it stands.
+    #[must_use]
+    pub fn begin(self) -> String {
+        begin::text(self)
+    }
+
+    /// The kind of a file: that whose tables it has, as far as it has any, mistyped ones too.
+    ///
+    /// # Errors
+    /// If the text is not TOML.
+    pub fn of(source: &str) -> Result<Self, CaseError> {
+        let table = parse(source)?;
+        let names: Vec<&str> =
+            table.get_ref().iter().map(|(name, _)| name.get_ref().as_ref()).collect();
+        let fit = |kind: Self| -> i32 {
+            let is_there = |field: &&Field| names.contains(&field.name);
+            let (there, lacking): (Vec<&Field>, Vec<&Field>) =
+                kind.fields().iter().partition(is_there);
+            let valid: Vec<&str> = lacking.iter().map(|field| field.name).collect();
+            let unknown =
+                names.iter().filter(|name| there.iter().all(|field| field.name != **name));
+            let like: Vec<_> = unknown.map(|name| nearest(name, &valid)).collect();
+            let missed = lacking.iter().filter(|field| {
+                matches!(field.need, Need::Must) && !like.contains(&Some(field.name))
+            });
+            let of_unknown = |like: &Option<_>| if like.is_some() { 1 } else { -1 };
+            2 * (there.len() as i32 - missed.count() as i32)
+                + like.iter().map(of_unknown).sum::<i32>()
+        };
+        // The first of the best.
+        let best = Self::ALL.into_iter().rev().max_by_key(|kind| fit(*kind));
+        Ok(best.unwrap_or(Self::Impact))
+    }
+
+    /// Whether the file is such a case, all its values in their ranges.
+    ///
+    /// # Errors
+    /// As the reader of the kind.
+    pub fn check(self, source: &str) -> Result<(), CaseError> {
+        match self {
+            Self::Impact => ImpactFile::parse(source).map(|_| ()),
+            Self::Hertz => HertzCase::parse(source).map(|_| ()),
+            Self::History => HistoryCase::parse(source).map(|_| ()),
+            Self::Scene => SceneCase::parse(source).map(|_| ()),
+            Self::Solve => SolveCase::parse(source).map(|_| ()),
+        }
+    }
+
+    /// What a file of this kind says, field by field, and what holds where it says nothing.
+    ///
+    /// # Errors
+    /// If the text is not TOML.
+    pub fn understood(self, source: &str) -> Result<Vec<Understood>, CaseError> {
+        let table = parse(source)?;
+        let section = Section::root(source, table.get_ref(), self.fields())?;
+        let mut found = Vec::new();
+        tell(&section, "", table.get_ref(), self.fields(), &mut found);
+        Ok(found)
+    }
+}
+
+/// A field of a file.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Understood {
+    /// Its path.
+    pub field: String,
+    /// Its value, plain numbers in the plain unit; what holds without it.
+    pub value: String,
+    /// The unit.
+    pub unit: &'static str,
+    /// Whether the file says it.
+    pub is_given: bool,
+}
+
+impl Understood {
+    /// What is told of each.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("field", "", "name with its path", |told| told.field.clone().into()),
+        Column::new("value", "", "numbers in the plain unit", |told| told.value.clone().into()),
+        Column::new("unit", "", "the plain unit", |told| told.unit.into()),
+        Column::new("from", "", "the file, or what holds without", |told| match told.is_given {
+            true => "file".into(),
+            false => "default".into(),
+        }),
+    ];
+}
+
+fn tell(
+    section: &Section<'_>,
+    prefix: &str,
+    table: &DeTable<'_>,
+    fields: &[Field],
+    found: &mut Vec<Understood>,
+) {
+    let value_of = |field: &Field| {
+        table.iter().find(|(name, _)| name.get_ref() == field.name).map(|(_, value)| value)
+    };
+    let shape = value_of(&super::body::SHAPE).and_then(|value| value.get_ref().as_str());
+    for field in fields.iter().filter(|field| field.is_of(shape)) {
+        let path = format!("{prefix}{}", field.name);
+        let unit = field.measure().map_or("", |measure| measure.dimension.unit());
+        let mut told = |value: String, unit, is_given| {
+            found.push(Understood { field: path.clone(), value, unit, is_given });
+        };
+        match (value_of(field), field.form, field.need) {
+            (Some(value), Form::Table(fields), _) => {
+                if let DeValue::Table(table) = value.get_ref() {
+                    tell(section, &format!("{path}."), table, fields, found);
+                }
+            }
+            (Some(value), Form::Tables(fields), _) => {
+                let items = value.get_ref().as_array().into_iter().flat_map(|items| items.iter());
+                for (i, item) in items.enumerate() {
+                    if let DeValue::Table(table) = item.get_ref() {
+                        tell(section, &format!("{path}[{i}]."), table, fields, found);
+                    }
+                }
+            }
+            (Some(value), ..) => told(section.shown(value, field.measure()), unit, true),
+            (None, _, Need::Default(_)) => {
+                told(field.default_text().unwrap_or_default(), unit, false);
+            }
+            (None, _, Need::May(absent)) => told(absent.to_owned(), "", false),
+            (None, ..) => {}
+        }
+    }
+}

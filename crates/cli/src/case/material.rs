@@ -1,0 +1,60 @@
+//! The material of a body: `material`.
+
+use super::error::CaseError;
+use super::field::{Default, Field, Form};
+use super::range::Range;
+use super::section::Section;
+use super::unit::Dimension;
+use carom_halfspace::Material;
+use carom_special::RangeError;
+
+const MODULUS: super::unit::Measure = Range::Positive.of(Dimension::Pressure);
+const YOUNG: Field = Field::number("young_modulus", MODULUS, "Young's modulus E")
+    .or("`shear_modulus`, or `rigid = true`")
+    .such_as("208e9");
+const SHEAR: Field = Field::number("shear_modulus", MODULUS, "shear modulus G")
+    .or("`young_modulus`")
+    .such_as("80e9");
+const POISSON: Field = Field::number("poisson", Range::Poisson.pure(), "Poisson's ratio")
+    .or("`rigid = true`")
+    .such_as("0.3");
+const RIGID: Field =
+    Field::new("rigid", Form::Switch, "whether it does not give way; of one body only")
+        .default(Default::False);
+
+/// The field of a body.
+pub(super) const MATERIAL: Field = Field::new(
+    "material",
+    Form::Table(&[YOUNG, SHEAR, POISSON, RIGID]),
+    "what the body is made of: two elastic constants, or rigid",
+)
+.begun(&[(&YOUNG, ""), (&POISSON, "")]);
+
+pub(super) fn read(body: &Section<'_>) -> Result<Material, CaseError> {
+    let material = body.section(&MATERIAL)?;
+    if material.switch(&RIGID)? {
+        return match material.given([&YOUNG, &SHEAR, &POISSON]).first() {
+            Some(field) => {
+                Err(material.conflict(*field, &RIGID, "a rigid body has no elastic constants"))
+            }
+            None => Ok(Material::RIGID),
+        };
+    }
+    let poisson = || match material.has(&POISSON) {
+        true => material.number(&POISSON),
+        false => Err(material.missing_as(&POISSON, Range::Poisson.allowed())),
+    };
+    let made = match material.given([&YOUNG, &SHEAR]).as_slice() {
+        [] => return Err(material.missing(&YOUNG)),
+        [field] if field.name == SHEAR.name => {
+            Material::from_shear(material.number(&SHEAR)?, poisson()?)
+        }
+        [_] => Material::from_young(material.number(&YOUNG)?, poisson()?),
+        both => return Err(material.several(both, "give one of the two")),
+    };
+    made.map_err(|RangeError { field, value, allowed }| {
+        let field = if field == POISSON.name { &POISSON } else { &YOUNG };
+        let field = if material.has(field) { field } else { &SHEAR };
+        material.out_of_range(field, value, allowed)
+    })
+}

@@ -1,0 +1,163 @@
+//! What is wrong with a field of a table.
+
+use super::{Place, Section, line_at, nearest, shortened};
+use crate::case::error::CaseError;
+use crate::case::field::{Field, Need};
+use crate::case::unit::Measure;
+use carom_special::RangeError;
+use toml::Spanned;
+use toml::de::DeValue;
+
+impl Section<'_> {
+    pub(super) fn unknown(
+        &self,
+        name: &str,
+        at: usize,
+        shape: Option<&str>,
+        valid: &[&'static str],
+    ) -> CaseError {
+        let table = match self.path.as_str() {
+            "" => "a case".to_owned(),
+            path => format!("`{path}`"),
+        };
+        CaseError::Unknown {
+            field: self.full(name),
+            line: line_at(self.source, at),
+            table: match shape {
+                Some(shape) => format!("{table} of shape {shape:?}"),
+                None => table,
+            },
+            nearest: nearest(name, valid),
+            valid: valid.iter().map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", "),
+        }
+    }
+
+    /// The path of a field from the top.
+    #[must_use]
+    pub(in crate::case) fn path(&self, place: &impl Place) -> String {
+        self.full(&place.names().join("."))
+    }
+
+    /// The error that the field is missing.
+    #[must_use]
+    pub(in crate::case) fn missing(&self, field: &Field) -> CaseError {
+        let allowed = field.allowed();
+        match field.need {
+            Need::Or(others) => self.missing_as(field, format!("{allowed} (or {others})")),
+            _ => self.missing_as(field, allowed),
+        }
+    }
+
+    /// The error that a field is missing that must be so.
+    #[must_use]
+    pub(in crate::case) fn missing_as(
+        &self,
+        place: impl Place,
+        allowed: impl Into<String>,
+    ) -> CaseError {
+        CaseError::Missing { field: self.path(&place), allowed: allowed.into() }
+    }
+
+    /// The error that a value found elsewhere to be bad stands at a field.
+    #[must_use]
+    pub(in crate::case) fn out_of_range(
+        &self,
+        place: impl Place,
+        value: f64,
+        allowed: &str,
+    ) -> CaseError {
+        CaseError::Range {
+            field: self.path(&place),
+            line: self.find(&place).map_or(0, |value| line_at(self.source, value.span().start)),
+            value,
+            allowed: allowed.to_owned(),
+        }
+    }
+
+    /// The error that a value is out of the library's range, at the field of its name.
+    #[must_use]
+    pub(in crate::case) fn refused(&self, error: RangeError) -> CaseError {
+        let name = error.field.replace(' ', "_");
+        match self.fields.iter().find(|field| field.name == name) {
+            Some(field) => self.out_of_range(field, error.value, error.allowed),
+            None => CaseError::Range {
+                field: self.full(&name),
+                line: 0,
+                value: error.value,
+                allowed: error.allowed.to_owned(),
+            },
+        }
+    }
+
+    /// The error that one field excludes another one of this table.
+    #[must_use]
+    pub(in crate::case) fn conflict(
+        &self,
+        place: impl Place,
+        other: impl Place,
+        reason: &'static str,
+    ) -> CaseError {
+        self.excluded(place, self.path(&other), reason)
+    }
+
+    /// The error that one field excludes what stands at another path.
+    #[must_use]
+    pub(in crate::case) fn excluded(
+        &self,
+        place: impl Place,
+        other: String,
+        reason: &'static str,
+    ) -> CaseError {
+        let (field, line) = (self.path(&place), self.line(place));
+        CaseError::Conflict { field, line, other, reason }
+    }
+
+    /// The error that all but one of these fields must go.
+    #[must_use]
+    pub(in crate::case) fn several(&self, given: &[&Field], reason: &'static str) -> CaseError {
+        match given {
+            [one, other, ..] => self.conflict(*other, *one, reason),
+            [one] => self.missing(one),
+            [] => CaseError::Missing { field: self.path.clone(), allowed: reason.to_owned() },
+        }
+    }
+
+    /// The error that a value is of the wrong kind for its field.
+    pub(super) fn wrong(&self, field: &Field, value: &Spanned<DeValue<'_>>) -> CaseError {
+        self.kind(field.name, value, &field.allowed())
+    }
+
+    pub(super) fn kind(
+        &self,
+        name: &str,
+        value: &Spanned<DeValue<'_>>,
+        allowed: &str,
+    ) -> CaseError {
+        let span = value.span();
+        CaseError::Kind {
+            field: self.full(name),
+            line: line_at(self.source, span.start),
+            found: shortened(self.source.get(span).unwrap_or("?").trim()),
+            allowed: allowed.to_owned(),
+        }
+    }
+
+    /// A number that stands for the value of field `name`, if it is in its range.
+    pub(in crate::case) fn in_range(
+        &self,
+        name: &str,
+        value: &Spanned<DeValue<'_>>,
+        number: f64,
+        Measure { range, .. }: Measure,
+    ) -> Result<f64, CaseError> {
+        match range.holds(number) {
+            true => Ok(number),
+            false => Err(CaseError::Range {
+                field: self.full(name),
+                line: line_at(self.source, value.span().start),
+                value: number,
+                allowed: range.allowed().to_owned(),
+            }),
+        }
+    }
+}

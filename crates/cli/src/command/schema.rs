@@ -1,0 +1,34 @@
+//! `carom schema`: the fields of a kind of case.
+
+use crate::case::{CaseKind, Entry};
+use crate::columns::{self, Record};
+use crate::error::CliError;
+use crate::output::{Answer, Format, json};
+
+/// All fields of a kind of case: kind, range, unit, default, meaning.
+///
+/// Fields under `*` may stand in the place of any number. As JSON and CSV with the ends of the ranges
+/// and the words to choose from.
+#[derive(Debug, clap::Args)]
+#[command(after_long_help = columns::help("A row for each field", Entry::COLUMNS))]
+pub(super) struct Arguments {
+    /// The kind of case.
+    #[arg(value_enum)]
+    kind: CaseKind,
+    /// Format of the table.
+    #[arg(long, value_enum, default_value_t)]
+    format: Format,
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+    let entries = arguments.kind.entries();
+    let text = match arguments.format {
+        Format::Json => {
+            let records = entries.iter().map(|entry| Record::new(Entry::COLUMNS, entry));
+            json(&records.collect::<Vec<_>>())?
+        }
+        Format::Table => columns::rows(Format::Table, Entry::readable(), &entries)?,
+        format => columns::rows(format, Entry::COLUMNS, &entries)?,
+    };
+    Ok(Answer { text, ..Answer::default() })
+}

@@ -1,0 +1,148 @@
+//! The state of chapter 7's law as plain numbers, to be kept elsewhere.
+
+use carom_special::RangeError;
+
+use super::{Lateral, Memory, MemoryRegime, Vertex, VertexStack};
+use crate::bounds::in_memory;
+use crate::profile::NormalProfile;
+
+/// The version of the format; the first number is `1e4 version + 100 regime + vertices`. Version 1 is
+/// that of [`crate::coulomb`], 3 that of a contact without friction.
+const VERSION: f64 = 2.0;
+/// Numbers before the vertices.
+pub(super) const HEAD: usize = 6;
+const EACH: usize = 5;
+/// The most vertices that the first number can count.
+pub(super) const MOST: usize = 99;
+
+const REGIMES: [MemoryRegime; 7] = [
+    MemoryRegime::Separated,
+    MemoryRegime::Adhesion,
+    MemoryRegime::Release,
+    MemoryRegime::Slip,
+    MemoryRegime::Reversal,
+    MemoryRegime::Overlay,
+    MemoryRegime::Sliding,
+];
+
+impl MemoryRegime {
+    /// Its place in the list of all, by which it is kept in numbers.
+    pub(crate) fn number(self) -> u8 {
+        REGIMES.iter().position(|regime| *regime == self).unwrap_or(0) as u8
+    }
+
+    /// The regime of a number, if it is one.
+    pub(crate) fn of_number(number: f64) -> Option<Self> {
+        let holds = number >= 0.0 && number < REGIMES.len() as f64;
+        holds.then(|| REGIMES[number as usize])
+    }
+}
+
+impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
+    /// Writes the state into numbers: a mark of version, regime and number of vertices, the approach,
+    /// the shift, the lowest anchor, and of each vertex its depth (negative where the segment above
+    /// was laid down in slip), its slope and the slope of its force. What is left over becomes
+    /// zero. All zeros are two bodies apart. Vertices take as much room as those of
+    /// [`crate::coulomb::packed_numbers`].
+    ///
+    /// # Errors
+    /// [`RangeError`] if there is no room for the vertices; nothing is then written.
+    pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
+        let len = self.stack.len();
+        let room = numbers.len() as f64;
+        let holds = numbers.len() >= HEAD + EACH * len && len <= MOST;
+        RangeError::check("numbers", room, holds, ">= 6 + 5 per vertex, of which at most 99")?;
+        let [x, y] = self.shift.components();
+        let anchor = if len > 0 { self.stack.get(0).anchor } else { V::default() };
+        let [w_x, w_y] = anchor.components();
+        let mark = 1e4 * VERSION + 100.0 * f64::from(self.regime.number()) + len as f64;
+        numbers[..HEAD].copy_from_slice(&[mark, self.zeta, x, y, w_x, w_y]);
+        let (vertices, rest) = numbers[HEAD..].split_at_mut(EACH * len);
+        for (i, numbers) in vertices.chunks_exact_mut(EACH).enumerate() {
+            let vertex = self.stack.get(i);
+            let depth = if vertex.is_slip() { -vertex.depth } else { vertex.depth };
+            let [m_x, m_y] = vertex.slope.components();
+            let [p_x, p_y] = vertex.force_slope.components();
+            numbers.copy_from_slice(&[depth, m_x, m_y, p_x, p_y]);
+        }
+        rest.fill(0.0);
+        Ok(())
+    }
+
+    /// Takes the state from numbers that [`Memory::pack`] wrote. Anchors and forces are summed anew
+    /// and may differ by round-off.
+    ///
+    /// # Errors
+    /// [`RangeError`] for another version, too few numbers, more vertices than the storage has room
+    /// for, depths that do not rise to the approach, slopes above 1 or values out of range; the
+    /// state is then unchanged.
+    pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
+        let format = (VERSION, EACH, "of version 2");
+        let (regime, len) = check(numbers, format, self.stack.capacity())?;
+        for vertex in numbers[HEAD..].chunks_exact(EACH).take(len) {
+            let slope = vertex[1].hypot(vertex[2]);
+            RangeError::check("slope", slope, slope <= 1.0 + 1e-9, "<= 1")?;
+        }
+        self.regime = regime;
+        self.zeta = numbers[1];
+        self.shift = V::from_components([numbers[2], numbers[3]]);
+        self.stack.truncate(0);
+        let anchor = [numbers[4], numbers[5]];
+        let (mut anchor, mut force) = (V::from_components(anchor), V::default());
+        for i in 0..len {
+            let vertex = vertex(&numbers[HEAD + EACH * i..], anchor, force);
+            self.stack.push(vertex);
+            let above = numbers.get(HEAD + EACH * (i + 1)).filter(|_| i + 1 < len);
+            let top = above.map_or(self.zeta, |depth| depth.abs());
+            anchor = vertex.anchor_at(top);
+            force = vertex.force_at(top, &self.profile);
+        }
+        self.force = force;
+        Ok(())
+    }
+}
+
+/// The vertex that five numbers tell, on the anchor and force below it.
+fn vertex<V: Lateral>(numbers: &[f64], anchor: V, force: V) -> Vertex<V> {
+    let slope = V::from_components([numbers[1], numbers[2]]);
+    let curb = (1.0 - slope.dot(slope)).max(0.0);
+    Vertex {
+        depth: numbers[0].abs(),
+        anchor,
+        slope,
+        force_slope: V::from_components([numbers[3], numbers[4]]),
+        force,
+        curb: if numbers[0].is_sign_negative() { 0.0 } else { curb },
+    }
+}
+
+/// The regime and the number of vertices, if the numbers are a state of this version, with so many to
+/// a vertex.
+pub(super) fn check(
+    numbers: &[f64],
+    (version, each, of_version): (f64, usize, &'static str),
+    capacity: usize,
+) -> Result<(MemoryRegime, usize), RangeError> {
+    let room = numbers.len() as f64;
+    RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
+    let mark = if numbers[0] == 0.0 { 1e4 * version } else { numbers[0] };
+    let rest = mark - 1e4 * version;
+    let (regime, len) = ((rest / 100.0).floor(), rest.rem_euclid(100.0));
+    let known = MemoryRegime::of_number(regime).filter(|_| len == len.floor());
+    let regime = known.ok_or(RangeError::new("mark", mark, of_version))?;
+    let len = len as usize;
+    let holds = len <= capacity && numbers.len() >= HEAD + each * len;
+    RangeError::check("vertices", len as f64, holds, "not above the room for them")?;
+    for value in &numbers[1..HEAD + each * len] {
+        in_memory("numbers", *value)?;
+    }
+    let mut below = -1.0;
+    for vertex in numbers[HEAD..].chunks_exact(each).take(len) {
+        let depth = vertex[0].abs();
+        let rises = if below < 0.0 { depth == 0.0 } else { depth > below && depth < numbers[1] };
+        RangeError::check("depth", depth, rises, "rising from 0 to below the approach")?;
+        below = depth;
+    }
+    RangeError::check("approach", numbers[1], (numbers[1] > 0.0) == (len > 0), "> 0 in contact")?;
+    Ok((regime, len))
+}

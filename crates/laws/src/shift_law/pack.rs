@@ -1,0 +1,87 @@
+//! The state of the law as plain numbers, to be kept elsewhere.
+
+use carom_special::RangeError;
+
+use super::{ShiftLaw, State};
+use crate::bounds::in_contact;
+use crate::law::Shift;
+use crate::memory::{Lateral, VertexStack};
+
+/// The mark of a frictionless contact, whose state is its shift.
+const FREE: f64 = 3e4;
+const HEAD: usize = 6;
+
+impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
+    /// Writes what the law remembers into numbers: as many as
+    /// [`crate::coulomb::packed_numbers`] says for the vertices that its storage has room for are always
+    /// enough, but for infinite friction, which takes 6 and 9 per vertex. All zeros are two bodies apart. The constants of the contact are not among
+    /// them, nor is the twist.
+    ///
+    /// ```
+    /// use carom_laws::coulomb::packed_numbers;
+    /// use carom_laws::friction::Friction;
+    /// use carom_laws::law::{ContactLaw, Shift};
+    /// use carom_laws::memory::Fixed;
+    /// use carom_laws::shift_law::ShiftLaw;
+    /// use carom_laws::stiffness::ContactStiffness;
+    /// let stiffness = ContactStiffness::new(1.0, 1.0, 1.2)?;
+    /// let fresh = ShiftLaw::<[f64; 2], Fixed<_, 12>>::new(stiffness, Friction::new(0.3)?);
+    /// let mut law = fresh;
+    /// law.advance(Shift { zeta: 1.0, ..Shift::default() })?;
+    /// let load = law.advance(Shift { zeta: 1.0, xi: 0.1, ..Shift::default() })?;
+    /// let mut numbers = [0.0; packed_numbers(12)];
+    /// law.pack(&mut numbers)?;
+    /// let mut again = fresh;
+    /// again.unpack(&numbers)?;
+    /// assert!((again.load().f_x - load.f_x).abs() < 1e-15);
+    /// # Ok::<(), carom_special::RangeError>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`RangeError`] if there is no room for the vertices; nothing is then written.
+    pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
+        match &self.state {
+            State::Rubbing(memory) => memory.pack(numbers),
+            State::Turning(memory) => memory.pack(numbers),
+            State::Free => {
+                let room = numbers.len() as f64;
+                RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
+                numbers.fill(0.0);
+                let Shift { zeta, xi, eta, .. } = self.shift;
+                numbers[..4].copy_from_slice(&[FREE, zeta, xi, eta]);
+                Ok(())
+            }
+            State::Stuck(memory) => memory.pack(numbers),
+        }
+    }
+
+    /// Takes up what [`ShiftLaw::pack`] of a law of the same constants wrote. Forces are summed anew
+    /// and may differ by round-off.
+    ///
+    /// # Errors
+    /// [`RangeError`] for numbers that are no state of this law; the law is then unchanged.
+    pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
+        match &mut self.state {
+            State::Rubbing(memory) => memory.unpack(numbers)?,
+            State::Turning(memory) => memory.unpack(numbers)?,
+            State::Free => return self.unpack_free(numbers),
+            State::Stuck(memory) => memory.unpack(numbers)?,
+        }
+        let [x, y] = self.scale.shift.components();
+        let eta = if V::DIMENSION == 1 { 0.0 } else { numbers[3] / y };
+        self.shift = Shift { zeta: numbers[1], xi: numbers[2] / x, eta, omega: 0.0 };
+        Ok(())
+    }
+
+    fn unpack_free(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
+        let room = numbers.len() as f64;
+        RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
+        let known = numbers[0] == 0.0 || numbers[0] == FREE;
+        RangeError::check("mark", numbers[0], known, "that of a contact without friction")?;
+        let zeta = in_contact("approach", numbers[1])?;
+        let xi = in_contact("shift", numbers[2])?;
+        let eta = in_contact("shift", numbers[3])?;
+        self.shift = Shift { zeta, xi, eta, omega: 0.0 };
+        Ok(())
+    }
+}

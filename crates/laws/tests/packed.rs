@@ -1,0 +1,164 @@
+//! The state of a contact as plain numbers.
+
+use carom_laws::coulomb::{Tolerance, packed_numbers};
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw, Dissipative, Shift};
+use carom_laws::memory::Fixed;
+use carom_laws::shift_law::ShiftLaw;
+use carom_laws::stiffness::ContactStiffness;
+use proptest::prelude::*;
+
+type Law = ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>;
+type Numbers = [f64; packed_numbers(12)];
+
+fn laws(friction: f64) -> [Law; 2] {
+    let stiffness = ContactStiffness::new(3e9, 2.6e9, 4e9).unwrap();
+    let friction = Friction::new(friction).unwrap();
+    [
+        Law::of_chapter_7(stiffness, friction),
+        Law::with_tolerance(stiffness, friction, Tolerance::PARTICLES),
+    ]
+}
+
+/// A random walk in approach and shift, in micrometres, that touches, slips, turns and parts.
+fn walks() -> impl Strategy<Value = Vec<Shift>> {
+    let step = (-1.0..1.0_f64, -1.0..1.0_f64, -1.0..1.0_f64, 0..4_u8);
+    prop::collection::vec(step, 1..80).prop_map(|steps| {
+        let (mut zeta, mut xi, mut eta) = (-0.1, 0.0, 0.0);
+        let walk = steps.into_iter().map(|(dz, dx, dy, kind)| {
+            let (along, across) = if kind == 0 { (0.5, 0.0) } else { (0.05, 0.3) };
+            zeta = (zeta + along * dz).clamp(-0.2, 3.0);
+            (xi, eta) = (xi + across * dx, eta + across * dy);
+            Shift { zeta: 1e-6 * zeta, xi: 1e-6 * xi, eta: 1e-6 * eta, omega: 0.0 }
+        });
+        walk.collect()
+    })
+}
+
+proptest! {
+    /// One contact is kept as a law, the other as numbers between any two steps.
+    #[test]
+    fn a_contact_kept_in_numbers_goes_the_same_way(walk in walks(), friction in 0.05..1.0_f64) {
+        for fresh in laws(friction) {
+            let mut law = fresh;
+            let mut numbers: Numbers = [0.0; packed_numbers(12)];
+            for shift in &walk {
+                let load = law.advance(*shift).unwrap();
+                let mut other = fresh;
+                other.unpack(&numbers).unwrap();
+                let heat = other.dissipation(*shift);
+                let again = other.advance(*shift).unwrap();
+                other.pack(&mut numbers).unwrap();
+                let size = 1e-9 * friction * 4e9 * 3e-6_f64.powf(1.5);
+                prop_assert_eq!(load.f_z, again.f_z);
+                prop_assert!((load.f_x - again.f_x).abs() <= size, "{load:?} {again:?}");
+                prop_assert!((load.f_y - again.f_y).abs() <= size, "{load:?} {again:?}");
+                prop_assert_eq!(law.regime(), other.regime());
+                prop_assert!(heat.is_finite());
+            }
+        }
+    }
+
+    /// What was packed and unpacked packs to the same bits: a run may stop anywhere.
+    #[test]
+    fn packing_is_idempotent(walk in walks()) {
+        for fresh in laws(0.3) {
+            let (mut law, mut again) = (fresh, fresh);
+            for shift in &walk {
+                law.advance(*shift).unwrap();
+            }
+            let (mut one, mut two) = ([1.0; packed_numbers(12)], [2.0; packed_numbers(12)]);
+            law.pack(&mut one).unwrap();
+            again.unpack(&one).unwrap();
+            again.pack(&mut two).unwrap();
+            prop_assert_eq!(one.map(f64::to_bits), two.map(f64::to_bits));
+        }
+    }
+
+    /// Numbers that nobody packed are refused, or make a contact that works.
+    #[test]
+    fn strange_numbers_do_no_harm(
+        walk in walks(),
+        place in 0..36_usize,
+        value in prop_oneof![
+            Just(f64::NAN), Just(f64::INFINITY), Just(0.0), Just(-1.0), Just(1e99), -9e-6..9e-6_f64,
+            (0..7_u8, 0..14_u8, 0..4_u8).prop_map(|(r, n, v)| {
+                1e4 * f64::from(v) + 100.0 * f64::from(r) + f64::from(n)
+            }),
+        ],
+    ) {
+        for fresh in laws(0.3) {
+            let mut law = fresh;
+            for shift in &walk {
+                law.advance(*shift).unwrap();
+            }
+            let mut numbers = [0.0; packed_numbers(12)];
+            law.pack(&mut numbers).unwrap();
+            numbers[place] = value;
+            let before = law;
+            if law.unpack(&numbers).is_err() {
+                prop_assert_eq!(law, before);
+                continue;
+            }
+            let to = Shift { zeta: 1e-6, xi: 1e-7, ..Shift::default() };
+            let load = law.advance(to).unwrap();
+            prop_assert!(load.f_x.is_finite() && load.f_y.is_finite() && load.f_z > 0.0);
+        }
+    }
+}
+
+/// One direction is kept in the same way.
+#[test]
+fn one_direction() {
+    let stiffness = ContactStiffness::new(3.0, 2.6, 4.0).unwrap();
+    let fresh = ShiftLaw::<f64, Fixed<f64, 12>>::new(stiffness, Friction::new(0.4).unwrap());
+    let (mut law, mut again) = (fresh, fresh);
+    let mut numbers: Numbers = [0.0; packed_numbers(12)];
+    for i in 1..200 {
+        let t = 0.1 * f64::from(i);
+        let shift =
+            Shift { zeta: 1.0 + 0.3 * (1.7 * t).sin(), xi: 0.2 * t.sin(), ..Shift::default() };
+        let load = law.advance(shift).unwrap();
+        again.unpack(&numbers).unwrap();
+        let other = again.advance(shift).unwrap();
+        again.pack(&mut numbers).unwrap();
+        assert!((load.f_x - other.f_x).abs() < 1e-12, "{load:?} {other:?}");
+    }
+}
+
+#[test]
+fn the_limits_of_friction() {
+    let stiffness = ContactStiffness::new(1.0, 1.0, 1.2).unwrap();
+    let mut numbers = [5.0; packed_numbers(12)];
+    let mut free = Law::new(stiffness, Friction::NONE);
+    let shift = Shift { zeta: 1.0, xi: 0.2, ..Shift::default() };
+    free.advance(shift).unwrap();
+    free.pack(&mut numbers).unwrap();
+    let mut again = Law::new(stiffness, Friction::NONE);
+    again.unpack(&numbers).unwrap();
+    assert_eq!(again, free);
+    let mut rubbing = Law::new(stiffness, Friction::new(0.3).unwrap());
+    assert_eq!(rubbing.unpack(&numbers).unwrap_err().field, "mark");
+}
+
+/// Without slip a vertex takes more room, and comes back to the same bits.
+#[test]
+fn infinite_friction() {
+    let stiffness = ContactStiffness::new(1.0, 0.8, 1.2).unwrap();
+    let fresh = Law::new(stiffness, Friction::INFINITE);
+    let mut law = fresh;
+    for i in 1..30 {
+        let t = f64::from(i);
+        let zeta = 1.0 + 0.05 * t + 0.3 * t.sin();
+        law.advance(Shift { zeta, xi: t.cos(), eta: (2.0 * t).sin(), omega: 0.0 }).unwrap();
+    }
+    assert_eq!(law.pack(&mut [0.0; packed_numbers(12)]).unwrap_err().field, "numbers");
+    let mut numbers = [5.0; 6 + 9 * 12];
+    law.pack(&mut numbers).unwrap();
+    let mut again = fresh;
+    again.unpack(&numbers).unwrap();
+    assert_eq!(again.load(), law.load());
+    let to = Shift { zeta: 0.7, xi: 0.1, eta: -0.3, omega: 0.0 };
+    assert_eq!(again.advance(to), law.advance(to));
+    assert_eq!(Law::new(stiffness, Friction::NONE).unpack(&numbers).unwrap_err().field, "mark");
+}

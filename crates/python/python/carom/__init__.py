@@ -1,0 +1,107 @@
+"""carom: elastic impact with friction.
+
+Contact laws with memory, Hertz contacts, impact of bodies and rebound, after J. Jaeger, *Elastic Impact
+with Friction* (TU Delft, 1992). SI units, or any consistent set.
+
+A ball of alumina meets a plate of the same material at 45 degrees:
+
+>>> import carom
+>>> alumina = carom.Material(380e9, 0.23)
+>>> ball = carom.sphere(2.5e-3, alumina, mass=2.618e-4, velocity=(2.758, 0, -2.758))
+>>> rebound = carom.collide(ball, carom.plane(alumina), friction=0.092)
+>>> round(rebound.restitution, 4)
+-0.356
+>>> float(rebound.velocity_1[2])
+2.758
+
+R_x of spheres for a thousand angles:
+
+>>> import numpy as np
+>>> kappa = carom.MaterialPair(alumina).kappa
+>>> r_x = carom.restitution(kappa, np.linspace(0.01, 10, 1000))
+>>> r_x.shape, bool(r_x.max() < 0.5)
+((1000,), True)
+
+A contact with memory, pressed and shifted to and fro:
+
+>>> hertz = carom.hertz_of_spheres(0.01, 0.01, alumina)
+>>> contact = carom.Contact(hertz, friction=0.3)
+>>> _ = contact.advance(1e-6)
+>>> f_x, f_y, f_z = contact.advance(1e-6, xi=1e-7)
+>>> contact.regime
+'slip'
+>>> back = contact.follow(np.full(50, 1e-6), np.linspace(1e-7, -1e-7, 50))
+>>> bool(np.isclose(back[-1, 0], -f_x))
+True
+
+Errors in what is given are `carom.RangeError`, a ValueError that names the field:
+
+>>> carom.Material(208e9, 0.7)
+Traceback (most recent call last):
+    ...
+carom.RangeError: poisson = 0.7 is out of range: must be in (-1, 0.5]
+"""
+
+from __future__ import annotations
+
+from . import special
+from ._carom import (
+    Body,
+    CaromError,
+    Contact,
+    Hertz,
+    Material,
+    MaterialPair,
+    RangeError,
+    ShiftTwist,
+    Twist,
+)
+from ._carom import __VERSION as __version__
+from ._contacts import Contacts
+from ._contact_theory import (
+    hertz,
+    hertz_of_spheres,
+    lubkin_stick_radius,
+    lubkin_torque,
+    restitution,
+    restitution_of_groups,
+    stress,
+    von_mises,
+)
+from ._impact import collide, collide_many, history, plane, sphere
+from ._records import HertzState, HistoryPoint, Rebound
+
+#: A rigid body's material.
+RIGID = Material(float("inf"))
+
+__all__ = [
+    "RIGID",
+    "Body",
+    "CaromError",
+    "Contact",
+    "Contacts",
+    "Hertz",
+    "HertzState",
+    "HistoryPoint",
+    "Material",
+    "MaterialPair",
+    "RangeError",
+    "Rebound",
+    "ShiftTwist",
+    "Twist",
+    "__version__",
+    "collide",
+    "collide_many",
+    "hertz",
+    "hertz_of_spheres",
+    "history",
+    "lubkin_stick_radius",
+    "lubkin_torque",
+    "plane",
+    "restitution",
+    "restitution_of_groups",
+    "special",
+    "sphere",
+    "stress",
+    "von_mises",
+]

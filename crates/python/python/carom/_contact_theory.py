@@ -1,0 +1,128 @@
+"""Contacts at rest: Hertz, stresses beneath, Lubkin's twist, R_x of an impact."""
+
+from __future__ import annotations
+
+from functools import partial
+from typing import Literal
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _carom
+from ._arrays import Array, Numbers, line, over
+from ._carom import Hertz, Material, MaterialPair
+from ._records import HertzState
+
+Given = Literal["force", "approach", "semi_axis_a", "semi_axis_b"]
+
+
+def hertz_of_spheres(
+    radius_1: float, radius_2: float, material_1: Material, material_2: Material | None = None
+) -> Hertz:
+    """The Hertz contact of two spheres, m; an infinite radius is a plane, a negative one a hollow sphere.
+
+    >>> import carom
+    >>> steel = carom.Material(208e9, 0.3)
+    >>> contact = carom.hertz_of_spheres(0.01, float("inf"), steel)
+    >>> contact.axis_ratio
+    1.0
+    """
+    pair = MaterialPair(material_1, material_2)
+    return Hertz.of_radii(pair, (radius_1, radius_1), (radius_2, radius_2), 0.0)
+
+
+def hertz(
+    contact: Hertz,
+    *,
+    force: ArrayLike | None = None,
+    approach: ArrayLike | None = None,
+    semi_axis_a: ArrayLike | None = None,
+    semi_axis_b: ArrayLike | None = None,
+) -> HertzState:
+    """A Hertz contact under load, of which one is given: force (N), approach or a semi-axis (m).
+
+    >>> import carom
+    >>> steel = carom.Material(208e9, 0.3)
+    >>> contact = carom.hertz_of_spheres(0.01, float("inf"), steel)
+    >>> state = carom.hertz(contact, force=[10.0, 80.0])
+    >>> float(state.semi_axis_a[1] / state.semi_axis_a[0])  # a goes as the cube root of the force
+    2.0
+    """
+    names: tuple[Given, ...] = ("force", "approach", "semi_axis_a", "semi_axis_b")
+    all_ = zip(names, (force, approach, semi_axis_a, semi_axis_b), strict=True)
+    given = [(name, values) for name, values in all_ if values is not None]
+    if len(given) != 1:
+        raise TypeError("hertz() takes one of force, approach, semi_axis_a, semi_axis_b")
+    ((name, values),) = given
+    return HertzState._of(contact.state(name, line(values)), np.shape(values))
+
+
+def restitution(kappa: ArrayLike, lam: ArrayLike, *, exact: bool = False) -> Numbers:
+    """R_x of solid spheres, the tangential velocity after the impact over that before, reversed.
+
+    `kappa` = (2 - nu)/(2 (1 - nu)), in (0.75, 1.5], is `MaterialPair.kappa`; `lam` >= 0 is the tangential
+    velocity of the contact over f times the normal one. From a table within 1e-8, or exact.
+
+    >>> restitution(1.0, 7.0)
+    0.0
+    >>> restitution([[1.0], [1.2]], [1.0, 4.0, 9.0]).shape
+    (2, 3)
+    """
+    return over(partial(_carom.restitution, exact=exact), kappa, lam)
+
+
+def restitution_of_groups(chi: ArrayLike, psi: ArrayLike, *, exact: bool = False) -> Numbers:
+    """R_x of any bodies whose normal and tangential motions are uncoupled, by chi and psi."""
+    return over(partial(_carom.restitution_of_groups, exact=exact), chi, psi)
+
+
+def lubkin_torque(twist: ArrayLike) -> Numbers:
+    """The torque of a virgin circular contact that is twisted, without dimension: M_z/(f F_z a)."""
+    return over(partial(_carom.lubkin, "torque"), twist)
+
+
+def lubkin_stick_radius(twist: ArrayLike) -> Numbers:
+    """The radius of the stick area of a twisted contact over that of the contact."""
+    return over(partial(_carom.lubkin, "stick_radius"), twist)
+
+
+def stress(
+    semi_axes: tuple[float, float],
+    material: Material,
+    pressure: float,
+    x: ArrayLike,
+    y: ArrayLike,
+    z: ArrayLike,
+    *,
+    traction: tuple[float, float] = (0.0, 0.0),
+    stick_radius: float = 0.0,
+) -> Array:
+    """The stress in a body under a Hertz contact, (xx, yy, zz, xy, yz, zx) along the last axis, Pa.
+
+    `pressure` is that in the middle of the ellipse, `traction` the greatest friction there, in the
+    direction of slip; of partial slip, `stick_radius` is the size of the stick area, from 0 to 1. z >= 0
+    goes into the body.
+
+    >>> import carom, numpy as np
+    >>> steel = carom.Material(208e9, 0.3)
+    >>> s = carom.stress((1e-3, 1e-3), steel, 1.0, 0.0, 0.0, np.linspace(0, 2e-3, 201))
+    >>> shear = 0.5 * np.abs(s[:, 2] - s[:, 0])
+    >>> round(float(shear.max()), 2), int(shear.argmax())  # 0.31 of the pressure, 0.48 a deep
+    (0.31, 48)
+    """
+    arrays = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in (x, y, z)))
+    points = [line(v) for v in arrays]
+    values = _carom.stress(semi_axes, material, pressure, traction, stick_radius, *points)
+    return values.reshape(arrays[0].shape + (6,))
+
+
+def von_mises(stress: ArrayLike) -> Numbers:
+    """Von Mises' equivalent of stresses (xx, yy, zz, xy, yz, zx) along the last axis.
+
+    >>> von_mises([3.0, 0, 0, 0, 0, 0])
+    3.0
+    """
+    xx, yy, zz, xy, yz, zx = np.moveaxis(np.asarray(stress, dtype=np.float64), -1, 0)
+    normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
+    value = np.sqrt(0.5 * normal + 3.0 * (xy**2 + yz**2 + zx**2))
+    return value if value.ndim else float(value)

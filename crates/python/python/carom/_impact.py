@@ -1,0 +1,130 @@
+"""Bodies that collide."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from . import _carom
+from ._arrays import line, rows
+from ._carom import Body, Material
+from ._records import HistoryPoint, Rebound
+
+Vector = Sequence[float]
+UP = (0.0, 0.0, 1.0)
+
+
+def sphere(
+    radius: float,
+    material: Material,
+    mass: float,
+    *,
+    hollow: bool = False,
+    velocity: Vector = (0.0, 0.0, 0.0),
+    spin: Vector = (0.0, 0.0, 0.0),
+    centre: Vector = (0.0, 0.0, 0.0),
+) -> Body:
+    """A solid sphere or, if `hollow`, a thin shell. m, kg, m/s, 1/s."""
+    return Body(
+        "sphere", [radius], material, mass, hollow=hollow, velocity=velocity, spin=spin, centre=centre
+    )
+
+
+def plane(material: Material) -> Body:
+    """A plane held fast."""
+    return Body("plane", [], material)
+
+
+def collide(
+    body_1: Body,
+    body_2: Body,
+    friction: float,
+    *,
+    normal: Vector | None = UP,
+    torsion: bool = False,
+    law: str = "coulomb",
+    tolerance: float | None = None,
+) -> Rebound:
+    """Two bodies collide: body 1 is put on body 2 with this common normal, from body 2 into body 1.
+
+    With `normal=None` they touch where they are. `torsion` takes the spin about the normal along. Where
+    the direction of slip turns, `law` is 'coulomb' or 'chapter 8', one direction for each ring.
+
+    >>> import carom
+    >>> rubber = carom.Material(5e6, 0.5)
+    >>> ball = carom.sphere(0.02, rubber, 0.037, velocity=(1, 0, -3))
+    >>> rebound = carom.collide(ball, carom.plane(carom.RIGID), friction=0.9)
+    >>> bool(rebound.restitution > 0.1)  # it comes back
+    True
+    >>> lost = rebound.energy_before - rebound.energy_after
+    >>> bool(abs(lost - rebound.dissipated) < 1e-9 * rebound.energy_before)
+    True
+    """
+    columns = _carom.collide(body_1, body_2, friction, normal, torsion, law, tolerance)
+    return Rebound._of(columns, ())
+
+
+def collide_many(
+    body_1: Body,
+    body_2: Body,
+    friction: ArrayLike,
+    *,
+    velocity_1: ArrayLike | None = None,
+    spin_1: ArrayLike | None = None,
+    velocity_2: ArrayLike | None = None,
+    spin_2: ArrayLike | None = None,
+    normal: Vector | None = UP,
+    torsion: bool = False,
+    law: str = "coulomb",
+    tolerance: float | None = None,
+) -> Rebound:
+    """The same two bodies collide in many motions, arrays (n, 3), and with many frictions, (n,).
+
+    One vector or number stands for all. All cores help, to the same bits.
+
+    >>> import carom, numpy as np
+    >>> steel = carom.Material(208e9, 0.3)
+    >>> ball = carom.sphere(0.01, steel, 0.033)
+    >>> velocities = np.stack([np.linspace(0, 3, 7), np.zeros(7), np.full(7, -2.0)], axis=1)
+    >>> rebound = carom.collide_many(ball, carom.plane(steel), 0.15, velocity_1=velocities)
+    >>> rebound.velocity_1.shape, rebound.restitution.shape
+    ((7, 3), (7,))
+    """
+    given = (velocity_1, spin_1, velocity_2, spin_2)
+    counts = [np.shape(v)[0] for v in given if v is not None and np.ndim(v) == 2]
+    counts += [len(f) for f in [np.asarray(friction)] if f.ndim == 1]
+    if len(set(counts)) > 1:
+        raise ValueError(f"motions and friction: must be of one length, not {sorted(set(counts))}")
+    count = counts[0] if counts else 1
+    default = (body_1.velocity, body_1.spin, body_2.velocity, body_2.spin)
+    motions = [rows(d if v is None else v, count) for v, d in zip(given, default, strict=True)]
+    frictions = line(np.broadcast_to(np.asarray(friction, dtype=np.float64), (count,)))
+    columns = _carom.collide_many(
+        body_1, body_2, frictions, motions, normal, torsion, law, tolerance
+    )
+    return Rebound._of(columns, (count,))
+
+
+def history(
+    body_1: Body,
+    body_2: Body,
+    friction: float,
+    points: int = 101,
+    *,
+    normal: Vector | None = UP,
+    law: str = "coulomb",
+    tolerance: float | None = None,
+) -> HistoryPoint:
+    """The course of a collision at instants equally spaced in time, from touch to separation.
+
+    >>> import carom
+    >>> steel = carom.Material(208e9, 0.3)
+    >>> ball = carom.sphere(0.01, steel, 0.033, velocity=(1, 0, -2))
+    >>> course = carom.history(ball, carom.plane(steel), 0.15, 51)
+    >>> course.F.shape, course.regime[0] != course.regime[25]
+    ((51, 3), True)
+    """
+    columns = _carom.history(body_1, body_2, friction, points, normal, law, tolerance)
+    return HistoryPoint._of(columns, (len(columns["time"]),))

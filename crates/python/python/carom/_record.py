@@ -1,0 +1,73 @@
+"""What all results have in common."""
+
+from __future__ import annotations
+
+from dataclasses import fields
+from typing import TYPE_CHECKING, Any, ClassVar, Self
+
+import numpy as np
+
+if TYPE_CHECKING:
+    import pandas
+    import xarray
+
+
+class Record:
+    """A result: numbers by name, each an array if many were asked for.
+
+    `units` and `meanings` tell of each.
+    """
+
+    units: ClassVar[dict[str, str]]
+    meanings: ClassVar[dict[str, str]]
+
+    @classmethod
+    def _of(cls, columns: dict[str, Any], shape: tuple[int, ...]) -> Self:
+        """The native columns, in the shape of what was asked; the first row of them for a number."""
+
+        def shaped(values: Any) -> Any:
+            if isinstance(values, list):
+                return values if shape else values[0]
+            if not shape:
+                return values[0].item() if values.ndim == 1 else values[0]
+            return values.reshape(shape + values.shape[1:])
+
+        return cls(**{name: shaped(values) for name, values in columns.items()})
+
+    def to_dict(self) -> dict[str, Any]:
+        """The columns by name."""
+        return {field.name: getattr(self, field.name) for field in fields(self)}  # type: ignore[arg-type]
+
+    def _cells(self) -> dict[str, Any]:
+        """Columns of numbers, vectors by their parts."""
+        cells: dict[str, Any] = {}
+        for name, values in self.to_dict().items():
+            if isinstance(values, np.ndarray) and values.shape[-1:] == (3,) and name in self._vectors:
+                for axis, part in zip("xyz", np.moveaxis(values, -1, 0), strict=True):
+                    cells[f"{name}_{axis}"] = part.reshape(-1)
+            else:
+                cells[name] = values if isinstance(values, list) else np.reshape(values, -1)
+        return cells
+
+    _vectors: ClassVar[frozenset[str]]
+
+    def to_pandas(self) -> pandas.DataFrame:
+        """A data frame, a row for each; the units are in its `attrs`."""
+        import pandas
+
+        frame = pandas.DataFrame(self._cells())
+        frame.attrs["units"] = dict(self.units)
+        return frame
+
+    def to_xarray(self) -> xarray.Dataset:
+        """A data set with units and meanings as attributes."""
+        import xarray
+
+        def variable(name: str, values: Any) -> Any:
+            array = np.asarray(values)
+            vector = name in self._vectors
+            dims = [f"dim_{i}" for i in range(array.ndim - vector)] + ["axis"] * vector
+            about = {"units": self.units[name], "long_name": self.meanings[name]}
+            return xarray.Variable(dims, array, about)
+
+        return xarray.Dataset({name: variable(name, x) for name, x in self.to_dict().items()})

@@ -1,0 +1,117 @@
+"""Results. Made by `carom._make_records`; not to be edited."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+from ._arrays import Array, Numbers
+from ._record import Record
+
+
+@dataclass(frozen=True, eq=False)
+class HertzState(Record):
+    """A Hertz contact under load.
+
+    force             normal force F_z, N
+    approach          of distant points, zeta, m
+    semi_axis_a       of the contact ellipse along x, m
+    semi_axis_b       of the contact ellipse along y, m
+    peak_pressure     in the middle of the contact, Pa
+    normal_stiffness  tangent dF_z/dzeta, N/m
+    """
+
+    force: Numbers
+    approach: Numbers
+    semi_axis_a: Numbers
+    semi_axis_b: Numbers
+    peak_pressure: Numbers
+    normal_stiffness: Numbers
+
+
+HertzState.units = {'force': 'N', 'approach': 'm', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'peak_pressure': 'Pa', 'normal_stiffness': 'N/m'}
+HertzState.meanings = {'force': 'normal force F_z', 'approach': 'of distant points, zeta', 'semi_axis_a': 'of the contact ellipse along x', 'semi_axis_b': 'of the contact ellipse along y', 'peak_pressure': 'in the middle of the contact', 'normal_stiffness': 'tangent dF_z/dzeta'}
+HertzState._vectors = frozenset([])
+
+
+@dataclass(frozen=True, eq=False)
+class HistoryPoint(Record):
+    """Instants of an impact, in contact axes.
+
+    time          since touch, s
+    xi            shift of body 2 against body 1 along x, m
+    eta           the same along y, m
+    zeta          approach, m
+    v             rate of xi, eta, zeta, m/s
+    F             force on body 1, N
+    semi_axis_a   of the contact along x, m
+    semi_axis_b   of the contact along y, m
+    stick_radius  of the stick area of spheres, m
+    regime        sign: traction on body 1 along the first slip
+    """
+
+    time: Numbers
+    xi: Numbers
+    eta: Numbers
+    zeta: Numbers
+    v: Array
+    F: Array
+    semi_axis_a: Numbers
+    semi_axis_b: Numbers
+    stick_radius: Numbers
+    regime: str | list[str]
+
+
+HistoryPoint.units = {'time': 's', 'xi': 'm', 'eta': 'm', 'zeta': 'm', 'v': 'm/s', 'F': 'N', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'stick_radius': 'm', 'regime': ''}
+HistoryPoint.meanings = {'time': 'since touch', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'zeta': 'approach', 'v': 'rate of xi, eta, zeta', 'F': 'force on body 1', 'semi_axis_a': 'of the contact along x', 'semi_axis_b': 'of the contact along y', 'stick_radius': 'of the stick area of spheres', 'regime': 'sign: traction on body 1 along the first slip'}
+HistoryPoint._vectors = frozenset(['v', 'F'])
+
+
+@dataclass(frozen=True, eq=False)
+class Rebound(Record):
+    """How two bodies part. What only an impact has is not a number where they do not meet.
+
+    velocity_1        of the centre of body 1 afterwards, m/s
+    spin_1            of body 1 afterwards, 1/s
+    velocity_2        of the centre of body 2 afterwards, m/s
+    spin_2            of body 2 afterwards, 1/s
+    impulse           that body 2 gave body 1, N s
+    velocity_before   of contact point 2 against 1 before, m/s
+    velocity_after    of contact point 2 against 1 after, m/s
+    restitution       R_x, the tangential velocity after over that before, reversed
+    duration          from touch to separation, s
+    maximal_force     greatest normal force, N
+    maximal_approach  greatest approach, m
+    semi_axis_a       of the greatest contact, smaller, m
+    semi_axis_b       of the greatest contact, larger, m
+    energy_before     kinetic energy before, J
+    energy_after      kinetic energy after, J
+    dissipated        what friction took, J
+    error_estimate    of the velocity after, over that before
+    passage           how the impact was followed
+    warnings          what limits the validity
+    """
+
+    velocity_1: Array
+    spin_1: Array
+    velocity_2: Array
+    spin_2: Array
+    impulse: Array
+    velocity_before: Array
+    velocity_after: Array
+    restitution: Numbers
+    duration: Numbers
+    maximal_force: Numbers
+    maximal_approach: Numbers
+    semi_axis_a: Numbers
+    semi_axis_b: Numbers
+    energy_before: Numbers
+    energy_after: Numbers
+    dissipated: Numbers
+    error_estimate: Numbers
+    passage: str | list[str]
+    warnings: str | list[str]
+
+
+Rebound.units = {'velocity_1': 'm/s', 'spin_1': '1/s', 'velocity_2': 'm/s', 'spin_2': '1/s', 'impulse': 'N s', 'velocity_before': 'm/s', 'velocity_after': 'm/s', 'restitution': '', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'energy_before': 'J', 'energy_after': 'J', 'dissipated': 'J', 'error_estimate': '', 'passage': '', 'warnings': ''}
+Rebound.meanings = {'velocity_1': 'of the centre of body 1 afterwards', 'spin_1': 'of body 1 afterwards', 'velocity_2': 'of the centre of body 2 afterwards', 'spin_2': 'of body 2 afterwards', 'impulse': 'that body 2 gave body 1', 'velocity_before': 'of contact point 2 against 1 before', 'velocity_after': 'of contact point 2 against 1 after', 'restitution': 'R_x, the tangential velocity after over that before, reversed', 'duration': 'from touch to separation', 'maximal_force': 'greatest normal force', 'maximal_approach': 'greatest approach', 'semi_axis_a': 'of the greatest contact, smaller', 'semi_axis_b': 'of the greatest contact, larger', 'energy_before': 'kinetic energy before', 'energy_after': 'kinetic energy after', 'dissipated': 'what friction took', 'error_estimate': 'of the velocity after, over that before', 'passage': 'how the impact was followed', 'warnings': 'what limits the validity'}
+Rebound._vectors = frozenset(['velocity_1', 'spin_1', 'velocity_2', 'spin_2', 'impulse', 'velocity_before', 'velocity_after'])

@@ -1,0 +1,160 @@
+//! Bodies about to collide.
+
+use carom::geometry::{Attitude, Inertia, Surface, SurfaceError};
+use carom::impact::{Body as Colliding, Motion};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::Fault;
+use crate::materials::Material;
+
+/// A body about to collide.
+#[pyclass(frozen, eq, from_py_object, module = "carom", subclass)]
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Body {
+    /// 'sphere', 'plane', 'ellipsoid', 'cylinder', 'capsule', 'torus' or 'box'.
+    #[pyo3(get)]
+    shape: String,
+    /// What the shape needs, m.
+    #[pyo3(get)]
+    sizes: Vec<f64>,
+    /// The material.
+    #[pyo3(get)]
+    material: Material,
+    /// The mass, kg.
+    #[pyo3(get)]
+    mass: f64,
+    /// Whether it is a thin shell.
+    #[pyo3(get)]
+    hollow: bool,
+    /// The principal moments of inertia, kg m^2, if they are not those of the shape.
+    #[pyo3(get)]
+    moments: Option<[f64; 3]>,
+    /// The centre of mass, m.
+    #[pyo3(get)]
+    centre: [f64; 3],
+    /// The unit quaternion (w, i, j, k) that turns the body's components into those of space.
+    #[pyo3(get)]
+    attitude: [f64; 4],
+    /// The velocity of the centre of mass, m/s.
+    #[pyo3(get)]
+    velocity: [f64; 3],
+    /// The angular velocity in space axes, 1/s.
+    #[pyo3(get)]
+    spin: [f64; 3],
+}
+
+#[pymethods]
+impl Body {
+    #[new]
+    #[pyo3(signature = (
+        shape, sizes, material, mass=f64::INFINITY, *, hollow=false, moments=None,
+        centre=[0.0; 3], attitude=[1.0, 0.0, 0.0, 0.0], velocity=[0.0; 3], spin=[0.0; 3]
+    ))]
+    #[allow(clippy::too_many_arguments)] // named ones, in Python
+    fn new(
+        shape: String,
+        sizes: Vec<f64>,
+        material: Material,
+        mass: f64,
+        hollow: bool,
+        moments: Option<[f64; 3]>,
+        centre: [f64; 3],
+        attitude: [f64; 4],
+        velocity: [f64; 3],
+        spin: [f64; 3],
+    ) -> PyResult<Self> {
+        let body = Self {
+            shape,
+            sizes,
+            material,
+            mass,
+            hollow,
+            moments,
+            centre,
+            attitude,
+            velocity,
+            spin,
+        };
+        body.colliding()?; // checks all
+        Ok(body)
+    }
+
+    /// The same body in another motion.
+    #[pyo3(signature = (velocity=[0.0; 3], spin=[0.0; 3]))]
+    fn moving(&self, velocity: [f64; 3], spin: [f64; 3]) -> PyResult<Self> {
+        motion(velocity, spin)?;
+        Ok(Self { velocity, spin, ..self.clone() })
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Body({:?}, {:?}, mass={})", self.shape, self.sizes, self.mass)
+    }
+
+    #[allow(clippy::type_complexity)] // the arguments of `__new__`
+    fn __getnewargs_ex__<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> PyResult<((String, Vec<f64>, Material, f64), Bound<'py, PyDict>)> {
+        let named = PyDict::new(py);
+        named.set_item("hollow", self.hollow)?;
+        named.set_item("moments", self.moments)?;
+        named.set_item("centre", self.centre)?;
+        named.set_item("attitude", self.attitude)?;
+        named.set_item("velocity", self.velocity)?;
+        named.set_item("spin", self.spin)?;
+        Ok(((self.shape.clone(), self.sizes.clone(), self.material, self.mass), named))
+    }
+}
+
+impl Body {
+    /// The body as carom has it.
+    pub(crate) fn colliding(&self) -> PyResult<Colliding> {
+        let surface = self.surface()?;
+        let inertia = self.inertia(&surface)?;
+        let attitude = Attitude::from_quaternion(self.attitude).map_err(Fault::from)?;
+        let body = Colliding::new(surface, self.material.0, inertia);
+        let body = body.at(self.centre).map_err(Fault::from)?.turned(attitude);
+        Ok(body.moving(motion(self.velocity, self.spin)?))
+    }
+
+    fn surface(&self) -> PyResult<Surface> {
+        let surface = match (self.shape.as_str(), self.sizes.as_slice()) {
+            ("sphere", [radius]) => Surface::sphere(*radius),
+            ("plane", []) => Ok(Surface::plane()),
+            ("ellipsoid", [a, b, c]) => Surface::ellipsoid([*a, *b, *c]),
+            ("cylinder", [radius, length]) => Surface::cylinder(*radius, *length),
+            ("capsule", [radius, length]) => Surface::capsule(*radius, *length),
+            ("torus", [major, minor]) => Surface::torus(*major, *minor),
+            ("box", [a, b, c]) => Surface::cuboid([*a, *b, *c]),
+            (shape, sizes) => {
+                let text = format!(
+                    "no body '{shape}' of {} sizes: must be 'sphere' (radius), 'plane' (none), \
+                     'ellipsoid' (3 semi-axes), 'cylinder' or 'capsule' (radius, length), 'torus' \
+                     (2 radii) or 'box' (3 edges)",
+                    sizes.len()
+                );
+                return Err(PyValueError::new_err(text));
+            }
+        };
+        Ok(surface.map_err(Fault::from)?)
+    }
+
+    fn inertia(&self, surface: &Surface) -> PyResult<Inertia> {
+        if surface.is_plane() || self.mass == f64::INFINITY {
+            return Ok(Inertia::FIXED);
+        }
+        let inertia = match self.moments {
+            Some(moments) => Inertia::new(self.mass, moments).map_err(SurfaceError::from),
+            None if self.hollow => surface.shell(self.mass),
+            None => surface.solid(self.mass),
+        };
+        Ok(inertia.map_err(Fault::from)?)
+    }
+}
+
+/// A motion, if it is one.
+pub(crate) fn motion(velocity: [f64; 3], spin: [f64; 3]) -> Result<Motion, Fault> {
+    Ok(Motion::new(velocity, spin)?)
+}

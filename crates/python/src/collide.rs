@@ -1,0 +1,126 @@
+//! Collisions, one and many.
+
+use carom::impact::coupled::VectorLaw;
+use carom::impact::{Body as Colliding, Collision, HistoryPoint};
+use carom::prelude::Friction;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::{Numbers, Rows, map, same_length};
+use crate::bodies::{Body, motion};
+use crate::error::Fault;
+use crate::records::{Parted, arrays};
+
+/// How a collision is set up and followed.
+#[derive(Clone, Copy)]
+struct Way {
+    normal: Option<[f64; 3]>,
+    torsion: bool,
+    law: VectorLaw,
+    tolerance: Option<f64>,
+}
+
+impl Way {
+    fn new(
+        normal: Option<[f64; 3]>,
+        torsion: bool,
+        law: &str,
+        tolerance: Option<f64>,
+    ) -> PyResult<Self> {
+        let law = match law {
+            "coulomb" => VectorLaw::Coulomb,
+            "chapter 8" => VectorLaw::FixedDirection,
+            _ => {
+                let text = format!("law = '{law}': must be 'coulomb' or 'chapter 8'");
+                return Err(PyValueError::new_err(text));
+            }
+        };
+        Ok(Self { normal, torsion, law, tolerance })
+    }
+
+    fn collision(&self, one: Colliding, two: Colliding, friction: f64) -> Result<Collision, Fault> {
+        let friction = Friction::new(friction)?;
+        let mut collision = match self.normal {
+            Some(normal) => Collision::along(one, two, normal, friction)?,
+            None => Collision::touching(one, two, friction)?,
+        };
+        collision = collision.with_law(self.law);
+        if let Some(tolerance) = self.tolerance {
+            collision = collision.within(tolerance)?;
+        }
+        Ok(if self.torsion { collision.with_torsion() } else { collision })
+    }
+}
+
+/// Two bodies collide.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)] // named ones, in Python
+pub(crate) fn collide<'py>(
+    py: Python<'py>,
+    body_1: Body,
+    body_2: Body,
+    friction: f64,
+    normal: Option<[f64; 3]>,
+    torsion: bool,
+    law: &str,
+    tolerance: Option<f64>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let way = Way::new(normal, torsion, law, tolerance)?;
+    let (one, two) = (body_1.colliding()?, body_2.colliding()?);
+    let solve =
+        || -> Result<Parted, Fault> { Ok(way.collision(one, two, friction)?.solve()?.into()) };
+    arrays(py, Parted::COLUMNS, &[py.detach(solve)?])
+}
+
+/// Two bodies collide in many motions.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)] // named ones, in Python
+pub(crate) fn collide_many<'py>(
+    py: Python<'py>,
+    body_1: Body,
+    body_2: Body,
+    friction: Numbers<'py>,
+    motions: [Rows<'py>; 4],
+    normal: Option<[f64; 3]>,
+    torsion: bool,
+    law: &str,
+    tolerance: Option<f64>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let way = Way::new(normal, torsion, law, tolerance)?;
+    let (one, two) = (body_1.colliding()?, body_2.colliding()?);
+    let friction = friction.as_slice()?;
+    let mut rows: [&[[f64; 3]]; 4] = [&[]; 4];
+    for (rows, motion) in rows.iter_mut().zip(&motions) {
+        *rows = motion.as_slice()?.as_chunks().0;
+        same_length("motion", rows.len(), friction.len())?;
+    }
+    let [v_1, w_1, v_2, w_2] = rows;
+    let parted = map(py, friction.len(), |i| {
+        let one = one.clone().moving(motion(v_1[i], w_1[i])?);
+        let two = two.clone().moving(motion(v_2[i], w_2[i])?);
+        Ok(Parted::from(way.collision(one, two, friction[i])?.solve()?))
+    })?;
+    arrays(py, Parted::COLUMNS, &parted)
+}
+
+/// The course of a collision at so many instants.
+#[pyfunction]
+#[allow(clippy::too_many_arguments)] // named ones, in Python
+pub(crate) fn history<'py>(
+    py: Python<'py>,
+    body_1: Body,
+    body_2: Body,
+    friction: f64,
+    points: usize,
+    normal: Option<[f64; 3]>,
+    law: &str,
+    tolerance: Option<f64>,
+) -> PyResult<Bound<'py, PyDict>> {
+    let way = Way::new(normal, false, law, tolerance)?;
+    let (one, two) = (body_1.colliding()?, body_2.colliding()?);
+    let trace = || -> Result<Vec<HistoryPoint>, Fault> {
+        Ok(way.collision(one, two, friction)?.history(points)?)
+    };
+    arrays(py, HistoryPoint::COLUMNS, &py.detach(trace)?)
+}

@@ -1,0 +1,230 @@
+//! Many contacts with memory.
+
+use carom::laws::law::{ContactLaw as _, Dissipative as _, Shift};
+use carom::laws::memory::{Fixed, Lateral};
+use carom::laws::shift_law::ShiftLaw;
+use carom::prelude::ContactStiffness;
+use numpy::{PyArray1, PyArray2, PyArrayMethods as _, PyReadwriteArray1};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use rayon::prelude::*;
+
+use crate::arrays::{Numbers, Rows, same_length};
+use crate::contact::{Constants, check};
+use crate::error::Fault;
+
+/// Vertices of each memory.
+const VERTICES: usize = 16;
+/// Contacts that a thread takes at least.
+const SHARE: usize = 256;
+
+type Law<V> = ShiftLaw<V, Fixed<V, VERTICES>>;
+
+#[derive(Debug, Clone)]
+enum Laws {
+    Line(Vec<Law<f64>>),
+    Plane(Vec<Law<[f64; 2]>>),
+}
+
+/// Many contacts of the same constants, advanced together.
+#[pyclass(module = "carom._carom")]
+#[derive(Debug, Clone)]
+pub(crate) struct Contacts {
+    constants: Constants,
+    threads: bool,
+    laws: Laws,
+}
+
+#[pymethods]
+impl Contacts {
+    #[new]
+    #[pyo3(signature = (
+        count, stiffness, friction, law="coulomb".to_owned(), tolerance=1e-2, directions=2, threads=false
+    ))]
+    fn new(
+        count: usize,
+        #[pyo3(from_py_with = crate::hertz::stiffness)] stiffness: ContactStiffness,
+        friction: f64,
+        law: String,
+        tolerance: f64,
+        directions: usize,
+        threads: bool,
+    ) -> PyResult<Self> {
+        let constants = Constants { stiffness, friction, law, tolerance };
+        let laws = match directions {
+            1 => Laws::Line(vec![constants.law()?; count]),
+            2 => Laws::Plane(vec![constants.law()?; count]),
+            _ => {
+                let text = format!("directions = {directions}: must be 1 or 2");
+                return Err(PyValueError::new_err(text));
+            }
+        };
+        Ok(Self { constants, threads, laws })
+    }
+
+    fn __len__(&self) -> usize {
+        match &self.laws {
+            Laws::Line(laws) => laws.len(),
+            Laws::Plane(laws) => laws.len(),
+        }
+    }
+
+    /// Advances each contact along its path of `steps` shifts: arrays of contacts times steps, in one
+    /// line. Writes the loads, (F_x, F_y, F_z) of each.
+    fn follow<'py>(
+        &mut self,
+        py: Python<'py>,
+        steps: usize,
+        zeta: Numbers<'py>,
+        xi: Numbers<'py>,
+        eta: Option<Numbers<'py>>,
+        mut loads: PyReadwriteArray1<'py, f64>,
+    ) -> PyResult<()> {
+        let count = self.__len__() * steps;
+        let path = Path { steps, zeta: zeta.as_slice()?, xi: xi.as_slice()?, eta: &[] };
+        let eta = eta.as_ref().map(Numbers::as_slice).transpose()?;
+        same_length("zeta", path.zeta.len(), count)?;
+        same_length("xi", path.xi.len(), count)?;
+        same_length("eta", eta.map_or(count, <[f64]>::len), count)?;
+        let path = Path { eta: eta.unwrap_or(&[]), ..path };
+        let loads = loads.as_slice_mut()?;
+        same_length("loads", loads.len(), 3 * count)?;
+        let threads = self.threads;
+        let laws = &mut self.laws;
+        py.detach(|| match laws {
+            Laws::Line(laws) => path.follow(laws, loads, threads),
+            Laws::Plane(laws) => path.follow(laws, loads, threads),
+        })?;
+        Ok(())
+    }
+
+    /// The present loads (F_x, F_y, F_z), N, an array (n, 3).
+    #[getter]
+    fn loads<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let loads = match &self.laws {
+            Laws::Line(laws) => present(laws),
+            Laws::Plane(laws) => present(laws),
+        };
+        PyArray1::from_vec(py, loads).reshape([self.__len__(), 3])
+    }
+
+    /// The elastic energy of each contact, compression included, J.
+    #[getter]
+    fn stored_energy<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+        let energies = match &self.laws {
+            Laws::Line(laws) => laws.iter().map(ShiftLaw::stored_energy).collect(),
+            Laws::Plane(laws) => laws.iter().map(ShiftLaw::stored_energy).collect(),
+        };
+        PyArray1::from_vec(py, energies)
+    }
+
+    fn __copy__(&self) -> Self {
+        self.clone()
+    }
+
+    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
+        self.clone()
+    }
+
+    #[allow(clippy::type_complexity)] // the arguments of `__new__`
+    fn __getnewargs__(&self) -> (usize, (f64, f64, f64), f64, String, f64, usize, bool) {
+        let (stiffness, friction, law, tolerance) = self.constants.arguments();
+        let directions = if matches!(self.laws, Laws::Line(_)) { 1 } else { 2 };
+        (self.__len__(), stiffness, friction, law, tolerance, directions, self.threads)
+    }
+
+    fn __getstate__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let each = self.constants.numbers(VERTICES);
+        let numbers = match &self.laws {
+            Laws::Line(laws) => packed(laws, each),
+            Laws::Plane(laws) => packed(laws, each),
+        };
+        PyArray1::from_vec(py, numbers?).reshape([self.__len__(), each])
+    }
+
+    fn __setstate__(&mut self, numbers: Rows<'_>) -> PyResult<()> {
+        let (numbers, each) = (numbers.as_slice()?, self.constants.numbers(VERTICES));
+        same_length("state", numbers.len(), self.__len__() * each)?;
+        match &mut self.laws {
+            Laws::Line(laws) => unpack(laws, numbers, each)?,
+            Laws::Plane(laws) => unpack(laws, numbers, each)?,
+        }
+        Ok(())
+    }
+
+    fn __repr__(&self) -> String {
+        format!("Contacts({})", self.__len__())
+    }
+}
+
+/// Paths of many contacts, one after the other.
+#[derive(Clone, Copy)]
+struct Path<'a> {
+    steps: usize,
+    zeta: &'a [f64],
+    xi: &'a [f64],
+    /// Empty for none.
+    eta: &'a [f64],
+}
+
+impl Path<'_> {
+    #[inline]
+    fn at(&self, i: usize) -> Shift {
+        let eta = self.eta.get(i).copied().unwrap_or(0.0);
+        Shift { zeta: self.zeta[i], xi: self.xi[i], eta, omega: 0.0 }
+    }
+
+    /// All or none.
+    fn follow<V: Lateral + Send + Sync>(
+        &self,
+        laws: &mut [Law<V>],
+        loads: &mut [f64],
+        threads: bool,
+    ) -> Result<(), Fault> {
+        if let Some(law) = laws.first() {
+            (0..self.zeta.len()).try_for_each(|i| check(law, self.at(i), i))?;
+        }
+        if self.steps == 0 {
+            return Ok(());
+        }
+        let steps = self.steps;
+        let walk = |(contact, (law, loads)): (usize, (&mut Law<V>, &mut [f64]))| {
+            for (step, load) in loads.chunks_exact_mut(3).enumerate() {
+                if let Ok(got) = law.advance(self.at(contact * steps + step)) {
+                    load.copy_from_slice(&[got.f_x, got.f_y, got.f_z]); // always: it was checked
+                }
+            }
+        };
+        match threads {
+            false => {
+                laws.iter_mut().zip(loads.chunks_exact_mut(3 * steps)).enumerate().for_each(walk)
+            }
+            true => {
+                let share = (SHARE / steps).max(1);
+                let laws = laws.par_iter_mut().with_min_len(share);
+                laws.zip(loads.par_chunks_exact_mut(3 * steps)).enumerate().for_each(walk);
+            }
+        }
+        Ok(())
+    }
+}
+
+fn present<V: Lateral>(laws: &[Law<V>]) -> Vec<f64> {
+    let loads = laws.iter().map(ShiftLaw::load);
+    loads.flat_map(|load| [load.f_x, load.f_y, load.f_z]).collect()
+}
+
+fn packed<V: Lateral>(laws: &[Law<V>], each: usize) -> Result<Vec<f64>, Fault> {
+    let mut numbers = vec![0.0; laws.len() * each];
+    for (law, numbers) in laws.iter().zip(numbers.chunks_exact_mut(each)) {
+        law.pack(numbers)?;
+    }
+    Ok(numbers)
+}
+
+fn unpack<V: Lateral>(laws: &mut [Law<V>], numbers: &[f64], each: usize) -> Result<(), Fault> {
+    for (law, numbers) in laws.iter_mut().zip(numbers.chunks_exact(each)) {
+        law.unpack(numbers)?;
+    }
+    Ok(())
+}

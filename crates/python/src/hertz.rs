@@ -1,0 +1,113 @@
+//! Hertz contacts.
+
+use carom::laws::curvature::{PrincipalRadii, RelativeCurvature};
+use carom::laws::hertz::{Hertz as Contact, HertzState};
+use carom::prelude::{ContactStiffness, RangeError};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::{Numbers, map};
+use crate::error::Fault;
+use crate::materials::MaterialPair;
+use crate::records::arrays;
+
+/// A Hertz contact: two curvatures and two materials.
+#[pyclass(frozen, eq, from_py_object, module = "carom")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Hertz(pub(crate) Contact);
+
+#[pymethods]
+impl Hertz {
+    /// The contact of a gap A x^2 + B y^2 (1/m).
+    #[new]
+    fn new(materials: MaterialPair, curvature_a: f64, curvature_b: f64) -> PyResult<Self> {
+        let gap = RelativeCurvature::from_coefficients(curvature_a, curvature_b);
+        let hertz = Contact::new(gap.map_err(Fault::from)?, materials.0);
+        Ok(Self(hertz.map_err(Fault::from)?))
+    }
+
+    /// The contact of two bodies of principal radii (infinite: straight, negative: hollow), whose
+    /// first principal directions make an angle.
+    #[staticmethod]
+    fn of_radii(
+        materials: MaterialPair,
+        radii_1: [f64; 2],
+        radii_2: [f64; 2],
+        angle: f64,
+    ) -> PyResult<Self> {
+        let make = || -> Result<Contact, Fault> {
+            let one = PrincipalRadii::new(radii_1[0], radii_1[1])?;
+            let two = PrincipalRadii::new(radii_2[0], radii_2[1])?;
+            let gap = RelativeCurvature::new(one, two, angle)?;
+            Ok(Contact::new(gap, materials.0)?)
+        };
+        Ok(Self(make()?))
+    }
+
+    /// (c_x, c_y, c_z): full adhesion is dF = c sqrt(zeta) dshift. N/m^1.5.
+    #[getter]
+    fn stiffness(&self) -> (f64, f64, f64) {
+        let ContactStiffness { c_x, c_y, c_z } = self.0.stiffness();
+        (c_x, c_y, c_z)
+    }
+
+    /// The axis ratio a/b of the contact ellipse, the same under any load.
+    #[getter]
+    fn axis_ratio(&self) -> f64 {
+        self.0.axis_ratio().get()
+    }
+
+    /// The curvatures (A, B) of the gap, 1/m.
+    #[getter]
+    fn curvature(&self) -> (f64, f64) {
+        let gap = self.0.curvature();
+        (gap.a(), gap.b())
+    }
+
+    /// The materials.
+    #[getter]
+    fn materials(&self) -> MaterialPair {
+        MaterialPair(self.0.materials())
+    }
+
+    /// The loaded contact at what is given: "force", "approach", "semi_axis_a" or "semi_axis_b".
+    fn state<'py>(
+        &self,
+        py: Python<'py>,
+        given: &str,
+        values: Numbers<'py>,
+    ) -> PyResult<Bound<'py, PyDict>> {
+        let at: fn(&Contact, f64) -> Result<HertzState, RangeError> = match given {
+            "force" => Contact::at_force,
+            "approach" => Contact::at_approach,
+            "semi_axis_a" => Contact::at_semi_axis_a,
+            "semi_axis_b" => Contact::at_semi_axis_b,
+            _ => return Err(PyValueError::new_err(format!("a contact has no `{given}`"))),
+        };
+        let values = values.as_slice()?;
+        let states = map(py, values.len(), |i| Ok(at(&self.0, values[i])?))?;
+        arrays(py, HertzState::COLUMNS, &states)
+    }
+
+    fn __repr__(&self) -> String {
+        let gap = self.0.curvature();
+        format!("Hertz(curvature_a={}, curvature_b={})", gap.a(), gap.b())
+    }
+
+    fn __getnewargs__(&self) -> (MaterialPair, f64, f64) {
+        let gap = self.0.curvature();
+        (MaterialPair(self.0.materials()), gap.a(), gap.b())
+    }
+}
+
+/// The stiffness of a contact: of a Hertz contact, or three numbers.
+pub(crate) fn stiffness(given: &Bound<'_, PyAny>) -> PyResult<ContactStiffness> {
+    if let Ok(hertz) = given.extract::<Hertz>() {
+        return Ok(hertz.0.stiffness());
+    }
+    let [c_x, c_y, c_z] = given.extract::<[f64; 3]>().map_err(|_| {
+        PyValueError::new_err("stiffness: must be a Hertz contact or (c_x, c_y, c_z)")
+    })?;
+    Ok(ContactStiffness::new(c_x, c_y, c_z).map_err(Fault::from)?)
+}

@@ -1,0 +1,49 @@
+//! The native part of the Python module `carom`: arrays in, arrays out. What a user sees is in
+//! `python/carom`, which documents, broadcasts and wraps.
+
+mod arrays;
+mod bodies;
+mod collide;
+mod contact;
+mod contacts;
+mod error;
+mod hertz;
+mod materials;
+mod records;
+mod restitution;
+mod special;
+mod stress;
+mod twist;
+
+/// The native part of carom.
+#[pyo3::pymodule]
+mod _carom {
+    #[pymodule_export]
+    use super::bodies::Body;
+    #[pymodule_export]
+    use super::collide::{collide, collide_many, history};
+    #[pymodule_export]
+    use super::contact::Contact;
+    #[pymodule_export]
+    use super::contacts::Contacts;
+    #[pymodule_export]
+    use super::error::{CaromError, RangeError};
+    #[pymodule_export]
+    use super::hertz::Hertz;
+    #[pymodule_export]
+    use super::materials::{Material, MaterialPair};
+    #[pymodule_export]
+    use super::records::columns;
+    #[pymodule_export]
+    use super::restitution::{restitution, restitution_of_groups};
+    #[pymodule_export]
+    use super::special::{complete, gamma, hyp2f1, hyp3f2, incomplete, ln_gamma};
+    #[pymodule_export]
+    use super::stress::stress;
+    #[pymodule_export]
+    use super::twist::{ShiftTwist, Twist, lubkin};
+
+    /// The version of the library.
+    #[pymodule_export]
+    const __VERSION: &str = env!("CARGO_PKG_VERSION");
+}

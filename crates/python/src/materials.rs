@@ -1,0 +1,119 @@
+//! Materials.
+
+use pyo3::exceptions::PyTypeError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::error::Fault;
+
+/// An isotropic elastic material.
+///
+/// Material(young_modulus, poisson) or Material(shear_modulus=..., poisson=...), in Pa; an infinite
+/// modulus is a rigid body.
+#[pyclass(frozen, eq, from_py_object, module = "carom")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct Material(pub(crate) carom::halfspace::Material);
+
+#[pymethods]
+impl Material {
+    #[new]
+    #[pyo3(signature = (young_modulus=None, poisson=0.0, *, shear_modulus=None))]
+    fn new(young_modulus: Option<f64>, poisson: f64, shear_modulus: Option<f64>) -> PyResult<Self> {
+        use carom::halfspace::Material;
+        let material = match (young_modulus, shear_modulus) {
+            (Some(f64::INFINITY), None) | (None, Some(f64::INFINITY)) => Ok(Material::RIGID),
+            (Some(modulus), None) => Material::from_young(modulus, poisson),
+            (None, Some(modulus)) => Material::from_shear(modulus, poisson),
+            _ => {
+                let text = "a material has either a young_modulus or a shear_modulus";
+                return Err(PyTypeError::new_err(text));
+            }
+        };
+        Ok(Self(material.map_err(Fault::from)?))
+    }
+
+    /// Young's modulus E, Pa.
+    #[getter]
+    fn young_modulus(&self) -> f64 {
+        self.0.young_modulus()
+    }
+
+    /// The shear modulus G, Pa.
+    #[getter]
+    fn shear_modulus(&self) -> f64 {
+        self.0.shear_modulus()
+    }
+
+    /// Poisson's ratio.
+    #[getter]
+    fn poisson(&self) -> f64 {
+        self.0.poisson()
+    }
+
+    fn __repr__(&self) -> String {
+        let (modulus, poisson) = (self.0.shear_modulus(), self.0.poisson());
+        format!("Material(shear_modulus={modulus:e}, poisson={poisson})")
+    }
+
+    fn __getnewargs_ex__<'py>(&self, py: Python<'py>) -> PyResult<((), Bound<'py, PyDict>)> {
+        let named = PyDict::new(py);
+        named.set_item("shear_modulus", self.0.shear_modulus())?;
+        named.set_item("poisson", self.0.poisson())?;
+        Ok(((), named))
+    }
+}
+
+/// The combined constants of two materials in contact.
+#[pyclass(frozen, eq, from_py_object, module = "carom")]
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) struct MaterialPair(pub(crate) carom::halfspace::MaterialPair);
+
+#[pymethods]
+impl MaterialPair {
+    #[new]
+    #[pyo3(signature = (material_1, material_2=None))]
+    fn new(material_1: Material, material_2: Option<Material>) -> PyResult<Self> {
+        let two = material_2.unwrap_or(material_1);
+        let pair = carom::halfspace::MaterialPair::new(material_1.0, two.0);
+        Ok(Self(pair.map_err(Fault::from)?))
+    }
+
+    /// The combined shear modulus G, 1/G = 1/G1 + 1/G2, Pa.
+    #[getter]
+    fn shear_modulus(&self) -> f64 {
+        self.0.shear_modulus()
+    }
+
+    /// The combined Poisson's ratio, nu/G = nu1/G1 + nu2/G2.
+    #[getter]
+    fn poisson(&self) -> f64 {
+        self.0.poisson()
+    }
+
+    /// The coupling of normal and tangential displacements, 1/Pa.
+    #[getter]
+    fn epsilon(&self) -> f64 {
+        self.0.epsilon()
+    }
+
+    /// The same without dimension.
+    #[getter]
+    fn gamma(&self) -> f64 {
+        self.0.gamma()
+    }
+
+    /// The ratio of normal to tangential stiffness of spheres, (2 - nu)/(2 (1 - nu)).
+    #[getter]
+    fn kappa(&self) -> f64 {
+        self.0.kappa()
+    }
+
+    fn __repr__(&self) -> String {
+        let [one, two] = [self.0.body_1(), self.0.body_2()].map(|body| Material(body).__repr__());
+        format!("MaterialPair({one}, {two})")
+    }
+
+    fn __getnewargs__(&self) -> (Material, Material) {
+        (Material(self.0.body_1()), Material(self.0.body_2()))
+    }
+}

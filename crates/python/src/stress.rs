@@ -1,0 +1,38 @@
+//! Stresses in a body under a contact.
+
+use carom::halfspace::{Point, Traction};
+use carom::laws::field::partial_slip_stress;
+use carom::prelude::ContactEllipse;
+use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
+use pyo3::prelude::*;
+
+use crate::arrays::{Numbers, map, same_length};
+use crate::error::Fault;
+use crate::materials::Material;
+
+/// The stress (xx, yy, zz, xy, yz, zx) at points of a body, an array (n, 6).
+#[pyfunction]
+#[allow(clippy::too_many_arguments)] // named ones, in Python
+pub(crate) fn stress<'py>(
+    py: Python<'py>,
+    semi_axes: [f64; 2],
+    material: Material,
+    pressure: f64,
+    traction: [f64; 2],
+    stick_radius: f64,
+    x: Numbers<'py>,
+    y: Numbers<'py>,
+    z: Numbers<'py>,
+) -> PyResult<Bound<'py, PyArray2<f64>>> {
+    let ellipse = ContactEllipse::new(semi_axes[0], semi_axes[1]).map_err(Fault::from)?;
+    let peak = Traction { x: traction[0], y: traction[1], normal: pressure };
+    let (x, y, z) = (x.as_slice()?, y.as_slice()?, z.as_slice()?);
+    same_length("y", y.len(), x.len())?;
+    same_length("z", z.len(), x.len())?;
+    let stresses = map(py, x.len(), |i| {
+        let at = Point { x: x[i], y: y[i], z: z[i] };
+        let s = partial_slip_stress(ellipse, material.0, peak, stick_radius, at)?;
+        Ok([s.xx, s.yy, s.zz, s.xy, s.yz, s.zx])
+    })?;
+    PyArray1::from_vec(py, stresses.into_iter().flatten().collect()).reshape([x.len(), 6])
+}

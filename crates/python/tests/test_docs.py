@@ -1,0 +1,86 @@
+"""The examples of the documentation, and the files that are made from the tables of columns."""
+
+import doctest
+import importlib
+import pathlib
+import subprocess
+import sys
+
+import pytest
+
+MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._impact"]
+
+
+@pytest.mark.parametrize("name", MODULES)
+def test_examples_run(name):
+    module = importlib.import_module(name)
+    results = doctest.testmod(module, optionflags=doctest.IGNORE_EXCEPTION_DETAIL | doctest.ELLIPSIS)
+    assert results.attempted > 0
+    assert results.failed == 0
+
+
+def test_examples_of_the_readme_run():
+    readme = pathlib.Path(__file__).parents[1] / "README.md"
+    results = doctest.testfile(str(readme), module_relative=False)
+    assert results.attempted > 0
+    assert results.failed == 0
+
+
+def test_result_classes_are_current():
+    """Else: python -m carom._make_records > python/carom/_records.py"""
+    from carom import _make_records, _records
+
+    assert pathlib.Path(_records.__file__).read_text(encoding="utf-8") == _make_records.made()
+
+
+def test_results_tell_their_units():
+    import carom
+
+    assert carom.HertzState.units["peak_pressure"] == "Pa"
+    assert "peak_pressure" in carom.HertzState.__doc__
+    assert carom.HistoryPoint.units["F"] == "N"
+
+
+def test_everything_public_is_documented():
+    import carom
+
+    for name in carom.__all__:
+        thing = getattr(carom, name)
+        if callable(thing):
+            assert thing.__doc__, name
+            for member, value in vars(thing).items() if isinstance(thing, type) else []:
+                if not member.startswith("_") and callable(value):
+                    assert value.__doc__, f"{name}.{member}"
+
+
+def test_module_is_installed_and_typed():
+    import carom
+
+    folder = pathlib.Path(carom.__file__).parent
+    assert "site-packages" in folder.parts
+    assert (folder / "py.typed").exists()
+
+
+def test_import_needs_no_matplotlib_nor_pandas():
+    code = "import sys, carom; sys.exit(any(m in sys.modules for m in ('matplotlib', 'pandas', 'xarray')))"
+    assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
+
+
+def test_types_of_the_native_part_are_all_there():
+    """Each name of the stub is in the module, and each of the module in the stub, members too."""
+    import ast
+
+    from carom import _carom
+
+    def public(names):
+        return {name for name in names if not name.startswith("_")}
+
+    stub = pathlib.Path(_carom.__file__).parent / "_carom.pyi"
+    tree = ast.parse(stub.read_text(encoding="utf-8"))
+    kinds = (ast.ClassDef, ast.FunctionDef)
+    named = {node.name: node for node in tree.body if isinstance(node, kinds)}
+    assert set(named) == public(vars(_carom))
+    for name, node in named.items():
+        if isinstance(node, ast.ClassDef) and not issubclass(getattr(_carom, name), Exception):
+            members = {member.name for member in node.body if isinstance(member, ast.FunctionDef)}
+            assert public(members) == public(vars(getattr(_carom, name))), name

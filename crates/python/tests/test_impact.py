@@ -1,0 +1,166 @@
+"""Impacts and restitution."""
+
+import copy
+import math
+import pickle
+from concurrent.futures import ProcessPoolExecutor
+from multiprocessing import get_context
+
+import numpy as np
+import pytest
+
+import carom
+
+STEEL = carom.Material(208e9, 0.3)
+BALL = carom.sphere(0.01, STEEL, 0.033, velocity=(1.0, 0.5, -2.0), spin=(3.0, -20.0, 0.0))
+PLATE = carom.plane(STEEL)
+KAPPA = carom.MaterialPair(STEEL).kappa
+
+
+def test_restitution_of_the_table_is_exact_to_1e_8():
+    lam = np.linspace(0.01, 9, 200)
+    kappa = np.array([[1.0], [1.2], [1.5]])
+    table = carom.restitution(kappa, lam)
+    exact = carom.restitution(kappa, lam, exact=True)
+    assert table.shape == (3, 200)
+    assert np.abs(table - exact).max() < 1e-8
+    sliding = lam > 7 - 1.2
+    np.testing.assert_allclose(exact[1, sliding], 7 / lam[sliding] - 1, atol=1e-12)
+    assert carom.restitution_of_groups(3.5, math.inf) == -1.0
+    with pytest.raises(ValueError, match="kappa = 2") as caught:
+        carom.restitution([1.0, 2.0], 1.0)
+    assert caught.value.index == 1
+
+
+def test_balances():
+    rebound = carom.collide(BALL, PLATE, 0.15)
+    lost = rebound.energy_before - rebound.energy_after
+    assert rebound.dissipated == pytest.approx(lost, rel=1e-9)
+    change = 0.033 * (rebound.velocity_1 - BALL.velocity)
+    np.testing.assert_allclose(change, rebound.impulse, rtol=1e-12)
+    # About the contact point the ball's angular momentum stays.
+    arm = np.array([0, 0, -0.01])
+    turned = 0.4 * 0.033 * 0.01**2 * (rebound.spin_1 - BALL.spin)
+    np.testing.assert_allclose(turned, np.cross(arm, rebound.impulse), atol=1e-15)
+    assert "exact" in rebound.passage or rebound.error_estimate == 0.0
+
+
+def test_restitution_of_a_collision_is_that_of_the_groups():
+    for speed in [0.1, 0.8, 3.0]:
+        ball = carom.sphere(0.01, STEEL, 0.033, velocity=(speed, 0, -2.0))
+        r_x = carom.collide(ball, PLATE, 0.15).restitution
+        assert r_x == pytest.approx(carom.restitution(KAPPA, speed / (0.15 * 2.0), exact=True), abs=1e-9)
+
+
+def test_many_are_single_ones():
+    rng = np.random.default_rng(1)
+    velocities = rng.normal(size=(50, 3)) - [0, 0, 3]
+    spins = 30 * rng.normal(size=(50, 3))
+    friction = rng.uniform(0, 1, 50)
+    many = carom.collide_many(BALL, PLATE, friction, velocity_1=velocities, spin_1=spins)
+    for i in [0, 17, 49]:
+        one = carom.collide(BALL.moving(velocities[i], spins[i]), PLATE, friction[i])
+        np.testing.assert_array_equal(many.velocity_1[i], one.velocity_1)
+        np.testing.assert_array_equal(many.spin_1[i], one.spin_1)
+        assert many.warnings[i] == one.warnings
+    given = carom.collide_many(BALL, PLATE, [0.1, 0.2])
+    np.testing.assert_array_equal(given.velocity_1[1], carom.collide(BALL, PLATE, 0.2).velocity_1)
+    with pytest.raises(ValueError, match="one length"):
+        carom.collide_many(BALL, PLATE, [0.1, 0.2], velocity_1=velocities)
+    velocities[7, 1] = math.nan
+    with pytest.raises(carom.RangeError) as caught:
+        carom.collide_many(BALL, PLATE, 0.1, velocity_1=velocities)
+    assert (caught.value.field, caught.value.index) == ("velocity", 7)
+
+
+def test_bodies_that_part_are_left_alone():
+    rebound = carom.collide(BALL.moving((0, 0, 1)), PLATE, 0.3)
+    np.testing.assert_array_equal(rebound.velocity_1, [0, 0, 1])
+    assert math.isnan(rebound.duration)
+
+
+def example(name):
+    """An example as a module, so that other processes find its functions."""
+    import importlib
+    import pathlib
+    import sys
+
+    folder = str(pathlib.Path(__file__).parents[1] / "examples")
+    if folder not in sys.path:
+        sys.path.insert(0, folder)
+    return importlib.import_module(name)
+
+
+def test_a_sweep_over_processes_has_the_same_bits():
+    sweep = example("sweep")
+    velocities = sweep.motions(20_000)
+    whole = sweep.rebounds(velocities)
+    with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
+        parts = list(pool.map(sweep.rebounds, np.array_split(velocities, 4)))
+    np.testing.assert_array_equal(np.concatenate(parts), whole)
+
+
+def test_a_sweep_on_dask_has_the_same_bits():
+    pytest.importorskip("distributed")
+    sweep = example("sweep")
+    np.testing.assert_array_equal(sweep.main(100_000), sweep.rebounds(sweep.motions(100_000)))
+
+
+def test_other_shapes():
+    egg = carom.Body(
+        "ellipsoid", [0.03, 0.02, 0.015], STEEL, 0.296, centre=(0, 0, 0.015), velocity=(-0.6, -0.4, -2.0)
+    )
+    rebound = carom.collide(egg, PLATE, 0.5, normal=None)
+    assert rebound.velocity_1[2] == pytest.approx(2.0)
+    assert rebound.semi_axis_a < rebound.semi_axis_b
+    with pytest.raises(carom.CaromError):
+        carom.collide(egg, carom.sphere(0.01, STEEL, 1.0, centre=(0, 0, -1)), 0.5, normal=None)
+    with pytest.raises(carom.CaromError, match="infinitely heavy"):
+        carom.collide(PLATE, carom.sphere(0.01, STEEL, math.inf), 0.5)
+
+
+def test_bodies_pickle_and_are_checked():
+    for body in (BALL, PLATE):
+        assert pickle.loads(pickle.dumps(body)) == body
+        assert copy.deepcopy(body) == body
+    with pytest.raises(ValueError, match="mass"):
+        carom.sphere(0.01, STEEL, -1.0)
+    with pytest.raises(ValueError, match="radius"):
+        carom.sphere(-0.01, STEEL, 1.0)
+    with pytest.raises(ValueError, match="no body 'cube'"):
+        carom.Body("cube", [1.0], STEEL, 1.0)
+    with pytest.raises(ValueError, match="quaternion"):
+        carom.Body("sphere", [1.0], STEEL, 1.0, attitude=(2, 0, 0, 0))
+    with pytest.raises(ValueError, match="law"):
+        carom.collide(BALL, PLATE, 0.1, law="newton")
+
+
+def test_history_begins_and_ends_without_load():
+    course = carom.history(BALL, PLATE, 0.15, 41)
+    assert course.time.shape == (41,)
+    np.testing.assert_allclose(course.F[[0, -1]], 0, atol=1e-6 * course.F.max())
+    rebound = carom.collide(BALL, PLATE, 0.15)
+    assert course.time[-1] == pytest.approx(rebound.duration)
+    assert course.F[:, 2].max() == pytest.approx(rebound.maximal_force, rel=1e-2)
+    assert {"sliding"} & {name.split()[0].strip("+-") for name in course.regime} or course.regime
+
+
+def test_results_pickle():
+    rebound = carom.collide(BALL, PLATE, 0.15)
+    again = pickle.loads(pickle.dumps(rebound))
+    assert again.restitution == rebound.restitution
+    np.testing.assert_array_equal(again.impulse, rebound.impulse)
+
+
+def test_pictures(tmp_path):
+    matplotlib = pytest.importorskip("matplotlib")
+    matplotlib.use("Agg")
+    from carom import plot
+
+    axes = plot.restitution([1.0, 1.5], np.linspace(0.01, 9, 50))
+    assert len(axes.lines) == 2
+    axes.figure.savefig(tmp_path / "restitution.png")
+    axes = plot.history(carom.history(BALL, PLATE, 0.15))
+    assert axes.get_ylabel() == "F / N"
+    contact = carom.Contact(carom.hertz_of_spheres(0.01, 0.01, STEEL), 0.3)
+    plot.loop([0, 1e-7], contact.follow([1e-6, 1e-6], [0, 1e-7]))
