@@ -20,6 +20,8 @@ const SMALL_STEP: f64 = 0.1;
 
 /// Passes that may go by before the least change is halved.
 const PATIENCE: usize = 40;
+/// Passes after which Newton's method is tried.
+const MANY: usize = 35;
 /// Up to this over gamma friction is taken as it is.
 const STRONG: f64 = 4.0;
 /// Rounds of a cone that opens; how many lie between trials of Newton's method, unless limits are
@@ -312,6 +314,11 @@ impl Pass<'_> {
                 let what = "pressures and tractions together";
                 return Err(FrictionalError::NotConverged { what, tolerance, reached });
             }
+            if pass == MANY
+                && let Some(reached) = self.solve_together(to, scratch)?
+            {
+                return Ok(reached);
+            }
             mixes |= pass > 1 && change > SLOW * last_change;
             last_change = change;
             if mixes {
@@ -392,13 +399,15 @@ impl Pass<'_> {
                     }
                     done => done?,
                 };
+            if self.together {
+                return Ok(reached);
+            }
             round += 1;
             change = scratch.limits.open(to);
             if change < CLOSE || round % ROUNDS_A_TRIAL == 0 {
                 let kept = self.keep(to, scratch);
                 if let Some(reached) = self.solve_together(to, scratch)? {
-                    self.together = true;
-                    return Ok(Convergence { products: self.spent, ..reached });
+                    return Ok(reached);
                 }
                 self.go_back(kept, to, scratch);
             }
@@ -441,7 +450,8 @@ impl Pass<'_> {
         self.spent = self.spent.plus(reached.products);
         if reached.stop == Stop::Converged {
             (to.shift.zeta, self.rigid) = (task.approach, task.rigid);
-            return Ok(Some(reached));
+            self.together = true;
+            return Ok(Some(Convergence { products: self.spent, ..reached }));
         }
         *to = start;
         Ok(None)

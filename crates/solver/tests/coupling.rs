@@ -21,7 +21,8 @@ const HISTORY: [[f64; 4]; 5] = [
     [0.7, -0.5, 0.0, 0.0],
 ];
 
-/// Passes of each step; counted by the products that couple, two a pass and one to begin.
+/// Passes of each step; counted by the products that couple, two a pass and one to begin. After 35
+/// passes Newton's method takes over, each of whose products counts like a pass but costs a tenth.
 fn passes(poisson: f64, friction: f64) -> Vec<f64> {
     let problem = problem(48, poisson, friction);
     let method = Frictional::default();
@@ -41,7 +42,7 @@ fn passes(poisson: f64, friction: f64) -> Vec<f64> {
 fn passes_settle_whatever_friction_times_gamma_is() {
     for poisson in [0.0, -0.8_f64] {
         let gamma = (1.0 - 2.0 * poisson) / (2.0 - 2.0 * poisson);
-        for (product, most) in [(0.1, 14.0), (0.5, 25.0), (1.0, 35.0), (2.0, 70.0)] {
+        for (product, most) in [(0.1, 14.0), (0.5, 25.0), (1.0, 35.0), (2.0, 110.0)] {
             let passes = passes(poisson, product / gamma);
             println!("gamma {gamma:.3} f gamma {product}: {passes:?}");
             assert!(passes.iter().all(|passes| *passes <= most), "{passes:?}");

@@ -36,9 +36,10 @@ fn violations(problem: &ContactProblem, before: &ContactState, after: &ContactSt
         assert!(pressure >= 0.0 && gap.is_finite());
         normal = normal.max(if pressure > 0.0 { gap.abs() } else { -gap });
         approach = approach.max(after.shift.zeta - height);
-        let f = problem.friction().at(i).motion().get();
+        // Infinite friction is met from below: at the edge a cell may slip with next to no pressure.
+        let f = problem.friction().at(i).motion().get().min(1e9);
         let limit = if pressure > 0.0 { f * pressure } else { 0.0 };
-        top = top.max(if limit.is_finite() { limit } else { 0.0 });
+        top = top.max(if f < 1e9 { limit } else { 0.0 });
         let slip = [
             u[i] - before.displacement_x.values()[i] - dx - y * turn,
             v[i] - before.displacement_y.values()[i] - dy + x * turn,
@@ -89,8 +90,8 @@ proptest! {
             let drive = Drive::by_shift(Shift { zeta, xi, eta, omega });
             let went = method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ());
             if let Err(error) = &went {
-                // Beyond f |gamma| of about one nothing is known to converge.
-                let strong = friction * pair.gamma().abs() > 1.0;
+                // Up to f |gamma| of ten every step is solved, beyond all but one in some hundred.
+                let strong = friction * pair.gamma().abs() > 10.0;
                 prop_assert!(strong, "{error}");
                 prop_assert!(matches!(error, FrictionalError::NotConverged { .. }), "{}", error);
                 break;

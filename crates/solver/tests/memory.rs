@@ -65,11 +65,9 @@ fn compare(problem: &ContactProblem) {
 fn what_was_solved_before_leaves_no_bit_behind() {
     let friction = |f: f64| Friction::new(f).unwrap();
     let both = CellFriction::new(friction(0.5), friction(0.3)).unwrap();
-    for cells in [20, 40] {
-        compare(&problem(cells, [0.3, 0.3], friction(0.4).into()));
-        compare(&problem(cells, [0.0, 0.45], friction(0.4).into()));
-        compare(&problem(cells, [0.0, 0.3], both.into()));
-    }
-    compare(&problem(20, [0.0, 0.45], friction(f64::INFINITY).into()));
+    compare(&problem(36, [0.3, 0.3], friction(0.4).into()));
+    compare(&problem(20, [0.0, 0.45], friction(0.4).into()));
+    compare(&problem(20, [0.0, 0.3], both.into()));
+    compare(&problem(16, [0.0, 0.45], friction(f64::INFINITY).into()));
     compare(&problem(16, [0.0, 0.45], friction(12.0).into()));
 }

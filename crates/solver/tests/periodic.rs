@@ -98,3 +98,36 @@ fn a_shift_leaves_the_pressure_of_a_lower_approach() {
         assert!((t - f * (p - low)).abs() < 1e-7 * f * top, "{t} {p} {low}");
     }
 }
+
+/// Many patches under a given tangential force, in which some cells have next to no pressure: few
+/// products, and the same as by the shift that the force leads to, on a period and on half-spaces.
+#[test]
+fn a_wavy_surface_is_pulled_by_a_force() {
+    let grid = Grid::new(60, 60, 0.05, 0.05).unwrap();
+    let soft = Material::from_shear(1.0, 0.5).unwrap();
+    let pair = MaterialPair::new(soft, Material::RIGID).unwrap();
+    let gap = Gap::wavy(grid, [0.01, 0.01], [1.0, 1.0]).unwrap();
+    let f = Friction::new(0.5).unwrap();
+    let half_spaces = ContactProblem::of_half_spaces(gap.clone(), pair, f).unwrap();
+    let period = Arc::new(PeriodicOperator::new(pair, grid, Threads::One).unwrap());
+    for problem in [half_spaces, ContactProblem::new(gap, period, f).unwrap()] {
+        let method = Frictional::default();
+        let mut scratch = method.scratch(&problem).unwrap();
+        let mut solve = |from: &ContactState, x: Driven| {
+            let mut to = from.clone();
+            let drive = Drive { normal: Driven::Load(0.3), x, ..Drive::default() };
+            let went = method.step(&problem, from, &drive, &mut to, &mut scratch, &mut ());
+            let products = went.unwrap().products.tangential;
+            assert!(products < 45.0, "{x:?}: {products}");
+            to
+        };
+        let pressed = solve(&ContactState::apart(grid), Driven::Load(0.0));
+        for part in [0.05, 0.5, 0.9] {
+            let pulled = solve(&pressed, Driven::Load(part * 0.15));
+            assert!((pulled.load().f_x / (part * 0.15) - 1.0).abs() < 1e-9);
+            let shifted = solve(&pressed, Driven::Shift(pulled.shift.xi));
+            assert!((shifted.load().f_x / pulled.load().f_x - 1.0).abs() < 1e-6);
+            assert_eq!(shifted.count(CellState::Stick), pulled.count(CellState::Stick));
+        }
+    }
+}

@@ -14,7 +14,9 @@ struct Random(u64);
 impl Random {
     fn of(seed: u64) -> Self {
         let mut own = Self(12345 + 7919 * seed);
-        (0..8).for_each(|_| drop(own.part()));
+        for _ in 0..8 {
+            own.part();
+        }
         own
     }
 

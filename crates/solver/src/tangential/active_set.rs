@@ -245,7 +245,7 @@ impl ActiveSet {
         course.changes(violation);
         let projected = self.project(task);
         self.prepare_deflation(task, course);
-        self.precondition(task, course);
+        self.precondition_projected(task, course);
         course.power = None;
         if projected || self.excess(task).norm() > 0.0 {
             for axis in 0..2 {
@@ -424,6 +424,17 @@ impl ActiveSet {
     fn precondition(&mut self, task: &mut TangentialTask<'_>, course: &mut Course) {
         for i in 0..task.limits.len() {
             let [x, y] = self.rest_at(task, i);
+            (self.rest[0][i], self.rest[1][i]) = (x, y);
+        }
+        self.deflate(task);
+        self.invert(task.cells, course);
+    }
+
+    /// The same for tractions that have been taken to their rims: what they were around a rim of
+    /// another direction is no part of the linearised problem.
+    fn precondition_projected(&mut self, task: &mut TangentialTask<'_>, course: &mut Course) {
+        for i in 0..task.limits.len() {
+            let [x, y] = self.admitted(task.cells[i], i, [self.slip[0][i], self.slip[1][i]]);
             (self.rest[0][i], self.rest[1][i]) = (x, y);
         }
         self.deflate(task);
