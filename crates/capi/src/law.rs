@@ -1,7 +1,7 @@
 //! What goes into a contact law and what comes out.
 
 use carom_laws::law::{ContactLaw, ContactLoad, Dissipative, Shift};
-use carom_laws::memory::{Regime, VertexStack};
+use carom_laws::memory::{MemoryRegime, VertexStack};
 use carom_laws::shift_law::ShiftLaw;
 
 use crate::error::Failure;
@@ -117,16 +117,16 @@ impl From<ContactLoad> for CaromLoad {
     }
 }
 
-impl From<Regime> for CaromRegime {
-    fn from(regime: Regime) -> Self {
+impl From<MemoryRegime> for CaromRegime {
+    fn from(regime: MemoryRegime) -> Self {
         match regime {
-            Regime::Separated => Self::Separated,
-            Regime::Adhesion => Self::Adhesion,
-            Regime::Release => Self::Release,
-            Regime::Slip => Self::Slip,
-            Regime::Reversal => Self::Reversal,
-            Regime::Overlay => Self::Overlay,
-            Regime::Sliding => Self::Sliding,
+            MemoryRegime::Separated => Self::Separated,
+            MemoryRegime::Adhesion => Self::Adhesion,
+            MemoryRegime::Release => Self::Release,
+            MemoryRegime::Slip => Self::Slip,
+            MemoryRegime::Reversal => Self::Reversal,
+            MemoryRegime::Overlay => Self::Overlay,
+            MemoryRegime::Sliding => Self::Sliding,
         }
     }
 }

@@ -1,8 +1,8 @@
 //! Results from their columns: rows in every format.
 
 use crate::error::CliError;
-use crate::output::{Format, check_finite, csv, short, table};
-use carom_table::{Column, Value, cells, described, heads, labels};
+use crate::output::{Format, csv, short, table};
+use carom_table::{Cell, Column, Quantity, Value, cells, described, heads, labels, row, texts};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::path::Path;
 
@@ -23,24 +23,44 @@ impl<'a, R> Record<'a, R> {
 
 impl<R> Serialize for Record<'_, R> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        Fields(&row(self.columns, Some(self.record))).serialize(serializer)
+    }
+}
+
+/// The cells of a row as a map; what is absent is left out.
+#[derive(Debug)]
+pub struct Fields<'a>(pub &'a [Cell]);
+
+impl Serialize for Fields<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        for column in self.columns {
-            let name = column.name();
-            match column.value(self.record) {
-                // JSON has no infinity: the word stands for it.
-                Value::Number(value) if value.is_infinite() => {
-                    map.serialize_entry(name, if value > 0.0 { "inf" } else { "-inf" })?;
-                }
-                Value::Number(value) => map.serialize_entry(name, &value)?,
-                Value::Count(count) => map.serialize_entry(name, &count)?,
-                Value::Text(text) => map.serialize_entry(name, &text)?,
-                Value::Words(words) => map.serialize_entry(name, &words)?,
-                Value::Vector(parts) => map.serialize_entry(name, &parts)?,
-                Value::Absent => {}
-            }
-        }
+        add_fields(&mut map, self.0)?;
         map.end()
     }
+}
+
+/// Adds the cells of a row to a map; what is absent is left out.
+///
+/// # Errors
+/// Those of the map.
+pub fn add_fields<M: SerializeMap>(map: &mut M, row: &[Cell]) -> Result<(), M::Error> {
+    for cell in row {
+        let name = cell.name();
+        match cell.value() {
+            // JSON has no infinity: the word stands for it.
+            Value::Number(value) if value.is_infinite() => {
+                map.serialize_entry(name, if *value > 0.0 { "inf" } else { "-inf" })?;
+            }
+            Value::Number(value) => map.serialize_entry(name, value)?,
+            Value::Count(count) => map.serialize_entry(name, count)?,
+            Value::Text(text) => map.serialize_entry(name, text)?,
+            Value::Words(words) => map.serialize_entry(name, words)?,
+            Value::Vector(parts) => map.serialize_entry(name, parts)?,
+            Value::Undefined => map.serialize_entry(name, &None::<f64>)?,
+            Value::Absent => {}
+        }
+    }
+    Ok(())
 }
 
 /// The records as rows: comma-separated values with all digits, or a table to read; nothing in
@@ -59,18 +79,124 @@ pub fn rows<R>(format: Format, columns: &[Column<R>], records: &[R]) -> Result<S
     }
 }
 
+/// Rows of cells, all under the heads of the first, as [`rows`].
+///
+/// # Errors
+/// If they cannot be put so.
+pub fn cell_rows(format: Format, cells: &[Vec<Cell>]) -> Result<String, CliError> {
+    let rows = |number: fn(f64) -> String| -> Vec<Vec<String>> {
+        cells.iter().map(|row| texts(row, number)).collect()
+    };
+    let first = cells.first().map_or(&[][..], Vec::as_slice);
+    match format {
+        Format::Csv => csv(&heads(first), &rows(|value| value.to_string())),
+        Format::Table => Ok(table(&labels(first), &rows(short))),
+        Format::Json | Format::None => Ok(String::new()),
+    }
+}
+
+/// A table to read with these heads of the rows only.
+#[must_use]
+pub fn selected(cells: &[Vec<Cell>], chosen: &[&str]) -> String {
+    let first = cells.first().map_or(&[][..], Vec::as_slice);
+    let places: Vec<usize> = heads(first)
+        .iter()
+        .enumerate()
+        .filter(|(_, head)| chosen.contains(&head.as_str()))
+        .map(|(place, _)| place)
+        .collect();
+    let pick =
+        |texts: Vec<String>| places.iter().map(|place| texts[*place].clone()).collect::<Vec<_>>();
+    let rows: Vec<Vec<String>> = cells.iter().map(|row| pick(texts(row, short))).collect();
+    table(&pick(labels(first)), &rows)
+}
+
+/// A table to read with a line for each cell of one row that has a value.
+#[must_use]
+pub fn upright(row: &[Cell]) -> String {
+    let line = |cell: &Cell| {
+        let value = match cell.value() {
+            Value::Absent => return None,
+            Value::Undefined => "-".to_owned(),
+            Value::Vector(parts) => vector(*parts),
+            _ => texts(std::slice::from_ref(cell), short).concat(),
+        };
+        Some([cell.name(), &value, cell.unit(), cell.meaning()].map(str::to_owned).to_vec())
+    };
+    table(
+        &["quantity", "value", "unit", "meaning"],
+        &row.iter().filter_map(line).collect::<Vec<_>>(),
+    )
+}
+
+/// Three components to read; what is round-off of the largest is zero.
+fn vector(value: [f64; 3]) -> String {
+    let largest = value.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
+    value
+        .map(|part| if part.abs() < 1e-15 * largest { "0".to_owned() } else { short(part) })
+        .join("  ")
+}
+
 /// Refuses numbers that are not finite.
 ///
 /// # Errors
 /// [`CliError::Overflow`] that names the first.
 pub fn check<R>(path: &Path, columns: &[Column<R>], records: &[R]) -> Result<(), CliError> {
-    let rows: Vec<_> =
-        records.iter().map(|record| cells(columns, record, |value| value.to_string())).collect();
-    check_finite(path, &heads(columns), &rows)
+    let rows: Vec<_> = records.iter().map(|record| row(columns, Some(record))).collect();
+    check_cells(path, rows.iter().map(Vec::as_slice))
+}
+
+/// Refuses numbers that are not finite.
+///
+/// # Errors
+/// [`CliError::Overflow`] that names the first.
+pub fn check_cells<'a>(
+    path: &Path,
+    rows: impl ExactSizeIterator<Item = &'a [Cell]>,
+) -> Result<(), CliError> {
+    let count = rows.len();
+    for (i, cell) in rows.enumerate().flat_map(|(i, row)| row.iter().map(move |cell| (i, cell))) {
+        let numbers: &[f64] = match cell.value() {
+            Value::Number(number) => std::slice::from_ref(number),
+            Value::Vector(parts) => parts,
+            _ => &[],
+        };
+        if let Some(part) = numbers.iter().position(|value| !value.is_finite()) {
+            let head = &heads(std::slice::from_ref(cell))[part];
+            let quantity =
+                if count == 1 { head.clone() } else { format!("{head} in row {}", i + 1) };
+            let (path, value) = (path.to_owned(), numbers[part]);
+            return Err(CliError::Overflow { path, quantity, value });
+        }
+    }
+    Ok(())
 }
 
 /// A paragraph of help that says what the columns are.
 #[must_use]
-pub fn help<R>(title: &str, columns: &[Column<R>]) -> String {
+pub fn help(title: &str, columns: &[impl Quantity]) -> String {
     format!("{title}:\n{}", described(columns))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn what_is_no_number_is_named() {
+        let row = |x: f64, y: [f64; 3]| {
+            vec![Cell::new("x", "m", "", x), Cell::new("t", "", "", "inf"), of_vector(y)]
+        };
+        fn of_vector(value: [f64; 3]) -> Cell {
+            Column::vector("v", "", "", |value: &[f64; 3]| (*value).into()).cell(Some(&value))
+        }
+        let check = |rows: &[Vec<Cell>]| {
+            check_cells(Path::new("case.toml"), rows.iter().map(Vec::as_slice))
+        };
+        let error = |rows: &[Vec<Cell>]| check(rows).unwrap_err().to_string();
+        let bad = row(1.0, [0.0, f64::INFINITY, 0.0]);
+        assert!(error(std::slice::from_ref(&bad)).starts_with("case.toml: v_y = inf, no"));
+        assert!(error(&[row(1.0, [0.0; 3]), row(f64::NAN, [0.0; 3])]).contains("x in row 2 = NaN"));
+        assert!(check(&[row(1e300, [0.0; 3])]).is_ok());
+    }
 }

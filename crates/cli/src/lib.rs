@@ -11,6 +11,7 @@ pub mod command;
 pub mod destination;
 pub mod error;
 pub mod input;
+pub mod numbers;
 pub mod output;
 pub mod range;
 

@@ -186,29 +186,6 @@ fn refused(source: std::io::Error) -> CliError {
     CliError::io("write", Path::new("standard output"), source)
 }
 
-/// Refuses results that are no finite numbers: the cells of `rows` under their heads.
-///
-/// # Errors
-/// [`CliError::Overflow`] that names the first.
-pub fn check_finite(
-    path: &Path,
-    heads: &[impl AsRef<str>],
-    rows: &[Vec<String>],
-) -> Result<(), CliError> {
-    for (i, row) in rows.iter().enumerate() {
-        for (cell, head) in row.iter().zip(heads) {
-            if let Some(value) = cell.parse().ok().filter(|value: &f64| !value.is_finite()) {
-                let quantity = match rows.len() {
-                    1 => head.as_ref().to_owned(),
-                    _ => format!("{} in row {}", head.as_ref(), i + 1),
-                };
-                return Err(CliError::Overflow { path: path.to_owned(), quantity, value });
-            }
-        }
-    }
-    Ok(())
-}
-
 /// `results` as JSON.
 ///
 /// # Errors
@@ -295,16 +272,6 @@ mod tests {
         ] {
             assert_eq!(short(value), text);
         }
-    }
-
-    #[test]
-    fn what_is_no_number_is_named() {
-        let rows = [vec!["1".to_owned(), "inf".to_owned()], vec!["NaN".to_owned(), "a".to_owned()]];
-        let check = |rows| check_finite(Path::new("case.toml"), &["x", "y"], rows);
-        assert!(check(&rows[..1]).unwrap_err().to_string().starts_with("case.toml: y = inf, no"));
-        let swapped = [rows[1].clone(), rows[1].clone()];
-        assert!(check(&swapped).unwrap_err().to_string().contains("x in row 1 = NaN"));
-        assert!(check(&[vec!["-".to_owned(), "1e300".to_owned()]]).is_ok());
     }
 
     #[test]

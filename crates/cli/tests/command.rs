@@ -66,7 +66,7 @@ fn every_example_runs_in_every_format_and_draws() {
         assert!(std::fs::read_to_string(&plot).unwrap().starts_with("<svg"));
         count += 1;
     }
-    assert!(count >= 14);
+    assert!(count >= 30);
 }
 
 #[test]

@@ -3,6 +3,7 @@
 use carom_geometry::{Attitude, Inertia, Placed, Surface};
 use carom_halfspace::Material;
 use carom_special::RangeError;
+use carom_table::Column;
 use nalgebra::Vector3;
 
 use crate::mobility::Lever;
@@ -20,6 +21,16 @@ pub struct Motion {
 }
 
 impl Motion {
+    /// Velocity and spin.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::vector("velocity", "m/s", "of the centre of mass", |motion| {
+            <[f64; 3]>::from(motion.velocity).into()
+        }),
+        Column::vector("spin", "rad/s", "angular velocity", |motion| {
+            <[f64; 3]>::from(motion.spin).into()
+        }),
+    ];
+
     /// From velocity and spin.
     ///
     /// # Errors

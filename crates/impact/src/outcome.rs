@@ -1,7 +1,7 @@
 //! What an impact leaves behind: motions, impulse, extremes, energy, log, history, warnings.
 
 use carom_laws::ellipse::ContactEllipse;
-use carom_table::Column;
+use carom_table::{Column, Value};
 use nalgebra::Vector3;
 
 use crate::body::Motion;
@@ -80,6 +80,71 @@ pub struct Rebound {
     pub log: Vec<LogEntry>,
     /// What limits the validity of this outcome.
     pub warnings: Vec<Warning>,
+}
+
+impl Rebound {
+    /// What came of it, motions and how it was followed apart.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("R_x", "", "tangential restitution", |rebound| {
+            rebound.tangential_restitution.map_or(Value::Undefined, Value::Number)
+        }),
+        Column::vector("impulse", "N s", "on body 1", |r| <[f64; 3]>::from(r.impulse).into()),
+        Column::vector("contact_velocity_before", "m/s", "of body 2 against body 1", |rebound| {
+            <[f64; 3]>::from(rebound.velocity_before).into()
+        }),
+        Column::vector("contact_velocity_after", "m/s", "of body 2 against body 1", |rebound| {
+            <[f64; 3]>::from(rebound.velocity_after).into()
+        }),
+        Column::new("duration", "s", "from touch to separation", |r| r.duration.into()),
+        Column::new("maximal_force", "N", "normal", |rebound| rebound.maximal_force.into()),
+        Column::new("maximal_approach", "m", "of distant points", |r| r.maximal_approach.into()),
+        Column::new("maximal_semi_axis_a", "m", "of the contact along x", |rebound| {
+            rebound.maximal_contact.semi_axis_a().into()
+        }),
+        Column::new("maximal_semi_axis_b", "m", "of the contact along y", |rebound| {
+            rebound.maximal_contact.semi_axis_b().into()
+        }),
+        Column::new("energy_before", "J", "kinetic", |rebound| rebound.energy.before.into()),
+        Column::new("energy_after", "J", "kinetic", |rebound| rebound.energy.after.into()),
+        Column::new("energy_dissipated", "J", "by friction", |r| r.energy.dissipated.into()),
+        Column::new(
+            "regimes",
+            "",
+            "in order; sign: traction on body 1 along the first slip",
+            |r| r.log.iter().map(|entry| entry.regime.name()).collect::<Vec<_>>().into(),
+        ),
+    ];
+}
+
+impl Torsion {
+    /// What it did.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("spin_ratio", "", "about the normal, after over before", |torsion| {
+            torsion.spin_ratio.into()
+        }),
+        Column::new("torque_impulse", "N m s", "on body 1", |t| t.torque_impulse.into()),
+        Column::new("energy_dissipated", "J", "of that by friction", |t| t.dissipated.into()),
+        Column::new("error_estimate", "", "of the ratio", |t| t.error_estimate.into()),
+    ];
+}
+
+impl LogEntry {
+    /// What happened when.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("time", "s", "since touch", |entry| entry.time.into()),
+        Column::new("event", "", "what happened", |entry| {
+            match entry.event {
+                Event::Touch => "touch",
+                Event::SlipStart => "slip starts",
+                Event::SlipStop => "slip stops",
+                Event::RingClosed => "slip ring closed",
+                Event::StickEnd => "stick area gone",
+                Event::SlideStop => "sliding stops",
+            }
+            .into()
+        }),
+        Column::new("regime", "", "from then on", |entry| entry.regime.name().into()),
+    ];
 }
 
 /// Kinetic energy of both bodies (translation and rotation), bodies held fast left out.

@@ -116,6 +116,19 @@ impl HertzState {
 }
 
 impl Hertz {
+    /// What does not depend on the load.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("axis_ratio", "", "a/b of the contact ellipse", |h| {
+            h.axis_ratio().get().into()
+        }),
+        Column::new("angle", "deg", "from the first direction of body 1 to the x axis", |hertz| {
+            hertz.curvature().angle().to_degrees().into()
+        }),
+        Column::new("c_x", "N/m^1.5", "dF_x = c_x sqrt(zeta) dxi", |h| h.stiffness().c_x.into()),
+        Column::new("c_y", "N/m^1.5", "the same along y", |h| h.stiffness().c_y.into()),
+        Column::new("c_z", "N/m^1.5", "F_z = (2/3) c_z zeta^1.5", |h| h.stiffness().c_z.into()),
+    ];
+
     /// The contact of two bodies of given relative curvature and materials.
     ///
     /// # Errors

@@ -4,6 +4,14 @@ use carom_halfspace::{Field, Grid};
 use carom_laws::friction::Friction;
 use carom_special::RangeError;
 
+/// The coefficient that stands for infinite friction where pressures and tractions are coupled.
+pub(crate) const FIRM: f64 = 1e9;
+
+/// A coefficient, of infinite friction a finite one.
+pub(crate) const fn firm(friction: f64) -> f64 {
+    friction.min(FIRM)
+}
+
 /// Coulomb's friction in a cell: it sticks up to `rest` times its pressure and slips at `motion`
 /// times it.
 ///

@@ -6,7 +6,9 @@ use carom_special::RangeError;
 
 use crate::anderson::Mixing;
 use crate::convergence::{Convergence, Observer, Products, Residuals, Stop};
+use crate::coupled::{Coupled, CoupledTask};
 use crate::drive::{Drive, Driven};
+use crate::limits::FrictionLimits;
 use crate::method::Method;
 use crate::normal::{NormalGrids, Target};
 use crate::problem::ContactProblem;
@@ -18,6 +20,13 @@ const SMALL_STEP: f64 = 0.1;
 
 /// Passes that may go by before the least change is halved.
 const PATIENCE: usize = 40;
+/// Up to this over gamma friction is taken as it is.
+const STRONG: f64 = 4.0;
+/// Rounds of a cone that opens; how many lie between trials of Newton's method, unless limits are
+/// off by less than this part of the greatest traction.
+const ROUNDS: usize = 100;
+const ROUNDS_A_TRIAL: usize = 4;
+const CLOSE: f64 = 0.05;
 /// Passes that change the displacements by more than this part of the last change are mixed.
 const SLOW: f64 = 0.25;
 
@@ -134,7 +143,7 @@ pub struct FrictionalScratch {
     normal: NormalGrids,
     tangential: TangentialScratch,
     workspace: Workspace,
-    limits: Vec<f64>,
+    limits: FrictionLimits,
     /// The tangential displacement by pressure.
     by_pressure: [Vec<f64>; 2],
     offset: [Vec<f64>; 2],
@@ -144,6 +153,8 @@ pub struct FrictionalScratch {
     mixing: Mixing,
     /// Cells that have slipped since they last stuck.
     broken: Vec<bool>,
+    /// Pressures and tractions together, built when it is first needed.
+    coupled: Option<Box<Coupled>>,
 }
 
 impl Method for Frictional {
@@ -157,13 +168,14 @@ impl Method for Frictional {
             normal: NormalGrids::new(operator, problem.gap().heights().values())?,
             tangential: TangentialScratch::new(operator)?,
             workspace: operator.workspace(),
-            limits: zero.clone(),
+            limits: FrictionLimits::new(zero.len()),
             by_pressure: [zero.clone(), zero.clone()],
             offset: [zero.clone(), zero.clone()],
             by_traction: zero.clone(),
             last: zero,
             mixing: Mixing::default(),
             broken: vec![false; problem.grid().cells()],
+            coupled: None,
         })
     }
 
@@ -194,7 +206,9 @@ impl Method for Frictional {
         };
         let loads = [load(drive.x), load(drive.y), load(drive.twist)];
         let (spent, rigid) = (Products::default(), Rigid { loads, ..Rigid::default() });
-        let mut pass = Pass { method: self, problem, from, drive, rigid, observer, spent };
+        let together = false;
+        let mut pass =
+            Pass { method: self, problem, from, drive, rigid, observer, spent, together };
         pass.until_no_cell_breaks(to, scratch)
     }
 }
@@ -208,6 +222,9 @@ fn tangential_load(drive: &Drive) -> Option<f64> {
     loads.reduce(f64::max)
 }
 
+/// What to go back to: rigid shifts, state, normal displacement by tractions.
+type Kept = (Rigid, ContactState, Vec<f64>);
+
 /// One step of a history.
 struct Pass<'a> {
     method: &'a Frictional,
@@ -217,6 +234,8 @@ struct Pass<'a> {
     rigid: Rigid,
     observer: &'a mut dyn Observer,
     spent: Products,
+    /// Whether pressures and tractions were found together.
+    together: bool,
 }
 
 impl Pass<'_> {
@@ -235,9 +254,9 @@ impl Pass<'_> {
         if self.problem.operator().is_coupled() {
             self.displace_by_traction(to, scratch)?;
         }
-        let mut went = self.until_the_pressures_stand(true, to, scratch)?;
+        let mut went = self.settle(true, to, scratch)?;
         while self.break_cells(to, scratch) {
-            let more = self.until_the_pressures_stand(false, to, scratch)?;
+            let more = self.settle(false, to, scratch)?;
             went = Convergence { iterations: went.iterations + more.iterations, ..more };
         }
         self.finish(to, scratch);
@@ -259,10 +278,11 @@ impl Pass<'_> {
     fn until_the_pressures_stand(
         &mut self,
         fresh: bool,
+        tolerance: f64,
         to: &mut ContactState,
         scratch: &mut FrictionalScratch,
     ) -> Result<Convergence, FrictionalError> {
-        let (coupled, tolerance) = (self.problem.operator().is_coupled(), self.method.tolerance);
+        let coupled = self.problem.operator().is_coupled();
         let mut inner = if coupled { 1e-3_f64.max(0.3 * tolerance) } else { tolerance };
         let (mut iterations, mut last_change, mut mixes) = (0, f64::INFINITY, false);
         let mut least = (0, f64::INFINITY);
@@ -300,6 +320,131 @@ impl Pass<'_> {
             inner = (0.1 * change).clamp(0.3 * tolerance, 1e-3_f64.max(0.3 * tolerance));
         }
         Err(RangeError::new("passes", 0.0, "at least 1").into())
+    }
+
+    /// Pressures and tractions in equilibrium.
+    fn settle(
+        &mut self,
+        fresh: bool,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Convergence, FrictionalError> {
+        for (i, (own, slides)) in
+            scratch.limits.friction.iter_mut().zip(&scratch.broken).enumerate()
+        {
+            let friction = self.problem.friction().at(i);
+            *own = if *slides { friction.motion() } else { friction.rest() }.get();
+        }
+        scratch.limits.sharpen();
+        self.together = false;
+        let tolerance = self.method.tolerance;
+        if !self.problem.operator().is_coupled() {
+            return self.until_the_pressures_stand(fresh, tolerance, to, scratch);
+        }
+        let (greatest, strong) = (scratch.limits.greatest_friction(), STRONG / self.gamma());
+        if greatest <= strong {
+            let start = self.keep(to, scratch);
+            match self.until_the_pressures_stand(fresh, tolerance, to, scratch) {
+                Err(FrictionalError::NotConverged { .. }) => self.go_back(start, to, scratch),
+                done => return done,
+            }
+        }
+        self.open_the_cone(strong.min(0.5 * greatest), fresh, to, scratch)
+    }
+
+    /// The coupling of pressures and tractions over the compliance.
+    fn gamma(&self) -> f64 {
+        let [x, _, z] = self.problem.operator().coefficients(1, 0).rows[2];
+        if x == 0.0 { 0.0 } else { (x / z).abs() }
+    }
+
+    fn keep(&self, to: &ContactState, scratch: &FrictionalScratch) -> Kept {
+        (self.rigid, to.clone(), scratch.by_traction.clone())
+    }
+
+    fn go_back(&mut self, kept: Kept, to: &mut ContactState, scratch: &mut FrictionalScratch) {
+        (self.rigid, *to, scratch.by_traction) = kept;
+    }
+
+    /// Rounds with a blunter cone, no greater a coefficient than `most`, beside cohesion that follows;
+    /// now and then Newton's method is tried from there.
+    fn open_the_cone(
+        &mut self,
+        mut most: f64,
+        fresh: bool,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Convergence, FrictionalError> {
+        let (least, mut change) = (0.05 * most, 1.0_f64);
+        let (what, tolerance) = ("pressures and tractions together", self.method.tolerance);
+        scratch.limits.blunt(most);
+        let mut round = 0;
+        loop {
+            let kept = self.keep(to, scratch);
+            let inner = (1e-2 * change).clamp(1e-5, 1e-3).max(tolerance);
+            let reached =
+                match self.until_the_pressures_stand(fresh && round == 0, inner, to, scratch) {
+                    Err(FrictionalError::NotConverged { .. }) if most > least => {
+                        self.go_back(kept, to, scratch);
+                        most *= 0.5;
+                        scratch.limits.blunt(most);
+                        continue;
+                    }
+                    done => done?,
+                };
+            round += 1;
+            change = scratch.limits.open(to);
+            if change < CLOSE || round % ROUNDS_A_TRIAL == 0 {
+                let kept = self.keep(to, scratch);
+                if let Some(reached) = self.solve_together(to, scratch)? {
+                    self.together = true;
+                    return Ok(Convergence { products: self.spent, ..reached });
+                }
+                self.go_back(kept, to, scratch);
+            }
+            if round == ROUNDS || change.is_nan() {
+                let (products, stop) = (self.spent, Stop::Exhausted);
+                let reached = Convergence { products, stop, ..reached };
+                return Err(FrictionalError::NotConverged { what, tolerance, reached });
+            }
+        }
+    }
+
+    /// Pressures and tractions by one system, from what they are; none if that does not converge,
+    /// and they are as they were.
+    fn solve_together(
+        &mut self,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Option<Convergence>, FrictionalError> {
+        let (operator, start) = (self.problem.operator(), to.clone());
+        for values in &mut scratch.by_pressure {
+            values.fill(0.0);
+        }
+        self.offsets(scratch);
+        let solver = scratch.coupled.get_or_insert_with(|| Box::new(Coupled::new(operator)));
+        let [x, y] = &scratch.offset;
+        let mut task = CoupledTask {
+            operator,
+            heights: self.problem.gap().heights().values(),
+            friction: &scratch.limits.friction,
+            offset: [x, y],
+            normal: self.drive.normal,
+            approach: to.shift.zeta,
+            rigid: self.rigid,
+            pressure: to.pressure.values_mut(),
+            traction: [to.traction_x.values_mut(), to.traction_y.values_mut()],
+            cells: to.cells.values_mut(),
+        };
+        let (tolerance, most) = (self.method.tolerance, self.method.iterations);
+        let reached = solver.solve(&mut task, tolerance, most, self.observer)?;
+        self.spent = self.spent.plus(reached.products);
+        if reached.stop == Stop::Converged {
+            (to.shift.zeta, self.rigid) = (task.approach, task.rigid);
+            return Ok(Some(reached));
+        }
+        *to = start;
+        Ok(None)
     }
 
     /// Whether the last pressures are a better start than coarse grids.
@@ -353,20 +498,14 @@ impl Pass<'_> {
             operator.apply(load, DisplacementField::tangential(u, v), &mut scratch.workspace)?;
             self.spent.coupling += 1.0;
         }
-        for (i, (limit, pressure)) in
-            scratch.limits.iter_mut().zip(to.pressure.values()).enumerate()
-        {
-            let friction = self.problem.friction().at(i);
-            let slides = scratch.broken[i];
-            let friction = if slides { friction.motion() } else { friction.rest() }.get();
-            *limit = if *pressure > 0.0 { friction * pressure } else { 0.0 };
-        }
+        let own = operator.coefficients(0, 0).rows[2][2];
+        scratch.limits.follow(&to.pressure, scratch.normal.gap(), own);
         self.refuse_sliding(scratch)?;
         self.offsets(scratch);
         let [x, y] = &scratch.offset;
         let mut task = TangentialTask {
             operator,
-            limits: &scratch.limits,
+            limits: &scratch.limits.values,
             offset: [x, y],
             rigid: self.rigid,
             traction: [to.traction_x.values_mut(), to.traction_y.values_mut()],
@@ -387,7 +526,7 @@ impl Pass<'_> {
     /// A given force that friction cannot hold has no equilibrium.
     fn refuse_sliding(&self, scratch: &FrictionalScratch) -> Result<(), FrictionalError> {
         let [x, y, _] = self.rigid.loads.map(Option::unwrap_or_default);
-        let (force, limit) = (x.hypot(y), scratch.limits.iter().sum::<f64>());
+        let (force, limit) = (x.hypot(y), scratch.limits.values.iter().sum::<f64>());
         if force > 0.0 && force >= limit {
             let area = self.problem.grid().cell_area();
             return Err(FrictionalError::Slides { force: area * force, limit: area * limit });
@@ -459,19 +598,22 @@ impl Pass<'_> {
             eta: given.eta + dy,
             omega: given.omega + turn,
         };
+        let slip = match &scratch.coupled {
+            Some(coupled) if self.together => coupled.slip(),
+            _ => scratch.tangential.slip(),
+        };
+        let [all_x, all_y, all_turn] = self.moved();
+        let [dx, dy, turn] = [all_x + dx, all_y + dy, all_turn + turn];
+        let before = [self.from.displacement_x.values(), self.from.displacement_y.values()];
         let (u, v) = (to.displacement_x.values_mut(), to.displacement_y.values_mut());
-        let slip = scratch.tangential.slip();
         for (i, (x, y)) in self.problem.grid().centres().enumerate() {
-            let free = |axis: usize| {
-                slip[axis][i] - scratch.offset[axis][i] + scratch.by_pressure[axis][i]
-            };
-            u[i] = free(0) + dx + y * turn; // (12.2)
-            v[i] = free(1) + dy - x * turn;
+            u[i] = slip[0][i] + before[0][i] + dx + y * turn; // (12.2)
+            v[i] = slip[1][i] + before[1][i] + dy - x * turn;
         }
-        for ((cell, pressure), limit) in
-            to.cells.values_mut().iter_mut().zip(to.pressure.values()).zip(&scratch.limits)
+        for ((cell, pressure), friction) in
+            to.cells.values_mut().iter_mut().zip(to.pressure.values()).zip(&scratch.limits.friction)
         {
-            if *pressure > 0.0 && *limit == 0.0 {
+            if *pressure > 0.0 && *friction == 0.0 {
                 *cell = CellState::Slip;
             }
         }

@@ -111,6 +111,16 @@ fn a_wrong_height_map_says_where() {
 }
 
 #[test]
+fn heights_may_stand_on_a_ball() {
+    let grid = Grid::new(5, 3, 0.1, 0.4).unwrap();
+    let flat = HeightMap::from_rows(&vec![vec![0.25; 5]; 3]).unwrap().gap_over(grid, 2.0).unwrap();
+    // Flat heights leave the paraboloid, from its middle.
+    for (gap, (x, y)) in flat.heights().values().iter().zip(grid.centres()) {
+        assert_relative_eq!(*gap, 0.25 * (x * x + y * y), epsilon = 1e-15);
+    }
+}
+
+#[test]
 fn a_rough_surface_is_the_same_on_any_grid_and_has_its_spectrum() {
     let surface = SelfAffine { hurst: 0.7, rms: 0.2, longest: 8.0, shortest: 1.0, seed: 7 };
     let heights = |n: usize| surface.heights(grid(n, 16.0 / n as f64)).unwrap();

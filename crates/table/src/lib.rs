@@ -1,8 +1,9 @@
 //! Columns of results, written once: name, unit, meaning and value.
 //!
 //! A result says what it holds as a list of [`Column`]s. Whatever shows it (comma-separated values,
-//! JSON, a table to read, the axis of a picture, a page of help) is printed from that list. This
-//! crate knows neither mechanics nor formats.
+//! JSON, a table to read, the axis of a picture, a page of help) is printed from that list. What
+//! several results have side by side is a row of [`Cell`]s. This crate knows neither mechanics nor
+//! formats.
 //!
 //! ```
 //! use carom_table::{Column, cells, heads};
@@ -39,6 +40,30 @@ pub enum Value {
     Vector([f64; 3]),
     /// Nothing, where this record has none.
     Absent,
+    /// Nothing, where this record has one that no value says.
+    Undefined,
+}
+
+/// Anything with a head: a column, or a cell of a row.
+pub trait Quantity {
+    /// The name: a word of letters, digits and `_`.
+    fn name(&self) -> &str;
+    /// The unit; empty for pure numbers and words.
+    fn unit(&self) -> &'static str;
+    /// What it is, in a few words.
+    fn meaning(&self) -> &'static str;
+    /// The parts of a vector; none of anything else.
+    fn parts(&self) -> &'static [&'static str];
+}
+
+/// A quantity of one record.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Cell {
+    name: Cow<'static, str>,
+    unit: &'static str,
+    meaning: &'static str,
+    parts: &'static [&'static str],
+    value: Value,
 }
 
 /// One quantity of the records `R`.
@@ -82,103 +107,166 @@ impl<R> Column<R> {
         Self { name, unit, meaning, parts: AXES, value }
     }
 
-    /// The name: a word of letters, digits and `_`.
-    #[must_use]
-    pub const fn name(&self) -> &'static str {
-        self.name
-    }
-
-    /// The unit; empty for pure numbers and words.
-    #[must_use]
-    pub const fn unit(&self) -> &'static str {
-        self.unit
-    }
-
-    /// What it is, in a few words.
-    #[must_use]
-    pub const fn meaning(&self) -> &'static str {
-        self.meaning
-    }
-
     /// The value of a record.
     #[must_use]
     pub fn value(&self, record: &R) -> Value {
         (self.value)(record)
     }
 
-    /// The heads of its cells: the name, for a vector with each of its parts.
-    pub fn heads(&self) -> impl Iterator<Item = String> {
-        let (name, parts) = (self.name, self.parts);
-        let single = parts.is_empty().then(|| name.to_owned());
-        single.into_iter().chain(parts.iter().map(move |part| format!("{name}_{part}")))
+    /// Its cell of a record; without one, nothing stands there.
+    #[must_use]
+    pub fn cell(&self, record: Option<&R>) -> Cell {
+        let Self { name, unit, meaning, parts, value } = *self;
+        Cell { name: name.into(), unit, meaning, parts, value: record.map_or(Value::Absent, value) }
     }
 
     /// The label of an axis: `time / s`.
     #[must_use]
     pub fn label(&self) -> String {
-        match self.unit {
-            "" => self.name.to_owned(),
-            unit => format!("{} / {unit}", self.name),
-        }
+        labelled(self.name, self.unit)
+    }
+}
+
+impl<R> Quantity for Column<R> {
+    fn name(&self) -> &str {
+        self.name
     }
 
-    /// Its cells of a record, numbers written by `number`; what is absent is empty.
-    fn add_cells(&self, record: &R, number: &impl Fn(f64) -> String, cells: &mut Vec<String>) {
-        match self.value(record) {
-            Value::Number(value) => cells.push(number(value)),
-            Value::Count(count) => cells.push(count.to_string()),
-            Value::Text(text) => cells.push(text.into_owned()),
-            Value::Words(words) => cells.push(words.join(" ")),
-            Value::Vector(parts) => cells.extend(parts.map(number)),
-            Value::Absent => {
-                cells.extend(std::iter::repeat_n(String::new(), self.parts.len().max(1)));
+    fn unit(&self) -> &'static str {
+        self.unit
+    }
+
+    fn meaning(&self) -> &'static str {
+        self.meaning
+    }
+
+    fn parts(&self) -> &'static [&'static str] {
+        self.parts
+    }
+}
+
+impl Quantity for Cell {
+    fn name(&self) -> &str {
+        &self.name
+    }
+
+    fn unit(&self) -> &'static str {
+        self.unit
+    }
+
+    fn meaning(&self) -> &'static str {
+        self.meaning
+    }
+
+    fn parts(&self) -> &'static [&'static str] {
+        self.parts
+    }
+}
+
+impl Cell {
+    /// A cell of its own.
+    #[must_use]
+    pub fn new(
+        name: impl Into<Cow<'static, str>>,
+        unit: &'static str,
+        meaning: &'static str,
+        value: impl Into<Value>,
+    ) -> Self {
+        Self { name: name.into(), unit, meaning, parts: &[], value: value.into() }
+    }
+
+    /// The value.
+    #[must_use]
+    pub const fn value(&self) -> &Value {
+        &self.value
+    }
+
+    /// The same under another name.
+    #[must_use]
+    pub fn named(self, name: impl Into<Cow<'static, str>>) -> Self {
+        Self { name: name.into(), ..self }
+    }
+
+    /// As texts, one for each part of a vector, numbers written by `number`.
+    fn add_texts(&self, number: &impl Fn(f64) -> String, texts: &mut Vec<String>) {
+        match &self.value {
+            Value::Number(value) => texts.push(number(*value)),
+            Value::Count(count) => texts.push(count.to_string()),
+            Value::Text(text) => texts.push(text.clone().into_owned()),
+            Value::Words(words) => texts.push(words.join(" ")),
+            Value::Vector(parts) => texts.extend(parts.map(number)),
+            Value::Absent | Value::Undefined => {
+                texts.extend(std::iter::repeat_n(String::new(), self.parts.len().max(1)));
             }
         }
     }
 }
 
-/// The heads of all cells of a row.
+/// The cells of a record; without one, nothing stands in them.
 #[must_use]
-pub fn heads<R>(columns: &[Column<R>]) -> Vec<String> {
-    columns.iter().flat_map(Column::heads).collect()
+pub fn row<R>(columns: &[Column<R>], record: Option<&R>) -> Vec<Cell> {
+    columns.iter().map(|column| column.cell(record)).collect()
+}
+
+/// The heads of all cells of a row: the name, for a vector with each of its parts.
+#[must_use]
+pub fn heads(quantities: &[impl Quantity]) -> Vec<String> {
+    parts(quantities).map(|(of, part)| named(of, part)).collect()
 }
 
 /// The heads of all cells of a row, with their units: `time / s`.
 #[must_use]
-pub fn labels<R>(columns: &[Column<R>]) -> Vec<String> {
-    let labels = columns.iter().flat_map(|column| {
-        column.heads().map(|head| match column.unit {
-            "" => head,
-            unit => format!("{head} / {unit}"),
-        })
-    });
-    labels.collect()
+pub fn labels(quantities: &[impl Quantity]) -> Vec<String> {
+    parts(quantities).map(|(of, part)| labelled(&named(of, part), of.unit())).collect()
 }
 
-/// The cells of a record, numbers written by `number`; what is absent is empty.
+/// The cells of a record as texts, numbers written by `number`; what is absent is empty.
 #[must_use]
 pub fn cells<R>(columns: &[Column<R>], record: &R, number: impl Fn(f64) -> String) -> Vec<String> {
-    let mut cells = Vec::with_capacity(columns.len());
-    for column in columns {
-        column.add_cells(record, &number, &mut cells);
-    }
-    cells
+    texts(&row(columns, Some(record)), number)
 }
 
-/// A line for each column: name, unit, meaning.
+/// The cells of a row as texts, numbers written by `number`; what is absent is empty.
 #[must_use]
-pub fn described<R>(columns: &[Column<R>]) -> String {
-    let name = |column: &Column<R>| match column.parts {
-        [] => column.name.to_owned(),
-        parts => format!("{}_{}", column.name, parts.join(",_")),
+pub fn texts(row: &[Cell], number: impl Fn(f64) -> String) -> Vec<String> {
+    let mut texts = Vec::with_capacity(row.len());
+    for cell in row {
+        cell.add_texts(&number, &mut texts);
+    }
+    texts
+}
+
+/// Each quantity with each of its parts.
+fn parts<Q: Quantity>(quantities: &[Q]) -> impl Iterator<Item = (&Q, Option<&'static str>)> {
+    quantities.iter().flat_map(|of| {
+        let whole = of.parts().is_empty().then_some((of, None));
+        whole.into_iter().chain(of.parts().iter().map(move |part| (of, Some(*part))))
+    })
+}
+
+fn named(of: &impl Quantity, part: Option<&str>) -> String {
+    part.map_or_else(|| of.name().to_owned(), |part| format!("{}_{part}", of.name()))
+}
+
+fn labelled(name: &str, unit: &str) -> String {
+    if unit.is_empty() { name.to_owned() } else { format!("{name} / {unit}") }
+}
+
+/// A line for each quantity: name, unit, meaning.
+#[must_use]
+pub fn described<Q: Quantity>(quantities: &[Q]) -> String {
+    let name = |of: &Q| match of.parts() {
+        [] => of.name().to_owned(),
+        parts => format!("{}_{}", of.name(), parts.join(",_")),
     };
-    let width = columns.iter().map(|column| name(column).len()).max().unwrap_or(0);
-    let unit_width = columns.iter().map(|column| column.unit.len()).max().unwrap_or(0);
-    let line = |column: &Column<R>| {
-        let (name, unit, meaning) = (name(column), column.unit, column.meaning);
+    let names: Vec<String> = quantities.iter().map(name).collect();
+    let width = names.iter().map(String::len).max().unwrap_or(0);
+    let unit_width = quantities.iter().map(|of| of.unit().len()).max().unwrap_or(0);
+    let line = |(name, of): (&String, &Q)| {
+        let (unit, meaning) = (of.unit(), of.meaning());
         format!("  {name:<width$}  {unit:<unit_width$}  {meaning}").trim_end().to_owned() + "\n"
     };
-    columns.iter().map(line).collect()
+    names.iter().zip(quantities).map(line).collect()
 }
 
 impl From<f64> for Value {

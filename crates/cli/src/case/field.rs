@@ -221,9 +221,11 @@ impl Field {
 
 /// Words in quotation marks, `last` before the last.
 fn quoted(words: &[Word], last: &str) -> String {
+    if let [(word, why)] = words {
+        return format!("{word:?} ({why})");
+    }
     let words: Vec<String> = words.iter().map(|(word, _)| format!("{word:?}")).collect();
     match words.split_last() {
-        Some((end, [])) => end.clone(),
         Some((end, before)) => format!("{}{last}{end}", before.join(", ")),
         None => String::new(),
     }

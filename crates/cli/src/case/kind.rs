@@ -2,7 +2,7 @@
 
 use super::error::CaseError;
 use super::field::{Entry, Field, Form, Need, entries};
-use super::section::{Section, parse};
+use super::section::{Section, nearest, parse};
 use super::{HertzCase, HistoryCase, ImpactFile, SceneCase, SolveCase};
 use super::{begin, hertz, history, impact, scene, solve, varied};
 use carom_table::Column;
@@ -90,20 +90,28 @@ impl CaseKind {
         begin::text(self)
     }
 
-    /// The kind of a file: that whose tables it has, as far as it has any.
+    /// The kind of a file: that whose tables it has, as far as it has any, mistyped ones too.
     ///
     /// # Errors
     /// If the text is not TOML.
     pub fn of(source: &str) -> Result<Self, CaseError> {
         let table = parse(source)?;
-        let has = |name: &str| table.get_ref().iter().any(|(key, _)| key.get_ref() == name);
+        let names: Vec<&str> =
+            table.get_ref().iter().map(|(name, _)| name.get_ref().as_ref()).collect();
         let fit = |kind: Self| -> i32 {
-            let of = |field: &Field| match (has(field.name), field.need) {
-                (true, _) => 1,
-                (false, Need::Must) => -1,
-                (false, _) => 0,
-            };
-            kind.fields().iter().map(of).sum()
+            let is_there = |field: &&Field| names.contains(&field.name);
+            let (there, lacking): (Vec<&Field>, Vec<&Field>) =
+                kind.fields().iter().partition(is_there);
+            let valid: Vec<&str> = lacking.iter().map(|field| field.name).collect();
+            let unknown =
+                names.iter().filter(|name| there.iter().all(|field| field.name != **name));
+            let like: Vec<_> = unknown.map(|name| nearest(name, &valid)).collect();
+            let missed = lacking.iter().filter(|field| {
+                matches!(field.need, Need::Must) && !like.contains(&Some(field.name))
+            });
+            let of_unknown = |like: &Option<_>| if like.is_some() { 1 } else { -1 };
+            2 * (there.len() as i32 - missed.count() as i32)
+                + like.iter().map(of_unknown).sum::<i32>()
         };
         // The first of the best.
         let best = Self::ALL.into_iter().rev().max_by_key(|kind| fit(*kind));

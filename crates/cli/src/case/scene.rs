@@ -1,6 +1,6 @@
 //! The case file of `carom scene`: a ball, walls, gravity and limits.
 
-use super::body::{BALL, BodyCase, FIXED, INERTIA, MASS, POSITION, SHAPE, Velocity};
+use super::body::{BALL, BodyCase, INERTIA, MASS, POSITION, Velocity};
 use super::contact::FRICTION;
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
@@ -44,6 +44,7 @@ const WALL: Field = Field::new(
 );
 const START: Field =
     Field::vector("start", Range::Finite.of(Dimension::Length), "centre of the ball at the start")
+        .or("`ball.position`")
         .such_as("[0, 0, 0.5]");
 const GRAVITY: Field = Field::vector(
     "gravity",
@@ -65,7 +66,8 @@ const SETTING: Field = Field::new(
     "scene",
     Form::Table(&[START, GRAVITY, TIME, BOUNCES, REBOUND_HEIGHT]),
     "start, gravity and limits",
-);
+)
+.begun(&[(&START, "")]);
 
 /// All fields.
 pub(super) const FIELDS: &[Field] = &[BALL, WALL, SETTING];
@@ -112,25 +114,19 @@ impl SceneCase {
 }
 
 fn read_ball(case: &Section<'_>, setting: &Section<'_>) -> Result<Ball, CaseError> {
-    if case.has([&BALL, &POSITION]) {
-        let reason = "the ball begins there";
-        return Err(case.conflict([&BALL, &POSITION], [&SETTING, &START], reason));
+    if case.has([&BALL, &POSITION]) && setting.has(&START) {
+        return Err(case.conflict([&BALL, &POSITION], [&SETTING, &START], "give one of them"));
     }
-    let ball = BodyCase::read(case, &BALL, Velocity::Own)?.body;
-    if ball.placed().surface().radius().is_none() {
-        let reason = "the ball of a scene is a sphere: the turning of other bodies in flight is \
-                      not followed";
-        return Err(case.conflict([&BALL, &SHAPE], &WALL, reason));
-    }
-    let mass = ball.inertia().mass();
-    if case.has([&BALL, &FIXED]) && mass.is_infinite() {
-        return Err(case.conflict([&BALL, &FIXED], &WALL, "the ball of a scene moves"));
-    }
+    let BodyCase { body, has_position, .. } = BodyCase::read(case, &BALL, Velocity::Own)?;
+    let mass = body.inertia().mass();
     if mass.is_infinite() {
         return Err(case.out_of_range([&BALL, &MASS], mass, "finite: the walls turn it back"));
     }
-    let start = setting.vector(&START)?;
-    Ball::new(ball.at(start).map_err(at(setting))?).map_err(|error| {
+    let body = match has_position {
+        true => body,
+        false => body.at(setting.vector(&START)?).map_err(at(setting))?,
+    };
+    Ball::new(body).map_err(|error| {
         let field = if case.has([&BALL, &INERTIA]) { &INERTIA } else { &MASS };
         match error {
             SceneError::Range(error) => {

@@ -7,6 +7,7 @@ use super::error::CaseError;
 use super::field::{Default, Field, Form, Need};
 use super::unit::Measure;
 use super::varied::{self, Varied};
+use std::cmp::Reverse;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -139,9 +140,12 @@ impl<'a> Section<'a> {
         shape: &Field,
     ) -> Result<(Self, &'static str), CaseError> {
         let section = self.unchecked(field)?;
-        let word = section.word(shape);
-        section.check(word.as_ref().ok().copied())?;
-        word.map(|word| (section, word))
+        match section.word(shape) {
+            // Perhaps its name is mistyped.
+            Err(missing @ CaseError::Missing { .. }) => section.check(None).and(Err(missing)),
+            Err(wrong) => Err(wrong),
+            Ok(word) => section.check(Some(word)).map(|()| (section, word)),
+        }
     }
 
     fn unchecked(&self, field: &Field) -> Result<Self, CaseError> {
@@ -233,6 +237,8 @@ impl<'a> Section<'a> {
     /// # Errors
     /// If it is missing without a default, or another word.
     pub(super) fn word(&self, field: &Field) -> Result<&'static str, CaseError> {
+        // The words that this table allows.
+        let field = self.fields.iter().find(|own| own.name == field.name).unwrap_or(field);
         let (Form::Word(words) | Form::WordOrVector(words, ..)) = field.form else {
             return Err(self.missing(field));
         };
@@ -417,11 +423,15 @@ fn line_at(source: &str, offset: usize) -> usize {
     1 + source.bytes().take(offset).filter(|byte| *byte == b'\n').count()
 }
 
-/// The valid name most like `name`, if it is like it at all.
-fn nearest(name: &str, valid: &[&'static str]) -> Option<&'static str> {
-    let scored = valid.iter().map(|candidate| (distance(name, candidate), *candidate));
-    let (distance, candidate) = scored.min()?;
-    (distance <= 1 + candidate.len() / 3).then_some(candidate)
+/// The valid name most like `name`, of several that which begins like it longest; none if none is
+/// like it at all.
+pub(super) fn nearest(name: &str, valid: &[&'static str]) -> Option<&'static str> {
+    let same = |candidate: &str| {
+        name.bytes().zip(candidate.bytes()).take_while(|(one, other)| one == other).count()
+    };
+    let score = |candidate: &str| (distance(name, candidate), Reverse(same(candidate)));
+    let candidate = valid.iter().copied().min_by_key(|candidate| score(candidate))?;
+    (distance(name, candidate) <= 1 + candidate.len() / 3).then_some(candidate)
 }
 
 /// How many letters must be put in, taken out or changed (Levenshtein).
@@ -450,6 +460,7 @@ mod tests {
         assert_eq!(nearest("radus", &valid), Some("radius"));
         assert_eq!(nearest("Density", &valid), Some("density"));
         assert_eq!(nearest("temperature", &valid), None);
+        assert_eq!(nearest("F_zx", &["F_x", "F_y", "F_z"]), Some("F_z"));
         assert_eq!(distance("kitten", "sitting"), 3);
     }
 

@@ -1,6 +1,6 @@
 //! `carom check`: what a case says, without computing it.
 
-use crate::case::{CaseKind, GapCase, HistoryCase, SolveCase, Steps, Understood};
+use crate::case::{CaseKind, HistoryCase, SolveCase, Steps, Understood};
 use crate::columns::{self, Record};
 use crate::command::{history, solve};
 use crate::error::CliError;
@@ -63,13 +63,7 @@ fn check_files(file: &CaseFile, kind: CaseKind) -> Result<(), CliError> {
             Steps::Inline(_) => Ok(()),
         },
         CaseKind::Solve => {
-            let case = file.parse(SolveCase::parse)?;
-            match &case.gap {
-                GapCase::Heights(map) => {
-                    solve::heights::read(&folder.join(&map.file), map, case.grid).map(|_| ())
-                }
-                GapCase::Formula(_) => Ok(()),
-            }
+            solve::heights::gap(&file.path, &file.parse(SolveCase::parse)?).map(|_| ())
         }
         CaseKind::Impact | CaseKind::Hertz | CaseKind::Scene => Ok(()),
     }

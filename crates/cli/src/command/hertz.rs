@@ -1,17 +1,19 @@
 //! `carom hertz`: the contact of two surfaces under normal load.
 
 use crate::case::{Given, HertzCase, Numbers};
-use crate::columns::{self, Record};
+use crate::columns::{self, Record, add_fields};
 use crate::command::plot::{Course, MOST_MARKS};
 use crate::command::theory::{Excess, caution};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
-use crate::output::{Answer, Format, Picture, json, short, table};
+use crate::output::{Answer, Format, Picture, json};
 use carom_laws::hertz::{Hertz, HertzState};
 use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
 use carom_special::linspace;
+use carom_table::row;
 use serde::Serialize;
+use serde::ser::SerializeMap as _;
 use std::f64::consts::PI;
 
 /// Hertz contact of two surfaces: ellipse, approach, pressure and stiffness.
@@ -35,18 +37,6 @@ struct Row<'a> {
     outside_theory: Vec<String>,
 }
 
-/// All of a case: the contact and its loads.
-#[derive(Debug, Serialize)]
-struct Report<'a> {
-    axis_ratio: f64,
-    /// From the first principal direction of body 1 to the x axis, degrees.
-    angle: f64,
-    c_x: f64,
-    c_y: f64,
-    c_z: f64,
-    loads: &'a [Row<'a>],
-}
-
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     let case = file.parse(HertzCase::parse)?;
@@ -66,14 +56,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let loads = columns::rows(format, HertzState::COLUMNS, &states)?;
     let text = match format {
         Format::Json => {
-            let row = |(state, excess): (_, &Excess)| Row {
+            let record = |(state, excess): (_, &Excess)| Row {
                 state: Record::new(HertzState::COLUMNS, state),
                 outside_theory: excess.reasons(),
             };
-            let rows: Vec<Row<'_>> = states.iter().zip(&excesses).map(row).collect();
-            json(&report(&case.hertz, &rows))?
+            let rows: Vec<Row<'_>> = states.iter().zip(&excesses).map(record).collect();
+            json(&Report { hertz: &case.hertz, loads: &rows })?
         }
-        Format::Table => contact(&case.hertz) + &loads,
+        Format::Table => columns::upright(&row(Hertz::COLUMNS, Some(&case.hertz))) + &loads,
         Format::Csv | Format::None => loads,
     };
     let picture = match plot {
@@ -98,29 +88,19 @@ fn loaded(hertz: &Hertz, given: Given, value: f64) -> Result<HertzState, RangeEr
     }
 }
 
-fn report<'a>(hertz: &Hertz, loads: &'a [Row<'a>]) -> Report<'a> {
-    let stiffness = hertz.stiffness();
-    Report {
-        axis_ratio: hertz.axis_ratio().get(),
-        angle: hertz.curvature().angle().to_degrees(),
-        c_x: stiffness.c_x,
-        c_y: stiffness.c_y,
-        c_z: stiffness.c_z,
-        loads,
-    }
+/// All of a case: the contact and its loads.
+struct Report<'a> {
+    hertz: &'a Hertz,
+    loads: &'a [Row<'a>],
 }
 
-fn contact(hertz: &Hertz) -> String {
-    let Report { axis_ratio, angle, c_x, c_y, c_z, .. } = report(hertz, &[]);
-    let rows = [
-        ("axis ratio a/b", axis_ratio, ""),
-        ("x axis from body 1's first direction", angle, "°"),
-        ("c_x, force = c √approach shift", c_x, "N/m^1.5"),
-        ("c_y", c_y, "N/m^1.5"),
-        ("c_z", c_z, "N/m^1.5"),
-    ];
-    let rows = rows.map(|(name, value, unit)| vec![name.to_owned(), short(value), unit.to_owned()]);
-    table(&["contact", "value", "unit"], &rows)
+impl Serialize for Report<'_> {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        add_fields(&mut map, &row(Hertz::COLUMNS, Some(self.hertz)))?;
+        map.serialize_entry("loads", self.loads)?;
+        map.end()
+    }
 }
 
 /// Ellipse and pressure of one load; else force and pressure from no load to the greatest one, the

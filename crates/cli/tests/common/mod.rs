@@ -1,6 +1,9 @@
 //! The command as a user meets it, and files for it.
 #![allow(dead_code)] // no test needs all of it
 
+pub(crate) mod pebble;
+
+use carom_cli::case::CaseKind;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
 
@@ -42,4 +45,21 @@ pub(crate) fn case(name: &str, text: &str) -> String {
 pub(crate) fn close(value: &serde_json::Value, expected: f64, tolerance: f64) {
     let value = value.as_f64().unwrap();
     assert!((value - expected).abs() <= tolerance, "{value} is not {expected}");
+}
+
+/// Names and texts of the examples of a kind.
+pub(crate) fn examples(kind: CaseKind) -> Vec<(String, String)> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        let name = path.file_name().unwrap().to_str().unwrap().to_owned();
+        let of =
+            CaseKind::ALL.into_iter().find(|kind| name.starts_with(&format!("{}_", kind.name())));
+        if name.ends_with(".toml") && of.unwrap_or(CaseKind::Impact) == kind {
+            found.push((name, std::fs::read_to_string(&path).unwrap()));
+        }
+    }
+    found.sort();
+    found
 }

@@ -1,6 +1,7 @@
 //! Two bodies of any smooth shape, anywhere, in any motion: where they touch and how they part.
 
 mod aftermath;
+mod columns;
 mod history;
 mod method;
 

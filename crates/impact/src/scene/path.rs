@@ -1,6 +1,7 @@
 //! What a scene leaves behind: flights, bounces and the end.
 
 use carom_special::RangeError;
+use carom_table::Column;
 use nalgebra::Vector3;
 
 use super::flight::Flight;
@@ -102,6 +103,39 @@ pub struct Bounce {
     pub after: Motion,
     /// The impact in full: R_x, regimes, impulse, energy, warnings. The ball is body 1.
     pub rebound: Rebound,
+}
+
+impl Bounce {
+    /// When, where and how the ball moves; what came of the impact is in
+    /// [`Rebound::COLUMNS`].
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("time", "s", "since the start", |bounce| bounce.time.into()),
+        Column::vector("position", "m", "of the centre", |bounce| {
+            <[f64; 3]>::from(bounce.position).into()
+        }),
+        Column::vector("velocity_before", "m/s", "of the centre", |bounce| {
+            <[f64; 3]>::from(bounce.before.velocity).into()
+        }),
+        Column::vector("spin_before", "rad/s", "", |b| <[f64; 3]>::from(b.before.spin).into()),
+        Column::vector("velocity", "m/s", "of the centre afterwards", |bounce| {
+            <[f64; 3]>::from(bounce.after.velocity).into()
+        }),
+        Column::vector("spin", "rad/s", "afterwards", |b| <[f64; 3]>::from(b.after.spin).into()),
+    ];
+}
+
+impl PathPoint {
+    /// When, where and how.
+    pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("time", "s", "since the start", |point| point.time.into()),
+        Column::vector("position", "m", "of the centre", |point| {
+            <[f64; 3]>::from(point.position).into()
+        }),
+        Column::vector("velocity", "m/s", "of the centre", |point| {
+            <[f64; 3]>::from(point.motion.velocity).into()
+        }),
+        Column::vector("spin", "rad/s", "", |point| <[f64; 3]>::from(point.motion.spin).into()),
+    ];
 }
 
 /// Why a path ends.

@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-use super::{Lateral, Memory, Regime, Vertex, VertexStack};
+use super::{Lateral, Memory, MemoryRegime, Vertex, VertexStack};
 use crate::bounds::in_memory;
 use crate::profile::NormalProfile;
 
@@ -15,17 +15,17 @@ const EACH: usize = 5;
 /// The most vertices that the first number can count.
 pub(super) const MOST: usize = 99;
 
-const REGIMES: [Regime; 7] = [
-    Regime::Separated,
-    Regime::Adhesion,
-    Regime::Release,
-    Regime::Slip,
-    Regime::Reversal,
-    Regime::Overlay,
-    Regime::Sliding,
+const REGIMES: [MemoryRegime; 7] = [
+    MemoryRegime::Separated,
+    MemoryRegime::Adhesion,
+    MemoryRegime::Release,
+    MemoryRegime::Slip,
+    MemoryRegime::Reversal,
+    MemoryRegime::Overlay,
+    MemoryRegime::Sliding,
 ];
 
-impl Regime {
+impl MemoryRegime {
     /// Its place in the list of all, by which it is kept in numbers.
     pub(crate) fn number(self) -> u8 {
         REGIMES.iter().position(|regime| *regime == self).unwrap_or(0) as u8
@@ -122,7 +122,7 @@ pub(super) fn check(
     numbers: &[f64],
     (version, each, of_version): (f64, usize, &'static str),
     capacity: usize,
-) -> Result<(Regime, usize), RangeError> {
+) -> Result<(MemoryRegime, usize), RangeError> {
     let room = numbers.len() as f64;
     RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
     let mark = if numbers[0] == 0.0 { 1e4 * version } else { numbers[0] };

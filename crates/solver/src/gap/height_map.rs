@@ -99,9 +99,21 @@ impl HeightMap {
     /// # Errors
     /// [`HeightMapError::OtherSize`] unless the grid has one cell for each value.
     pub fn gap(&self, grid: Grid) -> Result<Gap, HeightMapError> {
+        self.gap_over(grid, f64::INFINITY)
+    }
+
+    /// The same of heights that stand on a paraboloid of this radius, r^2/(2 R) - h from the point
+    /// that touches; infinite for a plane.
+    ///
+    /// # Errors
+    /// [`HeightMapError::OtherSize`] unless the grid has one cell for each value.
+    pub fn gap_over(&self, grid: Grid, radius: f64) -> Result<Gap, HeightMapError> {
         let (found, size) = ([self.columns, self.rows()], [grid.nx(), grid.ny()]);
-        let highest = self.values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
-        let gaps = self.values.iter().map(|height| highest - height).collect();
+        let heights = self.values.iter().zip(grid.centres());
+        let mut gaps: Vec<f64> =
+            heights.map(|(height, (x, y))| 0.5 * (x * x + y * y) / radius - height).collect();
+        let lowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+        gaps.iter_mut().for_each(|gap| *gap -= lowest);
         let other = HeightMapError::OtherSize { found, grid: size };
         let field = Field::new(grid, gaps).ok().filter(|_| found == size).ok_or(other)?;
         Gap::new(field).map_err(|_| other)

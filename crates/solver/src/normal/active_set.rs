@@ -108,6 +108,11 @@ impl ActiveSet {
         }
     }
 
+    /// The gaps of the last solution.
+    pub(super) fn gap(&self) -> &[f64] {
+        &self.gap
+    }
+
     /// Solves a task whose start is positive somewhere.
     ///
     /// # Errors

@@ -59,6 +59,11 @@ impl NormalGrids {
         &self.levels[0].pressure
     }
 
+    /// The gaps left.
+    pub(crate) fn gap(&self) -> &[f64] {
+        self.levels[0].set.gap()
+    }
+
     /// The heights of the finest grid, to be changed.
     pub(crate) fn heights_mut(&mut self) -> &mut [f64] {
         &mut self.levels[0].heights

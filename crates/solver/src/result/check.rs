@@ -3,6 +3,7 @@
 use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField};
 
 use crate::convergence::Residuals;
+use crate::friction::firm;
 use crate::problem::ContactProblem;
 use crate::state::ContactState;
 
@@ -22,6 +23,7 @@ pub fn violations(
 ) -> Result<Residuals, OperatorError> {
     let operator = problem.operator();
     let own = operator.coefficients(0, 0).rows;
+    let soft = 0.5 * (own[0][0] + own[1][1]);
     let (x, y) = (after.traction_x.values(), after.traction_y.values());
     let pressure = after.pressure.values();
     let (mut anew, mut w) = (after.clone(), vec![0.0; problem.grid().cells()]);
@@ -36,10 +38,10 @@ pub fn violations(
         depth = depth.max(after.shift.zeta - height);
         let off = if pressure[i] > 0.0 { gap.abs() } else { (-gap).max(-own[2][2] * pressure[i]) };
         normal = normal.max(off);
-        let limit = problem.friction().at(i).motion().get() * pressure[i].max(0.0);
+        let limit = firm(problem.friction().at(i).motion().get()) * pressure[i].max(0.0);
         most = most.max(limit);
-        let pull = [(x[i], slip_x.values()[i], own[0][0]), (y[i], slip_y.values()[i], own[1][1])];
-        let [to_x, to_y] = pull.map(|(t, slip, own)| t - slip / own);
+        // One compliance for both: a slip against the traction pulls along it.
+        let [to_x, to_y] = [x[i] - slip_x.values()[i] / soft, y[i] - slip_y.values()[i] / soft];
         let part = if to_x.hypot(to_y) > limit { limit / to_x.hypot(to_y) } else { 1.0 };
         tangential = tangential.max((part * to_x - x[i]).hypot(part * to_y - y[i]));
     }

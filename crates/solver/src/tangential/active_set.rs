@@ -190,7 +190,7 @@ impl ActiveSet {
         }
     }
 
-    /// The slip of the start.
+    /// The slip of the start, and its rims.
     fn begin(
         &mut self,
         task: &mut TangentialTask<'_>,
@@ -201,6 +201,13 @@ impl ActiveSet {
         }
         self.multiply(task.operator, &mut course.products)?;
         self.slip_of_image(task);
+        // Nothing of what was solved before counts.
+        for i in 0..task.limits.len() {
+            let at = [task.traction[0][i], task.traction[1][i]];
+            let norm = (at[0] * at[0] + at[1] * at[1]).sqrt();
+            let rim = if norm > 0.0 { at.map(|t| t / norm) } else { [0.0; 2] };
+            (self.rim[0][i], self.rim[1][i]) = (rim[0], rim[1]);
+        }
         Ok(())
     }
 
@@ -569,7 +576,7 @@ impl ActiveSet {
 }
 
 /// The nearest point of a disc.
-pub(super) fn within([x, y]: [f64; 2], limit: f64) -> [f64; 2] {
+pub(crate) fn within([x, y]: [f64; 2], limit: f64) -> [f64; 2] {
     let norm = (x * x + y * y).sqrt();
     if norm > limit { [limit * (x / norm), limit * (y / norm)] } else { [x, y] }
 }

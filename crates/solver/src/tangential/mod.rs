@@ -14,7 +14,7 @@ use crate::nested;
 use crate::state::CellState;
 use active_set::{ActiveSet, Limits, Plane};
 
-pub(crate) use active_set::TangentialTask;
+pub(crate) use active_set::{TangentialTask, within};
 pub(crate) use rigid::Rigid;
 
 /// Grids with fewer cells along a side than this are not made coarser.

@@ -163,6 +163,29 @@ pub(in crate::case) const BODY_1: Field =
 pub(in crate::case) const BODY_2: Field =
     Field::new("body_2", Form::Table(FIELDS), "the other body")
         .begun(&[(&SHAPE, "\"plane\""), (&FIXED, "")]);
+const PLACE_OF_BALL: Field = Field::vector("position", PLACE, "centre at the start")
+    .or("`scene.start`")
+    .such_as("[0, 0, 0.5]");
+const SHAPE_OF_BALL: Field = Field::new(
+    "shape",
+    Form::Word(&[(SPHERE, "the turning of other bodies in flight is not followed")]),
+    "shape of the surface",
+)
+.such_as("\"sphere\"");
 /// The body that flies in a scene.
-pub(in crate::case) const BALL: Field =
-    Field::new("ball", Form::Table(FIELDS), "the body that flies: a sphere").begun(MOVING);
+pub(in crate::case) const BALL: Field = Field::new(
+    "ball",
+    Form::Table(&[
+        SHAPE_OF_BALL,
+        RADIUS,
+        MATERIAL,
+        DENSITY,
+        MASS,
+        INERTIA,
+        PLACE_OF_BALL,
+        VELOCITY,
+        SPIN,
+    ]),
+    "the body that flies",
+)
+.begun(MOVING);

@@ -2,6 +2,7 @@
 
 use crate::error::CliError;
 use crate::input::read_table;
+use crate::numbers::{NumberTable, TableError, headed};
 use carom_laws::law::Shift;
 use std::path::Path;
 
@@ -12,9 +13,9 @@ const OPTIONAL: usize = 3;
 /// What is wrong with a CSV file of steps.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 pub enum StepsError {
-    /// It is no table.
-    #[error("{0}")]
-    Csv(String),
+    /// It is no table of numbers.
+    #[error(transparent)]
+    Table(#[from] TableError),
     /// A column is missing.
     #[error(
         "column `{0}` is missing: the columns must be zeta, xi, eta and perhaps omega, in any order"
@@ -25,16 +26,6 @@ pub enum StepsError {
         "unknown column `{0}`: the columns must be zeta, xi, eta and perhaps omega, in any order"
     )]
     Unknown(String),
-    /// A value that is no finite number.
-    #[error("line {line}: `{column}` = {found} is out of range: must be a finite number")]
-    Value {
-        /// Line, from 1.
-        line: u64,
-        /// Its column.
-        column: &'static str,
-        /// What stands there.
-        found: String,
-    },
     /// No row at all.
     #[error("there is no step: at least one row must follow the heads")]
     Empty,
@@ -49,36 +40,20 @@ pub(in crate::command) fn read(path: &Path) -> Result<Vec<Shift>, CliError> {
 }
 
 fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {
-    let broken = |error: csv::Error| StepsError::Csv(error.to_string());
-    let mut reader = csv::ReaderBuilder::new().trim(csv::Trim::All).from_reader(text.as_bytes());
-    let heads = reader.headers().map_err(broken)?.clone();
-    if let Some(unknown) = heads.iter().find(|head| !COLUMNS.contains(head)) {
-        return Err(StepsError::Unknown(unknown.to_owned()));
+    let NumberTable { heads, rows } = headed(text)?;
+    if let Some(unknown) = heads.iter().find(|head| !COLUMNS.contains(&head.as_str())) {
+        return Err(StepsError::Unknown(unknown.clone()));
     }
-    let mut columns = Vec::new();
-    for (i, column) in COLUMNS.into_iter().enumerate() {
-        match heads.iter().position(|head| head == column) {
-            Some(place) => columns.push((place, column)),
-            None if i >= OPTIONAL => {}
-            None => return Err(StepsError::Missing(column)),
-        }
+    let places = COLUMNS.map(|column| heads.iter().position(|head| head == column));
+    let lacking = COLUMNS[..OPTIONAL].iter().zip(places).find(|(_, place)| place.is_none());
+    if let Some((column, _)) = lacking {
+        return Err(StepsError::Missing(column));
     }
-    let mut shifts = Vec::new();
-    for record in reader.records() {
-        let record = record.map_err(broken)?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let mut values = [0.0; COLUMNS.len()];
-        for (value, (place, column)) in values.iter_mut().zip(&columns) {
-            let found = record.get(*place).unwrap_or_default();
-            *value = found
-                .parse()
-                .ok()
-                .filter(|value: &f64| value.is_finite())
-                .ok_or_else(|| StepsError::Value { line, column, found: found.to_owned() })?;
-        }
-        let [zeta, xi, eta, omega] = values;
-        shifts.push(Shift { zeta, xi, eta, omega });
-    }
+    let shift = |row: &Vec<f64>| {
+        let [zeta, xi, eta, omega] = places.map(|place| place.map_or(0.0, |place| row[place]));
+        Shift { zeta, xi, eta, omega }
+    };
+    let shifts: Vec<Shift> = rows.iter().map(shift).collect();
     if shifts.is_empty() { Err(StepsError::Empty) } else { Ok(shifts) }
 }
 

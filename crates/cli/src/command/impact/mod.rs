@@ -14,7 +14,7 @@ use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
 use carom_impact::{CollisionError, HistoryPoint, NumericalImpact, NumericalImpactError};
 use rayon::prelude::*;
-use view::{Course, Parameter, Record};
+use view::{Parameter, Record};
 
 /// Impact of two bodies of any smooth shape from a case file.
 ///
@@ -23,8 +23,9 @@ use view::{Course, Parameter, Record};
 /// distribution, as in glass_scatter.toml. The spin about the normal is left alone unless
 /// `contact.torsion = true`. The picture shows the course of the impact, the sweep, or the scatter.
 #[derive(Debug, clap::Args)]
-#[command(after_long_help = columns::help("A row for each impact", view::COLUMNS) + "\n"
-    + &columns::help("A row for each instant, in contact axes", HistoryPoint::COLUMNS))]
+#[command(after_long_help = columns::help("A row for each impact, motions afterwards", &view::cells(None)) + "\n"
+    + &columns::help("With --history a row for each instant, in contact axes", HistoryPoint::COLUMNS)
+    + "\n" + &uncertain::help())]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
@@ -62,16 +63,19 @@ fn impacts(
     if let (Some(count), [record]) = (arguments.history, outcomes.as_mut_slice()) {
         record.history = Some(course(arguments, file, count as usize)?);
     }
-    let of_outcomes = view::columns(sweep.map_or("angle", |(input, _)| view::name(input)));
-    columns::check(path, &of_outcomes, &outcomes)?;
+    let rows: Vec<_> = outcomes.iter().map(|record| view::cells(Some(record))).collect();
+    // The number that is swept over may be infinite, as friction.
+    columns::check_cells(path, rows.iter().map(|row| &row[1..]))?;
     let text = match (format, outcomes.as_slice()) {
         (Format::Json, [record]) if sweep.is_none() => json(record)?,
         (Format::Json, records) => json(&records)?,
-        (Format::Csv, [Record { history: Some(Course(points)), .. }]) => {
+        (Format::Csv, [Record { history: Some(points), .. }]) => {
             columns::rows(format, HistoryPoint::COLUMNS, points)?
         }
-        (Format::Csv, records) => columns::rows(format, &of_outcomes, records)?,
-        (Format::Table, records) => table::render(records, sweep.map(|(input, _)| input))?,
+        (Format::Csv, _) => columns::cell_rows(format, &rows)?,
+        (Format::Table, records) => {
+            table::render(records, sweep.map(|(input, _)| Parameter::of(input, 0.0).name))?
+        }
         (Format::None, _) => String::new(),
     };
     let mut warnings = warnings(&outcomes);
@@ -93,10 +97,10 @@ fn records(
     file: &ImpactFile<'_>,
     values: &[f64],
 ) -> Result<Vec<Record>, CliError> {
-    let name = file.sweep().map_or("", |(input, _)| view::name(input));
+    let input = file.sweep().map(|(input, _)| input);
     let record = |value: &f64| {
         let case = file.case(&[*value]).map_err(|source| refused(arguments, source))?;
-        followed(arguments, Some(Parameter { name, value: *value }), &case)
+        followed(arguments, input.map(|input| Parameter::of(input, *value)), &case)
     };
     values.par_iter().map(record).collect()
 }
@@ -112,10 +116,14 @@ fn followed(
             .map_err(|source| on_grid(arguments, source))?,
         false => case.collision.solve().map_err(|source| blamed(arguments, case, source))?,
     };
-    Ok(view::record(parameter, case, &outcome))
+    Ok(Record::new(parameter, case.clone(), outcome))
 }
 
-fn course(arguments: &Arguments, file: &ImpactFile<'_>, count: usize) -> Result<Course, CliError> {
+fn course(
+    arguments: &Arguments,
+    file: &ImpactFile<'_>,
+    count: usize,
+) -> Result<Vec<HistoryPoint>, CliError> {
     let case = file.nominal();
     let history = match case.contact.is_numerical {
         true => NumericalImpact::new(&case.collision)
@@ -124,7 +132,7 @@ fn course(arguments: &Arguments, file: &ImpactFile<'_>, count: usize) -> Result<
         false => case.collision.history(count).map_err(|source| blamed(arguments, case, source))?,
     };
     columns::check(&arguments.given.case, HistoryPoint::COLUMNS, &history)?;
-    Ok(Course(history))
+    Ok(history)
 }
 
 /// The case is to blame for torsion that cannot be given.
@@ -173,11 +181,11 @@ fn draw(
     file: &ImpactFile<'_>,
     given: &[Record],
 ) -> Result<Option<Picture>, CliError> {
-    if given.iter().all(|record| record.rebound.is_none()) {
+    if given.iter().all(|record| record.rebound().is_none()) {
         return Ok(None);
     }
     let Some((input, values)) = file.sweep() else {
-        return Ok(Some(plot::course(&course(arguments, file, plot::INSTANTS)?.0)));
+        return Ok(Some(plot::course(&course(arguments, file, plot::INSTANTS)?)));
     };
     let between = records(arguments, file, &plot::between(values))?;
     Ok(Some(plot::sweep(input, &between, given)))
@@ -194,10 +202,10 @@ fn several(records: &[Record]) -> &'static str {
 /// What limits the validity of the outcomes.
 fn warnings(records: &[Record]) -> Vec<String> {
     let place = |record: &Record| match record.parameter {
-        Some(Parameter { name: "angle", value }) => format!("at {value}°"),
-        Some(Parameter { name, value }) => format!("at {name} = {value}"),
+        Some(Parameter { name: "angle", value, .. }) => format!("at {value}°"),
+        Some(Parameter { name, value, .. }) => format!("at {name} = {value}"),
         None => String::new(),
     };
-    let concerned = records.iter().map(|record| (place(record), record.limits.as_slice()));
+    let concerned = records.iter().map(|record| (place(record), record.limits()));
     theory::warnings(concerned, several(records))
 }

@@ -1,6 +1,6 @@
 //! The picture of the course of an impact, or of a sweep.
 
-use super::view::{Record, name};
+use super::view::{Parameter, Record};
 use crate::case::Input;
 use crate::command::plot::{Course, MOST_MARKS, Value};
 use crate::output::Picture;
@@ -45,15 +45,16 @@ pub(super) fn course(history: &[HistoryPoint]) -> Picture {
     Picture::new("Course of the impact", panels)
 }
 
-/// The values of a sweep with those between its least and its greatest, close together; none where
-/// these are one.
+/// The finite values of a sweep with those between its least and its greatest, close together; none
+/// where these are one.
 pub(super) fn between(values: &[f64]) -> Vec<f64> {
+    let values: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
     if low >= high {
         return Vec::new();
     }
-    let mut all = [values, &linspace(low, high, VALUES)].concat();
+    let mut all = [values, linspace(low, high, VALUES)].concat();
     all.sort_by(f64::total_cmp);
     all.dedup();
     all
@@ -64,14 +65,16 @@ pub(super) fn between(values: &[f64]) -> Vec<f64> {
 pub(super) fn sweep(input: &Input, between: &[Record], given: &[Record]) -> Picture {
     let points = |records: &[Record]| -> Vec<[f64; 4]> {
         let point = |record: &Record| {
-            let body_1 = &record.after.body_1;
+            let [_, [body_1, _]] = record.motions();
             let restitution = record.restitution()?;
-            Some([record.parameter?.value, restitution, body_1.velocity[0], body_1.spin[1]])
+            let value = Some(record.parameter?.value).filter(|value| value.is_finite())?;
+            Some([value, restitution, body_1.velocity[0], body_1.spin[1]])
         };
         records.iter().filter_map(point).collect()
     };
     let (between, given) = (points(between), points(given));
-    let (label, what) = match (name(input), input.unit) {
+    let name = Parameter::of(input, 0.0).name;
+    let (label, what) = match (name, input.unit) {
         ("angle", _) => ("angle from the normal / °".to_owned(), "the angle of incidence"),
         (name, "") => (name.to_owned(), name),
         (name, unit) => (format!("{name} / {unit}"), name),
@@ -82,7 +85,7 @@ pub(super) fn sweep(input: &Input, between: &[Record], given: &[Record]) -> Pict
         course.panel("", "v_x of body 1 afterwards / m/s", &[("", |point| point[2])]),
         course.panel("", "spin_y of body 1 afterwards / rad/s", &[("", |point| point[3])]),
     ];
-    let marks = match (name(input), given.len() <= MOST_MARKS) {
+    let marks = match (name, given.len() <= MOST_MARKS) {
         (_, false) => "",
         ("angle", true) => " (dots: the angles given)",
         (_, true) => " (dots: the values given)",

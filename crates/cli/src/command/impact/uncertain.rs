@@ -1,14 +1,17 @@
 //! An impact with uncertain inputs: what its outcome is, and how it scatters.
 
 use crate::case::{CaseError, ImpactFile, Input, Uncertainty};
+use crate::columns::{self, add_fields};
 use crate::command::theory::Excess;
 use crate::error::CliError;
-use crate::output::{Format, Picture, csv, json, short, table};
+use crate::output::{Format, Picture, json, short};
 use carom_impact::uncertain::{Bin, Quantity, Study, Summary, UncertainError};
 use carom_impact::{CollisionError, Outcome};
 use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
+use carom_table::{Cell, Column, row};
 use serde::Serialize;
+use serde::ser::SerializeMap as _;
 
 /// The outcome of all samples. SI units, angles in degrees.
 #[derive(Debug, Clone, Serialize)]
@@ -32,7 +35,7 @@ struct Rejected {
 }
 
 /// A number and its scatter.
-#[derive(Debug, Clone, Serialize)]
+#[derive(Debug, Clone)]
 struct Spread {
     name: &'static str,
     count: usize,
@@ -43,6 +46,31 @@ struct Spread {
     maximum: f64,
     quantiles: Vec<QuantileRecord>,
     histogram: Vec<BinRecord>,
+}
+
+const COLUMNS: &[Column<Spread>] = &[
+    Column::new("name", "", "of the number", |spread| spread.name.into()),
+    Column::new("count", "", "samples that have it", |spread| (spread.count as u64).into()),
+    Column::new("mean", "", "in the unit of the number", |spread| spread.mean.into()),
+    Column::new("sd", "", "standard deviation", |spread| spread.sd.into()),
+    Column::new("standard_error", "", "of the mean", |spread| spread.standard_error.into()),
+    Column::new("minimum", "", "least sample", |spread| spread.minimum.into()),
+    Column::new("maximum", "", "greatest sample, after the quantiles", |s| s.maximum.into()),
+];
+
+impl Serialize for Spread {
+    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut map = serializer.serialize_map(None)?;
+        add_fields(&mut map, &row(COLUMNS, Some(self)))?;
+        map.serialize_entry("quantiles", &self.quantiles)?;
+        map.serialize_entry("histogram", &self.histogram)?;
+        map.end()
+    }
+}
+
+/// What stands in the rows of a scatter.
+pub(super) fn help() -> String {
+    columns::help("Of a scatter a row for each number", COLUMNS)
 }
 
 #[derive(Debug, Clone, Copy, Serialize)]
@@ -135,49 +163,32 @@ pub(super) fn render_text(report: &Report, format: Format) -> Result<String, Cli
     match format {
         Format::Json => json(report),
         Format::None => Ok(String::new()),
-        Format::Csv => {
-            let (heads, rows) = cells(report, |_| true, |value| value.to_string());
-            csv(&heads.iter().map(String::as_str).collect::<Vec<_>>(), &rows)
-        }
+        Format::Csv => columns::cell_rows(format, &rows(report, |_| true)),
         Format::Table => {
             // What never moves is left out.
-            let (heads, rows) =
-                cells(report, |spread| spread.minimum != 0.0 || spread.maximum != 0.0, short);
-            let heads: Vec<&str> = heads.iter().map(String::as_str).collect();
-            Ok(format!(
-                "{}{} samples, {} without impact, {} out of range\n",
-                table(&heads, &rows),
-                report.samples,
-                report.no_impact,
-                report.out_of_range.iter().map(|seen| seen.count).sum::<usize>(),
-            ))
+            let moves = |spread: &Spread| spread.minimum != 0.0 || spread.maximum != 0.0;
+            let table = columns::cell_rows(format, &rows(report, moves))?;
+            let (none, all) = (report.no_impact, report.samples);
+            let out = report.out_of_range.iter().map(|seen| seen.count).sum::<usize>();
+            Ok(format!("{table}{all} samples, {none} without impact, {out} out of range\n"))
         }
     }
 }
 
-fn cells(
-    report: &Report,
-    shown: impl Fn(&Spread) -> bool,
-    number: impl Fn(f64) -> String,
-) -> (Vec<String>, Vec<Vec<String>>) {
-    let mut heads: Vec<String> =
-        ["kind", "name", "count", "mean", "sd", "standard_error", "minimum"]
-            .map(str::to_owned)
-            .into();
-    let parts = report.inputs.first().map(|spread| spread.quantiles.as_slice()).unwrap_or_default();
-    heads.extend(parts.iter().map(|quantile| format!("q{}", quantile.part)));
-    heads.push("maximum".to_owned());
-    let row = |kind: &str, spread: &Spread| {
-        let mut row = vec![kind.to_owned(), spread.name.to_owned(), spread.count.to_string()];
-        let before = [spread.mean, spread.sd, spread.standard_error, spread.minimum];
-        let quantiles = spread.quantiles.iter().map(|quantile| quantile.value);
-        row.extend(before.into_iter().chain(quantiles).chain([spread.maximum]).map(&number));
-        row
+fn rows(report: &Report, shown: impl Fn(&Spread) -> bool) -> Vec<Vec<Cell>> {
+    let row = |kind: &'static str, spread: &Spread| {
+        let mut cells = vec![Cell::new("kind", "", "input or outcome", kind)];
+        cells.extend(row(COLUMNS, Some(spread)));
+        let maximum = cells.len() - 1;
+        let quantile = |quantile: &QuantileRecord| {
+            Cell::new(format!("q{}", quantile.part), "", "quantile", quantile.value)
+        };
+        cells.splice(maximum..maximum, spread.quantiles.iter().map(quantile));
+        cells
     };
     let inputs = report.inputs.iter().map(|spread| row("input", spread));
     let outcome = report.outcome.iter().filter(|spread| shown(spread));
-    let rows = inputs.chain(outcome.map(|spread| row("outcome", spread))).collect();
-    (heads, rows)
+    inputs.chain(outcome.map(|spread| row("outcome", spread))).collect()
 }
 
 /// What was left out of the numbers, for standard error.

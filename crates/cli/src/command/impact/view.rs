@@ -1,312 +1,217 @@
-//! The outcome of a collision as records for JSON and columns for CSV.
+//! The outcome of a collision as records for JSON and rows of cells.
 
 use crate::case::{ImpactCase, Input};
-use crate::columns;
+use crate::columns::{self, Fields, add_fields};
 use crate::command::theory::Excess;
 use carom_impact::coupled::VectorLaw;
-use carom_impact::oblique::{Event, Regime};
-use carom_impact::{Body, Collision, HistoryPoint, Motion, Outcome, Rebound, Warning};
-use carom_table::{Column, Value};
+use carom_impact::{
+    Body, Collision, HistoryPoint, LogEntry, Motion, Outcome, Rebound, Torsion, Warning,
+};
+use carom_table::{Cell, Column, Quantity as _, Value, row};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
 /// An impact and what came of it. SI units.
-#[derive(Debug, Clone, serde::Serialize)]
+#[derive(Debug, Clone)]
 pub(super) struct Record {
     /// The number of a sweep, or the angle of incidence if the case gives it.
-    #[serde(flatten)]
     pub(super) parameter: Option<Parameter>,
-    pub(super) outcome: Kind,
-    pub(super) contact: ContactRecord,
-    pub(super) before: Motions,
-    pub(super) after: Motions,
-    #[serde(flatten)]
-    pub(super) rebound: Option<ReboundRecord>,
-    pub(super) warnings: Vec<String>,
-    /// What lies outside the theory, if anything.
-    pub(super) outside_theory: Vec<String>,
-    #[serde(skip)]
-    pub(super) limits: Vec<Warning>,
-    #[serde(skip)]
+    case: ImpactCase,
+    outcome: Outcome,
     pub(super) excess: Excess,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) history: Option<Course>,
+    pub(super) history: Option<Vec<HistoryPoint>>,
 }
 
 /// A number by which impacts differ.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Parameter {
     pub(super) name: &'static str,
+    pub(super) unit: &'static str,
     pub(super) value: f64,
 }
 
-impl Serialize for Parameter {
+impl Parameter {
+    /// The number of a sweep: the angle of incidence has a name of its own.
+    pub(super) fn of(input: &Input, value: f64) -> Self {
+        let name = if input.field == "approach.angle" { "angle" } else { input.field };
+        Self { name, unit: input.unit, value }
+    }
+}
+
+/// How the impact was followed.
+const METHOD: &[Column<Record>] = &[
+    Column::new("passage", "", "how it was solved", |record| {
+        let passage = |rebound: &Rebound| match record.case.contact.is_numerical {
+            true => "numerical",
+            false => rebound.passage.name(),
+        };
+        record.of_rebound(passage)
+    }),
+    Column::new("law", "", "for turning directions", |record| {
+        match (record.case.contact.is_numerical, record.case.contact.law) {
+            (true, _) => "numerical",
+            (false, VectorLaw::Coulomb) => "coulomb",
+            (false, VectorLaw::FixedDirection) => "fixed-direction",
+        }
+        .into()
+    }),
+    Column::new("compressions", "", "how often the approach grew", |record| {
+        record.of_rebound(|rebound| u64::from(rebound.compressions))
+    }),
+    Column::new("error_estimate", "", "of the velocity, over that before", |record| {
+        record.of_rebound(|rebound| rebound.error_estimate)
+    }),
+];
+const OUTCOME: Column<Record> =
+    Column::new("outcome", "", "rebound, or no_impact", |record| match record.outcome {
+        Outcome::Rebound(_) => "rebound".into(),
+        Outcome::NoImpact { .. } => "no_impact".into(),
+    });
+const WARNINGS: Column<Record> =
+    Column::new("warnings", "", "what limits the validity", |record| {
+        record.warnings().join("; ").into()
+    });
+
+impl Record {
+    /// What came of an impact.
+    pub(super) fn new(parameter: Option<Parameter>, case: ImpactCase, outcome: Outcome) -> Self {
+        let excess = outcome.rebound().map(Excess::of_impact).unwrap_or_default();
+        let angle = || case.angle.map(|value| Parameter { name: "angle", unit: "deg", value });
+        let parameter = parameter.or_else(angle);
+        Self { parameter, case, outcome, excess, history: None }
+    }
+
+    pub(super) fn rebound(&self) -> Option<&Rebound> {
+        self.outcome.rebound()
+    }
+
+    /// R_x, if there is one.
+    pub(super) fn restitution(&self) -> Option<f64> {
+        self.rebound()?.tangential_restitution
+    }
+
+    /// The motions before and after, of body 1 and body 2.
+    pub(super) fn motions(&self) -> [[Motion; 2]; 2] {
+        [self.case.collision.bodies().each_ref().map(Body::motion), self.outcome.motions()]
+    }
+
+    pub(super) fn limits(&self) -> &[Warning] {
+        self.rebound().map_or(&[], |rebound| &rebound.warnings)
+    }
+
+    fn warnings(&self) -> Vec<String> {
+        self.limits().iter().map(ToString::to_string).collect()
+    }
+
+    fn of_rebound<T: Into<Value>>(&self, value: impl Fn(&Rebound) -> T) -> Value {
+        self.rebound().map_or(Value::Undefined, |rebound| value(rebound).into())
+    }
+
+    /// Where the bodies touch and how the impact was followed.
+    pub(super) fn contact(&self) -> Vec<Cell> {
+        [row(Collision::COLUMNS, Some(&self.case.collision)), row(METHOD, Some(self))].concat()
+    }
+
+    /// What came of it, and what torsion did.
+    pub(super) fn quantities(&self) -> Vec<Cell> {
+        let torsion = self.rebound().and_then(|rebound| rebound.torsion);
+        let torsion = row(Torsion::COLUMNS, torsion.as_ref());
+        let named = |cell: Cell| {
+            let name = format!("torsion.{}", cell.name());
+            cell.named(name)
+        };
+        let torsion = torsion.into_iter().map(named);
+        row(Rebound::COLUMNS, self.rebound()).into_iter().chain(torsion).collect()
+    }
+
+    /// What happened when.
+    pub(super) fn events(&self) -> &[LogEntry] {
+        self.rebound().map_or(&[], |rebound| &rebound.log)
+    }
+}
+
+/// The number of a sweep, or the angle of incidence.
+fn parameter(record: Option<&Record>) -> Cell {
+    let parameter = record.and_then(|record| record.parameter);
+    let (name, unit) =
+        parameter.map_or(("angle", "deg"), |parameter| (parameter.name, parameter.unit));
+    let value = parameter.map(|parameter| parameter.value);
+    Cell::new(name, unit, "that the case gives or sweeps over", value)
+}
+
+/// A row of comma-separated values; without a record, what stands in one. Motions are those after the
+/// impact.
+pub(super) fn cells(record: Option<&Record>) -> Vec<Cell> {
+    let mut cells = vec![parameter(record), OUTCOME.cell(record)];
+    let rebound = row(Rebound::COLUMNS, record.and_then(Record::rebound));
+    let (restitution, others) = rebound.split_at(1);
+    cells.extend_from_slice(restitution);
+    let after = record.map(|record| record.outcome.motions());
+    for (i, body) in ["body_1", "body_2"].into_iter().enumerate() {
+        let motion = row(Motion::COLUMNS, after.as_ref().map(|motions| &motions[i]));
+        cells.extend(motion.into_iter().map(|cell| {
+            let name = format!("{body}_{}", cell.name());
+            cell.named(name)
+        }));
+    }
+    cells.extend_from_slice(others);
+    cells.push(WARNINGS.cell(record));
+    cells.extend(row(METHOD, record));
+    let place = row(Collision::COLUMNS, record.map(|record| &record.case.collision));
+    cells.extend(place.into_iter().filter_map(|cell| match cell.name() {
+        "point" => Some(cell),
+        "z_axis" => Some(cell.named("normal")),
+        _ => None,
+    }));
+    cells
+}
+
+impl Serialize for Record {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(1))?;
-        map.serialize_entry(self.name, &self.value)?;
+        let mut map = serializer.serialize_map(None)?;
+        add_fields(&mut map, &[parameter(Some(self)), OUTCOME.cell(Some(self))])?;
+        map.serialize_entry("contact", &Fields(&self.contact()))?;
+        for (when, motions) in ["before", "after"].into_iter().zip(self.motions()) {
+            map.serialize_entry(when, &Motions(motions))?;
+        }
+        if let Some(rebound) = self.rebound() {
+            add_fields(&mut map, &row(Rebound::COLUMNS, Some(rebound)))?;
+            if let Some(torsion) = &rebound.torsion {
+                let torsion = columns::Record::new(Torsion::COLUMNS, torsion);
+                map.serialize_entry("torsion", &torsion)?;
+            }
+            map.serialize_entry("events", &List(LogEntry::COLUMNS, &rebound.log))?;
+        }
+        map.serialize_entry("warnings", &self.warnings())?;
+        map.serialize_entry("outside_theory", &self.excess.reasons())?;
+        if let Some(points) = &self.history {
+            map.serialize_entry("history", &List(HistoryPoint::COLUMNS, points))?;
+        }
         map.end()
     }
 }
 
-/// Instants in order.
-#[derive(Debug, Clone)]
-pub(super) struct Course(pub(super) Vec<HistoryPoint>);
+/// Motions of body 1 and body 2.
+struct Motions([Motion; 2]);
 
-impl Serialize for Course {
+impl Serialize for Motions {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut list = serializer.serialize_seq(Some(self.0.len()))?;
-        for point in &self.0 {
-            list.serialize_element(&columns::Record::new(HistoryPoint::COLUMNS, point))?;
+        let mut map = serializer.serialize_map(Some(2))?;
+        for (body, motion) in ["body_1", "body_2"].into_iter().zip(&self.0) {
+            map.serialize_entry(body, &columns::Record::new(Motion::COLUMNS, motion))?;
+        }
+        map.end()
+    }
+}
+
+/// Records by their columns, one after another.
+struct List<'a, R>(&'a [Column<R>], &'a [R]);
+
+impl<R> Serialize for List<'_, R> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let mut list = serializer.serialize_seq(Some(self.1.len()))?;
+        for record in self.1 {
+            list.serialize_element(&columns::Record::new(self.0, record))?;
         }
         list.end()
     }
 }
-
-#[derive(Debug, Clone, Copy, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "snake_case")]
-pub(super) enum Kind {
-    Rebound,
-    NoImpact,
-}
-
-/// Where the bodies touch and how the impact was solved.
-#[derive(Debug, Clone, serde::Serialize)]
-pub(super) struct ContactRecord {
-    pub(super) point: [f64; 3],
-    pub(super) x_axis: [f64; 3],
-    pub(super) y_axis: [f64; 3],
-    pub(super) z_axis: [f64; 3],
-    pub(super) curvature_a: f64,
-    pub(super) curvature_b: f64,
-    pub(super) axis_ratio: f64,
-    pub(super) centre_1: [f64; 3],
-    pub(super) centre_2: [f64; 3],
-    /// None without an impact.
-    pub(super) passage: Option<&'static str>,
-    pub(super) law: &'static str,
-    pub(super) compressions: Option<u32>,
-    pub(super) error_estimate: Option<f64>,
-}
-
-#[derive(Debug, Clone, Copy, serde::Serialize)]
-pub(super) struct Motions {
-    pub(super) body_1: MotionRecord,
-    pub(super) body_2: MotionRecord,
-}
-
-#[derive(Debug, Clone, Copy, serde::Serialize)]
-pub(super) struct MotionRecord {
-    pub(super) velocity: [f64; 3],
-    pub(super) spin: [f64; 3],
-}
-
-impl Record {
-    /// R_x, if there is one.
-    pub(super) fn restitution(&self) -> Option<f64> {
-        self.rebound.as_ref()?.restitution
-    }
-}
-
-/// What only a rebound has.
-#[derive(Debug, Clone, serde::Serialize)]
-pub(super) struct ReboundRecord {
-    /// None where no tangential velocity says a direction for it.
-    #[serde(rename = "R_x")]
-    pub(super) restitution: Option<f64>,
-    pub(super) impulse: [f64; 3],
-    pub(super) contact_velocity_before: [f64; 3],
-    pub(super) contact_velocity_after: [f64; 3],
-    pub(super) duration: f64,
-    pub(super) maximal_force: f64,
-    pub(super) maximal_approach: f64,
-    pub(super) maximal_semi_axis_a: f64,
-    pub(super) maximal_semi_axis_b: f64,
-    pub(super) energy_before: f64,
-    pub(super) energy_after: f64,
-    pub(super) energy_dissipated: f64,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) torsion: Option<TorsionRecord>,
-    pub(super) regimes: Vec<&'static str>,
-    pub(super) events: Vec<EventRecord>,
-}
-
-/// What the torsional impact did to the spin about the normal.
-#[derive(Debug, Clone, Copy, serde::Serialize)]
-pub(super) struct TorsionRecord {
-    pub(super) spin_ratio: f64,
-    pub(super) torque_impulse: f64,
-    pub(super) energy_dissipated: f64,
-    pub(super) error_estimate: f64,
-}
-
-#[derive(Debug, Clone, Copy, serde::Serialize)]
-pub(super) struct EventRecord {
-    pub(super) time: f64,
-    pub(super) event: &'static str,
-    pub(super) regime: &'static str,
-}
-
-/// What came of an impact.
-pub(super) fn record(parameter: Option<Parameter>, case: &ImpactCase, outcome: &Outcome) -> Record {
-    let rebound = outcome.rebound();
-    let limits = rebound.map_or_else(Vec::new, |rebound| rebound.warnings.clone());
-    let excess = rebound.map(Excess::of_impact).unwrap_or_default();
-    let angle = || case.angle.map(|value| Parameter { name: "angle", value });
-    Record {
-        parameter: parameter.or_else(angle),
-        outcome: if rebound.is_some() { Kind::Rebound } else { Kind::NoImpact },
-        contact: contact(case, rebound),
-        before: motions(case.collision.bodies().each_ref().map(Body::motion)),
-        after: motions(outcome.motions()),
-        rebound: rebound.map(rebound_record),
-        warnings: limits.iter().map(ToString::to_string).collect(),
-        outside_theory: excess.reasons(),
-        limits,
-        excess,
-        history: None,
-    }
-}
-
-/// The name of a swept number: the angle of incidence has one of its own.
-pub(super) fn name(input: &Input) -> &'static str {
-    if input.field == "approach.angle" { "angle" } else { input.field }
-}
-
-fn contact(case: &ImpactCase, rebound: Option<&Rebound>) -> ContactRecord {
-    let collision: &Collision = &case.collision;
-    let (frame, curvature) = (collision.frame(), collision.hertz().curvature());
-    let centre = |i: usize| collision.bodies()[i].placed().centre().into();
-    ContactRecord {
-        point: collision.point().into(),
-        x_axis: frame.x().into(),
-        y_axis: frame.y().into(),
-        z_axis: frame.z().into(),
-        curvature_a: curvature.a(),
-        curvature_b: curvature.b(),
-        axis_ratio: collision.hertz().axis_ratio().get(),
-        centre_1: centre(0),
-        centre_2: centre(1),
-        passage: rebound.map(|rebound| match case.contact.is_numerical {
-            true => "numerical",
-            false => rebound.passage.name(),
-        }),
-        law: match (case.contact.is_numerical, case.contact.law) {
-            (true, _) => "numerical",
-            (false, VectorLaw::Coulomb) => "coulomb",
-            (false, VectorLaw::FixedDirection) => "fixed-direction",
-        },
-        compressions: rebound.map(|rebound| rebound.compressions),
-        error_estimate: rebound.map(|rebound| rebound.error_estimate),
-    }
-}
-
-fn motions(motions: [Motion; 2]) -> Motions {
-    let [body_1, body_2] = motions
-        .map(|motion| MotionRecord { velocity: motion.velocity.into(), spin: motion.spin.into() });
-    Motions { body_1, body_2 }
-}
-
-fn rebound_record(rebound: &Rebound) -> ReboundRecord {
-    ReboundRecord {
-        restitution: rebound.tangential_restitution,
-        impulse: rebound.impulse.into(),
-        contact_velocity_before: rebound.velocity_before.into(),
-        contact_velocity_after: rebound.velocity_after.into(),
-        duration: rebound.duration,
-        maximal_force: rebound.maximal_force,
-        maximal_approach: rebound.maximal_approach,
-        maximal_semi_axis_a: rebound.maximal_contact.semi_axis_a(),
-        maximal_semi_axis_b: rebound.maximal_contact.semi_axis_b(),
-        energy_before: rebound.energy.before,
-        energy_after: rebound.energy.after,
-        energy_dissipated: rebound.energy.dissipated,
-        torsion: rebound.torsion.map(|torsion| TorsionRecord {
-            spin_ratio: torsion.spin_ratio,
-            torque_impulse: torsion.torque_impulse,
-            energy_dissipated: torsion.dissipated,
-            error_estimate: torsion.error_estimate,
-        }),
-        regimes: rebound.log.iter().map(|entry| entry.regime.name()).collect(),
-        events: rebound
-            .log
-            .iter()
-            .map(|entry| EventRecord {
-                time: entry.time,
-                event: event_name(entry.event),
-                regime: Regime::name(entry.regime),
-            })
-            .collect(),
-    }
-}
-
-const fn event_name(event: Event) -> &'static str {
-    match event {
-        Event::Touch => "touch",
-        Event::SlipStart => "slip starts",
-        Event::SlipStop => "slip stops",
-        Event::RingClosed => "slip ring closed",
-        Event::StickEnd => "stick area gone",
-        Event::SlideStop => "sliding stops",
-    }
-}
-
-/// The columns of outcomes; the first is the swept number `parameter`.
-pub(super) fn columns(parameter: &'static str) -> Vec<Column<Record>> {
-    let first = Column::new(parameter, "", "that the case gives or sweeps over", |r: &Record| {
-        r.parameter.map(|parameter| parameter.value).into()
-    });
-    [&[first], COLUMNS].concat()
-}
-
-fn of<T: Into<Value>>(record: &Record, value: impl Fn(&ReboundRecord) -> T) -> Value {
-    record.rebound.as_ref().map(value).map_or(Value::Absent, Into::into)
-}
-
-/// Motions are those after the impact.
-pub(super) const COLUMNS: &[Column<Record>] = &[
-    Column::new("outcome", "", "rebound, or no_impact", |r| match r.outcome {
-        Kind::Rebound => "rebound".into(),
-        Kind::NoImpact => "no_impact".into(),
-    }),
-    Column::new("R_x", "", "tangential restitution", |r| r.restitution().into()),
-    Column::vector("body_1_velocity", "m/s", "of the centre afterwards", |r| {
-        r.after.body_1.velocity.into()
-    }),
-    Column::vector("body_1_spin", "rad/s", "afterwards", |r| r.after.body_1.spin.into()),
-    Column::vector("body_2_velocity", "m/s", "of the centre afterwards", |r| {
-        r.after.body_2.velocity.into()
-    }),
-    Column::vector("body_2_spin", "rad/s", "afterwards", |r| r.after.body_2.spin.into()),
-    Column::vector("impulse", "N s", "on body 1", |r| of(r, |b| b.impulse)),
-    Column::vector("contact_velocity_before", "m/s", "of body 2 against body 1", |r| {
-        of(r, |b| b.contact_velocity_before)
-    }),
-    Column::vector("contact_velocity_after", "m/s", "of body 2 against body 1", |r| {
-        of(r, |b| b.contact_velocity_after)
-    }),
-    Column::new("duration", "s", "from touch to separation", |r| of(r, |b| b.duration)),
-    Column::new("maximal_force", "N", "normal", |r| of(r, |b| b.maximal_force)),
-    Column::new("maximal_approach", "m", "of distant points", |r| of(r, |b| b.maximal_approach)),
-    Column::new("maximal_semi_axis_a", "m", "of the contact along x", |r| {
-        of(r, |b| b.maximal_semi_axis_a)
-    }),
-    Column::new("maximal_semi_axis_b", "m", "of the contact along y", |r| {
-        of(r, |b| b.maximal_semi_axis_b)
-    }),
-    Column::new("energy_before", "J", "kinetic", |r| of(r, |b| b.energy_before)),
-    Column::new("energy_after", "J", "kinetic", |r| of(r, |b| b.energy_after)),
-    Column::new("energy_dissipated", "J", "by friction", |r| of(r, |b| b.energy_dissipated)),
-    Column::new("regimes", "", "in order; sign: traction on body 1 along the first slip", |r| {
-        of(r, |b| b.regimes.clone())
-    }),
-    Column::new("warnings", "", "what limits the validity", |r| r.warnings.join("; ").into()),
-    Column::new("passage", "", "how it was solved", |r| r.contact.passage.into()),
-    Column::new("law", "", "for turning directions", |r| r.contact.law.into()),
-    Column::new("compressions", "", "how often the approach grew", |r| {
-        r.contact.compressions.map(u64::from).into()
-    }),
-    Column::new("error_estimate", "", "of the velocity, over that before", |r| {
-        r.contact.error_estimate.into()
-    }),
-    Column::vector("point", "m", "of contact", |r| r.contact.point.into()),
-    Column::vector("normal", "", "common normal, into body 1", |r| r.contact.z_axis.into()),
-];

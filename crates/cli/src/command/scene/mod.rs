@@ -4,16 +4,20 @@ mod plot;
 mod view;
 
 use crate::case::SceneCase;
+use crate::columns;
 use crate::command::theory::{Excess, caution, warnings};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
-use crate::output::{Answer, Format, csv, json, table};
+use crate::output::{Answer, Format, json, short};
+use carom_impact::scene::PathPoint;
 
 /// Path and bounces of a ball between walls, from a case file.
 ///
 /// The file is TOML in SI units, others as texts such as "2.5 mm"; see the cases scene_*.toml under
 /// examples/. The picture shows walls, path and bounces.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = columns::help("A row for each bounce", &view::cells(None)) + "\n"
+    + &columns::help("With --points a row for each instant", PathPoint::COLUMNS))]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
@@ -29,14 +33,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         .scene
         .run(&case.ball, case.limits)
         .map_err(|source| CliError::Scene { path: file.path.clone(), source })?;
-    let report = view::report(&case, &path, arguments.points.map(|count| count as usize))?;
+    let report = view::Report::new(&case, &path, arguments.points.map(|count| count as usize))?;
     let text = match arguments.given.format {
         Format::Json => json(&report)?,
-        Format::Csv => match &report.path {
-            Some(points) => csv(&view::POINT_HEADS, &view::point_rows(points, f64::to_string))?,
-            None => csv(&view::HEADS, &view::rows(&report, f64::to_string))?,
+        Format::Csv => match &report.points {
+            Some(points) => columns::rows(Format::Csv, PathPoint::COLUMNS, points)?,
+            None => columns::cell_rows(Format::Csv, &report.rows())?,
         },
-        Format::Table => read(&report),
+        Format::Table => read(&report)?,
         Format::None => String::new(),
     };
     let picture = match plot {
@@ -53,18 +57,14 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     Ok(answer.cautioned(caution(&excesses, "bounces"), arguments.given.format))
 }
 
-fn read(report: &view::Report) -> String {
-    let number = |value: &f64| crate::output::short(*value);
-    let mut text = table(&view::HEADS, &view::rows(report, number));
-    let end = &report.end;
-    let place = end.position.map(crate::output::short).join("  ");
-    text.push_str(&format!(
-        "end: {} after {} s at {place} m\n",
-        report.ending,
-        crate::output::short(end.time)
-    ));
-    if let Some(points) = &report.path {
-        text.push_str(&table(&view::POINT_HEADS, &view::point_rows(points, number)));
+fn read(report: &view::Report<'_>) -> Result<String, CliError> {
+    let mut text = columns::selected(&report.rows(), &view::READABLE);
+    let end = report.end();
+    let place = <[f64; 3]>::from(end.position).map(short).join("  ");
+    let (ending, time) = (report.ending(), short(end.time));
+    text.push_str(&format!("end: {ending} after {time} s at {place} m\n"));
+    if let Some(points) = &report.points {
+        text.push_str(&columns::rows(Format::Table, PathPoint::COLUMNS, points)?);
     }
-    text
+    Ok(text)
 }

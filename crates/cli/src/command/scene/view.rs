@@ -1,148 +1,117 @@
-//! A path as records for JSON and rows for tables.
+//! A path as records for JSON and rows of cells.
 
 use crate::case::SceneCase;
+use crate::columns::{self, add_fields};
 use crate::command::theory::Excess;
 use crate::error::CliError;
+use carom_impact::Rebound;
 use carom_impact::scene::{Bounce, Ending, Path, PathPoint};
-use serde::Serialize;
+use carom_table::{Cell, row};
+use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// The path of the ball. SI units.
-#[derive(Debug, Clone, Serialize)]
-pub(super) struct Report {
-    pub(super) bounces: Vec<BounceRecord>,
-    pub(super) ending: String,
-    pub(super) end: PointRecord,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub(super) path: Option<Vec<PointRecord>>,
+pub(super) struct Report<'a> {
+    case: &'a SceneCase,
+    path: &'a Path,
+    /// Instants of every flight, if asked for.
+    pub(super) points: Option<Vec<PathPoint>>,
 }
 
-#[derive(Debug, Clone, Serialize)]
-pub(super) struct BounceRecord {
-    pub(super) time: f64,
-    pub(super) wall: String,
-    pub(super) position: [f64; 3],
-    pub(super) velocity_before: [f64; 3],
-    pub(super) spin_before: [f64; 3],
-    pub(super) velocity: [f64; 3],
-    pub(super) spin: [f64; 3],
-    #[serde(rename = "R_x")]
-    pub(super) restitution: Option<f64>,
-    pub(super) duration: f64,
-    pub(super) maximal_force: f64,
-    pub(super) energy_before: f64,
-    pub(super) energy_after: f64,
-    pub(super) energy_dissipated: f64,
-    pub(super) regimes: Vec<&'static str>,
-    pub(super) warnings: Vec<String>,
-    /// What lies outside the theory, if anything.
-    pub(super) outside_theory: Vec<String>,
-}
-
-#[derive(Debug, Clone, Copy, Serialize)]
-pub(super) struct PointRecord {
-    pub(super) time: f64,
-    pub(super) position: [f64; 3],
-    pub(super) velocity: [f64; 3],
-    pub(super) spin: [f64; 3],
-}
-
-/// The records of a path, with `points` instants of every flight if asked for.
-pub(super) fn report(
-    case: &SceneCase,
-    path: &Path,
-    points: Option<usize>,
-) -> Result<Report, CliError> {
-    let sampled = points.map(|count| path.points(count)).transpose()?;
-    Ok(Report {
-        bounces: path.bounces().iter().map(|bounce| record(case, bounce)).collect(),
-        ending: ending(case, path.ending()),
-        end: point(&path.last()),
-        path: sampled.map(|points| points.iter().map(point).collect()),
-    })
-}
-
-fn ending(case: &SceneCase, ending: Ending) -> String {
-    match ending {
-        Ending::Time => "the time is over".to_owned(),
-        Ending::Bounces => "the last bounce is done".to_owned(),
-        Ending::Rest { wall } => format!("it stays on {}", case.names[wall]),
-        Ending::Edge { wall } => format!("it meets an edge of {}", case.names[wall]),
-    }
-}
-
-fn record(case: &SceneCase, bounce: &Bounce) -> BounceRecord {
-    let rebound = &bounce.rebound;
-    BounceRecord {
-        time: bounce.time,
-        wall: case.names[bounce.wall].clone(),
-        position: bounce.position.into(),
-        velocity_before: bounce.before.velocity.into(),
-        spin_before: bounce.before.spin.into(),
-        velocity: bounce.after.velocity.into(),
-        spin: bounce.after.spin.into(),
-        restitution: rebound.tangential_restitution,
-        duration: rebound.duration,
-        maximal_force: rebound.maximal_force,
-        energy_before: rebound.energy.before,
-        energy_after: rebound.energy.after,
-        energy_dissipated: rebound.energy.dissipated,
-        regimes: rebound.log.iter().map(|entry| entry.regime.name()).collect(),
-        warnings: rebound.warnings.iter().map(ToString::to_string).collect(),
-        outside_theory: Excess::of_impact(rebound).reasons(),
-    }
-}
-
-fn point(point: &PathPoint) -> PointRecord {
-    PointRecord {
-        time: point.time,
-        position: point.position.into(),
-        velocity: point.motion.velocity.into(),
-        spin: point.motion.spin.into(),
-    }
-}
-
-/// Heads of the bounces; velocity and spin are those afterwards.
-pub(super) const HEADS: [&str; 14] = [
+/// What a table to read shows of a bounce.
+pub(super) const READABLE: [&str; 14] = [
     "time",
     "wall",
-    "x",
-    "y",
-    "z",
-    "R_x",
+    "position_x",
+    "position_y",
+    "position_z",
     "velocity_x",
     "velocity_y",
     "velocity_z",
     "spin_x",
     "spin_y",
     "spin_z",
+    "R_x",
     "energy_dissipated",
     "regimes",
 ];
 
-pub(super) fn rows(report: &Report, number: impl Fn(&f64) -> String) -> Vec<Vec<String>> {
-    let row = |bounce: &BounceRecord| {
-        let mut cells = vec![number(&bounce.time), bounce.wall.clone()];
-        cells.extend(bounce.position.iter().map(&number));
-        cells.push(bounce.restitution.as_ref().map_or_else(String::new, &number));
-        cells.extend(bounce.velocity.iter().chain(&bounce.spin).map(&number));
-        cells.push(number(&bounce.energy_dissipated));
-        cells.push(bounce.regimes.join(" "));
-        cells
-    };
-    report.bounces.iter().map(row).collect()
+/// A row for a bounce; without one, what stands in it.
+pub(super) fn cells(bounce: Option<(&SceneCase, &Bounce)>) -> Vec<Cell> {
+    let mut cells = row(Bounce::COLUMNS, bounce.map(|(_, bounce)| bounce));
+    let wall = bounce.map(|(case, bounce)| case.names[bounce.wall].clone());
+    cells.insert(1, Cell::new("wall", "", "that it meets", wall));
+    cells.extend(row(Rebound::COLUMNS, bounce.map(|(_, bounce)| &bounce.rebound)));
+    cells
 }
 
-/// Heads of the points.
-pub(super) const POINT_HEADS: [&str; 10] =
-    ["time", "x", "y", "z", "velocity_x", "velocity_y", "velocity_z", "spin_x", "spin_y", "spin_z"];
+impl<'a> Report<'a> {
+    /// Of a path, with `points` instants of every flight if asked for.
+    pub(super) fn new(
+        case: &'a SceneCase,
+        path: &'a Path,
+        points: Option<usize>,
+    ) -> Result<Self, CliError> {
+        let points = points.map(|count| path.points(count)).transpose()?;
+        Ok(Self { case, path, points })
+    }
 
-pub(super) fn point_rows(
-    points: &[PointRecord],
-    number: impl Fn(&f64) -> String,
-) -> Vec<Vec<String>> {
-    let row = |point: &PointRecord| {
-        let vectors = [point.position, point.velocity, point.spin];
-        std::iter::once(&point.time).chain(vectors.as_flattened()).map(&number).collect()
-    };
-    points.iter().map(row).collect()
+    /// A row for each bounce.
+    pub(super) fn rows(&self) -> Vec<Vec<Cell>> {
+        let bounces = self.path.bounces().iter();
+        bounces.map(|bounce| cells(Some((self.case, bounce)))).collect()
+    }
+
+    /// Why it ends.
+    pub(super) fn ending(&self) -> String {
+        let name = |wall: usize| &self.case.names[wall];
+        match self.path.ending() {
+            Ending::Time => "the time is over".to_owned(),
+            Ending::Bounces => "the last bounce is done".to_owned(),
+            Ending::Rest { wall } => format!("it stays on {}", name(wall)),
+            Ending::Edge { wall } => format!("it meets an edge of {}", name(wall)),
+        }
+    }
+
+    /// Where it ends.
+    pub(super) fn end(&self) -> PathPoint {
+        self.path.last()
+    }
+}
+
+impl Serialize for Report<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let bounces: Vec<_> = self
+            .path
+            .bounces()
+            .iter()
+            .map(|bounce| BounceRecord { case: self.case, bounce })
+            .collect();
+        let end = self.end();
+        let point = |point| columns::Record::new(PathPoint::COLUMNS, point);
+        let mut map = serializer.serialize_map(None)?;
+        map.serialize_entry("bounces", &bounces)?;
+        map.serialize_entry("ending", &self.ending())?;
+        map.serialize_entry("end", &point(&end))?;
+        if let Some(points) = &self.points {
+            map.serialize_entry("path", &points.iter().map(point).collect::<Vec<_>>())?;
+        }
+        map.end()
+    }
+}
+
+struct BounceRecord<'a> {
+    case: &'a SceneCase,
+    bounce: &'a Bounce,
+}
+
+impl Serialize for BounceRecord<'_> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let rebound = &self.bounce.rebound;
+        let warnings: Vec<String> = rebound.warnings.iter().map(ToString::to_string).collect();
+        let mut map = serializer.serialize_map(None)?;
+        add_fields(&mut map, &cells(Some((self.case, self.bounce))))?;
+        map.serialize_entry("warnings", &warnings)?;
+        map.serialize_entry("outside_theory", &Excess::of_impact(rebound).reasons())?;
+        map.end()
+    }
 }

@@ -1,20 +1,20 @@
 //! `carom compare`: one case by all methods.
 
-use std::path::Path;
 use std::time::{Duration, Instant};
 
 use super::follow::Run;
 use super::heights;
 use super::store::Found;
-use crate::case::{GapCase, SolveCase};
+use crate::case::SolveCase;
+use crate::columns::{self, Record};
 use crate::error::CliError;
 use crate::input::CaseFile;
-use crate::output::{Answer, Format, csv, json, short, table};
+use crate::output::{Answer, Format, json};
 use carom_laws::law::Shift;
 use carom_solver::jaeger::{DiscGaussSeidel, GaussSeidel};
 use carom_solver::kalker::{Johnson, Kombi, Panagiotopoulos};
 use carom_solver::{CellState, ContactProblem, ContactState, Drive, Frictional, Method};
-use serde::Serialize;
+use carom_table::{Column, Value};
 use std::path::PathBuf;
 
 /// Most cells in contact for the methods that sweep, for those with dense matrices, and for KOMBI:
@@ -27,6 +27,7 @@ const MOST: [usize; 3] = [2000, 500, 150];
 /// lead to, as the older methods take no others. The difference is the largest one of a traction or
 /// pressure at the end, over the largest pressure.
 #[derive(Debug, clap::Args)]
+#[command(after_long_help = columns::help("A row for each method", COLUMNS))]
 pub(in crate::command) struct Arguments {
     /// The case file.
     #[arg(value_name = "CASE.toml")]
@@ -37,17 +38,40 @@ pub(in crate::command) struct Arguments {
 }
 
 /// How a method did.
-#[derive(Debug, Serialize)]
+#[derive(Debug)]
 struct Row {
     method: &'static str,
-    /// Iterations, sweeps or linear systems of all steps.
-    iterations: Option<usize>,
-    /// Products with blocks of the influence.
-    products: Option<f64>,
-    seconds: Option<f64>,
+    went: Option<Went>,
+    /// From the method of today.
     difference: Option<f64>,
     /// Why it gave none.
     note: String,
+}
+
+const COLUMNS: &[Column<Row>] = &[
+    Column::new("method", "", "its name", |row| row.method.into()),
+    Column::new("iterations", "", "sweeps or linear systems of all steps", |row| {
+        row.of(|went| Some(Value::Count(went.iterations as u64)))
+    }),
+    Column::new("products", "", "with blocks of the influence", |row| {
+        row.of(|went| Some(went.products.into()).filter(|_| went.products > 0.0))
+    }),
+    Column::new("seconds", "s", "all steps", |row| {
+        row.of(|went| Some(went.time.as_secs_f64().into()))
+    }),
+    Column::new(
+        "difference",
+        "",
+        "largest of a traction or pressure, over the largest pressure",
+        |row| row.difference.map_or(Value::Undefined, Value::Number),
+    ),
+    Column::new("note", "", "why there is none", |row| row.note.clone().into()),
+];
+
+impl Row {
+    fn of(&self, value: impl Fn(&Went) -> Option<Value>) -> Value {
+        self.went.as_ref().and_then(value).unwrap_or(Value::Undefined)
+    }
 }
 
 /// A history of shifts, to be followed by any method.
@@ -58,6 +82,7 @@ struct Course<'a> {
     touching: usize,
 }
 
+#[derive(Debug)]
 struct Went {
     state: ContactState,
     iterations: usize,
@@ -83,25 +108,15 @@ impl Course<'_> {
     }
 
     fn row<M: Method>(&self, name: &'static str, most: usize, method: &M) -> Row {
-        let none = |note| Row {
-            method: name,
-            iterations: None,
-            products: None,
-            seconds: None,
-            difference: None,
-            note,
-        };
+        let none = |note| Row { method: name, went: None, difference: None, note };
         if self.touching > most {
             return none(format!("left out: {} cells touch, at most {most}", self.touching));
         }
         match self.follow(method) {
-            Ok(went) => Row {
-                iterations: Some(went.iterations),
-                products: (went.products > 0.0).then_some(went.products),
-                seconds: Some(went.time.as_secs_f64()),
-                difference: Some(difference(&self.want, &went.state)),
-                ..none(String::new())
-            },
+            Ok(went) => {
+                let difference = Some(difference(&self.want, &went.state));
+                Row { method: name, went: Some(went), difference, note: String::new() }
+            }
             Err(error) => none(error.to_string()),
         }
     }
@@ -124,13 +139,7 @@ fn difference(a: &ContactState, b: &ContactState) -> f64 {
 pub(in crate::command) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let file = CaseFile::read(&arguments.case)?;
     let case = file.parse(SolveCase::parse)?;
-    let gap = match &case.gap {
-        GapCase::Formula(gap) => gap.clone(),
-        GapCase::Heights(map) => {
-            let name = file.path.parent().unwrap_or(Path::new("")).join(&map.file);
-            heights::read(&name, map, case.grid)?.0
-        }
-    };
+    let (gap, _) = heights::gap(&file.path, &case)?;
     let run = Run::new(&file.path, &case, gap)?;
     let (problem, method) = (run.problem().clone(), run.method());
     let nothing = Found { steps: Vec::new(), state: ContactState::apart(case.grid) };
@@ -141,10 +150,10 @@ pub(in crate::command) fn run(arguments: &Arguments) -> Result<Answer, CliError>
     let rows = rows(&path, &method);
     let format = arguments.format;
     let text = match format {
-        Format::None => String::new(),
-        Format::Json => json(&rows)?,
-        Format::Csv => csv(&HEADS, &cells(&rows, |value| value.to_string()))?,
-        Format::Table => table(&HEADS, &cells(&rows, short)),
+        Format::Json => {
+            json(&rows.iter().map(|row| Record::new(COLUMNS, row)).collect::<Vec<_>>())?
+        }
+        format => columns::rows(format, COLUMNS, &rows)?,
     };
     Ok(Answer { text, ..Answer::default() })
 }
@@ -159,21 +168,4 @@ fn rows(path: &Course<'_>, today: &Frictional) -> Vec<Row> {
         path.row("Panagiotopoulos", dense, &Panagiotopoulos::default()),
         path.row("KOMBI", combined, &Kombi::default()),
     ]
-}
-
-const HEADS: [&str; 6] = ["method", "iterations", "products", "seconds", "difference", "note"];
-
-fn cells(rows: &[Row], number: impl Fn(f64) -> String) -> Vec<Vec<String>> {
-    let shown = |value: Option<f64>| value.map_or_else(String::new, &number);
-    let row = |row: &Row| {
-        vec![
-            row.method.to_owned(),
-            row.iterations.map_or_else(String::new, |count| count.to_string()),
-            shown(row.products),
-            shown(row.seconds),
-            shown(row.difference),
-            row.note.clone(),
-        ]
-    };
-    rows.iter().map(row).collect()
 }

@@ -9,7 +9,7 @@ mod plot;
 mod store;
 mod view;
 
-use crate::case::{GapCase, SolveCase};
+use crate::case::SolveCase;
 use crate::columns::{self, Record};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
@@ -17,7 +17,7 @@ use crate::output::{Answer, Format, json};
 use carom_solver::{CellState, ContactState};
 use follow::Run;
 use serde::Serialize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 use store::{Found, Store};
 
 /// A contact with friction on a grid: any gap, any materials, any history.
@@ -65,13 +65,7 @@ const COARSE: f64 = 10.0;
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     let case = file.parse(SolveCase::parse)?;
-    let (gap, heights) = match &case.gap {
-        GapCase::Formula(gap) => (gap.clone(), String::new()),
-        GapCase::Heights(map) => {
-            let name = file.path.parent().unwrap_or(Path::new("")).join(&map.file);
-            heights::read(&name, map, case.grid)?
-        }
-    };
+    let (gap, heights) = heights::gap(&file.path, &case)?;
     let run = Run::new(&file.path, &case, gap)?;
     let text =
         std::fs::read(&file.path).map_err(|error| CliError::io("read", &file.path, error))?;

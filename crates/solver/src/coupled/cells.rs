@@ -1,0 +1,227 @@
+//! What the cells do, seen from their tractions, gaps and slips.
+
+use carom_halfspace::operator::SurfaceOperator;
+
+use super::CoupledTask;
+use super::system::System;
+use crate::convergence::Residuals;
+use crate::friction::firm;
+use crate::state::CellState;
+use crate::tangential::within;
+
+/// States, and rays of those that slip.
+#[derive(Clone)]
+pub(super) struct Cells {
+    /// Influences of a cell on itself, normal and along the surface.
+    own: [f64; 2],
+    pub(super) states: Vec<CellState>,
+    /// Directions of the tangential tractions of slipping cells.
+    pub(super) rim: [Vec<f64>; 2],
+    /// Slip over traction there: what turning the traction takes.
+    pub(super) bend: Vec<f64>,
+    /// (cos, sin) of the cone's half angle, between the normal and its rays.
+    pub(super) ray: Vec<[f64; 2]>,
+}
+
+/// What a cell should do.
+#[derive(Clone, Copy)]
+struct Wanted {
+    state: CellState,
+    rim: [f64; 2],
+    /// Along the ray.
+    length: f64,
+    bend: f64,
+}
+
+impl Cells {
+    pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
+        let (own, cells) = (operator.coefficients(0, 0).rows, operator.grid().cells());
+        Self {
+            own: [own[2][2], 0.5 * (own[0][0] + own[1][1])],
+            states: vec![CellState::Exterior; cells],
+            rim: [vec![0.0; cells], vec![0.0; cells]],
+            bend: vec![0.0; cells],
+            ray: vec![[1.0, 0.0]; cells],
+        }
+    }
+
+    /// The rays of the start.
+    pub(super) fn begin(&mut self, task: &CoupledTask<'_>) {
+        for i in 0..task.cells.len() {
+            let at = [task.traction[0][i], task.traction[1][i]];
+            let size = at[0].hypot(at[1]);
+            let rim = if size > 0.0 { at.map(|t| t / size) } else { [1.0, 0.0] };
+            (self.rim[0][i], self.rim[1][i]) = (rim[0], rim[1]);
+        }
+    }
+
+    /// What is left of the conditions: normal over the greatest displacement, tangential over the
+    /// greatest limit, or the greatest traction where that has none.
+    pub(super) fn residuals(&self, task: &CoupledTask<'_>, system: &System) -> Residuals {
+        let (mut normal, mut tangential) = (system.unbalance(task)[0], system.unbalance(task)[1]);
+        let (mut depth, mut most) = (0.0_f64, 0.0_f64);
+        for (i, &pressure) in task.pressure.iter().enumerate() {
+            let gap = system.gap[i];
+            let off = if pressure > 0.0 {
+                gap.abs()
+            } else {
+                (-gap).max(-pressure * self.own[0]).max(0.0)
+            };
+            let at = [task.traction[0][i], task.traction[1][i]];
+            let limit = firm(task.friction[i]) * pressure.max(0.0);
+            let pulled = [0, 1].map(|axis| at[axis] - system.slip[axis][i] / self.own[1]);
+            let to = within(pulled, limit);
+            let distance = (at[0] - to[0]).hypot(at[1] - to[1]);
+            if off.is_nan() || distance.is_nan() {
+                return Residuals { normal: f64::NAN, tangential: f64::NAN };
+            }
+            (normal, tangential) = (normal.max(off), tangential.max(distance));
+            if pressure > 0.0 {
+                depth = depth.max((gap + task.approach - task.heights[i]).abs());
+                let limited = task.friction[i].is_finite();
+                most = most.max(if limited { limit } else { at[0].hypot(at[1]) });
+            }
+        }
+        let over = |value: f64, scale: f64| if scale > 0.0 { value / scale } else { value };
+        let nothing = depth == 0.0;
+        Residuals {
+            normal: if nothing { f64::NAN } else { over(normal, depth) },
+            tangential: over(tangential, most),
+        }
+    }
+
+    /// Sets the states and takes the tractions into what they admit; of the changes, only this
+    /// share, the most pressing ones.
+    pub(super) fn choose(&mut self, task: &mut CoupledTask<'_>, system: &System, share: f64) {
+        let wanted: Vec<Wanted> =
+            (0..task.cells.len()).map(|i| self.wanted(task, system, i)).collect();
+        let bar = if share < 1.0 { self.bar(task, system, &wanted, share) } else { 0.0 };
+        for (i, wanted) in wanted.iter().enumerate() {
+            let changes = wanted.state != task.cells[i];
+            if changes && self.pressing(task, system, i) < bar {
+                continue;
+            }
+            task.cells[i] = wanted.state;
+            self.bend[i] = wanted.bend;
+            let (pressure, traction) = match wanted.state {
+                CellState::Exterior => (0.0, [0.0; 2]),
+                CellState::Stick => (task.pressure[i], [task.traction[0][i], task.traction[1][i]]),
+                CellState::Slip => {
+                    let [cos, sin] = ray(task.friction[i]);
+                    (self.rim[0][i], self.rim[1][i]) = (wanted.rim[0], wanted.rim[1]);
+                    (cos * wanted.length, wanted.rim.map(|e| sin * wanted.length * e))
+                }
+            };
+            task.pressure[i] = pressure;
+            (task.traction[0][i], task.traction[1][i]) = (traction[0], traction[1]);
+        }
+        for (i, state) in task.cells.iter().enumerate() {
+            self.ray[i] = ray(task.friction[i]);
+            self.states[i] = *state;
+        }
+    }
+
+    /// Takes what is in its cone but for the tolerance there.
+    pub(super) fn finish(&self, task: &mut CoupledTask<'_>) {
+        for i in 0..task.cells.len() {
+            let pressure = task.pressure[i].max(0.0);
+            task.pressure[i] = pressure;
+            let at = [task.traction[0][i], task.traction[1][i]];
+            let [x, y] = within(at, firm(task.friction[i]) * pressure);
+            (task.traction[0][i], task.traction[1][i]) = (x, y);
+            if pressure == 0.0 {
+                task.cells[i] = CellState::Exterior;
+            }
+        }
+    }
+
+    /// How far a cell is from its conditions, as a displacement.
+    fn pressing(&self, task: &CoupledTask<'_>, system: &System, i: usize) -> f64 {
+        match task.cells[i] {
+            CellState::Exterior => (-system.gap[i]).max(0.0),
+            CellState::Stick => {
+                let [cos, sin] = ray(task.friction[i]);
+                let size = task.traction[0][i].hypot(task.traction[1][i]);
+                (self.own[0] * (cos * size - sin * task.pressure[i])).max(0.0)
+            }
+            CellState::Slip => {
+                let along = system.slip[0][i] * self.rim[0][i] + system.slip[1][i] * self.rim[1][i];
+                along.max(-self.own[0] * self.length(task, i)).max(0.0)
+            }
+        }
+    }
+
+    fn bar(&self, task: &CoupledTask<'_>, system: &System, wanted: &[Wanted], share: f64) -> f64 {
+        let changing = wanted.iter().enumerate().filter(|(i, w)| w.state != task.cells[*i]);
+        let mut sizes: Vec<f64> = changing.map(|(i, _)| self.pressing(task, system, i)).collect();
+        sizes.sort_by(f64::total_cmp);
+        let most = ((share * sizes.len() as f64) as usize).max(1);
+        if sizes.len() > most { sizes[sizes.len() - most] } else { 0.0 }
+    }
+
+    /// The part of a cell's traction along its ray.
+    fn length(&self, task: &CoupledTask<'_>, i: usize) -> f64 {
+        let [cos, sin] = ray(task.friction[i]);
+        let along = task.traction[0][i] * self.rim[0][i] + task.traction[1][i] * self.rim[1][i];
+        cos * task.pressure[i] + sin * along
+    }
+
+    fn wanted(&self, task: &CoupledTask<'_>, system: &System, i: usize) -> Wanted {
+        let nothing = |state| Wanted { state, rim: [0.0; 2], length: 0.0, bend: 0.0 };
+        let friction = firm(task.friction[i]);
+        let [cos, sin] = ray(friction);
+        let slip = [system.slip[0][i], system.slip[1][i]];
+        let at = [task.traction[0][i], task.traction[1][i]];
+        let pulled = [0, 1].map(|axis| at[axis] - slip[axis] / self.own[1]);
+        let size = pulled[0].hypot(pulled[1]);
+        let pressure = task.pressure[i];
+        let slips = |length: f64, limit: f64| {
+            let rim = pulled.map(|t| t / size);
+            let along = slip[0] * rim[0] + slip[1] * rim[1];
+            let bend = (-along).max(0.0) / limit;
+            Wanted { state: CellState::Slip, rim, length, bend }
+        };
+        match task.cells[i] {
+            CellState::Exterior => {
+                let pushed = -system.gap[i] / self.own[0];
+                if pushed.is_nan() || pushed <= 0.0 {
+                    nothing(CellState::Exterior)
+                } else if size <= friction * pushed {
+                    nothing(CellState::Stick)
+                } else {
+                    slips(0.0, friction * pushed)
+                }
+            }
+            CellState::Stick => {
+                let size_now = at[0].hypot(at[1]);
+                if size_now <= friction * pressure {
+                    return nothing(CellState::Stick);
+                }
+                let length = cos * pressure + sin * size_now;
+                if length > 0.0 && size > 0.0 && friction > 0.0 {
+                    slips(length, sin * length)
+                } else {
+                    nothing(CellState::Exterior)
+                }
+            }
+            CellState::Slip => {
+                let length = self.length(task, i);
+                let along = slip[0] * self.rim[0][i] + slip[1] * self.rim[1][i];
+                if length <= 0.0 {
+                    nothing(CellState::Exterior)
+                } else if (along > 0.0 && friction > 0.0) || size == 0.0 {
+                    nothing(CellState::Stick)
+                } else {
+                    slips(length, (sin * length).max(f64::MIN_POSITIVE))
+                }
+            }
+        }
+    }
+}
+
+/// (cos, sin) of the half angle of Coulomb's cone.
+fn ray(friction: f64) -> [f64; 2] {
+    let friction = firm(friction);
+    let over = (1.0 + friction * friction).sqrt();
+    [1.0 / over, friction / over]
+}

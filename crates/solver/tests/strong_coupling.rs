@@ -1,0 +1,93 @@
+//! Friction times gamma far above one, and infinite friction between dissimilar bodies: random steps
+//! are solved, and obey the law.
+
+use carom_halfspace::{Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_laws::law::Shift;
+use carom_solver::{
+    ContactProblem, ContactState, Drive, Frictional, FrictionalError, Gap, Method as _, violations,
+};
+
+/// Numbers without a pattern from a seed.
+struct Random(u64);
+
+impl Random {
+    fn of(seed: u64) -> Self {
+        let mut own = Self(12345 + 7919 * seed);
+        (0..8).for_each(|_| drop(own.part()));
+        own
+    }
+
+    fn part(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    fn within(&mut self, low: f64, high: f64) -> f64 {
+        low + (high - low) * self.part()
+    }
+}
+
+/// Steps of a random history that were tried, and whether the last one was refused.
+fn history(seed: u64, product: f64) -> (usize, bool) {
+    let mut random = Random::of(seed);
+    let [nx, ny] = [(); 2].map(|()| random.within(4.0, 26.0) as usize);
+    let [a, b] = [(); 2].map(|()| random.within(0.2, 2.0));
+    let poisson = [(); 2].map(|()| random.within(-0.4, 0.5));
+    let stiffer = 10.0_f64.powf(random.within(-2.0, 2.0));
+    let grid = Grid::new(nx, ny, 2.2 / nx as f64, 2.2 / ny as f64).unwrap();
+    let body_1 = Material::from_shear(1.0, poisson[0]).unwrap();
+    let body_2 = Material::from_shear(stiffer, poisson[1]).unwrap();
+    let pair = MaterialPair::new(body_1, body_2).unwrap();
+    let gap = Gap::from_function(grid, |x, y| a * x * x + b * y * y).unwrap();
+    let friction = Friction::new(product / pair.gamma().abs()).unwrap();
+    let problem = ContactProblem::of_half_spaces(gap, pair, friction).unwrap();
+    let method = Frictional::default();
+    let mut scratch = method.scratch(&problem).unwrap();
+    let mut state = ContactState::apart(grid);
+    let steps = 1 + random.within(0.0, 4.0) as usize;
+    for step in 1..=steps {
+        let (zeta, xi) = (random.within(0.05, 1.0), random.within(-0.4, 0.4));
+        let (eta, omega) = (random.within(-0.4, 0.4), random.within(-0.5, 0.5));
+        let (before, drive) = (state.clone(), Drive::by_shift(Shift { zeta, xi, eta, omega }));
+        match method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ()) {
+            Ok(_) => {
+                let left = violations(&problem, &before, &state).unwrap();
+                assert!(left.normal < 1e-8, "seed {seed}, {product}: {left:?}");
+                assert!(left.tangential < 1e-7, "seed {seed}, {product}: {left:?}");
+            }
+            Err(error) => {
+                assert!(matches!(error, FrictionalError::NotConverged { .. }), "{error}");
+                println!("seed {seed}, f gamma = {product}, step {step}: {error}");
+                return (step, true);
+            }
+        }
+    }
+    (steps, false)
+}
+
+/// Steps tried and refused over many histories.
+fn share(product: f64, seeds: std::ops::Range<u64>) -> [usize; 2] {
+    let all = seeds.map(|seed| history(seed, product));
+    let [tried, refused] = all.fold([0, 0], |[tried, refused], (steps, ends)| {
+        [tried + steps, refused + usize::from(ends)]
+    });
+    println!("f gamma = {product}: {refused} of {tried} steps refused");
+    [tried, refused]
+}
+
+#[test]
+fn steps_with_friction_of_any_size_are_solved() {
+    for product in [1.0, 2.0, 4.0, 10.0, 100.0, f64::INFINITY] {
+        assert_eq!(share(product, 0..40)[1], 0, "f gamma = {product}");
+    }
+}
+
+#[test]
+#[ignore = "minutes: the share of random steps that is refused"]
+fn next_to_no_step_is_refused() {
+    for product in [2.0, 4.0, 10.0, 100.0, f64::INFINITY] {
+        let [tried, refused] = share(product, 1000..1400);
+        assert!(100 * refused <= tried, "f gamma = {product}: {refused} of {tried}");
+    }
+}
