@@ -128,7 +128,7 @@ pub(super) fn check(
     let mark = if numbers[0] == 0.0 { 1e4 * version } else { numbers[0] };
     let rest = mark - 1e4 * version;
     let (regime, len) = ((rest / 100.0).floor(), rest.rem_euclid(100.0));
-    let known = Regime::of_number(regime).filter(|_| len == len.floor());
+    let known = MemoryRegime::of_number(regime).filter(|_| len == len.floor());
     let regime = known.ok_or(RangeError::new("mark", mark, of_version))?;
     let len = len as usize;
     let holds = len <= capacity && numbers.len() >= HEAD + each * len;
