@@ -2,7 +2,7 @@
 
 use carom::impact::{EnergyBudget, HistoryPoint, Motion, Outcome, Rebound};
 use carom::laws::hertz::HertzState;
-use carom::table::{Column, Value};
+use carom::table::{Column, Quantity as _, Value};
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -98,9 +98,11 @@ pub(crate) fn columns(
     }
 }
 
-fn about<R>(columns: &[Column<R>]) -> Vec<(&'static str, &'static str, &'static str, usize)> {
-    let one = |column: &Column<R>| {
-        (column.name(), column.unit(), column.meaning(), column.heads().count())
+fn about<R>(
+    columns: &'static [Column<R>],
+) -> Vec<(&'static str, &'static str, &'static str, usize)> {
+    let one = |column: &'static Column<R>| {
+        (column.name(), column.unit(), column.meaning(), column.parts().len().max(1))
     };
     columns.iter().map(one).collect()
 }
@@ -115,7 +117,7 @@ pub(crate) fn arrays<'py, R>(
     let dict = PyDict::new(py);
     for column in columns {
         let values: Vec<Value> = records.iter().map(|record| column.value(record)).collect();
-        if column.heads().count() == 3 {
+        if column.parts().len() == 3 {
             let parts = values.into_iter().flat_map(vector).collect::<Vec<f64>>();
             let array = PyArray1::from_vec(py, parts).reshape([records.len(), 3])?;
             let _: &Bound<'_, PyArray2<f64>> = &array;

@@ -18,9 +18,8 @@ fn problem(cells: usize, poisson: [f64; 2], friction: SurfaceFriction) -> Contac
 }
 
 fn drives() -> Vec<Drive> {
-    let by = |zeta: f64, xi: f64, eta: f64, omega: f64| {
-        Drive::by_shift(Shift { zeta, xi, eta, omega })
-    };
+    let by =
+        |zeta: f64, xi: f64, eta: f64, omega: f64| Drive::by_shift(Shift { zeta, xi, eta, omega });
     let pressed = by(1.0, 0.0, 0.0, 0.0);
     vec![
         pressed,
