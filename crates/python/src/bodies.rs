@@ -10,6 +10,11 @@ use crate::error::Fault;
 use crate::materials::Material;
 
 /// A body about to collide.
+///
+/// Body(shape, sizes, material, mass): 'sphere' (radius), 'plane' (no size, held fast), 'ellipsoid' (three
+/// semi-axes), 'cylinder' or 'capsule' (radius, length), 'torus' (radius of the circle, of the
+/// tube) or 'box' (three edges), m and kg. Solid, at the origin, its axes along those of space and at
+/// rest, if hollow, moments, centre, attitude, velocity or spin do not say otherwise.
 #[pyclass(frozen, eq, from_py_object, module = "carom", subclass)]
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Body {

@@ -61,6 +61,12 @@ impl Constants {
 }
 
 /// A contact with memory: rigid shifts in, loads out.
+///
+/// Contact(stiffness, friction, law='coulomb', tolerance=1e-3): `stiffness` is a Hertz contact or
+/// (c_x, c_y, c_z), N/m^1.5; `friction` is from 0 to infinity (no slip). `law` is 'coulomb', where each ring of
+/// the contact slips by itself, to a `tolerance` of the friction limit, or 'chapter 7', one direction
+/// of traction in a slip ring. On straight paths both are exact. At most 64 vertices are remembered.
+/// Contacts pickle and copy.
 #[pyclass(module = "carom", subclass)]
 #[derive(Debug, Clone)]
 pub(crate) struct Contact {

@@ -12,7 +12,10 @@ use crate::error::Fault;
 use crate::materials::MaterialPair;
 use crate::records::arrays;
 
-/// A Hertz contact: two curvatures and two materials.
+/// A Hertz contact: two curvatures and two materials, all that does not depend on the load.
+///
+/// Hertz(materials, curvature_a, curvature_b) is that of a gap A x^2 + B y^2, 1/m; Hertz.of_radii and
+/// hertz_of_spheres make it of radii, hertz() puts it under load.
 #[pyclass(frozen, eq, from_py_object, module = "carom")]
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Hertz(pub(crate) Contact);

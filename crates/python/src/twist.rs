@@ -12,7 +12,8 @@ use crate::arrays::{Numbers, of_one};
 use crate::error::Fault;
 use crate::hertz::Hertz;
 
-/// A contact that twists about its normal: Lubkin's law with memory.
+/// A contact that twists about its normal: Lubkin's law with memory, on an ellipse scaled to its initial
+/// stiffness and sliding torque. Copies, but does not pickle.
 #[pyclass(module = "carom", subclass)]
 #[derive(Debug, Clone)]
 pub(crate) struct Twist(TorsionLaw);
@@ -61,6 +62,7 @@ impl Twist {
 }
 
 /// A contact that shifts and twists, each as if the other were absent: right as long as one is small.
+/// Copies, but does not pickle.
 #[pyclass(module = "carom", subclass)]
 #[derive(Debug, Clone)]
 pub(crate) struct ShiftTwist(ShiftTwistLaw);
