@@ -8,7 +8,7 @@ type Step = fn() -> anyhow::Result<()>;
 
 const STEPS: &[(&str, Step)] = &[
     ("form", form),
-    ("index of equations", tidy::run),
+    ("index of equations, places of mutants", tidy::run),
     ("lints", lints),
     ("documentation", documentation),
     ("tests, with the examples of README and documentation", test::run),

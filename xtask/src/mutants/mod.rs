@@ -66,6 +66,14 @@ pub(crate) fn quick() -> anyhow::Result<()> {
     run(&flags::Mutants { only: None, sample: None, seed: None, quick: true, record: false })
 }
 
+/// Whether the code still has every place of the list, told without a build.
+pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
+    let mutants = list::read(&root.join("xtask/mutants.toml"))?;
+    weave::check(root, &mutants)?;
+    println!("{} mutants: in place", mutants.len());
+    Ok(())
+}
+
 /// The numbers, from 1, of the mutants that the options choose.
 fn chosen(mutants: &[Mutant], options: &flags::Mutants, root: &Path) -> anyhow::Result<Vec<usize>> {
     let is_chosen =

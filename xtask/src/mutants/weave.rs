@@ -24,10 +24,7 @@ const PAGES_MANIFEST: &str = include_str!("woven/pages.toml");
 /// Brings the copy at `tree` up to date with the workspace at `root` and weaves the mutants in;
 /// files that stay the same are not touched, so that cargo does not build them again.
 pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Result<()> {
-    let mut sources = Vec::new();
-    for folder in CRATES {
-        sources.extend(place::sources(root, folder)?);
-    }
+    let sources = sources(root)?;
     let places = places(mutants, &sources)?;
     let mut copy = Mirror { root, tree, kept: BTreeSet::new() };
     for (index, source) in sources.iter().enumerate() {
@@ -42,6 +39,19 @@ pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Res
     copy.write(&pages.join("src/lib.rs"), "")?;
     copy.rest(Path::new(""))?;
     copy.prune(Path::new(""))
+}
+
+/// Whether every place of the list is in the sources.
+pub(super) fn check(root: &Path, mutants: &[Mutant]) -> anyhow::Result<()> {
+    places(mutants, &sources(root)?).map(|_| ())
+}
+
+fn sources(root: &Path) -> anyhow::Result<Vec<Source>> {
+    let mut sources = Vec::new();
+    for folder in CRATES {
+        sources.extend(place::sources(root, folder)?);
+    }
+    Ok(sources)
 }
 
 fn places(mutants: &[Mutant], sources: &[Source]) -> anyhow::Result<Vec<Place>> {

@@ -1,10 +1,11 @@
-//! Whether the index of the thesis's equations, `verification/equations.toml`, and the code belong
-//! together.
+//! Whether the index of the thesis's equations, `verification/equations.toml`, and the list of mutants,
+//! `xtask/mutants.toml`, fit the code.
 
 mod index;
 mod items;
 mod quoted;
 
+use crate::mutants;
 use anyhow::{Context as _, bail};
 use index::Index;
 use std::collections::BTreeSet;
@@ -40,7 +41,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
     }
     if faults.is_empty() {
         println!("{} equations and {} figures: in order", index.count(), figures.len());
-        return Ok(());
+        return mutants::check(&root);
     }
     bail!("{} faults in the index of equations:\n  {}", faults.len(), faults.join("\n  "))
 }
