@@ -26,7 +26,7 @@ fn problem(elements: usize) -> Result<ContactProblem, Failure> {
 }
 
 fn roll(problem: &ContactProblem, creepage: Creepage) -> Result<SteadyRolling, Failure> {
-    Ok(roll_steadily(problem, 1.0, problem.grid().dx(), creepage)?)
+    Ok(roll_steadily(problem, Driven::Shift(1.0), problem.grid().dx(), creepage)?)
 }
 
 /// Forces over f F_z of the solver and of FASTSIM.
