@@ -7,6 +7,7 @@ use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
 use carom_impact::{CollisionError, NumericalImpactError};
 use carom_plot::PlotError;
+use carom_solver::rolling::RollingError;
 use carom_solver::{FrictionalError, ProblemError};
 use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
@@ -72,6 +73,16 @@ pub enum CliError {
         step: usize,
         /// Why.
         source: Box<FrictionalError>,
+    },
+    /// A rolling contact could not be solved.
+    #[error("{}: row {row}: {source}", path.display())]
+    Rolling {
+        /// The case file.
+        path: PathBuf,
+        /// The number of the creepage or step, from 1.
+        row: usize,
+        /// Why.
+        source: Box<RollingError>,
     },
     /// A contact does not fit on its grid.
     #[error("{}: step {step}: the contact reaches the {side} border of the grid; `grid.size` must be larger", path.display())]
@@ -177,6 +188,10 @@ impl CliError {
             },
             Self::Step { source, .. } => match **source {
                 FrictionalError::Range(_) | FrictionalError::Slides { .. } => 2,
+                _ => 1,
+            },
+            Self::Rolling { source, .. } => match **source {
+                RollingError::Range(_) => 2,
                 _ => 1,
             },
             Self::Case { .. }

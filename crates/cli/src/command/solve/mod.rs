@@ -5,7 +5,7 @@ pub(super) mod compare;
 mod follow;
 pub(super) mod heights;
 mod npz;
-mod plot;
+pub(super) mod plot;
 mod store;
 mod view;
 
