@@ -33,7 +33,7 @@ pub use range::{End, Range};
 pub use roll::RollCase;
 pub use scene::SceneCase;
 pub use section::Numbers;
-pub use solve::{GapCase, HeightFile, Leg, SolveCase, Target};
+pub use solve::{GapCase, HeightFile, Leg, SolveCase, SolveMethod, Target};
 pub use uncertainty::Uncertainty;
 pub use unit::{Dimension, Measure};
 pub use varied::{Input, Variation};

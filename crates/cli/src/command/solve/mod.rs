@@ -1,6 +1,7 @@
 //! `carom solve`: a contact with friction on a grid, step by step.
 
 mod below;
+mod classic;
 pub(super) mod compare;
 mod follow;
 pub(super) mod heights;
