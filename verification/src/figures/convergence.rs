@@ -105,12 +105,13 @@ const MATERIALS: [[f64; 2]; 3] = [[0.0, 0.5], [0.5, 0.0], [0.3, 0.3]];
 fn rates() -> Result<Vec<Rate>, Failure> {
     let mut rates = Vec::new();
     for poisson in MATERIALS {
-        for cells in [[20, 1], [12, 4], [14, 14], [18, 18]] {
+        // In a line errors fall so fast that too few sweeps are left to measure.
+        for cells in [[12, 4], [20, 3], [14, 14], [18, 18]] {
             rates.extend(rates_of_sweeps(cells, poisson)?);
         }
         // Similar bodies need one pass.
         if poisson[0] != poisson[1] {
-            for cells in [[12, 5], [8, 8], [12, 12], [16, 16]] {
+            for cells in [[8, 8], [12, 12], [16, 16]] {
                 rates.extend(rates_of_passes(cells, poisson)?);
             }
         }
@@ -120,7 +121,6 @@ fn rates() -> Result<Vec<Rate>, Failure> {
 
 fn named(cells: [usize; 2], elements: usize) -> String {
     let area = match cells {
-        [_, 1] => "line",
         [nx, ny] if nx == ny => "circle",
         _ => "rectangle",
     };
