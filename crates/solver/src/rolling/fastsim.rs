@@ -7,8 +7,8 @@ use super::{CreepCoefficients, Creepage};
 /// Kalker's simplified theory: each particle on springs of its own, three flexibilities from the
 /// creep coefficients, and a parabolic limit of friction. Two equal bodies.
 ///
-/// Beside the solver on a circle at nu = 0.25 the forces are within 0.05 f F_z without spin; with spin
-/// those across are too large by up to a tenth of f F_z.
+/// Beside the solver on a circle at nu = 0.25 the forces are off by up to 0.05 f F_z without spin; spin
+/// pushes across with up to 0.1 f F_z too much.
 ///
 /// ```
 /// use carom_solver::rolling::{Creepage, Fastsim, creep_coefficients_on};
