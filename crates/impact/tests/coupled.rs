@@ -2,7 +2,7 @@
 
 use carom_impact::Mobility;
 use carom_impact::coupled::{
-    CoupledError, CoupledImpact, CoupledOutcome, ImpactLaw, Passage, Stage, VectorLaw,
+    CoupledError, CoupledImpact, CoupledOutcome, ImpactLaw, Passage, SlipLines, Stage, VectorLaw,
 };
 use carom_impact::oblique::Regime;
 use carom_laws::friction::Friction;
@@ -357,6 +357,34 @@ proptest! {
         let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), angle).into_inner();
         let plain = other(Matrix3::identity(), round);
         prop_assert!((other(turn, round) - turn * plain).norm() <= 1e-10 * scale);
+    }
+}
+
+/// Where c_x = c_y the anchors lie on a curve: a line of them in its place, as where c_x and c_y
+/// differ, leads to the same velocity.
+#[test]
+fn a_curve_and_a_line_of_anchors_are_one_law() {
+    let mut random = Random(5);
+    for _ in 0..20 {
+        let mut unit = || random.next();
+        let a = [0.0; 6].map(|_| 1.2 * unit() - 0.4);
+        let (c, f) = (0.6 + 0.5 * unit(), 0.05 + 0.8 * unit());
+        let one = impact(a, [c, c], f, [4.0 * unit() - 2.0, 4.0 * unit() - 2.0]);
+        let one = one.within(1e-6).unwrap();
+        let stiffness = ContactStiffness::new(c, c, 1.0).unwrap();
+        let coarse = SlipLines::new(stiffness, f, 0.75).unwrap();
+        let line = one.solve_with(|n| coarse.refined(n.saturating_pow(3))).unwrap();
+        let apart = (line.velocity - solve(&one).velocity).norm() / one.velocity().norm();
+        assert!(apart < 5e-6, "{apart:e} {one:?}");
+    }
+}
+
+struct Random(u64);
+
+impl Random {
+    fn next(&mut self) -> f64 {
+        self.0 = self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
 

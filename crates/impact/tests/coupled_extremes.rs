@@ -242,11 +242,13 @@ fn adversarial() -> impl Strategy<Value = Case> {
     let speed = prop_oneof![6 => -6.0..6.0f64, 1 => Just(f64::NEG_INFINITY)];
     (
         prop::array::uniform6(prop_oneof![4 => -0.95..3.0f64, 1 => Just(0.0), 1 => -0.99..-0.9f64]),
-        prop::array::uniform2(-1.0..1.0f64),
+        (prop::array::uniform2(-1.0..1.0f64), prop::bool::ANY),
         exponent,
         prop::array::uniform2((prop::bool::ANY, speed)),
     )
-        .prop_map(|(a, c, f, speed)| {
+        .prop_map(|(a, ([c_x, c_y], round), f, speed)| {
+            // As stiff along x as along y the anchors lie on a curve, else on a line.
+            let c = [c_x, if round { c_x } else { c_y }];
             let v = speed.map(|(back, x)| if back { -power(x) } else { power(x) });
             Case::of(a, c.map(power), power(f), v)
         })

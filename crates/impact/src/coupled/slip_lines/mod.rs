@@ -23,9 +23,22 @@ use self::vertex::{Resolution, Vertex, length};
 use self::watch::Watch;
 use super::{ImpactLaw, Stage, Staged};
 
-/// The law on a line of anchors.
+/// Coulomb's law on a line of anchors, straight between them, of contacts as stiff along x as along y
+/// or not.
+///
+/// ```
+/// use carom_impact::coupled::SlipLines;
+/// use carom_laws::law::{ContactLaw, Shift};
+/// use carom_laws::stiffness::ContactStiffness;
+/// let stiffness = ContactStiffness::new(0.9, 0.7, 1.1)?;
+/// let mut law = SlipLines::new(stiffness, 0.3, 1e-6)?;
+/// law.advance(Shift { zeta: 1.0, ..Shift::default() })?;
+/// let load = law.advance(Shift { zeta: 1.0, xi: 9.0, ..Shift::default() })?;
+/// assert!((load.f_x - 0.3 * load.f_z).abs() < 1e-14);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
 #[derive(Debug, Clone)]
-pub(super) struct SlipLines {
+pub struct SlipLines {
     stiffness: ContactStiffness,
     /// f c_z.
     limit: f64,
@@ -50,13 +63,18 @@ pub(super) struct SlipLines {
 }
 
 impl SlipLines {
-    /// At rest, for friction that is neither zero nor infinite.
-    pub(super) fn new(
+    /// At rest, for friction that is neither zero nor infinite; a ring is left out of the line where
+    /// that costs no more than `tolerance` times the greatest force since touch.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless friction and tolerance are finite and positive.
+    pub fn new(
         stiffness: ContactStiffness,
         friction: f64,
         tolerance: f64,
     ) -> Result<Self, RangeError> {
         Friction::new(RangeError::positive("friction", friction)?)?;
+        RangeError::positive("tolerance", tolerance)?;
         Ok(Self {
             stiffness,
             limit: friction * stiffness.c_z,
@@ -74,6 +92,17 @@ impl SlipLines {
             fresh: Vec::new(),
             moved: 0,
         })
+    }
+
+    /// A law of the same contact at rest with so small a part of the tolerance.
+    #[must_use]
+    pub fn refined(&self, times: usize) -> Self {
+        let mut law = self.clone();
+        law.separate();
+        law.shift = Shift::default();
+        law.resolution.area = 0.0;
+        law.tolerance /= times as f64;
+        law
     }
 
     fn separate(&mut self) {
