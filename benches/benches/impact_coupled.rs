@@ -9,8 +9,9 @@
 use std::hint::black_box;
 
 use carom_impact::Mobility;
-use carom_impact::coupled::{CoupledImpact, SlipLines, VectorLaw};
+use carom_impact::coupled::{CoupledImpact, VectorLaw};
 use carom_laws::friction::Friction;
+use carom_laws::sliders::SlipLines;
 use carom_laws::stiffness::ContactStiffness;
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Matrix3, Vector3};

@@ -324,7 +324,7 @@ impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
 }
 
 impl<V: Lateral, S: VertexStack<V>> ImpactLaw for ShiftLaw<V, S> {
-    // The work of turning slip grows with the curve.
+    // All vertices are looked at where one may slip.
     fn rings(&self) -> Option<usize> {
         self.coulomb().map(|memory| memory.stack().len())
     }

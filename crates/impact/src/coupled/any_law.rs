@@ -4,12 +4,11 @@ use carom_laws::coulomb::Tolerance;
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_laws::shift_law::ShiftLaw;
+use carom_laws::sliders::SlipLines;
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 
-use super::bare_law::BareLaw;
 use super::refine::Level;
-use super::slip_lines::SlipLines;
 use super::{ImpactLaw, Stage, Staged};
 
 /// The friction law where the direction of the tangential motion turns.
@@ -31,16 +30,16 @@ pub enum VectorLaw {
 /// A law of one direction, of two, or Coulomb's on a curve or a line of anchors.
 #[derive(Debug, Clone)]
 pub(super) enum AnyLaw {
-    Line(Box<BareLaw<f64>>),
-    Plane(Box<BareLaw<[f64; 2]>>),
-    Curve(Box<ShiftLaw<[f64; 2]>>),
+    Line(Box<ShiftLaw<f64>>),
+    Plane(Box<ShiftLaw<[f64; 2]>>),
     Lines(Box<SlipLines>),
 }
 
 /// Force that the line of anchors may lose with a ring, over the greatest one: this over the square
 /// of the steps of a free impact, and over the steps taken, each of which may lose one.
 const OFF_LINE: f64 = 6.0;
-/// How far the curve of anchors may be off, times the square of the steps of a free impact.
+/// How far the curve of anchors may be off: this over the steps of a free impact and over the steps
+/// taken.
 const OFF_CURVE: f64 = 40.0;
 /// The greatest part of c_x by which c_y may differ where slip passes for that of equal ones.
 const ROUND: f64 = 1e-13;
@@ -48,31 +47,32 @@ const ROUND: f64 = 1e-13;
 impl AnyLaw {
     /// The law of one direction.
     pub(super) fn in_line(stiffness: ContactStiffness, friction: Friction) -> Self {
-        Self::Line(Box::new(BareLaw::new(stiffness, friction)))
+        Self::Line(Box::new(ShiftLaw::of_chapter_7(stiffness, friction)))
     }
 
-    /// A law of two directions, as fine as a run.
+    /// A law of two directions, as fine as a run; the line of anchors sees faster which rings do not
+    /// slip, where many steps are taken, the curve has fewer of them.
     pub(super) fn in_space(
         law: VectorLaw,
         stiffness: ContactStiffness,
         friction: Friction,
-        level: Level,
+        (level, is_mild): (Level, bool),
     ) -> Self {
         // Without a limit every direction is on its own.
         if law == VectorLaw::FixedDirection || friction.coefficient().is_none() {
-            return Self::Plane(Box::new(BareLaw::new(stiffness, friction)));
+            return Self::Plane(Box::new(ShiftLaw::of_chapter_7(stiffness, friction)));
         }
         let (steps, taken) = (level.steps as f64, level.taken as f64);
         let ContactStiffness { c_x, c_y, .. } = stiffness;
-        if (c_x - c_y).abs() <= ROUND * c_x {
-            let off = Tolerance::new((OFF_CURVE / (steps * steps)).min(0.1));
+        if is_mild && (c_x - c_y).abs() <= ROUND * c_x {
+            let off = Tolerance::new((OFF_CURVE / (steps * taken)).min(0.1));
             let off = off.unwrap_or_default();
-            return Self::Curve(Box::new(ShiftLaw::with_tolerance(stiffness, friction, off)));
+            return Self::Plane(Box::new(ShiftLaw::with_tolerance(stiffness, friction, off)));
         }
         let lines = SlipLines::new(stiffness, friction.get(), OFF_LINE / (steps * steps * taken));
         lines.map_or_else(
             // Without friction no direction acts.
-            |_| Self::Plane(Box::new(BareLaw::new(stiffness, friction))),
+            |_| Self::Plane(Box::new(ShiftLaw::of_chapter_7(stiffness, friction))),
             |lines| Self::Lines(Box::new(lines)),
         )
     }
@@ -83,7 +83,6 @@ macro_rules! each {
         match $any {
             AnyLaw::Line($law) => $call,
             AnyLaw::Plane($law) => $call,
-            AnyLaw::Curve($law) => $call,
             AnyLaw::Lines($law) => $call,
         }
     };

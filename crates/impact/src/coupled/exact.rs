@@ -44,7 +44,7 @@ impl CoupledImpact {
             maximal_approach: self.normal.maximal_approach(),
             maximal_force: self.normal.maximal_force(),
             compressions: 1,
-            passage: self.passage(),
+            method: self.method(),
             error_estimate: 0.0,
             warning: None,
         }

@@ -10,7 +10,9 @@ use super::limits::Limits;
 use super::log::Log;
 use super::refine::{Failure, Level, Problem, Settled};
 use super::scaled::{Units, View};
-use super::{CoupledError, CoupledOutcome, ImpactLaw, Passage, Point, Sample, Staged, VectorLaw};
+use super::{
+    CoupledError, CoupledOutcome, ImpactLaw, ImpactMethod, Point, Sample, Staged, VectorLaw,
+};
 use crate::mobility::Mobility;
 use crate::normal::NormalImpact;
 use crate::oblique::{Event, ObliqueImpact, Regime};
@@ -103,22 +105,22 @@ impl CoupledImpact {
     }
 
     pub(super) fn tolerance(&self) -> f64 {
-        let spatial = matches!(self.passage(), Passage::Spatial { .. });
+        let spatial = matches!(self.method(), ImpactMethod::Spatial { .. });
         self.tolerance.unwrap_or(if spatial { SPATIAL } else { PLANAR })
     }
 
     /// How this impact is solved.
     #[must_use]
-    pub fn passage(&self) -> Passage {
+    pub fn method(&self) -> ImpactMethod {
         if self.friction.get() == 0.0 {
-            return Passage::Frictionless;
+            return ImpactMethod::Frictionless;
         }
-        match Passage::of(self.mobility.matrix(), &self.stiffness, &self.velocity) {
+        match ImpactMethod::of(self.mobility.matrix(), &self.stiffness, &self.velocity) {
             // Beyond the range of the exact walk (chi) the memory is stepped.
-            Passage::Uncoupled { direction } if self.groups(&direction).is_err() => {
-                Passage::Planar { direction }
+            ImpactMethod::Uncoupled { direction } if self.groups(&direction).is_err() => {
+                ImpactMethod::Planar { direction }
             }
-            passage => passage,
+            method => method,
         }
     }
 
@@ -128,7 +130,7 @@ impl CoupledImpact {
         self.velocity
     }
 
-    /// Follows the impact to separation; the vector law matters for [`Passage::Spatial`] only.
+    /// Follows the impact to separation; the vector law matters for [`ImpactMethod::Spatial`] only.
     ///
     /// The velocity keeps the friction limit of the impulse, |J_t| <= f J_z, and never gains energy,
     /// both to rounding.
@@ -136,9 +138,9 @@ impl CoupledImpact {
     /// # Errors
     /// [`CoupledError`] if the walk fails or does not settle to the tolerance.
     pub fn solve(&self, law: VectorLaw) -> Result<CoupledOutcome, CoupledError> {
-        match self.passage() {
-            Passage::Frictionless => Ok(self.frictionless()),
-            Passage::Uncoupled { direction } => {
+        match self.method() {
+            ImpactMethod::Frictionless => Ok(self.frictionless()),
+            ImpactMethod::Uncoupled { direction } => {
                 let oblique = ObliqueImpact::new(self.groups(&direction)?)?;
                 Ok(self.exact(self.reversed(&oblique)))
             }
@@ -204,13 +206,13 @@ impl CoupledImpact {
         &self,
         law: VectorLaw,
     ) -> Result<(CoupledOutcome, Vec<LogEntry>), CoupledError> {
-        match self.passage() {
-            Passage::Frictionless => {
+        match self.method() {
+            ImpactMethod::Frictionless => {
                 let regime = Regime::SlideForward;
                 let log = vec![LogEntry { time: 0.0, event: Event::Touch, regime }];
                 Ok((self.frictionless(), log))
             }
-            Passage::Uncoupled { direction } => {
+            ImpactMethod::Uncoupled { direction } => {
                 let oblique = ObliqueImpact::new(self.groups(&direction)?)?;
                 let log = crate::collision::log(&self.normal, &oblique);
                 Ok((self.exact(self.reversed(&oblique)), log))
@@ -233,7 +235,7 @@ impl CoupledImpact {
     /// # Errors
     /// As [`CoupledImpact::solve`].
     pub fn history(&self, law: VectorLaw) -> Result<Vec<Sample>, CoupledError> {
-        if let Passage::Uncoupled { direction } = self.passage() {
+        if let ImpactMethod::Uncoupled { direction } = self.method() {
             return self.traced(&direction);
         }
         let settled = self.settled(law)?;
@@ -244,7 +246,7 @@ impl CoupledImpact {
 impl CoupledImpact {
     fn settled(&self, law: VectorLaw) -> Result<Settled, CoupledError> {
         let problem = self.problem();
-        let apart = self.passage() == Passage::Spatial { coupled: false };
+        let apart = self.method() == ImpactMethod::Spatial { coupled: false };
         let limits = Limits::new(&problem.mobility, self.friction, &problem.velocity, apart);
         let make = |level| self.law(law, level);
         let settled = problem
@@ -321,9 +323,9 @@ impl CoupledImpact {
 
     fn law(&self, law: VectorLaw, level: Level) -> AnyLaw {
         let (stiffness, friction) = (self.scaled(), self.friction);
-        match self.passage() {
-            Passage::Planar { .. } => AnyLaw::in_line(stiffness, friction),
-            _ => AnyLaw::in_space(law, stiffness, friction, level),
+        match self.method() {
+            ImpactMethod::Planar { .. } => AnyLaw::in_line(stiffness, friction),
+            _ => AnyLaw::in_space(law, stiffness, friction, (level, self.is_mild())),
         }
     }
 

@@ -4,7 +4,7 @@ use nalgebra::Vector3;
 
 use super::refine::Settled;
 use super::scaled::Units;
-use super::{CoupledImpact, Passage, Stage};
+use super::{CoupledImpact, ImpactMethod, Stage};
 use crate::outcome::Warning;
 
 /// Where an impact leads.
@@ -21,9 +21,9 @@ pub struct CoupledOutcome {
     /// How often the approach grew: 2 or more if the bodies were pressed together again.
     pub compressions: u32,
     /// How it was solved.
-    pub passage: Passage,
+    pub method: ImpactMethod,
     /// How far the velocity may be off, over |v_A|: the change under the last refinements; 0 for
-    /// exact passages.
+    /// exact methods.
     pub error_estimate: f64,
     /// That it did not settle, where [`CoupledImpact::accepting_unsettled`] asked for it all the
     /// same.
@@ -49,7 +49,7 @@ impl CoupledImpact {
     pub(super) fn outcome(&self, settled: &Settled) -> CoupledOutcome {
         let mut outcome = self.outcome_in(settled, &self.units());
         outcome.velocity = self.frame() * outcome.velocity;
-        if outcome.passage == (Passage::Spatial { coupled: false }) {
+        if outcome.method == (ImpactMethod::Spatial { coupled: false }) {
             // The normal motion is known in closed form.
             outcome.velocity.z = -self.velocity.z;
             outcome.duration = self.normal.duration();
@@ -68,7 +68,7 @@ impl CoupledImpact {
             maximal_approach: peak,
             maximal_force: 2.0 / 3.0 * self.stiffness.c_z * (peak * peak.sqrt()),
             compressions: run.compressions,
-            passage: self.passage(),
+            method: self.method(),
             error_estimate: settled.error,
             warning: (!settled.settled).then(|| Warning::NotSettled {
                 error_estimate: settled.error,

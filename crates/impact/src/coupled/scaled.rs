@@ -4,7 +4,7 @@ use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
 use super::refine::Problem;
-use super::{CoupledImpact, Passage};
+use super::{CoupledImpact, ImpactMethod};
 use crate::normal;
 
 /// Units in which the law's numbers are of order one.
@@ -44,8 +44,8 @@ impl CoupledImpact {
 
     // Columns: the tangent of a planar motion, the one across it, the normal.
     pub(super) fn frame(&self) -> Matrix3<f64> {
-        match self.passage() {
-            Passage::Planar { direction } => {
+        match self.method() {
+            ImpactMethod::Planar { direction } => {
                 Matrix3::from_columns(&[direction, Vector3::z().cross(&direction), Vector3::z()])
             }
             _ => Matrix3::identity(),
@@ -57,14 +57,14 @@ impl CoupledImpact {
         let frame = self.frame();
         let d = self.mobility.matrix();
         let mut mobility = frame.transpose() * (d * (1.25 / d.m33)) * frame;
-        if matches!(self.passage(), Passage::Planar { .. }) {
+        if matches!(self.method(), ImpactMethod::Planar { .. }) {
             // What couples across the plane is round-off.
             for (i, j) in [(0, 1), (1, 2)] {
                 (mobility[(i, j)], mobility[(j, i)]) = (0.0, 0.0);
             }
         }
         let mut velocity = frame.tr_mul(&(self.velocity / self.velocity.z));
-        if matches!(self.passage(), Passage::Planar { .. }) {
+        if matches!(self.method(), ImpactMethod::Planar { .. }) {
             velocity.y = 0.0;
         }
         let stiffness = self.scaled();
@@ -85,8 +85,8 @@ impl CoupledImpact {
     // As the problem is; in a plane c_x is that along its tangent.
     pub(super) fn scaled(&self) -> ContactStiffness {
         let ContactStiffness { c_x, c_y, c_z } = self.stiffness;
-        let (c_x, c_y) = match self.passage() {
-            Passage::Planar { direction: e } => {
+        let (c_x, c_y) = match self.method() {
+            ImpactMethod::Planar { direction: e } => {
                 let along = c_x * e.x * e.x + c_y * e.y * e.y;
                 (along, along)
             }

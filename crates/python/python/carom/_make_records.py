@@ -9,7 +9,7 @@ RESULTS = {
     "HistoryPoint": "Instants of an impact, in contact axes.",
     "Rebound": "How two bodies part. What only an impact has is not a number where they do not meet.",
 }
-TEXTS = {"passage", "warnings", "regime"}
+TEXTS = {"method", "warnings", "regime"}
 
 
 def made() -> str:

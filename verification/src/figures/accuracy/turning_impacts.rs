@@ -2,8 +2,9 @@
 //! the thesis's law.
 
 use carom_impact::Mobility;
-use carom_impact::coupled::{CoupledImpact, SlipLines, VectorLaw};
+use carom_impact::coupled::{CoupledImpact, VectorLaw};
 use carom_laws::friction::Friction;
+use carom_laws::sliders::SlipLines;
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
