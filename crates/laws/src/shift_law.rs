@@ -323,7 +323,12 @@ impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
     }
 }
 
-impl<V: Lateral, S: VertexStack<V>> ImpactLaw for ShiftLaw<V, S> {}
+impl<V: Lateral, S: VertexStack<V>> ImpactLaw for ShiftLaw<V, S> {
+    // All vertices are looked at where one may slip.
+    fn rings(&self) -> Option<usize> {
+        self.coulomb().map(|memory| memory.stack().len())
+    }
+}
 
 #[cfg(test)]
 mod tests {

@@ -109,7 +109,10 @@ impl<V: Lateral> Step<V> {
     }
 
     /// Whether a ring, as it was drawn, was beyond its limit and would not have come within it.
-    fn grazes(&self, depth: f64, anchor: V) -> bool {
+    pub(super) fn grazes(&self, depth: f64, anchor: V) -> bool {
+        if self.zeta < depth {
+            return self.until(depth).grazes(depth, anchor);
+        }
         self.slip(depth, anchor).is_some_and(|slip| slip.met.grazes)
     }
 

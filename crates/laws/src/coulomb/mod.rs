@@ -27,6 +27,7 @@ mod piece;
 mod report;
 mod step;
 
+pub(crate) use drag::Step;
 pub use pack::packed_numbers;
 pub use report::Arc;
 
