@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use carom_halfspace::operator::{HalfSpaceOperator, OperatorError, SurfaceOperator};
 use carom_halfspace::{Grid, MaterialPair};
+use carom_laws::friction::Friction;
 
 use crate::drive::Driven;
 use crate::friction::SurfaceFriction;
@@ -90,6 +91,11 @@ impl ContactProblem {
     #[must_use]
     pub const fn grid(&self) -> Grid {
         self.gap.grid()
+    }
+
+    /// The same without friction.
+    pub(crate) fn without_friction(self) -> Self {
+        Self { friction: Friction::NONE.into(), ..self }
     }
 
     /// The approach after a step that leaves the bodies apart; none if they touch.

@@ -8,6 +8,7 @@ mod history;
 mod impact;
 mod plot;
 mod restitution;
+mod roll;
 mod scene;
 mod schema;
 mod solve;
@@ -71,6 +72,7 @@ enum Command {
     History(history::Arguments),
     Scene(scene::Arguments),
     Solve(solve::Arguments),
+    Roll(roll::Arguments),
     Compare(solve::compare::Arguments),
     New(begin::Arguments),
     Check(check::Arguments),
@@ -89,6 +91,7 @@ pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError>
         Command::History(arguments) => history::run(arguments),
         Command::Scene(arguments) => scene::run(arguments),
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Roll(arguments) => roll::run(arguments),
         Command::Compare(arguments) => solve::compare::run(arguments),
         Command::New(arguments) => begin::run(arguments),
         Command::Check(arguments) => check::run(arguments),

@@ -1,5 +1,6 @@
 //! The steps of a case, one after another.
 
+use super::classic::Classic;
 use super::store::{Found, Store};
 use super::view::Step;
 use crate::case::{Leg, SolveCase, Target};
@@ -7,8 +8,8 @@ use crate::error::CliError;
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLoad, Shift};
 use carom_solver::{
-    CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalScratch, Gap,
-    Method as _, StoredEnergy, dissipated,
+    CellState, ContactProblem, ContactState, DirectError, Drive, Driven, Frictional,
+    FrictionalScratch, Gap, Method as _, StoredEnergy, dissipated,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::path::Path;
@@ -29,6 +30,8 @@ pub(super) struct Run<'a> {
     method: Frictional,
     /// As made: each step takes a copy, so that a resumed run gives the same bits.
     scratch: FrictionalScratch,
+    /// Instead, if the case asks for an older one.
+    classic: Option<Classic>,
 }
 
 impl<'a> Run<'a> {
@@ -49,7 +52,9 @@ impl<'a> Run<'a> {
             step: 0,
             source: source.into(),
         })?;
-        Ok(Self { path, case, problem, method, scratch })
+        let classic =
+            Classic::of(case, &problem).map_err(|source| classic_failed(path, 0, source))?;
+        Ok(Self { path, case, problem, method, scratch, classic })
     }
 
     /// What is solved.
@@ -103,10 +108,15 @@ impl<'a> Run<'a> {
     ) -> Result<(ContactState, Step), CliError> {
         let failed = |source| CliError::Step { path: self.path.to_owned(), step: number, source };
         let (mut scratch, mut state) = (self.scratch.clone(), before.clone());
-        let went = self
-            .method
-            .step(&self.problem, before, drive, &mut state, &mut scratch, &mut ())
-            .map_err(|error| failed(error.into()))?;
+        let went = match &self.classic {
+            Some(classic) => classic
+                .step(&self.problem, before, drive, &mut state)
+                .map_err(|source| classic_failed(self.path, number, source))?,
+            None => self
+                .method
+                .step(&self.problem, before, drive, &mut state, &mut scratch, &mut ())
+                .map_err(|error| failed(error.into()))?,
+        };
         if let Some(side) = border(&state).filter(|_| !self.case.is_cut) {
             return Err(CliError::Border { path: self.path.to_owned(), step: number, side });
         }
@@ -117,6 +127,10 @@ impl<'a> Run<'a> {
         step.dissipated = last.map_or(0.0, |last| last.dissipated) + heat;
         Ok((state, step))
     }
+}
+
+fn classic_failed(path: &Path, step: usize, source: DirectError) -> CliError {
+    CliError::Classic { path: path.to_owned(), step, source: Box::new(source) }
 }
 
 /// What drives a step of a leg that began at `begin`.

@@ -1,11 +1,12 @@
 //! `carom solve`: a contact with friction on a grid, step by step.
 
 mod below;
+mod classic;
 pub(super) mod compare;
 mod follow;
 pub(super) mod heights;
 mod npz;
-mod plot;
+pub(super) mod plot;
 mod store;
 mod view;
 

@@ -89,14 +89,14 @@ fn outlines(panel: &mut Panel, lines: &[Contour], label: &str, colour: usize) {
     }
 }
 
-fn pressures(state: &ContactState) -> Result<Panel, CliError> {
+pub(in crate::command) fn pressures(state: &ContactState) -> Result<Panel, CliError> {
     let mut panel = axes("pressure, last step");
     panel = panel.over(field(state, "p / Pa", state.pressure.values().to_vec())?);
     Ok(panel)
 }
 
 /// Tractions as arrows over the outlines of contact and stick area.
-fn stick_and_slip(state: &ContactState) -> Panel {
+pub(in crate::command) fn stick_and_slip(state: &ContactState) -> Panel {
     let mut panel = axes("tractions on body 1, outlines smoothed");
     outlines(&mut panel, &state.contact_outlines(), "contact", 0);
     outlines(&mut panel, &state.stick_outlines(), "stick", 1);
