@@ -12,8 +12,8 @@ use crate::profile::GAUSS;
 
 /// The error allowed to an integral over the rings, relative and over the energy of the largest
 /// stretch.
-const RELATIVE: f64 = 1e-12;
-const OF_LARGEST: f64 = 1e-15;
+const RELATIVE: f64 = 1e-13;
+const OF_LARGEST: f64 = 1e-16;
 /// In how many parts of a piece it is looked for where slip begins.
 const LOOKS: usize = 8;
 

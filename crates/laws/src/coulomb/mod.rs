@@ -22,6 +22,7 @@ mod drag;
 mod energy;
 mod heat;
 mod join;
+mod lay;
 mod pack;
 mod piece;
 mod report;
