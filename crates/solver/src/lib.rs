@@ -46,6 +46,6 @@ pub use gap::{Gap, HeightMap, HeightMapError, Outline, SelfAffine};
 pub use law::{NumericalLaw, NumericalLawError};
 pub use method::Method;
 pub use problem::{ContactProblem, ProblemError};
-pub use result::{StoredEnergy, Subsurface, dissipated, violations};
+pub use result::{StepSummary, StoredEnergy, Subsurface, dissipated, violations};
 pub use state::{CellState, ContactState};
 pub use substeps::{SubstepError, Substepped};

@@ -67,6 +67,53 @@ HistoryPoint._vectors = frozenset(['v', 'F'])
 
 
 @dataclass(frozen=True, eq=False)
+class SolverStep(Record):
+    """A step of the numerical solver.
+
+    zeta                 approach, m
+    xi                   shift of body 2 against body 1 along x, m
+    eta                  the same along y, m
+    omega                twist about the normal, rad
+    F_x                  force on body 1 along x, N
+    F_y                  the same along y, N
+    F_z                  normal force, N
+    M_z                  torque on body 1, N m
+    p_max                greatest pressure, Pa
+    contact_area         of all cells in contact, m2
+    stick_area           of those that stick, m2
+    stored_energy        elastic energy of both bodies, J
+    dissipated           friction heat of the step, J
+    residual_normal      what is left of the normal conditions
+    residual_tangential  what is left of the friction law
+    products_normal      products with the normal influence
+    products_tangential  the same with the tangential one
+    """
+
+    zeta: Numbers
+    xi: Numbers
+    eta: Numbers
+    omega: Numbers
+    F_x: Numbers
+    F_y: Numbers
+    F_z: Numbers
+    M_z: Numbers
+    p_max: Numbers
+    contact_area: Numbers
+    stick_area: Numbers
+    stored_energy: Numbers
+    dissipated: Numbers
+    residual_normal: Numbers
+    residual_tangential: Numbers
+    products_normal: Numbers
+    products_tangential: Numbers
+
+
+SolverStep.units = {'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': ''}
+SolverStep.meanings = {'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat of the step', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one'}
+SolverStep._vectors = frozenset([])
+
+
+@dataclass(frozen=True, eq=False)
 class Rebound(Record):
     """How two bodies part. What only an impact has is not a number where they do not meet.
 
@@ -87,7 +134,7 @@ class Rebound(Record):
     energy_after      kinetic energy after, J
     dissipated        what friction took, J
     error_estimate    of the velocity after, over that before
-    passage           how the impact was followed
+    method           how the impact was followed
     warnings          what limits the validity
     """
 
@@ -108,10 +155,10 @@ class Rebound(Record):
     energy_after: Numbers
     dissipated: Numbers
     error_estimate: Numbers
-    passage: str | list[str]
+    method: str | list[str]
     warnings: str | list[str]
 
 
-Rebound.units = {'velocity_1': 'm/s', 'spin_1': '1/s', 'velocity_2': 'm/s', 'spin_2': '1/s', 'impulse': 'N s', 'velocity_before': 'm/s', 'velocity_after': 'm/s', 'restitution': '', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'energy_before': 'J', 'energy_after': 'J', 'dissipated': 'J', 'error_estimate': '', 'passage': '', 'warnings': ''}
-Rebound.meanings = {'velocity_1': 'of the centre of body 1 afterwards', 'spin_1': 'of body 1 afterwards', 'velocity_2': 'of the centre of body 2 afterwards', 'spin_2': 'of body 2 afterwards', 'impulse': 'that body 2 gave body 1', 'velocity_before': 'of contact point 2 against 1 before', 'velocity_after': 'of contact point 2 against 1 after', 'restitution': 'R_x, the tangential velocity after over that before, reversed', 'duration': 'from touch to separation', 'maximal_force': 'greatest normal force', 'maximal_approach': 'greatest approach', 'semi_axis_a': 'of the greatest contact, smaller', 'semi_axis_b': 'of the greatest contact, larger', 'energy_before': 'kinetic energy before', 'energy_after': 'kinetic energy after', 'dissipated': 'what friction took', 'error_estimate': 'of the velocity after, over that before', 'passage': 'how the impact was followed', 'warnings': 'what limits the validity'}
+Rebound.units = {'velocity_1': 'm/s', 'spin_1': '1/s', 'velocity_2': 'm/s', 'spin_2': '1/s', 'impulse': 'N s', 'velocity_before': 'm/s', 'velocity_after': 'm/s', 'restitution': '', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'energy_before': 'J', 'energy_after': 'J', 'dissipated': 'J', 'error_estimate': '', 'method': '', 'warnings': ''}
+Rebound.meanings = {'velocity_1': 'of the centre of body 1 afterwards', 'spin_1': 'of body 1 afterwards', 'velocity_2': 'of the centre of body 2 afterwards', 'spin_2': 'of body 2 afterwards', 'impulse': 'that body 2 gave body 1', 'velocity_before': 'of contact point 2 against 1 before', 'velocity_after': 'of contact point 2 against 1 after', 'restitution': 'R_x, the tangential velocity after over that before, reversed', 'duration': 'from touch to separation', 'maximal_force': 'greatest normal force', 'maximal_approach': 'greatest approach', 'semi_axis_a': 'of the greatest contact, smaller', 'semi_axis_b': 'of the greatest contact, larger', 'energy_before': 'kinetic energy before', 'energy_after': 'kinetic energy after', 'dissipated': 'what friction took', 'error_estimate': 'of the velocity after, over that before', 'method': 'how the impact was followed', 'warnings': 'what limits the validity'}
 Rebound._vectors = frozenset(['velocity_1', 'spin_1', 'velocity_2', 'spin_2', 'impulse', 'velocity_before', 'velocity_after'])
