@@ -4,6 +4,7 @@ use std::sync::Arc;
 
 use carom_halfspace::operator::{HalfSpaceOperator, OperatorError, SurfaceOperator};
 use carom_halfspace::{Grid, MaterialPair};
+use carom_laws::friction::Friction;
 
 use crate::drive::Driven;
 use crate::friction::SurfaceFriction;
@@ -92,6 +93,11 @@ impl ContactProblem {
         self.gap.grid()
     }
 
+    /// The same with other friction, the same everywhere.
+    pub(crate) fn with_friction(self, friction: Friction) -> Self {
+        Self { friction: friction.into(), ..self }
+    }
+
     /// The approach after a step that leaves the bodies apart; none if they touch.
     pub(crate) fn apart(&self, normal: Driven) -> Option<f64> {
         let heights = self.gap.heights().values();
@@ -133,7 +139,6 @@ mod tests {
     use crate::CellFriction;
     use carom_halfspace::{Field, Material};
     use carom_laws::curvature::RelativeCurvature;
-    use carom_laws::friction::Friction;
 
     #[test]
     fn parts_of_another_grid_are_refused() {
