@@ -7,7 +7,7 @@ use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
 use carom_impact::{CollisionError, NumericalImpactError};
 use carom_plot::PlotError;
-use carom_solver::{FrictionalError, ProblemError};
+use carom_solver::{FitError, FrictionalError, ProblemError};
 use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
 use std::path::{Path, PathBuf};
@@ -82,6 +82,14 @@ pub enum CliError {
         step: usize,
         /// Left, right, lower or upper.
         side: &'static str,
+    },
+    /// No grid fits a contact.
+    #[error("{}: {source}; give `grid.cells` and `grid.size` instead of an accuracy", path.display())]
+    Fit {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: Box<FitError<FrictionalError>>,
     },
     /// A contact problem could not be set up.
     #[error("{}: {source}", path.display())]
@@ -177,6 +185,13 @@ impl CliError {
             },
             Self::Step { source, .. } => match **source {
                 FrictionalError::Range(_) | FrictionalError::Slides { .. } => 2,
+                _ => 1,
+            },
+            Self::Fit { source, .. } => match **source {
+                FitError::Range(_)
+                | FitError::Problem(_)
+                | FitError::Endless { .. }
+                | FitError::Method(FrictionalError::Range(_) | FrictionalError::Slides { .. }) => 2,
                 _ => 1,
             },
             Self::Case { .. }

@@ -10,6 +10,9 @@ const FALL: [f64; 2] = [1.5, 4.0];
 /// next cell, has an edge there.
 const FALLS: f64 = 1.01;
 
+/// What counts beside a greater load or shift of its kind, over the normal one.
+const SMALLEST: f64 = 0.01;
+
 /// A value on the finest grid with an estimate of its error by the mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Estimated {
@@ -153,5 +156,37 @@ impl Estimates {
                 Estimated::default()
             },
         }
+    }
+
+    /// The greatest error of a load or shift in a history over the greatest of its kind: tangential
+    /// forces together, of at least a hundredth of the normal one, torques times a radius.
+    #[must_use]
+    pub fn worst(all: &[Self]) -> f64 {
+        let greatest = |value: &dyn Fn(&Self) -> f64| {
+            all.iter().map(|one| value(one).abs()).fold(0.0, f64::max)
+        };
+        let radius = (greatest(&|one| one.contact_area.value) / std::f64::consts::PI).sqrt();
+        let force = greatest(&|one| one.f_z.value);
+        let depth = greatest(&|one| one.zeta.value);
+        let along = greatest(&|one| one.f_x.value.hypot(one.f_y.value)).max(SMALLEST * force);
+        let shift = greatest(&|one| one.xi.value.hypot(one.eta.value)).max(SMALLEST * depth);
+        let torque = greatest(&|one| one.m_z.value).max(SMALLEST * force * radius);
+        let turned = if radius > 0.0 { SMALLEST * depth / radius } else { 0.0 };
+        let twist = greatest(&|one| one.omega.value).max(turned);
+        let over =
+            |value: Estimated, scale: f64| if scale > 0.0 { value.error / scale } else { 0.0 };
+        let errors = all.iter().flat_map(|one| {
+            [
+                over(one.f_z, force),
+                over(one.zeta, depth),
+                over(one.f_x, along),
+                over(one.f_y, along),
+                over(one.xi, shift),
+                over(one.eta, shift),
+                over(one.m_z, torque),
+                over(one.omega, twist),
+            ]
+        });
+        errors.fold(0.0, f64::max)
     }
 }

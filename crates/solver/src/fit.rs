@@ -6,7 +6,7 @@ use carom_special::RangeError;
 
 use crate::doubt::{Doubt, Side};
 use crate::drive::{Drive, Driven};
-use crate::estimate::{Estimated, Estimates};
+use crate::estimate::Estimates;
 use crate::frictionless::{Frictionless, NormalError};
 use crate::method::Method;
 use crate::nested_history::{NestedError, NestedHistory};
@@ -26,8 +26,6 @@ const SMALL: f64 = 0.25;
 const FIRST: usize = 48;
 /// Free cells on each side: one of the coarsest grid.
 pub(crate) const FREE: usize = 4;
-/// What counts beside a greater load or shift of its kind, over the normal one.
-const SMALLEST: f64 = 0.01;
 /// Errors fall with the cells' width at least and at most with this power.
 const ORDERS: [f64; 2] = [0.5, 2.0];
 
@@ -343,35 +341,6 @@ impl<M: Method> Run<M> {
                 None => return Ok(Reached::Nothing),
             }
         }
-        let radius = self.seen.map_or(0.0, |seen| seen.radius());
-        Ok(Reached::End { error: worst(&self.estimates, radius) })
+        Ok(Reached::End { error: Estimates::worst(&self.estimates) })
     }
-}
-
-/// The greatest error of loads and shifts over the greatest of its kind.
-fn worst(all: &[Estimates], radius: f64) -> f64 {
-    let greatest = |value: &dyn Fn(&Estimates) -> f64| {
-        all.iter().map(|one| value(one).abs()).fold(0.0, f64::max)
-    };
-    let force = greatest(&|one| one.f_z.value);
-    let depth = greatest(&|one| one.zeta.value);
-    let along = greatest(&|one| one.f_x.value.hypot(one.f_y.value)).max(SMALLEST * force);
-    let shift = greatest(&|one| one.xi.value.hypot(one.eta.value)).max(SMALLEST * depth);
-    let torque = greatest(&|one| one.m_z.value).max(SMALLEST * force * radius);
-    let turned = if radius > 0.0 { SMALLEST * depth / radius } else { 0.0 };
-    let twist = greatest(&|one| one.omega.value).max(turned);
-    let over = |value: Estimated, scale: f64| if scale > 0.0 { value.error / scale } else { 0.0 };
-    let errors = all.iter().flat_map(|one| {
-        [
-            over(one.f_z, force),
-            over(one.zeta, depth),
-            over(one.f_x, along),
-            over(one.f_y, along),
-            over(one.xi, shift),
-            over(one.eta, shift),
-            over(one.m_z, torque),
-            over(one.omega, twist),
-        ]
-    });
-    errors.fold(0.0, f64::max)
 }

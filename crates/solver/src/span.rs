@@ -69,11 +69,6 @@ impl Span {
         self.0.map(|[low, high]| high - low)
     }
 
-    pub(crate) fn radius(&self) -> f64 {
-        let [x, y] = self.sides();
-        0.5 * x.max(y)
-    }
-
     /// Longer by half of `part` on all sides.
     pub(crate) fn widened(&self, part: f64) -> Self {
         Self(self.0.map(|[low, high]| {

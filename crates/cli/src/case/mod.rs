@@ -31,7 +31,7 @@ pub use kind::{CaseKind, Understood};
 pub use range::{End, Range};
 pub use scene::SceneCase;
 pub use section::Numbers;
-pub use solve::{GapCase, HeightFile, Leg, SolveCase, Target};
+pub use solve::{Border, GapCase, GridCase, HeightFile, Leg, SolveCase, Target};
 pub use uncertainty::Uncertainty;
 pub use unit::{Dimension, Measure};
 pub use varied::{Input, Variation};

@@ -126,7 +126,7 @@ impl Pass<'_> {
         }
         let own = operator.coefficients(0, 0).rows[2][2];
         scratch.limits.follow(&to.pressure, scratch.normal.gap(), own);
-        self.refuse_sliding(scratch)?;
+        self.refuse_sliding(to.pressure.values(), scratch)?;
         self.offsets(scratch);
         let [x, y] = &scratch.offset;
         let mut task = TangentialTask {
@@ -149,14 +149,25 @@ impl Pass<'_> {
         converged("tractions", tolerance, reached)
     }
 
-    /// A given force that friction cannot hold has no equilibrium.
-    fn refuse_sliding(&self, scratch: &FrictionalScratch) -> Result<(), FrictionalError> {
+    /// A given force that friction cannot hold has no equilibrium; a blunter cone must hold what
+    /// friction does.
+    fn refuse_sliding(
+        &self,
+        pressure: &[f64],
+        scratch: &mut FrictionalScratch,
+    ) -> Result<(), FrictionalError> {
         let [x, y, _] = self.rigid.loads.map(Option::unwrap_or_default);
-        let (force, limit) = (x.hypot(y), scratch.limits.values.iter().sum::<f64>());
-        if force > 0.0 && force >= limit {
+        let force = x.hypot(y);
+        if force == 0.0 {
+            return Ok(());
+        }
+        let friction = scratch.limits.friction.iter().zip(pressure);
+        let limit: f64 = friction.filter(|(_, p)| **p > 0.0).map(|(own, p)| own * p).sum();
+        if force >= limit {
             let area = self.problem.grid().cell_area();
             return Err(FrictionalError::Slides { force: area * force, limit: area * limit });
         }
+        scratch.limits.hold(pressure, force);
         Ok(())
     }
 }

@@ -58,6 +58,21 @@ impl Outline {
         }
     }
 
+    /// How far from the origin it reaches along both axes.
+    pub(super) fn reach(&self) -> [f64; 2] {
+        let farthest = |corners: &[[f64; 2]]| {
+            [0, 1].map(|axis| corners.iter().map(|corner| corner[axis].abs()).fold(0.0, f64::max))
+        };
+        match self {
+            Self::Disc { radius } => [*radius; 2],
+            Self::Ellipse { half_x, half_y } | Self::Rectangle { half_x, half_y } => {
+                [*half_x, *half_y]
+            }
+            Self::Triangle(corners) => farthest(corners),
+            Self::Polygon(corners) => farthest(corners),
+        }
+    }
+
     pub(super) fn check(&self) -> Result<(), RangeError> {
         match self {
             Self::Disc { radius } => RangeError::positive("radius", *radius).map(|_| ()),

@@ -79,6 +79,22 @@ impl Shape {
         }
     }
 
+    /// Sides of a rectangle about the origin that holds a part of the body: where to look for the
+    /// contact. A cone and a wedge have no size of their own: 1.
+    #[must_use]
+    pub fn sides(&self) -> [f64; 2] {
+        match self {
+            Self::Paraboloid { radii: [x, y] } => {
+                let side = 2.0 * x.min(*y);
+                [if side.is_finite() { side } else { 1.0 }; 2]
+            }
+            Self::Sphere { radius } | Self::Cylinder { radius } => [2.0 * radius; 2],
+            Self::Cone { .. } | Self::Wedge { .. } => [1.0; 2],
+            Self::Wavy { wavelengths, .. } => *wavelengths,
+            Self::Punch(outline) => outline.reach().map(|reach| 2.0 * reach),
+        }
+    }
+
     /// Ok if lengths and slopes are positive and finite (radii of a paraboloid may be infinite,
     /// amplitudes zero), and an outline has an area.
     ///
