@@ -1,5 +1,6 @@
 //! Drawing one series.
 
+use crate::movement;
 use crate::series::{Marker, Point, Series, Stroke, Style};
 use crate::svg::{Anchor, Frame, Pixel, Svg};
 use crate::text::Type;
@@ -10,7 +11,7 @@ const PALETTE: [&str; 7] =
     ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#333333"];
 
 /// Half the size of a marker, in pixels.
-const MARKER: f64 = 3.6;
+pub(crate) const MARKER: f64 = 3.6;
 
 /// More markers than these are drawn as one path, a few bytes each.
 const MANY: usize = 40;
@@ -32,6 +33,12 @@ pub(crate) fn series(
     frame: Frame,
     place: impl Fn(Point) -> Pixel,
 ) {
+    if let Some(motion) = &series.motion {
+        svg.open(&format!("clip-path=\"url(#{clip})\""));
+        movement::draw(svg, series, motion, colour, place);
+        svg.close();
+        return;
+    }
     let pixels: Vec<Pixel> = series.points.iter().map(|point| place(*point)).collect();
     match series.style {
         Style::Markers(shape) => {
@@ -45,8 +52,7 @@ pub(crate) fn series(
         }
         Style::Area => {
             svg.open(&format!("clip-path=\"url(#{clip})\""));
-            let look = format!("fill=\"{colour}\" fill-opacity=\"0.18\" stroke=\"{colour}\"");
-            svg.path("polygon", pixels.into_iter(), &look);
+            svg.path("polygon", pixels.into_iter(), &area_look(colour));
             svg.close();
         }
         Style::Arrows => {
@@ -78,10 +84,7 @@ pub(crate) fn sample(svg: &mut Svg, series: &Series, colour: &str, frame: Frame)
     match series.style {
         Style::Markers(shape) => marker(svg, shape, middle, colour),
         Style::Line(stroke) => line(svg, stroke, [left, right].into_iter(), colour),
-        Style::Area => svg.rect(
-            Frame { y: y - 5.0, height: 10.0, ..frame },
-            &format!("fill=\"{colour}\" fill-opacity=\"0.18\" stroke=\"{colour}\""),
-        ),
+        Style::Area => svg.rect(Frame { y: y - 5.0, height: 10.0, ..frame }, &area_look(colour)),
         Style::Arrows => {
             svg.open(&format!("stroke=\"{colour}\""));
             arrows(svg, &[left, right]);
@@ -92,15 +95,22 @@ pub(crate) fn sample(svg: &mut Svg, series: &Series, colour: &str, frame: Frame)
 }
 
 fn line(svg: &mut Svg, stroke: Stroke, pixels: impl Iterator<Item = Pixel>, colour: &str) {
+    svg.path("polyline", pixels, &line_look(stroke, colour));
+}
+
+pub(crate) fn line_look(stroke: Stroke, colour: &str) -> String {
     let dashes = match stroke {
         Stroke::Solid => "",
         Stroke::Dashed => " stroke-dasharray=\"8 5\"",
         Stroke::Dotted => " stroke-dasharray=\"1.5 4\" stroke-linecap=\"round\"",
     };
-    let look = format!(
+    format!(
         "fill=\"none\" stroke=\"{colour}\" stroke-width=\"1.8\" stroke-linejoin=\"round\"{dashes}"
-    );
-    svg.path("polyline", pixels, &look);
+    )
+}
+
+pub(crate) fn area_look(colour: &str) -> String {
+    format!("fill=\"{colour}\" fill-opacity=\"0.18\" stroke=\"{colour}\"")
 }
 
 /// Without the points that nobody could tell from the one before.
@@ -197,7 +207,7 @@ fn arrows(svg: &mut Svg, ends: &[Pixel]) {
     svg.lines(strokes, "stroke-width=\"1.3\" fill=\"none\"");
 }
 
-fn arrow(tail: Pixel, head: Pixel) -> Vec<Vec<Pixel>> {
+pub(crate) fn arrow(tail: Pixel, head: Pixel) -> Vec<Vec<Pixel>> {
     let (dx, dy) = (head.x - tail.x, head.y - tail.y);
     let length = libm::hypot(dx, dy);
     if length < 1.0 {

@@ -42,6 +42,14 @@ pub enum PlotError {
         /// Label of the field.
         label: String,
     },
+    /// A series cannot move through the frames that it has.
+    #[error("series `{label}` cannot move: {reason}")]
+    Motion {
+        /// Label of the series.
+        label: String,
+        /// Why.
+        reason: &'static str,
+    },
     /// The pixels of an image could not be made.
     #[error("cannot make the image: {0}")]
     Raster(String),

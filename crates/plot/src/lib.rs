@@ -1,5 +1,6 @@
 #![forbid(unsafe_code)]
-//! Plots as SVG and PNG: panels of axes with lines, markers, arrows, areas and coloured fields.
+//! Plots as SVG and PNG: panels of axes with lines, markers, arrows, areas and coloured fields, which
+//! in an SVG may move.
 //!
 //! Knows no mechanics and needs no fonts of the system or other libraries: letters in a PNG are
 //! those of DejaVu Sans (copyright Bitstream, Inc. and Tavmjong Bah; free to embed). The SVG has
@@ -22,6 +23,7 @@ mod error;
 mod field;
 mod heat;
 mod legend;
+mod movement;
 mod panel;
 mod raster;
 mod render;
@@ -35,4 +37,4 @@ pub use field::Field;
 pub use panel::{Aspect, Axis, Limits, Panel, Scale};
 pub use raster::base64;
 pub use render::{render, render_png};
-pub use series::{Arrow, Marker, Point, Series, Stroke, Style};
+pub use series::{Arrow, Marker, Motion, Point, Series, Stroke, Style};

@@ -4,9 +4,10 @@ use crate::draw;
 use crate::error::PlotError;
 use crate::heat::{ASIDE, Heat};
 use crate::legend::Legend;
+use crate::movement;
 use crate::panel::{Aspect, Axis, Panel};
 use crate::raster::png_of;
-use crate::series::{Point, Style};
+use crate::series::{Point, Series, Style};
 use crate::span::{Span, Tick, power_of_ten};
 use crate::svg::{Anchor, Frame, Pixel, Svg};
 use crate::text::Type;
@@ -87,7 +88,7 @@ struct Plot<'a> {
 impl<'a> Plot<'a> {
     fn new(panel: &'a Panel) -> Result<Self, PlotError> {
         check_finite(panel)?;
-        let points = || panel.series.iter().flat_map(|series| series.points.iter());
+        let points = || panel.series.iter().flat_map(Series::all_points);
         let (x, y) = match &panel.field {
             Some(field) => (Span::over(&panel.x, field.x())?, Span::over(&panel.y, field.y())?),
             None => (
@@ -203,6 +204,7 @@ fn check_finite(panel: &Panel) -> Result<(), PlotError> {
             let Point { x, y } = series.points[index];
             return Err(PlotError::NotFinite { label: series.label.clone(), index, x, y });
         }
+        movement::check(series)?;
     }
     Ok(())
 }
@@ -238,7 +240,7 @@ fn axis_label(axis: &Axis, power: i32) -> String {
 mod tests {
     use super::*;
     use crate::field::Field;
-    use crate::series::{Arrow, Marker, Series};
+    use crate::series::{Arrow, Marker};
 
     fn panel() -> Panel {
         Panel::new(Axis::linear("x < y"), Axis::linear("y"))

@@ -11,6 +11,17 @@ pub struct Series {
     pub colour: Option<usize>,
     /// The points. Arrows take two each: tail, head.
     pub points: Vec<Point>,
+    /// Where they go, if they move.
+    pub motion: Option<Motion>,
+}
+
+/// Where the points of a series go in a picture that moves.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Motion {
+    /// How long it lasts before it begins again.
+    pub seconds: f64,
+    /// The points at moments equally spaced in time, as many each time as the series has.
+    pub frames: Vec<Vec<Point>>,
 }
 
 impl Series {
@@ -82,7 +93,34 @@ impl Series {
             style,
             colour: None,
             points: points.into_iter().map(Into::into).collect(),
+            motion: None,
         }
+    }
+
+    /// The same, moving in an SVG through frames equally spaced in time, again and again; in
+    /// pictures that stand still it keeps its points. Lines, areas and arrows move evenly between
+    /// frames, and so does a marker if it is one dot; notes jump, and outside the axes are not seen.
+    ///
+    /// ```
+    /// use carom_plot::{Marker, Panel, Point, Series, render};
+    /// let way = (0..=8).map(|i| vec![Point::new(f64::from(i), f64::from(i * i))]);
+    /// let mut panel = Panel::new("x", "y");
+    /// panel.add(Series::markers("", Marker::Dot, [(0.0, 0.0)]).moving(2.0, way));
+    /// assert!(render("", &[panel])?.contains("<animate "));
+    /// # Ok::<(), carom_plot::PlotError>(())
+    /// ```
+    #[must_use]
+    pub fn moving(mut self, seconds: f64, frames: impl IntoIterator<Item = Vec<Point>>) -> Self {
+        self.motion = Some(Motion { seconds, frames: frames.into_iter().collect() });
+        self
+    }
+
+    /// All its points, those of every frame included.
+    pub(crate) fn all_points(&self) -> impl Iterator<Item = &Point> + Clone {
+        let frames = self.motion.iter().flat_map(|motion| motion.frames.iter().flatten());
+        // Notes hide outside the axes.
+        let frames = frames.filter(|_| self.style != Style::Note);
+        self.points.iter().chain(frames)
     }
 
     /// In the palette's colour `index`, to pair markers with their line.

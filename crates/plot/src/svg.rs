@@ -137,6 +137,64 @@ impl Svg {
         let _ = writeln!(self.body, "\" {attributes}/>");
     }
 
+    /// As [`Svg::path`], moving through frames again and again.
+    pub(crate) fn moving_path(
+        &mut self,
+        element: &str,
+        still: &[Pixel],
+        frames: &[Vec<Pixel>],
+        seconds: f64,
+        attributes: &str,
+    ) {
+        let list = |pixels: &[Pixel]| {
+            let places = pixels.iter().map(|at| format!("{},{}", Short(at.x), Short(at.y)));
+            places.collect::<Vec<_>>().join(" ")
+        };
+        let values: Vec<String> = frames.iter().map(|frame| list(frame)).collect();
+        let _ = writeln!(
+            self.body,
+            "<{element} points=\"{}\" {attributes}>{}</{element}>",
+            list(still),
+            animate("points", &values, seconds)
+        );
+    }
+
+    /// A circle that moves through frames again and again.
+    pub(crate) fn moving_circle(
+        &mut self,
+        still: Pixel,
+        frames: &[Pixel],
+        radius: f64,
+        seconds: f64,
+        attributes: &str,
+    ) {
+        let along = |name: &str, part: fn(&Pixel) -> f64| {
+            let values: Vec<String> = frames.iter().map(|at| Short(part(at)).to_string()).collect();
+            animate(name, &values, seconds)
+        };
+        let _ = writeln!(
+            self.body,
+            "<circle cx=\"{}\" cy=\"{}\" r=\"{}\" {attributes}>{}{}</circle>",
+            Short(still.x),
+            Short(still.y),
+            Short(radius),
+            along("cx", |at| at.x),
+            along("cy", |at| at.y)
+        );
+    }
+
+    /// Opens a group that jumps from place to place; where nothing moves it is not seen.
+    pub(crate) fn jumping(&mut self, frames: &[Pixel], seconds: f64) {
+        let places = frames.iter().map(|at| format!("{} {}", Short(at.x), Short(at.y)));
+        let values = places.collect::<Vec<_>>().join(";");
+        let _ = writeln!(
+            self.body,
+            "<g transform=\"translate(-9999 0)\"><animateTransform attributeName=\"transform\" \
+             type=\"translate\" calcMode=\"discrete\" dur=\"{seconds}s\" \
+             repeatCount=\"indefinite\" values=\"{values}\"/>"
+        );
+    }
+
     /// Many lines in one.
     pub(crate) fn lines(&mut self, lines: impl Iterator<Item = Vec<Pixel>>, attributes: &str) {
         let _ = write!(self.body, "<path {attributes} d=\"");
@@ -238,6 +296,15 @@ impl Svg {
             self.body
         )
     }
+}
+
+/// An attribute that goes through values again and again.
+fn animate(name: &str, values: &[String], seconds: f64) -> String {
+    format!(
+        "<animate attributeName=\"{name}\" dur=\"{seconds}s\" repeatCount=\"indefinite\" \
+         values=\"{}\"/>",
+        values.join(";")
+    )
 }
 
 /// A number with two decimals, or fewer where they are zeros.

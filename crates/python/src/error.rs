@@ -100,6 +100,7 @@ fault_of! {
         carom::impact::restitution::RestitutionError::Range(error) => error;
     carom::laws::curvature::CurvatureError: carom::laws::curvature::CurvatureError::Range(error) => error;
     carom::geometry::SurfaceError: carom::geometry::SurfaceError::Range(error) => error;
+    carom::solver::FrictionalError: carom::solver::FrictionalError::Range(error) => error;
     carom::special::hypergeometric::HypergeometricError:
         carom::special::hypergeometric::HypergeometricError::Range(error) => error;
 }

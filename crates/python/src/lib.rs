@@ -11,6 +11,7 @@ mod hertz;
 mod materials;
 mod records;
 mod restitution;
+mod solver;
 mod special;
 mod stress;
 mod twist;
@@ -36,6 +37,8 @@ mod _carom {
     use super::records::columns;
     #[pymodule_export]
     use super::restitution::{restitution, restitution_of_groups};
+    #[pymodule_export]
+    use super::solver::Solver;
     #[pymodule_export]
     use super::special::{complete, gamma, hyp2f1, hyp3f2, incomplete, ln_gamma};
     #[pymodule_export]

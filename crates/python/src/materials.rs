@@ -78,6 +78,18 @@ impl MaterialPair {
         Ok(Self(pair.map_err(Fault::from)?))
     }
 
+    /// The material of body 1.
+    #[getter]
+    fn material_1(&self) -> Material {
+        Material(self.0.body_1())
+    }
+
+    /// The material of body 2.
+    #[getter]
+    fn material_2(&self) -> Material {
+        Material(self.0.body_2())
+    }
+
     /// The combined shear modulus G, 1/G = 1/G1 + 1/G2, Pa.
     #[getter]
     fn shear_modulus(&self) -> f64 {

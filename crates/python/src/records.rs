@@ -94,6 +94,7 @@ pub(crate) fn columns(
         "HertzState" => Ok(about(HertzState::COLUMNS)),
         "HistoryPoint" => Ok(about(HistoryPoint::COLUMNS)),
         "Rebound" => Ok(about(Parted::COLUMNS)),
+        "SolverStep" => Ok(about(carom::solver::StepSummary::COLUMNS)),
         _ => Err(PyValueError::new_err(format!("no result `{record}`"))),
     }
 }

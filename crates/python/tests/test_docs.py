@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._impact"]
+MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._impact", "carom._solver"]
 
 
 @pytest.mark.parametrize("name", MODULES)

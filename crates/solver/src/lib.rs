@@ -54,7 +54,7 @@ pub use law::{NumericalLaw, NumericalLawError};
 pub use method::Method;
 pub use nested_history::{NestedError, NestedHistory};
 pub use problem::{ContactProblem, ProblemError};
-pub use result::{StoredEnergy, Subsurface, dissipated, violations};
+pub use result::{StepSummary, StoredEnergy, Subsurface, dissipated, violations};
 pub use state::{CellState, ContactState};
 pub use substeps::{SubstepError, Substepped};
 pub use window::Window;

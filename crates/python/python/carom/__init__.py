@@ -34,6 +34,15 @@ A contact with memory, pressed and shifted to and fro:
 >>> bool(np.isclose(back[-1, 0], -f_x))
 True
 
+A contact on a grid, of any gap, with any history:
+
+>>> x, y = carom.cells((32, 32), size=(1e-3, 1e-3))
+>>> wavy = 1e-6 * np.cos(2 * np.pi * x / 5e-4) ** 2 + (x**2 + y**2) / 0.02
+>>> solver = carom.Solver(wavy, (1e-3, 1e-3), carom.MaterialPair(alumina), friction=0.3)
+>>> step = solver.step(F_z=50.0)
+>>> round(float(solver.pressure.sum() * (1e-3 / 32) ** 2), 6)
+50.0
+
 Errors in what is given are `carom.RangeError`, a ValueError that names the field:
 
 >>> carom.Material(208e9, 0.7)
@@ -69,7 +78,8 @@ from ._contact_theory import (
     von_mises,
 )
 from ._impact import collide, collide_many, history, plane, sphere
-from ._records import HertzState, HistoryPoint, Rebound
+from ._records import HertzState, HistoryPoint, Rebound, SolverStep
+from ._solver import Solver, cells
 
 #: A rigid body's material.
 RIGID = Material(float("inf"))
@@ -88,8 +98,11 @@ __all__ = [
     "RangeError",
     "Rebound",
     "ShiftTwist",
+    "Solver",
+    "SolverStep",
     "Twist",
     "__version__",
+    "cells",
     "collide",
     "collide_many",
     "hertz",

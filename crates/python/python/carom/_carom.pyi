@@ -3,7 +3,8 @@
 from collections.abc import Sequence
 from typing import Any, Literal
 
-from numpy.typing import ArrayLike
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from ._arrays import Array
 
@@ -36,6 +37,10 @@ class Material:
 
 class MaterialPair:
     def __new__(cls, material_1: Material, material_2: Material | None = None) -> MaterialPair: ...
+    @property
+    def material_1(self) -> Material: ...
+    @property
+    def material_2(self) -> Material: ...
     @property
     def shear_modulus(self) -> float: ...
     @property
@@ -223,3 +228,22 @@ def history(
     law: str,
     tolerance: float | None,
 ) -> _Columns: ...
+
+class Solver:
+    def __new__(
+        cls,
+        cells: Sequence[int],
+        cell: Sequence[float],
+        heights: Array,
+        materials: MaterialPair,
+        friction: Array,
+        tolerance: float,
+        cut: bool,
+    ) -> Solver: ...
+    def step(self, given: Sequence[tuple[bool, float]]) -> _Columns: ...
+    def state(self) -> tuple[list[float], list[Array], NDArray[np.int8]]: ...
+    def restore(self, shift: list[float], fields: list[Array], cells: NDArray[np.int8]) -> None: ...
+    def summary(self) -> _Columns: ...
+    def stress(
+        self, material: Material, body: int, x: Array, y: Array, z: Array
+    ) -> Array: ...

@@ -7,6 +7,7 @@ from . import _carom
 RESULTS = {
     "HertzState": "A Hertz contact under load.",
     "HistoryPoint": "Instants of an impact, in contact axes.",
+    "SolverStep": "A step of the numerical solver.",
     "Rebound": "How two bodies part. What only an impact has is not a number where they do not meet.",
 }
 TEXTS = {"passage", "warnings", "regime"}

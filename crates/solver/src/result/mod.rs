@@ -4,7 +4,9 @@ mod check;
 mod energy;
 mod slip;
 mod subsurface;
+mod summary;
 
 pub use check::violations;
 pub use energy::{StoredEnergy, dissipated};
 pub use subsurface::Subsurface;
+pub use summary::StepSummary;

@@ -1,5 +1,6 @@
 //! `carom impact`: one impact, a sweep, or a scatter, from a case file.
 
+mod movie;
 mod plot;
 mod table;
 mod uncertain;
@@ -14,6 +15,7 @@ use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
 use carom_impact::{CollisionError, HistoryPoint, NumericalImpact, NumericalImpactError};
 use rayon::prelude::*;
+use std::path::PathBuf;
 use view::{Parameter, Record};
 
 /// Impact of two bodies of any smooth shape from a case file.
@@ -33,13 +35,23 @@ pub(super) struct Arguments {
     /// than spheres and planes it is straight between the instants that were computed.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=1_000_000))]
     history: Option<u32>,
+    /// Draw the bodies, the contact and the forces as they move into this SVG file, which a browser
+    /// shows; in place of --plot, and not for a sweep. A .png stands still.
+    #[arg(long, value_name = "FILE", conflicts_with = "plot")]
+    animate: Option<PathBuf>,
 }
 
 const NOTHING_TO_DRAW: &str = "no impact: there is nothing to draw";
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let command::Given { case: text, plot } = arguments.given.read()?;
+    let (case, format) = (&arguments.given.case, arguments.given.format);
+    let to = |path: &PathBuf| Destination::new("animate", path, format, &[case]);
+    let plot = arguments.animate.as_ref().map(to).transpose()?.or(plot);
     let file = text.parse(ImpactFile::parse)?;
+    if arguments.animate.is_some() && (file.sweep().is_some() || file.uncertainty().is_some()) {
+        return Err(CliError::Options("--animate takes a case with one impact"));
+    }
     match file.uncertainty() {
         Some(uncertainty) => scatter(arguments, plot, &file, uncertainty),
         None => impacts(arguments, plot, &file),
@@ -183,6 +195,9 @@ fn draw(
 ) -> Result<Option<Picture>, CliError> {
     if given.iter().all(|record| record.rebound().is_none()) {
         return Ok(None);
+    }
+    if let (Some(_), [record]) = (&arguments.animate, given) {
+        return Ok(Some(movie::movie(record, &course(arguments, file, movie::INSTANTS)?)));
     }
     let Some((input, values)) = file.sweep() else {
         return Ok(Some(plot::course(&course(arguments, file, plot::INSTANTS)?)));

@@ -84,6 +84,10 @@ impl Record {
         self.outcome.rebound()
     }
 
+    pub(super) const fn collision(&self) -> &Collision {
+        &self.case.collision
+    }
+
     /// R_x, if there is one.
     pub(super) fn restitution(&self) -> Option<f64> {
         self.rebound()?.tangential_restitution

@@ -1,0 +1,210 @@
+//! The numerical contact solver: heights and drives in, fields out.
+
+use carom::halfspace::{Field, Point};
+use carom::prelude::{
+    CellState, ContactProblem, ContactState, Drive, Driven, Friction, Frictional, Gap, Grid,
+    Method as _,
+};
+use carom::solver::{
+    CellFriction, Convergence, FrictionalScratch, Products, Residuals, StepSummary, Stop,
+    Subsurface, SurfaceFriction,
+};
+use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+
+use crate::arrays::{Numbers, map, same_length};
+use crate::error::Fault;
+use crate::materials::MaterialPair;
+use crate::records::arrays;
+
+/// A motion: whether its load is given, not its shift, and the value.
+type Given = (bool, f64);
+
+/// Two bodies on a grid, between two steps.
+#[pyclass(module = "carom")]
+pub(crate) struct Solver {
+    problem: ContactProblem,
+    method: Frictional,
+    scratch: FrictionalScratch,
+    /// Whether the bodies end at the border, so that the contact may reach it.
+    cut: bool,
+    state: ContactState,
+    next: ContactState,
+}
+
+#[pymethods]
+impl Solver {
+    #[new]
+    fn new(
+        cells: [usize; 2],
+        cell: [f64; 2],
+        heights: Numbers<'_>,
+        materials: MaterialPair,
+        friction: Numbers<'_>,
+        tolerance: f64,
+        cut: bool,
+    ) -> PyResult<Self> {
+        let grid = Grid::new(cells[0], cells[1], cell[0], cell[1]).map_err(Fault::from)?;
+        let heights = Field::new(grid, heights.as_slice()?.to_vec()).map_err(Fault::from)?;
+        let gap = Gap::new(heights).map_err(Fault::from)?;
+        let friction = surface(grid, friction.as_slice()?)?;
+        let problem =
+            ContactProblem::of_half_spaces(gap, materials.0, friction).map_err(Fault::other)?;
+        let method = Frictional::default().within(tolerance).map_err(Fault::from)?;
+        let scratch = method.scratch(&problem).map_err(Fault::other)?;
+        let state = ContactState::apart(grid);
+        Ok(Self { problem, method, scratch, cut, next: state.clone(), state })
+    }
+
+    /// One step to what is given for approach, shift along x and y, and twist.
+    fn step<'py>(&mut self, py: Python<'py>, given: [Given; 4]) -> PyResult<Bound<'py, PyDict>> {
+        let [normal, x, y, twist] = given.map(|(is_load, value)| match is_load {
+            true => Driven::Load(value),
+            false => Driven::Shift(value),
+        });
+        let drive = Drive { normal, x, y, twist };
+        let Self { problem, method, scratch, cut, state, next } = self;
+        let stepped = py.detach(|| {
+            let went = method.step(problem, state, &drive, next, scratch, &mut ())?;
+            if !*cut && reaches_border(next) {
+                return Err(Fault::other("the contact reaches the border of the grid"));
+            }
+            StepSummary::of(problem, state, next, &went).map_err(Fault::other)
+        })?;
+        std::mem::swap(&mut self.state, &mut self.next);
+        arrays(py, StepSummary::COLUMNS, &[stepped])
+    }
+
+    /// The state's fields, one after another: shifts, pressure, tractions, displacements, cells.
+    #[allow(clippy::type_complexity)] // as Python has it: lines of numbers
+    fn state<'py>(
+        &self,
+        py: Python<'py>,
+    ) -> ([f64; 4], [Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>) {
+        let ContactState { shift, cells, .. } = &self.state;
+        let fields = [
+            &self.state.pressure,
+            &self.state.traction_x,
+            &self.state.traction_y,
+            &self.state.displacement_x,
+            &self.state.displacement_y,
+        ];
+        let cells = cells.values().iter().map(|cell| match cell {
+            CellState::Exterior => 0,
+            CellState::Stick => 1,
+            CellState::Slip => 2,
+        });
+        (
+            [shift.zeta, shift.xi, shift.eta, shift.omega],
+            fields.map(|field| PyArray1::from_slice(py, field.values())),
+            PyArray1::from_vec(py, cells.collect()),
+        )
+    }
+
+    /// Goes on from a state that was read.
+    fn restore(
+        &mut self,
+        shift: [f64; 4],
+        fields: [Numbers<'_>; 5],
+        cells: numpy::PyReadonlyArray1<'_, i8>,
+    ) -> PyResult<()> {
+        let grid = self.problem.grid();
+        let mut read = [const { None }; 5];
+        for (to, field) in read.iter_mut().zip(&fields) {
+            let field = Field::new(grid, field.as_slice()?.to_vec()).map_err(Fault::from)?;
+            *to = Some(field);
+        }
+        let cells = cells.as_slice()?;
+        same_length("state", cells.len(), grid.cells())?;
+        let cell = |code: &i8| match code {
+            0 => Ok(CellState::Exterior),
+            1 => Ok(CellState::Stick),
+            2 => Ok(CellState::Slip),
+            _ => Err(PyValueError::new_err(format!("state = {code}: must be 0, 1 or 2"))),
+        };
+        let cells = cells.iter().map(cell).collect::<PyResult<Vec<_>>>()?;
+        let [
+            Some(pressure),
+            Some(traction_x),
+            Some(traction_y),
+            Some(displacement_x),
+            Some(displacement_y),
+        ] = read
+        else {
+            return Err(PyValueError::new_err("a field is missing"));
+        };
+        let [zeta, xi, eta, omega] = shift;
+        self.state = ContactState {
+            shift: carom::laws::law::Shift { zeta, xi, eta, omega },
+            pressure,
+            traction_x,
+            traction_y,
+            displacement_x,
+            displacement_y,
+            cells: Field::new(grid, cells).map_err(Fault::from)?,
+        };
+        Ok(())
+    }
+
+    /// The state in numbers, without a step.
+    fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
+        let nothing = Convergence {
+            iterations: 0,
+            products: Products::default(),
+            residuals: Residuals::default(),
+            stop: Stop::Converged,
+        };
+        let summary = StepSummary::of(&self.problem, &self.state, &self.state, &nothing);
+        arrays(py, StepSummary::COLUMNS, &[summary.map_err(Fault::other)?])
+    }
+
+    /// Stresses (xx, yy, zz, xy, yz, zx) at points of a body, 1 or 2, an array (n, 6).
+    fn stress<'py>(
+        &self,
+        py: Python<'py>,
+        material: crate::materials::Material,
+        body: u8,
+        x: Numbers<'py>,
+        y: Numbers<'py>,
+        z: Numbers<'py>,
+    ) -> PyResult<Bound<'py, PyArray2<f64>>> {
+        let below = match body {
+            1 => Subsurface::of_body_1(&self.state, material.0),
+            2 => Subsurface::of_body_2(&self.state, material.0),
+            _ => return Err(PyValueError::new_err(format!("body = {body}: must be 1 or 2"))),
+        };
+        let below = below.map_err(Fault::from)?;
+        let (x, y, z) = (x.as_slice()?, y.as_slice()?, z.as_slice()?);
+        same_length("y", y.len(), x.len())?;
+        same_length("z", z.len(), x.len())?;
+        let stresses = map(py, x.len(), |i| {
+            let s = below.stress(Point { x: x[i], y: y[i], z: z[i] })?;
+            Ok([s.xx, s.yy, s.zz, s.xy, s.yz, s.zx])
+        })?;
+        PyArray1::from_vec(py, stresses.into_iter().flatten().collect()).reshape([x.len(), 6])
+    }
+}
+
+fn reaches_border(state: &ContactState) -> bool {
+    let grid = state.cells.grid();
+    let (right, upper) = (grid.nx() - 1, grid.ny() - 1);
+    let touches = |i, j| state.cells.get(i, j).is_some_and(|cell| *cell != CellState::Exterior);
+    (0..grid.nx()).any(|i| touches(i, 0) || touches(i, upper))
+        || (0..grid.ny()).any(|j| touches(0, j) || touches(right, j))
+}
+
+/// Friction of one number for all cells, or one for each.
+fn surface(grid: Grid, friction: &[f64]) -> PyResult<SurfaceFriction> {
+    let of = |value: &f64| Friction::new(*value).map_err(Fault::from);
+    if let [value] = friction {
+        return Ok(of(value)?.into());
+    }
+    let cells = friction
+        .iter()
+        .enumerate()
+        .map(|(i, value)| of(value).map(CellFriction::from).map_err(|fault| fault.at(i)));
+    let cells = cells.collect::<Result<Vec<_>, _>>()?;
+    Ok(Field::new(grid, cells).map_err(Fault::from)?.into())
+}

@@ -1,0 +1,120 @@
+"""The numerical solver."""
+
+import copy
+import pickle
+
+import carom
+import numpy as np
+import pytest
+
+STEEL = carom.Material(208e9, 0.3)
+PAIR = carom.MaterialPair(STEEL)
+SIZE = (2.6e-4, 2.6e-4)
+
+
+def ball(n=48, **given):
+    x, y = carom.cells((n, n), SIZE)
+    return carom.Solver((x**2 + y**2) / 0.02, SIZE, given.pop("pair", PAIR), 0.3, **given)
+
+
+def test_hertz():
+    solver = ball(64)
+    step = solver.step(F_z=10.0)
+    exact = carom.hertz(carom.hertz_of_spheres(0.01, np.inf, STEEL), force=10.0)
+    assert step.F_z == pytest.approx(10.0, rel=1e-8)
+    assert step.zeta == pytest.approx(exact.approach, rel=1e-3)
+    assert step.p_max == pytest.approx(exact.peak_pressure, rel=1e-2)
+    assert step.stored_energy == pytest.approx(0.4 * 10.0 * exact.approach, rel=2e-3)
+    assert solver.pressure.shape == (64, 64)
+    assert solver.pressure.sum() * SIZE[0] * SIZE[1] / 64**2 == pytest.approx(10.0, rel=1e-8)
+
+
+def test_cattaneo():
+    pair = carom.MaterialPair(carom.Material(100e9, 0.0))
+    solver = ball(64, pair=pair)
+    pressed = solver.step(F_z=10.0)
+    pushed = solver.step(F_x=1.5)
+    # (c/a)^3 = 1 - F_x/(f F_z).
+    stick = (1 - 1.5 / 3.0) ** (2 / 3)
+    assert pushed.stick_area / pushed.contact_area == pytest.approx(stick, abs=0.04)
+    assert pushed.zeta == pytest.approx(pressed.zeta, rel=1e-9)
+    limit = 0.3 * solver.pressure
+    size = np.hypot(solver.traction_x, solver.traction_y)
+    assert (size <= limit * (1 + 1e-7) + 1e-6 * limit.max()).all()
+    slips = solver.cells == 2
+    assert np.allclose(size[slips], limit[slips], rtol=1e-6, atol=1e-6 * limit.max())
+    # Back by where it came: heat, and not the way it went.
+    back = solver.step(F_x=0.0)
+    assert back.dissipated > 0 and back.xi > 0
+
+
+def test_a_step_holds_what_it_does_not_name_and_fails_without_a_trace():
+    solver = ball()
+    solver.step(F_z=10.0)
+    before = solver.summary()
+    with pytest.raises(carom.CaromError, match="slide"):
+        solver.step(F_x=5.0)
+    with pytest.raises(ValueError, match="xi and F_x"):
+        solver.step(xi=1e-7, F_x=1.0)
+    with pytest.raises(carom.RangeError) as error:
+        solver.step(eta=np.nan)
+    assert error.value.field == "eta"
+    with pytest.raises(carom.CaromError, match="border"):
+        solver.step(F_z=1e4)
+    assert solver.summary() is not before and solver.summary().zeta == before.zeta
+    assert solver.step(xi=2e-8).F_z == pytest.approx(10.0, rel=1e-8)
+
+
+def test_bad_input_is_named():
+    x, y = carom.cells((8, 8), SIZE)
+    gap = x**2 + y**2
+    with pytest.raises(ValueError, match="dimensions"):
+        carom.Solver(gap[0], SIZE, PAIR, 0.3)
+    with pytest.raises(ValueError, match="shape"):
+        carom.Solver(gap, SIZE, PAIR, np.ones((3, 3)))
+    with pytest.raises(carom.RangeError):
+        carom.Solver(gap * np.nan, SIZE, PAIR, 0.3)
+    with pytest.raises(carom.RangeError) as error:
+        carom.Solver(gap, SIZE, PAIR, -1.0)
+    assert error.value.field == "friction"
+    with pytest.raises(carom.RangeError) as error:
+        carom.Solver(gap, SIZE, PAIR, 0.3, tolerance=1.0)
+    assert error.value.field == "tolerance"
+    with pytest.raises(carom.RangeError):
+        carom.Solver(np.zeros((0, 4)), SIZE, PAIR, 0.3)
+
+
+def test_friction_by_cell():
+    x, y = carom.cells((40, 40), SIZE)
+    friction = np.where(x > 0, 0.5, 0.0)
+    solver = carom.Solver((x**2 + y**2) / 0.02, SIZE, PAIR, friction)
+    solver.step(F_z=10.0)
+    solver.step(xi=1e-7)
+    assert (solver.traction_x[x < 0] == 0.0).all() and (solver.traction_x[x > 0] != 0.0).any()
+
+
+def test_pickled_or_copied_it_goes_on_bit_for_bit():
+    solver = ball(pair=carom.MaterialPair(STEEL, carom.Material(70e9, 0.2)))
+    solver.step(F_z=10.0)
+    solver.step(F_x=1.0, omega=1e-5)
+    others = [pickle.loads(pickle.dumps(solver)), copy.copy(solver), copy.deepcopy(solver)]
+    expected = solver.step(F_x=0.5)
+    for other in others:
+        step = other.step(F_x=0.5)
+        assert step.to_dict() == expected.to_dict()
+        assert (other.pressure == solver.pressure).all()
+        assert (other.traction_y == solver.traction_y).all()
+
+
+def test_stress_below():
+    solver = ball(64)
+    step = solver.step(F_z=10.0)
+    exact = carom.hertz(carom.hertz_of_spheres(0.01, np.inf, STEEL), force=10.0)
+    a = exact.semi_axis_a
+    depths = np.array([0.3, 0.5, 1.0, 2.0]) * a
+    found = solver.stress(0.0, 0.0, depths)
+    # On the axis: s_zz = -p/(1 + (z/a)^2).
+    assert found[:, 2] == pytest.approx(-exact.peak_pressure / (1 + (depths / a) ** 2), rel=5e-3)
+    other = solver.stress(0.0, 0.0, -depths, body=2)
+    assert other[:, 2] == pytest.approx(found[:, 2], rel=1e-12)
+    assert step.contact_area == pytest.approx(np.pi * a**2, rel=0.05)
