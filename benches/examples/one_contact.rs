@@ -30,7 +30,9 @@ fn main() -> Result<(), Failure> {
     };
     let tolerance: f64 = tolerance.parse()?;
     match case.as_str() {
-        "hertz_force" | "hertz_approach" => hertz(case == "hertz_force", number.parse()?, tolerance),
+        "hertz_force" | "hertz_approach" => {
+            hertz(case == "hertz_force", number.parse()?, tolerance)
+        }
         "cattaneo" => cattaneo(0.0, number.parse()?, tolerance),
         "cattaneo_nu" => cattaneo(0.28, number.parse()?, tolerance),
         "history" => history(number.parse()?, tolerance),
@@ -70,11 +72,8 @@ fn hertz(by_force: bool, cells: usize, tolerance: f64) -> Result<(), Failure> {
     let mut state = apart.clone();
     let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
     let solve = begin.elapsed().as_secs_f64();
-    let error = if by_force {
-        state.shift.zeta / approach - 1.0
-    } else {
-        state.load().f_z / force - 1.0
-    };
+    let error =
+        if by_force { state.shift.zeta / approach - 1.0 } else { state.load().f_z / force - 1.0 };
     tell([set_up, solve], went.products, error);
     Ok(())
 }

@@ -57,6 +57,8 @@ def contact_mechanics(case, cells):
 
 
 def slippy(case, cells):
+    # It writes where it stands.
+    os.chdir(tempfile.mkdtemp())
     import matplotlib
 
     matplotlib.use("Agg")
@@ -77,7 +79,6 @@ def slippy(case, cells):
     for name, body in zip("ab", bodies):
         constants = {"E": 2 * SHEAR * (1 + poisson), "v": poisson}
         body.material = contact.Elastic(name, constants, use_frequency_domain=False)
-    os.chdir(tempfile.mkdtemp())
     model = contact.ContactModel("model", *bodies)
     given = {"interference": approach} if case == "hertz_approach" else {"normal_load": force}
     step = contact.StaticStep("step", **given)

@@ -355,11 +355,9 @@ fn heights_are_the_same_from_every_kind_of_file() {
     assert_eq!(solved("npy"), csv);
     assert_eq!(solved("png"), csv);
     std::fs::write(folder.with_file_name("solve_kinds.png"), b"no picture").unwrap();
-    let text = format!(
-        "[gap]\nshape = \"heights\"\nfile = \"solve_kinds.png\"\n[grid]\ncells = [4, 3]\n\
-         size = [4, 3]\n[contact]\nfriction = 0\n[[step]]\nzeta = 0.1\n"
-    );
-    let said = refused("solve_no_png.toml", &text);
+    let text = "[gap]\nshape = \"heights\"\nfile = \"solve_kinds.png\"\n[grid]\ncells = [4, 3]\n\
+                size = [4, 3]\n[contact]\nfriction = 0\n[[step]]\nzeta = 0.1\n";
+    let said = refused("solve_no_png.toml", text);
     assert!(said.contains("no PNG"), "{said}");
 }
 

@@ -55,8 +55,8 @@ fn greys(bytes: &[u8]) -> Result<Vec<Vec<f64>>, String> {
     let line = &buffer[..info.buffer_size()];
     let row = |line: &[u8]| match info.bit_depth {
         png::BitDepth::Sixteen => {
-            Ok(line.chunks_exact(2).map(|grey| f64::from(u16::from_be_bytes([grey[0], grey[1]]))))
-                .map(Iterator::collect)
+            let greys = line.chunks_exact(2).map(|two| u16::from_be_bytes([two[0], two[1]]));
+            Ok(greys.map(f64::from).collect())
         }
         png::BitDepth::Eight => Ok(line.iter().map(|grey| f64::from(*grey)).collect()),
         depth => Err(format!("this picture has {} bits a grey: must be 8 or 16", depth as u8)),
