@@ -68,7 +68,7 @@ def slippy(case, cells):
     slippy.CUDA = False
     import slippy.contact as contact
     import slippy.surface as surface
-    from slippy.contact.sub_models import _TransientSubModelABC as transient
+    from slippy.contact.sub_models._TransientSubModelABC import _TransientSubModelABC as base
 
     poisson = 0.0 if case == "cattaneo" else 0.3
     modulus, force, approach = closed_form(poisson)
@@ -83,8 +83,6 @@ def slippy(case, cells):
     given = {"interference": approach} if case == "hertz_approach" else {"normal_load": force}
     step = contact.StaticStep("step", **given)
     if case == "cattaneo":
-        base = transient._TransientSubModelABC
-
         def repaired(self, state):
             # 0.5.2 throws the results of such models away.
             self.update_transience(state["time"])

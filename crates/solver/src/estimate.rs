@@ -33,15 +33,13 @@ impl Estimated {
         let error = fine.max(coarse / FALL[1]) / (fall - 1.0);
         Self { value: values[0], error }
     }
-}
 
-impl Estimated {
     /// The same where tractions are greatest at an edge that the grid fixes: the edge lies within
     /// part of a cell of its place, which makes errors of the first order, in leaps.
     #[must_use]
     pub fn of_edge(values: [f64; 3]) -> Self {
         let (fine, coarse) = ((values[0] - values[1]).abs(), (values[1] - values[2]).abs());
-        Self { value: values[0], error: fine.max(0.25 * coarse) }
+        Self { value: values[0], error: fine.max(coarse / FALL[1]) }
     }
 }
 

@@ -4,6 +4,7 @@ use carom_halfspace::operator::OperatorError;
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
+use carom_laws::torsion::lubkin::Lubkin;
 use carom_solver::{
     Accuracy, ContactProblem, Drive, Driven, Fit, FitError, Frictional, FrictionalError, Outline,
     Shape, Side, Window,
@@ -126,4 +127,32 @@ fn what_no_window_fits_says_so() {
     let apart = Drive::by_shift(Shift { zeta: -1.0, ..Shift::default() });
     assert_eq!(fit(&BALL, [0.0; 2], 0.5, 1.0, 1e-2, &[apart]).unwrap().error, 0.0);
     assert_eq!(Accuracy::new(0.5).unwrap_err().field, "accuracy");
+}
+
+#[test]
+fn cones_and_twisted_balls_are_solved_as_asked() {
+    // F = (2/pi) E* zeta^2/slope with E* = 2: the pressure has no bound, the force has.
+    for (slope, zeta) in [(0.1, 1e-3), (0.02, 3.0)] {
+        let pressed = Drive::by_shift(Shift { zeta, ..Shift::default() });
+        let cone = Shape::Cone { slope };
+        let found = fit(&cone, [0.0; 2], 0.0, 1.0, 1e-3, &[pressed]).unwrap();
+        let exact = 4.0 / std::f64::consts::PI * zeta * zeta / slope;
+        let error = found.history.state().load().f_z / exact - 1.0;
+        println!("cone: {} cells, {error:.1e}, {:.1e}", found.window.grid().nx(), found.error);
+        assert!(error.abs() < 1e-3, "{error}");
+    }
+    // Lubkin's twist to a stick radius of 0.8 a; G = 1 of both together.
+    let (friction, zeta) = (0.3, 0.04);
+    let lubkin = Lubkin::at_stick_radius(0.8).unwrap();
+    let (force, a) = (8.0 / 3.0 * f64::powf(zeta, 1.5), f64::sqrt(zeta));
+    let omega = lubkin.twist() * friction * force / (a * a);
+    let drive = |omega| Drive::by_shift(Shift { zeta, omega, ..Shift::default() });
+    for accuracy in [1e-2, 1e-3] {
+        let drives = [drive(0.0), drive(omega)];
+        let found = fit(&BALL, [0.0; 2], friction, 1.0, accuracy, &drives).unwrap();
+        let exact = lubkin.torque() * friction * force * a;
+        let error = found.history.state().load().m_z / exact - 1.0;
+        println!("twist: {} cells, {error:.1e}, {:.1e}", found.window.grid().nx(), found.error);
+        assert!(error.abs() < accuracy, "{error}");
+    }
 }
