@@ -3,16 +3,15 @@
 //! Planar: an ellipsoid in a plane of symmetry on a plane, law of one direction, settled to 1e-8
 //! of |v_A| (the default) and to 1e-5. Spatial: the same upright with a turning direction, the
 //! law of fixed directions settled to 1e-8 and to 5e-6 (the default), Coulomb's vector law to 5e-6
-//! (the default) and to 1e-4. Turning: Coulomb's law to 1e-3 .. 1e-6, by the line of anchors and by
-//! the curve of `laws::coulomb`, whose tolerance falls with the square of the resolution.
+//! (the default) and to 1e-4. Turning: Coulomb's law to 1e-3 .. 1e-7, by the curve of `laws::coulomb`
+//! (the default where c_x = c_y) and by the line of anchors.
 
 use std::hint::black_box;
 
 use carom_impact::Mobility;
 use carom_impact::coupled::{CoupledImpact, VectorLaw};
-use carom_laws::coulomb::Tolerance;
 use carom_laws::friction::Friction;
-use carom_laws::shift_law::ShiftLaw;
+use carom_laws::sliders::SlipLines;
 use carom_laws::stiffness::ContactStiffness;
 use criterion::{Criterion, criterion_group, criterion_main};
 use nalgebra::{Matrix3, Vector3};
@@ -52,39 +51,36 @@ fn bench(criterion: &mut Criterion) {
 }
 
 /// Two oblique impacts of a turning direction on a contact that is as stiff along x as along y.
-fn turning() -> [(CoupledImpact, ContactStiffness, Friction); 2] {
+fn turning() -> [(CoupledImpact, f64); 2] {
     let d = Matrix3::new(2.9, 0.3, 0.5, 0.3, 2.4, -0.4, 0.5, -0.4, 1.3);
-    let stiffness = ContactStiffness::new(0.85, 0.85, 1.0).expect("positive");
-    [(0.2, [1.1, 0.4, 1.0]), (0.6, [0.3, -0.5, 1.0])].map(|(f, velocity)| {
-        let friction = Friction::new(f).expect("positive");
-        (impact(d, [0.85, 0.85, 1.0], f, velocity), stiffness, friction)
-    })
+    [(0.2, [1.1, 0.4, 1.0]), (0.6, [0.3, -0.5, 1.0])]
+        .map(|(f, velocity)| (impact(d, [0.85, 0.85, 1.0], f, velocity), f))
 }
 
-/// The law to a tolerance that falls with the square of the resolution.
-fn curve(stiffness: ContactStiffness, friction: Friction, resolution: usize) -> ShiftLaw<[f64; 2]> {
-    let tolerance = (10.0 / (resolution * resolution) as f64).min(0.1);
-    let tolerance = Tolerance::new(tolerance).expect("in range");
-    ShiftLaw::with_tolerance(stiffness, friction, tolerance)
+/// What may be left off the line falls with the cube of the resolution.
+fn line(friction: f64, resolution: usize) -> SlipLines {
+    let stiffness = ContactStiffness::new(0.85, 0.85, 1.0).expect("positive");
+    SlipLines::new(stiffness, friction, 0.75)
+        .expect("positive")
+        .refined(resolution.saturating_pow(3))
 }
 
 fn turning_impacts(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("turning impact");
-    for tolerance in [1e-3, 1e-4, 1e-5, 1e-6] {
-        let impacts =
-            turning().map(|(impact, c, f)| (impact.within(tolerance).expect("positive"), c, f));
+    for tolerance in [1e-3, 1e-4, 1e-5, 1e-6, 1e-7] {
+        let impacts = turning().map(|(impact, f)| (impact.within(tolerance).expect("positive"), f));
+        group.bench_function(format!("curve, {tolerance:e}"), |bencher| {
+            bencher.iter(|| {
+                black_box(&impacts)
+                    .each_ref()
+                    .map(|(impact, _)| impact.solve(VectorLaw::Coulomb).expect("separates"))
+            });
+        });
         group.bench_function(format!("line, {tolerance:e}"), |bencher| {
             bencher.iter(|| {
                 black_box(&impacts)
                     .each_ref()
-                    .map(|(impact, ..)| impact.solve(VectorLaw::Coulomb).expect("separates"))
-            });
-        });
-        group.bench_function(format!("curve, {tolerance:e}"), |bencher| {
-            bencher.iter(|| {
-                black_box(&impacts).each_ref().map(|(impact, c, f)| {
-                    impact.solve_with(|n| curve(*c, *f, n)).expect("separates")
-                })
+                    .map(|(impact, f)| impact.solve_with(|n| line(*f, n)).expect("separates"))
             });
         });
     }

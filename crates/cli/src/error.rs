@@ -7,7 +7,8 @@ use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
 use carom_impact::{CollisionError, NumericalImpactError};
 use carom_plot::PlotError;
-use carom_solver::{FitError, FrictionalError, ProblemError};
+use carom_solver::rolling::RollingError;
+use carom_solver::{DirectError, FitError, FrictionalError, ProblemError};
 use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
 use std::path::{Path, PathBuf};
@@ -72,6 +73,26 @@ pub enum CliError {
         step: usize,
         /// Why.
         source: Box<FrictionalError>,
+    },
+    /// A step could not be solved by the method that the case asks for.
+    #[error("{}: step {step}: {source}{}", path.display(), advice(source))]
+    Classic {
+        /// The case file.
+        path: PathBuf,
+        /// The number of the step, from 1; 0 before the first.
+        step: usize,
+        /// Why.
+        source: Box<DirectError>,
+    },
+    /// A rolling contact could not be solved.
+    #[error("{}: row {row}: {source}", path.display())]
+    Rolling {
+        /// The case file.
+        path: PathBuf,
+        /// The number of the creepage or step, from 1.
+        row: usize,
+        /// Why.
+        source: Box<RollingError>,
     },
     /// A contact does not fit on its grid.
     #[error("{}: step {step}: the contact reaches the {side} border of the grid; `grid.size` must be larger", path.display())]
@@ -194,6 +215,14 @@ impl CliError {
                 | FitError::Method(FrictionalError::Range(_) | FrictionalError::Slides { .. }) => 2,
                 _ => 1,
             },
+            Self::Classic { source, .. } => match **source {
+                DirectError::NotConverged { .. } | DirectError::Singular { .. } => 1,
+                _ => 2,
+            },
+            Self::Rolling { source, .. } => match **source {
+                RollingError::Range(_) => 2,
+                _ => 1,
+            },
             Self::Case { .. }
             | Self::Border { .. }
             | Self::Problem { .. }
@@ -218,6 +247,14 @@ impl CliError {
     #[must_use]
     pub fn io(action: &'static str, path: &Path, source: std::io::Error) -> Self {
         Self::Io { action, path: path.to_owned(), source }
+    }
+}
+
+/// What applies where an older method does not.
+const fn advice(error: &DirectError) -> &'static str {
+    match error {
+        DirectError::Range(_) | DirectError::Operator(_) => "",
+        _ => "; `contact.method` = \"newton\", the default, takes it",
     }
 }
 

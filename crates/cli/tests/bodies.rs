@@ -20,7 +20,7 @@ fn energy_and_momentum_balance() {
         let sum = |when| velocity(when, "body_1")[axis] + velocity(when, "body_2")[axis];
         assert!((sum("before") - sum("after")).abs() < 1e-12);
     }
-    assert_eq!(record["contact"]["passage"], "spatial");
+    assert_eq!(record["contact"]["method"], "spatial");
     assert!(record["contact"]["error_estimate"].as_f64().unwrap() < 5e-6);
     assert!(record["events"].as_array().unwrap().len() > 1);
 }
@@ -61,7 +61,7 @@ fn the_course_begins_and_ends_with_the_outcome() {
     assert!(rows.starts_with("time,xi,eta,zeta,v_x"));
     let csv = stdout(&["impact", &file, "--format", "csv"]);
     assert!(csv.lines().next().unwrap().ends_with("normal_x,normal_y,normal_z"));
-    assert!(stdout(&["impact", &file]).contains("passage"));
+    assert!(stdout(&["impact", &file]).contains("method"));
 }
 
 #[test]

@@ -53,3 +53,34 @@ fn a_case_that_does_not_fit_is_refused() {
     assert_eq!(output.status.code(), Some(2));
     assert!(output.stdout.is_empty());
 }
+
+#[test]
+fn a_case_names_its_method_and_what_does_not_apply_names_what_does() {
+    let shifts = CASE.replace("F_z = 4.0", "zeta = \"0.35 um\"");
+    let last = |method: &str| {
+        let text = shifts
+            .replace("POISSON", "0.0")
+            .replace("friction = 0.3", &format!("friction = 0.3\nmethod = \"{method}\""));
+        json(&["solve", &case(&format!("method_{method}.toml"), &text)])[5]["F_x"].as_f64().unwrap()
+    };
+    let newton = last("newton");
+    for method in ["gauss_seidel", "discs", "johnson", "panagiotopoulos", "kombi"] {
+        let other = last(method);
+        assert!((other / newton - 1.0).abs() < 1e-7, "{method}: {other} {newton}");
+    }
+    let refused = |name: &str, text: String, parts: &[&str]| {
+        let output = carom(&["solve", &case(name, &text)]);
+        assert_eq!(output.status.code(), Some(2), "{text}");
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert!(parts.iter().all(|part| said.contains(part)), "{said} lacks one of {parts:?}");
+    };
+    let johnson = "friction = 0.3\nmethod = \"johnson\"";
+    let unlike = shifts.replace("POISSON", "0.5").replace("friction = 0.3", johnson);
+    refused("method_unlike.toml", unlike, &["Johnson", "Panagiotopoulos", "\"newton\""]);
+    let loaded = CASE.replace("POISSON", "0.0").replace("friction = 0.3", johnson);
+    refused("method_loaded.toml", loaded, &["F_z is given", "\"newton\""]);
+    let wrong = shifts
+        .replace("POISSON", "0.0")
+        .replace("friction = 0.3", "friction = 0.3\nmethod = \"tang\"");
+    refused("method_wrong.toml", wrong, &["contact.method", "\"tang\"", "kombi"]);
+}

@@ -206,7 +206,7 @@ torsion = true
         .replace("radius = 0.01\n", "radius = 0.01\nposition = [0, 0, 0.01]\n")
         .replace("radius = 0.02\n", "radius = 0.02\nposition = [0, 0, -0.02]\n");
     let (one, other) = (solved("simple", simple), solved("placed", &placed));
-    assert_eq!(one["contact"]["passage"], "uncoupled");
+    assert_eq!(one["contact"]["method"], "uncoupled");
     assert_eq!(one["contact"]["error_estimate"], 0.0);
     alike(&one, &other);
     let ratio = one["torsion"]["spin_ratio"].as_f64().unwrap();

@@ -5,7 +5,8 @@ use carom_special::RangeError;
 
 use crate::collision::{Collision, CollisionError, Passed};
 use crate::coupled::{
-    CoupledImpact, CoupledOutcome, Course, LawFailure, Passage, Point, Sample, Stage, Staged,
+    CoupledImpact, CoupledOutcome, ImpactMethod, LawFailure, Point, Sample, Stage, Staged,
+    Trajectory,
 };
 use crate::normal::NormalImpact;
 use crate::outcome::{HistoryPoint, Outcome, Warning};
@@ -106,7 +107,7 @@ impl<'a> NumericalImpact<'a> {
             maximal_approach: fine.peak,
             maximal_force: fine.force,
             compressions: fine.compressions,
-            passage: Passage::Spatial { coupled: true },
+            method: ImpactMethod::Spatial { coupled: true },
             error_estimate: change / before.norm(),
             warning: None,
         };
@@ -140,9 +141,9 @@ impl<'a> NumericalImpact<'a> {
         let peak = normal.maximal_approach();
         let law = NumericalLaw::new(hertz, self.collision.friction(), peak, cells)?;
         let mut law = law.within(TOLERANCE)?;
-        let course = Course { mobility, velocity, stiffness, steps, expected: None };
+        let trajectory = Trajectory { mobility, velocity, stiffness, steps, expected: None };
         let mut samples: Vec<Sample> = Vec::new();
-        let end = course.follow(&mut law, |point, law| samples.push(sample(point, law)))?;
+        let end = trajectory.follow(&mut law, |point, law| samples.push(sample(point, law)))?;
         let end = end.ok_or(NumericalImpactError::NoSeparation)?;
         let greatest = |of: fn(&Sample) -> f64| samples.iter().map(of).fold(0.0, f64::max);
         let (peak, force) = (greatest(|at| at.shift.z), greatest(|at| at.force.z));

@@ -5,7 +5,7 @@ use carom_table::{Column, Value};
 use nalgebra::Vector3;
 
 use crate::body::Motion;
-use crate::coupled::Passage;
+use crate::coupled::ImpactMethod;
 use crate::oblique::{Event, Regime};
 
 /// The outcome of two bodies meeting.
@@ -71,7 +71,7 @@ pub struct Rebound {
     /// The torsional impact; none where the spin about the normal was left alone.
     pub torsion: Option<Torsion>,
     /// How it was followed.
-    pub passage: Passage,
+    pub method: ImpactMethod,
     /// How often the approach grew: 2 or more if the bodies were pressed together again.
     pub compressions: u32,
     /// Last change of the velocity under refinement over |v_A|; 0 where the solution is exact.

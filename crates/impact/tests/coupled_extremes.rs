@@ -1,7 +1,7 @@
 //! Coupled impacts far from the usual: sliding that drives the bodies together or apart, stiff
 //! tangential motion, high friction, oblique mobilities, ties.
 
-use carom_impact::coupled::{CoulombRings, CoupledError, CoupledImpact, CoupledOutcome, VectorLaw};
+use carom_impact::coupled::{CoupledError, CoupledImpact, CoupledOutcome, VectorLaw};
 use carom_impact::{Mobility, Warning};
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Shift};
@@ -242,11 +242,13 @@ fn adversarial() -> impl Strategy<Value = Case> {
     let speed = prop_oneof![6 => -6.0..6.0f64, 1 => Just(f64::NEG_INFINITY)];
     (
         prop::array::uniform6(prop_oneof![4 => -0.95..3.0f64, 1 => Just(0.0), 1 => -0.99..-0.9f64]),
-        prop::array::uniform2(-1.0..1.0f64),
+        (prop::array::uniform2(-1.0..1.0f64), prop::bool::ANY),
         exponent,
         prop::array::uniform2((prop::bool::ANY, speed)),
     )
-        .prop_map(|(a, c, f, speed)| {
+        .prop_map(|(a, ([c_x, c_y], round), f, speed)| {
+            // As stiff along x as along y the anchors lie on a curve, else on a line.
+            let c = [c_x, if round { c_x } else { c_y }];
             let v = speed.map(|(back, x)| if back { -power(x) } else { power(x) });
             Case::of(a, c.map(power), power(f), v)
         })
@@ -276,31 +278,5 @@ proptest! {
         for case in cases {
             settles(&case)?;
         }
-    }
-}
-
-/// Sliding is exact wherever the edge lies between two rings, and so is adhesion on a straight path;
-/// the edge that recedes leaves what is inside of it.
-#[test]
-fn the_part_outside_the_last_ring_counts() {
-    let stiffness = ContactStiffness::new(0.9, 0.7, 1.1).unwrap();
-    let to = |zeta: f64, xi: f64| Shift { zeta, xi, ..Shift::default() };
-    for zeta in [0.02, 0.17, 0.5, 0.9, 1.3] {
-        let mut law = CoulombRings::new(stiffness, 0.3, 0.4).unwrap();
-        let load = law.advance(to(zeta, 50.0)).unwrap();
-        assert!((load.f_x / (0.3 * load.f_z) - 1.0).abs() < 1e-14, "{zeta}");
-        let mut law = CoulombRings::new(stiffness, 5.0, 0.4).unwrap();
-        let load = law.advance(to(zeta, 0.2 * zeta)).unwrap();
-        let exact = 2.0 / 3.0 * 0.9 * 0.2 * zeta * zeta.sqrt();
-        assert!((load.f_x / exact - 1.0).abs() < 1e-14, "{zeta}");
-        if zeta < 0.2 {
-            continue; // no slope within a single ring
-        }
-        // t = c_x 0.2 (1.5 - s) for r^2 = s up to the edge, but for the rim of the part 1e-9.
-        let mut law = CoulombRings::new(stiffness, 1e9, 0.4).unwrap();
-        law.advance(to(1.5, 0.3)).unwrap();
-        let load = law.advance(to(zeta, 0.3)).unwrap();
-        let exact = 0.9 * 0.2 * (1.5 - zeta / 3.0) * zeta.sqrt();
-        assert!((load.f_x / exact - 1.0).abs() < 1e-8, "{zeta} {}", load.f_x / exact);
     }
 }

@@ -2,7 +2,7 @@
 
 use carom_geometry::{Attitude, Surface};
 use carom_halfspace::Material;
-use carom_impact::coupled::{CoupledError, Passage};
+use carom_impact::coupled::{CoupledError, ImpactMethod};
 use carom_impact::{Body, Collision, CollisionError, Motion, Outcome, Rebound, Warning};
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
@@ -305,10 +305,10 @@ fn check_turn(pair: &Pair, worst: &Worst) -> Result<(), TestCaseError> {
 fn check_upright(pair: &Pair, worst: &Worst) -> Result<(), TestCaseError> {
     let given = pair.encounter();
     let rebound = rebound(&given);
-    let passage = given.impact().unwrap().unwrap().passage();
-    let measure = match passage {
-        Passage::Uncoupled { .. } => "upright, uncoupled",
-        Passage::Spatial { coupled: false } => "upright, spatial",
+    let method = given.impact().unwrap().unwrap().method();
+    let measure = match method {
+        ImpactMethod::Uncoupled { .. } => "upright, uncoupled",
+        ImpactMethod::Spatial { coupled: false } => "upright, spatial",
         other => return Err(TestCaseError::fail(format!("{other:?}"))),
     };
     let z = given.frame().z();
@@ -421,7 +421,7 @@ fn an_encounter_that_does_not_settle_is_refused_or_marked() {
     let lowest = egg.support(&-Vector3::z());
     let body = egg.body().at((-lowest).into()).unwrap();
     let encounter = meet(body, Body::plane(steel()), 0.3).within(1e-18).unwrap();
-    assert!(matches!(encounter.impact().unwrap().unwrap().passage(), Passage::Planar { .. }));
+    assert!(matches!(encounter.impact().unwrap().unwrap().method(), ImpactMethod::Planar { .. }));
     let Err(CollisionError::Coupled(CoupledError::NotSettled {
         error_estimate, tolerance, ..
     })) = encounter.solve()

@@ -3,10 +3,11 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use carom_halfspace::Material;
-use carom_impact::coupled::{CoupledImpact, Passage, Sample, VectorLaw, sliding_direction};
+use carom_impact::coupled::{CoupledImpact, ImpactMethod, Sample, VectorLaw};
 use carom_impact::oblique::Regime;
 use carom_impact::{Body, Collision, HistoryPoint, Mobility, Motion, Warning};
 use carom_laws::friction::Friction;
+use carom_laws::sliders::sliding_direction;
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
@@ -156,16 +157,16 @@ fn histories_of_coupled_impacts_balance_impulse_and_shift() {
 #[test]
 fn unequal_stiffness_across_the_motion_is_a_spatial_impact() {
     let (aslant, _) = impact(0.0, [0.4, 0.3, 1.5]);
-    assert_eq!(aslant.passage(), Passage::Spatial { coupled: false });
+    assert_eq!(aslant.method(), ImpactMethod::Spatial { coupled: false });
     let (along, _) = impact(0.0, [0.0, 0.3, 1.5]);
-    assert_eq!(along.passage(), Passage::Uncoupled { direction: Vector3::y() });
+    assert_eq!(along.method(), ImpactMethod::Uncoupled { direction: Vector3::y() });
     // A mobility alike in all directions turns nothing; unequal stiffnesses still do.
     let mobility = Mobility::from_matrix(Matrix3::from_diagonal(&[7.0, 7.0, 2.0].into())).unwrap();
     let stiffness = ContactStiffness::new(0.9, 0.7, 1.1).unwrap();
     let friction = Friction::new(0.4).unwrap();
     let velocity = Vector3::new(0.4, 0.3, 1.5);
     let impact = CoupledImpact::new(mobility, stiffness, friction, velocity).unwrap();
-    assert_eq!(impact.passage(), Passage::Spatial { coupled: false });
+    assert_eq!(impact.method(), ImpactMethod::Spatial { coupled: false });
 }
 
 #[test]
@@ -173,13 +174,13 @@ fn the_first_traction_of_a_fast_approach_solves_its_equation() {
     let stiffness = ContactStiffness::new(0.9, 0.7, 1.0).unwrap();
     for z in [0.5, 2.0, 7.0] {
         let velocity = Vector3::new(0.8 * z, 0.5 * z, z);
-        let [cos, sin] = sliding_direction(&stiffness, 0.3, &velocity).unwrap();
+        let [cos, sin] = sliding_direction(&stiffness, 0.3, velocity.into()).unwrap();
         // (8.58), corrected
         let residue =
             velocity.y * cos - velocity.x * sin + 0.3 * z * sin * cos * (1.0 / 0.9 - 1.0 / 0.7);
         assert_abs_diff_eq!(residue, 0.0, epsilon = 1e-14 * z);
         // It adheres below the limit (8.50).
         let slow = Vector3::new(0.3 * z, 0.05 * z, z);
-        assert_eq!(sliding_direction(&stiffness, 0.3, &slow), None);
+        assert_eq!(sliding_direction(&stiffness, 0.3, slow.into()), None);
     }
 }

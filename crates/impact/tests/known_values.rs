@@ -3,7 +3,6 @@
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use carom_geometry::Inertia;
 use carom_halfspace::{Material, MaterialPair};
-use carom_impact::coupled::CoulombRings;
 use carom_impact::oblique::Groups;
 use carom_impact::restitution::{RestitutionTensor, of_groups};
 use carom_impact::torsional::{SpinCollision, Spinner, TorsionalImpact};
@@ -11,6 +10,7 @@ use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::{ContactLaw, Shift};
+use carom_laws::sliders::SlipLines;
 use carom_laws::stiffness::ContactStiffness;
 
 #[test]
@@ -47,7 +47,7 @@ fn a_tangent_tensor_is_the_slope_of_the_final_velocity() {
 fn rings_that_slide_carry_the_friction_of_the_whole_load() {
     let stiffness = ContactStiffness::new(0.9, 0.7, 1.1).unwrap();
     for zeta in [0.3, 0.93, 1.0] {
-        let mut law = CoulombRings::new(stiffness, 0.3, 0.05).unwrap();
+        let mut law = SlipLines::new(stiffness, 0.3, 0.05).unwrap();
         law.advance(Shift { zeta, ..Shift::default() }).unwrap();
         let load = law.advance(Shift { zeta, xi: 9.0, ..Shift::default() }).unwrap();
         assert_relative_eq!(load.f_x, 0.3 * load.f_z, max_relative = 1e-13);

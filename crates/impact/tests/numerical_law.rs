@@ -2,7 +2,7 @@
 //! independent half-space program where they are not.
 
 use carom_halfspace::{Material, MaterialPair};
-use carom_impact::coupled::{CoupledImpact, Course};
+use carom_impact::coupled::{CoupledImpact, Trajectory};
 use carom_impact::normal::NormalImpact;
 use carom_impact::{Mobility, restitution};
 use carom_laws::curvature::RelativeCurvature;
@@ -48,7 +48,7 @@ impl Spheres {
     /// R_x, e_z and the greatest approach over Hertz's.
     fn rebound(&self, cells: usize, steps: usize) -> [f64; 3] {
         let (mut law, normal) = (self.law(cells), self.normal());
-        let course = Course {
+        let trajectory = Trajectory {
             mobility: Self::mobility(),
             velocity: self.velocity(),
             stiffness: self.hertz.stiffness(),
@@ -59,7 +59,7 @@ impl Spheres {
         let see = |point: &carom_impact::coupled::Point, _: &NumericalLaw| {
             peak = f64::max(peak, point.shift.z);
         };
-        let end = course.follow(&mut law, see).unwrap().unwrap();
+        let end = trajectory.follow(&mut law, see).unwrap().unwrap();
         let before = self.velocity();
         let along = -end.velocity.x / before.x;
         [along, -end.velocity.z / before.z, peak / normal.maximal_approach()]

@@ -6,7 +6,7 @@ mod spheres;
 use carom_geometry::{Attitude, Inertia, Surface};
 use carom_halfspace::Material;
 use carom_impact::closed_form::restitution_without_slip;
-use carom_impact::coupled::Passage;
+use carom_impact::coupled::ImpactMethod;
 use carom_impact::oblique::{Groups, ObliqueImpact};
 use carom_impact::restitution::{RestitutionTable, of_groups, restitution_map};
 use carom_impact::scene::{Ball, Limits, Scene, Wall};
@@ -201,8 +201,8 @@ fn a_small_ball_on_a_large_one_is_uncoupled() {
             let encounter = Collision::touching(one, two, friction(0.3)).unwrap();
             let d = encounter.mobility().matrix();
             assert_eq!((d.m12, d.m13, d.m23, d.m11), (0.0, 0.0, 0.0, d.m22));
-            let passage = encounter.impact().unwrap().unwrap().passage();
-            assert!(matches!(passage, Passage::Uncoupled { .. }), "{passage:?}");
+            let method = encounter.impact().unwrap().unwrap().method();
+            assert!(matches!(method, ImpactMethod::Uncoupled { .. }), "{method:?}");
             same(&encounter, along).unwrap();
         }
     }
@@ -273,11 +273,11 @@ fn a_sphere_that_turns_unevenly_leaves_its_plane() {
         rebound
     };
     let uneven = turned([theta, 1.5 * theta, theta]);
-    assert_eq!(uneven.passage, Passage::Spatial { coupled: false });
+    assert_eq!(uneven.method, ImpactMethod::Spatial { coupled: false });
     assert!(uneven.velocity_after.xy().perp(&uneven.velocity_before.xy()).abs() > 1e-3);
     // About the normal it may: the slip is not turned.
     let spinning = turned([theta, theta, 1.5 * theta]);
-    assert!(matches!(spinning.passage, Passage::Uncoupled { .. }));
+    assert!(matches!(spinning.method, ImpactMethod::Uncoupled { .. }));
     assert!(spinning.velocity_after.xy().perp(&spinning.velocity_before.xy()).abs() < 1e-15);
 }
 

@@ -179,8 +179,7 @@ fn every_storage_gives_the_same_bits_while_it_suffices() {
 #[test]
 fn work_is_stored_dissipated_or_booked_by_joins() {
     let (mut sum, mut joined, mut worst) = (0.0, 0.0_f64, 0.0_f64);
-    let (mut far, mut steps) = (0, 0);
-    paths(4, &[1], |_, path| {
+    paths(8, &[1], |_, path| {
         let mut law = law(1e-2);
         for &(zeta, x) in path {
             let heat = law.dissipation(zeta, x);
@@ -194,17 +193,14 @@ fn work_is_stored_dissipated_or_booked_by_joins() {
             let scale = work.abs() + heat[0] + heat[1] + stored[0] + stored[1] + grown.abs();
             let error = balance.abs() / scale.max(1e-15);
             worst = worst.max(error);
-            steps += 1;
-            far += usize::from(error > 1e-12);
             sum += heat[0] + heat[1];
             joined += change.abs();
         }
     });
-    println!("balance {worst:e}, above 1e-12 in {far} of {steps}");
+    println!("balance {worst:e}");
     println!("joins change {joined:e} beside a heat of {sum:e}");
-    // Work, heat and what is stored are three integrals, joins are booked one by one. The few are
-    // where rings graze their limit: there the integrands jump.
-    assert!(far * 200 < steps && worst < 1e-8);
+    // Work, heat and what is stored are three integrals, joins are booked one by one.
+    assert!(worst < 1e-12, "{worst:e}");
     assert!(joined < 1e-2 * sum);
 }
 

@@ -117,3 +117,64 @@ fn energies_on_a_straight_path_are_those_of_the_closed_law() {
     }
     assert_eq!(law.dissipation(9.0, [0.0; 2]), [0.0; 2]);
 }
+
+/// Slip along the traction in the physical plane, in small implicit steps: the stretch u on its
+/// circle with `trial - u ~ (c_x u_x, c_y u_y)`.
+fn slip_in_small_steps(
+    path: &[(f64, [f64; 2])],
+    depth: f64,
+    c: [f64; 2],
+    parts: usize,
+) -> [f64; 2] {
+    let (mut u, mut last) = ([0.0_f64; 2], (0.0, [0.0; 2]));
+    for &(zeta, x) in path {
+        for part in 1..=parts {
+            let t = part as f64 / parts as f64;
+            let at = |a: f64, b: f64| a + t * (b - a);
+            let now = (at(last.0, zeta), [at(last.1[0], x[0]), at(last.1[1], x[1])]);
+            let limit = now.0 - depth;
+            if limit <= 0.0 {
+                u = [0.0; 2];
+                continue;
+            }
+            // A ring that touches on the way begins there.
+            let share = (limit * parts as f64 / (zeta - last.0)).abs();
+            let share = if zeta > last.0 && depth >= last.0 { share.min(1.0) } else { 1.0 };
+            let step = [0, 1].map(|k| share * (x[k] - last.1[k]) / parts as f64);
+            let trial = [u[0] + step[0], u[1] + step[1]];
+            let at = |slip: f64| [0, 1].map(|k| trial[k] / (1.0 + slip * c[k]));
+            u = trial;
+            if trial[0].hypot(trial[1]) > limit {
+                let (mut low, mut high) = (0.0, 1e6);
+                for _ in 0..80 {
+                    let middle = 0.5 * (low + high);
+                    let [x, y] = at(middle);
+                    if x.hypot(y) > limit { low = middle } else { high = middle }
+                }
+                u = at(high);
+            }
+        }
+        last = (zeta, x);
+    }
+    u
+}
+
+#[test]
+fn rings_slip_along_their_traction_in_the_physical_plane() {
+    for ratio in [0.5, 0.8, 1.0, 1.7] {
+        let mut law = SliderLaw::new(12, 1.5, ratio).unwrap();
+        for &(zeta, x) in &LOOP {
+            law.advance(zeta, x).unwrap();
+        }
+        let (zeta, x) = LOOP[LOOP.len() - 1];
+        for (depth, anchor) in law.springs().filter(|(depth, _)| *depth < zeta) {
+            let small = |parts| slip_in_small_steps(&LOOP, depth, [ratio, 1.0], parts);
+            let (coarse, fine) = (small(2000), small(4000));
+            // First order in the step.
+            let want = [0, 1].map(|k| 2.0 * fine[k] - coarse[k]);
+            let off = (x[0] - anchor[0] - want[0]).hypot(x[1] - anchor[1] - want[1]);
+            let own = (fine[0] - coarse[0]).hypot(fine[1] - coarse[1]);
+            assert!(off < 1e-6 + 0.2 * own, "{ratio} {depth}: {off:e}, steps {own:e}");
+        }
+    }
+}

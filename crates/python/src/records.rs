@@ -76,8 +76,8 @@ impl Parted {
         Column::new("error_estimate", "", "of the velocity after, over that before", |p| {
             p.of(|r| r.error_estimate)
         }),
-        Column::new("passage", "", "how the impact was followed", |p| {
-            p.of(|r| format!("{:?}", r.passage).to_lowercase())
+        Column::new("method", "", "how the impact was followed", |p| {
+            p.of(|r| format!("{:?}", r.method).to_lowercase())
         }),
         Column::new("warnings", "", "what limits the validity", |p| {
             p.of(|r| r.warnings.iter().map(ToString::to_string).collect::<Vec<_>>().join("; "))

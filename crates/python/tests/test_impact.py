@@ -42,7 +42,7 @@ def test_balances():
     arm = np.array([0, 0, -0.01])
     turned = 0.4 * 0.033 * 0.01**2 * (rebound.spin_1 - BALL.spin)
     np.testing.assert_allclose(turned, np.cross(arm, rebound.impulse), atol=1e-15)
-    assert "exact" in rebound.passage or rebound.error_estimate == 0.0
+    assert "exact" in rebound.method or rebound.error_estimate == 0.0
 
 
 def test_restitution_of_a_collision_is_that_of_the_groups():

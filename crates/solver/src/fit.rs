@@ -1,7 +1,6 @@
 //! A window and cells that fit a contact, found from an accuracy.
 
 use carom_halfspace::Grid;
-use carom_laws::friction::Friction;
 use carom_special::RangeError;
 
 use crate::doubt::{Doubt, Side};
@@ -251,7 +250,7 @@ fn scout<E>(
     let mut reached = None;
     for _ in 0..TRIES {
         let window = span.window(SCOUTS, 0)?;
-        let problem = make(&window)?.with_friction(Friction::NONE);
+        let problem = make(&window)?.without_friction();
         if problem.apart(drive.normal).is_some() {
             // Perhaps the body comes nearer between the centres.
             span = Span::around_lowest(&problem, &window).kept(twists);

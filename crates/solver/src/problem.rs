@@ -93,9 +93,9 @@ impl ContactProblem {
         self.gap.grid()
     }
 
-    /// The same with other friction, the same everywhere.
-    pub(crate) fn with_friction(self, friction: Friction) -> Self {
-        Self { friction: friction.into(), ..self }
+    /// The same without friction.
+    pub(crate) fn without_friction(self) -> Self {
+        Self { friction: Friction::NONE.into(), ..self }
     }
 
     /// The approach after a step that leaves the bodies apart; none if they touch.

@@ -10,13 +10,13 @@ use carom_solver::kalker::{Johnson, Kombi, Panagiotopoulos};
 use carom_solver::{ContactProblem, ContactState, Drive, Frictional, Gap, Method};
 
 /// A history on a mesh.
-struct Case {
+struct Case<'a> {
     name: &'static str,
     cells: [usize; 2],
     poisson: [f64; 2],
     friction: f64,
     /// zeta, xi, eta, omega at the ends of the steps.
-    history: &'static [[f64; 4]],
+    history: &'a [[f64; 4]],
 }
 
 const SHIFTS: &[[f64; 4]] = &[
@@ -33,7 +33,7 @@ const SIMILAR: [f64; 2] = [0.3, 0.3];
 const POSITIVE: [f64; 2] = [0.0, 0.5];
 const NEGATIVE: [f64; 2] = [0.5, 0.0];
 
-fn problem(case: &Case) -> ContactProblem {
+fn problem(case: &Case<'_>) -> ContactProblem {
     let [nx, ny] = case.cells;
     let grid = Grid::new(nx, ny, 2.3 / nx as f64, 2.5 / ny as f64).unwrap();
     let gap = Gap::from_function(grid, |x, y| 0.5 * x * x + 0.4 * y * y).unwrap();
@@ -66,7 +66,7 @@ fn follow<M: Method>(
 fn difference(a: &[ContactState], b: &[ContactState]) -> f64 {
     let mut largest = 0.0_f64;
     for (a, b) in a.iter().zip(b) {
-        let top = a.pressure.values().iter().copied().fold(0.0, f64::max);
+        let top = a.pressure.values().iter().copied().fold(f64::MIN_POSITIVE, f64::max);
         let fields = [
             (&a.pressure, &b.pressure),
             (&a.traction_x, &b.traction_x),
@@ -82,7 +82,7 @@ fn difference(a: &[ContactState], b: &[ContactState]) -> f64 {
     largest
 }
 
-fn cases() -> Vec<Case> {
+fn cases() -> Vec<Case<'static>> {
     let mut cases = Vec::new();
     for cells in [[8, 8], [12, 10]] {
         for (name, history) in [("shift", SHIFTS), ("twist", TWISTS)] {
@@ -93,15 +93,18 @@ fn cases() -> Vec<Case> {
             }
         }
     }
-    for (poisson, cells) in [(SIMILAR, [24, 24]), (NEGATIVE, [18, 20])] {
-        let (name, friction) = ("shift", 0.3);
-        cases.push(Case { name, cells, poisson, friction, history: SHIFTS });
+    for (name, poisson, cells, history) in [
+        ("shift", SIMILAR, [24, 24], SHIFTS),
+        ("shift", NEGATIVE, [18, 20], SHIFTS),
+        ("twist", POSITIVE, [24, 24], &TWISTS[..2]),
+    ] {
+        cases.push(Case { name, cells, poisson, friction: 0.3, history });
     }
     cases
 }
 
 /// Whether a method finds what another one found, to 1e-9 of the largest pressure; the time it took.
-fn agrees<M: Method>(case: &Case, problem: &ContactProblem, method: &M, want: &[ContactState]) {
+fn agrees<M: Method>(case: &Case<'_>, problem: &ContactProblem, method: &M, want: &[ContactState]) {
     let name = std::any::type_name::<M>().rsplit("::").next().unwrap_or_default();
     let Case { name: history, cells, poisson, friction, .. } = case;
     let place = format!("{name}: {history} {cells:?} nu {poisson:?} f {friction}");
@@ -135,4 +138,67 @@ fn all_methods_find_the_same() {
             agrees(&case, &problem, &Kombi::default(), &want);
         }
     }
+}
+
+/// A simple generator of numbers from 0 to 1.
+struct Chance(u64);
+
+impl Chance {
+    fn next(&mut self) -> f64 {
+        self.0 =
+            self.0.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (self.0 >> 11) as f64 / (1_u64 << 53) as f64
+    }
+
+    /// One of these.
+    fn pick<T: Copy>(&mut self, from: &[T]) -> T {
+        from[(self.next() * from.len() as f64) as usize]
+    }
+}
+
+/// Steps in any direction, with repeats, reversals and parting, each drawn.
+fn drawn(chance: &mut Chance) -> Vec<[f64; 4]> {
+    let mut at = [0.8, 0.0, 0.0, 0.0];
+    let mut history = vec![at];
+    for _ in 0..5 {
+        let size = chance.pick(&[0.0, 1e-6, 0.05, 0.3]);
+        match chance.pick(&[0, 1, 2, 3]) {
+            0 => at[0] = chance.pick(&[0.3, 0.8, 1.0, 1.1, -0.1]),
+            1 => at = history[(chance.next() * history.len() as f64) as usize],
+            2 => at = [at[0], at[1] + size, at[2] - size, at[3]],
+            _ => {
+                at = at.map(|value| value + size * (chance.next() - 0.5));
+                at[0] = at[0].clamp(0.2, 1.1);
+            }
+        }
+        history.push(at);
+    }
+    history
+}
+
+fn random_histories(seed: u64, count: usize) {
+    let mut chance = Chance(seed);
+    for number in 0..count {
+        let poisson = chance.pick(&[SIMILAR, POSITIVE, NEGATIVE, [0.2, 0.35]]);
+        let friction = chance.pick(&[0.05, 0.3, 0.7]);
+        let cells = chance.pick(&[[8, 8], [9, 7], [6, 11]]);
+        let history = drawn(&mut chance);
+        let case = Case { name: "drawn", cells, poisson, friction, history: &history };
+        println!("{seed} {number}: {history:?}");
+        let problem = problem(&case);
+        let today = Frictional::default().within(1e-12).unwrap();
+        let (want, _) = follow(&problem, &today, case.history).unwrap();
+        agrees(&case, &problem, &GaussSeidel::default().within(1e-11).unwrap(), &want);
+        agrees(&case, &problem, &DiscGaussSeidel::default(), &want);
+        agrees(&case, &problem, &Panagiotopoulos::default().within(1e-11).unwrap(), &want);
+        agrees(&case, &problem, &Kombi::default(), &want);
+        if !problem.operator().is_coupled() {
+            agrees(&case, &problem, &Johnson::default(), &want);
+        }
+    }
+}
+
+#[test]
+fn all_methods_find_the_same_in_drawn_histories() {
+    random_histories(1, 40);
 }

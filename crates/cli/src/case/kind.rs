@@ -3,8 +3,8 @@
 use super::error::CaseError;
 use super::field::{Entry, Field, Form, Need, entries};
 use super::section::{Section, nearest, parse};
-use super::{HertzCase, HistoryCase, ImpactFile, SceneCase, SolveCase};
-use super::{begin, hertz, history, impact, scene, solve, varied};
+use super::{HertzCase, HistoryCase, ImpactFile, RollCase, SceneCase, SolveCase, StressCase};
+use super::{begin, hertz, history, impact, roll, scene, solve, stress, varied};
 use carom_table::Column;
 use toml::de::{DeTable, DeValue};
 
@@ -21,11 +21,23 @@ pub enum CaseKind {
     Scene,
     /// A contact on a grid.
     Solve,
+    /// A rolling contact.
+    Roll,
+    /// The stresses below a contact.
+    Stress,
 }
 
 impl CaseKind {
     /// All of them.
-    pub const ALL: [Self; 5] = [Self::Impact, Self::Hertz, Self::History, Self::Scene, Self::Solve];
+    pub const ALL: [Self; 7] = [
+        Self::Impact,
+        Self::Hertz,
+        Self::History,
+        Self::Scene,
+        Self::Solve,
+        Self::Roll,
+        Self::Stress,
+    ];
 
     /// The command that takes it.
     #[must_use]
@@ -36,6 +48,8 @@ impl CaseKind {
             Self::History => "history",
             Self::Scene => "scene",
             Self::Solve => "solve",
+            Self::Roll => "roll",
+            Self::Stress => "stress",
         }
     }
 
@@ -48,6 +62,8 @@ impl CaseKind {
             Self::History => "A contact that is pressed, shifted and twisted, step by step.",
             Self::Scene => "A ball that flies under gravity and bounces between walls.",
             Self::Solve => "A contact with friction on a grid, step by step.",
+            Self::Roll => "A rolling contact under creepage and spin.",
+            Self::Stress => "Stresses below a contact that is pressed and pushed.",
         }
     }
 
@@ -60,6 +76,8 @@ impl CaseKind {
             Self::History => history::FIELDS,
             Self::Scene => scene::FIELDS,
             Self::Solve => solve::FIELDS,
+            Self::Roll => roll::FIELDS,
+            Self::Stress => stress::FIELDS,
         }
     }
 
@@ -129,6 +147,8 @@ impl CaseKind {
             Self::History => HistoryCase::parse(source).map(|_| ()),
             Self::Scene => SceneCase::parse(source).map(|_| ()),
             Self::Solve => SolveCase::parse(source).map(|_| ()),
+            Self::Roll => RollCase::parse(source).map(|_| ()),
+            Self::Stress => StressCase::parse(source).map(|_| ()),
         }
     }
 

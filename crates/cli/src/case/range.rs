@@ -37,6 +37,8 @@ pub enum Range {
     Whole,
     /// A number of cells along an axis.
     Cells,
+    /// A number of elements across a rolling contact.
+    Elements,
     /// The seed of a generator.
     Seed,
 }
@@ -91,6 +93,7 @@ impl Range {
             Self::Count => [In(2.0), In(MOST)],
             Self::Whole => [In(1.0), In(MOST)],
             Self::Cells => [In(1.0), In(4096.0)],
+            Self::Elements => [In(6.0), In(40.0)],
             Self::Seed => [In(zero), In(MOST_SEED)],
         }
     }
@@ -98,7 +101,7 @@ impl Range {
     /// Whether only whole numbers lie in it.
     #[must_use]
     pub const fn is_whole(self) -> bool {
-        matches!(self, Self::Count | Self::Whole | Self::Cells | Self::Seed)
+        matches!(self, Self::Count | Self::Whole | Self::Cells | Self::Elements | Self::Seed)
     }
 
     /// Whether `value` lies in it.
@@ -138,6 +141,7 @@ impl Range {
             Self::Count => "a whole number from 2 to 1000000",
             Self::Whole => "a whole number from 1 to 1000000",
             Self::Cells => "a whole number from 1 to 4096",
+            Self::Elements => "a whole number from 6 to 40",
             Self::Seed => "a whole number from 0 to 2^53",
         }
     }

@@ -34,6 +34,8 @@ pub enum Dimension {
     Degrees,
     /// An angle, plain in radians.
     Radians,
+    /// An angle for each length, plain in radians.
+    PerLength,
 }
 
 /// How a unit becomes the plain one.
@@ -129,6 +131,13 @@ impl Dimension {
             Self::Degrees => {
                 &[("deg", Ten(0)), ("rad", Times(1.0 / DEGREE)), ("rev", Times(360.0))]
             }
+            Self::PerLength => &[
+                ("rad/m", Ten(0)),
+                ("1/m", Ten(0)),
+                ("rad/mm", Ten(3)),
+                ("1/mm", Ten(3)),
+                ("deg/m", Times(DEGREE)),
+            ],
             Self::Radians => {
                 &[("rad", Ten(0)), ("mrad", Ten(-3)), ("deg", Times(DEGREE)), ("rev", Times(TURN))]
             }

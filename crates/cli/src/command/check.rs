@@ -65,6 +65,10 @@ fn check_files(file: &CaseFile, kind: CaseKind) -> Result<(), CliError> {
         CaseKind::Solve => {
             solve::bodies::Bodies::of(&file.path, &file.parse(SolveCase::parse)?).map(|_| ())
         }
-        CaseKind::Impact | CaseKind::Hertz | CaseKind::Scene => Ok(()),
+        CaseKind::Impact
+        | CaseKind::Hertz
+        | CaseKind::Scene
+        | CaseKind::Roll
+        | CaseKind::Stress => Ok(()),
     }
 }

@@ -8,9 +8,11 @@ mod history;
 mod impact;
 mod plot;
 mod restitution;
+mod roll;
 mod scene;
 mod schema;
 mod solve;
+mod stress;
 mod theory;
 
 pub use history::StepsError;
@@ -71,6 +73,8 @@ enum Command {
     History(history::Arguments),
     Scene(scene::Arguments),
     Solve(solve::Arguments),
+    Roll(roll::Arguments),
+    Stress(stress::Arguments),
     Compare(solve::compare::Arguments),
     New(begin::Arguments),
     Check(check::Arguments),
@@ -89,6 +93,8 @@ pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError>
         Command::History(arguments) => history::run(arguments),
         Command::Scene(arguments) => scene::run(arguments),
         Command::Solve(arguments) => solve::run(arguments),
+        Command::Roll(arguments) => roll::run(arguments),
+        Command::Stress(arguments) => stress::run(arguments),
         Command::Compare(arguments) => solve::compare::run(arguments),
         Command::New(arguments) => begin::run(arguments),
         Command::Check(arguments) => check::run(arguments),

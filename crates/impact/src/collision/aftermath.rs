@@ -66,7 +66,7 @@ impl Collision {
             maximal_contact,
             energy,
             torsion,
-            passage: passed.passage,
+            method: passed.method,
             compressions: passed.compressions,
             error_estimate: passed.error_estimate,
             log: passed.log,

@@ -4,7 +4,7 @@ use carom_laws::stiffness::ContactStiffness;
 use nalgebra::Vector3;
 
 use super::{Collision, CollisionError};
-use crate::coupled::{CoupledImpact, CoupledOutcome, Passage, VectorLaw};
+use crate::coupled::{CoupledImpact, CoupledOutcome, ImpactMethod, VectorLaw};
 use crate::normal::{self, NormalImpact};
 use crate::oblique::{Groups, ObliqueImpact};
 use crate::outcome::{LogEntry, Warning};
@@ -31,7 +31,7 @@ pub(super) struct Symmetric {
     mobility: f64,
     pub(super) normal: NormalImpact,
     pub(super) groups: Groups,
-    passage: Passage,
+    method: ImpactMethod,
 }
 
 /// What an impact did, in contact axes.
@@ -48,7 +48,7 @@ pub(crate) struct Passed {
     pub(super) maximal_force: f64,
     pub(super) maximal_approach: f64,
     pub(super) compressions: u32,
-    pub(super) passage: Passage,
+    pub(super) method: ImpactMethod,
     pub(super) error_estimate: f64,
     pub(super) log: Vec<LogEntry>,
     pub(super) warning: Option<Warning>,
@@ -75,13 +75,13 @@ impl Collision {
         let d = self.mobility.matrix();
         let ContactStiffness { c_x, c_z, .. } = self.hertz.stiffness();
         let normal = NormalImpact::new(d.m33, c_z, velocity.z)?;
-        let (psi, passage) = match self.friction.coefficient() {
-            None => (0.0, Passage::Uncoupled { direction }),
-            Some(0.0) => (f64::INFINITY, Passage::Frictionless),
-            Some(f) => (c_x / c_z * slip / velocity.z / f, Passage::Uncoupled { direction }),
+        let (psi, method) = match self.friction.coefficient() {
+            None => (0.0, ImpactMethod::Uncoupled { direction }),
+            Some(0.0) => (f64::INFINITY, ImpactMethod::Frictionless),
+            Some(f) => (c_x / c_z * slip / velocity.z / f, ImpactMethod::Uncoupled { direction }),
         };
         let groups = Groups::new(d.m11 * c_x / (d.m33 * c_z), psi)?;
-        Ok(Symmetric { velocity, slip, direction, mobility: d.m11, normal, groups, passage })
+        Ok(Symmetric { velocity, slip, direction, mobility: d.m11, normal, groups, method })
     }
 }
 
@@ -114,7 +114,7 @@ impl Passed {
             maximal_force: outcome.maximal_force,
             maximal_approach: outcome.maximal_approach,
             compressions: outcome.compressions,
-            passage: outcome.passage,
+            method: outcome.method,
             error_estimate: outcome.error_estimate,
             log,
             warning: outcome.warning,
@@ -142,7 +142,7 @@ impl Symmetric {
             maximal_force: normal.maximal_force(),
             maximal_approach: normal.maximal_approach(),
             compressions: 1,
-            passage: self.passage,
+            method: self.method,
             error_estimate: 0.0,
             log: log(normal, &oblique),
             warning: None,

@@ -5,8 +5,8 @@ use nalgebra::{Matrix3, Vector3};
 
 use super::ImpactLaw;
 use super::adams::Order;
-use super::course::{Course, LawFailure, Point};
 use super::extrapolation::Extrapolation;
+use super::trajectory::{LawFailure, Point, Trajectory};
 
 /// Finds duration and number of steps; fine enough that the fastest oscillation stays stable.
 const SCOUT: Level = Level { steps: 32, rings: 16, taken: 32 };
@@ -177,7 +177,7 @@ impl Problem {
         let mut peaks = Peaks::default();
         let mut rings = law.rings();
         let mut work: usize = 0;
-        let course = Course {
+        let trajectory = Trajectory {
             mobility: self.mobility,
             velocity: self.velocity,
             stiffness: self.stiffness,
@@ -186,7 +186,7 @@ impl Problem {
         };
         // The errors of steps by the clock are smooth enough to be extrapolated.
         let order = self.expected.map_or(Order::Fourth, |_| Order::Second);
-        let end = course
+        let end = trajectory
             .follow_to(order, &mut law, |point, law| {
                 peaks.see(point);
                 let moved = law.rings();
@@ -274,10 +274,10 @@ fn summit(from: &Point, to: &Point) -> f64 {
 
 #[cfg(test)]
 mod tests {
-    use super::super::bare_law::BareLaw;
     use super::*;
     use crate::normal;
     use carom_laws::friction::Friction;
+    use carom_laws::shift_law::ShiftLaw;
 
     // In a plane, in units of the free impact.
     fn planar(tangential: f64, coupling: f64, slip: f64) -> Problem {
@@ -298,7 +298,7 @@ mod tests {
                 for slip in [-2.0, -0.1, 0.6, 5.0] {
                     let problem = planar(tangential, coupling, slip);
                     let settle = |problem: Problem| {
-                        let make = |_| BareLaw::<f64>::new(problem.stiffness, friction);
+                        let make = |_| ShiftLaw::<f64>::new(problem.stiffness, friction);
                         problem.settle(1e-8, make, |velocity| *velocity).expect("separates")
                     };
                     let clock = settle(problem);

@@ -1,9 +1,9 @@
 //! What the contact does: stick, slip at the edge, slide.
 
-use carom_laws::memory::{Lateral, VertexStack};
+use carom_laws::memory::{Lateral, MemoryRegime, VertexStack};
 use carom_laws::shift_law::ShiftLaw;
+use carom_laws::sliders::SlipLines;
 
-use super::CoulombRings;
 use crate::oblique::{Event, Regime};
 
 /// How much of the contact slips.
@@ -23,13 +23,9 @@ pub trait Staged {
     fn stage(&self) -> Stage;
 }
 
-impl Staged for CoulombRings {
+impl Staged for SlipLines {
     fn stage(&self) -> Stage {
-        match self.slipping() {
-            0 => Stage::Adhesion,
-            n if n == self.touching() => Stage::Slide,
-            _ => Stage::Slip,
-        }
+        self.regime().into()
     }
 }
 
@@ -69,6 +65,18 @@ impl Stage {
             (Self::Slip, Self::Adhesion) => Event::SlipStop,
             (Self::Slip, Self::Slip) => Event::RingClosed,
             (Self::Adhesion, _) => Event::SlipStart,
+        }
+    }
+}
+
+impl From<MemoryRegime> for Stage {
+    fn from(regime: MemoryRegime) -> Self {
+        match regime {
+            MemoryRegime::Separated | MemoryRegime::Adhesion | MemoryRegime::Release => {
+                Self::Adhesion
+            }
+            MemoryRegime::Slip | MemoryRegime::Reversal | MemoryRegime::Overlay => Self::Slip,
+            MemoryRegime::Sliding => Self::Slide,
         }
     }
 }

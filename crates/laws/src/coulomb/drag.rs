@@ -4,7 +4,7 @@ use crate::memory::Lateral;
 
 /// A straight step of the rigid shift.
 #[derive(Debug, Clone, Copy, Default)]
-pub(super) struct Step<V> {
+pub(crate) struct Step<V> {
     /// The approach at the end.
     pub(super) zeta: f64,
     /// The shift at the end.
@@ -30,7 +30,7 @@ pub(super) const BEYOND: f64 = 20.0;
 
 impl<V: Lateral> Step<V> {
     #[inline]
-    pub(super) fn new(from: (f64, V), to: (f64, V)) -> Self {
+    pub(crate) fn new(from: (f64, V), to: (f64, V)) -> Self {
         let (dz, dx) = (to.0 - from.0, to.1.minus(from.1));
         let length = dx.length();
         let grain = grain(to.0, to.1);
@@ -86,7 +86,7 @@ impl<V: Lateral> Step<V> {
     /// it leaves its limit once, and from there the traction's direction turns towards that of the
     /// step, `tan(theta/2)` falling as `exp(-int dl/r)`, r the limit (8.56).
     #[inline]
-    pub(super) fn drag(&self, depth: f64, anchor: V) -> V {
+    pub(crate) fn drag(&self, depth: f64, anchor: V) -> V {
         let limit = self.zeta - depth;
         let stretch = self.shift.minus(anchor);
         let square = stretch.dot(stretch);

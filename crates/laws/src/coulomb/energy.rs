@@ -12,8 +12,8 @@ use crate::profile::GAUSS;
 
 /// The error allowed to an integral over the rings, relative and over the energy of the largest
 /// stretch.
-const RELATIVE: f64 = 1e-12;
-const OF_LARGEST: f64 = 1e-15;
+const RELATIVE: f64 = 1e-13;
+const OF_LARGEST: f64 = 1e-16;
 /// In how many parts of a piece it is looked for where slip begins.
 const LOOKS: usize = 8;
 
@@ -177,8 +177,9 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 }
 
-/// The integral over the springs of a piece, parted at its middle and where rings
-/// come beyond their limit in the step or, as they were drawn, are so before it.
+/// The integral over the springs of a piece, parted at its middle, at the ring that parts at the end,
+/// and where rings come beyond their limit in the step or, as they were drawn, are so before it, or
+/// graze it.
 fn over_piece<V: Lateral>(
     piece: &Piece<V>,
     step: &Step<V>,
@@ -199,12 +200,15 @@ fn over_piece<V: Lateral>(
     };
     let excess = |part: f64| step.excess(piece.depth_at(part), piece.at(part));
     let before = |part: f64| step.excess_before(piece.depth_at(part), piece.at(part));
-    let mut marks = [1.0; 3 + 2 * LOOKS];
-    (marks[0], marks[1]) = (0.0, 0.5);
-    let mut count = 3;
+    let grazes = |part: f64| f64::from(step.grazes(piece.depth_at(part), piece.at(part)));
+    let mut marks = [1.0; 4 + 3 * LOOKS];
+    // The ring that parts at the end is between those that do before and those that stay.
+    let parts = ((step.zeta - piece.low.depth) / length).clamp(0.0, 1.0);
+    (marks[0], marks[1], marks[2]) = (0.0, 0.5, parts);
+    let mut count = 4;
     for look in 0..LOOKS {
         let [from, to] = [look, look + 1].map(|look| look as f64 / LOOKS as f64);
-        let kinks = [kink(&excess, from, to), kink(&before, from, to)];
+        let kinks = [kink(&excess, from, to), kink(&before, from, to), kink(&grazes, from, to)];
         for mark in kinks.into_iter().flatten() {
             marks[count] = mark;
             count += 1;

@@ -22,11 +22,13 @@ mod drag;
 mod energy;
 mod heat;
 mod join;
+mod lay;
 mod pack;
 mod piece;
 mod report;
 mod step;
 
+pub(crate) use drag::Step;
 pub use pack::packed_numbers;
 pub use report::Arc;
 

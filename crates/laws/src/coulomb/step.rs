@@ -12,18 +12,9 @@ const EXACT: [f64; 2] = [1e-13, 1e-15];
 /// The share of the tolerance by which a join may move the curve.
 const SHARE: f64 = 0.07;
 /// What is a straight line behind the tip, as a share of what a join may move.
-const STRAIGHT: f64 = 1e-6;
-/// How far a parabola may be off in a boundary layer, as a share of the same.
-const LAYER: f64 = 0.4;
-/// Between which ratios of limits a piece may hide a boundary layer, and how near to its upper end
-/// that is looked for.
-const HIDES: f64 = 0.43;
-const NEAR: f64 = 0.75;
+pub(super) const STRAIGHT: f64 = 1e-6;
 /// How often a piece may be halved in one step.
 const HALVINGS: u32 = 6;
-/// How near to its upper end a piece is split.
-const HIGHEST: f64 = 0.8;
-
 /// Where the slipping part of the curve begins.
 enum Front {
     /// Nothing slips.
@@ -281,59 +272,6 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             && (piece.low.depth >= self.zeta || near(depth, step.drag(depth, piece.middle())))
     }
 
-    /// The piece in whose place the old one above vertex i was dragged, or several.
-    fn lay(
-        &mut self,
-        i: usize,
-        old: &Piece<V>,
-        new: [V; 2],
-        step: &Step<V>,
-        (sizes, halvings): (&Sizes, u32),
-    ) {
-        let middle = step.drag(old.middle_depth(), old.middle());
-        let bubble = middle.minus(new[0].plus(new[1]).times(0.5));
-        let miss = sizes.miss(&old.high);
-        let straight = sizes.exact.max(STRAIGHT * miss);
-        let square = bubble.dot(bubble);
-        let vertex = self.stack.get_mut(i);
-        vertex.anchor = new[0];
-        vertex.slope = if square <= straight * straight { V::default() } else { bubble };
-        if halvings == 0 || self.stack.len() >= self.stack.capacity() {
-            return;
-        }
-        let bulge = sizes.bulge(&old.high);
-        let part = if square > bulge * bulge {
-            // Where the angle seen from the tip is halved.
-            let [low, high] = new.map(|anchor| step.shift.minus(anchor).length());
-            (low / (low + high)).clamp(1.0 - HIGHEST, HIGHEST)
-        } else if square > LAYER * LAYER * miss * miss {
-            match layer(old, new, bubble, step, LAYER * miss) {
-                Some(part) => part,
-                None => return,
-            }
-        } else {
-            return;
-        };
-        let at = old.cut(part);
-        if !(at.depth > old.low.depth && at.depth < old.high.depth) {
-            return; // too thin, or at the tip itself
-        }
-        let rest = 1.0 - part;
-        let below = Piece { low: old.low, high: at, bubble: old.bubble.times(part * part) };
-        let above = Piece { low: at, high: old.high, bubble: old.bubble.times(rest * rest) };
-        let anchor = step.drag(at.depth, at.anchor);
-        let knot = Knot {
-            depth: at.depth,
-            root: at.root,
-            anchor,
-            bubble: V::default(),
-            force: V::default(),
-        };
-        self.stack.insert(i + 1, knot.vertex());
-        self.lay(i + 1, &above, [anchor, new[1]], step, (sizes, halvings - 1));
-        self.lay(i, &below, [new[0], anchor], step, (sizes, halvings - 1));
-    }
-
     /// The forces from a vertex up, and the end of the step.
     #[inline]
     pub(super) fn finish(&mut self, end: End<V>, first: usize) {
@@ -389,27 +327,4 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         };
         self.front = front;
     }
-}
-
-/// Where a dragged piece is to be split since its parabola, though flat, is off by more than allowed
-/// near its upper end: rings of limits below the length of the step have turned, others have not.
-#[inline]
-fn layer<V: Lateral>(
-    old: &Piece<V>,
-    new: [V; 2],
-    bubble: V,
-    step: &Step<V>,
-    allowed: f64,
-) -> Option<f64> {
-    let [low, high] = [old.low.depth, old.high.depth].map(|depth| step.zeta - depth);
-    if high > HIDES * low {
-        return None;
-    }
-    let [low, high] = [low, high].map(|limit| limit + step.length);
-    let part = ((low - (low * high).sqrt()) / (low - high)).max(NEAR);
-    let depth = old.depth_at(part);
-    let on = new[0].plus(new[1].minus(new[0]).times(part));
-    let on = on.plus(bubble.times(4.0 * part * (1.0 - part)));
-    let off = step.drag(depth, old.at(part)).minus(on);
-    (off.dot(off) > allowed * allowed).then_some(part)
 }

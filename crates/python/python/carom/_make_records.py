@@ -10,7 +10,7 @@ RESULTS = {
     "SolverStep": "A step of the numerical solver.",
     "Rebound": "How two bodies part. What only an impact has is not a number where they do not meet.",
 }
-TEXTS = {"passage", "warnings", "regime"}
+TEXTS = {"method", "warnings", "regime"}
 
 
 def made() -> str:

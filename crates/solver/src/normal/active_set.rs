@@ -371,6 +371,9 @@ impl ActiveSet {
     }
 
     fn is_settled(&self, task: &NormalTask<'_>, course: &Course, change: f64) -> bool {
+        if change == 0.0 {
+            return false;
+        }
         let norm = change * task.pressure.iter().map(|p| p * p).sum::<f64>().sqrt();
         course.step < norm && self.violation(task) < norm
     }

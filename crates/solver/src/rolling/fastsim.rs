@@ -6,6 +6,26 @@ use super::{CreepCoefficients, Creepage};
 
 /// Kalker's simplified theory: each particle on springs of its own, three flexibilities from the
 /// creep coefficients, and a parabolic limit of friction. Two equal bodies.
+///
+/// Beside the solver on a circle at nu = 0.25 the forces are within 0.05 f F_z without spin; with spin
+/// those across are too large by up to a tenth of f F_z.
+///
+/// ```
+/// use carom_solver::rolling::{Creepage, Fastsim, creep_coefficients_on};
+/// let coefficients = creep_coefficients_on([8, 8], 1.0, 0.25)?;
+/// let springs = Fastsim {
+///     semi_axes: [1.0, 1.0],
+///     shear_modulus: 1.0,
+///     coefficients,
+///     force: 1.0,
+///     friction: 0.3,
+///     mesh: [50, 50],
+/// };
+/// // A little creepage: F_x = G a b C11 xi.
+/// let forces = springs.forces(Creepage { along: 1e-4, ..Creepage::default() })?;
+/// assert!((forces.f_x / (1e-4 * coefficients.c11) - 1.0).abs() < 1e-2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fastsim {
     /// Semi-axes along and across the direction of rolling.

@@ -22,6 +22,7 @@ pub use transient::Roll;
 
 use crate::direct::DirectError;
 use crate::frictional::FrictionalError;
+use crate::frictionless::NormalError;
 use crate::problem::ContactProblem;
 use crate::state::ContactState;
 
@@ -56,6 +57,17 @@ pub enum RollingError {
     /// A step of the method of today failed.
     #[error(transparent)]
     Step(#[from] FrictionalError),
+    /// Contact without friction, from which a normal force is sought, was not found.
+    #[error(transparent)]
+    Normal(#[from] NormalError),
+    /// No approach leads to the normal force.
+    #[error("the normal force {force} is not reached: {reached} after all trials of the approach")]
+    NormalForce {
+        /// The force.
+        force: f64,
+        /// That of the last trial.
+        reached: f64,
+    },
     /// The direct solution failed.
     #[error(transparent)]
     Steady(#[from] DirectError),

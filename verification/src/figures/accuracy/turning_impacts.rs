@@ -3,9 +3,8 @@
 
 use carom_impact::Mobility;
 use carom_impact::coupled::{CoupledImpact, VectorLaw};
-use carom_laws::coulomb::Tolerance;
 use carom_laws::friction::Friction;
-use carom_laws::shift_law::ShiftLaw;
+use carom_laws::sliders::SlipLines;
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
@@ -18,7 +17,7 @@ const REFERENCE: f64 = 1e-7;
 struct Case {
     impact: CoupledImpact,
     stiffness: ContactStiffness,
-    friction: Friction,
+    friction: f64,
     velocity: Vector3<f64>,
 }
 
@@ -43,13 +42,14 @@ fn cases() -> Result<Vec<Case>, Failure> {
             let mobility = Mobility::from_matrix(lower * lower.transpose())?;
             let c = 0.8 + 0.1 * turn(5);
             let stiffness = ContactStiffness::new(c, c, 1.0)?;
-            let friction = Friction::new(0.15 + 0.1 * i as f64)?;
+            let friction = 0.15 + 0.1 * i as f64;
             let (sin, cos) = libm::sincos(2.0 * i as f64);
             let speed = 0.3 + 1.9 * (i * 3 % IMPACTS) as f64 / (IMPACTS - 1) as f64;
             let before = Vector3::new(speed * cos, speed * sin, 1.0);
-            let impact = CoupledImpact::new(mobility, stiffness, friction, before)?;
-            let velocity = impact.within(REFERENCE)?.solve(VectorLaw::Coulomb)?.velocity;
-            Ok(Case { impact, stiffness, friction, velocity })
+            let impact = CoupledImpact::new(mobility, stiffness, Friction::new(friction)?, before)?;
+            let mut case = Case { impact, stiffness, friction, velocity: before };
+            case.velocity = case.by_line(REFERENCE)?;
+            Ok(case)
         })
         .collect()
 }
@@ -59,18 +59,19 @@ impl Case {
         (velocity - self.velocity).norm() / self.impact.velocity().norm()
     }
 
-    fn on_line(&self, asked: f64) -> Result<f64, Failure> {
-        Ok(self.error(self.impact.within(asked)?.solve(VectorLaw::Coulomb)?.velocity))
+    /// What may be left off the line falls with the cube of the resolution.
+    fn by_line(&self, asked: f64) -> Result<Vector3<f64>, Failure> {
+        let coarse = SlipLines::new(self.stiffness, self.friction, 0.75)?;
+        let law = |n: usize| coarse.refined(n.saturating_pow(3));
+        Ok(self.impact.within(asked)?.solve_with(law)?.velocity)
     }
 
-    /// The law's tolerance falls with the square of the resolution.
+    fn on_line(&self, asked: f64) -> Result<f64, Failure> {
+        Ok(self.error(self.by_line(asked)?))
+    }
+
     fn on_curve(&self, asked: f64) -> Result<f64, Failure> {
-        let allowed = |n: usize| (10.0 / (n * n) as f64).min(0.1);
-        let law = |n: usize| {
-            let tolerance = Tolerance::new(allowed(n)).unwrap_or_default();
-            ShiftLaw::<[f64; 2]>::with_tolerance(self.stiffness, self.friction, tolerance)
-        };
-        Ok(self.error(self.impact.within(asked)?.solve_with(law)?.velocity))
+        Ok(self.error(self.impact.within(asked)?.solve(VectorLaw::Coulomb)?.velocity))
     }
 
     fn of_chapter_7(&self) -> Result<f64, Failure> {

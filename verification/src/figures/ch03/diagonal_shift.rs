@@ -1,12 +1,12 @@
 //! Fig. 3.5: the tangential force for a diagonal shift of a slender contact.
 
 use super::super::mesh::{APPROACH, Mesh, Step};
-use carom_impact::coupled::CoulombRings;
 use carom_laws::accounted::Accounted;
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Energies as _, Shift};
 use carom_laws::shift::{CattaneoMindlin, turned_stiffness};
 use carom_laws::shift_law::ShiftLaw;
+use carom_laws::sliders::{SliderLaw, SlipLines};
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::roots::bisect;
 use carom_special::{AxisRatio, RangeError};
@@ -49,7 +49,7 @@ pub(super) fn draw() -> FigureResult {
     figure.assumed("axes", "F_x, F_y and the angle of the force against ξ/ζ");
     let (stiffness, friction) = (stiffness()?, Friction::new(1.0)?);
     let thesis = follow(ShiftLaw::<[f64; 2]>::of_chapter_7(stiffness, friction))?;
-    let coulomb = follow(CoulombRings::new(stiffness, 1.0, 0.005)?)?;
+    let coulomb = follow(SlipLines::new(stiffness, 1.0, 1e-6)?)?;
     let run = numerical()?;
     panels(&mut figure, &thesis, &coulomb, &run);
     numerical_claims(&mut figure, &run);
@@ -168,17 +168,20 @@ fn energy_claim(figure: &mut Figure, stiffness: &ContactStiffness) -> Result<(),
     }
     add(law.stored_energy(), law.dissipated(), [pressed + 0.4 * along, 0.2 * along + slid]);
     // Rings with one stiffness, along x: the same law, to 1.5 times the shift of sliding.
-    let even = ContactStiffness::new(0.8, 0.8, 1.2)?;
-    let mut rings = CoulombRings::new(even, 0.3, 0.002)?;
+    let mut rings = SliderLaw::new(500, 1.0, 1.0)?;
     let onset = 0.3 * 1.2 / 0.8;
-    rings.advance(Shift { zeta: 1.0, ..Shift::default() })?;
+    rings.advance(1.0, [0.0; 2])?;
+    let mut lost = 0.0;
     for step in 1..=300 {
-        let xi = 1.5 * onset * f64::from(step) / 300.0;
-        rings.advance(Shift { zeta: 1.0, xi, ..Shift::default() })?;
+        let shift = [1.5 * f64::from(step) / 300.0, 0.0];
+        lost += rings.dissipation(1.0, shift)[0];
+        rings.advance(1.0, shift)?;
     }
     let force = 2.0 / 3.0 * 0.3 * 1.2;
-    let limit = rings.load().f_x / force;
-    let (stored, lost) = (rings.stored_energy(), rings.dissipated());
+    let limit = rings.force()[0];
+    // Of normalised force and shift.
+    let unit = force * onset;
+    let (stored, lost) = (4.0 / 15.0 * 1.2 + unit * rings.stored_energy()[0], unit * lost);
     let expected =
         [4.0 / 15.0 * 1.2 + 0.4 * force * onset, 0.2 * force * onset + 0.5 * force * onset];
     figure

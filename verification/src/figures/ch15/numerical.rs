@@ -2,7 +2,7 @@
 
 use crate::Failure;
 use carom_halfspace::{Material, MaterialPair};
-use carom_impact::coupled::Course;
+use carom_impact::coupled::Trajectory;
 use carom_impact::normal::NormalImpact;
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
@@ -76,14 +76,15 @@ impl Spheres {
         steps: usize,
     ) -> Result<[f64; 2], Failure> {
         let velocity = Vector3::new(lambda * self.friction * self.speed, 0.0, self.speed);
-        let course = Course {
+        let trajectory = Trajectory {
             mobility: Matrix3::from_diagonal(&Vector3::new(3.5, 3.5, 1.0)) * (2.0 / self.mass),
             velocity,
             stiffness: self.hertz()?.stiffness(),
             steps,
             expected: Some(self.normal()?.duration()),
         };
-        let end = course.follow(&mut self.law(cells)?, |_, _| ())?.ok_or("they stay together")?;
+        let end =
+            trajectory.follow(&mut self.law(cells)?, |_, _| ())?.ok_or("they stay together")?;
         Ok([-end.velocity.x / velocity.x, -end.velocity.z / velocity.z])
     }
 

@@ -6,8 +6,8 @@ use crate::reference::reader;
 use crate::{Axis, Failure, Figure, FigureResult, Marker, Panel, Relative, Series, Table};
 use carom_solver::rolling::creep_coefficients;
 
-/// The axis ratios a/b that are computed.
-const RATIOS: [f64; 8] = [0.2, 0.4, 0.6, 1.0, 1.25, 1.66667, 2.5, 5.0];
+/// The axis ratios a/b that are computed lie between these.
+const RATIOS: [f64; 2] = [0.2, 5.0];
 const NAMES: [&str; 4] = ["C₁₁", "C₂₂", "C₂₃", "C₃₃"];
 
 struct Row {
@@ -16,6 +16,8 @@ struct Row {
     printed: [f64; 4],
     other: [f64; 4],
     own: [f64; 4],
+    /// C23 and C32.
+    couplings: (f64, f64),
 }
 
 fn rows() -> Result<Vec<Row>, Failure> {
@@ -26,7 +28,7 @@ fn rows() -> Result<Vec<Row>, Failure> {
         let numbers: Result<Vec<f64>, _> = record.iter().map(str::parse).collect();
         let numbers = numbers?;
         let [ratio, poisson, rest @ ..] = &numbers[..] else { return Err("a row is short".into()) };
-        if !RATIOS.contains(ratio) {
+        if *ratio < RATIOS[0] || *ratio > RATIOS[1] {
             continue;
         }
         let c = creep_coefficients(*ratio, *poisson)?;
@@ -34,7 +36,8 @@ fn rows() -> Result<Vec<Row>, Failure> {
         let own = [c.c11, c.c22, 0.5 * (c.c23 + c.c32), c.c33];
         let four = |part: &[f64]| <[f64; 4]>::try_from(part);
         let (printed, other) = (four(&rest[..4])?, four(&rest[4..])?);
-        rows.push(Row { ratio: *ratio, poisson: *poisson, printed, other, own });
+        let couplings = (c.c23, c.c32);
+        rows.push(Row { ratio: *ratio, poisson: *poisson, printed, other, own, couplings });
     }
     Ok(rows)
 }
@@ -43,7 +46,10 @@ pub(super) fn draw() -> FigureResult {
     let mut figure = Figure::new();
     figure.snapshot_digits(5);
     figure.assumed("bodies", "two equal ones; a along the direction of rolling");
-    figure.assumed("meshes", "14, 20, 28 strips, extrapolated to none");
+    figure.assumed(
+        "meshes",
+        "four of the same shape, 1600 elements the finest, extrapolated to none",
+    );
     let rows = rows()?;
     let heads = ["a/b", "ν", "C₁₁", "C₂₂", "C₂₃", "C₃₃"];
     let mut table = Table::new("Computed", heads);
@@ -76,11 +82,19 @@ pub(super) fn draw() -> FigureResult {
                 .source("Kalker 1990, table E.3");
         }
     }
+    figure
+        .all_close("C₂₃ = C₃₂", rows.iter().map(|row| row.couplings), Relative(1e-4))
+        .source("reciprocity in the continuum; no mesh has it");
     let circle = rows.iter().find(|row| row.ratio == 1.0 && row.poisson == 0.0);
     let own = circle.ok_or("the circle is missing")?.own;
     let closed = [(own[0], 32.0 / (3.0 * PI)), (own[1], 32.0 / (3.0 * PI)), (own[2], 4.0 / 3.0)];
     figure
         .all_close("circle, ν = 0: 32/3π, 32/3π, 4/3", closed, Relative(1e-4))
         .source("closed forms of full adhesion");
+    figure.deviation(
+        "C₁₁ = 4.83 at a/b = 0.5, ν = 0.5",
+        "4.87",
+        "both calculations; 4.83 lies off the line through its neighbours too",
+    );
     Ok(figure)
 }

@@ -2,9 +2,11 @@
 
 mod gap;
 mod legs;
+mod method;
 
 pub use gap::{GapCase, HeightFile};
 pub use legs::{Leg, Target};
+pub use method::SolveMethod;
 
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
@@ -15,6 +17,7 @@ use super::unit::Dimension;
 use carom_halfspace::{Grid, MaterialPair};
 use gap::GAP;
 use legs::STEP;
+use method::METHOD;
 
 const BODY_1: Field =
     Field::new("body_1", Form::Table(&[MATERIAL]), "the body on the side to which z points");
@@ -77,8 +80,11 @@ const TOLERANCE: Field = Field::number(
 )
 .may("that of the method")
 .such_as("1e-9");
-const CONTACT: Field =
-    Field::new("contact", Form::Table(&[FRICTION, STATIC, TOLERANCE]), "friction and tolerance");
+const CONTACT: Field = Field::new(
+    "contact",
+    Form::Table(&[FRICTION, STATIC, TOLERANCE, METHOD]),
+    "friction, tolerance and method",
+);
 
 /// All fields.
 pub(super) const FIELDS: &[Field] = &[BODY_1, BODY_2, GAP, GRID, CONTACT, STEP];
@@ -98,6 +104,8 @@ pub struct SolveCase {
     pub static_friction: f64,
     /// To which each step is solved; none for the method's own.
     pub tolerance: Option<f64>,
+    /// By which method.
+    pub method: SolveMethod,
     /// The history.
     pub legs: Vec<Leg>,
 }
@@ -162,8 +170,9 @@ impl SolveCase {
         if static_friction < friction {
             return Err(contact.out_of_range(&STATIC, static_friction, "at least `friction`"));
         }
+        let method = method::read(&contact)?;
         let legs = legs::read(&case)?;
-        Ok(Self { materials, gap, grid, friction, static_friction, tolerance, legs })
+        Ok(Self { materials, gap, grid, friction, static_friction, tolerance, method, legs })
     }
 }
 

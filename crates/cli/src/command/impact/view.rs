@@ -39,12 +39,12 @@ impl Parameter {
 
 /// How the impact was followed.
 const METHOD: &[Column<Record>] = &[
-    Column::new("passage", "", "how it was solved", |record| {
-        let passage = |rebound: &Rebound| match record.case.contact.is_numerical {
+    Column::new("method", "", "how it was solved", |record| {
+        let method = |rebound: &Rebound| match record.case.contact.is_numerical {
             true => "numerical",
-            false => rebound.passage.name(),
+            false => rebound.method.name(),
         };
-        record.of_rebound(passage)
+        record.of_rebound(method)
     }),
     Column::new("law", "", "for turning directions", |record| {
         match (record.case.contact.is_numerical, record.case.contact.law) {

@@ -1,14 +1,15 @@
 //! The steps of a case, one after another.
 
 use super::bodies::Bodies;
+use super::classic::{Chosen, ChosenError};
 use super::store::{Found, Saved, Store};
 use super::view::Step;
 use crate::case::{Border, GridCase, Leg, SolveCase, Target};
 use crate::error::CliError;
 use carom_laws::law::{ContactLoad, Shift};
 use carom_solver::{
-    Accuracy, CellState, ContactProblem, ContactState, Drive, Driven, Frictional, NestedError,
-    NestedHistory, ProblemError, StoredEnergy, Window, dissipated,
+    Accuracy, CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalError,
+    NestedError, NestedHistory, ProblemError, StoredEnergy, Window, dissipated,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::path::Path;
@@ -28,7 +29,7 @@ pub(super) struct Run<'a> {
     case: &'a SolveCase,
     window: Window,
     method: Frictional,
-    history: NestedHistory<Frictional>,
+    history: NestedHistory<Chosen>,
 }
 
 impl<'a> Run<'a> {
@@ -64,13 +65,12 @@ impl<'a> Run<'a> {
                 .window
             }
         };
-        let history =
-            NestedHistory::new(method, window.grid(), |grid| bodies.problem(&window.with(grid)));
+        let chosen = Chosen { today: method, method: case.method, tolerance: case.tolerance };
+        let make = |grid| bodies.problem(&window.with(grid));
+        let history = NestedHistory::new(chosen, window.grid(), make);
         let history = history.map_err(|error| match error {
             NestedError::Problem(source) => problem(source),
-            NestedError::Method(source) => {
-                CliError::Step { path: path.to_owned(), step: 0, source: source.into() }
-            }
+            NestedError::Method(source) => failed(path, 0, source),
         })?;
         Ok(Self { path, case, window, method, history })
     }
@@ -137,18 +137,20 @@ impl<'a> Run<'a> {
         drive: &Drive,
         last: Option<&Step>,
     ) -> Result<Step, CliError> {
-        let path = self.path.to_owned();
-        let failed = |source| CliError::Step { path: path.clone(), step: number, source };
+        let path = self.path;
         let before = self.history.state().clone();
-        let went = self.history.step(drive, &mut ()).map_err(|error| failed(error.into()))?;
+        let went =
+            self.history.step(drive, &mut ()).map_err(|error| failed(path, number, error))?;
         let state = self.history.state();
         if let Some(side) = border(state).filter(|_| self.is_free()) {
-            return Err(CliError::Border { path, step: number, side });
+            return Err(CliError::Border { path: path.to_owned(), step: number, side });
         }
         let estimates = self.history.estimates();
         let mut step = Step::of(number, state, &self.window, estimates.as_ref(), &went);
         let stored = StoredEnergy::of(self.problem(), state);
-        step.stored_energy = stored.map_err(|error| failed(Box::new(error.into())))?.total();
+        step.stored_energy = stored
+            .map_err(|error| failed(path, number, FrictionalError::from(error).into()))?
+            .total();
         let heat: f64 = dissipated(&before, state).values().iter().sum();
         step.dissipated = last.map_or(0.0, |last| last.dissipated) + heat;
         Ok(step)
@@ -157,6 +159,14 @@ impl<'a> Run<'a> {
     /// Whether the contact must not reach the border.
     fn is_free(&self) -> bool {
         !matches!(self.case.grid, GridCase::Cells { border: Border::Cut | Border::Periodic, .. })
+    }
+}
+
+fn failed(path: &Path, step: usize, error: ChosenError) -> CliError {
+    let path = path.to_owned();
+    match error {
+        ChosenError::Today(source) => CliError::Step { path, step, source: source.into() },
+        ChosenError::Classic(source) => CliError::Classic { path, step, source: source.into() },
     }
 }
 

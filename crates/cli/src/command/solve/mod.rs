@@ -2,12 +2,13 @@
 
 mod below;
 pub(super) mod bodies;
+mod classic;
 pub(super) mod compare;
 mod follow;
 mod heights;
 mod npy;
 mod npz;
-mod plot;
+pub(super) mod plot;
 mod store;
 mod view;
 

@@ -96,14 +96,17 @@ fn outlines(panel: &mut Panel, lines: &[Contour], middle: [f64; 2], label: &str,
     }
 }
 
-fn pressures(state: &ContactState, middle: [f64; 2]) -> Result<Panel, CliError> {
+pub(in crate::command) fn pressures(
+    state: &ContactState,
+    middle: [f64; 2],
+) -> Result<Panel, CliError> {
     let mut panel = axes("pressure, last step");
     panel = panel.over(field(state, middle, "p / Pa", state.pressure.values().to_vec())?);
     Ok(panel)
 }
 
 /// Tractions as arrows over the outlines of contact and stick area.
-fn stick_and_slip(state: &ContactState, middle: [f64; 2]) -> Panel {
+pub(in crate::command) fn stick_and_slip(state: &ContactState, middle: [f64; 2]) -> Panel {
     let mut panel = axes("tractions on body 1, outlines smoothed");
     outlines(&mut panel, &state.contact_outlines(), middle, "contact", 0);
     outlines(&mut panel, &state.stick_outlines(), middle, "stick", 1);

@@ -1,6 +1,7 @@
 //! A folder with the history so far: `loads.csv`, and each step's fields as `step-000001.npz`, from
 //! which the run goes on bit for bit.
 
+use super::classic::Chosen;
 use super::npz::{self, Array};
 use super::view::{COLUMNS, NUMBERS, Step};
 use crate::columns;
@@ -9,7 +10,7 @@ use crate::error::CliError;
 use crate::output::Format;
 use carom_halfspace::{Field, Grid};
 use carom_laws::law::Shift;
-use carom_solver::{CellState, ContactState, Frictional, NestedHistory, Window};
+use carom_solver::{CellState, ContactState, NestedHistory, Window};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -99,7 +100,7 @@ impl Store {
     pub(super) fn save(
         &self,
         steps: &[Step],
-        history: &NestedHistory<Frictional>,
+        history: &NestedHistory<Chosen>,
         window: &Window,
     ) -> Result<(), CliError> {
         let Some(last) = steps.last() else { return Ok(()) };
@@ -114,7 +115,7 @@ impl Store {
     fn arrays(
         &self,
         step: &Step,
-        history: &NestedHistory<Frictional>,
+        history: &NestedHistory<Chosen>,
         window: &Window,
     ) -> BTreeMap<String, Array> {
         let (grid, [x, y]) = (window.grid(), window.middle());

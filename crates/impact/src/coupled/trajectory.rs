@@ -10,7 +10,7 @@ use super::schedule::Schedule;
 
 /// The initial value problem of an impact in any consistent units, contact axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Course {
+pub struct Trajectory {
     /// D: dv/dt = -D F.
     pub mobility: Matrix3<f64>,
     /// Velocity of body 2 against body 1 at first touch; z > 0.
@@ -60,7 +60,7 @@ pub struct LawFailure<E: std::error::Error + 'static> {
     pub source: E,
 }
 
-impl Course {
+impl Trajectory {
     /// Follows the impact with this law to separation and returns the instant of separation;
     /// none if the bodies do not part within 2^14 times the steps of a free impact. `observe` sees
     /// every instant, touch and separation included, with the law's state there.

@@ -8,14 +8,23 @@
 //! 0.084 off (in units of f F_z), this law 0.001, 0.012 and 0.005, measured against a half-space of
 //! rings. On straight paths all agree. The price is a slider per spring instead of a few vertices.
 
+mod lines;
+mod ring;
+mod turning;
+
+pub use lines::SlipLines;
+pub use ring::sliding_direction;
+
 use carom_special::RangeError;
 
+use self::ring::SlipStep;
 use crate::bounds::in_memory;
 use crate::memory::Lateral;
 
-/// A step that turns the slip of springs of unequal compliance is cut into parts at least this
-/// many.
+/// In how many parts of a step heat is added up.
 const PARTS: usize = 64;
+/// Angle to which the directions of tractions are known where the stiffnesses differ.
+const FINEST: f64 = 1e-8;
 
 /// Springs with sliders, equally spaced in the contact radius up to a greatest approach.
 ///
@@ -32,8 +41,8 @@ const PARTS: usize = 64;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SliderLaw {
-    /// 1/c of both directions, over the smaller.
-    compliance: [f64; 2],
+    /// c_x and c_y over c_y.
+    stiffness: [f64; 2],
     spacing: f64,
     zeta: f64,
     shift: [f64; 2],
@@ -59,8 +68,8 @@ impl SliderLaw {
                 (root * root, [0.0; 2])
             })
             .collect();
-        let compliance = [1.0, stiffness_ratio];
-        Ok(Self { compliance, spacing, zeta: 0.0, shift: [0.0; 2], springs })
+        let stiffness = [stiffness_ratio, 1.0];
+        Ok(Self { stiffness, spacing, zeta: 0.0, shift: [0.0; 2], springs })
     }
 
     /// The approach.
@@ -152,7 +161,7 @@ impl SliderLaw {
         let (mut heat, mut before) = ([0.0; 2], start);
         for part in 1..=PARTS {
             let at = start.towards(&end, part as f64 / PARTS as f64);
-            let slipped = drag_part(anchor, depth, before, at, self.compliance);
+            let slipped = before.drag(&at, (depth, anchor), self.stiffness);
             let tractions = before.shift.minus(anchor).plus(at.shift.minus(slipped));
             heat = heat.plus(tractions.by_component(slipped.minus(anchor)).times(0.5));
             (anchor, before) = (slipped, at);
@@ -197,7 +206,7 @@ impl SliderLaw {
             } else {
                 from
             };
-            *anchor = drag(*anchor, *depth, start, to, self.compliance);
+            *anchor = start.drag(&to, (*depth, *anchor), self.stiffness);
         }
         (self.zeta, self.shift) = (zeta, shift);
         Ok(self.force())
@@ -215,71 +224,16 @@ impl Point {
         let shift = self.shift.plus(to.shift.minus(self.shift).times(part));
         Self { zeta: self.zeta + part * (to.zeta - self.zeta), shift }
     }
-}
 
-/// The anchor of one spring after a straight step.
-fn drag(anchor: [f64; 2], depth: f64, from: Point, to: Point, compliance: [f64; 2]) -> [f64; 2] {
-    if to.shift.minus(anchor).length() <= to.zeta - depth {
-        return anchor; // inside a convex cone at both ends: it never slipped
+    /// The anchor of a spring after the straight step to another point.
+    fn drag(&self, to: &Self, (depth, anchor): (f64, [f64; 2]), stiffness: [f64; 2]) -> [f64; 2] {
+        let stretch = to.shift.minus(anchor);
+        if stretch.length() <= to.zeta - depth {
+            return anchor; // never slipped
+        }
+        let by = to.shift.minus(self.shift);
+        let step =
+            SlipStep { from: self.zeta, to: to.zeta, by, stiffness, accuracy: 0.0, finest: FINEST };
+        to.shift.minus(step.drag(self.shift.minus(anchor), depth))
     }
-    if compliance[0] == compliance[1] {
-        return drag_part(anchor, depth, from, to, compliance);
-    }
-    let (mut anchor, mut before) = (anchor, from);
-    for part in 1..=PARTS {
-        let at = from.towards(&to, part as f64 / PARTS as f64);
-        anchor = drag_part(anchor, depth, before, at, compliance);
-        before = at;
-    }
-    anchor
-}
-
-/// The same in one piece: exact where the compliances are equal, else for short steps.
-fn drag_part(
-    anchor: [f64; 2],
-    depth: f64,
-    from: Point,
-    to: Point,
-    compliance: [f64; 2],
-) -> [f64; 2] {
-    let limit = to.zeta - depth;
-    let stretch = to.shift.minus(anchor);
-    if stretch.length() <= limit {
-        return anchor;
-    }
-    if limit <= 0.0 {
-        return to.shift;
-    }
-    if compliance[0] != compliance[1] {
-        // Slip parallel to the traction in (xi, eta): dW ~ c u componentwise in normalised shifts.
-        return to.shift.minus(shorten(stretch, limit, compliance));
-    }
-    // The anchor is dragged on a tractrix from where the limit is first reached.
-    let (dx, dz) = (to.shift.minus(from.shift), to.zeta - from.zeta);
-    let offset = from.shift.minus(anchor);
-    let onset = <[f64; 2]>::sliding_onset(offset, dx, from.zeta - depth, dz);
-    let start = from.zeta - depth + onset * dz;
-    let arm = offset.plus(dx.times(onset));
-    let before = <[f64; 2]>::slip_slope(arm, [1.0, 0.0], 0.0);
-    let slope = <[f64; 2]>::dragged(before, dx.times(1.0 - onset), start, limit);
-    to.shift.minus(slope.times(limit))
-}
-
-/// The stretch u on the circle of radius `limit` with `stretch - u = lambda (u_x/g_x, u_y/g_y)`:
-/// implicit slip along the physical traction, in which direction x is stiffer by g.
-fn shorten(stretch: [f64; 2], limit: f64, compliance: [f64; 2]) -> [f64; 2] {
-    // Normalised slip is c times the physical one, which is parallel to the force.
-    let rate = [compliance[1], compliance[0]];
-    let at = |lambda: f64| {
-        [stretch[0] / (1.0 + lambda * rate[0]), stretch[1] / (1.0 + lambda * rate[1])]
-    };
-    let (mut low, mut high) = (0.0, 1.0);
-    while at(high).length() > limit && high < 1e300 {
-        high *= 2.0;
-    }
-    for _ in 0..80 {
-        let middle = 0.5 * (low + high);
-        if at(middle).length() > limit { low = middle } else { high = middle }
-    }
-    at(high)
 }

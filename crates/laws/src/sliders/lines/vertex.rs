@@ -1,6 +1,6 @@
 //! A place on the line of anchors, and what may be left out of the line.
 
-use super::step::SlipStep;
+use super::super::ring::SlipStep;
 
 /// What may be left out: areas between the anchors over the radius and a straight line up to this.
 ///
@@ -105,10 +105,11 @@ pub(super) fn front(inside: &Vertex, outside: &Vertex, zeta: f64, to: [f64; 2]) 
     let c = (norm - bound).min(0.0) * (norm + bound);
     let root = (b * b - a * c).max(0.0).sqrt();
     let part = if b >= 0.0 { -c / (b + root) } else { (root - b) / a };
-    if !(part > 1e-9 && part < 1.0 - 1e-9) {
+    // However thin the part that slips, the line before it stays where it is.
+    let depth = inside.depth + part * (outside.depth - inside.depth);
+    if !(part > 1e-9 && (depth - inside.depth).abs() < (outside.depth - inside.depth).abs()) {
         return None;
     }
-    let depth = inside.depth + part * (outside.depth - inside.depth);
     Some(Vertex::new(depth, [0, 1].map(|k| to[k] - (u[k] + part * du[k]))))
 }
 

@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::step::SlipStep;
+use super::super::ring::SlipStep;
 use super::vertex::{Resolution, Slipped, Vertex, front};
 
 /// How often the place between two rings is halved in one step.

@@ -7,7 +7,7 @@
 /// cross the whole of a thin slip ring within one step of the contact, so that they are of third or
 /// fourth order, and each is about as `accurate` as this, in radians.
 pub(super) fn turned(e: [f64; 2], length: f64, pull: &Pull, accurate: f64) -> [f64; 2] {
-    const MAX_TURNS: usize = 400;
+    const MAX_TURNS: usize = 4000;
     let (mut e, mut left) = (e, length);
     for _ in 0..MAX_TURNS {
         let (angle, part) = pull.turn(e, left, accurate);
@@ -113,17 +113,19 @@ impl Means {
     }
 }
 
-/// The part of the step after which a traction meets its limit: |u + s by| = start + s growth.
+/// The part of the step after which a traction is beyond its limit, |u + s by| = start + s growth,
+/// given that it is so at the end. From its limit it may first come within it.
 pub(super) fn onset([x, y]: [f64; 2], [p, q]: [f64; 2], start: f64, growth: f64) -> f64 {
-    let room = start * start - x * x - y * y;
-    if room <= 1e-14 * start * start {
-        return 0.0;
-    }
-    // a s^2 + 2 b s - room = 0, its first root; at the end a + 2 b > room.
+    let room = (start * start - x * x - y * y).max(0.0);
+    // a s^2 + 2 b s - room = 0, its first positive root; at the end a + 2 b > room.
     let a = p * p + q * q - growth * growth;
     let b = x * p + y * q - start * growth;
     let root = (b * b + a * room).max(0.0).sqrt();
-    let s = if b >= 0.0 { room / (b + root) } else { (root - b) / a };
+    let s = match b >= 0.0 {
+        true if b + root == 0.0 => 0.0,
+        true => room / (b + root),
+        false => (root - b) / a,
+    };
     s.clamp(0.0, 1.0)
 }
 

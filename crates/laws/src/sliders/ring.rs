@@ -1,6 +1,10 @@
-//! One ring that slips while the shift goes straight.
+//! One ring of sliders on a straight step, the one rule of slip: it adheres up to its limit, then slips
+//! along its traction in the physical plane.
 
-use crate::coupled::turning::{Pull, inverse_mean, onset, turned};
+use super::turning::{Pull, inverse_mean, onset, turned};
+use crate::coulomb::Step;
+use crate::memory::Lateral;
+use crate::stiffness::ContactStiffness;
 
 /// A straight step in normalised shifts, `X = C x/(f c_z)`, from one approach to another.
 #[derive(Debug, Clone, Copy)]
@@ -12,11 +16,13 @@ pub(super) struct SlipStep {
     pub(super) stiffness: [f64; 2],
     /// Angle to which the directions of tractions are to be known, times the square of their limit.
     pub(super) accuracy: f64,
+    /// Angle to which they are known in any case.
+    pub(super) finest: f64,
 }
 
 impl SlipStep {
-    /// The stretch X - W at the end of the ring of a depth below both approaches, which is at its
-    /// limit there, from that at the beginning.
+    /// The stretch X - W at the end of the ring of a depth that is at its limit there, from that at
+    /// the beginning.
     pub(super) fn drag(&self, stretch: [f64; 2], depth: f64) -> [f64; 2] {
         let (start, bound) = (self.from - depth, self.to - depth);
         if bound <= 0.0 {
@@ -24,6 +30,10 @@ impl SlipStep {
         }
         if start <= 0.0 {
             return self.touched(bound);
+        }
+        if self.stiffness[0] == self.stiffness[1] {
+            let step = Step::new((self.from, [0.0; 2]), (self.to, self.by));
+            return self.by.minus(step.drag(depth, stretch.times(-1.0)));
         }
         let growth = self.to - self.from;
         let onset = onset(stretch, self.by, start, growth);
@@ -35,7 +45,7 @@ impl SlipStep {
         let length = (1.0 - onset) * inverse_mean(start + onset * growth, bound);
         let at = [at[0] / norm, at[1] / norm];
         let pull = Pull { stiffness: self.stiffness, by: self.by, growth };
-        let accurate = (self.accuracy / (bound * bound)).clamp(1e-6, 1e-2);
+        let accurate = (self.accuracy / (bound * bound)).clamp(self.finest, 1e-2);
         let [cos, sin] = turned(at, length, &pull, accurate);
         [bound * cos, bound * sin]
     }
@@ -62,4 +72,35 @@ impl SlipStep {
         let norm = libm::hypot(e_x, e_y);
         [bound * e_x / norm, bound * e_y / norm]
     }
+}
+
+/// The direction of the traction on body 1 when an impact begins with sliding: the root of
+/// `y' cos - x' sin + f z' sin cos (c_z/c_x - c_z/c_y) = 0` (8.58), corrected, with the velocity
+/// (x', y', z') of body 2 against body 1 at touch. None if it begins with adhesion (8.50).
+///
+/// ```
+/// use carom_laws::sliders::sliding_direction;
+/// use carom_laws::stiffness::ContactStiffness;
+/// let stiffness = ContactStiffness::new(0.9, 0.7, 1.0)?;
+/// let [cos, sin] = sliding_direction(&stiffness, 0.3, [0.8, 0.5, 1.0]).expect("slides");
+/// let residue = 0.5 * cos - 0.8 * sin + 0.3 * sin * cos * (1.0 / 0.9 - 1.0 / 0.7);
+/// assert!(residue.abs() < 1e-15);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[must_use]
+pub fn sliding_direction(
+    stiffness: &ContactStiffness,
+    friction: f64,
+    velocity: [f64; 3],
+) -> Option<[f64; 2]> {
+    let ContactStiffness { c_x, c_y, c_z } = *stiffness;
+    let ([x, y, z], limit) = (velocity, friction * c_z);
+    let (pull, bound) = ([c_x * x, c_y * y], limit * z);
+    if bound.is_nan() || bound <= 0.0 || libm::hypot(pull[0], pull[1]) <= bound {
+        return None;
+    }
+    let by = pull.map(|pull| pull / bound);
+    let step =
+        SlipStep { from: 0.0, to: 1.0, by, stiffness: [c_x, c_y], accuracy: 0.0, finest: 0.0 };
+    Some(step.touched(1.0))
 }

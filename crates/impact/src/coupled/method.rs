@@ -14,7 +14,7 @@ pub(crate) fn is_coupled(mobility: &Matrix3<f64>) -> bool {
 
 /// How an impact passes, by what its matrices couple.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Passage {
+pub enum ImpactMethod {
     /// No friction: the impulse is 2 v_z/D_zz along the normal, in closed form.
     Frictionless,
     /// Normal and tangential motion apart, the tangential one along this direction: the exact
@@ -35,7 +35,7 @@ pub enum Passage {
     },
 }
 
-impl Passage {
+impl ImpactMethod {
     pub(super) fn of(
         mobility: &Matrix3<f64>,
         stiffness: &ContactStiffness,

@@ -8,24 +8,39 @@
 //! force, so that a slip ring thinner than any distance of fixed rings is resolved.
 
 mod drag;
-mod step;
 mod vertex;
 mod watch;
 
-use carom_laws::friction::Friction;
-use carom_laws::law::{ContactLaw, ContactLoad, Shift};
-use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 
 use self::drag::Drag;
-use self::step::SlipStep;
 use self::vertex::{Resolution, Vertex, length};
 use self::watch::Watch;
-use super::{ImpactLaw, Stage, Staged};
+use super::ring::SlipStep;
+use crate::friction::Friction;
+use crate::law::{ContactLaw, ContactLoad, ImpactLaw, Shift};
+use crate::memory::MemoryRegime as Regime;
+use crate::stiffness::ContactStiffness;
 
-/// The law on a line of anchors.
+/// Angle to which the directions of tractions are known at least.
+const FINEST: f64 = 1e-6;
+
+/// Coulomb's law on a line of anchors, straight between them, of contacts as stiff along x as along y
+/// or not.
+///
+/// ```
+/// use carom_laws::sliders::SlipLines;
+/// use carom_laws::law::{ContactLaw, Shift};
+/// use carom_laws::stiffness::ContactStiffness;
+/// let stiffness = ContactStiffness::new(0.9, 0.7, 1.1)?;
+/// let mut law = SlipLines::new(stiffness, 0.3, 1e-6)?;
+/// law.advance(Shift { zeta: 1.0, ..Shift::default() })?;
+/// let load = law.advance(Shift { zeta: 1.0, xi: 9.0, ..Shift::default() })?;
+/// assert!((load.f_x - 0.3 * load.f_z).abs() < 1e-14);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
 #[derive(Debug, Clone)]
-pub(super) struct SlipLines {
+pub struct SlipLines {
     stiffness: ContactStiffness,
     /// f c_z.
     limit: f64,
@@ -41,7 +56,7 @@ pub(super) struct SlipLines {
     integral: [f64; 2],
     /// How far the limits of all rings have come closer since touch.
     approached: f64,
-    stage: Stage,
+    regime: Regime,
     force: [f64; 2],
     /// Those that a step drags, what takes their place, and how many it dragged.
     slipping: Vec<usize>,
@@ -50,13 +65,18 @@ pub(super) struct SlipLines {
 }
 
 impl SlipLines {
-    /// At rest, for friction that is neither zero nor infinite.
-    pub(super) fn new(
+    /// At rest, for friction that is neither zero nor infinite; a ring is left out of the line where
+    /// that costs no more than `tolerance` times the greatest force since touch.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless friction and tolerance are finite and positive.
+    pub fn new(
         stiffness: ContactStiffness,
         friction: f64,
         tolerance: f64,
     ) -> Result<Self, RangeError> {
         Friction::new(RangeError::positive("friction", friction)?)?;
+        RangeError::positive("tolerance", tolerance)?;
         Ok(Self {
             stiffness,
             limit: friction * stiffness.c_z,
@@ -68,7 +88,7 @@ impl SlipLines {
             watch: Watch::default(),
             integral: [0.0; 2],
             approached: 0.0,
-            stage: Stage::Adhesion,
+            regime: Regime::Separated,
             force: [0.0; 2],
             slipping: Vec::new(),
             fresh: Vec::new(),
@@ -76,10 +96,27 @@ impl SlipLines {
         })
     }
 
+    /// A law of the same contact at rest with so small a part of the tolerance.
+    #[must_use]
+    pub fn refined(&self, times: usize) -> Self {
+        let mut law = self.clone();
+        law.separate();
+        law.shift = Shift::default();
+        law.resolution.area = 0.0;
+        law.tolerance /= times as f64;
+        law
+    }
+
+    /// What the last step did; which ring slips again is not told apart.
+    #[must_use]
+    pub const fn regime(&self) -> Regime {
+        self.regime
+    }
+
     fn separate(&mut self) {
         self.vertices.clear();
         self.watch.clear();
-        self.stage = Stage::Adhesion;
+        self.regime = Regime::Separated;
         self.force = [0.0; 2];
     }
 
@@ -143,10 +180,10 @@ impl SlipLines {
             length(vertex.stretch(to)) - (zeta - vertex.depth)
         };
         let sticks = self.watch.find(self.approached, excess, &mut self.slipping);
-        self.stage = match (self.slipping.is_empty(), sticks) {
-            (true, _) => Stage::Adhesion,
-            (false, true) => Stage::Slip,
-            (false, false) => Stage::Slide,
+        self.regime = match (self.slipping.is_empty(), sticks) {
+            (true, _) => Regime::Adhesion,
+            (false, true) => Regime::Slip,
+            (false, false) => Regime::Sliding,
         };
         let slipping = std::mem::take(&mut self.slipping);
         // From the edge inwards, run by run.
@@ -214,18 +251,21 @@ impl SlipLines {
             self.recede(to);
         }
         if moves <= growth {
-            self.stage = Stage::Adhesion;
+            self.regime = Regime::Adhesion;
         } else {
             let ContactStiffness { c_x, c_y, .. } = self.stiffness;
             // A ring of the limit L is about L/(2 sqrt(zeta)) wide.
             let accuracy = 2.0 * to.sqrt() * self.resolution.area;
-            self.slip(&SlipStep { from, to, by, stiffness: [c_x, c_y], accuracy }, at);
+            self.slip(
+                &SlipStep { from, to, by, stiffness: [c_x, c_y], accuracy, finest: FINEST },
+                at,
+            );
         }
         if growth > 0.0 {
             self.grow(Vertex::new(to, at));
         }
         self.at = at;
-        if self.stage == Stage::Slide {
+        if self.regime == Regime::Sliding {
             self.move_origin();
         }
         let root = to.sqrt();
@@ -273,11 +313,5 @@ impl ImpactLaw for SlipLines {
     // Those that the last step moved: they are its work.
     fn rings(&self) -> Option<usize> {
         Some(self.moved)
-    }
-}
-
-impl Staged for SlipLines {
-    fn stage(&self) -> Stage {
-        self.stage
     }
 }

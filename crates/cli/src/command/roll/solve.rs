@@ -1,0 +1,133 @@
+//! The rolling contact on its grid.
+
+use super::view::{Creep, Row};
+use crate::case::RollCase;
+use crate::error::CliError;
+use carom_halfspace::Grid;
+use carom_laws::friction::Friction;
+use carom_solver::rolling::{
+    CreepCoefficients, Creepage, Fastsim, Roll, RollingError, creep_coefficients, roll_steadily,
+};
+use carom_solver::{
+    ContactProblem, ContactState, Convergence, Drive, Driven, Frictional, Gap, Method as _,
+};
+use std::path::Path;
+
+/// Cells beyond the contact, on each side along and across: particles enter from the next one.
+const BORDER: [usize; 2] = [2, 1];
+/// Strips and elements of FASTSIM.
+const SPRINGS: [usize; 2] = [100, 100];
+
+/// A contact ready to roll.
+pub(super) struct Rolling<'a> {
+    path: &'a Path,
+    case: &'a RollCase,
+    problem: ContactProblem,
+}
+
+impl<'a> Rolling<'a> {
+    pub(super) fn new(path: &'a Path, case: &'a RollCase) -> Result<Self, CliError> {
+        let range = |source| CliError::Law { path: path.to_owned(), source };
+        let ellipse = case.loaded.ellipse;
+        let count = case.elements as f64;
+        let [dx, dy] =
+            [ellipse.semi_axis_a(), ellipse.semi_axis_b()].map(|half| 2.0 * half / count);
+        let [nx, ny] = BORDER.map(|border| case.elements + 2 * border);
+        let grid = Grid::new(nx, ny, dx, dy).map_err(range)?;
+        let curvature = case.hertz.curvature();
+        let (a, b) = (curvature.a(), curvature.b());
+        let gap = Gap::from_function(grid, move |x, y| a * x * x + b * y * y).map_err(range)?;
+        let friction = Friction::new(case.friction).map_err(range)?;
+        let problem = ContactProblem::of_half_spaces(gap, case.hertz.materials(), friction)
+            .map_err(|source| CliError::Problem { path: path.to_owned(), source: source.into() })?;
+        Ok(Self { path, case, problem })
+    }
+
+    fn failed(&self, row: usize, source: impl Into<RollingError>) -> CliError {
+        CliError::Rolling { path: self.path.to_owned(), row, source: Box::new(source.into()) }
+    }
+
+    fn row(&self, state: &ContactState, went: Convergence, creepage: Creepage) -> Row {
+        Row::of(state, went, [self.case.speed, self.case.friction], creepage)
+    }
+
+    /// A row for each creepage, and the state under the last one.
+    pub(super) fn steadily(
+        &self,
+        creep: Option<&Creep>,
+    ) -> Result<(Vec<Row>, ContactState), CliError> {
+        let mut last = ContactState::apart(self.problem.grid());
+        let mut rows = Vec::new();
+        let (force, distance) = (Driven::Load(self.case.loaded.force), self.problem.grid().dx());
+        for (i, creepage) in self.case.creepages.iter().copied().enumerate() {
+            let rolled = roll_steadily(&self.problem, force, distance, creepage)
+                .map_err(|source| self.failed(i + 1, source))?;
+            let mut row = self.row(&rolled.state, rolled.convergence, creepage);
+            if let Some(creep) = creep {
+                row.springs = Some(self.springs(creep.coefficients, creepage)?);
+            }
+            rows.push(row);
+            last = rolled.state;
+        }
+        Ok((rows, last))
+    }
+
+    fn springs(
+        &self,
+        coefficients: CreepCoefficients,
+        creepage: Creepage,
+    ) -> Result<[f64; 2], CliError> {
+        let loaded = &self.case.loaded;
+        let fastsim = Fastsim {
+            semi_axes: [loaded.ellipse.semi_axis_a(), loaded.ellipse.semi_axis_b()],
+            shear_modulus: 2.0 * self.case.hertz.materials().shear_modulus(),
+            coefficients,
+            force: loaded.force,
+            friction: self.case.friction,
+            mesh: SPRINGS,
+        };
+        let forces = fastsim.forces(creepage);
+        let forces =
+            forces.map_err(|source| CliError::Law { path: self.path.to_owned(), source })?;
+        Ok([forces.f_x, forces.f_y])
+    }
+
+    /// A row for each cell rolled, the first one at rest, and the state at the end.
+    pub(super) fn step_by_step(&self, distance: f64) -> Result<(Vec<Row>, ContactState), CliError> {
+        let method = Frictional::default();
+        let mut scratch = method.scratch(&self.problem).map_err(|source| self.failed(1, source))?;
+        let apart = ContactState::apart(self.problem.grid());
+        let mut state = apart.clone();
+        let normal = Driven::Load(self.case.loaded.force);
+        let pressed = Drive { normal, ..Drive::default() };
+        let went = method
+            .step(&self.problem, &apart, &pressed, &mut state, &mut scratch, &mut ())
+            .map_err(|source| self.failed(1, source))?;
+        let creepage = self.case.creepages.first().copied().unwrap_or_default();
+        let step = self.problem.grid().dx();
+        let at = |row: Row, steps: usize| Row { distance: Some(steps as f64 * step), ..row };
+        let mut rows = vec![at(self.row(&state, went, creepage), 0)];
+        let roll = Roll { distance: step, creepage, normal };
+        // A whole number of cells, but for rounding.
+        for number in 1..=(distance / step * (1.0 - 1e-9)).ceil() as usize {
+            let before = state.clone();
+            let went = roll
+                .step(&method, &self.problem, &before, &mut state, &mut scratch, &mut ())
+                .map_err(|source| self.failed(number + 1, source))?;
+            rows.push(at(self.row(&state, went, creepage), number));
+        }
+        Ok((rows, state))
+    }
+}
+
+/// The creep coefficients of the contact, its bodies replaced by two equal ones.
+pub(super) fn creep(path: &Path, case: &RollCase) -> Result<Creep, CliError> {
+    let (ellipse, materials) = (case.loaded.ellipse, case.hertz.materials());
+    let ratio = ellipse.semi_axis_a() / ellipse.semi_axis_b();
+    let poisson = materials.poisson();
+    let coefficients = creep_coefficients(ratio, poisson).map_err(|source| match source {
+        RollingError::Range(source) => CliError::Law { path: path.to_owned(), source },
+        source => CliError::Rolling { path: path.to_owned(), row: 1, source: Box::new(source) },
+    })?;
+    Ok(Creep { coefficients, ratio, shear_modulus: 2.0 * materials.shear_modulus(), poisson })
+}

@@ -1,0 +1,79 @@
+//! What a coupled impact leads to, in the units and axes of its data.
+
+use nalgebra::Vector3;
+
+use super::refine::Settled;
+use super::scaled::Units;
+use super::{CoupledImpact, ImpactMethod, Stage};
+use crate::outcome::Warning;
+
+/// Where an impact leads.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CoupledOutcome {
+    /// Velocity of body 2 against body 1 after the impact, contact axes.
+    pub velocity: Vector3<f64>,
+    /// Duration from touch to separation.
+    pub duration: f64,
+    /// The greatest approach.
+    pub maximal_approach: f64,
+    /// The greatest normal force.
+    pub maximal_force: f64,
+    /// How often the approach grew: 2 or more if the bodies were pressed together again.
+    pub compressions: u32,
+    /// How it was solved.
+    pub method: ImpactMethod,
+    /// How far the velocity may be off, over |v_A|: the change under the last refinements; 0 for
+    /// exact methods.
+    pub error_estimate: f64,
+    /// That it did not settle, where [`CoupledImpact::accepting_unsettled`] asked for it all the
+    /// same.
+    pub warning: Option<Warning>,
+}
+
+/// One instant of the impact, contact axes.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Sample {
+    /// Time since touch.
+    pub time: f64,
+    /// Shift of body 2 against body 1 since touch: xi, eta, zeta.
+    pub shift: Vector3<f64>,
+    /// Its rate.
+    pub velocity: Vector3<f64>,
+    /// Force on body 1.
+    pub force: Vector3<f64>,
+    /// What slips.
+    pub stage: Stage,
+}
+
+impl CoupledImpact {
+    pub(super) fn outcome(&self, settled: &Settled) -> CoupledOutcome {
+        let mut outcome = self.outcome_in(settled, &self.units());
+        outcome.velocity = self.frame() * outcome.velocity;
+        if outcome.method == (ImpactMethod::Spatial { coupled: false }) {
+            // The normal motion is known in closed form.
+            outcome.velocity.z = -self.velocity.z;
+            outcome.duration = self.normal.duration();
+            outcome.maximal_approach = self.normal.maximal_approach();
+            outcome.maximal_force = self.normal.maximal_force();
+        }
+        outcome
+    }
+
+    pub(super) fn outcome_in(&self, settled: &Settled, units: &Units) -> CoupledOutcome {
+        let run = &settled.run;
+        let peak = run.peak * units.length;
+        CoupledOutcome {
+            velocity: run.velocity * units.speed,
+            duration: run.duration * units.time,
+            maximal_approach: peak,
+            maximal_force: 2.0 / 3.0 * self.stiffness.c_z * (peak * peak.sqrt()),
+            compressions: run.compressions,
+            method: self.method(),
+            error_estimate: settled.error,
+            warning: (!settled.settled).then(|| Warning::NotSettled {
+                error_estimate: settled.error,
+                tolerance: self.tolerance(),
+            }),
+        }
+    }
+}
