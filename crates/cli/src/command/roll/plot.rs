@@ -57,7 +57,7 @@ pub(super) fn draw(rows: &[Row], state: &ContactState) -> Result<Picture, CliErr
         }
         panels.push(areas);
     }
-    panels.push(pressures(state)?);
-    panels.push(stick_and_slip(state));
+    panels.push(pressures(state, [0.0; 2])?);
+    panels.push(stick_and_slip(state, [0.0; 2]));
     Ok(Picture::new("Rolling contact, to the right", panels))
 }
