@@ -69,7 +69,7 @@ impl StepSummary {
         Ok(Self {
             shift: after.shift,
             load: after.load(),
-            greatest_pressure: after.pressure.values().iter().copied().fold(0.0, f64::max),
+            greatest_pressure: after.peak_pressure(),
             contact_area: area * (stick + slip),
             stick_area: area * stick,
             stored_energy: StoredEnergy::of(problem, after)?.total(),
