@@ -14,7 +14,10 @@ use super::{ImpactLaw, Stage, Staged};
 /// The friction law where the direction of the tangential motion turns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum VectorLaw {
-    /// Coulomb: every ring slips along its traction in the physical plane.
+    /// Coulomb: every ring slips along its traction in the physical plane. Their anchors lie on a
+    /// curve ([`carom_laws::coulomb`]) where c_x = c_y and the impact passes much like a free one,
+    /// else on a line ([`SlipLines`]); in 60 random impacts of the former kind the curve took 0.8 of
+    /// the time at 1e-3, 0.4 at 1e-5 and 0.15 at 1e-7.
     #[default]
     Coulomb,
     /// The thesis (8.51): every slip ring keeps the direction in which it formed, measured with
@@ -50,8 +53,8 @@ impl AnyLaw {
         Self::Line(Box::new(ShiftLaw::of_chapter_7(stiffness, friction)))
     }
 
-    /// A law of two directions, as fine as a run; the line of anchors sees faster which rings do not
-    /// slip, where many steps are taken, the curve has fewer of them.
+    /// A law of two directions, as fine as a run. The curve has fewer anchors; the line of them sees
+    /// faster which ones do not slip, which counts where an impact takes many steps.
     pub(super) fn in_space(
         law: VectorLaw,
         stiffness: ContactStiffness,

@@ -134,7 +134,7 @@ class Rebound(Record):
     energy_after      kinetic energy after, J
     dissipated        what friction took, J
     error_estimate    of the velocity after, over that before
-    method           how the impact was followed
+    method            how the impact was followed
     warnings          what limits the validity
     """
 

@@ -178,7 +178,10 @@ fn energy_claim(figure: &mut Figure, stiffness: &ContactStiffness) -> Result<(),
         rings.advance(1.0, shift)?;
     }
     let force = 2.0 / 3.0 * 0.3 * 1.2;
-    let limit = rings.force()[0];
+    let even = ContactStiffness::new(0.8, 0.8, 1.2)?;
+    let mut line = SlipLines::new(even, 0.3, 1e-6)?;
+    line.advance(Shift { zeta: 1.0, ..Shift::default() })?;
+    let limit = line.advance(Shift { zeta: 1.0, xi: 1.5 * onset, ..Shift::default() })?.f_x / force;
     // Of normalised force and shift.
     let unit = force * onset;
     let (stored, lost) = (4.0 / 15.0 * 1.2 + unit * rings.stored_energy()[0], unit * lost);
