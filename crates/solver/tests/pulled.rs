@@ -104,8 +104,8 @@ fn all_shapes_are_pulled_by_forces_in_one_step_and_in_three() {
 #[test]
 #[ignore = "minutes: finer grids and more frictions"]
 fn all_shapes_on_finer_grids_are_pulled_by_forces() {
-    for cells in [31, 48, 80] {
-        all(cells, &[0.05, 0.2, 0.4, 0.7, 1.0, 2.0], &[1, 2, 7]);
+    for cells in [31, 48] {
+        all(cells, &[0.05, 0.7, 2.0], &[1, 2]);
     }
 }
 
