@@ -8,7 +8,7 @@ use carom_impact::uncertain::UncertainError;
 use carom_impact::{CollisionError, NumericalImpactError};
 use carom_plot::PlotError;
 use carom_solver::rolling::RollingError;
-use carom_solver::{DirectError, FrictionalError, ProblemError};
+use carom_solver::{DirectError, FitError, FrictionalError, ProblemError};
 use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
 use std::path::{Path, PathBuf};
@@ -104,6 +104,14 @@ pub enum CliError {
         /// Left, right, lower or upper.
         side: &'static str,
     },
+    /// No grid fits a contact.
+    #[error("{}: {source}; give `grid.cells` and `grid.size` instead of an accuracy", path.display())]
+    Fit {
+        /// The case file.
+        path: PathBuf,
+        /// Why.
+        source: Box<FitError<FrictionalError>>,
+    },
     /// A contact problem could not be set up.
     #[error("{}: {source}", path.display())]
     Problem {
@@ -198,6 +206,13 @@ impl CliError {
             },
             Self::Step { source, .. } => match **source {
                 FrictionalError::Range(_) | FrictionalError::Slides { .. } => 2,
+                _ => 1,
+            },
+            Self::Fit { source, .. } => match **source {
+                FitError::Range(_)
+                | FitError::Problem(_)
+                | FitError::Endless { .. }
+                | FitError::Method(FrictionalError::Range(_) | FrictionalError::Slides { .. }) => 2,
                 _ => 1,
             },
             Self::Classic { source, .. } => match **source {

@@ -48,10 +48,27 @@ pub fn read_table(path: &Path) -> Result<String, CliError> {
     read_text(path, MOST_OF_TABLE)
 }
 
+/// Reads the file at `path`, whatever it holds.
+///
+/// # Errors
+/// If it cannot be read, is a device, or larger than 64 MiB.
+pub fn read_bytes(path: &Path) -> Result<Vec<u8>, CliError> {
+    read(path, MOST_OF_TABLE, "a file")
+}
+
 fn read_text(path: &Path, most: u64) -> Result<String, CliError> {
+    String::from_utf8(read(path, most, "a text file")?).map_err(|error| {
+        let place = error.utf8_error().valid_up_to() + 1;
+        let allowed = format!("must be a text file of at most {} MiB", most >> 20);
+        let reason = format!("byte {place} is no UTF-8 text; it {allowed}, saved as UTF-8");
+        CliError::Input { path: path.to_owned(), reason }
+    })
+}
+
+fn read(path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, CliError> {
     let refused = |reason: String| CliError::Input { path: path.to_owned(), reason };
     let failed = |error| CliError::io("read", path, error);
-    let allowed = format!("must be a text file of at most {} MiB", most >> 20);
+    let allowed = format!("must be {kind} of at most {} MiB", most >> 20);
     if is_device(&std::fs::metadata(path).map_err(failed)?) {
         return Err(refused(format!("this is a device; it {allowed}")));
     }
@@ -62,10 +79,7 @@ fn read_text(path: &Path, most: u64) -> Result<String, CliError> {
     if bytes.len() as u64 > most {
         return Err(refused(format!("the file is larger; it {allowed}")));
     }
-    String::from_utf8(bytes).map_err(|error| {
-        let place = error.utf8_error().valid_up_to() + 1;
-        refused(format!("byte {place} is no UTF-8 text; it {allowed}, saved as UTF-8"))
-    })
+    Ok(bytes)
 }
 
 #[cfg(unix)]

@@ -56,7 +56,9 @@ fn every_example_runs_in_every_format_and_draws() {
         let case = path.to_str().unwrap();
         let name = path.file_name().unwrap().to_str().unwrap();
         let command = match name.split_once('_') {
-            Some((command @ ("hertz" | "history" | "scene" | "solve" | "roll"), _)) => command,
+            Some((command @ ("hertz" | "history" | "scene" | "solve" | "roll" | "stress"), _)) => {
+                command
+            }
             _ => "impact",
         };
         for format in ["table", "json", "csv"] {

@@ -6,7 +6,7 @@ use crate::error::PlotError;
 use crate::field::Field;
 use crate::panel::Axis;
 use crate::raster::indexed_png;
-use crate::span::Span;
+use crate::span::{Span, power_of_ten};
 use crate::svg::{Anchor, Frame, Pixel, Svg};
 use crate::text::Type;
 
@@ -120,7 +120,13 @@ impl<'a> Heat<'a> {
         }
         svg.rect(bar, "fill=\"none\" stroke=\"#444\"");
         let end = bar.x + bar.width;
-        for tick in self.span.ticks().0 {
+        let (ticks, power) = self.span.ticks();
+        if power != 0 {
+            let foot = Pixel { x: bar.x, y: bar.y + bar.height + 19.0 };
+            let unit = format!("× {}", power_of_ten(power));
+            svg.text(foot, Anchor::Start, &unit, Type::TICK);
+        }
+        for tick in ticks {
             let y = bar.y + bar.height * (1.0 - self.span.place(tick.at));
             svg.line(Pixel { x: end, y }, Pixel { x: end + 4.0, y }, "stroke=\"#444\"");
             svg.text(Pixel { x: end + 7.0, y: y + 4.5 }, Anchor::Start, &tick.label, Type::TICK);

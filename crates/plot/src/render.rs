@@ -304,10 +304,17 @@ mod tests {
 
     #[test]
     fn a_field_is_drawn_with_its_bar_and_contours() {
-        let nodes = carom_special::linspace(0.0, 1.0, 5);
+        let linspace = carom_special::linspace;
+        let nodes = linspace(0.0, 1.0, 5);
         let values = nodes.iter().flat_map(|y| nodes.iter().map(move |x| x - y)).collect();
-        let field = Field::new("x - y", nodes.clone(), nodes, values).unwrap();
+        let field = Field::new("x - y", nodes.clone(), nodes.clone(), values).unwrap();
         let svg = render("", &[panel().over(field)]).unwrap();
+        let large = linspace(0.0, 4e6, 25);
+        let label = |values| {
+            let field = Field::new("p / Pa", nodes.clone(), nodes.clone(), values).unwrap();
+            render("", &[panel().over(field)]).unwrap().contains("× 10⁶")
+        };
+        assert!(label(large) && !label(linspace(0.0, 4.0, 25)), "the bar tells its unit");
         // The diagonal, where the value is zero, is the bold line.
         let bold = svg.lines().find(|line| line.contains("stroke-width=\"1.6\"")).unwrap();
         assert!(bold.contains('M') && !svg.contains("NaN"));

@@ -1,18 +1,17 @@
-//! How wrong a solution is by its mesh: the same history on three grids.
+//! How wrong a solution is by its mesh, seen from the same one on two coarser grids.
 
-use carom_halfspace::Grid;
-use carom_special::RangeError;
-
-use crate::drive::Drive;
-use crate::method::Method;
-use crate::problem::{ContactProblem, ProblemError};
+use crate::contour::Contour;
 use crate::state::{CellState, ContactState};
-use crate::{Convergence, Observer};
 
-/// Fewer cells than this across a contact are too few.
-const FEW: usize = 10;
 /// Differences of successive grids fall at least by this factor, at most as the square of the width.
 const FALL: [f64; 2] = [1.5, 4.0];
+
+/// A traction that is greatest at the border of the grid, and by this factor greater than in the
+/// next cell, has an edge there.
+const FALLS: f64 = 1.01;
+
+/// What counts beside a greater load or shift of its kind, over the normal one.
+const SMALLEST: f64 = 0.01;
 
 /// A value on the finest grid with an estimate of its error by the mesh.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -34,107 +33,38 @@ impl Estimated {
         let error = fine.max(coarse / FALL[1]) / (fall - 1.0);
         Self { value: values[0], error }
     }
-}
 
-impl Estimated {
     /// The same where tractions are greatest at an edge that the grid fixes: the edge lies within
     /// part of a cell of its place, which makes errors of the first order, in leaps.
     #[must_use]
     pub fn of_edge(values: [f64; 3]) -> Self {
         let (fine, coarse) = ((values[0] - values[1]).abs(), (values[1] - values[2]).abs());
-        Self { value: values[0], error: fine.max(0.5 * coarse) }
+        Self { value: values[0], error: fine.max(coarse / FALL[1]) }
     }
-}
-
-/// A side of the window.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Side {
-    /// That of the lowest x.
-    Left,
-    /// That of the greatest x.
-    Right,
-    /// That of the lowest y.
-    Bottom,
-    /// That of the greatest y.
-    Top,
-}
-
-/// What casts doubt on a solution.
-#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum Doubt {
-    /// The contact is cut off by the window.
-    #[error("the contact reaches the {side:?} border of the window")]
-    Border {
-        /// Where.
-        side: Side,
-    },
-    /// The contact is only a few cells wide.
-    #[error("the contact is {across} cells wide, fewer than {FEW}")]
-    FewCells {
-        /// Its width along its narrower direction.
-        across: usize,
-    },
 }
 
 impl ContactState {
-    /// The columns and rows between which cells touch: first and last of each; none apart.
-    #[must_use]
-    pub fn extent(&self) -> Option<[[usize; 2]; 2]> {
-        let grid = self.pressure.grid();
-        let mut extent: Option<[[usize; 2]; 2]> = None;
-        for (i, pressure) in self.pressure.values().iter().enumerate() {
-            if *pressure > 0.0 {
-                let at = [i % grid.nx(), i / grid.nx()];
-                let [x, y] = extent.unwrap_or([[at[0]; 2], [at[1]; 2]]);
-                let wider = |[a, b]: [usize; 2], at: usize| [a.min(at), b.max(at)];
-                extent = Some([wider(x, at[0]), wider(y, at[1])]);
-            }
-        }
-        extent
-    }
-
-    /// What casts doubt on this state: a contact that reaches the border of the grid, or fewer than
-    /// ten cells wide.
-    #[must_use]
-    pub fn doubts(&self) -> Vec<Doubt> {
-        let (grid, Some([x, y])) = (self.pressure.grid(), self.extent()) else {
-            return Vec::new();
-        };
-        let sides = [
-            (x[0] == 0, Side::Left),
-            (x[1] + 1 == grid.nx(), Side::Right),
-            (y[0] == 0, Side::Bottom),
-            (y[1] + 1 == grid.ny(), Side::Top),
-        ];
-        let mut doubts: Vec<Doubt> = sides
-            .iter()
-            .filter(|(at, _)| *at)
-            .map(|(_, side)| Doubt::Border { side: *side })
-            .collect();
-        let across = (x[1] - x[0] + 1).min(y[1] - y[0] + 1);
-        if across < FEW {
-            doubts.push(Doubt::FewCells { across });
-        }
-        doubts
-    }
-
-    /// Whether a traction is greatest in a cell at the border of the contact, as under a punch.
+    /// Whether a traction is greatest in a cell at the border of the contact, as under a punch. At the
+    /// border of the grid it must fall from there: what repeats itself has no edge.
     fn peaks_at_the_edge(&self, traction: impl Fn(usize) -> f64) -> bool {
         let grid = self.pressure.grid();
         let values = (0..grid.cells()).map(|i| (i, traction(i)));
         let Some((top, most)) = values.max_by(|one, other| one.1.total_cmp(&other.1)) else {
             return false;
         };
-        let (column, row) = (top % grid.nx(), top / grid.nx());
-        let apart = |x: Option<usize>, y: Option<usize>| {
-            let pressure = x.zip(y).and_then(|(x, y)| self.pressure.get(x, y));
-            pressure.is_none_or(|pressure| *pressure == 0.0)
+        let at = [top % grid.nx(), top / grid.nx()];
+        let place = |axis: usize, step: isize| {
+            let mut place = at;
+            place[axis] = at[axis].checked_add_signed(step)?;
+            let inside = place[0] < grid.nx() && place[1] < grid.ny();
+            inside.then(|| grid.index(place[0], place[1]))
         };
-        let beside = apart(column.checked_sub(1), Some(row))
-            || apart(Some(column + 1), Some(row))
-            || apart(Some(column), row.checked_sub(1))
-            || apart(Some(column), Some(row + 1));
-        most > 0.0 && beside
+        let ends = |axis: usize, step: isize| match (place(axis, step), place(axis, -step)) {
+            (Some(beyond), _) => self.pressure.values()[beyond] == 0.0,
+            (None, Some(before)) => most > FALLS * traction(before),
+            (None, None) => false,
+        };
+        most > 0.0 && (0..2).any(|axis| ends(axis, 1) || ends(axis, -1))
     }
 
     /// The greatest pressure, on parabolas through the highest cell and its neighbours along both
@@ -187,120 +117,27 @@ pub struct Estimates {
     pub stick_area: Estimated,
 }
 
-/// A history on a grid and on two coarser ones, for a third more than on the one.
-///
-/// ```
-/// use carom_halfspace::{Grid, Material, MaterialPair};
-/// use carom_laws::{friction::Friction, law::Shift};
-/// use carom_solver::{ContactProblem, Drive, Frictional, Gap, NestedHistory};
-/// let body = Material::from_shear(2.0, 0.3)?;
-/// let pair = MaterialPair::new(body, body)?;
-/// let make = |grid: Grid| {
-///     let gap = Gap::sphere(grid, 100.0).map_err(carom_halfspace::operator::OperatorError::from)?;
-///     ContactProblem::of_half_spaces(gap, pair, Friction::NONE)
-/// };
-/// let grid = Grid::new(64, 64, 0.04, 0.04)?;
-/// let mut history = NestedHistory::new(Frictional::default(), grid, make)?;
-/// history.step(&Drive::by_shift(Shift { zeta: 0.01, ..Shift::default() }), &mut ())?;
-/// let force = history.estimates().f_z;
-/// let exact = 4.0 / 3.0 * (2.0 / 0.7) * 0.01;
-/// assert!((force.value - exact).abs() < 4.0 * force.error && force.error < 1e-3 * exact);
-/// # Ok::<(), Box<dyn std::error::Error>>(())
-/// ```
-pub struct NestedHistory<M: Method> {
-    method: M,
-    levels: [Level<M>; 3],
-}
-
-struct Level<M: Method> {
-    problem: ContactProblem,
-    state: ContactState,
-    scratch: M::Scratch,
-}
-
-/// Why a history on three grids cannot begin.
-#[derive(Debug, thiserror::Error)]
-pub enum NestedError<E> {
-    /// A problem cannot be built.
-    #[error(transparent)]
-    Problem(#[from] ProblemError),
-    /// A grid is out of range.
-    #[error(transparent)]
-    Range(RangeError),
-    /// The method does not take the problem.
-    #[error(transparent)]
-    Method(E),
-}
-
-impl<M: Method> NestedHistory<M> {
-    /// Bodies apart, on `grid` and on two coarser ones, for each of which `make` makes the problem.
-    ///
-    /// # Errors
-    /// [`NestedError`] of the problems and the method.
-    pub fn new(
-        method: M,
-        grid: Grid,
-        make: impl Fn(Grid) -> Result<ContactProblem, ProblemError>,
-    ) -> Result<Self, NestedError<M::Error>> {
-        let level = |grid: Grid| -> Result<Level<M>, NestedError<M::Error>> {
-            let problem = make(grid)?;
-            let scratch = method.scratch(&problem).map_err(NestedError::Method)?;
-            Ok(Level { state: ContactState::apart(problem.grid()), problem, scratch })
-        };
-        let coarse = grid.coarser().map_err(NestedError::Range)?;
-        let coarsest = coarse.coarser().map_err(NestedError::Range)?;
-        let levels = [level(grid)?, level(coarse)?, level(coarsest)?];
-        Ok(Self { method, levels })
-    }
-
-    /// Goes on to the end of a step on all grids.
-    ///
-    /// # Errors
-    /// The method's; all states are then as they were.
-    pub fn step(
-        &mut self,
-        drive: &Drive,
-        observer: &mut dyn Observer,
-    ) -> Result<Convergence, M::Error> {
-        let mut next = self.levels.each_ref().map(|level| level.state.clone());
-        let mut went = None;
-        for (level, to) in self.levels.iter_mut().zip(&mut next).rev() {
-            let (problem, from) = (&level.problem, &level.state);
-            went =
-                Some(self.method.step(problem, from, drive, to, &mut level.scratch, observer)?);
-        }
-        for (level, state) in self.levels.iter_mut().zip(next) {
-            level.state = state;
-        }
-        Ok(went.unwrap_or_else(|| unreachable!("there are three levels")))
-    }
-
-    /// The state on the finest grid.
+impl Estimates {
+    /// Of the same contact on three grids, the finest first, cells twice and four times as wide.
     #[must_use]
-    pub const fn state(&self) -> &ContactState {
-        &self.levels[0].state
-    }
-
-    /// Its values with their errors by the mesh.
-    #[must_use]
-    pub fn estimates(&self) -> Estimates {
-        let state = self.state();
+    pub fn of(states: [&ContactState; 3]) -> Self {
+        let state = states[0];
         let [p, x, y] = [&state.pressure, &state.traction_x, &state.traction_y].map(|f| f.values());
         let normal_edge = state.peaks_at_the_edge(|i| p[i]);
         let tangential_edge = normal_edge || state.peaks_at_the_edge(|i| x[i].hypot(y[i]));
         let by = |edge: bool, value: &dyn Fn(&ContactState) -> f64| {
-            let values = self.levels.each_ref().map(|level| value(&level.state));
+            let values = states.map(value);
             if edge { Estimated::of_edge(values) } else { Estimated::of(values) }
         };
         let of = |value: &dyn Fn(&ContactState) -> f64| by(normal_edge, value);
         let along = |value: &dyn Fn(&ContactState) -> f64| by(tangential_edge, value);
-        let area = |outlines: &dyn Fn(&ContactState) -> Vec<crate::Contour>| {
-            let estimated = of(&|state| outlines(state).iter().map(crate::Contour::area).sum());
-            let cell = self.state().pressure.grid().cell_area().sqrt();
-            let ring: f64 = outlines(self.state()).iter().map(crate::Contour::length).sum();
+        let area = |outlines: &dyn Fn(&ContactState) -> Vec<Contour>| {
+            let estimated = of(&|state| outlines(state).iter().map(Contour::area).sum());
+            let cell = state.pressure.grid().cell_area().sqrt();
+            let ring: f64 = outlines(state).iter().map(Contour::length).sum();
             Estimated { error: estimated.error.max(0.5 * ring * cell), ..estimated }
         };
-        Estimates {
+        Self {
             f_x: along(&|state| state.load().f_x),
             f_y: along(&|state| state.load().f_y),
             f_z: of(&|state| state.load().f_z),
@@ -311,11 +148,43 @@ impl<M: Method> NestedHistory<M> {
             omega: along(&|state| state.shift.omega),
             peak: of(&ContactState::peak_pressure),
             contact_area: area(&ContactState::contact_outlines),
-            stick_area: if self.state().count(CellState::Stick) > 0 {
+            stick_area: if state.count(CellState::Stick) > 0 {
                 area(&ContactState::stick_outlines)
             } else {
                 Estimated::default()
             },
         }
+    }
+
+    /// The greatest error of a load or shift in a history over the greatest of its kind: tangential
+    /// forces together, of at least a hundredth of the normal one, torques times a radius.
+    #[must_use]
+    pub fn worst(all: &[Self]) -> f64 {
+        let greatest = |value: &dyn Fn(&Self) -> f64| {
+            all.iter().map(|one| value(one).abs()).fold(0.0, f64::max)
+        };
+        let radius = (greatest(&|one| one.contact_area.value) / std::f64::consts::PI).sqrt();
+        let force = greatest(&|one| one.f_z.value);
+        let depth = greatest(&|one| one.zeta.value);
+        let along = greatest(&|one| one.f_x.value.hypot(one.f_y.value)).max(SMALLEST * force);
+        let shift = greatest(&|one| one.xi.value.hypot(one.eta.value)).max(SMALLEST * depth);
+        let torque = greatest(&|one| one.m_z.value).max(SMALLEST * force * radius);
+        let turned = if radius > 0.0 { SMALLEST * depth / radius } else { 0.0 };
+        let twist = greatest(&|one| one.omega.value).max(turned);
+        let over =
+            |value: Estimated, scale: f64| if scale > 0.0 { value.error / scale } else { 0.0 };
+        let errors = all.iter().flat_map(|one| {
+            [
+                over(one.f_z, force),
+                over(one.zeta, depth),
+                over(one.f_x, along),
+                over(one.f_y, along),
+                over(one.xi, shift),
+                over(one.eta, shift),
+                over(one.m_z, torque),
+                over(one.omega, twist),
+            ]
+        });
+        errors.fold(0.0, f64::max)
     }
 }

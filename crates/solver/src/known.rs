@@ -75,7 +75,7 @@ impl Known {
         }
     }
 
-    /// The problem on `cells` by `cells` cells (8 across the waves); `offset` is the place of the
+    /// The problem on `cells` by `cells` cells (a twelfth along the waves); `offset` is the place of the
     /// middle of the contact, in cells.
     ///
     /// # Errors
@@ -85,7 +85,7 @@ impl Known {
         let width = SIDE / cells as f64;
         let (pair, friction) = (self.pair().map_err(range)?, self.friction());
         let friction = Friction::new(friction).map_err(range)?;
-        let rows = if self == Self::Westergaard { 8 } else { cells };
+        let rows = if self == Self::Westergaard { rows_along(cells) } else { cells };
         let grid = Grid::new(cells, rows, width, width).map_err(range)?;
         let height = |x: f64, y: f64| {
             let (x, y) = (x - offset[0] * width, y - offset[1] * width);
@@ -115,7 +115,7 @@ impl Known {
         Ok(match self {
             Self::Hertz | Self::FlatPunch => vec![pressed],
             Self::Westergaard => {
-                let area = SIDE * SIDE * 8.0 / cells as f64;
+                let area = area_of_waves(cells);
                 let normal = crate::Driven::Load(0.5 * self.full_pressure()? * area);
                 vec![Drive { normal, ..Drive::default() }]
             }
@@ -186,12 +186,21 @@ impl Known {
                 Expected { load, ..Expected::default() }
             }
             Self::Westergaard => {
-                let (full, area) = (self.full_pressure()?, SIDE * SIDE * 8.0 / cells as f64);
+                let (full, area) = (self.full_pressure()?, area_of_waves(cells));
                 let load = ContactLoad { f_z: 0.5 * full * area, ..ContactLoad::default() };
                 Expected { load, peak: Some(2.0 * full * 0.5_f64.sqrt()), stick_area: None }
             }
         })
     }
+}
+
+/// Cells along the waves, so that a grid of half as many cells has half as many there too.
+const fn rows_along(cells: usize) -> usize {
+    cells.div_ceil(12)
+}
+
+fn area_of_waves(cells: usize) -> f64 {
+    SIDE * SIDE * rows_along(cells) as f64 / cells as f64
 }
 
 /// Goodman's stick radius c/a of a sphere or round punch pressed on a dissimilar body, the pressure

@@ -13,6 +13,9 @@ use crate::state::ContactState;
 /// Most times the way to the next cohesion that is gone at once.
 const FARTHEST: f64 = 30.0;
 
+/// Limits hold this many times a given force, if friction does.
+const HOLDS: f64 = 1.05;
+
 /// The limits of a step, cell by cell.
 #[derive(Clone)]
 pub(crate) struct FrictionLimits {
@@ -71,6 +74,24 @@ impl FrictionLimits {
             } else {
                 0.0
             };
+        }
+    }
+
+    /// Raises the limits of a blunter cone in proportion to the pressures where they would not hold a
+    /// force.
+    pub(crate) fn hold(&mut self, pressure: &[f64], force: f64) {
+        let missing = HOLDS * force - self.values.iter().sum::<f64>();
+        let all: f64 = pressure.iter().filter(|p| **p > 0.0).sum();
+        if missing <= 0.0 || all <= 0.0 {
+            return;
+        }
+        for ((value, pressure), friction) in
+            self.values.iter_mut().zip(pressure).zip(&self.friction)
+        {
+            if *pressure > 0.0 {
+                let raised = *value + missing / all * pressure;
+                *value = raised.min(friction * pressure).max(*value);
+            }
         }
     }
 

@@ -12,17 +12,18 @@ struct Bilinear<'a> {
 }
 
 impl Bilinear<'_> {
-    /// At (x, y) from the middle of the grid.
-    fn at(&self, x: f64, y: f64) -> f64 {
-        let (column, right) = position(x / self.grid.dx(), self.grid.nx());
-        let (row, upper) = position(y / self.grid.dy(), self.grid.ny());
-        let value = |i: usize, j: usize| {
-            let (i, j) = (i.min(self.grid.nx() - 1), j.min(self.grid.ny() - 1));
-            self.values[self.grid.index(i, j)]
-        };
-        let along = |j: usize| mix(value(column, j), value(column + 1, j), right);
-        mix(along(row), along(row + 1), upper)
+    /// Between columns and rows at these places.
+    fn at(&self, (column, right): (usize, f64), (row, upper): (usize, f64)) -> f64 {
+        let next = [(column + 1).min(self.grid.nx() - 1), (row + 1).min(self.grid.ny() - 1)];
+        let value = |i: usize, j: usize| self.values[self.grid.index(i, j)];
+        let along = |j: usize| mix(value(column, j), value(next[0], j), right);
+        mix(along(row), along(next[1]), upper)
     }
+}
+
+/// The places of coordinates along an axis.
+fn places(at: impl Iterator<Item = f64>, width: f64, count: usize) -> Vec<(usize, f64)> {
+    at.map(|at| position(at / width, count)).collect()
 }
 
 /// The cell whose centre lies at or before a place, given in widths from the middle of `count`
@@ -42,17 +43,32 @@ fn mix(low: f64, high: f64, part: f64) -> f64 {
 pub(crate) fn coarser(fine: Grid, values: &[f64], coarse: Grid) -> Vec<f64> {
     let values = Bilinear { grid: fine, values };
     let (dx, dy) = (0.5 * fine.dx(), 0.5 * fine.dy());
-    let mean = |(x, y): (f64, f64)| {
-        let corners = [(-dx, -dy), (dx, -dy), (-dx, dy), (dx, dy)];
-        0.25 * corners.iter().map(|(i, j)| values.at(x + i, y + j)).sum::<f64>()
-    };
-    coarse.centres().map(mean).collect()
+    let columns = [-dx, dx].map(|off| {
+        places((0..coarse.nx()).map(|i| coarse.centred_x(i) + off), fine.dx(), fine.nx())
+    });
+    let rows = [-dy, dy].map(|off| {
+        places((0..coarse.ny()).map(|j| coarse.centred_y(j) + off), fine.dy(), fine.ny())
+    });
+    let mut means = Vec::with_capacity(coarse.cells());
+    for (&low, &high) in rows[0].iter().zip(&rows[1]) {
+        for (&left, &right) in columns[0].iter().zip(&columns[1]) {
+            let corners = [(left, low), (right, low), (left, high), (right, high)];
+            means.push(0.25 * corners.iter().map(|(x, y)| values.at(*x, *y)).sum::<f64>());
+        }
+    }
+    means
 }
 
 /// Values between the centres of coarse cells at those of fine ones.
 pub(crate) fn finer(coarse: Grid, values: &[f64], fine: Grid) -> Vec<f64> {
     let values = Bilinear { grid: coarse, values };
-    fine.centres().map(|(x, y)| values.at(x, y)).collect()
+    let columns = places((0..fine.nx()).map(|i| fine.centred_x(i)), coarse.dx(), coarse.nx());
+    let rows = places((0..fine.ny()).map(|j| fine.centred_y(j)), coarse.dy(), coarse.ny());
+    let mut between = Vec::with_capacity(fine.cells());
+    for row in &rows {
+        between.extend(columns.iter().map(|column| values.at(*column, *row)));
+    }
+    between
 }
 
 /// Gives cells of no value the mean of their neighbours that have one, ring after ring.

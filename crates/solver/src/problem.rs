@@ -139,7 +139,6 @@ mod tests {
     use crate::CellFriction;
     use carom_halfspace::{Field, Material};
     use carom_laws::curvature::RelativeCurvature;
-    use carom_laws::friction::Friction;
 
     #[test]
     fn parts_of_another_grid_are_refused() {

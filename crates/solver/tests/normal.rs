@@ -216,3 +216,18 @@ fn a_field_of_another_grid_is_no_gap_of_this_operator() {
     assert_eq!(flat.grid(), grid);
     assert!(ContactState::apart(turned).check_grid(grid).is_err());
 }
+
+#[test]
+fn a_contact_of_one_cell_is_found_however_high_the_others_stand() {
+    // Heights up to 1e8 above a contact that is pressed in by 1e-8.
+    for (width, force) in [(2e4, 1e-12), (2e4, 1.0), (200.0, 1e-6)] {
+        for cells in [49, 48, 64] {
+            let grid = Grid::new(cells, cells, width / cells as f64, width / cells as f64).unwrap();
+            let gap = Gap::from_function(grid, |x, y| 0.5 * ((x - 0.3) * (x - 0.3) + y * y));
+            let problem = problem(gap.unwrap());
+            let (state, _) = solve(&problem, Driven::Load(force));
+            assert!((state.load().f_z / force - 1.0).abs() < 1e-12);
+            assert!(violation(&problem, &state) < 1e-9);
+        }
+    }
+}

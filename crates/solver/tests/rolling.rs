@@ -228,6 +228,27 @@ fn springs_come_near_in_the_middle_and_agree_at_both_ends() {
 }
 
 #[test]
+fn springs_start_with_the_creep_coefficients() {
+    for semi_axes in [[1.0, 1.0], [0.4, 1.5], [3.0, 0.7]] {
+        let ([a, b], friction) = (semi_axes, f64::from(1_u32 << 30));
+        let coefficients = CreepCoefficients { c11: 4.0, c22: 3.0, c23: 1.5, c32: 1.5, c33: 1.2 };
+        let (shear_modulus, force, mesh) = (2.0, 1.0, [200, 200]);
+        let springs = Fastsim { semi_axes, shear_modulus, coefficients, force, friction, mesh };
+        let forces =
+            |along, across, spin| springs.forces(Creepage { along, across, spin }).unwrap();
+        let unit = shear_modulus * a * b;
+        let pairs = [
+            (forces(0.1, 0.0, 0.0).f_x, 0.1 * unit * 4.0),
+            (forces(0.0, 0.1, 0.0).f_y, 0.1 * unit * 3.0),
+            (forces(0.0, 0.0, 0.1).f_y, -0.1 * unit * (a * b).sqrt() * 1.5),
+        ];
+        for (got, want) in pairs {
+            assert!((got / want - 1.0).abs() < 1e-4, "{semi_axes:?}: {got} {want}");
+        }
+    }
+}
+
+#[test]
 fn rolling_that_makes_no_sense_is_named() {
     let problem = sphere(8, [0.3, 0.3]);
     let creepage = Creepage { along: 0.01, ..Creepage::default() };

@@ -142,6 +142,24 @@ fn the_limit_of_13_22_fails_both_ways() {
 }
 
 #[test]
+fn blocks_of_a_line_fall_as_passes_along_it() {
+    // Without displacements across, (13.25) of three blocks is M1 (13.32) of two.
+    for cells in [[10, 1], [25, 1]] {
+        for poisson in [[0.0, 0.5], [0.5, 0.0], [0.1, 0.4]] {
+            let Punch { area, pair, .. } = punch(cells, false, poisson, 1.0);
+            let blocks = area.adhesion_blocks().unwrap().radius();
+            let passes = area.adhesion_pass_along_x().unwrap().radius();
+            assert!((blocks - passes).abs() < 1e-12, "{poisson:?}: {blocks} {passes}");
+            assert!(blocks < Bounds::of(&pair).adhesion_pass());
+        }
+    }
+    // In an area tractions along y join in: slower than along x alone.
+    let Punch { area, .. } = punch([10, 10], true, [0.0, 0.5], 1.0);
+    let blocks = area.adhesion_blocks().unwrap().radius();
+    assert!(blocks > area.adhesion_pass_along_x().unwrap().radius() && blocks < 1.0, "{blocks}");
+}
+
+#[test]
 fn areas_without_elements_and_wrong_frictions_are_named() {
     let grid = Grid::new(4, 4, 1.0, 1.0).unwrap();
     let body = Material::from_shear(1.0, 0.3).unwrap();

@@ -37,8 +37,20 @@ pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Res
     copy.write(&pages.join("Cargo.toml"), PAGES_MANIFEST)?;
     copy.write(&pages.join("pages.rs"), PAGES)?;
     copy.write(&pages.join("src/lib.rs"), "")?;
+    let manifest = std::fs::read_to_string(root.join("Cargo.toml"))?;
+    copy.write(Path::new("Cargo.toml"), &apart(&manifest)?)?;
     copy.rest(Path::new(""))?;
     copy.prune(Path::new(""))
+}
+
+/// The manifest with a version of its own: both workspaces build into one folder, and of the same
+/// version cargo would take what one has built for the other's.
+fn apart(manifest: &str) -> anyhow::Result<String> {
+    let mut lines: Vec<String> = manifest.lines().map(str::to_owned).collect();
+    let version = lines.iter_mut().find(|line| line.starts_with("version = \""));
+    let version = version.context("the workspace has no version")?;
+    *version = format!("{}+mutants\"", version.trim_end().trim_end_matches('"'));
+    Ok(lines.join("\n") + "\n")
 }
 
 /// Whether every place of the list is in the sources.
@@ -185,6 +197,15 @@ impl Mirror<'_> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn the_copy_has_a_version_of_its_own() {
+        let manifest =
+            "[workspace.package]\nversion = \"0.1.0\"\n[d]\nx = { version = \"0.1.0\" }\n";
+        let expected = manifest.replacen("0.1.0", "0.1.0+mutants", 1);
+        assert_eq!(apart(manifest).unwrap(), expected);
+        assert!(apart("[workspace]\n").is_err());
+    }
 
     #[test]
     fn edits_nest_and_share_a_place() {

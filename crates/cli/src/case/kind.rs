@@ -3,8 +3,8 @@
 use super::error::CaseError;
 use super::field::{Entry, Field, Form, Need, entries};
 use super::section::{Section, nearest, parse};
-use super::{HertzCase, HistoryCase, ImpactFile, RollCase, SceneCase, SolveCase};
-use super::{begin, hertz, history, impact, roll, scene, solve, varied};
+use super::{HertzCase, HistoryCase, ImpactFile, RollCase, SceneCase, SolveCase, StressCase};
+use super::{begin, hertz, history, impact, roll, scene, solve, stress, varied};
 use carom_table::Column;
 use toml::de::{DeTable, DeValue};
 
@@ -23,12 +23,21 @@ pub enum CaseKind {
     Solve,
     /// A rolling contact.
     Roll,
+    /// The stresses below a contact.
+    Stress,
 }
 
 impl CaseKind {
     /// All of them.
-    pub const ALL: [Self; 6] =
-        [Self::Impact, Self::Hertz, Self::History, Self::Scene, Self::Solve, Self::Roll];
+    pub const ALL: [Self; 7] = [
+        Self::Impact,
+        Self::Hertz,
+        Self::History,
+        Self::Scene,
+        Self::Solve,
+        Self::Roll,
+        Self::Stress,
+    ];
 
     /// The command that takes it.
     #[must_use]
@@ -40,6 +49,7 @@ impl CaseKind {
             Self::Scene => "scene",
             Self::Solve => "solve",
             Self::Roll => "roll",
+            Self::Stress => "stress",
         }
     }
 
@@ -53,6 +63,7 @@ impl CaseKind {
             Self::Scene => "A ball that flies under gravity and bounces between walls.",
             Self::Solve => "A contact with friction on a grid, step by step.",
             Self::Roll => "A rolling contact under creepage and spin.",
+            Self::Stress => "Stresses below a contact that is pressed and pushed.",
         }
     }
 
@@ -66,6 +77,7 @@ impl CaseKind {
             Self::Scene => scene::FIELDS,
             Self::Solve => solve::FIELDS,
             Self::Roll => roll::FIELDS,
+            Self::Stress => stress::FIELDS,
         }
     }
 
@@ -136,6 +148,7 @@ impl CaseKind {
             Self::Scene => SceneCase::parse(source).map(|_| ()),
             Self::Solve => SolveCase::parse(source).map(|_| ()),
             Self::Roll => RollCase::parse(source).map(|_| ()),
+            Self::Stress => StressCase::parse(source).map(|_| ()),
         }
     }
 

@@ -29,6 +29,8 @@ pub enum Range {
     LawTolerance,
     /// The tolerance of a solution.
     SolveTolerance,
+    /// The accuracy of a solution.
+    Accuracy,
     /// A number of values.
     Count,
     /// A number of things, at least one.
@@ -87,6 +89,7 @@ impl Range {
             Self::Part => [In(zero), In(1.0)],
             Self::LawTolerance => [Out(zero), In(0.1)],
             Self::SolveTolerance => [In(1e-13), In(0.01)],
+            Self::Accuracy => [In(1e-6), In(0.1)],
             Self::Count => [In(2.0), In(MOST)],
             Self::Whole => [In(1.0), In(MOST)],
             Self::Cells => [In(1.0), In(4096.0)],
@@ -134,6 +137,7 @@ impl Range {
             Self::Part => "in [0, 1]",
             Self::LawTolerance => "> 0 and <= 0.1",
             Self::SolveTolerance => "from 1e-13 to 0.01",
+            Self::Accuracy => "from 1e-6 to 0.1",
             Self::Count => "a whole number from 2 to 1000000",
             Self::Whole => "a whole number from 1 to 1000000",
             Self::Cells => "a whole number from 1 to 4096",

@@ -63,8 +63,12 @@ fn check_files(file: &CaseFile, kind: CaseKind) -> Result<(), CliError> {
             Steps::Inline(_) => Ok(()),
         },
         CaseKind::Solve => {
-            solve::heights::gap(&file.path, &file.parse(SolveCase::parse)?).map(|_| ())
+            solve::bodies::Bodies::of(&file.path, &file.parse(SolveCase::parse)?).map(|_| ())
         }
-        CaseKind::Impact | CaseKind::Hertz | CaseKind::Scene | CaseKind::Roll => Ok(()),
+        CaseKind::Impact
+        | CaseKind::Hertz
+        | CaseKind::Scene
+        | CaseKind::Roll
+        | CaseKind::Stress => Ok(()),
     }
 }

@@ -12,6 +12,7 @@ mod roll;
 mod scene;
 mod schema;
 mod solve;
+mod stress;
 mod theory;
 
 pub use history::StepsError;
@@ -73,6 +74,7 @@ enum Command {
     Scene(scene::Arguments),
     Solve(solve::Arguments),
     Roll(roll::Arguments),
+    Stress(stress::Arguments),
     Compare(solve::compare::Arguments),
     New(begin::Arguments),
     Check(check::Arguments),
@@ -92,6 +94,7 @@ pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError>
         Command::Scene(arguments) => scene::run(arguments),
         Command::Solve(arguments) => solve::run(arguments),
         Command::Roll(arguments) => roll::run(arguments),
+        Command::Stress(arguments) => stress::run(arguments),
         Command::Compare(arguments) => solve::compare::run(arguments),
         Command::New(arguments) => begin::run(arguments),
         Command::Check(arguments) => check::run(arguments),

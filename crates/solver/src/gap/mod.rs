@@ -9,10 +9,13 @@ mod surfaces;
 pub use height_map::{HeightMap, HeightMapError};
 pub use outline::Outline;
 pub use rough::SelfAffine;
+pub use shapes::Shape;
 
 use carom_halfspace::{Field, Grid};
 use carom_laws::curvature::RelativeCurvature;
 use carom_special::RangeError;
+
+use crate::nested::coarser;
 
 /// Distance of the undeformed surfaces at the centres of the cells, zero at first touch (11.1).
 ///
@@ -58,6 +61,16 @@ impl Gap {
         let body = heights.values().iter().any(|height| height.is_finite());
         RangeError::check("gap", f64::INFINITY, body, "finite in at least one cell")?;
         Ok(Self { heights })
+    }
+
+    /// The same surfaces over cells twice as wide: the means of four places in each; infinite where
+    /// one of these has no body.
+    ///
+    /// # Errors
+    /// As [`Gap::new`], or if a width overflows.
+    pub fn coarser(&self) -> Result<Self, RangeError> {
+        let grid = self.grid().coarser()?;
+        Self::new(Field::new(grid, coarser(self.grid(), self.heights.values(), grid))?)
     }
 
     /// The grid.

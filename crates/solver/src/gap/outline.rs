@@ -3,7 +3,7 @@
 use carom_halfspace::Grid;
 use carom_special::RangeError;
 
-use super::Gap;
+use super::{Gap, Shape};
 
 /// The outline of a flat punch, about the middle of the grid. Cells whose centre lies outside cannot
 /// touch.
@@ -58,7 +58,22 @@ impl Outline {
         }
     }
 
-    fn check(&self) -> Result<(), RangeError> {
+    /// How far from the origin it reaches along both axes.
+    pub(super) fn reach(&self) -> [f64; 2] {
+        let farthest = |corners: &[[f64; 2]]| {
+            [0, 1].map(|axis| corners.iter().map(|corner| corner[axis].abs()).fold(0.0, f64::max))
+        };
+        match self {
+            Self::Disc { radius } => [*radius; 2],
+            Self::Ellipse { half_x, half_y } | Self::Rectangle { half_x, half_y } => {
+                [*half_x, *half_y]
+            }
+            Self::Triangle(corners) => farthest(corners),
+            Self::Polygon(corners) => farthest(corners),
+        }
+    }
+
+    pub(super) fn check(&self) -> Result<(), RangeError> {
         match self {
             Self::Disc { radius } => RangeError::positive("radius", *radius).map(|_| ()),
             Self::Ellipse { half_x, half_y } | Self::Rectangle { half_x, half_y } => {
@@ -78,8 +93,7 @@ impl Gap {
     /// [`RangeError`] for lengths that are not positive, corners that are not finite, fewer than
     /// three of them or of no area, and where no cell's centre lies inside.
     pub fn punch(grid: Grid, outline: &Outline) -> Result<Self, RangeError> {
-        outline.check()?;
-        Self::from_function(grid, |x, y| if outline.holds(x, y) { 0.0 } else { f64::INFINITY })
+        Self::of_shape(grid, &Shape::Punch(outline.clone()))
     }
 }
 

@@ -2,58 +2,180 @@
 
 use std::f64::consts::TAU;
 
-use carom_halfspace::{Field, Grid};
+use carom_halfspace::Grid;
 use carom_special::RangeError;
 
-use super::Gap;
+use super::{Gap, Outline};
+
+/// A shape about the origin, as its height over a plane.
+///
+/// ```
+/// use carom_solver::Shape;
+/// assert_eq!(Shape::Cone { slope: 0.5 }.height(3.0, 4.0), 2.5);
+/// assert_eq!(Shape::Sphere { radius: 1.0 }.height(2.0, 0.0), f64::INFINITY);
+/// ```
+#[derive(Debug, Clone, PartialEq)]
+pub enum Shape {
+    /// x^2/(2 R_x) + y^2/(2 R_y); infinite radii are allowed.
+    Paraboloid {
+        /// The relative radii along x and y.
+        radii: [f64; 2],
+    },
+    /// R - sqrt(R^2 - r^2); no body beyond the radius R.
+    Sphere {
+        /// R.
+        radius: f64,
+    },
+    /// Along y, R - sqrt(R^2 - x^2); no body beyond the radius R.
+    Cylinder {
+        /// R.
+        radius: f64,
+    },
+    /// Its sides rise by `slope` of the distance from its tip.
+    Cone {
+        /// Rise over distance.
+        slope: f64,
+    },
+    /// Along y; its sides rise by `slope` of the distance from its edge.
+    Wedge {
+        /// Rise over distance.
+        slope: f64,
+    },
+    /// `A_x (1 - cos(2 pi x/L_x)) + A_y (1 - cos(2 pi y/L_y))`, with a crest at the origin.
+    Wavy {
+        /// A_x and A_y, half of the heights from crest to trough.
+        amplitudes: [f64; 2],
+        /// L_x and L_y.
+        wavelengths: [f64; 2],
+    },
+    /// A flat punch: zero inside the outline, no body outside.
+    Punch(Outline),
+}
+
+impl Shape {
+    /// The height at (x, y), infinite where no body is.
+    #[must_use]
+    pub fn height(&self, x: f64, y: f64) -> f64 {
+        match self {
+            Self::Paraboloid { radii } => 0.5 * (x * x / radii[0] + y * y / radii[1]),
+            Self::Sphere { radius } => sagitta(*radius, x * x + y * y),
+            Self::Cylinder { radius } => sagitta(*radius, x * x),
+            Self::Cone { slope } => slope * (x * x + y * y).sqrt(),
+            Self::Wedge { slope } => slope * x.abs(),
+            Self::Wavy { amplitudes, wavelengths } => {
+                let wave = |axis: usize, at: f64| {
+                    let half = libm::sin(0.5 * TAU * at / wavelengths[axis]);
+                    2.0 * amplitudes[axis] * half * half
+                };
+                wave(0, x) + wave(1, y)
+            }
+            Self::Punch(outline) => {
+                if outline.holds(x, y) {
+                    0.0
+                } else {
+                    f64::INFINITY
+                }
+            }
+        }
+    }
+
+    /// Sides of a rectangle about the origin that holds a part of the body: where to look for the
+    /// contact. A cone and a wedge have no size of their own: 1.
+    #[must_use]
+    pub fn sides(&self) -> [f64; 2] {
+        match self {
+            Self::Paraboloid { radii: [x, y] } => {
+                let side = 2.0 * x.min(*y);
+                [if side.is_finite() { side } else { 1.0 }; 2]
+            }
+            Self::Sphere { radius } | Self::Cylinder { radius } => [2.0 * radius; 2],
+            Self::Cone { .. } | Self::Wedge { .. } => [1.0; 2],
+            Self::Wavy { wavelengths, .. } => *wavelengths,
+            Self::Punch(outline) => outline.reach().map(|reach| 2.0 * reach),
+        }
+    }
+
+    /// Ok if lengths and slopes are positive and finite (radii of a paraboloid may be infinite,
+    /// amplitudes zero), and an outline has an area.
+    ///
+    /// # Errors
+    /// [`RangeError`] that names the first one that is not.
+    pub fn check(&self) -> Result<(), RangeError> {
+        match self {
+            Self::Paraboloid { radii } => {
+                for radius in *radii {
+                    RangeError::check("radius", radius, radius > 0.0, "> 0")?;
+                }
+            }
+            Self::Sphere { radius } | Self::Cylinder { radius } => {
+                RangeError::positive("radius", *radius)?;
+            }
+            Self::Cone { slope } | Self::Wedge { slope } => {
+                RangeError::positive("slope", *slope)?;
+            }
+            Self::Wavy { amplitudes, wavelengths } => {
+                for axis in 0..2 {
+                    RangeError::non_negative("amplitude", amplitudes[axis])?;
+                    RangeError::positive("wavelength", wavelengths[axis])?;
+                }
+            }
+            Self::Punch(outline) => outline.check()?,
+        }
+        Ok(())
+    }
+}
 
 impl Gap {
-    /// A sphere on a plane, R - sqrt(R^2 - r^2); no body beyond the radius R.
+    /// A shape over a plane, its origin in the middle of the grid.
     ///
     /// ```
     /// use carom_halfspace::Grid;
-    /// use carom_solver::Gap;
-    /// let gap = Gap::sphere(Grid::new(3, 3, 0.6, 0.6)?, 1.0)?;
+    /// use carom_solver::{Gap, Shape};
+    /// let gap = Gap::of_shape(Grid::new(3, 3, 0.6, 0.6)?, &Shape::Sphere { radius: 1.0 })?;
     /// assert!((gap.heights().get(0, 1).unwrap() - 0.2).abs() < 1e-15);
     /// # Ok::<(), carom_special::RangeError>(())
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] unless the radius is finite and positive.
-    pub fn sphere(grid: Grid, radius: f64) -> Result<Self, RangeError> {
-        RangeError::positive("radius", radius)?;
-        Self::from_function(grid, |x, y| sagitta(radius, x * x + y * y))
+    /// As [`Shape::check`], and where no cell lies under the body.
+    pub fn of_shape(grid: Grid, shape: &Shape) -> Result<Self, RangeError> {
+        shape.check()?;
+        Self::from_function(grid, |x, y| shape.height(x, y))
     }
 
-    /// A cylinder along y on a plane, R - sqrt(R^2 - x^2); no body beyond the radius R.
+    /// [`Shape::Sphere`] about the middle of the grid.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the radius is finite and positive.
+    pub fn sphere(grid: Grid, radius: f64) -> Result<Self, RangeError> {
+        Self::of_shape(grid, &Shape::Sphere { radius })
+    }
+
+    /// [`Shape::Cylinder`] about the middle of the grid.
     ///
     /// # Errors
     /// [`RangeError`] unless the radius is finite and positive.
     pub fn cylinder(grid: Grid, radius: f64) -> Result<Self, RangeError> {
-        RangeError::positive("radius", radius)?;
-        Self::from_function(grid, |x, _| sagitta(radius, x * x))
+        Self::of_shape(grid, &Shape::Cylinder { radius })
     }
 
-    /// A cone whose sides rise by `slope` of the distance from its tip.
+    /// [`Shape::Cone`] about the middle of the grid.
     ///
     /// # Errors
     /// [`RangeError`] unless the slope is finite and positive.
     pub fn cone(grid: Grid, slope: f64) -> Result<Self, RangeError> {
-        RangeError::positive("slope", slope)?;
-        Self::from_function(grid, |x, y| slope * (x * x + y * y).sqrt())
+        Self::of_shape(grid, &Shape::Cone { slope })
     }
 
-    /// A wedge along y whose sides rise by `slope` of the distance from its edge.
+    /// [`Shape::Wedge`] about the middle of the grid.
     ///
     /// # Errors
     /// [`RangeError`] unless the slope is finite and positive.
     pub fn wedge(grid: Grid, slope: f64) -> Result<Self, RangeError> {
-        RangeError::positive("slope", slope)?;
-        Self::from_function(grid, |x, _| slope * x.abs())
+        Self::of_shape(grid, &Shape::Wedge { slope })
     }
 
-    /// Waves along x and y, `A_x (1 - cos(2 pi x/L_x)) + A_y (1 - cos(2 pi y/L_y))`, with a crest in
-    /// the middle of the grid.
+    /// [`Shape::Wavy`] about the middle of the grid.
     ///
     /// # Errors
     /// [`RangeError`] unless amplitudes are finite and not negative, wavelengths positive.
@@ -62,15 +184,7 @@ impl Gap {
         amplitudes: [f64; 2],
         wavelengths: [f64; 2],
     ) -> Result<Self, RangeError> {
-        for axis in 0..2 {
-            RangeError::non_negative("amplitude", amplitudes[axis])?;
-            RangeError::positive("wavelength", wavelengths[axis])?;
-        }
-        let wave = |axis: usize, at: f64| {
-            let half = libm::sin(0.5 * TAU * at / wavelengths[axis]);
-            2.0 * amplitudes[axis] * half * half
-        };
-        Self::new(Field::from_function(grid, |x, y| wave(0, x) + wave(1, y)))
+        Self::of_shape(grid, &Shape::Wavy { amplitudes, wavelengths })
     }
 }
 

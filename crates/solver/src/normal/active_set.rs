@@ -17,6 +17,8 @@ use crate::drive::Driven;
 
 /// The set changes when the violation of signs exceeds this part of the last step.
 const EAGERNESS: f64 = 0.3;
+/// A force that is off by more than this part is lost.
+const LOST: f64 = 1e-9;
 /// Part of a preconditioned step beside dropped pressures: it overshoots where the edge moves.
 const DAMPING: f64 = 0.4;
 /// A violation that falls by less than this between two changes of the set, twice, calls for care.
@@ -76,6 +78,8 @@ struct Course {
     slow_changes: u32,
     /// The set stands for one step.
     held: bool,
+    /// Whether the contact was lost once already.
+    rescued: bool,
 }
 
 impl Course {
@@ -147,7 +151,12 @@ impl ActiveSet {
             let (cells, touching) =
                 (task.pressure.len(), task.pressure.iter().filter(|p| **p > 0.0).count());
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let stop = if !normal.is_finite() || touching == 0 {
+            let lost = !normal.is_finite() || touching == 0 || is_force_lost(task);
+            if lost && !course.rescued {
+                self.rescue(task, &mut course)?;
+                continue;
+            }
+            let stop = if lost {
                 Some(Stop::Stalled)
             } else if normal <= limits.tolerance || self.is_settled(task, &course, limits.change) {
                 Some(Stop::Converged)
@@ -197,6 +206,25 @@ impl ActiveSet {
         self.precondition_ones(task.driven, course);
         self.deflate(task);
         Ok(())
+    }
+
+    /// Begins afresh from the lowest cell alone. Where heights are far above what the pressures
+    /// press in, tension far above the force is dropped, and rounding takes the force along.
+    fn rescue(
+        &mut self,
+        task: &mut NormalTask<'_>,
+        course: &mut Course,
+    ) -> Result<(), OperatorError> {
+        *course = Course { products: course.products, rescued: true, ..Course::default() };
+        task.pressure.fill(0.0);
+        let lowest = task.heights.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
+        if let Some((cell, _)) = lowest {
+            task.pressure[cell] = 1.0;
+        }
+        if matches!(task.driven, Driven::Load(_)) {
+            task.approach = 0.0;
+        }
+        self.begin(task, course)
     }
 
     fn asks_for_change(&self, task: &NormalTask<'_>, course: &Course) -> bool {
@@ -343,6 +371,9 @@ impl ActiveSet {
     }
 
     fn is_settled(&self, task: &NormalTask<'_>, course: &Course, change: f64) -> bool {
+        if change == 0.0 {
+            return false;
+        }
         let norm = change * task.pressure.iter().map(|p| p * p).sum::<f64>().sqrt();
         course.step < norm && self.violation(task) < norm
     }
@@ -393,6 +424,13 @@ impl ActiveSet {
         course.products.normal += 1.0;
         Ok(())
     }
+}
+
+/// Whether the pressures have not the given force but for rounding.
+fn is_force_lost(task: &NormalTask<'_>) -> bool {
+    let Driven::Load(force) = task.driven else { return false };
+    let sum = task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>();
+    (sum - force).abs() > LOST * force
 }
 
 /// What pulls within the tolerance goes; a given force is met to rounding.

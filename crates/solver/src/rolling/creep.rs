@@ -53,6 +53,14 @@ impl CreepCoefficients {
 /// closed forms of a circle without Poisson's ratio and reciprocity, C23 = C32; at a/b = 10 within
 /// 0.05 % (C33 2 %).
 ///
+/// ```
+/// use carom_solver::rolling::creep_coefficients;
+/// let circle = creep_coefficients(1.0, 0.0)?;
+/// assert!((circle.c11 / (32.0 / (3.0 * std::f64::consts::PI)) - 1.0).abs() < 1e-4);
+/// assert!((circle.c23 / (4.0 / 3.0) - 1.0).abs() < 1e-4);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`RollingError::Range`] for a ratio a/b outside 0.05 to 20 or a Poisson's ratio out of range.
 pub fn creep_coefficients(ratio: f64, poisson: f64) -> Result<CreepCoefficients, RollingError> {
@@ -113,7 +121,7 @@ pub fn creep_coefficients_on(
     let pull = adhere(&elements, &even, &[|_| [1.0, 0.0]])?;
     let turn = adhere(&elements, &odd, &[|_| [0.0, 1.0], |[x, y]| [y, -x]])?;
     let height = 2.0 * b / strips as f64;
-    let load = |tractions: &Mat<f64>, motion: usize, weigh: fn([f64; 2]) -> [f64; 2]| -> f64 {
+    let load = |tractions: &Mat<f64>, motion: usize, weigh: Velocity| -> f64 {
         let parts = elements.iter().enumerate().map(|(i, element)| {
             let [x, y] = weigh([element.x, element.y]);
             let t = [tractions[(2 * i, motion)], tractions[(2 * i + 1, motion)]];
@@ -187,11 +195,14 @@ fn matrices(elements: &[Element]) -> Result<[Mat<f64>; 2], RangeError> {
     Ok(matrices)
 }
 
+/// The rigid velocity of a unit motion at a place.
+type Velocity = fn([f64; 2]) -> [f64; 2];
+
 /// Tractions, two to an element, for unit motions of these rigid velocities.
 fn adhere(
     elements: &[Element],
     matrix: &Mat<f64>,
-    motions: &[fn([f64; 2]) -> [f64; 2]],
+    motions: &[Velocity],
 ) -> Result<Mat<f64>, DirectError> {
     let unknowns = matrix.nrows();
     let right = Mat::from_fn(unknowns, motions.len(), |row, motion| {

@@ -6,6 +6,26 @@ use super::{CreepCoefficients, Creepage};
 
 /// Kalker's simplified theory: each particle on springs of its own, three flexibilities from the
 /// creep coefficients, and a parabolic limit of friction. Two equal bodies.
+///
+/// Beside the solver on a circle at nu = 0.25 the forces are off by up to 0.05 f F_z without spin; spin
+/// pushes across with up to 0.1 f F_z too much.
+///
+/// ```
+/// use carom_solver::rolling::{Creepage, Fastsim, creep_coefficients_on};
+/// let coefficients = creep_coefficients_on([8, 8], 1.0, 0.25)?;
+/// let springs = Fastsim {
+///     semi_axes: [1.0, 1.0],
+///     shear_modulus: 1.0,
+///     coefficients,
+///     force: 1.0,
+///     friction: 0.3,
+///     mesh: [50, 50],
+/// };
+/// // A little creepage: F_x = G a b C11 xi.
+/// let forces = springs.forces(Creepage { along: 1e-4, ..Creepage::default() })?;
+/// assert!((forces.f_x / (1e-4 * coefficients.c11) - 1.0).abs() < 2e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Fastsim {
     /// Semi-axes along and across the direction of rolling.
@@ -60,9 +80,11 @@ impl Fastsim {
             let width = 2.0 * half / elements as f64;
             let mut t = [0.0; 2];
             for element in 0..elements {
-                // From the leading edge backwards, in the middles of the elements.
+                // From the leading edge backwards, from middle to middle of the elements.
                 let x = half - (element as f64 + 0.5) * width;
-                t = [t[0] + width * (along + y * spin), t[1] + width * (across - x * spin)];
+                let way = if element == 0 { 0.5 * width } else { width };
+                let between = x + 0.5 * way;
+                t = [t[0] + way * (along + y * spin), t[1] + way * (across - between * spin)];
                 let limit = top * (1.0 - (x / a) * (x / a) - (y / b) * (y / b));
                 let size = t[0].hypot(t[1]);
                 if size > limit {

@@ -38,6 +38,26 @@ pub struct SteadyRolling {
 /// A normal force needs the approach that leads to it: that without friction, and secants from there
 /// where the materials couple.
 ///
+/// ```
+/// use carom_halfspace::{Grid, Material, MaterialPair};
+/// use carom_laws::friction::Friction;
+/// use carom_solver::rolling::{Creepage, roll_steadily};
+/// use carom_solver::{ContactProblem, Driven, Gap};
+/// let grid = Grid::new(14, 12, 0.2, 0.2)?;
+/// let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y))?;
+/// let body = Material::from_shear(1.0, 0.3)?;
+/// let pair = MaterialPair::new(body, body)?;
+/// let problem = ContactProblem::of_half_spaces(gap, pair, Friction::new(0.3)?)?;
+/// let at = |along| {
+///     let creepage = Creepage { along, ..Creepage::default() };
+///     roll_steadily(&problem, Driven::Load(2.0), grid.dx(), creepage)
+/// };
+/// let (some, all) = (at(0.05)?, at(1.0)?);
+/// assert!(!some.slides && all.slides);
+/// assert!((all.state.load().f_x / (0.3 * 2.0) - 1.0).abs() < 1e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
 /// # Errors
 /// [`RollingError`] for a distance or force that is not positive, a contact too close to the leading
 /// border, and where the active sets do not settle or no approach gives the force.

@@ -150,26 +150,27 @@ impl ActiveSet {
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
         let mut course = Course::default();
-        let scale = force_scale(task);
+        let (scale, cells) = (force_scale(task), task.limits.len());
+        let touching = task.limits.iter().filter(|limit| **limit > 0.0).count();
         self.begin(task, &mut course)?;
         let mut iteration = 0;
         loop {
             iteration += 1;
-            if course.slow_changes >= 4 || self.is_lost(task) {
+            let violation = self.violation(task);
+            if course.slow_changes >= 4 || is_lost(task, violation) {
                 Descent::new(task.operator).run(self, task, &mut course.products)?;
                 course = Course { products: course.products, slow_changes: 2, ..Course::default() };
-                self.change_sets(task, &mut course)?;
-            } else if iteration == 1 || self.asks_for_change(task, &course) {
-                self.change_sets(task, &mut course)?;
+                let violation = self.violation(task);
+                self.change_sets(task, violation, &mut course)?;
+            } else if iteration == 1 || asks_for_change(violation, &course) {
+                self.change_sets(task, violation, &mut course)?;
             } else {
                 course.held = course.held.saturating_sub(1);
                 self.precondition(task, &mut course);
                 self.gradient_step(task, &mut course)?;
             }
-            let tangential = self.residual(task).max(self.unbalance(task)) / scale;
+            let tangential = self.residual(task).max(self.unbalance(task, touching)) / scale;
             let residuals = Residuals { normal: 0.0, tangential };
-            let cells = task.limits.len();
-            let touching = task.limits.iter().filter(|limit| **limit > 0.0).count();
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
             let stop = if tangential.is_nan() {
                 Some(Stop::Stalled)
@@ -221,26 +222,13 @@ impl ActiveSet {
         }
     }
 
-    fn asks_for_change(&self, task: &TangentialTask<'_>, course: &Course) -> bool {
-        let violation = self.violation(task);
-        let eagerness = if course.careful(violation) { PATIENCE } else { EAGERNESS };
-        course.held == 0 && violation > eagerness * course.step
-    }
-
-    /// Whether tractions have left their discs for good.
-    fn is_lost(&self, task: &TangentialTask<'_>) -> bool {
-        let size: f64 = task.limits.iter().filter(|r| r.is_finite()).map(|r| r * r).sum();
-        let violation = self.violation(task);
-        size > 0.0 && violation > 10.0 * size.sqrt()
-    }
-
     /// Projects tractions to their discs and decides what sticks and what slips.
     fn change_sets(
         &mut self,
         task: &mut TangentialTask<'_>,
+        violation: f64,
         course: &mut Course,
     ) -> Result<(), OperatorError> {
-        let violation = self.violation(task);
         let damping = if course.careful(violation) { 0.0 } else { DAMPING };
         course.changes(violation);
         let projected = self.project(task);
@@ -445,11 +433,17 @@ impl ActiveSet {
     /// sqrt(sigma) along the rim where they slip, where the rest of the diagonal is added.
     fn invert(&mut self, cells: &[CellState], course: &mut Course) {
         let soft = SOFTNESS / self.own;
-        for i in 0..cells.len() {
-            let weight = (1.0 + self.bend[i] * soft).sqrt();
-            for axis in 0..2 {
-                self.image[axis][i] = self.rest[axis][i] / weight;
-            }
+        for (i, state) in cells.iter().enumerate() {
+            let rest = [self.rest[0][i], self.rest[1][i]];
+            let [x, y] = match state {
+                CellState::Exterior => [0.0; 2],
+                CellState::Stick => rest,
+                CellState::Slip => {
+                    let weight = (1.0 + self.bend[i] * soft).sqrt();
+                    rest.map(|rest| rest / weight)
+                }
+            };
+            (self.image[0][i], self.image[1][i]) = (x, y);
         }
         if let Some(inverse) = &self.inverse {
             let [x, y] = &mut self.preconditioned;
@@ -462,6 +456,10 @@ impl ActiveSet {
             }
         }
         for (i, state) in cells.iter().enumerate() {
+            if *state == CellState::Exterior {
+                (self.preconditioned[0][i], self.preconditioned[1][i]) = (0.0, 0.0);
+                continue;
+            }
             let sigma = 1.0 / (1.0 + self.bend[i] * soft);
             let step = [self.preconditioned[0][i], self.preconditioned[1][i]];
             let step = self.admitted(*state, i, step).map(|step| sigma.sqrt() * step);
@@ -500,6 +498,9 @@ impl ActiveSet {
     fn violation(&self, task: &TangentialTask<'_>) -> f64 {
         let mut square = 0.0;
         for (i, limit) in task.limits.iter().enumerate() {
+            if task.cells[i] == CellState::Exterior {
+                continue;
+            }
             let [x, y] = [task.traction[0][i], task.traction[1][i]];
             let norm = (x * x + y * y).sqrt();
             let beyond = match task.cells[i] {
@@ -520,6 +521,9 @@ impl ActiveSet {
     fn residual(&self, task: &TangentialTask<'_>) -> f64 {
         let mut greatest = 0.0_f64;
         for (i, &limit) in task.limits.iter().enumerate() {
+            if task.cells[i] == CellState::Exterior {
+                continue;
+            }
             let at = [0, 1].map(|axis| task.traction[axis][i]);
             let pulled = [0, 1].map(|axis| at[axis] - self.slip[axis][i] / self.own);
             let [x, y] = within(pulled, limit);
@@ -533,15 +537,20 @@ impl ActiveSet {
     }
 
     /// How far the loads are from the given ones, as a mean traction.
-    fn unbalance(&self, task: &TangentialTask<'_>) -> f64 {
-        let excess = self.excess(task);
-        let touching = task.limits.iter().filter(|limit| **limit > 0.0).count() as f64;
+    fn unbalance(&self, task: &TangentialTask<'_>, touching: usize) -> f64 {
+        if !task.rigid.is_loaded() {
+            return 0.0;
+        }
+        let (excess, touching) = (self.excess(task), touching as f64);
         let grid = task.operator.grid();
         let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
         (excess[0].abs().max(excess[1].abs()).max(excess[2].abs() / arm)) / touching
     }
 
     fn is_settled(&self, task: &TangentialTask<'_>, course: &Course, change: f64) -> bool {
+        if change == 0.0 {
+            return false;
+        }
         let square: f64 =
             task.traction.iter().flat_map(|values| values.iter()).map(|t| t * t).sum();
         let norm = change * square.sqrt();
@@ -584,6 +593,17 @@ impl ActiveSet {
         products.tangential += 1.0;
         Ok(())
     }
+}
+
+fn asks_for_change(violation: f64, course: &Course) -> bool {
+    let eagerness = if course.careful(violation) { PATIENCE } else { EAGERNESS };
+    course.held == 0 && violation > eagerness * course.step
+}
+
+/// Whether tractions have left their discs for good.
+fn is_lost(task: &TangentialTask<'_>, violation: f64) -> bool {
+    let size: f64 = task.limits.iter().filter(|r| r.is_finite()).map(|r| r * r).sum();
+    size > 0.0 && violation > 10.0 * size.sqrt()
 }
 
 /// The nearest point of a disc.

@@ -30,6 +30,9 @@ impl Rigid {
 
     /// How far tractions are from the given loads; zero where there is none.
     pub(super) fn excess(&self, centres: &Plane, traction: [&[f64]; 2]) -> Vector3<f64> {
+        if !self.is_loaded() {
+            return Vector3::zeros();
+        }
         let sums = sums(centres, traction);
         Vector3::from_fn(|k, _| self.loads[k].map_or(0.0, |load| sums[k] - load))
     }

@@ -6,7 +6,7 @@ use crate::case::range::Range;
 use crate::case::section::Section;
 use crate::case::unit::{Dimension, Measure};
 use carom_halfspace::Grid;
-use carom_solver::{Gap, Outline};
+use carom_solver::{Gap, Outline, SelfAffine, Shape};
 use std::path::PathBuf;
 
 const PARABOLOID: &str = "paraboloid";
@@ -19,6 +19,7 @@ const ELLIPSE: &str = "ellipse";
 const RECTANGLE: &str = "rectangle";
 const POLYGON: &str = "polygon";
 const HEIGHTS: &str = "heights";
+const ROUGH: &str = "rough";
 
 const LENGTH: Measure = Range::Positive.of(Dimension::Length);
 const PLACE: Measure = Range::Finite.of(Dimension::Length);
@@ -35,6 +36,7 @@ const SHAPE: Field = Field::new(
         (RECTANGLE, "a flat punch"),
         (POLYGON, "a flat punch"),
         (HEIGHTS, "from a file"),
+        (ROUGH, "self-affine, by chance"),
     ]),
     "what lies between the bodies before they touch",
 )
@@ -75,8 +77,9 @@ const CORNERS: Field = Field::new(
 .such_as("[[-1e-4, -1e-4], [1e-4, -1e-4], [0, 1e-4]]");
 const FILE: Field = Field::new(
     "file",
-    Form::Text("the name of a CSV file with a row of heights a line"),
-    "heights towards the other body; a line for each row of cells, the first at the smallest y",
+    Form::Text("the name of a file .csv, .npy or .png"),
+    "heights towards the other body: a row for each row of cells, the first at the smallest y (of \
+     a PNG in greys, with 8 or 16 bits, at the greatest)",
 )
 .of(&[HEIGHTS])
 .such_as("\"heights.csv\"");
@@ -88,8 +91,21 @@ const BASE: Field = Field::number(
     Range::PositiveOrInfinite.of(Dimension::Length),
     "of the paraboloid that the heights stand on",
 )
-.of(&[HEIGHTS])
+.of(&[HEIGHTS, ROUGH])
 .default(Default::Number(f64::INFINITY));
+const HURST: Field =
+    Field::number("hurst", Range::Part.pure(), "Hurst's exponent").of(&[ROUGH]).such_as("0.8");
+const RMS: Field =
+    Field::number("rms", LENGTH, "root mean square of the heights").of(&[ROUGH]).such_as("1e-7");
+const LONGEST: Field = Field::number("longest", LENGTH, "wavelength, at most a side of the grid")
+    .of(&[ROUGH])
+    .such_as("1e-4");
+const SHORTEST: Field = Field::number("shortest", LENGTH, "wavelength, at least two cells")
+    .of(&[ROUGH])
+    .such_as("2e-5");
+const SEED: Field = Field::number("seed", Range::Seed.pure(), "another one, another surface")
+    .of(&[ROUGH])
+    .default(Default::Number(1.0));
 /// The field of a case.
 pub(super) const GAP: Field = Field::new(
     "gap",
@@ -106,6 +122,11 @@ pub(super) const GAP: Field = Field::new(
         FILE,
         SCALE,
         BASE,
+        HURST,
+        RMS,
+        LONGEST,
+        SHORTEST,
+        SEED,
     ]),
     "the gap between the bodies before they touch",
 );
@@ -114,20 +135,26 @@ const fn pair(name: &'static str, words: &'static str, meaning: &'static str) ->
     Field::new(name, Form::Vector(&["x", "y"], LENGTH, words), meaning)
 }
 
-/// A gap, or the file that holds it.
+/// What the gap is made of.
 #[derive(Debug, Clone, PartialEq)]
 pub enum GapCase {
-    /// By a formula.
-    Formula(Gap),
-    /// From a file.
+    /// A formula.
+    Formula(Shape),
+    /// A file.
     Heights(HeightFile),
+    /// Chance.
+    Rough {
+        /// The surface.
+        surface: SelfAffine,
+        /// The radius of a paraboloid that it stands on; infinite for a plane.
+        radius: f64,
+    },
 }
 
 /// Heights of a surface towards the other one, as a table of numbers.
 #[derive(Debug, Clone, PartialEq)]
 pub struct HeightFile {
-    /// CSV without heads: a line for each row of cells, the first one at the smallest y; relative
-    /// to the case file.
+    /// Rows of numbers as CSV without heads or NPY, or the greys of a PNG; relative to the case file.
     pub file: PathBuf,
     /// Metres for each unit of the file.
     pub scale: f64,
@@ -136,32 +163,29 @@ pub struct HeightFile {
 }
 
 impl GapCase {
-    pub(super) fn read(case: &Section<'_>, grid: Grid) -> Result<Self, CaseError> {
+    /// The gap, on this grid if it has one.
+    pub(super) fn read(case: &Section<'_>, grid: Option<Grid>) -> Result<Self, CaseError> {
         let (gap, shape) = &case.shaped(&GAP, &SHAPE)?;
-        let made = match *shape {
-            PARABOLOID => {
-                let [x, y] = gap.vector(&RADII)?;
-                Gap::from_function(grid, move |at_x, at_y| {
-                    0.5 * (at_x * at_x / x + at_y * at_y / y)
-                })
-            }
-            SPHERE => Gap::sphere(grid, gap.number(&RADIUS)?),
-            CYLINDER => Gap::cylinder(grid, gap.number(&RADIUS)?),
-            CONE => Gap::cone(grid, gap.number(&SLOPE)?),
-            WEDGE => Gap::wedge(grid, gap.number(&SLOPE)?),
-            WAVY => {
-                let half = 0.5 * gap.number(&AMPLITUDE)?;
-                Gap::wavy(grid, [half, half], gap.vector(&WAVELENGTHS)?)
-            }
+        let shape = match *shape {
+            PARABOLOID => Shape::Paraboloid { radii: gap.vector(&RADII)? },
+            SPHERE => Shape::Sphere { radius: gap.number(&RADIUS)? },
+            CYLINDER => Shape::Cylinder { radius: gap.number(&RADIUS)? },
+            CONE => Shape::Cone { slope: gap.number(&SLOPE)? },
+            WEDGE => Shape::Wedge { slope: gap.number(&SLOPE)? },
+            WAVY => Shape::Wavy {
+                amplitudes: [0.5 * gap.number(&AMPLITUDE)?; 2],
+                wavelengths: gap.vector(&WAVELENGTHS)?,
+            },
             ELLIPSE => {
                 let [half_x, half_y] = gap.vector(&SEMI_AXES)?;
-                Gap::punch(grid, &Outline::Ellipse { half_x, half_y })
+                Shape::Punch(Outline::Ellipse { half_x, half_y })
             }
             RECTANGLE => {
-                let [half_x, half_y] = gap.vector(&SIDES)?.map(|side| 0.5 * side);
-                Gap::punch(grid, &Outline::Rectangle { half_x, half_y })
+                let [half_x, half_y] = gap.vector(&SIDES)?.map(|side: f64| 0.5 * side);
+                Shape::Punch(Outline::Rectangle { half_x, half_y })
             }
-            POLYGON => Gap::punch(grid, &Outline::Polygon(gap.rows(&CORNERS)?)),
+            POLYGON => Shape::Punch(Outline::Polygon(gap.rows(&CORNERS)?)),
+            ROUGH => return rough(gap, grid),
             _ => {
                 return Ok(Self::Heights(HeightFile {
                     file: gap.text(&FILE)?.into(),
@@ -171,6 +195,30 @@ impl GapCase {
             }
         };
         let allowed = "such that a cell of the grid lies under the body";
-        made.map(Self::Formula).map_err(|error| gap.out_of_range(&SHAPE, error.value, allowed))
+        let checked =
+            grid.map_or_else(|| shape.check(), |grid| Gap::of_shape(grid, &shape).map(|_| ()));
+        checked.map_err(|error| gap.out_of_range(&SHAPE, error.value, allowed))?;
+        Ok(Self::Formula(shape))
     }
+}
+
+fn rough(gap: &Section<'_>, grid: Option<Grid>) -> Result<GapCase, CaseError> {
+    let surface = SelfAffine {
+        hurst: gap.number(&HURST)?,
+        rms: gap.number(&RMS)?,
+        longest: gap.number(&LONGEST)?,
+        shortest: gap.number(&SHORTEST)?,
+        seed: gap.number(&SEED)? as u64,
+    };
+    if let Some(grid) = grid {
+        surface.heights(grid).map_err(|error| match error.field {
+            "waves between the wavelengths" => gap.out_of_range(
+                &LONGEST,
+                surface.longest,
+                "such that a wave of the grid is between",
+            ),
+            _ => gap.refused(error),
+        })?;
+    }
+    Ok(GapCase::Rough { surface, radius: gap.number(&BASE)? })
 }

@@ -27,6 +27,7 @@ const CELLS: Field = Field::new(
     Form::Vector(&["x", "y"], Range::Cells.pure(), "two whole numbers [along x, along y]"),
     "cells of the grid",
 )
+.or("`accuracy`")
 .such_as("[40, 40]");
 const SIZE: Field = Field::new(
     "size",
@@ -37,6 +38,7 @@ const SIZE: Field = Field::new(
     ),
     "of the whole grid; the contact must not reach its border",
 )
+.or("`accuracy`")
 .such_as("[2.6e-4, 2.6e-4]");
 const CUT: Field = Field::new(
     "cut",
@@ -44,10 +46,33 @@ const CUT: Field = Field::new(
     "whether the bodies end at the border, so that the contact may reach it",
 )
 .default(Default::False);
-const GRID: Field = Field::new("grid", Form::Table(&[CELLS, SIZE, CUT]), "the cells");
+const PERIODIC: Field = Field::new(
+    "periodic",
+    Form::Switch,
+    "whether all repeats itself beyond the border; the approach counts from the mean plane",
+)
+.default(Default::False);
+const ACCURACY: Field = Field::number(
+    "accuracy",
+    Range::Accuracy.pure(),
+    "window and cells are chosen so that estimated errors of loads and shifts are at most this part \
+     of the greatest ones, instead of `cells` and `size`",
+)
+.may("a grid is given")
+.such_as("1e-3");
+const GRID: Field =
+    Field::new("grid", Form::Table(&[CELLS, SIZE, CUT, PERIODIC, ACCURACY]), "the cells")
+        .begun(&[(&CELLS, ""), (&SIZE, "")]);
 const FRICTION: Field =
     Field::number("friction", Range::NonNegative.pure(), "coefficient of friction f")
         .such_as("0.3");
+const STATIC: Field = Field::number(
+    "static_friction",
+    Range::NonNegative.pure(),
+    "up to which cells stick; they slip at `friction`",
+)
+.may("that of motion")
+.such_as("0.4");
 const TOLERANCE: Field = Field::number(
     "tolerance",
     Range::SolveTolerance.pure(),
@@ -57,7 +82,7 @@ const TOLERANCE: Field = Field::number(
 .such_as("1e-9");
 const CONTACT: Field = Field::new(
     "contact",
-    Form::Table(&[FRICTION, TOLERANCE, METHOD]),
+    Form::Table(&[FRICTION, STATIC, TOLERANCE, METHOD]),
     "friction, tolerance and method",
 );
 
@@ -72,17 +97,42 @@ pub struct SolveCase {
     /// What lies between them before.
     pub gap: GapCase,
     /// The cells.
-    pub grid: Grid,
-    /// Whether the bodies end at the border of the grid, so that the contact may reach it.
-    pub is_cut: bool,
+    pub grid: GridCase,
     /// Coefficient of friction.
     pub friction: f64,
+    /// That at rest, at least as large.
+    pub static_friction: f64,
     /// To which each step is solved; none for the method's own.
     pub tolerance: Option<f64>,
     /// By which method.
     pub method: SolveMethod,
     /// The history.
     pub legs: Vec<Leg>,
+}
+
+/// A grid, or what it is to be chosen for.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum GridCase {
+    /// Cells about the origin.
+    Cells {
+        /// The cells.
+        grid: Grid,
+        /// What is beyond them.
+        border: Border,
+    },
+    /// Chosen for this accuracy.
+    Accuracy(f64),
+}
+
+/// What is beyond the border of a grid.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Border {
+    /// More of the bodies, which the contact must not reach.
+    Free,
+    /// Nothing: the bodies end.
+    Cut,
+    /// The same again.
+    Periodic,
 }
 
 impl SolveCase {
@@ -92,27 +142,62 @@ impl SolveCase {
     /// If the text is not TOML, or a field is missing, unknown, out of range or in conflict
     /// with another.
     pub fn parse(source: &str) -> Result<Self, CaseError> {
+        Self::parse_to(source, None)
+    }
+
+    /// The same to an accuracy, if one is given, whatever the file says of its grid.
+    ///
+    /// # Errors
+    /// As [`SolveCase::parse`].
+    pub fn parse_to(source: &str, accuracy: Option<f64>) -> Result<Self, CaseError> {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let body = |field| material::read(&case.section(field)?);
         let materials = MaterialPair::new(body(&BODY_1)?, body(&BODY_2)?)
             .map_err(|error| case.out_of_range([&BODY_2, &MATERIAL], error.value, error.allowed))?;
-        let (grid, is_cut) = read_grid(&case)?;
-        let gap = GapCase::read(&case, grid)?;
+        let grid = match accuracy {
+            Some(accuracy) => GridCase::Accuracy(accuracy),
+            None => read_grid(&case)?,
+        };
+        let fixed = match grid {
+            GridCase::Cells { grid, .. } => Some(grid),
+            GridCase::Accuracy(_) => None,
+        };
+        let gap = GapCase::read(&case, fixed)?;
         let contact = case.section(&CONTACT)?;
         let (friction, tolerance) = (contact.number(&FRICTION)?, contact.maybe(&TOLERANCE)?);
+        let static_friction = contact.maybe(&STATIC)?.unwrap_or(friction);
+        if static_friction < friction {
+            return Err(contact.out_of_range(&STATIC, static_friction, "at least `friction`"));
+        }
         let method = method::read(&contact)?;
         let legs = legs::read(&case)?;
-        Ok(Self { materials, gap, grid, is_cut, friction, tolerance, method, legs })
+        Ok(Self { materials, gap, grid, friction, static_friction, tolerance, method, legs })
     }
 }
 
-fn read_grid(case: &Section<'_>) -> Result<(Grid, bool), CaseError> {
+fn read_grid(case: &Section<'_>) -> Result<GridCase, CaseError> {
     let grid = case.section(&GRID)?;
+    if let Some(accuracy) = grid.maybe(&ACCURACY)? {
+        let others: [&Field; 4] = [&CELLS, &SIZE, &CUT, &PERIODIC];
+        return match others.into_iter().find(|field| grid.has(*field)) {
+            Some(other) => Err(grid.conflict(&ACCURACY, other, "an accuracy chooses the grid")),
+            None => Ok(GridCase::Accuracy(accuracy)),
+        };
+    }
     let counts: [f64; 2] = grid.vector(&CELLS)?;
     let sizes: [f64; 2] = grid.vector(&SIZE)?;
     let [nx, ny] = counts.map(|count| count as usize);
     let made = Grid::new(nx, ny, sizes[0] / counts[0], sizes[1] / counts[1])
         .map_err(|error| grid.out_of_range(&SIZE, error.value, error.allowed))?;
-    Ok((made, grid.switch(&CUT)?))
+    let border = match (grid.switch(&CUT)?, grid.switch(&PERIODIC)?) {
+        (true, true) => {
+            let reason = "bodies that end do not repeat themselves";
+            return Err(grid.conflict(&PERIODIC, &CUT, reason));
+        }
+        (true, false) => Border::Cut,
+        (false, true) => Border::Periodic,
+        (false, false) => Border::Free,
+    };
+    Ok(GridCase::Cells { grid: made, border })
 }

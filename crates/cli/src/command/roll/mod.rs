@@ -61,7 +61,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         .transpose()?;
     let rolling = Rolling::new(&file.path, &case)?;
     let (rows, state) = match case.distance {
-        Some(distance) => rolling.from_rest(distance)?,
+        Some(distance) => rolling.step_by_step(distance)?,
         None => rolling.steadily(creep.as_ref().filter(|_| arguments.fastsim))?,
     };
     let format = arguments.given.format;

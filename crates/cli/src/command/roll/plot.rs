@@ -1,7 +1,7 @@
 //! The picture of a rolling contact.
 
 use super::view::Row;
-use crate::command::plot::add_curve;
+use crate::command::plot::{Value, add_curve};
 use crate::command::solve::plot::{pressures, stick_and_slip};
 use crate::error::CliError;
 use crate::output::Picture;
@@ -9,16 +9,15 @@ use carom_plot::{Axis, Panel, Series};
 use carom_solver::ContactState;
 
 /// What changes from row to row: its name, and its value.
-fn abscissa(rows: &[Row]) -> (&'static str, fn(&Row) -> f64) {
-    let all: [(&str, fn(&Row) -> f64); 4] = [
+fn abscissa(rows: &[Row]) -> (&'static str, Value<Row>) {
+    let all: [(&str, Value<Row>); 4] = [
         ("distance / m", |row| row.distance.unwrap_or(0.0)),
         ("creepage", |row| row.creepage.along),
         ("creepage across", |row| row.creepage.across),
         ("spin / (rad/m)", |row| row.creepage.spin),
     ];
-    let changes = |(_, of): &&(&str, fn(&Row) -> f64)| {
-        rows.windows(2).any(|pair| of(&pair[0]) != of(&pair[1]))
-    };
+    let changes =
+        |(_, of): &&(&str, Value<Row>)| rows.windows(2).any(|pair| of(&pair[0]) != of(&pair[1]));
     *all.iter().find(changes).unwrap_or(&all[1])
 }
 
@@ -35,7 +34,7 @@ pub(super) fn draw(rows: &[Row], state: &ContactState) -> Result<Picture, CliErr
             Panel::new(Axis::linear(label), Axis::linear(axis)).titled(title)
         };
         let mut forces = panel("forces on body 1", "force/(f F_z)");
-        let axes: [(&str, fn(&Row) -> f64); 2] =
+        let axes: [(&str, Value<Row>); 2] =
             [("F_x", |row| row.load.f_x), ("F_y", |row| row.load.f_y)];
         for (i, (name, force)) in axes.into_iter().enumerate() {
             let line = points(&|row| force(row) / row.limit);
@@ -58,7 +57,7 @@ pub(super) fn draw(rows: &[Row], state: &ContactState) -> Result<Picture, CliErr
         }
         panels.push(areas);
     }
-    panels.push(pressures(state)?);
-    panels.push(stick_and_slip(state));
+    panels.push(pressures(state, [0.0; 2])?);
+    panels.push(stick_and_slip(state, [0.0; 2]));
     Ok(Picture::new("Rolling contact, to the right", panels))
 }

@@ -8,8 +8,9 @@ use carom_laws::friction::Friction;
 use carom_solver::rolling::{
     CreepCoefficients, Creepage, Fastsim, Roll, RollingError, creep_coefficients, roll_steadily,
 };
-use carom_solver::{ContactProblem, ContactState, Drive, Driven, Frictional, Gap, Method as _};
-use carom_special::RangeError;
+use carom_solver::{
+    ContactProblem, ContactState, Convergence, Drive, Driven, Frictional, Gap, Method as _,
+};
 use std::path::Path;
 
 /// Cells beyond the contact, on each side along and across: particles enter from the next one.
@@ -46,12 +47,7 @@ impl<'a> Rolling<'a> {
         CliError::Rolling { path: self.path.to_owned(), row, source: Box::new(source.into()) }
     }
 
-    fn row(
-        &self,
-        state: &ContactState,
-        went: carom_solver::Convergence,
-        creepage: Creepage,
-    ) -> Row {
+    fn row(&self, state: &ContactState, went: Convergence, creepage: Creepage) -> Row {
         Row::of(state, went, [self.case.speed, self.case.friction], creepage)
     }
 
@@ -97,7 +93,7 @@ impl<'a> Rolling<'a> {
     }
 
     /// A row for each cell rolled, the first one at rest, and the state at the end.
-    pub(super) fn from_rest(&self, distance: f64) -> Result<(Vec<Row>, ContactState), CliError> {
+    pub(super) fn step_by_step(&self, distance: f64) -> Result<(Vec<Row>, ContactState), CliError> {
         let method = Frictional::default();
         let mut scratch = method.scratch(&self.problem).map_err(|source| self.failed(1, source))?;
         let apart = ContactState::apart(self.problem.grid());
@@ -133,6 +129,5 @@ pub(super) fn creep(path: &Path, case: &RollCase) -> Result<Creep, CliError> {
         RollingError::Range(source) => CliError::Law { path: path.to_owned(), source },
         source => CliError::Rolling { path: path.to_owned(), row: 1, source: Box::new(source) },
     })?;
-    RangeError::finite("a/b", ratio).map_err(CliError::Option)?;
     Ok(Creep { coefficients, ratio, shear_modulus: 2.0 * materials.shear_modulus(), poisson })
 }

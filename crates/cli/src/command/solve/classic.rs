@@ -1,19 +1,23 @@
-//! The methods of 1992 and before at work on a case.
+//! The method of a case: that of today, or those of 1992 and before.
 
-use crate::case::{SolveCase, SolveMethod};
+use crate::case::SolveMethod;
 use carom_solver::jaeger::{DiscGaussSeidel, GaussSeidel};
 use carom_solver::kalker::{Johnson, Kombi, Panagiotopoulos};
-use carom_solver::{ContactProblem, ContactState, Convergence, DirectError, Drive, Method};
+use carom_solver::{
+    ContactProblem, ContactState, Convergence, DirectError, Drive, Frictional, FrictionalError,
+    FrictionalScratch, Method, Observer,
+};
 
 /// A method with its working memory.
 #[derive(Clone)]
-pub(super) struct At<M: Method> {
+struct At<M: Method> {
     method: M,
     scratch: M::Scratch,
 }
 
 /// One of the older methods.
-pub(super) enum Classic {
+#[derive(Clone)]
+enum Classic {
     /// The program of chapter 12.
     GaussSeidel(At<GaussSeidel>),
     /// Gauss and Seidel's with exact friction in each cell.
@@ -44,24 +48,22 @@ impl<M: Method> At<M> {
 }
 
 impl Classic {
-    /// The method of a case; none if it is that of today.
-    ///
-    /// # Errors
-    /// [`DirectError`] if the method does not apply to the problem.
-    pub(super) fn of(
-        case: &SolveCase,
+    /// The method with its memory; none if it is that of today.
+    fn of(
+        method: SolveMethod,
+        tolerance: Option<f64>,
         problem: &ContactProblem,
     ) -> Result<Option<Self>, DirectError> {
         macro_rules! made {
             ($variant:ident, $method:expr) => {{
-                let method = match case.tolerance {
+                let method = match tolerance {
                     Some(tolerance) => $method.within(tolerance)?,
                     None => $method,
                 };
                 Self::$variant(At::new(method, problem)?)
             }};
         }
-        Ok(Some(match case.method {
+        Ok(Some(match method {
             SolveMethod::Newton => return Ok(None),
             SolveMethod::GaussSeidel => made!(GaussSeidel, GaussSeidel::default()),
             SolveMethod::Discs => made!(Discs, DiscGaussSeidel::default()),
@@ -71,11 +73,7 @@ impl Classic {
         }))
     }
 
-    /// One step.
-    ///
-    /// # Errors
-    /// Those of the method.
-    pub(super) fn step(
+    fn step(
         &self,
         problem: &ContactProblem,
         from: &ContactState,
@@ -89,5 +87,60 @@ impl Classic {
             Self::Panagiotopoulos(at) => at.step(problem, from, drive, to),
             Self::Kombi(at) => at.step(problem, from, drive, to),
         }
+    }
+}
+
+/// The method that a case asks for.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Chosen {
+    /// That of today.
+    pub(super) today: Frictional,
+    pub(super) method: SolveMethod,
+    pub(super) tolerance: Option<f64>,
+}
+
+/// Why it failed.
+#[derive(Debug, thiserror::Error)]
+pub(super) enum ChosenError {
+    #[error(transparent)]
+    Today(#[from] FrictionalError),
+    #[error(transparent)]
+    Classic(#[from] DirectError),
+}
+
+/// Its memory.
+#[derive(Clone)]
+pub(super) struct Working(Kind);
+
+#[derive(Clone)]
+enum Kind {
+    Today(Box<FrictionalScratch>),
+    Classic(Box<Classic>),
+}
+
+impl Method for Chosen {
+    type Error = ChosenError;
+    type Scratch = Working;
+
+    fn scratch(&self, problem: &ContactProblem) -> Result<Working, ChosenError> {
+        Ok(Working(match Classic::of(self.method, self.tolerance, problem)? {
+            Some(classic) => Kind::Classic(Box::new(classic)),
+            None => Kind::Today(Box::new(self.today.scratch(problem)?)),
+        }))
+    }
+
+    fn step(
+        &self,
+        problem: &ContactProblem,
+        from: &ContactState,
+        drive: &Drive,
+        to: &mut ContactState,
+        scratch: &mut Working,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, ChosenError> {
+        Ok(match &mut scratch.0 {
+            Kind::Today(own) => self.today.step(problem, from, drive, to, own, observer)?,
+            Kind::Classic(classic) => classic.step(problem, from, drive, to)?,
+        })
     }
 }

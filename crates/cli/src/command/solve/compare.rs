@@ -2,8 +2,8 @@
 
 use std::time::{Duration, Instant};
 
+use super::bodies::Bodies;
 use super::follow::Run;
-use super::heights;
 use super::store::Found;
 use crate::case::{SolveCase, SolveMethod};
 use crate::columns::{self, Record};
@@ -140,13 +140,12 @@ pub(in crate::command) fn run(arguments: &Arguments) -> Result<Answer, CliError>
     let file = CaseFile::read(&arguments.case)?;
     // The one that the case asks for is among all.
     let case = SolveCase { method: SolveMethod::Newton, ..file.parse(SolveCase::parse)? };
-    let (gap, _) = heights::gap(&file.path, &case)?;
-    let run = Run::new(&file.path, &case, gap)?;
+    let bodies = Bodies::of(&file.path, &case)?;
+    let run = Run::new(&file.path, &case, &bodies)?;
     let (problem, method) = (run.problem().clone(), run.method());
-    let nothing = Found { steps: Vec::new(), state: ContactState::apart(case.grid) };
-    let followed = run.follow(nothing, None)?;
+    let followed = run.follow(Found::default(), None)?;
     let shifts = followed.steps.iter().map(|step| step.shift).collect();
-    let touching = case.grid.cells() - followed.state.count(CellState::Exterior);
+    let touching = problem.grid().cells() - followed.state.count(CellState::Exterior);
     let path = Course { problem: &problem, shifts, want: followed.state, touching };
     let rows = rows(&path, &method);
     let format = arguments.format;

@@ -1,15 +1,15 @@
 //! The steps of a case, one after another.
 
-use super::classic::Classic;
-use super::store::{Found, Store};
+use super::bodies::Bodies;
+use super::classic::{Chosen, ChosenError};
+use super::store::{Found, Saved, Store};
 use super::view::Step;
-use crate::case::{Leg, SolveCase, Target};
+use crate::case::{Border, GridCase, Leg, SolveCase, Target};
 use crate::error::CliError;
-use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLoad, Shift};
 use carom_solver::{
-    CellState, ContactProblem, ContactState, DirectError, Drive, Driven, Frictional,
-    FrictionalScratch, Gap, Method as _, StoredEnergy, dissipated,
+    Accuracy, CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalError,
+    NestedError, NestedHistory, ProblemError, StoredEnergy, Window, dissipated,
 };
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::path::Path;
@@ -18,6 +18,7 @@ use std::path::Path;
 pub(super) struct Followed {
     pub(super) steps: Vec<Step>,
     pub(super) state: ContactState,
+    pub(super) window: Window,
     /// How many steps were there before.
     pub(super) found: usize,
 }
@@ -26,40 +27,62 @@ pub(super) struct Followed {
 pub(super) struct Run<'a> {
     path: &'a Path,
     case: &'a SolveCase,
-    problem: ContactProblem,
+    window: Window,
     method: Frictional,
-    /// As made: each step takes a copy, so that a resumed run gives the same bits.
-    scratch: FrictionalScratch,
-    /// Instead, if the case asks for an older one.
-    classic: Option<Classic>,
+    history: NestedHistory<Chosen>,
 }
 
 impl<'a> Run<'a> {
+    /// On the grid of the case, or on one that fits.
+    ///
     /// # Errors
-    /// [`CliError`] if the grid is too large for memory or a value out of range.
-    pub(super) fn new(path: &'a Path, case: &'a SolveCase, gap: Gap) -> Result<Self, CliError> {
+    /// [`CliError`] if the grid is too large for memory, a value out of range, or no grid fits.
+    pub(super) fn new(
+        path: &'a Path,
+        case: &'a SolveCase,
+        bodies: &Bodies,
+    ) -> Result<Self, CliError> {
         let range = |source| CliError::Law { path: path.to_owned(), source };
-        let friction = Friction::new(case.friction).map_err(range)?;
-        let problem = ContactProblem::of_half_spaces(gap, case.materials, friction)
-            .map_err(|source| CliError::Problem { path: path.to_owned(), source: source.into() })?;
+        let problem = |source: ProblemError| CliError::Problem {
+            path: path.to_owned(),
+            source: source.into(),
+        };
         let method = Frictional::default();
         let method = match case.tolerance {
             Some(tolerance) => method.within(tolerance).map_err(range)?,
             None => method,
         };
-        let scratch = method.scratch(&problem).map_err(|source| CliError::Step {
-            path: path.to_owned(),
-            step: 0,
-            source: source.into(),
+        let window = match case.grid {
+            GridCase::Cells { grid, .. } => Window::about([0.0; 2], grid).map_err(range)?,
+            GridCase::Accuracy(accuracy) => {
+                let (drives, sides) = (ends(&case.legs), bodies.sides());
+                let make = |window: &Window| bodies.problem(window);
+                let fit = Accuracy::new(accuracy).map_err(range)?.fit(method, make, sides, &drives);
+                fit.map_err(|source| CliError::Fit {
+                    path: path.to_owned(),
+                    source: source.into(),
+                })?
+                .window
+            }
+        };
+        let chosen = Chosen { today: method, method: case.method, tolerance: case.tolerance };
+        let make = |grid| bodies.problem(&window.with(grid));
+        let history = NestedHistory::new(chosen, window.grid(), make);
+        let history = history.map_err(|error| match error {
+            NestedError::Problem(source) => problem(source),
+            NestedError::Method(source) => failed(path, 0, source),
         })?;
-        let classic =
-            Classic::of(case, &problem).map_err(|source| classic_failed(path, 0, source))?;
-        Ok(Self { path, case, problem, method, scratch, classic })
+        Ok(Self { path, case, window, method, history })
     }
 
     /// What is solved.
     pub(super) const fn problem(&self) -> &ContactProblem {
-        &self.problem
+        self.history.problem()
+    }
+
+    /// Where.
+    pub(super) const fn window(&self) -> &Window {
+        &self.window
     }
 
     /// By which method.
@@ -71,23 +94,31 @@ impl<'a> Run<'a> {
     ///
     /// # Errors
     /// [`CliError::Step`], [`CliError::Border`], or if a step cannot be kept.
-    pub(super) fn follow(self, found: Found, store: Option<&Store>) -> Result<Followed, CliError> {
-        let Found { mut steps, mut state } = found;
+    pub(super) fn follow(
+        mut self,
+        found: Found,
+        store: Option<&Store>,
+    ) -> Result<Followed, CliError> {
+        let Found { mut steps, saved } = found;
+        if let Some(Saved { state, coarse }) = saved {
+            let law = |source| CliError::Law { path: self.path.to_owned(), source };
+            self.history.restore(state, coarse).map_err(law)?;
+        }
         let count = steps.len();
         let drives = self.case.legs.iter().map(|leg| leg.count).sum::<usize>();
         let bar = progress(drives);
         bar.set_position(count as u64);
         bar.reset_eta();
-        let (mut first, mut held) = (0, [Driven::Shift(0.0); 4]);
+        let (mut first, mut held) = (0, HELD);
         for leg in &self.case.legs {
             for number in first + 1..=first + leg.count {
                 let begin = if first == 0 { Step::default() } else { steps[first - 1] };
                 let drive = drive(leg, number - first, &begin, held);
                 if number > count {
-                    let next = self.step(number, &drive, &state, steps.last())?;
-                    (state, _) = (next.0, steps.push(next.1));
+                    let step = self.step(number, &drive, steps.last())?;
+                    steps.push(step);
                     if let Some(store) = store {
-                        store.save(&steps, &state)?;
+                        store.save(&steps, &self.history, &self.window)?;
                     }
                     bar.inc(1);
                 }
@@ -96,41 +127,61 @@ impl<'a> Run<'a> {
             held = kept(leg, held);
         }
         bar.finish_and_clear();
-        Ok(Followed { steps, state, found: count })
+        let state = self.history.state().clone();
+        Ok(Followed { steps, state, window: self.window, found: count })
     }
 
     fn step(
-        &self,
+        &mut self,
         number: usize,
         drive: &Drive,
-        before: &ContactState,
         last: Option<&Step>,
-    ) -> Result<(ContactState, Step), CliError> {
-        let failed = |source| CliError::Step { path: self.path.to_owned(), step: number, source };
-        let (mut scratch, mut state) = (self.scratch.clone(), before.clone());
-        let went = match &self.classic {
-            Some(classic) => classic
-                .step(&self.problem, before, drive, &mut state)
-                .map_err(|source| classic_failed(self.path, number, source))?,
-            None => self
-                .method
-                .step(&self.problem, before, drive, &mut state, &mut scratch, &mut ())
-                .map_err(|error| failed(error.into()))?,
-        };
-        if let Some(side) = border(&state).filter(|_| !self.case.is_cut) {
-            return Err(CliError::Border { path: self.path.to_owned(), step: number, side });
+    ) -> Result<Step, CliError> {
+        let path = self.path;
+        let before = self.history.state().clone();
+        let went =
+            self.history.step(drive, &mut ()).map_err(|error| failed(path, number, error))?;
+        let state = self.history.state();
+        if let Some(side) = border(state).filter(|_| self.is_free()) {
+            return Err(CliError::Border { path: path.to_owned(), step: number, side });
         }
-        let mut step = Step::of(number, &state, &went);
-        let stored = StoredEnergy::of(&self.problem, &state);
-        step.stored_energy = stored.map_err(|error| failed(Box::new(error.into())))?.total();
-        let heat: f64 = dissipated(before, &state).values().iter().sum();
+        let estimates = self.history.estimates();
+        let mut step = Step::of(number, state, &self.window, estimates.as_ref(), &went);
+        let stored = StoredEnergy::of(self.problem(), state);
+        step.stored_energy = stored
+            .map_err(|error| failed(path, number, FrictionalError::from(error).into()))?
+            .total();
+        let heat: f64 = dissipated(&before, state).values().iter().sum();
         step.dissipated = last.map_or(0.0, |last| last.dissipated) + heat;
-        Ok((state, step))
+        Ok(step)
+    }
+
+    /// Whether the contact must not reach the border.
+    fn is_free(&self) -> bool {
+        !matches!(self.case.grid, GridCase::Cells { border: Border::Cut | Border::Periodic, .. })
     }
 }
 
-fn classic_failed(path: &Path, step: usize, source: DirectError) -> CliError {
-    CliError::Classic { path: path.to_owned(), step, source: Box::new(source) }
+fn failed(path: &Path, step: usize, error: ChosenError) -> CliError {
+    let path = path.to_owned();
+    match error {
+        ChosenError::Today(source) => CliError::Step { path, step, source: source.into() },
+        ChosenError::Classic(source) => CliError::Classic { path, step, source: source.into() },
+    }
+}
+
+/// What drives before the first leg.
+const HELD: [Driven; 4] = [Driven::Shift(0.0); 4];
+
+/// The drives at the ends of all legs.
+fn ends(legs: &[Leg]) -> Vec<Drive> {
+    let mut held = HELD;
+    let end = |leg| {
+        held = kept(leg, held);
+        let [normal, x, y, twist] = held;
+        Drive { normal, x, y, twist }
+    };
+    legs.iter().map(end).collect()
 }
 
 /// What drives a step of a leg that began at `begin`.

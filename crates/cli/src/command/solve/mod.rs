@@ -1,22 +1,25 @@
 //! `carom solve`: a contact with friction on a grid, step by step.
 
 mod below;
+pub(super) mod bodies;
 mod classic;
 pub(super) mod compare;
 mod follow;
-pub(super) mod heights;
+mod heights;
+mod npy;
 mod npz;
 pub(super) mod plot;
 mod store;
 mod view;
 
-use crate::case::SolveCase;
+use crate::case::{GridCase, SolveCase};
 use crate::columns::{self, Record};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, json};
-use carom_solver::{CellState, ContactState};
-use follow::Run;
+use bodies::Bodies;
+use carom_solver::{Accuracy, Doubt, Estimates};
+use follow::{Followed, Run};
 use serde::Serialize;
 use std::path::PathBuf;
 use store::{Found, Store};
@@ -37,6 +40,10 @@ pub(super) struct Arguments {
     /// archives step-000001.npz, ...
     #[arg(long, value_name = "FOLDER")]
     keep: Option<PathBuf>,
+    /// Choose window and cells for this accuracy, whatever the case says: estimated errors of loads
+    /// and shifts are at most this part of the greatest ones.
+    #[arg(long, value_name = "ACCURACY")]
+    accuracy: Option<f64>,
     /// Go on from the steps that are in the folder: the same bits as if it had never stopped.
     #[arg(long, requires = "keep")]
     resume: bool,
@@ -60,28 +67,28 @@ struct Both<'a> {
     depths: Vec<Record<'a, below::Below>>,
 }
 
-/// Fewer cells than this across the contact give a warning.
-const COARSE: f64 = 10.0;
-
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
-    let case = file.parse(SolveCase::parse)?;
-    let (gap, heights) = heights::gap(&file.path, &case)?;
-    let run = Run::new(&file.path, &case, gap)?;
+    if let Some(accuracy) = arguments.accuracy {
+        Accuracy::new(accuracy)?;
+    }
+    let case = file.parse(|source| SolveCase::parse_to(source, arguments.accuracy))?;
+    let bodies = Bodies::of(&file.path, &case)?;
+    let run = Run::new(&file.path, &case, &bodies)?;
     let text =
         std::fs::read(&file.path).map_err(|error| CliError::io("read", &file.path, error))?;
-    let inputs = [text.as_slice(), heights.as_bytes()];
+    let accuracy = arguments.accuracy.map(f64::to_le_bytes).unwrap_or_default();
+    let inputs = [text.as_slice(), bodies.read(), &accuracy];
     let store = arguments.keep.as_ref().map(|folder| Store::open(folder, &inputs)).transpose()?;
-    let nothing = || Found { steps: Vec::new(), state: ContactState::apart(case.grid) };
     let found = match &store {
         Some(store) if arguments.resume => {
-            store.find(case.grid, case.legs.iter().map(|leg| leg.count).sum())?
+            store.find(run.window().grid(), case.legs.iter().map(|leg| leg.count).sum())?
         }
         Some(store) => {
             store.check_empty()?;
-            nothing()
+            Found::default()
         }
-        None => nothing(),
+        None => Found::default(),
     };
     let followed = run.follow(found, store.as_ref())?;
     let (steps, format) = (&followed.steps, arguments.given.format);
@@ -99,8 +106,10 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
             steps: view::records(steps),
             depths: stresses.iter().map(|row| Record::new(below::COLUMNS, row)).collect(),
         })?,
-        (Format::Table, None) => columns::rows(format, &view::readable(), steps)?,
-        (Format::Table, Some(_)) => columns::rows(format, &view::readable(), steps)? + &depths()?,
+        (Format::Table, depth) => {
+            let rows = columns::rows(format, &view::readable(), steps)? + &view::errors(steps);
+            if depth.is_some() { rows + &depths()? } else { rows }
+        }
         (_, Some(_)) => depths()?,
         (_, None) => columns::rows(format, view::COLUMNS, steps)?,
     };
@@ -108,7 +117,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     if followed.found > 0 {
         warnings.push(format!("{} of {} steps were there already", followed.found, steps.len()));
     }
-    warnings.extend(coarse(&followed.state));
+    warnings.extend(doubts(&followed));
+    warnings.extend(unreached(&case, steps));
     let picture = match plot {
         Some(to) => Some((to, plot::draw(&followed, &case)?)),
         None => None,
@@ -117,13 +127,27 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
 }
 
 /// A warning if few cells lie across the contact.
-fn coarse(state: &ContactState) -> Option<String> {
-    let touching = state.cells.values().iter().filter(|cell| **cell != CellState::Exterior).count();
-    let across = (4.0 / std::f64::consts::PI * touching as f64).sqrt();
-    (touching > 0 && across < COARSE).then(|| {
-        format!(
-            "only about {across:.0} cells lie across the contact: loads may be off by {:.0} %",
-            100.0 / (across * across)
-        )
+fn doubts(followed: &Followed) -> Option<String> {
+    let across = followed.state.doubts().into_iter().find_map(|doubt| match doubt {
+        Doubt::FewCells { across } => Some(across),
+        Doubt::Border { .. } => None,
+    })?;
+    let last = followed.steps.last()?;
+    let error = last.estimates().map(|all| Estimates::worst(&[all]));
+    let error = error.map_or_else(
+        || "there is no estimate of the error".to_owned(),
+        |error| format!("loads and shifts may be off by {:.1} %", 100.0 * error),
+    );
+    Some(format!("only {across} cells lie across the contact: {error}"))
+}
+
+/// A warning if steps between the ends of the legs, or from one to the next, have greater errors than
+/// was asked for.
+fn unreached(case: &SolveCase, steps: &[view::Step]) -> Option<String> {
+    let GridCase::Accuracy(accuracy) = case.grid else { return None };
+    let all: Option<Vec<Estimates>> = steps.iter().map(view::Step::estimates).collect();
+    let reached = all.map_or(f64::INFINITY, |all| Estimates::worst(&all));
+    (reached > accuracy).then(|| {
+        format!("estimated errors reach {reached:.1e} on the way, above {accuracy}; ask for more")
     })
 }

@@ -12,7 +12,7 @@ pub(super) enum Array {
 }
 
 /// The archive of these arrays.
-pub(super) fn encode(arrays: &BTreeMap<&str, Array>) -> Vec<u8> {
+pub(super) fn encode(arrays: &BTreeMap<String, Array>) -> Vec<u8> {
     let (mut archive, mut directory) = (Vec::new(), Vec::new());
     for (name, array) in arrays {
         let (name, data) = (format!("{name}.npy"), npy(array));
@@ -121,12 +121,12 @@ fn crc(bytes: &[u8]) -> u32 {
 mod tests {
     use super::*;
 
-    fn arrays() -> BTreeMap<&'static str, Array> {
+    fn arrays() -> BTreeMap<String, Array> {
         let numbers = vec![1.5, -0.0, f64::MIN_POSITIVE / 3.0, f64::INFINITY, 1e300, 1.0 / 3.0];
         BTreeMap::from([
-            ("pressure", Array::Numbers(vec![2, 3], numbers)),
-            ("cells", Array::Bytes(vec![4], vec![0, 1, 2, 255])),
-            ("none", Array::Numbers(vec![0], Vec::new())),
+            ("pressure".to_owned(), Array::Numbers(vec![2, 3], numbers)),
+            ("cells".to_owned(), Array::Bytes(vec![4], vec![0, 1, 2, 255])),
+            ("none".to_owned(), Array::Numbers(vec![0], Vec::new())),
         ])
     }
 
@@ -135,7 +135,7 @@ mod tests {
         let archive = encode(&arrays());
         let read = decode(&archive).unwrap();
         for (name, array) in arrays() {
-            assert_eq!(read[name], array);
+            assert_eq!(read[&name], array);
         }
         let Array::Numbers(_, values) = &read["pressure"] else { panic!("numbers") };
         assert!(values[1].is_sign_negative());
@@ -151,7 +151,7 @@ mod tests {
             let harmless = decode(&damaged).is_none_or(|read| {
                 let is_whole =
                     |name: &str, array| read.get(name).is_none_or(|found| found == array);
-                arrays().iter().all(|(name, array)| is_whole(name, array))
+                arrays().iter().all(|(name, array)| is_whole(name.as_str(), array))
             });
             assert!(harmless, "{at}");
             assert!(decode(&archive[..at]).is_none());

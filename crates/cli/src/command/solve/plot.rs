@@ -60,8 +60,9 @@ pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, Cli
         ));
     }
     if state.pressure.values().iter().any(|p| *p > 0.0) {
-        panels.push(pressures(state)?);
-        panels.push(stick_and_slip(state));
+        let middle = followed.window.middle();
+        panels.push(pressures(state, middle)?);
+        panels.push(stick_and_slip(state, middle));
         if f > 0.0 {
             panels.push(sizes(state, f));
             panels.push(angles(state));
@@ -74,32 +75,41 @@ fn axes(title: &str) -> Panel {
     Panel::new(Axis::linear("x / m"), Axis::linear("y / m")).titled(title).equal_aspect()
 }
 
-/// A field over the grid.
-fn field(state: &ContactState, label: &str, values: Vec<f64>) -> Result<Field, CliError> {
+/// A field over the grid about its middle.
+fn field(
+    state: &ContactState,
+    [x, y]: [f64; 2],
+    label: &str,
+    values: Vec<f64>,
+) -> Result<Field, CliError> {
     let grid = state.pressure.grid();
-    let x = (0..grid.nx()).map(|i| grid.centred_x(i)).collect();
-    let y = (0..grid.ny()).map(|j| grid.centred_y(j)).collect();
+    let x = (0..grid.nx()).map(|i| x + grid.centred_x(i)).collect();
+    let y = (0..grid.ny()).map(|j| y + grid.centred_y(j)).collect();
     Ok(Field::new(label, x, y, values)?)
 }
 
-fn outlines(panel: &mut Panel, lines: &[Contour], label: &str, colour: usize) {
+fn outlines(panel: &mut Panel, lines: &[Contour], middle: [f64; 2], label: &str, colour: usize) {
     for (i, line) in lines.iter().enumerate() {
-        let closed = line.points.iter().chain(line.points.first()).map(|[x, y]| (*x, *y));
+        let closed = line.points.iter().chain(line.points.first());
+        let closed = closed.map(|[x, y]| (middle[0] + x, middle[1] + y));
         panel.add(Series::line(if i == 0 { label } else { "" }, closed).coloured(colour));
     }
 }
 
-pub(in crate::command) fn pressures(state: &ContactState) -> Result<Panel, CliError> {
+pub(in crate::command) fn pressures(
+    state: &ContactState,
+    middle: [f64; 2],
+) -> Result<Panel, CliError> {
     let mut panel = axes("pressure, last step");
-    panel = panel.over(field(state, "p / Pa", state.pressure.values().to_vec())?);
+    panel = panel.over(field(state, middle, "p / Pa", state.pressure.values().to_vec())?);
     Ok(panel)
 }
 
 /// Tractions as arrows over the outlines of contact and stick area.
-pub(in crate::command) fn stick_and_slip(state: &ContactState) -> Panel {
+pub(in crate::command) fn stick_and_slip(state: &ContactState, middle: [f64; 2]) -> Panel {
     let mut panel = axes("tractions on body 1, outlines smoothed");
-    outlines(&mut panel, &state.contact_outlines(), "contact", 0);
-    outlines(&mut panel, &state.stick_outlines(), "stick", 1);
+    outlines(&mut panel, &state.contact_outlines(), middle, "contact", 0);
+    outlines(&mut panel, &state.stick_outlines(), middle, "stick", 1);
     let grid = state.pressure.grid();
     let stride = grid.nx().max(grid.ny()).div_ceil(MOST_ARROWS);
     let (x, y) = (state.traction_x.values(), state.traction_y.values());
@@ -109,9 +119,12 @@ pub(in crate::command) fn stick_and_slip(state: &ContactState) -> Panel {
         (i % grid.nx()).is_multiple_of(stride) && (i / grid.nx()).is_multiple_of(stride)
     });
     let arrows = cells.filter(|(i, _)| libm::hypot(x[*i], y[*i]) > 0.02 * longest).map(
-        |(i, (at_x, at_y))| Arrow {
-            tail: Point::new(at_x, at_y),
-            head: Point::new(at_x + scale * x[i], at_y + scale * y[i]),
+        |(i, (at_x, at_y))| {
+            let (at_x, at_y) = (middle[0] + at_x, middle[1] + at_y);
+            Arrow {
+                tail: Point::new(at_x, at_y),
+                head: Point::new(at_x + scale * x[i], at_y + scale * y[i]),
+            }
         },
     );
     if longest > 0.0 {

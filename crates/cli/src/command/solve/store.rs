@@ -1,6 +1,7 @@
 //! A folder with the history so far: `loads.csv`, and each step's fields as `step-000001.npz`, from
 //! which the run goes on bit for bit.
 
+use super::classic::Chosen;
 use super::npz::{self, Array};
 use super::view::{COLUMNS, NUMBERS, Step};
 use crate::columns;
@@ -9,7 +10,7 @@ use crate::error::CliError;
 use crate::output::Format;
 use carom_halfspace::{Field, Grid};
 use carom_laws::law::Shift;
-use carom_solver::{CellState, ContactState};
+use carom_solver::{CellState, ContactState, NestedHistory, Window};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -22,10 +23,21 @@ pub(super) struct Store {
 }
 
 /// Steps found, and the state after the last one.
+#[derive(Default)]
 pub(super) struct Found {
     pub(super) steps: Vec<Step>,
-    pub(super) state: ContactState,
+    /// None before the first.
+    pub(super) saved: Option<Saved>,
 }
+
+/// A state, and those on two coarser grids as far as there are any.
+pub(super) struct Saved {
+    pub(super) state: ContactState,
+    pub(super) coarse: [Option<ContactState>; 2],
+}
+
+/// What the arrays of coarser grids begin with.
+const COARSE: [&str; 2] = ["coarse_", "coarsest_"];
 
 impl Store {
     /// The folder, made if it is not there, for a case of this text.
@@ -59,7 +71,9 @@ impl Store {
     /// # Errors
     /// [`CliError::Input`] if one is damaged or of another case.
     pub(super) fn find(&self, grid: Grid, most: usize) -> Result<Found, CliError> {
-        let mut found = Found { steps: Vec::new(), state: ContactState::apart(grid) };
+        let mut found = Found::default();
+        let below = |grid: Option<Grid>| grid.and_then(|grid| grid.coarser().ok());
+        let coarse = [below(Some(grid)), below(below(Some(grid)))];
         for number in 1..=most {
             let path = self.path(number);
             let Ok(bytes) = std::fs::read(&path) else { break };
@@ -69,11 +83,12 @@ impl Store {
             if arrays.get("case") != Some(&stamp) {
                 return Err(self.refused(&path, "this step belongs to another case"));
             }
-            let read = || Some((read_numbers(&arrays)?, read_state(&arrays, grid)?));
+            let read = || Some((read_numbers(&arrays)?, read_state(&arrays, "", grid)?));
             let (step, state) = read()
                 .ok_or_else(|| self.refused(&path, "this is no step of carom, or damaged"))?;
             found.steps.push(step);
-            found.state = state;
+            let coarse = std::array::from_fn(|i| read_state(&arrays, COARSE[i], coarse[i]?));
+            found.saved = Some(Saved { state, coarse });
         }
         Ok(found)
     }
@@ -82,42 +97,45 @@ impl Store {
     ///
     /// # Errors
     /// [`CliError::Io`]; earlier steps stay as they are.
-    pub(super) fn save(&self, steps: &[Step], state: &ContactState) -> Result<(), CliError> {
+    pub(super) fn save(
+        &self,
+        steps: &[Step],
+        history: &NestedHistory<Chosen>,
+        window: &Window,
+    ) -> Result<(), CliError> {
         let Some(last) = steps.last() else { return Ok(()) };
         let path = self.path(steps.len());
-        let bytes = npz::encode(&self.arrays(last, state));
+        let bytes = npz::encode(&self.arrays(last, history, window));
         Aside::write(&path, &bytes)?.put_in_place()?;
         let loads = self.folder.join("loads.csv");
         let text = columns::rows(Format::Csv, COLUMNS, steps)?;
         Aside::write(&loads, text.as_bytes())?.put_in_place()
     }
 
-    fn arrays(&self, step: &Step, state: &ContactState) -> BTreeMap<&'static str, Array> {
-        let grid = state.pressure.grid();
-        let shape = vec![grid.ny(), grid.nx()];
-        let field = |field: &Field| Array::Numbers(shape.clone(), field.values().to_vec());
-        let cells = state.cells.values().iter().map(|cell| match cell {
-            CellState::Exterior => 0,
-            CellState::Stick => 1,
-            CellState::Slip => 2,
-        });
-        let Shift { zeta, xi, eta, omega } = state.shift;
+    fn arrays(
+        &self,
+        step: &Step,
+        history: &NestedHistory<Chosen>,
+        window: &Window,
+    ) -> BTreeMap<String, Array> {
+        let (grid, [x, y]) = (window.grid(), window.middle());
         let axis = |count: usize, at: &dyn Fn(usize) -> f64| {
             Array::Numbers(vec![count], (0..count).map(at).collect())
         };
-        BTreeMap::from([
-            ("case", Array::Bytes(vec![8], self.fingerprint.to_le_bytes().to_vec())),
-            ("numbers", Array::Numbers(vec![NUMBERS], step.numbers().to_vec())),
-            ("shift", Array::Numbers(vec![4], vec![zeta, xi, eta, omega])),
-            ("x", axis(grid.nx(), &|i| grid.centred_x(i))),
-            ("y", axis(grid.ny(), &|i| grid.centred_y(i))),
-            ("pressure", field(&state.pressure)),
-            ("traction_x", field(&state.traction_x)),
-            ("traction_y", field(&state.traction_y)),
-            ("displacement_x", field(&state.displacement_x)),
-            ("displacement_y", field(&state.displacement_y)),
-            ("cells", Array::Bytes(shape.clone(), cells.collect())),
-        ])
+        let stamp = Array::Bytes(vec![8], self.fingerprint.to_le_bytes().to_vec());
+        let mut arrays = BTreeMap::from([
+            ("case".to_owned(), stamp),
+            ("numbers".to_owned(), Array::Numbers(vec![NUMBERS], step.numbers().to_vec())),
+            ("x".to_owned(), axis(grid.nx(), &|i| x + grid.centred_x(i))),
+            ("y".to_owned(), axis(grid.ny(), &|i| y + grid.centred_y(i))),
+        ]);
+        add_state(&mut arrays, "", history.state());
+        for (prefix, state) in COARSE.iter().zip(history.coarse_states()) {
+            if let Some(state) = state {
+                add_state(&mut arrays, prefix, state);
+            }
+        }
+        arrays
     }
 
     fn refused(&self, path: &Path, reason: &str) -> CliError {
@@ -130,13 +148,38 @@ fn read_numbers(arrays: &BTreeMap<String, Array>) -> Option<Step> {
     Some(Step::from_numbers(numbers.as_slice().try_into().ok()?))
 }
 
-fn read_state(arrays: &BTreeMap<String, Array>, grid: Grid) -> Option<ContactState> {
-    let numbers = |name: &str| match arrays.get(name)? {
+/// The fields of a state under their names with a prefix.
+fn add_state(arrays: &mut BTreeMap<String, Array>, prefix: &str, state: &ContactState) {
+    let grid = state.pressure.grid();
+    let shape = vec![grid.ny(), grid.nx()];
+    let cells = state.cells.values().iter().map(|cell| match cell {
+        CellState::Exterior => 0,
+        CellState::Stick => 1,
+        CellState::Slip => 2,
+    });
+    let Shift { zeta, xi, eta, omega } = state.shift;
+    let mut add = |name: &str, array| arrays.insert(format!("{prefix}{name}"), array);
+    add("cells", Array::Bytes(shape.clone(), cells.collect()));
+    add("shift", Array::Numbers(vec![4], vec![zeta, xi, eta, omega]));
+    for (name, field) in [
+        ("pressure", &state.pressure),
+        ("traction_x", &state.traction_x),
+        ("traction_y", &state.traction_y),
+        ("displacement_x", &state.displacement_x),
+        ("displacement_y", &state.displacement_y),
+    ] {
+        add(name, Array::Numbers(shape.clone(), field.values().to_vec()));
+    }
+}
+
+fn read_state(arrays: &BTreeMap<String, Array>, prefix: &str, grid: Grid) -> Option<ContactState> {
+    let array = |name: &str| arrays.get(&format!("{prefix}{name}"));
+    let numbers = |name: &str| match array(name)? {
         Array::Numbers(_, values) => Some(values.clone()),
         Array::Bytes(..) => None,
     };
     let field = |name: &str| Field::new(grid, numbers(name)?).ok();
-    let Array::Bytes(_, cells) = arrays.get("cells")? else { return None };
+    let Array::Bytes(_, cells) = array("cells")? else { return None };
     let cells = cells.iter().map(|cell| match cell {
         0 => Some(CellState::Exterior),
         1 => Some(CellState::Stick),

@@ -1,0 +1,139 @@
+//! One contact, set-up and solution timed apart: `one_contact CASE CELLS TOLERANCE` prints a line of
+//! JSON. `peers/solvers.py` runs it beside other programs.
+//!
+//! hertz_force, hertz_approach: a paraboloid of R = 100 on its like, a = 1, in a window of 2.4.
+//! cattaneo: the same with f = 0.4, nu = 0, by force, then shifted to half of the stick radius;
+//! cattaneo_nu: nu = 0.28. history: an ellipse of 40 x 10 cells between dissimilar bodies, pressed and
+//! moved aside in 39 increments, the friction given in the place of the cells.
+
+use std::time::Instant;
+
+use carom_halfspace::operator::{Blocks, HalfSpaceOperator, Threads};
+use carom_halfspace::{Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_laws::law::Shift;
+use carom_solver::{
+    CellState, ContactProblem, ContactState, Drive, Driven, Frictional, Frictionless, Gap, Method,
+    Products, Shape,
+};
+
+const RADIUS: f64 = 100.0;
+const SHEAR: f64 = 80_000.0;
+const FRICTION: f64 = 0.4;
+
+type Failure = Box<dyn std::error::Error>;
+
+fn main() -> Result<(), Failure> {
+    let arguments: Vec<String> = std::env::args().skip(1).collect();
+    let [case, number, tolerance] = &arguments[..] else {
+        return Err("give a case, a number of cells (or a friction) and a tolerance".into());
+    };
+    let tolerance: f64 = tolerance.parse()?;
+    match case.as_str() {
+        "hertz_force" | "hertz_approach" => {
+            hertz(case == "hertz_force", number.parse()?, tolerance)
+        }
+        "cattaneo" => cattaneo(0.0, number.parse()?, tolerance),
+        "cattaneo_nu" => cattaneo(0.28, number.parse()?, tolerance),
+        "history" => history(number.parse()?, tolerance),
+        _ => Err(format!("no case {case}").into()),
+    }
+}
+
+/// Force and approach of Hertz for a = 1.
+fn exact(poisson: f64) -> [f64; 2] {
+    [4.0 / 3.0 * SHEAR / (1.0 - poisson) / RADIUS, 1.0 / RADIUS]
+}
+
+fn ball(
+    cells: usize,
+    poisson: f64,
+    friction: f64,
+    blocks: Blocks,
+) -> Result<ContactProblem, Failure> {
+    let grid = Grid::new(cells, cells, 2.4 / cells as f64, 2.4 / cells as f64)?;
+    let body = Material::from_shear(SHEAR, poisson)?;
+    let pair = MaterialPair::new(body, body)?;
+    let gap = Gap::of_shape(grid, &Shape::Paraboloid { radii: [RADIUS; 2] })?;
+    let operator = HalfSpaceOperator::with_blocks(pair, grid, blocks, Threads::One)?;
+    Ok(ContactProblem::new(gap, std::sync::Arc::new(operator), Friction::new(friction)?)?)
+}
+
+fn hertz(by_force: bool, cells: usize, tolerance: f64) -> Result<(), Failure> {
+    let [force, approach] = exact(0.3);
+    let begin = Instant::now();
+    let problem = ball(cells, 0.3, 0.0, Blocks::Normal)?;
+    let method = Frictionless::default().within(tolerance)?;
+    let mut scratch = method.scratch(&problem)?;
+    let set_up = begin.elapsed().as_secs_f64();
+    let normal = if by_force { Driven::Load(force) } else { Driven::Shift(approach) };
+    let drive = Drive { normal, ..Drive::default() };
+    let (apart, begin) = (ContactState::apart(problem.grid()), Instant::now());
+    let mut state = apart.clone();
+    let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+    let solve = begin.elapsed().as_secs_f64();
+    let error =
+        if by_force { state.shift.zeta / approach - 1.0 } else { state.load().f_z / force - 1.0 };
+    tell([set_up, solve], went.products, error);
+    Ok(())
+}
+
+fn cattaneo(poisson: f64, cells: usize, tolerance: f64) -> Result<(), Failure> {
+    let [force, _] = exact(poisson);
+    let begin = Instant::now();
+    let problem = ball(cells, poisson, FRICTION, Blocks::All)?;
+    let method = Frictional::default().within(tolerance)?;
+    let mut scratch = method.scratch(&problem)?;
+    let set_up = begin.elapsed().as_secs_f64();
+    let xi = 0.75 * 3.0 * FRICTION * force * (2.0 - poisson) / (8.0 * SHEAR);
+    let apart = ContactState::apart(problem.grid());
+    let (mut pressed, mut shifted) = (apart.clone(), apart.clone());
+    let press = Drive { normal: Driven::Load(force), ..Drive::default() };
+    let begin = Instant::now();
+    let one = method.step(&problem, &apart, &press, &mut pressed, &mut scratch, &mut ())?;
+    let first = begin.elapsed().as_secs_f64();
+    let shift = Drive { x: Driven::Shift(xi), ..press };
+    let two = method.step(&problem, &pressed, &shift, &mut shifted, &mut scratch, &mut ())?;
+    let solve = begin.elapsed().as_secs_f64();
+    let error = shifted.load().f_x / (0.875 * FRICTION * force) - 1.0;
+    eprintln!("normal {first:.4} s, tangential {:.4} s", solve - first);
+    tell([set_up, solve], one.products.plus(two.products), error);
+    Ok(())
+}
+
+fn history(friction: f64, tolerance: f64) -> Result<(), Failure> {
+    let begin = Instant::now();
+    let grid = Grid::new(40, 10, 0.2, 0.2)?;
+    let pair = MaterialPair::new(Material::from_shear(SHEAR, 0.3)?, Material::RIGID)?;
+    let gap = Gap::of_shape(grid, &Shape::Paraboloid { radii: [100.0, 12.0] })?;
+    let problem = ContactProblem::of_half_spaces(gap, pair, Friction::new(friction)?)?;
+    let method = Frictional::default().within(tolerance)?;
+    let mut scratch = method.scratch(&problem)?;
+    let set_up = begin.elapsed().as_secs_f64();
+    let mut state = ContactState::apart(grid);
+    let (mut shift, mut products) = (Shift::default(), Products::default());
+    let begin = Instant::now();
+    for step in 0..39 {
+        match step {
+            0..13 => shift.zeta += 0.05 / 13.0,
+            13..26 => shift.xi += 0.1 * friction * 0.05,
+            _ => shift.eta += 0.1 * friction * 0.05,
+        }
+        let (from, drive) = (state.clone(), Drive::by_shift(shift));
+        let went = method.step(&problem, &from, &drive, &mut state, &mut scratch, &mut ())?;
+        products = products.plus(went.products);
+    }
+    let solve = begin.elapsed().as_secs_f64();
+    eprintln!("{} of {} cells stick", state.count(CellState::Stick), grid.cells());
+    tell([set_up, solve], products, 0.0);
+    Ok(())
+}
+
+fn tell([set_up, solve]: [f64; 2], products: Products, error: f64) {
+    let Products { normal, tangential, coupling, preconditioner } = products;
+    println!(
+        "{{\"set_up\": {set_up:.5}, \"solve\": {solve:.5}, \"normal\": {normal:.1}, \"tangential\": \
+         {tangential:.1}, \"coupling\": {coupling:.1}, \"preconditioner\": {preconditioner:.1}, \
+         \"error\": {error:.2e}}}"
+    );
+}

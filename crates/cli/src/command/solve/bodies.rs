@@ -1,0 +1,121 @@
+//! The bodies of a case: what a grid anywhere makes of them.
+
+use super::heights;
+use crate::case::{Border, GapCase, GridCase, SolveCase};
+use crate::error::CliError;
+use carom_halfspace::operator::{OperatorError, PeriodicOperator, Threads};
+use carom_halfspace::{Field, Grid, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_solver::{
+    CellFriction, ContactProblem, Gap, ProblemError, Shape, SurfaceFriction, Window,
+};
+use std::path::Path;
+use std::sync::Arc;
+
+/// Gap, materials and friction.
+pub(in crate::command) struct Bodies {
+    gap: Given,
+    materials: MaterialPair,
+    friction: SurfaceFriction,
+    border: Border,
+    /// What was read beside the case.
+    read: Vec<u8>,
+}
+
+enum Given {
+    Formula(Shape),
+    /// On its own grid, and on coarser ones by means.
+    Grid(Gap),
+}
+
+impl Bodies {
+    /// Those of the case in the file at `path`.
+    ///
+    /// # Errors
+    /// [`CliError::Input`] if a file of heights is no such thing, or heights on a grid of their own are
+    /// asked for to an accuracy.
+    pub(in crate::command) fn of(path: &Path, case: &SolveCase) -> Result<Self, CliError> {
+        let law = |source| CliError::Law { path: path.to_owned(), source };
+        let border = match case.grid {
+            GridCase::Cells { border, .. } => border,
+            GridCase::Accuracy(_) => Border::Free,
+        };
+        let own = |what: &str| match case.grid {
+            GridCase::Cells { grid, .. } => Ok(grid),
+            GridCase::Accuracy(_) => {
+                let reason =
+                    format!("{what} on a grid of their own; give `grid.cells`, not an accuracy");
+                Err(CliError::Input { path: path.to_owned(), reason })
+            }
+        };
+        let (gap, read) = match &case.gap {
+            GapCase::Formula(shape) => (Given::Formula(shape.clone()), Vec::new()),
+            GapCase::Heights(map) => {
+                let name = path.parent().unwrap_or(Path::new("")).join(&map.file);
+                let (gap, read) = heights::gap(&name, map, own("heights from a file stand")?)?;
+                (Given::Grid(gap), read)
+            }
+            GapCase::Rough { surface, radius } => {
+                let grid = own("heights by chance stand")?;
+                let rough = surface.heights(grid).map_err(law)?;
+                (Given::Grid(standing(&rough, *radius).map_err(law)?), Vec::new())
+            }
+        };
+        let friction = |f: f64| Friction::new(f).map_err(law);
+        let friction = CellFriction::new(friction(case.static_friction)?, friction(case.friction)?);
+        let friction = friction.map_err(law)?.into();
+        Ok(Self { gap, materials: case.materials, friction, border, read })
+    }
+
+    /// What was read beside the case.
+    pub(super) fn read(&self) -> &[u8] {
+        &self.read
+    }
+
+    /// Sides of a rectangle that holds a part of the body.
+    pub(super) fn sides(&self) -> [f64; 2] {
+        match &self.gap {
+            Given::Formula(shape) => shape.sides(),
+            Given::Grid(gap) => {
+                let grid = gap.grid();
+                [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()]
+            }
+        }
+    }
+
+    /// The problem on a window.
+    ///
+    /// # Errors
+    /// [`ProblemError`] if no body lies under it or it is too large for memory.
+    pub(super) fn problem(&self, window: &Window) -> Result<ContactProblem, ProblemError> {
+        let gap = match &self.gap {
+            Given::Formula(shape) => window.gap(|x, y| shape.height(x, y)),
+            Given::Grid(gap) => on(gap, window.grid()),
+        };
+        let gap = gap.map_err(OperatorError::from)?;
+        if self.border == Border::Periodic {
+            let operator = PeriodicOperator::new(self.materials, gap.grid(), Threads::One)?;
+            return ContactProblem::new(gap, Arc::new(operator), self.friction.clone());
+        }
+        ContactProblem::of_half_spaces(gap, self.materials, self.friction.clone())
+    }
+}
+
+/// Heights on a paraboloid, from the point that touches.
+fn standing(heights: &Field, radius: f64) -> Result<Gap, carom_special::RangeError> {
+    let places = heights.values().iter().zip(heights.grid().centres());
+    let mut gaps: Vec<f64> =
+        places.map(|(height, (x, y))| 0.5 * (x * x + y * y) / radius - height).collect();
+    let lowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
+    gaps.iter_mut().for_each(|gap| *gap -= lowest);
+    Gap::new(Field::new(heights.grid(), gaps)?)
+}
+
+/// The gap on its grid or a coarser one.
+fn on(gap: &Gap, grid: Grid) -> Result<Gap, carom_special::RangeError> {
+    let mut own = gap.clone();
+    while own.grid() != grid && own.grid().cells() > grid.cells() {
+        own = own.coarser()?;
+    }
+    Ok(own)
+}

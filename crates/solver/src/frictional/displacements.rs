@@ -1,0 +1,95 @@
+//! What tractions and rigid shifts displace, before and after.
+
+use carom_halfspace::operator::{DisplacementField, TractionField};
+use carom_laws::law::Shift;
+
+use super::pass::Pass;
+use super::{FrictionalError, FrictionalScratch};
+use crate::state::{CellState, ContactState};
+
+impl Pass<'_> {
+    /// c: displacements by the pressure, less the last ones and the rigid shift of the step.
+    pub(super) fn offsets(&self, scratch: &mut FrictionalScratch) {
+        let [dx, dy, turn] = self.moved();
+        let before = [self.from.displacement_x.values(), self.from.displacement_y.values()];
+        for (i, (x, y)) in self.problem.grid().centres().enumerate() {
+            let rigid = [dx + y * turn, dy - x * turn]; // (12.2)
+            for axis in 0..2 {
+                scratch.offset[axis][i] =
+                    scratch.by_pressure[axis][i] - before[axis][i] - rigid[axis];
+            }
+        }
+    }
+
+    /// The given rigid shifts and twist of the step; zero where the load is given.
+    pub(super) fn moved(&self) -> [f64; 3] {
+        let (now, before) = (self.drive.shift_after(self.from.shift), self.from.shift);
+        [now.xi - before.xi, now.eta - before.eta, now.omega - before.omega]
+    }
+
+    /// How much the tangential tractions changed the normal displacement since the pressures were
+    /// found, over the approach.
+    pub(super) fn change(
+        &mut self,
+        to: &ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<f64, FrictionalError> {
+        std::mem::swap(&mut scratch.by_traction, &mut scratch.last);
+        self.displace_by_traction(to, scratch)?;
+        let heights = self.problem.gap().heights().values();
+        let (mut moved, mut scale) = (0.0_f64, 0.0_f64);
+        for (i, pressure) in to.pressure.values().iter().enumerate().filter(|(_, p)| **p > 0.0) {
+            let change = (scratch.by_traction[i] - scratch.last[i]).abs();
+            if change.is_nan() || pressure.is_nan() {
+                return Ok(f64::NAN);
+            }
+            moved = moved.max(change);
+            scale = scale.max((to.shift.zeta - heights[i]).abs());
+        }
+        Ok(if scale > 0.0 { moved / scale } else { moved })
+    }
+
+    pub(super) fn displace_by_traction(
+        &mut self,
+        to: &ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<(), FrictionalError> {
+        let load = TractionField::tangential(to.traction_x.values(), to.traction_y.values());
+        let displacement = DisplacementField::normal(&mut scratch.by_traction);
+        self.problem.operator().apply(load, displacement, &mut scratch.workspace)?;
+        self.spent.coupling += 1.0;
+        Ok(())
+    }
+
+    /// Shifts, and displacements of all cells: the slip, the last ones and the rigid shift of the
+    /// step. Cells that touch without friction slip.
+    pub(super) fn finish(&self, to: &mut ContactState, scratch: &FrictionalScratch) {
+        let given = self.drive.shift_after(self.from.shift);
+        let [dx, dy, turn] = self.rigid.moved;
+        to.shift = Shift {
+            zeta: to.shift.zeta,
+            xi: given.xi + dx,
+            eta: given.eta + dy,
+            omega: given.omega + turn,
+        };
+        let slip = match &scratch.coupled {
+            Some(coupled) if self.together => coupled.slip(),
+            _ => scratch.tangential.slip(),
+        };
+        let [all_x, all_y, all_turn] = self.moved();
+        let [dx, dy, turn] = [all_x + dx, all_y + dy, all_turn + turn];
+        let before = [self.from.displacement_x.values(), self.from.displacement_y.values()];
+        let (u, v) = (to.displacement_x.values_mut(), to.displacement_y.values_mut());
+        for (i, (x, y)) in self.problem.grid().centres().enumerate() {
+            u[i] = slip[0][i] + before[0][i] + dx + y * turn; // (12.2)
+            v[i] = slip[1][i] + before[1][i] + dy - x * turn;
+        }
+        for ((cell, pressure), friction) in
+            to.cells.values_mut().iter_mut().zip(to.pressure.values()).zip(&scratch.limits.friction)
+        {
+            if *pressure > 0.0 && *friction == 0.0 {
+                *cell = CellState::Slip;
+            }
+        }
+    }
+}

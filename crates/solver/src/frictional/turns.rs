@@ -1,0 +1,173 @@
+//! Pressures at the last tractions, tractions at these pressures, in turn.
+
+use carom_halfspace::operator::{DisplacementField, TractionField};
+use carom_special::RangeError;
+
+use super::pass::Pass;
+use super::{FrictionalError, FrictionalScratch, converged};
+use crate::convergence::{Convergence, Residuals, Stop};
+use crate::drive::Driven;
+use crate::normal::Target;
+use crate::state::ContactState;
+use crate::tangential::TangentialTask;
+
+/// Up to this relative change of approach or force, pressures start from the last ones.
+const SMALL_STEP: f64 = 0.1;
+/// Passes that may go by before the least change is halved.
+const PATIENCE: usize = 40;
+/// Passes after which Newton's method is tried.
+const MANY: usize = 35;
+/// Passes that change the displacements by more than this part of the last change are mixed.
+const SLOW: f64 = 0.25;
+
+impl Pass<'_> {
+    pub(super) fn until_the_pressures_stand(
+        &mut self,
+        fresh: bool,
+        tolerance: f64,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Convergence, FrictionalError> {
+        let coupled = self.problem.operator().is_coupled();
+        let mut inner = if coupled { 1e-3_f64.max(0.3 * tolerance) } else { tolerance };
+        let (mut iterations, mut last_change, mut mixes) = (0, f64::INFINITY, false);
+        let mut least = (0, f64::INFINITY);
+        scratch.mixing.clear();
+        for pass in 1..=self.method.passes {
+            let first = fresh && pass == 1;
+            let normal_part = self.press(inner, first, to, scratch)?;
+            let tangential_part = self.rub(inner, first, to, scratch)?;
+            iterations += normal_part.iterations + tangential_part.iterations;
+            let change = if coupled { self.change(to, scratch)? } else { 0.0 };
+            let residuals = Residuals {
+                normal: normal_part.residuals.normal.max(change),
+                tangential: tangential_part.residuals.tangential,
+            };
+            if change <= tolerance && inner <= tolerance {
+                let (products, stop) = (self.spent, Stop::Converged);
+                return Ok(Convergence { iterations, products, residuals, stop });
+            }
+            if change < 0.5 * least.1 {
+                least = (pass, change);
+            }
+            let stalls = !change.is_finite() || pass > least.0 + PATIENCE;
+            if stalls || pass == self.method.passes {
+                let stop = if stalls { Stop::Stalled } else { Stop::Exhausted };
+                let products = self.spent;
+                let reached = Convergence { iterations, products, residuals, stop };
+                let what = "pressures and tractions together";
+                return Err(FrictionalError::NotConverged { what, tolerance, reached });
+            }
+            if pass == MANY
+                && let Some(reached) = self.solve_together(to, scratch)?
+            {
+                return Ok(reached);
+            }
+            mixes |= pass > 1 && change > SLOW * last_change;
+            last_change = change;
+            if mixes {
+                scratch.mixing.mix(&scratch.last, &mut scratch.by_traction);
+            }
+            inner = (0.1 * change).clamp(0.3 * tolerance, 1e-3_f64.max(0.3 * tolerance));
+        }
+        Err(RangeError::new("passes", 0.0, "at least 1").into())
+    }
+
+    /// Whether the last pressures are a better start than coarse grids.
+    fn is_small_step(&self) -> bool {
+        let (last, next) = match self.drive.normal {
+            Driven::Shift(approach) => (self.from.shift.zeta, approach),
+            Driven::Load(force) => (self.from.load().f_z, force),
+        };
+        (next - last).abs() <= SMALL_STEP * last.abs()
+            && self.from.pressure.values().iter().any(|pressure| *pressure > 0.0)
+    }
+
+    fn press(
+        &mut self,
+        tolerance: f64,
+        first: bool,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Convergence, FrictionalError> {
+        let (operator, driven) = (self.problem.operator(), self.drive.normal);
+        let heights = self.problem.gap().heights().values();
+        for ((own, height), w) in
+            scratch.normal.heights_mut().iter_mut().zip(heights).zip(&scratch.by_traction)
+        {
+            *own = height + w;
+        }
+        let target = Target { tolerance, iterations: self.method.iterations };
+        if first && self.is_small_step() {
+            scratch.normal.start_from(self.from.pressure.values());
+        } else if first {
+            self.spent = self.spent.plus(scratch.normal.start(operator, driven, target)?);
+        }
+        let (approach, reached) = scratch.normal.solve(operator, driven, target, self.observer)?;
+        self.spent = self.spent.plus(reached.products);
+        to.shift.zeta = approach;
+        to.pressure.values_mut().copy_from_slice(scratch.normal.pressure());
+        converged("pressures", tolerance, reached)
+    }
+
+    fn rub(
+        &mut self,
+        tolerance: f64,
+        first: bool,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Convergence, FrictionalError> {
+        let operator = self.problem.operator();
+        if operator.is_coupled() {
+            let [u, v] = &mut scratch.by_pressure;
+            let load = TractionField::normal(to.pressure.values());
+            operator.apply(load, DisplacementField::tangential(u, v), &mut scratch.workspace)?;
+            self.spent.coupling += 1.0;
+        }
+        let own = operator.coefficients(0, 0).rows[2][2];
+        scratch.limits.follow(&to.pressure, scratch.normal.gap(), own);
+        self.refuse_sliding(to.pressure.values(), scratch)?;
+        self.offsets(scratch);
+        let [x, y] = &scratch.offset;
+        let mut task = TangentialTask {
+            operator,
+            limits: &scratch.limits.values,
+            offset: [x, y],
+            rigid: self.rigid,
+            traction: [to.traction_x.values_mut(), to.traction_y.values_mut()],
+            cells: to.cells.values_mut(),
+        };
+        let iterations = self.method.iterations;
+        let fresh = task.traction.iter().all(|values| values.iter().all(|t| *t == 0.0));
+        if first && fresh {
+            let started = scratch.tangential.start(&mut task, tolerance, iterations)?;
+            self.spent = self.spent.plus(started);
+        }
+        let reached = scratch.tangential.solve(&mut task, tolerance, iterations, self.observer)?;
+        self.spent = self.spent.plus(reached.products);
+        self.rigid = task.rigid;
+        converged("tractions", tolerance, reached)
+    }
+
+    /// A given force that friction cannot hold has no equilibrium; a blunter cone must hold what
+    /// friction does.
+    fn refuse_sliding(
+        &self,
+        pressure: &[f64],
+        scratch: &mut FrictionalScratch,
+    ) -> Result<(), FrictionalError> {
+        let [x, y, _] = self.rigid.loads.map(Option::unwrap_or_default);
+        let force = x.hypot(y);
+        if force == 0.0 {
+            return Ok(());
+        }
+        let friction = scratch.limits.friction.iter().zip(pressure);
+        let limit: f64 = friction.filter(|(_, p)| **p > 0.0).map(|(own, p)| own * p).sum();
+        if force >= limit {
+            let area = self.problem.grid().cell_area();
+            return Err(FrictionalError::Slides { force: area * force, limit: area * limit });
+        }
+        scratch.limits.hold(pressure, force);
+        Ok(())
+    }
+}
