@@ -20,6 +20,28 @@ fn sliding_and_adhesion_on_a_straight_path_are_exact() {
     }
 }
 
+/// However high the friction and thin the rim that slips, springs inside it are left alone: without
+/// slip the force is c_x int (xi - W) dt in closed form, and friction takes about 1/(f zeta) of it.
+#[test]
+fn a_rim_thinner_than_rounding_costs_next_to_nothing() {
+    let stiffness = ContactStiffness::new(0.9, 0.7, 1.1).unwrap();
+    let to = |zeta: f64, xi: f64, eta: f64| Shift { zeta, xi, eta, omega: 0.0 };
+    for friction in [1e4, 1e6, 1e9, 1e12, 1e15, 1e18] {
+        for back in [0.02_f64, 0.17, 0.5, 0.9] {
+            let mut law = SlipLines::new(stiffness, friction, 1e-6).unwrap();
+            law.advance(to(1.0, 0.2, 0.1)).unwrap();
+            law.advance(to(1.0, 0.5, -0.1)).unwrap();
+            let load = law.advance(to(back, 0.3, 0.2)).unwrap();
+            let of = |c: f64, at: f64, slope: f64| c * back.sqrt() * (at - slope * back / 3.0);
+            let (x, y) = (of(0.9, 0.3, 0.2), of(0.7, 0.2, 0.1));
+            let off = (load.f_x - x).hypot(load.f_y - y) / x.hypot(y);
+            println!("{friction:e} {back}: {off:.1e}");
+            // The rim is about |X|/(f zeta) of the depth.
+            assert!(off < 3e-6 + 0.3 / (friction * back), "{friction}, {back}: {off}");
+        }
+    }
+}
+
 /// A turning path with growing and receding contact: rings of sliders at fixed distances.
 #[test]
 fn tends_to_rings_of_sliders() {

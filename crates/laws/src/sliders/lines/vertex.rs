@@ -94,23 +94,33 @@ impl Slipped {
 }
 
 /// Where between a ring that sticks and one beyond its limit the limit is met.
+///
+/// Found from the ring that slips, so that nothing cancels where the part that slips is thin.
 pub(super) fn front(inside: &Vertex, outside: &Vertex, zeta: f64, to: [f64; 2]) -> Option<Vertex> {
     let (u, w) = (inside.stretch(to), outside.stretch(to));
-    let du = [w[0] - u[0], w[1] - u[1]];
-    let bound = zeta - inside.depth;
-    let dl = inside.depth - outside.depth;
-    let a = du[0] * du[0] + du[1] * du[1] - dl * dl;
-    let b = u[0] * du[0] + u[1] * du[1] - bound * dl;
-    let norm = length(u);
-    let c = (norm - bound).min(0.0) * (norm + bound);
-    let root = (b * b - a * c).max(0.0).sqrt();
-    let part = if b >= 0.0 { -c / (b + root) } else { (root - b) / a };
-    // However thin the part that slips, the line before it stays where it is.
-    let depth = inside.depth + part * (outside.depth - inside.depth);
-    if !(part > 1e-9 && (depth - inside.depth).abs() < (outside.depth - inside.depth).abs()) {
+    let rise = [u[0] - w[0], u[1] - w[1]];
+    let length = outside.depth - inside.depth;
+    let limit = zeta - outside.depth;
+    // |w + t rise|^2 = (limit + t length)^2, the first t above zero.
+    let curve = rise[0] * rise[0] + rise[1] * rise[1] - length * length;
+    let slope = w[0] * rise[0] + w[1] * rise[1] - limit * length;
+    let norm = self::length(w);
+    let excess = (norm - limit).max(0.0) * (norm + limit);
+    let root = (slope * slope - curve * excess).max(0.0).sqrt();
+    let part = if slope <= 0.0 { excess / (root - slope) } else { (slope + root) / -curve };
+    // Where all but nothing slips the ring that sticks is the place.
+    if !(part < 1.0 - 1e-9) {
         return None;
     }
-    Some(Vertex::new(depth, [0, 1].map(|k| to[k] - (u[k] + part * du[k]))))
+    let depth = outside.depth - part * length;
+    // However thin the part that slips, the line before it stays where it is.
+    let depth = match depth == outside.depth {
+        true if length > 0.0 => depth.next_down(),
+        true => depth.next_up(),
+        false => depth,
+    };
+    let apart = depth != inside.depth && depth != outside.depth;
+    apart.then(|| Vertex::new(depth, [0, 1].map(|k| to[k] - (w[k] + part * rise[k]))))
 }
 
 pub(super) fn length([x, y]: [f64; 2]) -> f64 {
