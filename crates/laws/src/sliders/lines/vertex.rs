@@ -109,7 +109,7 @@ pub(super) fn front(inside: &Vertex, outside: &Vertex, zeta: f64, to: [f64; 2]) 
     let root = (slope * slope - curve * excess).max(0.0).sqrt();
     let part = if slope <= 0.0 { excess / (root - slope) } else { (slope + root) / -curve };
     // Where all but nothing slips the ring that sticks is the place.
-    if !(part < 1.0 - 1e-9) {
+    if part.is_nan() || part >= 1.0 - 1e-9 {
         return None;
     }
     let depth = outside.depth - part * length;
