@@ -5,9 +5,7 @@ use carom::prelude::{
     CellState, ContactProblem, ContactState, Drive, Driven, Friction, Frictional, Gap, Grid,
     Method as _,
 };
-use carom::solver::{
-    CellFriction, FrictionalScratch, StepSummary, Subsurface, SurfaceFriction,
-};
+use carom::solver::{CellFriction, FrictionalScratch, StepSummary, Subsurface, SurfaceFriction};
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;

@@ -74,9 +74,8 @@ pub(crate) fn reduced(
     let mut used: Terms<'_> = [[None; 3]; 3];
     let mut count = 0;
     for (row, field) in outputs.iter_mut().enumerate() {
-        let of_row: [_; 3] = std::array::from_fn(|at| {
-            if at < given { terms[row][columns[at]] } else { None }
-        });
+        let of_row: [_; 3] =
+            std::array::from_fn(|at| if at < given { terms[row][columns[at]] } else { None });
         if of_row.iter().all(Option::is_none) {
             field.fill(0.0);
         } else {

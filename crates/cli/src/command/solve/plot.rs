@@ -13,8 +13,12 @@ const MOST_ARROWS: usize = 40;
 
 pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, CliError> {
     let steps = followed.steps.as_slice();
-    let course =
-        Course { records: steps, marked: steps, label: "step", at: |step: &StepSummary| step.step as f64 };
+    let course = Course {
+        records: steps,
+        marked: steps,
+        label: "step",
+        at: |step: &StepSummary| step.step as f64,
+    };
     let (state, f) = (&followed.state, case.friction);
     let mut panels = Vec::new();
     if steps.len() > 1 {

@@ -125,7 +125,10 @@ impl Store {
         let stamp = Array::Bytes(vec![8], self.fingerprint.to_le_bytes().to_vec());
         let mut arrays = BTreeMap::from([
             ("case".to_owned(), stamp),
-            ("numbers".to_owned(), Array::Numbers(vec![StepSummary::NUMBERS], step.numbers().to_vec())),
+            (
+                "numbers".to_owned(),
+                Array::Numbers(vec![StepSummary::NUMBERS], step.numbers().to_vec()),
+            ),
             ("x".to_owned(), axis(grid.nx(), &|i| x + grid.centred_x(i))),
             ("y".to_owned(), axis(grid.ny(), &|i| y + grid.centred_y(i))),
         ]);
