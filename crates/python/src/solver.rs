@@ -15,6 +15,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::{Numbers, map, same_length};
+use crate::cases::lines;
 use crate::error::Fault;
 use crate::materials::MaterialPair;
 use crate::records::arrays;
@@ -83,24 +84,7 @@ impl Solver {
         &self,
         py: Python<'py>,
     ) -> ([f64; 4], [Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>) {
-        let ContactState { shift, cells, .. } = &self.state;
-        let fields = [
-            &self.state.pressure,
-            &self.state.traction_x,
-            &self.state.traction_y,
-            &self.state.displacement_x,
-            &self.state.displacement_y,
-        ];
-        let cells = cells.values().iter().map(|cell| match cell {
-            CellState::Exterior => 0,
-            CellState::Stick => 1,
-            CellState::Slip => 2,
-        });
-        (
-            [shift.zeta, shift.xi, shift.eta, shift.omega],
-            fields.map(|field| PyArray1::from_slice(py, field.values())),
-            PyArray1::from_vec(py, cells.collect()),
-        )
+        lines(py, &self.state)
     }
 
     /// Goes on from a state that was read.

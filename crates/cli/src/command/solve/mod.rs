@@ -16,13 +16,16 @@ use crate::case::{GridCase, SolveCase};
 use crate::columns::{self, Record};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
+use crate::input::CaseFile;
+use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
 use bodies::Bodies;
-use carom_solver::{Accuracy, Doubt, Estimates};
+use carom_solver::{Accuracy, ContactState, Doubt, Estimates, Window};
 use follow::{Followed, Run};
 use serde::Serialize;
 use std::path::PathBuf;
 use store::{Found, Store};
+pub use view::{COLUMNS as SOLVE_COLUMNS, Step};
 
 /// A contact with friction on a grid: any gap, any materials, any history.
 ///
@@ -63,11 +66,11 @@ fn help() -> String {
 /// Steps, and stresses below the last one, as they stand in JSON.
 #[derive(Serialize)]
 struct Both<'a> {
-    steps: Vec<Record<'a, view::Step>>,
+    steps: Vec<Record<'a, Step>>,
     depths: Vec<Record<'a, below::Below>>,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     if let Some(accuracy) = arguments.accuracy {
         Accuracy::new(accuracy)?;
@@ -75,10 +78,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let case = file.parse(|source| SolveCase::parse_to(source, arguments.accuracy))?;
     let bodies = Bodies::of(&file.path, &case)?;
     let run = Run::new(&file.path, &case, &bodies)?;
-    let text =
-        std::fs::read(&file.path).map_err(|error| CliError::io("read", &file.path, error))?;
     let accuracy = arguments.accuracy.map(f64::to_le_bytes).unwrap_or_default();
-    let inputs = [text.as_slice(), bodies.read(), &accuracy];
+    let inputs = [file.text().as_bytes(), bodies.read(), &accuracy];
     let store = arguments.keep.as_ref().map(|folder| Store::open(folder, &inputs)).transpose()?;
     let found = match &store {
         Some(store) if arguments.resume => {
@@ -90,7 +91,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         }
         None => Found::default(),
     };
-    let followed = run.follow(found, store.as_ref())?;
+    let followed = run.follow(found, store.as_ref(), messages)?;
     let (steps, format) = (&followed.steps, arguments.given.format);
     columns::check(&file.path, view::COLUMNS, steps)?;
     let stresses = match (arguments.depths, steps.last()) {
@@ -126,6 +127,33 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     Ok(Answer { text, warnings, picture, ..Answer::default() })
 }
 
+/// A contact on a grid after all its steps.
+#[derive(Debug)]
+pub struct Solved {
+    /// A row for each.
+    pub steps: Vec<Step>,
+    /// At the end.
+    pub state: ContactState,
+    /// Where the cells are.
+    pub window: Window,
+}
+
+/// Solves a case, to `accuracy` if one is given, whatever the case says of its grid.
+///
+/// # Errors
+/// If the case is bad, a file that it names cannot be read, or a step cannot be solved.
+pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<Solved, CliError> {
+    if let Some(accuracy) = accuracy {
+        Accuracy::new(accuracy)?;
+    }
+    let case = file.parse(|source| SolveCase::parse_to(source, accuracy))?;
+    let bodies = Bodies::of(&file.path, &case)?;
+    let run = Run::new(&file.path, &case, &bodies)?;
+    let Followed { steps, state, window, .. } =
+        run.follow(Found::default(), None, &Messages::QUIET)?;
+    Ok(Solved { steps, state, window })
+}
+
 /// A warning if few cells lie across the contact.
 fn doubts(followed: &Followed) -> Option<String> {
     let across = followed.state.doubts().into_iter().find_map(|doubt| match doubt {
@@ -143,9 +171,9 @@ fn doubts(followed: &Followed) -> Option<String> {
 
 /// A warning if steps between the ends of the legs, or from one to the next, have greater errors than
 /// was asked for.
-fn unreached(case: &SolveCase, steps: &[view::Step]) -> Option<String> {
+fn unreached(case: &SolveCase, steps: &[Step]) -> Option<String> {
     let GridCase::Accuracy(accuracy) = case.grid else { return None };
-    let all: Option<Vec<Estimates>> = steps.iter().map(view::Step::estimates).collect();
+    let all: Option<Vec<Estimates>> = steps.iter().map(Step::estimates).collect();
     let reached = all.map_or(f64::INFINITY, |all| Estimates::worst(&all));
     (reached > accuracy).then(|| {
         format!("estimated errors reach {reached:.1e} on the way, above {accuracy}; ask for more")

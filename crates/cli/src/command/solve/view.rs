@@ -5,9 +5,9 @@ use carom_laws::law::{ContactLoad, Shift};
 use carom_solver::{CellState, ContactState, Convergence, Estimated, Estimates, Window};
 use carom_table::{Column, Value};
 
-/// The contact at the end of a step. SI units; loads act on body 1.
+/// The contact at the end of a step on a grid. SI units; loads act on body 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
-pub(super) struct Step {
+pub struct Step {
     pub(super) step: f64,
     pub(super) shift: Shift,
     pub(super) load: ContactLoad,
@@ -149,7 +149,7 @@ impl Step {
 }
 
 /// The columns of a solution.
-pub(super) const COLUMNS: &[Column<Step>] = &[
+pub const COLUMNS: &[Column<Step>] = &[
     Column::new("step", "", "number of the step, from 1", |step| (step.step as u64).into()),
     Column::new("zeta", "m", "approach", |step| step.shift.zeta.into()),
     Column::new("xi", "m", "shift of body 2 against body 1 along x", |step| step.shift.xi.into()),
