@@ -7,8 +7,7 @@ use std::process::Command;
 /// What the tests need beside the wheel.
 const TOOLS: &[&str] = &["maturin>=1.9,<2", "numpy>=1.26", "pytest>=8"];
 /// What they use where it can be had.
-const WISHES: &[&str] =
-    &["distributed", "ipykernel", "matplotlib", "nbclient", "pandas", "xarray"];
+const WISHES: &[&str] = &["distributed", "ipykernel", "matplotlib", "nbclient", "pandas", "xarray"];
 
 /// An environment of its own below target/.
 pub(crate) struct Place {

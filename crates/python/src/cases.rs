@@ -1,9 +1,8 @@
 //! Cases from TOML files, as the command `carom` takes them.
 
-use carom::laws::law::Shift;
 use carom::solver::{CellState, ContactState};
 use carom_cli::case::CaseKind;
-use carom_cli::cases::{self, HistoryStep, Impacts, SOLVE_COLUMNS, Solved, history_columns};
+use carom_cli::cases::{self, HistoryStep, Impacts, Solved, history_columns, solve_columns};
 use carom_cli::error::CliError;
 use carom_cli::input::CaseFile;
 use numpy::PyArray1;
@@ -61,8 +60,8 @@ pub(crate) fn case_solve<'py>(
         (0..grid.ny()).map(|j| y + grid.centred_y(j)).collect(),
     ];
     let axes = axes.map(|axis| PyArray1::from_vec(py, axis));
-    let (_, fields, cells) = lines(py, &state);
-    Ok((arrays(py, SOLVE_COLUMNS, &steps)?, axes, fields, cells))
+    let (fields, cells) = lines(py, &state);
+    Ok((arrays(py, &solve_columns(), &steps)?, axes, fields, cells))
 }
 
 /// A commented case of a kind, with every field that it may have: it runs as it stands.
@@ -75,13 +74,12 @@ pub(crate) fn case_new(kind: &str) -> PyResult<String> {
     Ok(kind.begin())
 }
 
-/// Shifts, fields and cells of a state, one number after the other: pressure, tractions, displacements.
+/// Fields and cells of a state, one number after the other: pressure, tractions, displacements.
 #[allow(clippy::type_complexity)]
 pub(crate) fn lines<'py>(
     py: Python<'py>,
     state: &ContactState,
-) -> ([f64; 4], [Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>) {
-    let Shift { zeta, xi, eta, omega } = state.shift;
+) -> ([Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>) {
     let fields = [
         &state.pressure,
         &state.traction_x,
@@ -94,11 +92,8 @@ pub(crate) fn lines<'py>(
         CellState::Stick => 1,
         CellState::Slip => 2,
     });
-    (
-        [zeta, xi, eta, omega],
-        fields.map(|field| PyArray1::from_slice(py, field.values())),
-        PyArray1::from_vec(py, cells.collect()),
-    )
+    let fields = fields.map(|field| PyArray1::from_slice(py, field.values()));
+    (fields, PyArray1::from_vec(py, cells.collect()))
 }
 
 /// What is wrong with a case is a `ValueError`, a file that cannot be read an `OSError`.

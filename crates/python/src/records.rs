@@ -3,7 +3,7 @@
 use carom::impact::{EnergyBudget, HistoryPoint, Motion, Outcome, Rebound};
 use carom::laws::hertz::HertzState;
 use carom::table::{Column, Quantity as _, Value};
-use carom_cli::cases::{SOLVE_COLUMNS, history_columns};
+use carom_cli::cases::{history_columns, solve_columns};
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -92,7 +92,7 @@ pub(crate) fn columns(
     record: &str,
 ) -> PyResult<Vec<(&'static str, &'static str, &'static str, usize)>> {
     match record {
-        "GridStep" => Ok(about(SOLVE_COLUMNS)),
+        "GridStep" => Ok(about(&solve_columns())),
         "HertzState" => Ok(about(HertzState::COLUMNS)),
         "HistoryPoint" => Ok(about(HistoryPoint::COLUMNS)),
         "HistoryStep" => Ok(about(&history_columns())),

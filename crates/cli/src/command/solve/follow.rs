@@ -3,20 +3,19 @@
 use super::bodies::Bodies;
 use super::classic::{Chosen, ChosenError};
 use super::store::{Found, Saved, Store};
-use super::view::Step;
 use crate::case::{Border, GridCase, Leg, SolveCase, Target};
 use crate::error::CliError;
 use crate::manner::Messages;
 use carom_laws::law::{ContactLoad, Shift};
 use carom_solver::{
     Accuracy, CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalError,
-    NestedError, NestedHistory, ProblemError, StoredEnergy, Window, dissipated,
+    NestedError, NestedHistory, ProblemError, StepSummary, Window,
 };
 use std::path::Path;
 
 /// What a run leaves.
 pub(super) struct Followed {
-    pub(super) steps: Vec<Step>,
+    pub(super) steps: Vec<StepSummary>,
     pub(super) state: ContactState,
     pub(super) window: Window,
     /// How many steps were there before.
@@ -113,7 +112,7 @@ impl<'a> Run<'a> {
         let (mut first, mut held) = (0, HELD);
         for leg in &self.case.legs {
             for number in first + 1..=first + leg.count {
-                let begin = if first == 0 { Step::default() } else { steps[first - 1] };
+                let begin = if first == 0 { StepSummary::default() } else { steps[first - 1] };
                 let drive = drive(leg, number - first, &begin, held);
                 if number > count {
                     let step = self.step(number, &drive, steps.last())?;
@@ -136,8 +135,8 @@ impl<'a> Run<'a> {
         &mut self,
         number: usize,
         drive: &Drive,
-        last: Option<&Step>,
-    ) -> Result<Step, CliError> {
+        last: Option<&StepSummary>,
+    ) -> Result<StepSummary, CliError> {
         let path = self.path;
         let before = self.history.state().clone();
         let went =
@@ -147,14 +146,11 @@ impl<'a> Run<'a> {
             return Err(CliError::Border { path: path.to_owned(), step: number, side });
         }
         let estimates = self.history.estimates();
-        let mut step = Step::of(number, state, &self.window, estimates.as_ref(), &went);
-        let stored = StoredEnergy::of(self.problem(), state);
-        step.stored_energy = stored
-            .map_err(|error| failed(path, number, FrictionalError::from(error).into()))?
-            .total();
-        let heat: f64 = dissipated(&before, state).values().iter().sum();
-        step.dissipated = last.map_or(0.0, |last| last.dissipated) + heat;
-        Ok(step)
+        let begin = last.copied().unwrap_or_default();
+        let step = begin
+            .next(self.problem(), [&before, state], &went)
+            .map_err(|error| failed(path, number, FrictionalError::from(error).into()))?;
+        Ok(step.with_middle_at(self.window.middle()).with_estimates(estimates.as_ref()))
     }
 
     /// Whether the contact must not reach the border.
@@ -186,7 +182,7 @@ fn ends(legs: &[Leg]) -> Vec<Drive> {
 }
 
 /// What drives a step of a leg that began at `begin`.
-fn drive(leg: &Leg, number: usize, begin: &Step, held: [Driven; 4]) -> Drive {
+fn drive(leg: &Leg, number: usize, begin: &StepSummary, held: [Driven; 4]) -> Drive {
     let part = number as f64 / leg.count as f64;
     let mix = |from: f64, to: f64| if number == leg.count { to } else { from + part * (to - from) };
     let Shift { zeta, xi, eta, omega } = begin.shift;

@@ -20,12 +20,12 @@ use crate::input::CaseFile;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
 use bodies::Bodies;
-use carom_solver::{Accuracy, ContactState, Doubt, Estimates, Window};
+use carom_solver::{Accuracy, ContactState, Doubt, Estimates, StepSummary, Window};
 use follow::{Followed, Run};
 use serde::Serialize;
 use std::path::PathBuf;
 use store::{Found, Store};
-pub use view::{COLUMNS as SOLVE_COLUMNS, Step};
+pub use view::columns as solve_columns;
 
 /// A contact with friction on a grid: any gap, any materials, any history.
 ///
@@ -58,7 +58,7 @@ pub(super) struct Arguments {
 
 /// What the rows hold.
 fn help() -> String {
-    let steps = columns::help("A row for each step", view::COLUMNS);
+    let steps = columns::help("A row for each step", &view::columns());
     let depths = columns::help("With --depths as CSV, a row for each depth", below::COLUMNS);
     format!("{steps}\n{depths}")
 }
@@ -66,7 +66,7 @@ fn help() -> String {
 /// Steps, and stresses below the last one, as they stand in JSON.
 #[derive(Serialize)]
 struct Both<'a> {
-    steps: Vec<Record<'a, Step>>,
+    steps: Vec<Record<'a, StepSummary>>,
     depths: Vec<Record<'a, below::Below>>,
 }
 
@@ -93,7 +93,9 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     };
     let followed = run.follow(found, store.as_ref(), messages)?;
     let (steps, format) = (&followed.steps, arguments.given.format);
-    columns::check(&file.path, view::COLUMNS, steps)?;
+    let all = view::columns();
+    columns::check(&file.path, &all, steps)?;
+    let records = || steps.iter().map(|step| Record::new(&all, step)).collect::<Vec<_>>();
     let stresses = match (arguments.depths, steps.last()) {
         (Some(count), Some(last)) => {
             below::along_normal(&file.path, &case, &followed.state, last, count as usize)?
@@ -102,17 +104,17 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     };
     let depths = || columns::rows(format, below::COLUMNS, &stresses);
     let text = match (format, arguments.depths) {
-        (Format::Json, None) => json(&view::records(steps))?,
+        (Format::Json, None) => json(&records())?,
         (Format::Json, Some(_)) => json(&Both {
-            steps: view::records(steps),
+            steps: records(),
             depths: stresses.iter().map(|row| Record::new(below::COLUMNS, row)).collect(),
         })?,
         (Format::Table, depth) => {
-            let rows = columns::rows(format, &view::readable(), steps)? + &view::errors(steps);
+            let rows = columns::rows(format, view::readable(), steps)? + &view::errors(steps);
             if depth.is_some() { rows + &depths()? } else { rows }
         }
         (_, Some(_)) => depths()?,
-        (_, None) => columns::rows(format, view::COLUMNS, steps)?,
+        (_, None) => columns::rows(format, &all, steps)?,
     };
     let mut warnings = Vec::new();
     if followed.found > 0 {
@@ -131,7 +133,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
 #[derive(Debug)]
 pub struct Solved {
     /// A row for each.
-    pub steps: Vec<Step>,
+    pub steps: Vec<StepSummary>,
     /// At the end.
     pub state: ContactState,
     /// Where the cells are.
@@ -161,7 +163,7 @@ fn doubts(followed: &Followed) -> Option<String> {
         Doubt::Border { .. } => None,
     })?;
     let last = followed.steps.last()?;
-    let error = last.estimates().map(|all| Estimates::worst(&[all]));
+    let error = last.estimates.map(|all| Estimates::worst(&[all]));
     let error = error.map_or_else(
         || "there is no estimate of the error".to_owned(),
         |error| format!("loads and shifts may be off by {:.1} %", 100.0 * error),
@@ -171,9 +173,9 @@ fn doubts(followed: &Followed) -> Option<String> {
 
 /// A warning if steps between the ends of the legs, or from one to the next, have greater errors than
 /// was asked for.
-fn unreached(case: &SolveCase, steps: &[Step]) -> Option<String> {
+fn unreached(case: &SolveCase, steps: &[StepSummary]) -> Option<String> {
     let GridCase::Accuracy(accuracy) = case.grid else { return None };
-    let all: Option<Vec<Estimates>> = steps.iter().map(Step::estimates).collect();
+    let all: Option<Vec<Estimates>> = steps.iter().map(|step| step.estimates).collect();
     let reached = all.map_or(f64::INFINITY, |all| Estimates::worst(&all));
     (reached > accuracy).then(|| {
         format!("estimated errors reach {reached:.1e} on the way, above {accuracy}; ask for more")
