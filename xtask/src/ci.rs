@@ -1,6 +1,6 @@
 //! What continuous integration checks.
 
-use crate::{browse, cargo, mutants, python, test, tidy};
+use crate::{book, browse, cargo, mutants, python, release, test, tidy};
 use anyhow::{Context as _, bail};
 use std::time::Instant;
 
@@ -8,7 +8,7 @@ type Step = fn() -> anyhow::Result<()>;
 
 const STEPS: &[(&str, Step)] = &[
     ("form", form),
-    ("index of equations, places of mutants", tidy::run),
+    ("index of equations, places of mutants, descriptions of packages", tidy::run),
     ("lints", lints),
     ("documentation", documentation),
     ("tests, with the examples of README and documentation", test::run),
@@ -16,6 +16,8 @@ const STEPS: &[(&str, Step)] = &[
     ("quick figures", quick_figures),
     ("the report in a browser", browse::run),
     ("the Python module, in an environment of its own", python::run),
+    ("the book", book::run),
+    ("packages", release::pack_quickly),
     ("mutants, each against the test known to notice it", mutants::quick),
 ];
 

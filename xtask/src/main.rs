@@ -1,16 +1,18 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `ci`, `bench`.
+//! `python`, `release`, `book`, `ci`, `bench`.
 //!
 //! Calls cargo, and reads the sources for `mutants` and `tidy`: whatever computes lives in the crates, so
 //! that this one builds soon.
 
+mod book;
 mod browse;
 mod cargo;
 mod ci;
 mod flags;
 mod mutants;
 mod python;
+mod release;
 mod test;
 mod tidy;
 
@@ -39,6 +41,9 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Tidy(_) => tidy::run()?,
         flags::XtaskCmd::Browse(_) => browse::run()?,
         flags::XtaskCmd::Python(_) => python::run()?,
+        flags::XtaskCmd::Release(options) => release::run(&options)?,
+        flags::XtaskCmd::Book(options) if options.update => book::update()?,
+        flags::XtaskCmd::Book(_) => book::run()?,
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }

@@ -12,6 +12,7 @@ use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::{Numbers, map, same_length};
+use crate::cases::lines;
 use crate::error::Fault;
 use crate::materials::MaterialPair;
 use crate::records::arrays;
@@ -90,23 +91,8 @@ impl Solver {
         &self,
         py: Python<'py>,
     ) -> (Vec<f64>, [Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>) {
-        let fields = [
-            &self.state.pressure,
-            &self.state.traction_x,
-            &self.state.traction_y,
-            &self.state.displacement_x,
-            &self.state.displacement_y,
-        ];
-        let cells = self.state.cells.values().iter().map(|cell| match cell {
-            CellState::Exterior => 0,
-            CellState::Stick => 1,
-            CellState::Slip => 2,
-        });
-        (
-            self.last.numbers().to_vec(),
-            fields.map(|field| PyArray1::from_slice(py, field.values())),
-            PyArray1::from_vec(py, cells.collect()),
-        )
+        let (fields, cells) = lines(py, &self.state);
+        (self.last.numbers().to_vec(), fields, cells)
     }
 
     /// Goes on from a state that was read.

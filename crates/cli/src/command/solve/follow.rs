@@ -5,12 +5,12 @@ use super::classic::{Chosen, ChosenError};
 use super::store::{Found, Saved, Store};
 use crate::case::{Border, GridCase, Leg, SolveCase, Target};
 use crate::error::CliError;
+use crate::manner::Messages;
 use carom_laws::law::{ContactLoad, Shift};
 use carom_solver::{
     Accuracy, CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalError,
     NestedError, NestedHistory, ProblemError, StepSummary, Window,
 };
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::path::Path;
 
 /// What a run leaves.
@@ -97,6 +97,7 @@ impl<'a> Run<'a> {
         mut self,
         found: Found,
         store: Option<&Store>,
+        messages: &Messages,
     ) -> Result<Followed, CliError> {
         let Found { mut steps, saved } = found;
         if let Some(Saved { state, coarse }) = saved {
@@ -105,7 +106,7 @@ impl<'a> Run<'a> {
         }
         let count = steps.len();
         let drives = self.case.legs.iter().map(|leg| leg.count).sum::<usize>();
-        let bar = progress(drives);
+        let bar = messages.bar(drives, "steps");
         bar.set_position(count as u64);
         bar.reset_eta();
         let (mut first, mut held) = (0, HELD);
@@ -220,15 +221,5 @@ fn border(state: &ContactState) -> Option<&'static str> {
         () if columns.clone().any(|i| touches(i, 0)) => Some("lower"),
         () if columns.any(|i| touches(i, upper)) => Some("upper"),
         () => None,
-    }
-}
-
-/// A bar with the time left; it hides where standard error is no terminal.
-fn progress(count: usize) -> ProgressBar {
-    let target = ProgressDrawTarget::stderr_with_hz(5);
-    let bar = ProgressBar::with_draw_target(Some(count as u64), target);
-    match ProgressStyle::with_template("{bar:40} {pos}/{len} steps, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
     }
 }

@@ -16,13 +16,16 @@ use crate::case::{GridCase, SolveCase};
 use crate::columns::{self, Record};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
+use crate::input::CaseFile;
+use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
 use bodies::Bodies;
-use carom_solver::{Accuracy, Doubt, Estimates, StepSummary};
+use carom_solver::{Accuracy, ContactState, Doubt, Estimates, StepSummary, Window};
 use follow::{Followed, Run};
 use serde::Serialize;
 use std::path::PathBuf;
 use store::{Found, Store};
+pub use view::columns as solve_columns;
 
 /// A contact with friction on a grid: any gap, any materials, any history.
 ///
@@ -67,7 +70,7 @@ struct Both<'a> {
     depths: Vec<Record<'a, below::Below>>,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     if let Some(accuracy) = arguments.accuracy {
         Accuracy::new(accuracy)?;
@@ -75,10 +78,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let case = file.parse(|source| SolveCase::parse_to(source, arguments.accuracy))?;
     let bodies = Bodies::of(&file.path, &case)?;
     let run = Run::new(&file.path, &case, &bodies)?;
-    let text =
-        std::fs::read(&file.path).map_err(|error| CliError::io("read", &file.path, error))?;
     let accuracy = arguments.accuracy.map(f64::to_le_bytes).unwrap_or_default();
-    let inputs = [text.as_slice(), bodies.read(), &accuracy];
+    let inputs = [file.text().as_bytes(), bodies.read(), &accuracy];
     let store = arguments.keep.as_ref().map(|folder| Store::open(folder, &inputs)).transpose()?;
     let found = match &store {
         Some(store) if arguments.resume => {
@@ -90,7 +91,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         }
         None => Found::default(),
     };
-    let followed = run.follow(found, store.as_ref())?;
+    let followed = run.follow(found, store.as_ref(), messages)?;
     let (steps, format) = (&followed.steps, arguments.given.format);
     let all = view::columns();
     columns::check(&file.path, &all, steps)?;
@@ -126,6 +127,33 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         None => None,
     };
     Ok(Answer { text, warnings, picture, ..Answer::default() })
+}
+
+/// A contact on a grid after all its steps.
+#[derive(Debug)]
+pub struct Solved {
+    /// A row for each.
+    pub steps: Vec<StepSummary>,
+    /// At the end.
+    pub state: ContactState,
+    /// Where the cells are.
+    pub window: Window,
+}
+
+/// Solves a case, to `accuracy` if one is given, whatever the case says of its grid.
+///
+/// # Errors
+/// If the case is bad, a file that it names cannot be read, or a step cannot be solved.
+pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<Solved, CliError> {
+    if let Some(accuracy) = accuracy {
+        Accuracy::new(accuracy)?;
+    }
+    let case = file.parse(|source| SolveCase::parse_to(source, accuracy))?;
+    let bodies = Bodies::of(&file.path, &case)?;
+    let run = Run::new(&file.path, &case, &bodies)?;
+    let Followed { steps, state, window, .. } =
+        run.follow(Found::default(), None, &Messages::QUIET)?;
+    Ok(Solved { steps, state, window })
 }
 
 /// A warning if few cells lie across the contact.

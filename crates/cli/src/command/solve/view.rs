@@ -4,7 +4,8 @@ use carom_solver::StepSummary;
 use carom_table::Column;
 
 /// The columns of a solution.
-pub(super) fn columns() -> Vec<Column<StepSummary>> {
+#[must_use]
+pub fn columns() -> Vec<Column<StepSummary>> {
     [StepSummary::COLUMNS, StepSummary::ERROR_COLUMNS].concat()
 }
 
