@@ -27,8 +27,7 @@ const VERTICES: usize = 12;
 type Contact = GrainContact<Fixed<[f64; 2], VERTICES>>;
 
 const _: () = assert!(CAROM_TOUCH_NUMBERS == grain_numbers(VERTICES));
-const _: () =
-    assert!(size_of::<Contact>() <= 8 * CAROM_TOUCH_WORDS && align_of::<Contact>() <= 8);
+const _: () = assert!(size_of::<Contact>() <= 8 * CAROM_TOUCH_WORDS && align_of::<Contact>() <= 8);
 const _: () = assert!(!std::mem::needs_drop::<Contact>());
 
 /// Tells a touch that was made by a build of this size from other bytes.

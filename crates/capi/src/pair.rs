@@ -77,7 +77,12 @@ impl CaromPair {
         pair.law::<carom_laws::memory::Fixed<_, 12>>().map(|_| pair)
     }
 
-    pub(crate) fn of_hertz(hertz: &Hertz, friction: f64, law: u32, tolerance: f64) -> Result<Self, Failure> {
+    pub(crate) fn of_hertz(
+        hertz: &Hertz,
+        friction: f64,
+        law: u32,
+        tolerance: f64,
+    ) -> Result<Self, Failure> {
         let ellipse = hertz.ellipse(1.0)?;
         let squares = [ellipse.semi_axis_a(), ellipse.semi_axis_b()].map(|a| a * a);
         Self::new(hertz.stiffness(), squares, friction, law, tolerance)

@@ -25,7 +25,12 @@ fn apart() -> CaromTouch {
     CaromTouch { mark: 0, words: [MaybeUninit::new(0); CAROM_TOUCH_WORDS] }
 }
 
-fn made(poisson: [f64; 2], friction: f64, law: u32, relaxation: f64) -> Result<CaromGrains, String> {
+fn made(
+    poisson: [f64; 2],
+    friction: f64,
+    law: u32,
+    relaxation: f64,
+) -> Result<CaromGrains, String> {
     let bodies = poisson.map(|poisson| CaromMaterial { young_modulus: 70e9, poisson });
     // SAFETY: plain numbers; all pointers are references.
     unsafe {
@@ -47,8 +52,9 @@ fn step(
     let (mut load, mut error) = (CaromGrainLoad::default(), error());
     let heats = heats.map_or(null_mut(), |heats| &raw mut *heats);
     // SAFETY: all pointers are references or null.
-    let status =
-        unsafe { carom_touch_grains(grains, touch, one, two, dt, &raw mut load, heats, &raw mut error) };
+    let status = unsafe {
+        carom_touch_grains(grains, touch, one, two, dt, &raw mut load, heats, &raw mut error)
+    };
     assert_eq!(status, CaromStatus::Ok, "{}", text(&error));
     load
 }
@@ -82,8 +88,12 @@ const RADII: [f64; 2] = [0.5, 0.35];
 
 impl Impact {
     /// At rest against each other but for the normal velocity and lambda f times it along an axis of no
-    /// coordinate system, a twentieth of a step before they touch, with so many steps in the contact.
+    /// coordinate system, a part of a step before they touch, with so many steps in the contact.
     fn new(grains: CaromGrains, lambda: f64, steps: usize) -> Self {
+        Self::touching_after(0.05, grains, lambda, steps)
+    }
+
+    fn touching_after(part: f64, grains: CaromGrains, lambda: f64, steps: usize) -> Self {
         // The duration of Hertz's impact: 2.9432 zeta_max/v, zeta_max = (5 m v^2/(4 k))^(2/5), F = k zeta^1.5.
         let radius = 1.0 / RADII.map(|radius| 1.0 / radius).iter().sum::<f64>();
         let mass = 1.0 / RADII.map(|radius| 1.0 / mass(radius)).iter().sum::<f64>();
@@ -92,7 +102,7 @@ impl Impact {
         let dt = 2.943_275 * deepest / SPEED / steps as f64;
         let normal = [0.36, 0.48, 0.8];
         let along = [0.8, -0.6, 0.0];
-        let gap = 0.05 * dt * SPEED;
+        let gap = part * dt * SPEED;
         let body = |sign: f64, radius: f64| CaromGrain {
             place: normal.map(|n| sign * n * (radius + 0.5 * gap)),
             velocity: plus(
@@ -151,7 +161,8 @@ impl Impact {
     fn energy(&self) -> f64 {
         let kinetic = |body: &CaromGrain| {
             let (mass, square) = (mass(body.radius), body.radius * body.radius);
-            0.5 * mass * (dot(body.velocity, body.velocity) + 0.4 * square * dot(body.spin, body.spin))
+            0.5 * mass
+                * (dot(body.velocity, body.velocity) + 0.4 * square * dot(body.spin, body.spin))
         };
         let mut stored = 0.0;
         // SAFETY: all pointers are references or null.
@@ -169,34 +180,39 @@ fn mass(radius: f64) -> f64 {
 }
 
 /// How far R_x is off at so many steps in the contact, at the worst.
-fn worst(law: u32, steps: usize) -> f64 {
+fn worst(law: u32, steps: usize, parts: &[f64]) -> f64 {
     let mut worst = 0.0_f64;
     for poisson in [0.0, 0.3, 0.5] {
         let grains = made([poisson; 2], 0.1, law, 0.0).unwrap();
         let kappa = (2.0 - poisson) / (2.0 * (1.0 - poisson));
         for lambda in [0.1, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0] {
-            let impact = Impact::new(grains, lambda, steps);
-            let (before, after) = (impact.velocity(), impact.run().velocity());
-            let along = [0.8, -0.6, 0.0];
-            let measured = -dot(after, along) / dot(before, along);
             let mut exact = 0.0;
             // SAFETY: all pointers are references or null.
             let status = unsafe {
                 carom_restitution(kappa, lambda, CAROM_EXACT, &raw mut exact, null_mut())
             };
             assert_eq!(status, CaromStatus::Ok);
-            worst = worst.max((measured - exact).abs());
+            for part in parts {
+                let impact = Impact::touching_after(*part, grains, lambda, steps);
+                let (before, after) = (impact.velocity(), impact.run().velocity());
+                let along = [0.8, -0.6, 0.0];
+                let measured = -dot(after, along) / dot(before, along);
+                worst = worst.max((measured - exact).abs());
+            }
         }
     }
     println!("law {law}, {steps} steps in the contact: R_x off by {worst:.1e}");
     worst
 }
 
+/// What is off is the leapfrog's: at 50 steps it depends on where in a step the two touch.
 #[test]
 fn stepped_impact_meets_the_exact_one() {
     for law in [CAROM_LAW_COULOMB, CAROM_LAW_CHAPTER_7] {
-        assert!(worst(law, 50) < 1.5e-3);
-        assert!(worst(law, 2000) < 1e-4);
+        let parts = [0.05, 0.3, 0.5, 0.7, 0.95];
+        assert!(worst(law, 50, &parts) < 2.6e-3);
+        assert!(worst(law, 70, &parts) < 1.5e-3);
+        assert!(worst(law, 2000, &[0.5]) < 1e-4);
     }
 }
 
@@ -214,7 +230,10 @@ fn energy_of_a_damped_impact_is_accounted_for() {
                 worst = worst.max((impact.energy() / before - 1.0).abs());
             }
             assert!(impact.heats.friction > 0.01 * before && impact.heats.damping > 0.01 * before);
-            println!("law {law}, {steps} steps: {worst:.1e}, heats {:?} of {before:e}", impact.heats);
+            println!(
+                "law {law}, {steps} steps: {worst:.1e}, heats {:?} of {before:e}",
+                impact.heats
+            );
             worst
         };
         assert!(missed(100) < 5e-3);
@@ -297,12 +316,24 @@ fn wall_is_a_sphere_without_end() {
         let (mut load, grain) = (CaromGrainLoad::default(), one(f64::from(t)));
         // SAFETY: all pointers are references or null.
         let status = unsafe {
-            carom_touch_wall(&grains, &mut touch, &grain, &wall, 1.0, &raw mut load, null_mut(), null_mut())
+            carom_touch_wall(
+                &grains,
+                &mut touch,
+                &grain,
+                &wall,
+                1.0,
+                &raw mut load,
+                null_mut(),
+                null_mut(),
+            )
         };
         assert_eq!(status, CaromStatus::Ok);
         let expected = step(&grains, &mut other, &[grain, below], 1.0, None);
         for k in 0..3 {
-            assert!((load.force[k] / expected.force[2] - expected.force[k] / expected.force[2]).abs() < 1e-3);
+            assert!(
+                (load.force[k] / expected.force[2] - expected.force[k] / expected.force[2]).abs()
+                    < 1e-3
+            );
         }
         assert!(load.force[0] < 0.0 && load.force[1] > 0.0 && load.torque_2 == [0.0; 3]);
     }
@@ -336,7 +367,13 @@ fn what_is_out_of_range_is_named() {
     let cases = [
         (null(), near, 1.0, CaromStatus::NullPointer, "grains"),
         (&raw const grains, grain, 1.0, CaromStatus::OutOfRange, "distance"),
-        (&raw const grains, CaromGrain { radius: -1.0, ..near }, 1.0, CaromStatus::OutOfRange, "radius_2"),
+        (
+            &raw const grains,
+            CaromGrain { radius: -1.0, ..near },
+            1.0,
+            CaromStatus::OutOfRange,
+            "radius_2",
+        ),
         (&raw const grains, near, f64::NAN, CaromStatus::OutOfRange, "zeta"),
     ];
     for (grains, two, dt, status, name) in cases {

@@ -50,8 +50,14 @@ fn turned_as_a_whole(shift: V, spin: V, dt: f64, steps: usize) -> (f64, V, V) {
     let arm = [0.6, 0.0, 0.8];
     let one = Grain { place: arm.map(|x| 1.98 * x), velocity: shift, ..grain };
     let mut contact = fresh(0.0);
-    contact.advance(&Meeting::of_spheres(&Grain { velocity: [0.0; 3], ..one }, &grain, [0.5; 2]).unwrap(), 1.0).unwrap();
-    let before = contact.advance(&Meeting::of_spheres(&one, &grain, [0.5; 2]).unwrap(), 1.0).unwrap();
+    contact
+        .advance(
+            &Meeting::of_spheres(&Grain { velocity: [0.0; 3], ..one }, &grain, [0.5; 2]).unwrap(),
+            1.0,
+        )
+        .unwrap();
+    let before =
+        contact.advance(&Meeting::of_spheres(&one, &grain, [0.5; 2]).unwrap(), 1.0).unwrap();
     let mut load = before;
     for step in 1..=steps {
         // Velocities of a leapfrog: those of the middle of the step.

@@ -116,7 +116,7 @@ carom_touch *FixWallCarom::touch_of(int i)
   return touch;
 }
 
-// One step of a grain on the wall, with its heat; none of no duration but for a new contact.
+// One step of a grain on the wall, with its heat; a step of no duration only looks, but for a new contact.
 carom_grain_load FixWallCarom::step(int i, double duration)
 {
   const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i];
@@ -149,11 +149,10 @@ void FixWallCarom::post_force(int)
     if (!(atom->mask[i] & groupbit)) continue;
     const double *x = atom->x[i];
     const double height = (x[0] - p[0]) * n[0] + (x[1] - p[1]) * n[1] + (x[2] - p[2]) * n[2];
-    if (height >= atom->radius[i]) {
-      if (touches_wall(i)) {
-        if (account && duration > 0.0) step(i, duration);
-        touches.drop(slots[i].get());
-      }
+    const bool apart = height >= atom->radius[i];
+    if (apart && !touches_wall(i)) continue;
+    if (apart && duration == 0.0) {
+      drop(i);
       continue;
     }
     if (!known[atom->type[i]])
@@ -166,6 +165,7 @@ void FixWallCarom::post_force(int)
       atom->torque[i][axis] += load.torque_1[axis];
       sum[axis] -= load.force[axis];
     }
+    if (apart) drop(i);
   }
   for (int axis = 0; axis < 3; axis++) {
     sums_.work -= 0.5 * (force_on_wall[axis] + sum[axis]) * wall.velocity[axis] * duration;

@@ -45,12 +45,12 @@ PairCarom::PairCarom(LAMMPS *lmp) : Pair(lmp)
   // A contact is seen from the lower tag: it is the same for both grains.
   nondefault_history_transfer = 1;
 
-  // Places for two fixes, in this order: contacts become numbers before the host's moves them. They are
-  // made when a run begins, since what a restart file tells is known by then, and go by these names.
+  // Places for the fixes, in this order. They are made when a run begins, since what a restart file tells
+  // is known by then, and go by these names.
   keep_id = free_id(modify, "CAROM_KEEP");
   history_id = free_id(modify, "NEIGH_HISTORY_CAROM");
-  modify->add_fix(keep_id + "_DUMMY all DUMMY", 0);
-  modify->add_fix(history_id + "_DUMMY all DUMMY", 0);
+  restore_id = free_id(modify, "CAROM_RESTORE");
+  for (const std::string &id : {keep_id, history_id, restore_id}) modify->add_fix(id + "_DUMMY all DUMMY", 0);
 }
 
 PairCarom::~PairCarom()
@@ -58,8 +58,9 @@ PairCarom::~PairCarom()
   if (copymode) return;
   delete[] svector;
   if (keep) keep->pair = nullptr;
-  for (const std::string &id : {keep_id, keep_id + "_DUMMY", history_id, history_id + "_DUMMY"})
-    if (modify->get_fix_by_id(id)) modify->delete_fix(id);
+  for (const std::string &id : {keep_id, history_id, restore_id})
+    for (const std::string &name : {id, id + "_DUMMY"})
+      if (modify->get_fix_by_id(name)) modify->delete_fix(name);
   if (allocated) {
     memory->destroy(setflag);
     memory->destroy(cutsq);
@@ -138,11 +139,14 @@ void PairCarom::init_style()
   if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom wants comm_modify vel yes");
   neighbor->add_request(this, NeighConst::REQ_SIZE | NeighConst::REQ_HISTORY);
   if (!history) {
-    const auto mine = modify->replace_fix(keep_id + "_DUMMY", keep_id + " all CAROM_KEEP", 0);
-    keep = static_cast<FixCaromKeep *>(mine);
-    keep->serve(this);
-    const auto command = history_id + " all NEIGH_HISTORY " + std::to_string(Touches::NUMBERS);
-    history = static_cast<NeighHistory *>(modify->replace_fix(history_id + "_DUMMY", command, 0));
+    const auto make = [this](const std::string &id, const std::string &style) {
+      return modify->replace_fix(id + "_DUMMY", id + " all " + style, 0);
+    };
+    keep = static_cast<FixCaromKeep *>(make(keep_id, "CAROM_KEEP"));
+    const auto numbers = std::to_string(Touches::NUMBERS);
+    history = static_cast<NeighHistory *>(make(history_id, "NEIGH_HISTORY " + numbers));
+    keep->serve(this, history);
+    static_cast<FixCaromRestore *>(make(restore_id, "CAROM_RESTORE"))->keep = keep;
     if (history->pair != nullptr)
       error->all(FLERR, "pair carom: the fields of fix NEIGH_HISTORY are not where they were expected");
     history->pair = this;
@@ -199,23 +203,10 @@ double PairCarom::share_of(int j) const
   return force->newton_pair || j < atom->nlocal ? 1.0 : 0.5;
 }
 
-// Two grains that touched are apart.
-void PairCarom::part(double *slot, int i, int j, double share)
+void PairCarom::end(double *slot, int &touching)
 {
-  if (account && !update->setupflag && slot[0] != 0.0) {
-    const int one = atom->tag[i] < atom->tag[j] ? i : j, two = i + j - one;
-    const carom_grain body_1 = grain(one), body_2 = grain(two);
-    const carom_grains &grains = constants[place(atom->type[one], atom->type[two])];
-    carom_grain_load load;
-    carom_heats released = {0.0, 0.0};
-    carom_error why;
-    if (carom_touch_grains(&grains, touch_of(slot, one, two), &body_1, &body_2, update->dt, &load,
-                           &released, &why) != CAROM_STATUS_OK)
-      carom::fail(lmp, "pair carom", why);
-    heats.friction += share * released.friction;
-    heats.damping += share * released.damping;
-  }
   touches.drop(slot);
+  touching = 0;
 }
 
 void PairCarom::compute(int eflag, int vflag)
@@ -224,7 +215,7 @@ void PairCarom::compute(int eflag, int vflag)
   if (history->nlocal_neigh > atom->nlocal || history->nall_neigh < history->nlocal_neigh)
     error->one(FLERR, "pair carom: the fields of fix NEIGH_HISTORY are not where they were expected");
   // A setup only looks at what the last step left; a contact that is new to it begins with a step of no
-  // duration.
+  // duration. Two grains that touched make one more step apart, in which the contact ends.
   const bool moves = !update->setupflag;
   double **x = atom->x, **f = atom->f, **torque = atom->torque;
   const double *radius = atom->radius;
@@ -242,9 +233,10 @@ void PairCarom::compute(int eflag, int vflag)
       double *slot = slots + Touches::NUMBERS * jj;
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
       const double reach = radius[i] + radius[j];
-      if (dx * dx + dy * dy + dz * dz >= reach * reach) {
-        if (touching[jj]) part(slot, i, j, share_of(j));
-        touching[jj] = 0;
+      const bool apart = dx * dx + dy * dy + dz * dz >= reach * reach;
+      if (apart && !touching[jj]) continue;
+      if (apart && !moves) {
+        end(slot, touching[jj]);
         continue;
       }
       touching[jj] = 1;
@@ -288,6 +280,7 @@ void PairCarom::compute(int eflag, int vflag)
         if (eflag) carom_touch_energy(touch, &energy, nullptr);
         ev_tally_xyz(i, j, nlocal, newton, energy, 0.0, fx, fy, fz, dx, dy, dz);
       }
+      if (apart) end(slot, touching[jj]);
     }
   }
 }

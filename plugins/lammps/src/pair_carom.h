@@ -54,14 +54,14 @@ class PairCarom : public Pair {
   std::vector<carom_grains> constants;          // by the types of body 1 and 2
   std::vector<double> largest;                  // radius of a type
   NeighHistory *history = nullptr;
-  std::string keep_id, history_id;
+  std::string keep_id, history_id, restore_id;
   carom::Touches touches;
 
   int place(int i, int j) const;
   void allocate();
   carom_grain grain(int i) const;
   carom_touch *touch_of(double *slot, int body_1, int body_2);
-  void part(double *slot, int i, int j, double share);
+  void end(double *slot, int &touching);
   double *find_slot(int i, int j) const;
   double share_of(int j) const;
 };

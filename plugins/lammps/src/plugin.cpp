@@ -58,6 +58,10 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *l
   plugin.creator.of_arguments = &of_arguments<FixCaromKeep, Fix>;
   add(&plugin, lmp);
 
+  plugin.name = "CAROM_RESTORE";
+  plugin.creator.of_arguments = &of_arguments<FixCaromRestore, Fix>;
+  add(&plugin, lmp);
+
   plugin.name = "wall/carom";
   plugin.info = "fix wall/carom: flat walls with the law of pair carom";
   plugin.creator.of_arguments = &of_arguments<FixWallCarom, Fix>;
