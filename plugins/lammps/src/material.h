@@ -32,9 +32,9 @@ struct Material {
   bool has_young = false, has_shear = false, has_poisson = false;
 };
 
-// law coulomb | chapter7, tolerance T
+// law chapter7 | coulomb, tolerance T
 struct Law {
-  uint32_t law = CAROM_LAW_COULOMB;
+  uint32_t law = CAROM_LAW_CHAPTER_7;
   double tolerance = 0.0;
 
   int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
