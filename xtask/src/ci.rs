@@ -1,6 +1,6 @@
 //! What continuous integration checks.
 
-use crate::{browse, cargo, mutants, python, test, tidy};
+use crate::{browse, cargo, lammps, mutants, python, test, tidy};
 use anyhow::{Context as _, bail};
 use std::time::Instant;
 
@@ -16,6 +16,7 @@ const STEPS: &[(&str, Step)] = &[
     ("quick figures", quick_figures),
     ("the report in a browser", browse::run),
     ("the Python module, in an environment of its own", python::run),
+    ("the LAMMPS plugin, in the pinned release", lammps::quick),
     ("mutants, each against the test known to notice it", mutants::quick),
 ];
 

@@ -65,8 +65,14 @@ xflags::xflags! {
         /// runs its tests and the examples of its documentation there. Skipped, and it says so,
         /// where there is no Python.
         cmd python {}
+        /// Builds the LAMMPS plugin for the pinned release, in an environment below target/, and runs
+        /// its tests there. Skipped, and it says so, where Python, g++ or the packages cannot be had.
+        cmd lammps {
+            /// Leave out the tests that take minutes.
+            optional --short
+        }
         /// What continuous integration checks: form, the index of equations, lints, documentation, tests, tests with
-        /// overflow checks, the quick figures, the report in a browser, the Python module, and the mutants.
+        /// overflow checks, the quick figures, the report in a browser, the Python module, the LAMMPS plugin, and the mutants.
         cmd ci {}
         /// Runs the benchmarks.
         cmd bench {

@@ -1,6 +1,6 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `ci`, `bench`.
+//! `python`, `lammps`, `ci`, `bench`.
 //!
 //! Calls cargo, and reads the sources for `mutants` and `tidy`: whatever computes lives in the crates, so
 //! that this one builds soon.
@@ -9,6 +9,7 @@ mod browse;
 mod cargo;
 mod ci;
 mod flags;
+mod lammps;
 mod mutants;
 mod python;
 mod test;
@@ -39,6 +40,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Tidy(_) => tidy::run()?,
         flags::XtaskCmd::Browse(_) => browse::run()?,
         flags::XtaskCmd::Python(_) => python::run()?,
+        flags::XtaskCmd::Lammps(lammps) => lammps::run(lammps.short)?,
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }
