@@ -120,8 +120,9 @@ impl From<CaromGrain> for Grain {
 impl CaromGrainLoad {
     #[inline]
     fn new(GrainLoad { force, couple }: GrainLoad, arms: [f64; 2]) -> Self {
-        let [torque_1, torque_2] = arms.map(|arm| couple.map(|couple| -arm * couple));
-        Self { force, torque_1, torque_2 }
+        let [x, y, z] = couple;
+        let torque = |arm: f64| [-arm * x, -arm * y, -arm * z];
+        Self { force, torque_1: torque(arms[0]), torque_2: torque(arms[1]) }
     }
 }
 

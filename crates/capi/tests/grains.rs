@@ -180,10 +180,13 @@ fn mass(radius: f64) -> f64 {
 }
 
 /// How far R_x is off at so many steps in the contact, at the worst.
-fn worst(law: u32, steps: usize, parts: &[f64]) -> f64 {
+fn worst(law: u32, tolerance: f64, steps: usize, parts: &[f64]) -> f64 {
     let mut worst = 0.0_f64;
     for poisson in [0.0, 0.3, 0.5] {
-        let grains = made([poisson; 2], 0.1, law, 0.0).unwrap();
+        let mut grains = made([poisson; 2], 0.1, law, 0.0).unwrap();
+        if tolerance > 0.0 {
+            grains.unit.tolerance = tolerance;
+        }
         let kappa = (2.0 - poisson) / (2.0 * (1.0 - poisson));
         for lambda in [0.1, 0.5, 1.0, 1.5, 2.0, 3.0, 4.0, 5.0, 6.0, 7.0, 8.0] {
             let mut exact = 0.0;
@@ -208,11 +211,11 @@ fn worst(law: u32, steps: usize, parts: &[f64]) -> f64 {
 /// What is off is the leapfrog's: at 50 steps it depends on where in a step the two touch.
 #[test]
 fn stepped_impact_meets_the_exact_one() {
-    for law in [CAROM_LAW_COULOMB, CAROM_LAW_CHAPTER_7] {
+    for (law, tolerance) in [(CAROM_LAW_CHAPTER_7, 0.0), (CAROM_LAW_COULOMB, 3e-3)] {
         let parts = [0.05, 0.3, 0.5, 0.7, 0.95];
-        assert!(worst(law, 50, &parts) < 2.6e-3);
-        assert!(worst(law, 70, &parts) < 1.5e-3);
-        assert!(worst(law, 2000, &[0.5]) < 1e-4);
+        assert!(worst(law, tolerance, 50, &parts) < 2.6e-3);
+        assert!(worst(law, tolerance, 70, &parts) < 1.5e-3);
+        assert!(worst(law, tolerance, 2000, &[0.5]) < 1e-4);
     }
 }
 

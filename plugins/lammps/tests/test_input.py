@@ -47,7 +47,7 @@ PAIRS = f"pair_style carom\npair_coeff * * {GLASS}\n"
         (f"{PAIRS}run 1", ["comm_modify vel yes"]),
         (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 1 friction 1", ["young", "missing"]),
         (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 0 rigid friction 1", ["normal"]),
-        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 1 rigid friction 1", ["knows no 'plane'"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 1 rigid friction 1", ["instead of 'rigid'"]),
         (f"{PAIRS}{VEL}fix w all wall/carom rigid friction 1", ["plane", "missing"]),
         (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 1 0 0 rigid friction 1\nrun 1", ["periodic"]),
         (f"{VEL}pair_style zero 0.2\npair_coeff * *\nfix w all wall/carom plane 0 0 0 0 0 1 rigid friction 1\nrun 1", ["wants pair_style carom"]),

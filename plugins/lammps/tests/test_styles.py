@@ -53,7 +53,7 @@ run 30000
 def test_rigid_clumps(tmp_path):
     """Clumps of two grains by fix rigid/small: energy goes where it is booked."""
     clumps = BOX.replace("atom_style sphere", "atom_style hybrid sphere molecular").replace("create_box 2 box", "create_box 2 box extra/special/per/atom 1")
-    clumps = clumps.replace("set group odd type 2", "set group odd type 2\nvariable clump atom ceil(id/2)\nset group all mol v_clump")
+    clumps = clumps.replace("set group odd type 2", "set group odd type 2\nvariable clump atom ceil((id+1)/2)\nset group all mol v_clump")
     walls = WALLS.replace("neighbor 0.001 bin", "neighbor 0.001 bin\nneigh_modify exclude molecule/intra all").replace(
         "fix move all nve/sphere", "fix move all rigid/small molecule"
     )

@@ -11,8 +11,9 @@ use crate::shift_law::ShiftLaw;
 /// The memory of the contact of two grains: the law of the shift in axes that go along.
 ///
 /// From step to step the normal turns by the least rotation and the axes about it with the mean of the
-/// two spins, so that what is remembered keeps its components. The first step of a contact begins
-/// where the two were one step before, so that it finds the touch.
+/// two spins, so that what is remembered keeps its components; a step is measured in the axes of its
+/// middle, so that a pair that turns as a whole does not slip, to second order. The first step of a
+/// contact begins where the two were one step before, so that it finds the touch.
 ///
 /// The damping is that of a viscoelastic material in the quasi-static limit, which adds
 /// `(2/3) c_z (3/2) A sqrt(zeta) dzeta/dt` to Hertz's force, with a time A of the material. Its sum with
@@ -153,27 +154,24 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
 
     #[inline]
     fn step(&self, meeting: &Meeting, dt: f64) -> Step {
-        let fresh = self.is_new();
-        let tangent = if fresh { across(meeting.normal) } else { self.carried(meeting, dt) };
-        let along = cross(meeting.normal, tangent);
-        let by = times(meeting.velocity, dt);
-        let (from, before) = if fresh {
-            let zeta = meeting.zeta - dot(by, meeting.normal);
-            (Shift::default(), Some(Shift { zeta, ..Shift::default() }))
-        } else {
-            (self.law.shift(), None)
-        };
-        let (xi, eta) = (from.xi + dot(by, tangent), from.eta + dot(by, along));
-        Step { tangent, before, to: Shift { zeta: meeting.zeta, xi, eta, omega: 0.0 } }
+        if self.is_new() {
+            return first_step(meeting, dt);
+        }
+        let middle = times(plus(self.normal, meeting.normal), 0.5);
+        let tangent = self.carried(meeting, dot(meeting.turning, middle) * dt);
+        let x = times(plus(self.tangent, tangent), 0.5);
+        let by = times(plus(meeting.velocity, cross(meeting.rolling, middle)), dt);
+        let from = self.law.shift();
+        let (xi, eta) = (from.xi + dot(by, x), from.eta + dot(by, cross(middle, x)));
+        Step { tangent, before: None, to: Shift { zeta: meeting.zeta, xi, eta, omega: 0.0 } }
     }
 
-    /// The tangent, turned as the normal was and with the bodies about it.
+    /// The tangent, turned as the normal was and by an angle about it.
     #[inline]
-    fn carried(&self, meeting: &Meeting, dt: f64) -> Vector {
+    fn carried(&self, meeting: &Meeting, angle: f64) -> Vector {
         let (old, new) = (self.normal, meeting.normal);
         let tilt = dot(self.tangent, new) / (1.0 + dot(old, new));
         let tangent = minus(self.tangent, times(plus(old, new), tilt));
-        let angle = meeting.turning * dt;
         let (sine, cosine) = small_turn(angle);
         let turned = plus(times(tangent, cosine), times(cross(new, tangent), sine));
         // Round-off must not add up: one step of Newton's towards length 1, across the normal.
@@ -212,6 +210,16 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let couple = minus(times(along, x), times(tangent, y));
         GrainLoad { force: plus(times(normal, normal_force), friction), couple }
     }
+}
+
+/// From where the two were one step before, to find the touch.
+fn first_step(meeting: &Meeting, dt: f64) -> Step {
+    let tangent = across(meeting.normal);
+    let by = times(plus(meeting.velocity, cross(meeting.rolling, meeting.normal)), dt);
+    let before = Shift { zeta: meeting.zeta - dot(by, meeting.normal), ..Shift::default() };
+    let (xi, eta) = (dot(by, tangent), dot(by, cross(meeting.normal, tangent)));
+    let to = Shift { zeta: meeting.zeta, xi, eta, omega: 0.0 };
+    Step { tangent, before: Some(before), to }
 }
 
 /// A unit vector across another: which one does not matter, but it is always the same.

@@ -3,7 +3,7 @@
 use carom_halfspace::MaterialPair;
 use carom_special::RangeError;
 
-use super::vector::{Vector, cross, dot, minus, plus, times};
+use super::vector::{dot, minus, plus, times};
 
 /// A sphere as a particle code moves it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -41,10 +41,13 @@ pub struct Meeting {
     pub zeta: f64,
     /// From the centres to the contact along the normal; that of a wall is zero.
     pub arms: [f64; 2],
-    /// The velocity of body 2 against body 1 at the contact.
+    /// The velocity of the centre of body 2 against that of body 1.
     pub velocity: [f64; 3],
-    /// How fast the two turn about the normal in the mean, rad/s.
-    pub turning: f64,
+    /// The sum of the spins, each times its arm: its product with the normal is what they add to the
+    /// velocity where the two touch.
+    pub rolling: [f64; 3],
+    /// The mean of the spins, rad/s.
+    pub turning: [f64; 3],
 }
 
 /// What share of the approach each body gives way: its (1 - nu)/G over that of both. Thus far from its
@@ -82,9 +85,9 @@ impl Meeting {
         let zeta = one.radius + two.radius - distance;
         let arms = [one.radius - shares[0] * zeta, two.radius - shares[1] * zeta];
         let rolling = plus(times(one.spin, arms[0]), times(two.spin, arms[1]));
-        let velocity = plus(minus(two.velocity, one.velocity), cross(rolling, normal));
-        let turning = 0.5 * dot(plus(one.spin, two.spin), normal);
-        Ok(Self { normal, zeta, arms, velocity, turning })
+        let velocity = minus(two.velocity, one.velocity);
+        let turning = times(plus(one.spin, two.spin), 0.5);
+        Ok(Self { normal, zeta, arms, velocity, rolling, turning })
     }
 
     /// A sphere, body 1, on a flat wall, body 2; the sphere gives way by its share of the approach.
@@ -93,9 +96,8 @@ impl Meeting {
     pub fn on_wall(one: &Grain, wall: &Wall, share: f64) -> Self {
         let zeta = one.radius - dot(minus(one.place, wall.place), wall.normal);
         let arm = one.radius - share * zeta;
-        let rolling: Vector = times(one.spin, arm);
-        let velocity = plus(minus(wall.velocity, one.velocity), cross(rolling, wall.normal));
-        let turning = 0.5 * dot(one.spin, wall.normal);
-        Self { normal: wall.normal, zeta, arms: [arm, 0.0], velocity, turning }
+        let velocity = minus(wall.velocity, one.velocity);
+        let (rolling, turning) = (times(one.spin, arm), times(one.spin, 0.5));
+        Self { normal: wall.normal, zeta, arms: [arm, 0.0], velocity, rolling, turning }
     }
 }
