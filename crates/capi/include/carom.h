@@ -80,6 +80,9 @@
 // The numbers in a `carom_state`.
 #define CAROM_STATE_NUMBERS 66
 
+// The numbers in a `carom_twist`.
+#define CAROM_TWIST_NUMBERS 83
+
 // Changes whenever a structure or a function of this header does; compare it with
 // `carom_abi_version()` of the library that is loaded.
 #define CAROM_ABI_VERSION 2
@@ -161,6 +164,10 @@ typedef struct carom_pair {
   double a_squared;
   // b^2/zeta of the contact ellipse, m; 0 if it is not known.
   double b_squared;
+  // Torque over twist without slip, over zeta^1.5, N/m^0.5; 0 if it is not known.
+  double torsion_stiffness;
+  // The torque of sliding over friction times F_z, over zeta^0.5, m^0.5; 0 if it is not known.
+  double torsion_arm;
   // CAROM_LAW_COULOMB or CAROM_LAW_CHAPTER_7.
   uint32_t law;
   // CAROM_ABI_VERSION of the library that made it.
@@ -375,6 +382,17 @@ typedef struct carom_rebound {
   // How far the velocity after may be off over that before; 0 where the solution is exact.
   double error_estimate;
 } carom_rebound;
+
+// The memory of a contact that twists about its normal, in 83 numbers, the caller's: zeros are two bodies
+// that just touch, untwisted. It stands beside the memory of the shift, each as if the other were absent.
+// As a `carom_state` the numbers may be kept in files and sent to other processes.
+//
+// Up to 12 turns of the twist are remembered to the bit; beyond, those that matter least are joined: over
+// random histories the torque was then off by 1e-4 of that of sliding in the mean, 1e-2 at worst.
+typedef struct carom_twist {
+  // Not to be changed but by the functions of this library.
+  double numbers[CAROM_TWIST_NUMBERS];
+} carom_twist;
 
 #ifdef __cplusplus
 extern "C" {
@@ -1009,6 +1027,49 @@ carom_status carom_state_turn_frame(const struct carom_pair *pair,
                                     double angle,
                                     struct carom_error *error);
 
+// Goes straight to a new approach (m) and twist of body 2 against body 1 about the normal (radians);
+// `torque`, that on body 1 in N m, may be null.
+//
+// A `zeta` that is not positive separates the bodies: the memory is lost.
+//
+// # Safety
+// `pair` is null or may be read; `twist`, `torque` and `error` are null or may be written.
+carom_status carom_twist_advance(const struct carom_pair *pair,
+                                 struct carom_twist *twist,
+                                 double zeta,
+                                 double omega,
+                                 double *torque,
+                                 struct carom_error *error);
+
+// The present torque on body 1, N m.
+//
+// # Safety
+// `pair` and `twist` are null or may be read; `torque` and `error` are null or may be written.
+carom_status carom_twist_torque(const struct carom_pair *pair,
+                                const struct carom_twist *twist,
+                                double *torque,
+                                struct carom_error *error);
+
+// The elastic energy of the twist alone, J.
+//
+// # Safety
+// As `carom_twist_torque`.
+carom_status carom_twist_energy(const struct carom_pair *pair,
+                                const struct carom_twist *twist,
+                                double *energy,
+                                struct carom_error *error);
+
+// The energy that the straight step to an approach and a twist would turn into heat, J. Nothing moves.
+//
+// # Safety
+// As `carom_twist_torque`.
+carom_status carom_twist_heat(const struct carom_pair *pair,
+                              const struct carom_twist *twist,
+                              double zeta,
+                              double omega,
+                              double *heat,
+                              struct carom_error *error);
+
 // The version of the library, as "0.1.0"; not to be freed.
 const char *carom_version(void);
 
@@ -1150,6 +1211,49 @@ carom_status carom_state_turn_frame(const struct carom_pair *pair,
                                     struct carom_state *state,
                                     double angle,
                                     struct carom_error *error);
+
+// Goes straight to a new approach (m) and twist of body 2 against body 1 about the normal (radians);
+// `torque`, that on body 1 in N m, may be null.
+//
+// A `zeta` that is not positive separates the bodies: the memory is lost.
+//
+// # Safety
+// `pair` is null or may be read; `twist`, `torque` and `error` are null or may be written.
+carom_status carom_twist_advance(const struct carom_pair *pair,
+                                 struct carom_twist *twist,
+                                 double zeta,
+                                 double omega,
+                                 double *torque,
+                                 struct carom_error *error);
+
+// The present torque on body 1, N m.
+//
+// # Safety
+// `pair` and `twist` are null or may be read; `torque` and `error` are null or may be written.
+carom_status carom_twist_torque(const struct carom_pair *pair,
+                                const struct carom_twist *twist,
+                                double *torque,
+                                struct carom_error *error);
+
+// The elastic energy of the twist alone, J.
+//
+// # Safety
+// As `carom_twist_torque`.
+carom_status carom_twist_energy(const struct carom_pair *pair,
+                                const struct carom_twist *twist,
+                                double *energy,
+                                struct carom_error *error);
+
+// The energy that the straight step to an approach and a twist would turn into heat, J. Nothing moves.
+//
+// # Safety
+// As `carom_twist_torque`.
+carom_status carom_twist_heat(const struct carom_pair *pair,
+                              const struct carom_twist *twist,
+                              double zeta,
+                              double omega,
+                              double *heat,
+                              struct carom_error *error);
 
 // The version of the library, as "0.1.0"; not to be freed.
 const char *carom_version(void);
