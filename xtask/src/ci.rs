@@ -1,6 +1,6 @@
 //! What continuous integration checks.
 
-use crate::{book, browse, cargo, mutants, python, release, test, tidy};
+use crate::{book, browse, cargo, lammps, mutants, python, release, test, tidy};
 use anyhow::{Context as _, bail};
 use std::time::Instant;
 
@@ -18,6 +18,7 @@ const STEPS: &[(&str, Step)] = &[
     ("the Python module, in an environment of its own", python::run),
     ("the book", book::run),
     ("packages", release::pack_quickly),
+    ("the LAMMPS plugin, in the pinned release", lammps::quick),
     ("mutants, each against the test known to notice it", mutants::quick),
 ];
 

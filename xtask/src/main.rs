@@ -1,6 +1,6 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `release`, `book`, `ci`, `bench`.
+//! `python`, `lammps`, `release`, `book`, `ci`, `bench`.
 //!
 //! Calls cargo, and reads the sources for `mutants` and `tidy`: whatever computes lives in the crates, so
 //! that this one builds soon.
@@ -10,6 +10,7 @@ mod browse;
 mod cargo;
 mod ci;
 mod flags;
+mod lammps;
 mod mutants;
 mod python;
 mod release;
@@ -44,6 +45,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Release(options) => release::run(&options)?,
         flags::XtaskCmd::Book(options) if options.update => book::update()?,
         flags::XtaskCmd::Book(_) => book::run()?,
+        flags::XtaskCmd::Lammps(lammps) => lammps::run(lammps.short)?,
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }

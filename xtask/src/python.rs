@@ -84,7 +84,7 @@ fn project() -> anyhow::Result<PathBuf> {
 }
 
 /// The first Python that is new enough and can make environments.
-fn interpreter() -> Option<&'static str> {
+pub(crate) fn interpreter() -> Option<&'static str> {
     let probe = "import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))";
     let works = |name: &&str| {
         Command::new(name).args(["-c", probe]).output().is_ok_and(|output| output.status.success())
@@ -105,7 +105,7 @@ fn wheel(folder: &Path) -> anyhow::Result<PathBuf> {
     wheels.next().context("no wheel was built")
 }
 
-fn call(command: &mut Command) -> anyhow::Result<()> {
+pub(crate) fn call(command: &mut Command) -> anyhow::Result<()> {
     let status = command.status().with_context(|| format!("cannot start {command:?}"))?;
     if !status.success() {
         bail!("{command:?} failed ({status})");

@@ -19,6 +19,12 @@
 // The words of 8 bytes in a `carom_contact`, beside its mark.
 #define CAROM_CONTACT_WORDS 144
 
+// The words of 8 bytes in a `carom_touch`, beside its mark.
+#define CAROM_TOUCH_WORDS 160
+
+// The numbers in which a `carom_touch` is kept elsewhere.
+#define CAROM_TOUCH_NUMBERS 75
+
 // A sphere: `sizes[0]` is its radius.
 #define CAROM_SHAPE_SPHERE 0
 
@@ -76,7 +82,7 @@
 
 // Changes whenever a structure or a function of this header does; compare it with
 // `carom_abi_version()` of the library that is loaded.
-#define CAROM_ABI_VERSION 1
+#define CAROM_ABI_VERSION 2
 
 // How a call ended.
 enum carom_status
@@ -233,6 +239,71 @@ typedef struct carom_material {
   // Poisson's ratio, in (-1, 0.5]; of no meaning for a rigid body.
   double poisson;
 } carom_material;
+
+// The constants of the contacts of two materials: plain data, made by `carom_grains_of` and not to be
+// changed but by it.
+typedef struct carom_grains {
+  // The contact of a relative radius of 1.
+  struct carom_pair unit;
+  // The viscous relaxation time of the materials, s.
+  double relaxation;
+  // The share of the approach by which body 1 gives way.
+  double share_1;
+  // The share of the approach by which body 2 gives way.
+  double share_2;
+} carom_grains;
+
+// The memory of the contact of two grains, the caller's: 1288 bytes, aligned to 8, that may be copied as
+// bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
+// `carom_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
+//
+// The constants are those of the step in which it began; to change them, make it zero.
+typedef struct carom_touch {
+  // Not to be changed but by the functions of this library.
+  uint64_t mark;
+  // The contact.
+  uint64_t words[CAROM_TOUCH_WORDS];
+} carom_touch;
+
+// A sphere as a particle code moves it.
+typedef struct carom_grain {
+  // Its centre, m.
+  double place[3];
+  // The velocity of its centre, m/s.
+  double velocity[3];
+  // Its angular velocity, rad/s.
+  double spin[3];
+  // Its radius, m.
+  double radius;
+} carom_grain;
+
+// What body 2 exerts on body 1.
+typedef struct carom_grain_load {
+  // The force on body 1, N; that on body 2 is the opposite one.
+  double force[3];
+  // The torque on body 1 about its centre, N m.
+  double torque_1[3];
+  // The torque on body 2 about its centre, N m; that on a wall is zero.
+  double torque_2[3];
+} carom_grain_load;
+
+// What became of mechanical energy, J: sums, to which a step adds.
+typedef struct carom_heats {
+  // The heat of friction, with what a receding edge releases.
+  double friction;
+  // The heat of the viscoelastic material.
+  double damping;
+} carom_heats;
+
+// A flat wall that may move along.
+typedef struct carom_wall {
+  // Any place on it, m.
+  double place[3];
+  // The unit normal, towards the grains.
+  double normal[3];
+  // Its velocity, m/s.
+  double velocity[3];
+} carom_wall;
 
 // A body about to collide. All that is zero is what is usual: a solid, its axes along those of space,
 // at the origin, at rest.
@@ -430,6 +501,120 @@ carom_status carom_contact_unpack(const struct carom_pair *pair,
 // A few words for each status; never null, and not to be freed.
 const char *carom_status_text(int32_t status);
 
+// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and
+// a wall of material 2.
+//
+// `relaxation` is the viscous relaxation time A of the pair, s, which adds
+// (2/3) c_z (3/2) A sqrt(zeta) dzeta/dt to Hertz's force; 0 for none. `law` and `tolerance` are as in
+// `carom_pair_of_spheres`; friction is finite.
+//
+// # Safety
+// The materials are null or may be read, `grains` and `error` null or may be written.
+carom_status carom_grains_of(const struct carom_material *material_1,
+                             const struct carom_material *material_2,
+                             double friction,
+                             uint32_t law,
+                             double tolerance,
+                             double relaxation,
+                             struct carom_grains *grains,
+                             struct carom_error *error);
+
+// One step of the duration `dt` of the contact of two grains, at whose end they are as told; the
+// velocities are those that brought them there (of a leapfrog: those between). `heats` may be null; it
+// costs several times the force.
+//
+// Where the two come apart the memory is lost; a step of accounted heat sees what is released then. A
+// touch need not be told of grains that are apart and stay so.
+//
+// # Safety
+// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may
+// be written. The touch is zero, or was written by this build of the library and not changed since.
+carom_status carom_touch_grains(const struct carom_grains *grains,
+                                struct carom_touch *touch,
+                                const struct carom_grain *one,
+                                const struct carom_grain *two,
+                                double dt,
+                                struct carom_grain_load *load,
+                                struct carom_heats *heats,
+                                struct carom_error *error);
+
+// The same of a grain, body 1, and a wall.
+//
+// # Safety
+// As `carom_touch_grains`.
+carom_status carom_touch_wall(const struct carom_grains *grains,
+                              struct carom_touch *touch,
+                              const struct carom_grain *one,
+                              const struct carom_wall *wall,
+                              double dt,
+                              struct carom_grain_load *load,
+                              struct carom_heats *heats,
+                              struct carom_error *error);
+
+// The load of two grains as the last step left them, without a step: the same bits that it told, if the
+// places are the same. A touch that is zero carries Hertz's force alone.
+//
+// # Safety
+// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
+// written. The touch is as in `carom_touch_grains`.
+carom_status carom_touch_grains_load(const struct carom_grains *grains,
+                                     const struct carom_touch *touch,
+                                     const struct carom_grain *one,
+                                     const struct carom_grain *two,
+                                     struct carom_grain_load *load,
+                                     struct carom_error *error);
+
+// The same of a grain, body 1, and a wall.
+//
+// # Safety
+// As `carom_touch_grains_load`.
+carom_status carom_touch_wall_load(const struct carom_grains *grains,
+                                   const struct carom_touch *touch,
+                                   const struct carom_grain *one,
+                                   const struct carom_wall *wall,
+                                   struct carom_grain_load *load,
+                                   struct carom_error *error);
+
+// The elastic energy of a contact, compression included, J.
+//
+// # Safety
+// `touch` is null or may be read; `energy` and `error` are null or may be written. The touch is as in
+// `carom_touch_grains`.
+carom_status carom_touch_energy(const struct carom_touch *touch,
+                                double *energy,
+                                struct carom_error *error);
+
+// What the last step did, and how much of the contact sticks.
+//
+// # Safety
+// As `carom_touch_energy`.
+carom_status carom_touch_report(const struct carom_touch *touch,
+                                struct carom_report *report,
+                                struct carom_error *error);
+
+// Writes a contact into CAROM_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
+// apart, the first of others is positive.
+//
+// # Safety
+// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
+// written. The touch is as in `carom_touch_grains`.
+carom_status carom_touch_pack(const struct carom_touch *touch,
+                              double *numbers,
+                              struct carom_error *error);
+
+// Makes a contact of what `carom_touch_pack` wrote, of the same constants and radii; that of a wall is
+// infinite. Its load is the same to the bit, and so is the way on from there.
+//
+// # Safety
+// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
+// may be written.
+carom_status carom_touch_unpack(const struct carom_grains *grains,
+                                double radius_1,
+                                double radius_2,
+                                const double *numbers,
+                                struct carom_touch *touch,
+                                struct carom_error *error);
+
 // The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
 // 2 with that common normal, from body 2 into body 1.
 //
@@ -563,6 +748,120 @@ carom_status carom_contact_unpack(const struct carom_pair *pair,
 
 // A few words for each status; never null, and not to be freed.
 const char *carom_status_text(int32_t status);
+
+// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and
+// a wall of material 2.
+//
+// `relaxation` is the viscous relaxation time A of the pair, s, which adds
+// (2/3) c_z (3/2) A sqrt(zeta) dzeta/dt to Hertz's force; 0 for none. `law` and `tolerance` are as in
+// `carom_pair_of_spheres`; friction is finite.
+//
+// # Safety
+// The materials are null or may be read, `grains` and `error` null or may be written.
+carom_status carom_grains_of(const struct carom_material *material_1,
+                             const struct carom_material *material_2,
+                             double friction,
+                             uint32_t law,
+                             double tolerance,
+                             double relaxation,
+                             struct carom_grains *grains,
+                             struct carom_error *error);
+
+// One step of the duration `dt` of the contact of two grains, at whose end they are as told; the
+// velocities are those that brought them there (of a leapfrog: those between). `heats` may be null; it
+// costs several times the force.
+//
+// Where the two come apart the memory is lost; a step of accounted heat sees what is released then. A
+// touch need not be told of grains that are apart and stay so.
+//
+// # Safety
+// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may
+// be written. The touch is zero, or was written by this build of the library and not changed since.
+carom_status carom_touch_grains(const struct carom_grains *grains,
+                                struct carom_touch *touch,
+                                const struct carom_grain *one,
+                                const struct carom_grain *two,
+                                double dt,
+                                struct carom_grain_load *load,
+                                struct carom_heats *heats,
+                                struct carom_error *error);
+
+// The same of a grain, body 1, and a wall.
+//
+// # Safety
+// As `carom_touch_grains`.
+carom_status carom_touch_wall(const struct carom_grains *grains,
+                              struct carom_touch *touch,
+                              const struct carom_grain *one,
+                              const struct carom_wall *wall,
+                              double dt,
+                              struct carom_grain_load *load,
+                              struct carom_heats *heats,
+                              struct carom_error *error);
+
+// The load of two grains as the last step left them, without a step: the same bits that it told, if the
+// places are the same. A touch that is zero carries Hertz's force alone.
+//
+// # Safety
+// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
+// written. The touch is as in `carom_touch_grains`.
+carom_status carom_touch_grains_load(const struct carom_grains *grains,
+                                     const struct carom_touch *touch,
+                                     const struct carom_grain *one,
+                                     const struct carom_grain *two,
+                                     struct carom_grain_load *load,
+                                     struct carom_error *error);
+
+// The same of a grain, body 1, and a wall.
+//
+// # Safety
+// As `carom_touch_grains_load`.
+carom_status carom_touch_wall_load(const struct carom_grains *grains,
+                                   const struct carom_touch *touch,
+                                   const struct carom_grain *one,
+                                   const struct carom_wall *wall,
+                                   struct carom_grain_load *load,
+                                   struct carom_error *error);
+
+// The elastic energy of a contact, compression included, J.
+//
+// # Safety
+// `touch` is null or may be read; `energy` and `error` are null or may be written. The touch is as in
+// `carom_touch_grains`.
+carom_status carom_touch_energy(const struct carom_touch *touch,
+                                double *energy,
+                                struct carom_error *error);
+
+// What the last step did, and how much of the contact sticks.
+//
+// # Safety
+// As `carom_touch_energy`.
+carom_status carom_touch_report(const struct carom_touch *touch,
+                                struct carom_report *report,
+                                struct carom_error *error);
+
+// Writes a contact into CAROM_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
+// apart, the first of others is positive.
+//
+// # Safety
+// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
+// written. The touch is as in `carom_touch_grains`.
+carom_status carom_touch_pack(const struct carom_touch *touch,
+                              double *numbers,
+                              struct carom_error *error);
+
+// Makes a contact of what `carom_touch_pack` wrote, of the same constants and radii; that of a wall is
+// infinite. Its load is the same to the bit, and so is the way on from there.
+//
+// # Safety
+// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
+// may be written.
+carom_status carom_touch_unpack(const struct carom_grains *grains,
+                                double radius_1,
+                                double radius_2,
+                                const double *numbers,
+                                struct carom_touch *touch,
+                                struct carom_error *error);
 
 // The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
 // 2 with that common normal, from body 2 into body 1.

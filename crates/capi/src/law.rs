@@ -61,6 +61,11 @@ pub struct CaromReport {
     pub regime: CaromRegime,
 }
 
+impl CaromReport {
+    /// Of bodies apart.
+    pub(crate) const APART: Self = Self { sticking: 0.0, regime: CaromRegime::Separated };
+}
+
 /// A law on a stack of fixed capacity.
 pub(crate) type Law<S> = ShiftLaw<[f64; 2], S>;
 

@@ -7,6 +7,8 @@
 //!   build of this version of the format, to be kept in files and sent to other processes;
 //!   [`CaromContact`] is larger and faster, and is understood by the build that wrote it alone.
 //!   Zero bytes are two bodies apart in both. [`CaromTwist`] is the memory of a twist, 83 numbers.
+//! - [`CaromTouch`] is the contact of two grains, or of a grain and a wall, as a particle code moves them:
+//!   places, velocities and spins in, force and torques out.
 //! - Every function returns a [`CaromStatus`]; what is wrong it writes into the caller's [`CaromError`],
 //!   which may be null. Nothing is kept between calls, no panic crosses the border, and a failed
 //!   call leaves the caller's data as they were.
@@ -16,6 +18,7 @@
 mod batch;
 mod contact;
 mod error;
+mod grains;
 mod impact;
 mod law;
 mod pair;
@@ -32,6 +35,12 @@ pub use contact::{
     carom_contact_turn_frame, carom_contact_unpack,
 };
 pub use error::{CaromError, CaromStatus, carom_status_text};
+pub use grains::{
+    CAROM_TOUCH_NUMBERS, CAROM_TOUCH_WORDS, CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats,
+    CaromTouch, CaromWall, carom_grains_of, carom_touch_energy, carom_touch_grains,
+    carom_touch_grains_load, carom_touch_pack, carom_touch_report, carom_touch_unpack,
+    carom_touch_wall, carom_touch_wall_load,
+};
 pub use impact::{
     CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,
     CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE, CAROM_SHAPE_TORUS, CAROM_WARNING_COUPLING,

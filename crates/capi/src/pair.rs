@@ -95,7 +95,12 @@ impl CaromPair {
         pair.law::<carom_laws::memory::Fixed<_, 12>>().map(|_| pair)
     }
 
-    fn of_hertz(hertz: &Hertz, friction: f64, law: u32, tolerance: f64) -> Result<Self, Failure> {
+    pub(crate) fn of_hertz(
+        hertz: &Hertz,
+        friction: f64,
+        law: u32,
+        tolerance: f64,
+    ) -> Result<Self, Failure> {
         let ellipse = hertz.ellipse(1.0)?;
         let squares = [ellipse.semi_axis_a(), ellipse.semi_axis_b()].map(|a| a * a);
         let TorsionConstants { stiffness, arm, .. } = TorsionConstants::of(hertz)?;
@@ -227,7 +232,7 @@ pub unsafe extern "C" fn carom_pair_of_stiffness(
 
 /// # Safety
 /// The pointers are null or may be read.
-unsafe fn materials(
+pub(crate) unsafe fn materials(
     one: *const CaromMaterial,
     two: *const CaromMaterial,
 ) -> Result<MaterialPair, Failure> {

@@ -10,7 +10,7 @@
 //! - Twist: [`torsion`] and, for sliding as a whole, [`rigid_slip`].
 //! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
 //!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`]. [`accounted`] adds up the heat,
-//!   [`batch`] steps many contacts together.
+//!   [`batch`] steps many contacts together, [`grains`] carries them along with spheres and walls.
 //!
 //! ```
 //! use carom_halfspace::{Material, MaterialPair};
@@ -38,6 +38,7 @@ pub mod coulomb;
 pub mod ellipse;
 pub mod field;
 pub mod friction;
+pub mod grains;
 pub mod hertz;
 pub mod history;
 pub mod law;

@@ -139,8 +139,9 @@ pub(super) fn check(
     let mut below = -1.0;
     for vertex in numbers[HEAD..].chunks_exact(each).take(len) {
         let depth = vertex[0].abs();
-        let rises = if below < 0.0 { depth == 0.0 } else { depth > below && depth < numbers[1] };
-        RangeError::check("depth", depth, rises, "rising from 0 to below the approach")?;
+        // A ring thinner than rounding begins where it ends.
+        let rises = if below < 0.0 { depth == 0.0 } else { depth >= below && depth <= numbers[1] };
+        RangeError::check("depth", depth, rises, "rising from 0 to the approach")?;
         below = depth;
     }
     RangeError::check("approach", numbers[1], (numbers[1] > 0.0) == (len > 0), "> 0 in contact")?;

@@ -1,0 +1,504 @@
+//! The contact of two grains, or of a grain and a wall, as a particle code has it.
+
+use std::mem::MaybeUninit;
+
+use carom_halfspace::MaterialPair;
+use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
+use carom_laws::grains::{
+    Grain, GrainContact, GrainLoad, Heats, Meeting, Wall, compliance_shares, grain_numbers,
+};
+use carom_laws::hertz::Hertz;
+use carom_laws::memory::Fixed;
+use carom_special::RangeError;
+
+use crate::error::{CaromError, CaromStatus, Failure, border};
+use crate::law::CaromReport;
+use crate::pair::{CaromMaterial, CaromPair, materials};
+use crate::pointers::{read, write};
+use crate::state::finite;
+
+/// The words of 8 bytes in a `carom_touch`, beside its mark.
+pub const CAROM_TOUCH_WORDS: usize = 160;
+/// The numbers in which a `carom_touch` is kept elsewhere.
+pub const CAROM_TOUCH_NUMBERS: usize = 75;
+
+/// As many vertices as in a `carom_state`.
+const VERTICES: usize = 12;
+type Contact = GrainContact<Fixed<[f64; 2], VERTICES>>;
+
+const _: () = assert!(CAROM_TOUCH_NUMBERS == grain_numbers(VERTICES));
+const _: () = assert!(size_of::<Contact>() <= 8 * CAROM_TOUCH_WORDS && align_of::<Contact>() <= 8);
+const _: () = assert!(!std::mem::needs_drop::<Contact>());
+
+/// Tells a touch that was made by a build of this size from other bytes.
+const MARK: u64 = 0x6361_726f_6d01_0001 + ((size_of::<Contact>() as u64) << 8);
+
+/// A sphere as a particle code moves it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
+pub struct CaromGrain {
+    /// Its centre, m.
+    pub place: [f64; 3],
+    /// The velocity of its centre, m/s.
+    pub velocity: [f64; 3],
+    /// Its angular velocity, rad/s.
+    pub spin: [f64; 3],
+    /// Its radius, m.
+    pub radius: f64,
+}
+
+/// A flat wall that may move along.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
+pub struct CaromWall {
+    /// Any place on it, m.
+    pub place: [f64; 3],
+    /// The unit normal, towards the grains.
+    pub normal: [f64; 3],
+    /// Its velocity, m/s.
+    pub velocity: [f64; 3],
+}
+
+/// The constants of the contacts of two materials: plain data, made by `carom_grains_of` and not to be
+/// changed but by it.
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
+pub struct CaromGrains {
+    /// The contact of a relative radius of 1.
+    pub unit: CaromPair,
+    /// The viscous relaxation time of the materials, s.
+    pub relaxation: f64,
+    /// The share of the approach by which body 1 gives way.
+    pub share_1: f64,
+    /// The share of the approach by which body 2 gives way.
+    pub share_2: f64,
+}
+
+/// The memory of the contact of two grains, the caller's: 1288 bytes, aligned to 8, that may be copied as
+/// bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
+/// `carom_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
+///
+/// The constants are those of the step in which it began; to change them, make it zero.
+#[derive(Debug, Clone, Copy)]
+#[repr(C)]
+pub struct CaromTouch {
+    /// Not to be changed but by the functions of this library.
+    pub mark: u64,
+    /// The contact.
+    pub words: [MaybeUninit<u64>; CAROM_TOUCH_WORDS],
+}
+
+/// What body 2 exerts on body 1.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct CaromGrainLoad {
+    /// The force on body 1, N; that on body 2 is the opposite one.
+    pub force: [f64; 3],
+    /// The torque on body 1 about its centre, N m.
+    pub torque_1: [f64; 3],
+    /// The torque on body 2 about its centre, N m; that on a wall is zero.
+    pub torque_2: [f64; 3],
+}
+
+/// What became of mechanical energy, J: sums, to which a step adds.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct CaromHeats {
+    /// The heat of friction, with what a receding edge releases.
+    pub friction: f64,
+    /// The heat of the viscoelastic material.
+    pub damping: f64,
+}
+
+impl From<CaromGrain> for Grain {
+    #[inline]
+    fn from(CaromGrain { place, velocity, spin, radius }: CaromGrain) -> Self {
+        Self { place, velocity, spin, radius }
+    }
+}
+
+impl CaromGrainLoad {
+    #[inline]
+    fn new(GrainLoad { force, couple }: GrainLoad, arms: [f64; 2]) -> Self {
+        let [x, y, z] = couple;
+        let torque = |arm: f64| [-arm * x, -arm * y, -arm * z];
+        Self { force, torque_1: torque(arms[0]), torque_2: torque(arms[1]) }
+    }
+}
+
+impl CaromGrains {
+    /// A contact to be, of a relative radius.
+    fn contact(&self, relative_radius: f64) -> Result<Contact, Failure> {
+        let by = relative_radius.sqrt();
+        let CaromPair { c_x, c_y, c_z, .. } = self.unit;
+        let pair = CaromPair { c_x: by * c_x, c_y: by * c_y, c_z: by * c_z, ..self.unit };
+        Ok(GrainContact::new(pair.law()?, self.relaxation)?)
+    }
+}
+
+/// Of two spheres; a wall has an infinite radius.
+#[inline]
+fn relative_radius(one: f64, two: f64) -> Result<f64, Failure> {
+    RangeError::positive("radius_1", one)?;
+    RangeError::check("radius_2", two, two > 0.0, "> 0")?;
+    Ok(1.0 / (1.0 / one + 1.0 / two))
+}
+
+impl CaromTouch {
+    #[inline]
+    fn present(&self) -> Result<Option<&Contact>, Failure> {
+        match self.mark {
+            // SAFETY: a contact was written there; its size and alignment fit.
+            MARK => Ok(Some(unsafe { &*self.words.as_ptr().cast() })),
+            0 => Ok(None),
+            _ => Err(strange()),
+        }
+    }
+
+    #[inline]
+    fn present_mut(&mut self) -> Result<Option<&mut Contact>, Failure> {
+        match self.mark {
+            // SAFETY: a contact was written there; its size and alignment fit.
+            MARK => Ok(Some(unsafe { &mut *self.words.as_mut_ptr().cast() })),
+            0 => Ok(None),
+            _ => Err(strange()),
+        }
+    }
+
+    fn keep(&mut self, contact: &Contact) {
+        // SAFETY: size and alignment fit; what stood there needs no drop.
+        unsafe { self.words.as_mut_ptr().cast::<Contact>().write(*contact) };
+        self.mark = MARK;
+    }
+
+    #[inline]
+    fn advance(
+        &mut self,
+        meeting: &Meeting,
+        dt: f64,
+        heats: Option<&mut CaromHeats>,
+        fresh: impl FnOnce() -> Result<Contact, Failure>,
+    ) -> Result<CaromGrainLoad, Failure> {
+        let load = match self.present_mut()? {
+            Some(contact) => step(contact, meeting, dt, heats)?,
+            None => {
+                let mut contact = fresh()?;
+                let load = step(&mut contact, meeting, dt, heats)?;
+                self.keep(&contact);
+                load
+            }
+        };
+        Ok(CaromGrainLoad::new(load, meeting.arms))
+    }
+
+    #[inline]
+    fn load(
+        &self,
+        meeting: &Meeting,
+        fresh: impl FnOnce() -> Result<Contact, Failure>,
+    ) -> Result<CaromGrainLoad, Failure> {
+        let load = match self.present()? {
+            Some(contact) => contact.load(meeting),
+            None => fresh()?.load(meeting),
+        };
+        Ok(CaromGrainLoad::new(load, meeting.arms))
+    }
+}
+
+#[inline]
+fn step(
+    contact: &mut Contact,
+    meeting: &Meeting,
+    dt: f64,
+    heats: Option<&mut CaromHeats>,
+) -> Result<GrainLoad, RangeError> {
+    let Some(sums) = heats else { return contact.advance(meeting, dt) };
+    let mut heats = Heats::default();
+    let load = contact.advance_accounted(meeting, dt, &mut heats)?;
+    sums.friction += heats.friction;
+    sums.damping += heats.damping;
+    Ok(load)
+}
+
+#[cold]
+fn strange() -> Failure {
+    let text = "the touch was written by another build of carom, or is no touch";
+    Failure::new(CaromStatus::BadState, "touch", text)
+}
+
+/// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and
+/// a wall of material 2.
+///
+/// `relaxation` is the viscous relaxation time A of the pair, s, which adds
+/// (2/3) c_z (3/2) A sqrt(zeta) dzeta/dt to Hertz's force; 0 for none. `law` and `tolerance` are as in
+/// `carom_pair_of_spheres`; friction is finite.
+///
+/// # Safety
+/// The materials are null or may be read, `grains` and `error` null or may be written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_grains_of(
+    material_1: *const CaromMaterial,
+    material_2: *const CaromMaterial,
+    friction: f64,
+    law: u32,
+    tolerance: f64,
+    relaxation: f64,
+    grains: *mut CaromGrains,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let materials = materials(material_1, material_2)?;
+        *write(grains, "grains")? = constants(materials, friction, law, tolerance, relaxation)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+fn constants(
+    materials: MaterialPair,
+    friction: f64,
+    law: u32,
+    tolerance: f64,
+    relaxation: f64,
+) -> Result<CaromGrains, Failure> {
+    let gap = RelativeCurvature::new(PrincipalRadii::sphere(1.0)?, PrincipalRadii::PLANE, 0.0)?;
+    let unit = CaromPair::of_hertz(&Hertz::new(gap, materials)?, friction, law, tolerance)?;
+    finite(&unit)?;
+    let [share_1, share_2] = compliance_shares(&materials);
+    let grains = CaromGrains { unit, relaxation, share_1, share_2 };
+    grains.contact(1.0).map(|_| grains)
+}
+
+/// One step of the duration `dt` of the contact of two grains, at whose end they are as told; the
+/// velocities are those that brought them there (of a leapfrog: those between). `heats` may be null; it
+/// costs several times the force.
+///
+/// Where the two come apart the memory is lost; a step of accounted heat sees what is released then. A
+/// touch need not be told of grains that are apart and stay so.
+///
+/// # Safety
+/// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may
+/// be written. The touch is zero, or was written by this build of the library and not changed since.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_grains(
+    grains: *const CaromGrains,
+    touch: *mut CaromTouch,
+    one: *const CaromGrain,
+    two: *const CaromGrain,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut CaromHeats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let (grains, touch) = (read(grains, "grains")?, write(touch, "touch")?);
+        let (one, two) = (Grain::from(*read(one, "one")?), Grain::from(*read(two, "two")?));
+        let place = write(load, "load")?;
+        let heats = if heats.is_null() { None } else { Some(write(heats, "heats")?) };
+        let meeting = Meeting::of_spheres(&one, &two, [grains.share_1, grains.share_2])?;
+        let fresh = || grains.contact(relative_radius(one.radius, two.radius)?);
+        *place = touch.advance(&meeting, dt, heats, fresh)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The same of a grain, body 1, and a wall.
+///
+/// # Safety
+/// As `carom_touch_grains`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_wall(
+    grains: *const CaromGrains,
+    touch: *mut CaromTouch,
+    one: *const CaromGrain,
+    wall: *const CaromWall,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut CaromHeats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let (grains, touch) = (read(grains, "grains")?, write(touch, "touch")?);
+        let (one, wall) = (Grain::from(*read(one, "one")?), to_wall(read(wall, "wall")?)?);
+        let place = write(load, "load")?;
+        let heats = if heats.is_null() { None } else { Some(write(heats, "heats")?) };
+        let meeting = Meeting::on_wall(&one, &wall, grains.share_1);
+        let fresh = || grains.contact(relative_radius(one.radius, f64::INFINITY)?);
+        *place = touch.advance(&meeting, dt, heats, fresh)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+#[inline]
+fn to_wall(wall: &CaromWall) -> Result<Wall, RangeError> {
+    let CaromWall { place, normal, velocity } = *wall;
+    let [x, y, z] = normal;
+    let square = x * x + y * y + z * z;
+    RangeError::check("normal", square.sqrt(), (square - 1.0).abs() < 1e-9, "of length 1")?;
+    Ok(Wall { place, normal, velocity })
+}
+
+/// The load of two grains as the last step left them, without a step: the same bits that it told, if the
+/// places are the same. A touch that is zero carries Hertz's force alone.
+///
+/// # Safety
+/// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
+/// written. The touch is as in `carom_touch_grains`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_grains_load(
+    grains: *const CaromGrains,
+    touch: *const CaromTouch,
+    one: *const CaromGrain,
+    two: *const CaromGrain,
+    load: *mut CaromGrainLoad,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let (grains, touch) = (read(grains, "grains")?, read(touch, "touch")?);
+        let (one, two) = (Grain::from(*read(one, "one")?), Grain::from(*read(two, "two")?));
+        let meeting = Meeting::of_spheres(&one, &two, [grains.share_1, grains.share_2])?;
+        let fresh = || grains.contact(relative_radius(one.radius, two.radius)?);
+        *write(load, "load")? = touch.load(&meeting, fresh)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The same of a grain, body 1, and a wall.
+///
+/// # Safety
+/// As `carom_touch_grains_load`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_wall_load(
+    grains: *const CaromGrains,
+    touch: *const CaromTouch,
+    one: *const CaromGrain,
+    wall: *const CaromWall,
+    load: *mut CaromGrainLoad,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let (grains, touch) = (read(grains, "grains")?, read(touch, "touch")?);
+        let (one, wall) = (Grain::from(*read(one, "one")?), to_wall(read(wall, "wall")?)?);
+        let meeting = Meeting::on_wall(&one, &wall, grains.share_1);
+        let fresh = || grains.contact(relative_radius(one.radius, f64::INFINITY)?);
+        *write(load, "load")? = touch.load(&meeting, fresh)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The elastic energy of a contact, compression included, J.
+///
+/// # Safety
+/// `touch` is null or may be read; `energy` and `error` are null or may be written. The touch is as in
+/// `carom_touch_grains`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_energy(
+    touch: *const CaromTouch,
+    energy: *mut f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let contact = read(touch, "touch")?.present()?;
+        *write(energy, "energy")? = contact.map_or(0.0, GrainContact::stored_energy);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// What the last step did, and how much of the contact sticks.
+///
+/// # Safety
+/// As `carom_touch_energy`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_report(
+    touch: *const CaromTouch,
+    report: *mut CaromReport,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let contact = read(touch, "touch")?.present()?;
+        *write(report, "report")? = contact.map_or(CaromReport::APART, |contact| {
+            let law = contact.law();
+            CaromReport { sticking: law.stick_depth(), regime: law.regime().into() }
+        });
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// Writes a contact into CAROM_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
+/// apart, the first of others is positive.
+///
+/// # Safety
+/// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
+/// written. The touch is as in `carom_touch_grains`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_pack(
+    touch: *const CaromTouch,
+    numbers: *mut f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let touch = read(touch, "touch")?;
+        let numbers = write(numbers.cast::<[f64; CAROM_TOUCH_NUMBERS]>(), "numbers")?;
+        match touch.present()? {
+            Some(contact) => contact.pack(numbers)?,
+            None => numbers.fill(0.0),
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// Makes a contact of what `carom_touch_pack` wrote, of the same constants and radii; that of a wall is
+/// infinite. Its load is the same to the bit, and so is the way on from there.
+///
+/// # Safety
+/// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
+/// may be written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_unpack(
+    grains: *const CaromGrains,
+    radius_1: f64,
+    radius_2: f64,
+    numbers: *const f64,
+    touch: *mut CaromTouch,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let grains = read(grains, "grains")?;
+        let numbers = read(numbers.cast::<[f64; CAROM_TOUCH_NUMBERS]>(), "numbers")?;
+        let touch = write(touch, "touch")?;
+        if numbers[0] == 0.0 {
+            touch.mark = 0;
+            return Ok(());
+        }
+        let mut contact = grains.contact(relative_radius(radius_1, radius_2)?)?;
+        contact.unpack(numbers).map_err(|error| Failure::from(error).in_state())?;
+        touch.keep(&contact);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}

@@ -1,0 +1,240 @@
+//! The contact of two grains, carried along.
+
+use carom_special::RangeError;
+
+use super::meeting::Meeting;
+use super::vector::{Vector, cross, dot, minus, plus, times};
+use crate::law::{ContactLaw, Dissipative, Shift};
+use crate::memory::{Growing, VertexStack};
+use crate::shift_law::ShiftLaw;
+
+/// The memory of the contact of two grains: the law of the shift in axes that go along.
+///
+/// From step to step the normal turns by the least rotation and the axes about it with the mean of the
+/// two spins, so that what is remembered keeps its components; a step is measured in the axes of its
+/// middle, so that a pair that turns as a whole does not slip, to second order. The first step of a
+/// contact begins where the two were one step before, so that it finds the touch.
+///
+/// The damping is that of a viscoelastic material in the quasi-static limit, which adds
+/// `(2/3) c_z (3/2) A sqrt(zeta) dzeta/dt` to Hertz's force, with a time A of the material. Its sum with
+/// Hertz's force does not pull. Friction knows Hertz's force alone.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GrainContact<S = Growing<[f64; 2]>> {
+    pub(super) law: ShiftLaw<[f64; 2], S>,
+    /// The axis x of the contact; zero while there is none.
+    pub(super) tangent: Vector,
+    pub(super) normal: Vector,
+    /// The tangential force of the last step, along x and y.
+    pub(super) friction: [f64; 2],
+    /// The damping force of the last step.
+    pub(super) drag: f64,
+    /// The damping force over `sqrt(zeta) dzeta/dt`.
+    viscosity: f64,
+}
+
+/// What body 2 exerts on body 1.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct GrainLoad {
+    /// The force on body 1, N; that on body 2 is the opposite one.
+    pub force: [f64; 3],
+    /// `normal x force`, N: the torque on each body about its centre is minus its arm times this.
+    pub couple: [f64; 3],
+}
+
+/// What became of mechanical energy, J.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct Heats {
+    /// The heat of friction, with what a receding edge releases.
+    pub friction: f64,
+    /// The heat of the viscoelastic material.
+    pub damping: f64,
+}
+
+/// Where a step leads.
+struct Step {
+    tangent: Vector,
+    /// One step before, if the contact is new.
+    before: Option<Shift>,
+    to: Shift,
+}
+
+impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
+    /// A contact to be, of a law at rest and of a viscous relaxation time A of the materials, s.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the time is finite and not negative, and the force finite.
+    pub fn new(law: ShiftLaw<[f64; 2], S>, relaxation: f64) -> Result<Self, RangeError> {
+        RangeError::non_negative("relaxation", relaxation)?;
+        let viscosity = relaxation * law.stiffness().c_z;
+        RangeError::finite("relaxation", viscosity)?;
+        let (tangent, normal, friction, drag) = ([0.0; 3], [0.0; 3], [0.0; 2], 0.0);
+        Ok(Self { law, tangent, normal, friction, drag, viscosity })
+    }
+
+    /// The law, in the axes of the contact.
+    #[must_use]
+    pub fn law(&self) -> &ShiftLaw<[f64; 2], S> {
+        &self.law
+    }
+
+    /// The axis x of the contact; zero while there is none.
+    #[must_use]
+    pub fn tangent(&self) -> [f64; 3] {
+        self.tangent
+    }
+
+    /// The elastic energy of the contact, compression included.
+    #[must_use]
+    pub fn stored_energy(&self) -> f64 {
+        self.law.stored_energy()
+    }
+
+    /// One step of the duration `dt`, at whose end the bodies are as told; the velocities are those
+    /// that brought them there (of a leapfrog: those between).
+    ///
+    /// # Errors
+    /// [`RangeError`] for what the law cannot take; the contact is then unchanged.
+    #[inline]
+    pub fn advance(&mut self, meeting: &Meeting, dt: f64) -> Result<GrainLoad, RangeError> {
+        let step = self.step(meeting, dt);
+        self.go(meeting, &step)
+    }
+
+    /// The same, and adds up where energy went. The heat of damping is by the rule of trapezoids.
+    ///
+    /// # Errors
+    /// As [`GrainContact::advance`].
+    pub fn advance_accounted(
+        &mut self,
+        meeting: &Meeting,
+        dt: f64,
+        heats: &mut Heats,
+    ) -> Result<GrainLoad, RangeError> {
+        let step = self.step(meeting, dt);
+        let friction = match step.before {
+            Some(before) => {
+                let mut law = self.law.clone();
+                law.advance(before)?;
+                law.dissipation(step.to)
+            }
+            None => self.law.dissipation(step.to),
+        };
+        let old = self.drag;
+        let load = self.go(meeting, &step)?;
+        heats.friction += friction;
+        heats.damping += 0.5 * (old + self.drag) * dot(meeting.velocity, meeting.normal) * dt;
+        Ok(load)
+    }
+
+    /// The load at the end of the last step, the bodies where they are told to be. A contact that has
+    /// made no step yet carries Hertz's force alone.
+    #[inline]
+    #[must_use]
+    pub fn load(&self, meeting: &Meeting) -> GrainLoad {
+        let normal_force = self.elastic(meeting.zeta) + self.drag;
+        if self.is_new() {
+            let force = times(meeting.normal, self.elastic(meeting.zeta));
+            return GrainLoad { force, couple: [0.0; 3] };
+        }
+        self.load_in(self.tangent, meeting.normal, normal_force)
+    }
+
+    fn is_new(&self) -> bool {
+        self.tangent == [0.0; 3]
+    }
+
+    /// Hertz's force (5.27).
+    #[inline]
+    fn elastic(&self, zeta: f64) -> f64 {
+        let zeta = zeta.max(0.0);
+        2.0 / 3.0 * self.law.stiffness().c_z * (zeta * zeta.sqrt())
+    }
+
+    #[inline]
+    fn step(&self, meeting: &Meeting, dt: f64) -> Step {
+        if self.is_new() {
+            return first_step(meeting, dt);
+        }
+        let middle = times(plus(self.normal, meeting.normal), 0.5);
+        let tangent = self.carried(meeting, dot(meeting.turning, middle) * dt);
+        let x = times(plus(self.tangent, tangent), 0.5);
+        let by = times(plus(meeting.velocity, cross(meeting.rolling, middle)), dt);
+        let from = self.law.shift();
+        let (xi, eta) = (from.xi + dot(by, x), from.eta + dot(by, cross(middle, x)));
+        Step { tangent, before: None, to: Shift { zeta: meeting.zeta, xi, eta, omega: 0.0 } }
+    }
+
+    /// The tangent, turned as the normal was and by an angle about it.
+    #[inline]
+    fn carried(&self, meeting: &Meeting, angle: f64) -> Vector {
+        let (old, new) = (self.normal, meeting.normal);
+        let tilt = dot(self.tangent, new) / (1.0 + dot(old, new));
+        let tangent = minus(self.tangent, times(plus(old, new), tilt));
+        let (sine, cosine) = small_turn(angle);
+        let turned = plus(times(tangent, cosine), times(cross(new, tangent), sine));
+        // Round-off must not add up: one step of Newton's towards length 1, across the normal.
+        let across = minus(turned, times(new, dot(new, turned)));
+        times(across, 1.5 - 0.5 * dot(across, across))
+    }
+
+    #[inline]
+    fn go(&mut self, meeting: &Meeting, step: &Step) -> Result<GrainLoad, RangeError> {
+        let load = match step.before {
+            Some(before) => {
+                before.check_finite()?;
+                step.to.check_finite()?;
+                let mut law = self.law.clone();
+                law.advance(before)?;
+                let load = law.advance(step.to)?;
+                self.law = law;
+                load
+            }
+            None => self.law.advance(step.to)?,
+        };
+        let speed = dot(meeting.velocity, meeting.normal);
+        let root = meeting.zeta.max(0.0).sqrt();
+        self.drag = (self.viscosity * root * speed).max(-load.f_z);
+        (self.tangent, self.normal) = (step.tangent, meeting.normal);
+        self.friction = [load.f_x, load.f_y];
+        Ok(self.load_in(step.tangent, meeting.normal, load.f_z + self.drag))
+    }
+
+    #[inline]
+    fn load_in(&self, tangent: Vector, normal: Vector, normal_force: f64) -> GrainLoad {
+        let along = cross(normal, tangent);
+        let [x, y] = self.friction;
+        let friction = plus(times(tangent, x), times(along, y));
+        // normal x tangent is along, normal x along is minus the tangent.
+        let couple = minus(times(along, x), times(tangent, y));
+        GrainLoad { force: plus(times(normal, normal_force), friction), couple }
+    }
+}
+
+/// From where the two were one step before, to find the touch.
+fn first_step(meeting: &Meeting, dt: f64) -> Step {
+    let tangent = across(meeting.normal);
+    let by = times(plus(meeting.velocity, cross(meeting.rolling, meeting.normal)), dt);
+    let before = Shift { zeta: meeting.zeta - dot(by, meeting.normal), ..Shift::default() };
+    let (xi, eta) = (dot(by, tangent), dot(by, cross(meeting.normal, tangent)));
+    let to = Shift { zeta: meeting.zeta, xi, eta, omega: 0.0 };
+    Step { tangent, before: Some(before), to }
+}
+
+/// A unit vector across another: which one does not matter, but it is always the same.
+fn across(normal: Vector) -> Vector {
+    let any = if normal[0].abs() < 0.6 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
+    let across = minus(any, times(normal, dot(normal, any)));
+    times(across, 1.0 / dot(across, across).sqrt())
+}
+
+/// Sine and cosine of the turn of one step; small ones by their series.
+#[inline]
+fn small_turn(angle: f64) -> (f64, f64) {
+    if angle.abs() > 1e-3 {
+        return libm::sincos(angle);
+    }
+    let square = angle * angle;
+    (angle * (1.0 - square / 6.0), 1.0 - square * (0.5 - square / 24.0))
+}

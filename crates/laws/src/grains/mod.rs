@@ -1,0 +1,32 @@
+//! Grains as a particle code moves them: where they meet, and the contact that goes along.
+//!
+//! A code that follows places, velocities and spins of spheres makes a [`Meeting`] of two of them (or
+//! of one and a flat wall) in each step; a [`GrainContact`] turns it into the force and the torques. It
+//! carries the axes of the contact along with the two bodies and a [`crate::shift_law::ShiftLaw`] in
+//! them, so that a pair that turns as a whole does not slip.
+//!
+//! ```
+//! use carom_laws::friction::Friction;
+//! use carom_laws::grains::{Grain, GrainContact, Meeting};
+//! use carom_laws::memory::Fixed;
+//! use carom_laws::shift_law::ShiftLaw;
+//! use carom_laws::stiffness::ContactStiffness;
+//! let law = ShiftLaw::new(ContactStiffness::new(1.0, 1.0, 1.2)?, Friction::new(0.3)?);
+//! let mut contact = GrainContact::<Fixed<_, 12>>::new(law, 0.0)?;
+//! let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+//! let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], ..below };
+//! let meeting = Meeting::of_spheres(&above, &below, [0.5; 2])?;
+//! let load = contact.advance(&meeting, 1e-3)?;
+//! // Held back, and pushed up.
+//! assert!(load.force[0] < 0.0 && load.force[2] > 0.0);
+//! # Ok::<(), carom_special::RangeError>(())
+//! ```
+
+mod contact;
+mod meeting;
+mod pack;
+mod vector;
+
+pub use contact::{GrainContact, GrainLoad, Heats};
+pub use meeting::{Grain, Meeting, Wall, compliance_shares};
+pub use pack::grain_numbers;

@@ -1,0 +1,67 @@
+//! The contact of two grains as plain numbers, to be kept elsewhere.
+
+use carom_special::RangeError;
+
+use super::contact::GrainContact;
+use super::vector::{Vector, dot};
+use crate::coulomb::packed_numbers;
+use crate::memory::VertexStack;
+
+/// Tangent, normal, friction and drag.
+const BESIDE: usize = 9;
+
+/// How many numbers the contact of two grains takes in that many vertices: 75 for 12.
+///
+/// ```
+/// assert_eq!(carom_laws::grains::grain_numbers(12), 75);
+/// ```
+#[must_use]
+pub const fn grain_numbers(vertices: usize) -> usize {
+    packed_numbers(vertices) + BESIDE
+}
+
+impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
+    /// Writes what the contact remembers into numbers: those of the law
+    /// ([`crate::shift_law::ShiftLaw::pack`]), the first of which is not zero, then tangent, normal and
+    /// the forces of the last step. All zeros are two grains apart. The constants of the contact are not
+    /// among them.
+    ///
+    /// # Errors
+    /// [`RangeError`] if there is no room; nothing is then written.
+    pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
+        let room = numbers.len();
+        RangeError::check("numbers", room as f64, room >= BESIDE, "with room for the contact")?;
+        let (law, beside) = numbers.split_at_mut(room - BESIDE);
+        self.law.pack(law)?;
+        beside[..3].copy_from_slice(&self.tangent);
+        beside[3..6].copy_from_slice(&self.normal);
+        beside[6..8].copy_from_slice(&self.friction);
+        beside[8] = self.drag;
+        Ok(())
+    }
+
+    /// Takes up what [`GrainContact::pack`] of a contact of the same constants wrote into as many
+    /// numbers; loads are the same bits.
+    ///
+    /// # Errors
+    /// [`RangeError`] for numbers that are no contact; the contact is then unchanged.
+    pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
+        let room = numbers.len();
+        RangeError::check("numbers", room as f64, room >= BESIDE, "with room for the contact")?;
+        let (law, beside) = numbers.split_at(room - BESIDE);
+        let vector = |i: usize| [beside[i], beside[i + 1], beside[i + 2]];
+        let (tangent, normal): (Vector, Vector) = (vector(0), vector(3));
+        for (field, vector) in [("tangent", tangent), ("normal", normal)] {
+            let square = dot(vector, vector);
+            let holds = square == 0.0 || (square - 1.0).abs() < 1e-9;
+            RangeError::check(field, square.sqrt(), holds, "of length 0 or 1")?;
+        }
+        for value in &beside[6..] {
+            RangeError::finite("force", *value)?;
+        }
+        self.law.unpack(law)?;
+        (self.tangent, self.normal) = (tangent, normal);
+        (self.friction, self.drag) = ([beside[6], beside[7]], beside[8]);
+        Ok(())
+    }
+}

@@ -1,0 +1,170 @@
+//! The contact of two grains goes along with them.
+
+use carom_laws::friction::Friction;
+use carom_laws::grains::{Grain, GrainContact, Heats, Meeting, Wall, grain_numbers};
+use carom_laws::memory::Fixed;
+use carom_laws::shift_law::ShiftLaw;
+use carom_laws::stiffness::ContactStiffness;
+use proptest::prelude::*;
+
+type V = [f64; 3];
+type Contact = GrainContact<Fixed<[f64; 2], 12>>;
+
+fn fresh(relaxation: f64) -> Contact {
+    let stiffness = ContactStiffness::new(0.85, 0.85, 1.0).unwrap();
+    GrainContact::new(ShiftLaw::new(stiffness, Friction::new(0.4).unwrap()), relaxation).unwrap()
+}
+
+fn plus(a: V, b: V, by: f64) -> V {
+    [a[0] + by * b[0], a[1] + by * b[1], a[2] + by * b[2]]
+}
+
+fn dot(a: V, b: V) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn cross(a: V, b: V) -> V {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+/// Rodrigues: a vector turned by the length of another about it.
+fn turned(a: V, by: V) -> V {
+    let angle = dot(by, by).sqrt();
+    if angle == 0.0 {
+        return a;
+    }
+    let axis = by.map(|b| b / angle);
+    let (sine, cosine) = angle.sin_cos();
+    let across = cross(axis, a);
+    let along = dot(axis, a) * (1.0 - cosine);
+    [0, 1, 2].map(|k| cosine * a[k] + sine * across[k] + along * axis[k])
+}
+
+fn vector(size: f64) -> impl Strategy<Value = V> {
+    [-size..size, -size..size, -size..size]
+}
+
+/// A pair pressed and shifted, and then turned as a whole at this spin by steps of dt.
+fn turned_as_a_whole(shift: V, spin: V, dt: f64, steps: usize) -> (f64, V, V) {
+    let grain = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+    let arm = [0.6, 0.0, 0.8];
+    let one = Grain { place: arm.map(|x| 1.98 * x), velocity: shift, ..grain };
+    let mut contact = fresh(0.0);
+    contact
+        .advance(
+            &Meeting::of_spheres(&Grain { velocity: [0.0; 3], ..one }, &grain, [0.5; 2]).unwrap(),
+            1.0,
+        )
+        .unwrap();
+    let before =
+        contact.advance(&Meeting::of_spheres(&one, &grain, [0.5; 2]).unwrap(), 1.0).unwrap();
+    let mut load = before;
+    for step in 1..=steps {
+        // Velocities of a leapfrog: those of the middle of the step.
+        let at = |t: f64| turned(one.place, spin.map(|w| w * t * dt));
+        let (here, middle) = (at(step as f64), at(step as f64 - 0.5));
+        let body = Grain { place: here, velocity: cross(spin, middle), spin, radius: 1.0 };
+        let other = Grain { spin, ..grain };
+        let meeting = Meeting::of_spheres(&body, &other, [0.5; 2]).unwrap();
+        load = contact.advance(&meeting, dt).unwrap();
+    }
+    let angle = spin.map(|w| w * dt * steps as f64);
+    let expected = turned(before.force, angle);
+    let off = plus(load.force, expected, -1.0);
+    (dot(off, off).sqrt() / dot(before.force, before.force).sqrt(), load.force, load.couple)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// A pair that turns as a whole keeps its load, which turns along: what is off falls with the
+    /// square of the step.
+    #[test]
+    fn turning_as_a_whole_does_not_slip(shift in vector(3e-3), spin in vector(0.5)) {
+        let off = |dt: f64| turned_as_a_whole(shift, spin, dt, (6.0 / dt) as usize).0;
+        let (coarse, fine) = (off(1e-2), off(1e-3));
+        prop_assert!(coarse < 1e-2, "{coarse:e}");
+        prop_assert!(fine < 1e-4, "{fine:e}");
+    }
+
+    /// Actio est reactio, whichever is called the first; momenta balance.
+    #[test]
+    fn either_grain_may_be_the_first(
+        places in (vector(0.3), vector(0.1)),
+        velocities in (vector(1e-2), vector(1e-2)),
+        spins in (vector(1e-2), vector(1e-2)),
+        share in 0.0..1.0_f64,
+    ) {
+        let apart = plus([1.0, 0.7, 0.0], places.0, 1.0);
+        let length = dot(apart, apart).sqrt();
+        let one = Grain { place: places.1, velocity: velocities.0, spin: spins.0, radius: 0.5 * length };
+        let two = Grain {
+            place: plus(places.1, apart, 1.0), velocity: velocities.1, spin: spins.1, radius: 0.55 * length,
+        };
+        let (mut contact, mut other) = (fresh(0.3), fresh(0.3));
+        let (mut ways, dt) = ([one, two], 0.1);
+        for _ in 0..30 {
+            for body in &mut ways {
+                body.place = plus(body.place, body.velocity, dt);
+            }
+            let [one, two] = &ways;
+            let meeting = Meeting::of_spheres(one, two, [share, 1.0 - share]).unwrap();
+            let exchanged = Meeting::of_spheres(two, one, [1.0 - share, share]).unwrap();
+            let load = contact.advance(&meeting, dt).unwrap();
+            let opposite = other.advance(&exchanged, dt).unwrap();
+            let size = dot(load.force, load.force).sqrt();
+            for k in 0..3 {
+                prop_assert!((load.force[k] + opposite.force[k]).abs() <= 1e-9 * size);
+                prop_assert!((load.couple[k] - opposite.couple[k]).abs() <= 1e-9 * size);
+            }
+            // The torque of both forces about the origin, with those on the bodies themselves.
+            let moment = |body: &Grain, sign: f64, arm: f64| {
+                plus(cross(body.place, load.force.map(|f| sign * f)), load.couple, -arm)
+            };
+            let sum = plus(moment(one, 1.0, meeting.arms[0]), moment(two, -1.0, meeting.arms[1]), 1.0);
+            prop_assert!(dot(sum, sum).sqrt() <= 1e-14 * size, "{sum:?}");
+        }
+    }
+
+    /// Heat is not made of nothing, and damping does not pull.
+    #[test]
+    fn heats_are_not_negative(walk in prop::collection::vec((vector(1e-2), vector(1e-2)), 1..60)) {
+        let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
+        let mut contact = fresh(0.5);
+        let mut grain = Grain { place: [0.0, 0.0, 0.995], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+        let mut heats = Heats::default();
+        for (velocity, spin) in walk {
+            (grain.velocity, grain.spin) = (velocity, spin);
+            grain.place = plus(grain.place, velocity, 1.0);
+            let meeting = Meeting::on_wall(&grain, &wall, 1.0);
+            let (was, drag) = (heats, contact);
+            let load = contact.advance_accounted(&meeting, 1.0, &mut heats).unwrap();
+            prop_assert!(load.force[2] >= 0.0);
+            prop_assert!(heats.friction >= was.friction - 1e-18, "{heats:?}");
+            prop_assert_eq!(load, contact.load(&meeting));
+            let mut numbers = [0.0; grain_numbers(12)];
+            drag.pack(&mut numbers).unwrap();
+            let mut again = fresh(0.5);
+            again.unpack(&numbers).unwrap();
+            prop_assert_eq!(again.load(&meeting), drag.load(&meeting));
+        }
+    }
+}
+
+#[test]
+fn what_is_no_contact_is_refused() {
+    let grain = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+    assert_eq!(Meeting::of_spheres(&grain, &grain, [0.5; 2]).unwrap_err().field, "distance");
+    let stiffness = ContactStiffness::new(1.0, 1.0, 1.0).unwrap();
+    let law = ShiftLaw::<_, Fixed<_, 12>>::new(stiffness, Friction::new(0.4).unwrap());
+    assert_eq!(GrainContact::new(law, -1.0).unwrap_err().field, "relaxation");
+    let mut contact = fresh(0.0);
+    let mut numbers = [0.0; grain_numbers(12)];
+    for (at, field) in [(66, "tangent"), (69, "normal"), (74, "force"), (0, "mark")] {
+        numbers[at] = if at == 74 { f64::NAN } else { 2.0 };
+        assert_eq!(contact.unpack(&numbers).unwrap_err().field, field);
+        assert_eq!(contact, fresh(0.0));
+        numbers[at] = 0.0;
+    }
+    assert!(contact.unpack(&numbers[..5]).is_err());
+}

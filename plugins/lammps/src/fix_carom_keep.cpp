@@ -1,0 +1,94 @@
+#include "fix_carom_keep.h"
+
+#include "pair_carom.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "neigh_list.h"
+#include "update.h"
+
+using namespace LAMMPS_NS;
+
+FixCaromKeep::FixCaromKeep(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+{
+  restart_global = 1;
+}
+
+FixCaromKeep::~FixCaromKeep()
+{
+  if (pair) pair->keep = nullptr;
+}
+
+void FixCaromKeep::serve(PairCarom *its, NeighHistory *history_of_host)
+{
+  pair = its;
+  history = history_of_host;
+  pair->heats = {heats_of_file[0], heats_of_file[1]};
+}
+
+int FixCaromKeep::setmask()
+{
+  return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE;
+}
+
+void FixCaromKeep::pre_exchange()
+{
+  if (pair) pair->pack_all();
+}
+
+void FixCaromKeep::write_restart(FILE *fp)
+{
+  if (!pair) return;
+  if (update->whichflag == 0) save();
+  else pair->pack_all();
+  const double mine[2] = {pair->heats.friction, pair->heats.damping};
+  double all[2];
+  MPI_Reduce(mine, all, 2, MPI_DOUBLE, MPI_SUM, 0, world);
+  if (comm->me != 0) return;
+  const int size = sizeof all;
+  fwrite(&size, sizeof size, 1, fp);
+  fwrite(all, sizeof(double), 2, fp);
+}
+
+void FixCaromKeep::restart(char *buffer)
+{
+  const double *all = reinterpret_cast<double *>(buffer);
+  heats_of_file[0] = comm->me == 0 ? all[0] : 0.0;
+  heats_of_file[1] = comm->me == 0 ? all[1] : 0.0;
+}
+
+// Between runs the host has moved grains since it built the neighbor list, with their contacts; yet its
+// fix NEIGH_HISTORY collects contacts from that list once more as it writes its part. So what it
+// knows is put aside here, the list is left empty, and FixCaromRestore puts it back.
+void FixCaromKeep::save()
+{
+  known.clear();
+  for (int i = 0; i < atom->nlocal; i++) {
+    const std::size_t at = known.size();
+    known.resize(at + history->size_restart(i));
+    known.resize(at + history->pack_exchange(i, &known[at]));
+  }
+  if (pair->list) pair->list->inum = 0;
+  history->nlocal_neigh = atom->nlocal;
+  history->nall_neigh = atom->nlocal + atom->nghost;
+}
+
+void FixCaromKeep::restore()
+{
+  double *from = known.data();
+  for (int i = 0; i < atom->nlocal && !known.empty(); i++) from += history->unpack_exchange(i, from);
+  known.clear();
+}
+
+FixCaromRestore::FixCaromRestore(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+{
+  restart_global = 1;
+}
+
+void FixCaromRestore::write_restart(FILE *fp)
+{
+  if (keep) keep->restore();
+  if (comm->me != 0) return;
+  const int size = 0;
+  fwrite(&size, sizeof size, 1, fp);
+}

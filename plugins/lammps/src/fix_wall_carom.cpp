@@ -1,0 +1,298 @@
+#include "fix_wall_carom.h"
+
+#include "find_pair.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "domain.h"
+#include "error.h"
+#include "force.h"
+#include "memory.h"
+#include "update.h"
+#include "utils.h"
+
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using carom::Touches;
+
+// What compute_vector() tells, from f_ID[1] on.
+enum { FORCE_X, FORCE_Y, FORCE_Z, STORED, FRICTION, DAMPING, WORK, OUTPUTS };
+
+FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
+{
+  for (int k = 3; k < narg;) {
+    const std::string word = arg[k];
+    int words = material.take(lmp, who(), narg - k, arg + k);
+    if (words == 0) {
+      words = law.take(lmp, who(), narg - k, arg + k);
+      has_law = has_law || words > 0;
+    }
+    if (words == 0 && word == "plane" && k + 6 < narg) {
+      for (int axis = 0; axis < 3; axis++) {
+        wall.place[axis] = utils::numeric(FLERR, arg[k + 1 + axis], false, lmp);
+        wall.normal[axis] = utils::numeric(FLERR, arg[k + 4 + axis], false, lmp);
+      }
+      has_plane = true;
+      words = 7;
+    }
+    if (words == 0 && word == "velocity" && k + 3 < narg) {
+      for (int axis = 0; axis < 3; axis++)
+        wall.velocity[axis] = utils::numeric(FLERR, arg[k + 1 + axis], false, lmp);
+      words = 4;
+    }
+    if (words == 0)
+      error->all(FLERR, who() + " knows no '" + word +
+                            "': only plane and velocity (with all their values), young, shear, poisson, "
+                            "rigid, friction, damping, law and tolerance");
+    k += words;
+  }
+  material.check(lmp, who());
+  if (!has_plane) error->all(FLERR, who() + ": plane x y z nx ny nz is missing");
+  if (!material.has_body) error->all(FLERR, who() + ": young (or shear) and poisson, or rigid, are missing");
+  if (material.friction < 0.0) error->all(FLERR, who() + ": friction is missing");
+  double *n = wall.normal;
+  const double length = sqrt(n[0] * n[0] + n[1] * n[1] + n[2] * n[2]);
+  if (!(length > 0.0 && length < INFINITY))
+    error->all(FLERR, who() + ": the normal of the plane has no direction");
+  for (int axis = 0; axis < 3; axis++) n[axis] /= length;
+
+  restart_global = restart_peratom = 1;
+  create_attribute = 1;
+  maxexchange = 1 + Touches::NUMBERS;
+  vector_flag = 1;
+  size_vector = OUTPUTS;
+  global_freq = 1;
+  extvector = 1;
+  time_depend = 1;
+  FixWallCarom::grow_arrays(atom->nmax);
+  atom->add_callback(Atom::GROW);
+  atom->add_callback(Atom::RESTART);
+}
+
+FixWallCarom::~FixWallCarom()
+{
+  if (copymode) return;
+  atom->delete_callback(id, Atom::GROW);
+  atom->delete_callback(id, Atom::RESTART);
+}
+
+int FixWallCarom::setmask()
+{
+  return FixConst::POST_FORCE;
+}
+
+void FixWallCarom::init()
+{
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+    error->all(FLERR, who() + " wants atom_style sphere");
+  for (int axis = 0; axis < 3; axis++)
+    if (domain->periodicity[axis] && wall.normal[axis] != 0.0)
+      error->all(FLERR, who() + ": the box is periodic across the wall");
+  const auto pairs = carom::find_pairs(force);
+  if (pairs.empty()) error->all(FLERR, who() + " wants pair_style carom: grains get their material there");
+  account = false;
+  constants.assign(atom->ntypes + 1, {});
+  known.assign(atom->ntypes + 1, 0);
+  for (const PairCarom *pair : pairs) {
+    account = account || pair->keeps_account();
+    for (int type = 1; type <= atom->ntypes; type++) {
+      if (known[type] || !pair->material(type).has_body) continue;
+      known[type] = 1;
+      const carom::Law &its = has_law ? law : pair->law();
+      constants[type] = carom::grains_of(lmp, who(), pair->material(type).body(), material.body(), material, its);
+    }
+  }
+}
+
+carom_touch *FixWallCarom::touch_of(int i)
+{
+  double *slot = slots[i].get();
+  if (Touches::is_unpacked(slot)) return &touches.of(slot);
+  carom_error why;
+  carom_touch *touch = touches.at(slot, constants[atom->type[i]], atom->radius[i], INFINITY, &why);
+  if (!touch) carom::fail(lmp, who(), why);
+  return touch;
+}
+
+// One step of a grain on the wall, with its heat; a step of no duration only looks, but for a new contact.
+carom_grain_load FixWallCarom::step(int i, double duration)
+{
+  const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i];
+  const carom_grain grain = {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, atom->radius[i]};
+  const carom_grains &grains = constants[atom->type[i]];
+  const bool is_new = slots[i][0] == 0.0;
+  carom_touch *touch = touch_of(i);
+  carom_grain_load load;
+  carom_error why;
+  carom_status status;
+  if (duration > 0.0 || is_new) {
+    carom_heats made = {0.0, 0.0};
+    status = carom_touch_wall(&grains, touch, &grain, &wall, duration, &load, account ? &made : nullptr, &why);
+    sums_.friction += made.friction;
+    sums_.damping += made.damping;
+  } else {
+    status = carom_touch_wall_load(&grains, touch, &grain, &wall, &load, &why);
+  }
+  if (status != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
+  return load;
+}
+
+void FixWallCarom::post_force(int)
+{
+  const double duration = update->setupflag ? 0.0 : update->dt;
+  for (int axis = 0; axis < 3; axis++) wall.place[axis] += duration * wall.velocity[axis];
+  const double *n = wall.normal, *p = wall.place;
+  double sum[3] = {0.0, 0.0, 0.0};
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!(atom->mask[i] & groupbit)) continue;
+    const double *x = atom->x[i];
+    const double height = (x[0] - p[0]) * n[0] + (x[1] - p[1]) * n[1] + (x[2] - p[2]) * n[2];
+    const bool apart = height >= atom->radius[i];
+    if (apart && !touches_wall(i)) continue;
+    if (apart && duration == 0.0) {
+      drop(i);
+      continue;
+    }
+    if (!known[atom->type[i]])
+      error->one(FLERR, who() + ": pair_coeff of pair carom tells no material of grains of type " +
+                            std::to_string(atom->type[i]));
+    if (!slots[i]) slots[i].reset(new double[Touches::NUMBERS]());
+    const carom_grain_load load = step(i, duration);
+    for (int axis = 0; axis < 3; axis++) {
+      atom->f[i][axis] += load.force[axis];
+      atom->torque[i][axis] += load.torque_1[axis];
+      sum[axis] -= load.force[axis];
+    }
+    if (apart) drop(i);
+  }
+  for (int axis = 0; axis < 3; axis++) {
+    sums_.work -= 0.5 * (force_on_wall[axis] + sum[axis]) * wall.velocity[axis] * duration;
+    force_on_wall[axis] = sum[axis];
+  }
+}
+
+double FixWallCarom::stored_energy()
+{
+  double sum = 0.0;
+  for (int i = 0; i < atom->nlocal; i++) {
+    if (!touches_wall(i)) continue;
+    double energy = 0.0;
+    carom_touch_energy(touch_of(i), &energy, nullptr);
+    sum += energy;
+  }
+  return sum;
+}
+
+double FixWallCarom::compute_vector(int n)
+{
+  double mine = 0.0;
+  switch (n) {
+    case STORED: mine = stored_energy(); break;
+    case FRICTION: mine = sums_.friction; break;
+    case DAMPING: mine = sums_.damping; break;
+    case WORK: mine = sums_.work; break;
+    default: mine = force_on_wall[n];
+  }
+  double all;
+  MPI_Allreduce(&mine, &all, 1, MPI_DOUBLE, MPI_SUM, world);
+  return all;
+}
+
+// The place of the wall and the sums of all ranks.
+void FixWallCarom::write_restart(FILE *fp)
+{
+  const double mine[6] = {sums_.friction,   sums_.damping,    sums_.work,
+                          force_on_wall[0], force_on_wall[1], force_on_wall[2]};
+  double all[9];
+  memcpy(all, wall.place, 3 * sizeof(double));
+  MPI_Reduce(mine, all + 3, 6, MPI_DOUBLE, MPI_SUM, 0, world);
+  if (comm->me != 0) return;
+  const int size = sizeof all;
+  fwrite(&size, sizeof size, 1, fp);
+  fwrite(all, sizeof(double), 9, fp);
+}
+
+void FixWallCarom::restart(char *buffer)
+{
+  const double *all = reinterpret_cast<double *>(buffer);
+  memcpy(wall.place, all, 3 * sizeof(double));
+  if (comm->me != 0) return;
+  sums_ = {all[3], all[4], all[5]};
+  memcpy(force_on_wall, all + 6, 3 * sizeof(double));
+}
+
+void FixWallCarom::grow_arrays(int nmax)
+{
+  slots.resize(nmax);
+}
+
+// A grain moves to another place; what stood there belongs to nobody any more.
+void FixWallCarom::copy_arrays(int i, int j, int)
+{
+  std::swap(slots[i], slots[j]);
+}
+
+void FixWallCarom::drop(int i)
+{
+  if (slots[i]) touches.drop(slots[i].get());
+}
+
+void FixWallCarom::set_arrays(int i)
+{
+  drop(i);
+}
+
+void FixWallCarom::pack(int i)
+{
+  carom_error why;
+  if (slots[i] && touches.pack(slots[i].get(), &why) != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
+}
+
+int FixWallCarom::pack_exchange(int i, double *buffer)
+{
+  pack(i);
+  buffer[0] = touches_wall(i);
+  if (buffer[0] == 0.0) return 1;
+  memcpy(buffer + 1, slots[i].get(), Touches::NUMBERS * sizeof(double));
+  return 1 + Touches::NUMBERS;
+}
+
+int FixWallCarom::unpack_exchange(int i, double *buffer)
+{
+  drop(i);
+  if (buffer[0] == 0.0) return 1;
+  if (!slots[i]) slots[i].reset(new double[Touches::NUMBERS]);
+  memcpy(slots[i].get(), buffer + 1, Touches::NUMBERS * sizeof(double));
+  return 1 + Touches::NUMBERS;
+}
+
+int FixWallCarom::pack_restart(int i, double *buffer)
+{
+  buffer[0] = 1 + pack_exchange(i, buffer + 1);
+  return static_cast<int>(buffer[0]);
+}
+
+void FixWallCarom::unpack_restart(int i, int nth)
+{
+  // Each fix says in its first number how many it has.
+  double *buffer = atom->extra[i];
+  for (int k = 0; k < nth; k++) buffer += static_cast<int>(*buffer);
+  unpack_exchange(i, buffer + 1);
+}
+
+int FixWallCarom::size_restart(int i)
+{
+  return touches_wall(i) ? 2 + Touches::NUMBERS : 2;
+}
+
+int FixWallCarom::maxsize_restart()
+{
+  return 2 + Touches::NUMBERS;
+}
+
+double FixWallCarom::memory_usage()
+{
+  return touches.bytes() + static_cast<double>(slots.capacity() * sizeof(slots[0]));
+}

@@ -1,0 +1,71 @@
+// fix wall/carom: a flat wall, at rest or moving, with the law of pair carom.
+#ifndef CAROM_FIX_WALL_H
+#define CAROM_FIX_WALL_H
+
+#include "fix.h"
+
+#include "carom.h"
+#include "material.h"
+#include "touches.h"
+
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class FixWallCarom : public Fix {
+ public:
+  FixWallCarom(LAMMPS *lmp, int narg, char **arg);
+  ~FixWallCarom() override;
+  int setmask() override;
+  void init() override;
+  void setup(int vflag) override { post_force(vflag); }
+  void post_force(int vflag) override;
+  double compute_vector(int n) override;
+
+  void write_restart(FILE *fp) override;
+  void restart(char *buffer) override;
+  void grow_arrays(int nmax) override;
+  void copy_arrays(int i, int j, int delflag) override;
+  void set_arrays(int i) override;
+  int pack_exchange(int i, double *buffer) override;
+  int unpack_exchange(int nlocal, double *buffer) override;
+  int pack_restart(int i, double *buffer) override;
+  void unpack_restart(int nlocal, int nth) override;
+  int size_restart(int i) override;
+  int maxsize_restart() override;
+  double memory_usage() override;
+
+  // Of this rank's contacts.
+  double stored_energy();
+  // Sums of this rank: friction, damping, and the work that the moving wall did.
+  struct Sums {
+    double friction, damping, work;
+  };
+  const Sums &sums() const { return sums_; }
+
+ private:
+  carom::Material material;
+  carom::Law law;
+  bool has_law = false, has_plane = false;
+  carom_wall wall = {};
+  std::vector<carom_grains> constants;    // by type of grain
+  std::vector<char> known;                // whether there are any
+  bool account = false;
+  Sums sums_ = {0.0, 0.0, 0.0};
+  double force_on_wall[3] = {0.0, 0.0, 0.0};
+  carom::Touches touches;
+  std::vector<std::unique_ptr<double[]>> slots;    // by grain; null where nothing ever touched
+
+  std::string who() const { return std::string("fix ") + id + " wall/carom"; }
+  carom_touch *touch_of(int i);
+  carom_grain_load step(int i, double duration);
+  void pack(int i);
+  void drop(int i);
+  bool touches_wall(int i) const { return slots[i] && slots[i][0] != 0.0; }
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

@@ -1,0 +1,113 @@
+#include "material.h"
+
+#include "error.h"
+#include "lammps.h"
+#include "utils.h"
+
+#include <cmath>
+#include <limits>
+
+using namespace LAMMPS_NS;
+
+namespace carom {
+
+void fail(LAMMPS *lmp, const std::string &who, const carom_error &error)
+{
+  lmp->error->one(FLERR, who + ": " + error.text);
+}
+
+static void out_of_range(LAMMPS *lmp, const std::string &who, const char *field, double value,
+                         const char *allowed)
+{
+  char number[32];
+  snprintf(number, sizeof number, "%g", value);
+  lmp->error->all(FLERR,
+                  who + ": " + field + " = " + number + " is out of range: must be " + allowed);
+}
+
+static double number(LAMMPS *lmp, const std::string &who, int narg, char **arg)
+{
+  if (narg < 2) lmp->error->all(FLERR, who + ": " + arg[0] + " wants a value");
+  return utils::numeric(FLERR, arg[1], false, lmp);
+}
+
+int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
+{
+  const std::string word = arg[0];
+  if (word == "rigid") {
+    young = std::numeric_limits<double>::infinity();
+    is_set = has_body = 1;
+    return 1;
+  }
+  if (word == "young") {
+    young = number(lmp, who, narg, arg);
+    has_young = true;
+  } else if (word == "shear") {
+    shear = number(lmp, who, narg, arg);
+    has_shear = true;
+  } else if (word == "poisson") {
+    poisson = number(lmp, who, narg, arg);
+    has_poisson = true;
+  } else if (word == "friction") {
+    friction = number(lmp, who, narg, arg);
+    if (!(friction >= 0.0 && friction < INFINITY))
+      out_of_range(lmp, who, "friction", friction, "finite and >= 0");
+  } else if (word == "damping") {
+    damping = number(lmp, who, narg, arg);
+    if (!(damping >= 0.0 && damping < INFINITY))
+      out_of_range(lmp, who, "damping", damping, "finite and >= 0 (a time)");
+  } else {
+    return 0;
+  }
+  is_set = 1;
+  if (has_young && has_shear) lmp->error->all(FLERR, who + ": young and shear are both given");
+  if (has_shear && has_poisson) {
+    if (!(shear > 0.0 && shear < INFINITY))
+      out_of_range(lmp, who, "shear", shear, "finite and > 0");
+    young = 2.0 * shear * (1.0 + poisson);
+  }
+  if ((has_young || has_shear) && has_poisson) has_body = 1;
+  return 2;
+}
+
+void Material::check(LAMMPS *lmp, const std::string &who) const
+{
+  if (has_poisson != (has_young || has_shear))
+    lmp->error->all(FLERR, who + (has_poisson ? ": poisson wants young or shear" : ": poisson is missing"));
+  if (!has_poisson) return;
+  if (!(poisson > -1.0 && poisson <= 0.5)) out_of_range(lmp, who, "poisson", poisson, "in (-1, 0.5]");
+  if (!(young > 0.0 && young < INFINITY)) out_of_range(lmp, who, "young", young, "finite and > 0");
+}
+
+int Law::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
+{
+  const std::string word = arg[0];
+  if (word == "law") {
+    const std::string name = narg < 2 ? "" : arg[1];
+    if (name == "coulomb") law = CAROM_LAW_COULOMB;
+    else if (name == "chapter7") law = CAROM_LAW_CHAPTER_7;
+    else lmp->error->all(FLERR, who + ": law is neither coulomb nor chapter7: '" + name + "'");
+    return 2;
+  }
+  if (word == "tolerance") {
+    tolerance = number(lmp, who, narg, arg);
+    if (!(tolerance > 0.0 && tolerance <= 0.1))
+      out_of_range(lmp, who, "tolerance", tolerance, "> 0 and <= 0.1");
+    return 2;
+  }
+  return 0;
+}
+
+carom_grains grains_of(LAMMPS *lmp, const std::string &who, const carom_material &one,
+                       const carom_material &two, const Material &pair, const Law &law)
+{
+  if (pair.friction < 0.0) lmp->error->all(FLERR, who + ": friction is missing");
+  carom_grains grains;
+  carom_error error;
+  const carom_status status = carom_grains_of(&one, &two, pair.friction, law.law, law.tolerance,
+                                              pair.damping, &grains, &error);
+  if (status != CAROM_STATUS_OK) lmp->error->all(FLERR, who + ": " + error.text);
+  return grains;
+}
+
+}    // namespace carom

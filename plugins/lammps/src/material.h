@@ -1,0 +1,52 @@
+// Materials and laws as a user writes them in an input script.
+#ifndef CAROM_MATERIAL_H
+#define CAROM_MATERIAL_H
+
+#include "carom.h"
+
+#include <string>
+
+namespace LAMMPS_NS {
+class LAMMPS;
+}
+
+namespace carom {
+
+// young E poisson NU | shear G poisson NU | rigid, friction F, damping A; plain data, written into restart
+// files as it stands.
+struct Material {
+  int is_set = 0;      // whether any keyword was given
+  int has_body = 0;    // whether there are moduli, or rigid
+  double young = 0.0, poisson = 0.0;
+  double friction = -1.0;    // not given
+  double damping = 0.0;
+
+  // Takes a keyword and its value, and returns how many words these were; 0 for one that is none of its own.
+  int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
+  // Complains about what is missing or out of range.
+  void check(LAMMPS_NS::LAMMPS *lmp, const std::string &who) const;
+  carom_material body() const { return {young, poisson}; }
+
+ private:
+  double shear = 0.0;
+  bool has_young = false, has_shear = false, has_poisson = false;
+};
+
+// law chapter7 | coulomb, tolerance T
+struct Law {
+  uint32_t law = CAROM_LAW_CHAPTER_7;
+  double tolerance = 0.0;
+
+  int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
+};
+
+// The constants of a pair of bodies; ends in an error of the host that says what is out of range.
+carom_grains grains_of(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_material &one,
+                       const carom_material &two, const Material &pair, const Law &law);
+
+// An error of the host, with what the library says.
+[[noreturn]] void fail(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_error &error);
+
+}    // namespace carom
+
+#endif

@@ -1,0 +1,431 @@
+#include "pair_carom.h"
+
+#include "fix_carom_keep.h"
+#include "host.h"
+
+#include "atom.h"
+#include "comm.h"
+#include "error.h"
+#include "force.h"
+#include "memory.h"
+#include "modify.h"
+#include "neigh_list.h"
+#include "neighbor.h"
+#include "update.h"
+#include "utils.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+using namespace LAMMPS_NS;
+using carom::Touches;
+
+// What single() tells of a contact, in the order of compute pair/local's p1, p2, ...
+enum { F_X, F_Y, F_Z, F_NORMAL, F_FRICTION, OVERLAP, AREA_RADIUS, STICKING, REGIME, ENERGY, EXTRAS };
+
+static std::string free_id(const Modify *modify, const std::string &stem)
+{
+  std::string id = stem;
+  for (int k = 2; modify->get_fix_by_id(id) || modify->get_fix_by_id(id + "_DUMMY"); k++)
+    id = stem + "_" + std::to_string(k);
+  return id;
+}
+
+PairCarom::PairCarom(LAMMPS *lmp) : Pair(lmp)
+{
+  single_enable = 1;
+  single_extra = EXTRAS;
+  svector = new double[EXTRAS];
+  restartinfo = 1;
+  no_virial_fdotr_compute = 1;
+  finitecutflag = 1;
+  centroidstressflag = CENTROID_NOTAVAIL;
+  beyond_contact = 0;
+  // A contact is seen from the lower tag: it is the same for both grains.
+  nondefault_history_transfer = 1;
+
+  // Places for the fixes, in this order. They are made when a run begins, since what a restart file tells
+  // is known by then, and go by these names.
+  keep_id = free_id(modify, "CAROM_KEEP");
+  history_id = free_id(modify, "NEIGH_HISTORY_CAROM");
+  restore_id = free_id(modify, "CAROM_RESTORE");
+  for (const std::string &id : {keep_id, history_id, restore_id}) modify->add_fix(id + "_DUMMY all DUMMY", 0);
+}
+
+PairCarom::~PairCarom()
+{
+  if (copymode) return;
+  delete[] svector;
+  if (keep) keep->pair = nullptr;
+  for (const std::string &id : {keep_id, history_id, restore_id})
+    for (const std::string &name : {id, id + "_DUMMY"})
+      if (modify->get_fix_by_id(name)) modify->delete_fix(name);
+  if (allocated) {
+    memory->destroy(setflag);
+    memory->destroy(cutsq);
+  }
+}
+
+int PairCarom::place(int i, int j) const
+{
+  return i * (atom->ntypes + 1) + j;
+}
+
+void PairCarom::allocate()
+{
+  allocated = 1;
+  const int n = atom->ntypes;
+  memory->create(setflag, n + 1, n + 1, "pair:setflag");
+  memory->create(cutsq, n + 1, n + 1, "pair:cutsq");
+  for (int i = 0; i <= n; i++)
+    for (int j = 0; j <= n; j++) setflag[i][j] = 0;
+  coefficients.assign((n + 1) * (n + 1), {});
+  constants.assign((n + 1) * (n + 1), {});
+  largest.assign(n + 1, 0.0);
+}
+
+void PairCarom::settings(int narg, char **arg)
+{
+  law_ = {};
+  account = 0;
+  for (int k = 0; k < narg;) {
+    int words = law_.take(lmp, "pair_style carom", narg - k, arg + k);
+    if (words == 0 && strcmp(arg[k], "energy") == 0 && k + 1 < narg) {
+      account = utils::logical(FLERR, arg[k + 1], false, lmp);
+      words = 2;
+    }
+    if (words == 0)
+      error->all(FLERR, std::string("pair_style carom knows no '") + arg[k] +
+                            "': only law, tolerance and energy");
+    k += words;
+  }
+}
+
+void PairCarom::coeff(int narg, char **arg)
+{
+  if (narg < 2) error->all(FLERR, "pair_coeff wants two types of grains");
+  if (!allocated) allocate();
+  const std::string who = std::string("pair_coeff ") + arg[0] + " " + arg[1] + " of pair carom";
+  int ilo, ihi, jlo, jhi;
+  utils::bounds(FLERR, arg[0], 1, atom->ntypes, ilo, ihi, error);
+  utils::bounds(FLERR, arg[1], 1, atom->ntypes, jlo, jhi, error);
+  carom::Material material;
+  for (int k = 2; k < narg;) {
+    const int words = material.take(lmp, who, narg - k, arg + k);
+    if (words == 0)
+      error->all(FLERR, who + " knows no '" + arg[k] +
+                            "': only young, shear, poisson, rigid, friction and damping");
+    k += words;
+  }
+  material.check(lmp, who);
+  if (material.friction < 0.0) error->all(FLERR, who + ": friction is missing");
+  int count = 0;
+  for (int i = ilo; i <= ihi; i++) {
+    for (int j = std::max(jlo, i); j <= jhi; j++, count++) {
+      if (i == j && !material.has_body)
+        error->all(FLERR, who + ": young (or shear) and poisson are missing");
+      coefficients[place(i, j)] = material;
+      setflag[i][j] = 1;
+    }
+  }
+  if (count == 0) error->all(FLERR, who + " names no pair of types: the first is not above the second");
+}
+
+void PairCarom::init_style()
+{
+  if (!atom->radius_flag || !atom->rmass_flag || !atom->omega_flag || !atom->torque_flag)
+    error->all(FLERR, "pair carom wants atom_style sphere");
+  if (comm->ghost_velocity == 0) error->all(FLERR, "pair carom wants comm_modify vel yes");
+  neighbor->add_request(this, NeighConst::REQ_SIZE | NeighConst::REQ_HISTORY);
+  if (!history) {
+    const auto make = [this](const std::string &id, const std::string &style) {
+      return modify->replace_fix(id + "_DUMMY", id + " all " + style, 0);
+    };
+    keep = static_cast<FixCaromKeep *>(make(keep_id, "CAROM_KEEP"));
+    const auto numbers = std::to_string(Touches::NUMBERS);
+    history = static_cast<NeighHistory *>(make(history_id, "NEIGH_HISTORY " + numbers));
+    keep->serve(this, history);
+    static_cast<FixCaromRestore *>(make(restore_id, "CAROM_RESTORE"))->keep = keep;
+    if (history->pair != nullptr)
+      error->all(FLERR, "pair carom: the fields of fix NEIGH_HISTORY are not where they were expected");
+    history->pair = this;
+  }
+  // The largest radius of each type, grains to come included.
+  std::vector<double> mine(largest.size(), 0.0);
+  for (const char *style : {"^pour", "^deposit"}) {
+    for (Fix *fix : modify->get_fix_by_style(style)) {
+      for (int type = 1; type <= atom->ntypes; type++) {
+        int asked = type;
+        const auto *radius = static_cast<double *>(fix->extract("radius", asked));
+        if (radius) mine[type] = std::max(mine[type], *radius);
+      }
+    }
+  }
+  for (int i = 0; i < atom->nlocal; i++)
+    mine[atom->type[i]] = std::max(mine[atom->type[i]], atom->radius[i]);
+  MPI_Allreduce(mine.data(), largest.data(), static_cast<int>(mine.size()), MPI_DOUBLE, MPI_MAX, world);
+}
+
+double PairCarom::init_one(int i, int j)
+{
+  const std::string who = "pair_coeff " + std::to_string(i) + " " + std::to_string(j) + " of pair carom";
+  if (!setflag[i][j]) error->all(FLERR, who + " is missing: friction is that of a pair");
+  const carom::Material &pair = coefficients[place(i, j)];
+  const bool own = pair.has_body;
+  const carom_material one = own ? pair.body() : material(i).body();
+  const carom_material two = own ? pair.body() : material(j).body();
+  constants[place(i, j)] = carom::grains_of(lmp, who, one, two, pair, law_);
+  constants[place(j, i)] = carom::grains_of(lmp, who, two, one, pair, law_);
+  return largest[i] + largest[j];
+}
+
+carom_grain PairCarom::grain(int i) const
+{
+  const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i];
+  return {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, atom->radius[i]};
+}
+
+carom_touch *PairCarom::touch_of(double *slot, int body_1, int body_2)
+{
+  if (Touches::is_unpacked(slot)) return &touches.of(slot);
+  carom_error why;
+  const carom_grains &grains = constants[place(atom->type[body_1], atom->type[body_2])];
+  carom_touch *touch = touches.at(slot, grains, atom->radius[body_1], atom->radius[body_2], &why);
+  if (!touch) carom::fail(lmp, "pair carom", why);
+  return touch;
+}
+
+// How much of a contact's energy this rank counts: another one has it too if its grain is a ghost that
+// gets no force from here.
+double PairCarom::share_of(int j) const
+{
+  return force->newton_pair || j < atom->nlocal ? 1.0 : 0.5;
+}
+
+void PairCarom::end(double *slot, int &touching)
+{
+  touches.drop(slot);
+  touching = 0;
+}
+
+void PairCarom::compute(int eflag, int vflag)
+{
+  ev_init(eflag, vflag);
+  if (history->nlocal_neigh > atom->nlocal || history->nall_neigh < history->nlocal_neigh)
+    error->one(FLERR, "pair carom: the fields of fix NEIGH_HISTORY are not where they were expected");
+  // A setup only looks at what the last step left; a contact that is new to it begins with a step of no
+  // duration. Two grains that touched make one more step apart, in which the contact ends.
+  const bool moves = !update->setupflag;
+  double **x = atom->x, **f = atom->f, **torque = atom->torque;
+  const double *radius = atom->radius;
+  const tagint *tag = atom->tag;
+  const int *type = atom->type;
+  const int nlocal = atom->nlocal, newton = force->newton_pair, types = atom->ntypes + 1;
+  carom_error why;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    int *touching = history->firstflag[i];
+    double *slots = history->firstvalue[i];
+    const int *neighbors = list->firstneigh[i];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      const int j = neighbors[jj] & NEIGHMASK;
+      double *slot = slots + Touches::NUMBERS * jj;
+      const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
+      const double reach = radius[i] + radius[j];
+      const bool apart = dx * dx + dy * dy + dz * dz >= reach * reach;
+      if (apart && !touching[jj]) continue;
+      if (apart && !moves) {
+        end(slot, touching[jj]);
+        continue;
+      }
+      touching[jj] = 1;
+      const bool i_is_1 = tag[i] < tag[j];
+      const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
+      const carom_grains &grains = constants[type[one] * types + type[two]];
+      const carom_grain body_1 = grain(one), body_2 = grain(two);
+      const bool is_new = slot[0] == 0.0;
+      carom_touch *touch = touch_of(slot, one, two);
+      carom_grain_load load;
+      carom_status status;
+      if (moves || is_new) {
+        carom_heats made = {0.0, 0.0};
+        status = carom_touch_grains(&grains, touch, &body_1, &body_2, moves ? update->dt : 0.0, &load,
+                                    account ? &made : nullptr, &why);
+        if (account) {
+          const double share = share_of(j);
+          heats.friction += share * made.friction;
+          heats.damping += share * made.damping;
+        }
+      } else {
+        status = carom_touch_grains_load(&grains, touch, &body_1, &body_2, &load, &why);
+      }
+      if (status != CAROM_STATUS_OK) carom::fail(lmp, "pair carom", why);
+      const double sign = i_is_1 ? 1.0 : -1.0;
+      const double *torque_i = i_is_1 ? load.torque_1 : load.torque_2;
+      const double *torque_j = i_is_1 ? load.torque_2 : load.torque_1;
+      const double fx = sign * load.force[0], fy = sign * load.force[1], fz = sign * load.force[2];
+      f[i][0] += fx;
+      f[i][1] += fy;
+      f[i][2] += fz;
+      for (int k = 0; k < 3; k++) torque[i][k] += torque_i[k];
+      if (newton || j < nlocal) {
+        f[j][0] -= fx;
+        f[j][1] -= fy;
+        f[j][2] -= fz;
+        for (int k = 0; k < 3; k++) torque[j][k] += torque_j[k];
+      }
+      if (evflag) {
+        double energy = 0.0;
+        if (eflag) carom_touch_energy(touch, &energy, nullptr);
+        ev_tally_xyz(i, j, nlocal, newton, energy, 0.0, fx, fy, fz, dx, dy, dz);
+      }
+      if (apart) end(slot, touching[jj]);
+    }
+  }
+}
+
+void PairCarom::pack_all()
+{
+  // Nothing was unpacked since the list was built, or there is no list yet.
+  if (!history || !list || !history->firstflag) return;
+  carom_error why;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    const int *touching = history->firstflag[i];
+    double *slots = history->firstvalue[i];
+    for (int jj = 0; jj < list->numneigh[i]; jj++)
+      if (touching[jj] && touches.pack(slots + Touches::NUMBERS * jj, &why) != CAROM_STATUS_OK)
+        carom::fail(lmp, "pair carom", why);
+  }
+}
+
+double PairCarom::stored_energy()
+{
+  double sum = 0.0;
+  if (!history || !list) return sum;
+  for (int ii = 0; ii < list->inum; ii++) {
+    const int i = list->ilist[ii];
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      double *slot = history->firstvalue[i] + Touches::NUMBERS * jj;
+      if (slot[0] == 0.0) continue;
+      const int j = list->firstneigh[i][jj] & NEIGHMASK;
+      const bool i_is_1 = atom->tag[i] < atom->tag[j];
+      double energy = 0.0;
+      carom_touch_energy(touch_of(slot, i_is_1 ? i : j, i_is_1 ? j : i), &energy, nullptr);
+      sum += share_of(j) * energy;
+    }
+  }
+  return sum;
+}
+
+// The slot of a pair, if it is on the list of this rank.
+double *PairCarom::find_slot(int i, int j) const
+{
+  for (int turn = 0; turn < 2; turn++, std::swap(i, j)) {
+    if (i >= atom->nlocal) continue;
+    for (int jj = 0; jj < list->numneigh[i]; jj++)
+      if ((list->firstneigh[i][jj] & NEIGHMASK) == j)
+        return history->firstvalue[i] + Touches::NUMBERS * jj;
+  }
+  return nullptr;
+}
+
+double PairCarom::single(int i, int j, int itype, int jtype, double rsq, double, double, double &fforce)
+{
+  fforce = 0.0;
+  std::fill(svector, svector + EXTRAS, 0.0);
+  double *slot = history && list ? find_slot(i, j) : nullptr;
+  if (!slot || slot[0] == 0.0) return 0.0;
+  const bool i_is_1 = atom->tag[i] < atom->tag[j];
+  const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
+  const carom_grains &grains = i_is_1 ? constants[place(itype, jtype)] : constants[place(jtype, itype)];
+  const carom_grain body_1 = grain(one), body_2 = grain(two);
+  const carom_touch *touch = touch_of(slot, one, two);
+  carom_grain_load load;
+  carom_report report;
+  double energy;
+  carom_error why;
+  if (carom_touch_grains_load(&grains, touch, &body_1, &body_2, &load, &why) != CAROM_STATUS_OK ||
+      carom_touch_report(touch, &report, &why) != CAROM_STATUS_OK ||
+      carom_touch_energy(touch, &energy, &why) != CAROM_STATUS_OK)
+    carom::fail(lmp, "pair carom", why);
+  const double distance = sqrt(rsq), overlap = atom->radius[i] + atom->radius[j] - distance;
+  double normal_force = 0.0, square = 0.0;
+  for (int k = 0; k < 3; k++)
+    normal_force += load.force[k] * (body_1.place[k] - body_2.place[k]) / distance;
+  for (int k = 0; k < 3; k++) {
+    const double friction =
+        load.force[k] - normal_force * (body_1.place[k] - body_2.place[k]) / distance;
+    square += friction * friction;
+    svector[F_X + k] = i_is_1 ? friction : -friction;
+  }
+  const double relative = 1.0 / (1.0 / atom->radius[i] + 1.0 / atom->radius[j]);
+  svector[F_NORMAL] = normal_force;
+  svector[F_FRICTION] = sqrt(square);
+  svector[OVERLAP] = overlap;
+  svector[AREA_RADIUS] = sqrt(relative * std::max(overlap, 0.0));
+  svector[STICKING] = report.sticking;
+  svector[REGIME] = report.regime;
+  svector[ENERGY] = energy;
+  fforce = normal_force / distance;
+  return energy;
+}
+
+void PairCarom::transfer_history(double *source, double *target, int, int)
+{
+  memcpy(target, source, Touches::NUMBERS * sizeof(double));
+}
+
+void PairCarom::write_restart_settings(FILE *fp)
+{
+  fwrite(&law_, sizeof law_, 1, fp);
+  fwrite(&account, sizeof account, 1, fp);
+}
+
+void PairCarom::read_restart_settings(FILE *fp)
+{
+  if (comm->me == 0) {
+    utils::sfread(FLERR, &law_, sizeof law_, 1, fp, nullptr, error);
+    utils::sfread(FLERR, &account, sizeof account, 1, fp, nullptr, error);
+  }
+  MPI_Bcast(&law_, sizeof law_, MPI_BYTE, 0, world);
+  MPI_Bcast(&account, sizeof account, MPI_BYTE, 0, world);
+}
+
+void PairCarom::write_restart(FILE *fp)
+{
+  const uint32_t version = carom_state_version();
+  fwrite(&version, sizeof version, 1, fp);
+  write_restart_settings(fp);
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      carom::Material &material = coefficients[place(i, j)];
+      if (!setflag[i][j]) material = {};
+      fwrite(&material, sizeof material, 1, fp);
+    }
+}
+
+void PairCarom::read_restart(FILE *fp)
+{
+  uint32_t version = 0;
+  if (comm->me == 0) utils::sfread(FLERR, &version, sizeof version, 1, fp, nullptr, error);
+  MPI_Bcast(&version, sizeof version, MPI_BYTE, 0, world);
+  if (version != carom_state_version())
+    error->all(FLERR, "pair carom: the restart file was written by another version of carom (" +
+                          std::to_string(version) + ")");
+  read_restart_settings(fp);
+  allocate();
+  for (int i = 1; i <= atom->ntypes; i++)
+    for (int j = i; j <= atom->ntypes; j++) {
+      carom::Material &material = coefficients[place(i, j)];
+      if (comm->me == 0) utils::sfread(FLERR, &material, sizeof material, 1, fp, nullptr, error);
+      MPI_Bcast(&material, sizeof material, MPI_BYTE, 0, world);
+      setflag[i][j] = material.is_set;
+    }
+}
+
+double PairCarom::memory_usage()
+{
+  return Pair::memory_usage() + touches.bytes();
+}

@@ -1,0 +1,71 @@
+// pair_style carom: Hertz's normal force and Coulomb's friction with memory between spheres.
+#ifndef CAROM_PAIR_H
+#define CAROM_PAIR_H
+
+#include "pair.h"
+
+#include "carom.h"
+#include "material.h"
+#include "touches.h"
+
+#include <string>
+#include <vector>
+
+namespace LAMMPS_NS {
+
+class NeighHistory;
+class FixCaromKeep;
+
+class PairCarom : public Pair {
+ public:
+  PairCarom(LAMMPS *lmp);
+  ~PairCarom() override;
+
+  void settings(int narg, char **arg) override;
+  void coeff(int narg, char **arg) override;
+  void init_style() override;
+  double init_one(int i, int j) override;
+  void compute(int eflag, int vflag) override;
+  double single(int i, int j, int itype, int jtype, double rsq, double, double,
+                double &fforce) override;
+  void transfer_history(double *source, double *target, int, int) override;
+  void write_restart(FILE *fp) override;
+  void read_restart(FILE *fp) override;
+  void write_restart_settings(FILE *fp) override;
+  void read_restart_settings(FILE *fp) override;
+  double memory_usage() override;
+
+  // Makes numbers of all contacts of this rank, for the host to move.
+  void pack_all();
+  // The elastic energy of this rank's contacts.
+  double stored_energy();
+  // What a grain type is made of, for walls.
+  const carom::Material &material(int type) const { return coefficients[place(type, type)]; }
+  const carom::Law &law() const { return law_; }
+  bool keeps_account() const { return account; }
+
+  FixCaromKeep *keep = nullptr;    // null once the host has deleted it
+  carom_heats heats = {0.0, 0.0};  // of this rank, since the beginning
+
+ private:
+  carom::Law law_;
+  int account = 0;
+  std::vector<carom::Material> coefficients;    // by two types
+  std::vector<carom_grains> constants;          // by the types of body 1 and 2
+  std::vector<double> largest;                  // radius of a type
+  NeighHistory *history = nullptr;
+  std::string keep_id, history_id, restore_id;
+  carom::Touches touches;
+
+  int place(int i, int j) const;
+  void allocate();
+  carom_grain grain(int i) const;
+  carom_touch *touch_of(double *slot, int body_1, int body_2);
+  void end(double *slot, int &touching);
+  double *find_slot(int i, int j) const;
+  double share_of(int j) const;
+};
+
+}    // namespace LAMMPS_NS
+
+#endif

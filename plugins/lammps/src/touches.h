@@ -1,0 +1,45 @@
+// The contacts of one rank while it runs: kept as numbers in slots of the host's, which it moves from
+// rank to rank and into restart files, and unpacked here between two such moves.
+#ifndef CAROM_TOUCHES_H
+#define CAROM_TOUCHES_H
+
+#include "carom.h"
+
+#include <vector>
+
+namespace carom {
+
+// The first number of a slot is zero where nothing touches, positive where the slot holds a packed
+// contact, and -1 - index where contact `index` is unpacked.
+class Touches {
+ public:
+  static constexpr int NUMBERS = CAROM_TOUCH_NUMBERS;
+
+  // The contact of a slot, unpacked; made if there is none. Null if the numbers are no contact: `why` says so.
+  carom_touch *at(double *slot, const carom_grains &grains, double radius_1, double radius_2,
+                  carom_error *why)
+  {
+    if (slot[0] < 0.0) return &pool[index(slot)];
+    return unpack(slot, grains, radius_1, radius_2, why);
+  }
+  static bool is_unpacked(const double *slot) { return slot[0] < 0.0; }
+  // The contact of a slot that is unpacked.
+  carom_touch &of(const double *slot) { return pool[index(slot)]; }
+  // Ends the contact of a slot.
+  void drop(double *slot);
+  // Makes a slot hold its contact as numbers.
+  carom_status pack(double *slot, carom_error *why);
+  double bytes() const { return static_cast<double>(pool.capacity() * sizeof(carom_touch)); }
+
+ private:
+  std::vector<carom_touch> pool;
+  std::vector<int> unused;
+
+  static int index(const double *slot) { return static_cast<int>(-1.0 - slot[0]); }
+  carom_touch *unpack(double *slot, const carom_grains &grains, double radius_1, double radius_2,
+                      carom_error *why);
+};
+
+}    // namespace carom
+
+#endif

