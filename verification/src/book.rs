@@ -1,6 +1,7 @@
 //! The formulas of the book below `docs/book`.
 
 use crate::report::markup::{escape, formula, formula_of_its_own};
+use serde_json::Value;
 
 /// A formula that cannot be set.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -54,6 +55,24 @@ pub fn set_formulas(markdown: &str) -> Result<String, FormulaError> {
     Ok(set + rest)
 }
 
+/// Sets the formulas of all chapters of a book as mdBook hands it on: the `content` of each, wherever it
+/// stands.
+///
+/// # Errors
+/// As [`set_formulas`].
+pub fn set_in_chapters(book: &mut Value) -> Result<(), FormulaError> {
+    match book {
+        Value::Array(items) => items.iter_mut().try_for_each(set_in_chapters),
+        Value::Object(fields) => {
+            if let Some(Value::String(content)) = fields.get_mut("content") {
+                *content = set_formulas(content)?;
+            }
+            fields.values_mut().try_for_each(set_in_chapters)
+        }
+        _ => Ok(()),
+    }
+}
+
 fn checked(content: &str, markup: String) -> Result<String, FormulaError> {
     let failed = markup.contains("class=\"fail\"") || markup.contains("merror");
     match failed || content.trim().is_empty() {
@@ -86,6 +105,19 @@ mod tests {
     fn bad_formulas_are_named() {
         assert_eq!(set_formulas("a $x").unwrap_err().formula, "x");
         assert_eq!(set_formulas("a $\\nothing{x}$").unwrap_err().formula, "\\nothing{x}");
+    }
+
+    #[test]
+    fn chapters_within_chapters_are_set() {
+        let chapter = |content: &str, below: Value| serde_json::json!({ "Chapter": { "name": "a $b$", "content": content, "sub_items": below } });
+        let below = chapter("$y$", Value::Array(Vec::new()));
+        let top = chapter("$x$", serde_json::json!([below, "Separator"]));
+        let mut book = serde_json::json!({ "items": [top, { "PartTitle": "$z$" }] });
+        set_in_chapters(&mut book).unwrap();
+        let text = book.to_string();
+        assert_eq!(text.matches("<math").count(), 2, "{text}");
+        assert!(text.contains("a $b$") && text.contains("$z$"));
+        assert!(set_in_chapters(&mut chapter("$", Value::Null)).is_err());
     }
 
     fn chapters(folder: &Path) -> Vec<PathBuf> {

@@ -96,12 +96,18 @@ pub(crate) fn lines<'py>(
     (fields, PyArray1::from_vec(py, cells.collect()))
 }
 
+/// What the system says, without the code that Python adds.
+fn reason(error: &std::io::Error) -> String {
+    let text = error.to_string();
+    text.split(" (os error").next().unwrap_or_default().to_owned()
+}
+
 /// What is wrong with a case is a `ValueError`, a file that cannot be read an `OSError`.
 fn raised(error: CliError) -> PyErr {
     match error {
         CliError::Option(range) => Fault::from(range).into(),
         CliError::Io { path, source, .. } => match source.raw_os_error() {
-            Some(code) => PyOSError::new_err((code, source.to_string(), path)),
+            Some(code) => PyOSError::new_err((code, reason(&source), path.display().to_string())),
             None => PyOSError::new_err(format!("{}: {source}", path.display())),
         },
         error if error.exit_code() == 2 => PyValueError::new_err(error.to_string()),

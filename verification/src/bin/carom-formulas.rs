@@ -1,7 +1,7 @@
 #![forbid(unsafe_code)]
 //! Sets the formulas of the book: a preprocessor of mdBook, which hands it the chapters and takes them back.
 
-use carom_verification::book::set_formulas;
+use carom_verification::book::set_in_chapters;
 use serde_json::Value;
 use std::io::Write as _;
 use std::process::ExitCode;
@@ -23,21 +23,7 @@ fn main() -> ExitCode {
 fn run() -> Result<(), Box<dyn std::error::Error>> {
     let mut given: Vec<Value> = serde_json::from_reader(std::io::stdin())?;
     let mut book = given.pop().ok_or("no book on standard input")?;
-    set(&mut book)?;
+    set_in_chapters(&mut book)?;
     serde_json::to_writer(std::io::stdout(), &book)?;
     Ok(())
-}
-
-/// Sets the formulas of all chapters, wherever they stand.
-fn set(value: &mut Value) -> Result<(), Box<dyn std::error::Error>> {
-    match value {
-        Value::Array(items) => items.iter_mut().try_for_each(set),
-        Value::Object(fields) => {
-            if let Some(Value::String(content)) = fields.get_mut("content") {
-                *content = set_formulas(content)?;
-            }
-            fields.values_mut().try_for_each(set)
-        }
-        _ => Ok(()),
-    }
 }

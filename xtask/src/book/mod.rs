@@ -39,7 +39,7 @@ pub(crate) fn update() -> anyhow::Result<()> {
 /// lead somewhere.
 pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
     let sources = root.join(SOURCES);
-    let chapters = markdown(&sources)?;
+    let chapters = chapters(root)?;
     let mut faults = Vec::new();
     let summary = sources.join("SUMMARY.md");
     let contents: BTreeSet<PathBuf> = links::of(&std::fs::read_to_string(&summary)?)
@@ -63,6 +63,11 @@ pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
     ensure!(faults.is_empty(), "{} faults in the book:\n  {}", faults.len(), faults.join("\n  "));
     println!("{} chapters, {count} links: in order", chapters.len());
     Ok(())
+}
+
+/// The chapters, the contents among them.
+pub(crate) fn chapters(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    markdown(&root.join(SOURCES))
 }
 
 /// The pages that stand beside the sources.

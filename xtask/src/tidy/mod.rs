@@ -39,6 +39,14 @@ pub(crate) fn run() -> anyhow::Result<()> {
             }
         }
     }
+    for path in book::chapters(&root)? {
+        for quote in quoted::in_prose(&read(&path)?) {
+            if !index.has(quote.number) {
+                let (path, line) = (path.display(), quote.line);
+                faults.push(format!("{path}:{line}: the thesis has no {}", quote.text));
+            }
+        }
+    }
     if faults.is_empty() {
         println!("{} equations and {} figures: in order", index.count(), figures.len());
         release::whole()?;

@@ -47,16 +47,7 @@ pub(super) fn in_comments(source: &str) -> Vec<Quote> {
             continue;
         }
         let line = i + 1;
-        for inner in comment.split('(').skip(1).filter_map(|rest| rest.split_once(')')) {
-            if let Some(number) = number(inner.0) {
-                quotes.push(Quote {
-                    kind: Kind::Equation,
-                    number,
-                    line,
-                    text: format!("({})", inner.0),
-                });
-            }
-        }
+        quotes.extend(equations(comment, line));
         for word in ["fig. ", "figs. ", "Fig. ", "Figs. ", "figure ", "figures "] {
             for rest in comment.split(word).skip(1) {
                 let end = rest.find(|c: char| !(c.is_ascii_digit() || c == '.'));
@@ -75,6 +66,20 @@ pub(super) fn in_comments(source: &str) -> Vec<Quote> {
     quotes
 }
 
+/// The equations that a text quotes.
+pub(super) fn in_prose(text: &str) -> Vec<Quote> {
+    let line = |(i, line): (usize, &str)| equations(line, i + 1).collect::<Vec<_>>();
+    text.lines().enumerate().flat_map(line).collect()
+}
+
+fn equations(text: &str, line: usize) -> impl Iterator<Item = Quote> {
+    text.split('(').skip(1).filter_map(move |rest| {
+        let (inner, _) = rest.split_once(')')?;
+        let number = number(inner)?;
+        Some(Quote { kind: Kind::Equation, number, line, text: format!("({inner})") })
+    })
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -86,6 +91,13 @@ mod tests {
         for other in ["7", "0.5", "2.5", "16.1", "3.05", "3.141", "7.x", "", "7.65ab"] {
             assert_eq!(number(other), None, "{other}");
         }
+    }
+
+    #[test]
+    fn prose_quotes_equations() {
+        let quotes = in_prose("By (7.48)\n$$ a = b \\qquad (99.1) \\quad (5.14) $$ f(0.5)\n");
+        let found: Vec<_> = quotes.iter().map(|quote| (quote.number, quote.line)).collect();
+        assert_eq!(found, [((7, 48), 1), ((5, 14), 2)]);
     }
 
     #[test]
