@@ -3,6 +3,7 @@
 import pathlib
 
 import numpy as np
+import pytest
 from conftest import dump, lmp, thermo
 
 HERE = pathlib.Path(__file__).parent
@@ -35,6 +36,7 @@ def test_hybrid_is_the_same_law(tmp_path):
     assert "Loop time" in said and np.isfinite(mixed).all() and mixed[:, 3].min() > 0
 
 
+@pytest.mark.slow
 def test_poured_grains_come_to_rest(tmp_path):
     """fix pour brings grains larger than any there is; they come to rest on the floor."""
     pour = BOX.replace("create_atoms 1 region grains", "create_atoms 1 single 0 0 0.006 units box")
