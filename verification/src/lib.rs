@@ -56,6 +56,7 @@
 //! stated is what its source states. Published points are shown as they were read; a claim about
 //! them allows for the reading, and there is none where they answer another question.
 
+pub mod book;
 pub mod catalogue;
 pub mod ci;
 pub mod claim;

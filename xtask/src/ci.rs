@@ -1,6 +1,6 @@
 //! What continuous integration checks.
 
-use crate::{browse, cargo, lammps, mutants, python, test, tidy};
+use crate::{book, browse, cargo, lammps, mutants, python, release, test, tidy};
 use anyhow::{Context as _, bail};
 use std::time::Instant;
 
@@ -8,7 +8,7 @@ type Step = fn() -> anyhow::Result<()>;
 
 const STEPS: &[(&str, Step)] = &[
     ("form", form),
-    ("index of equations, places of mutants", tidy::run),
+    ("index of equations, places of mutants, descriptions of packages", tidy::run),
     ("lints", lints),
     ("documentation", documentation),
     ("tests, with the examples of README and documentation", test::run),
@@ -17,6 +17,8 @@ const STEPS: &[(&str, Step)] = &[
     ("the report in a browser", browse::run),
     ("the Python module, in an environment of its own", python::run),
     ("the LAMMPS plugin, in the pinned release", lammps::quick),
+    ("the book", book::run),
+    ("packages", release::pack_quickly),
     ("mutants, each against the test known to notice it", mutants::quick),
 ];
 

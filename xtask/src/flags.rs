@@ -54,7 +54,7 @@ xflags::xflags! {
         }
         /// Holds the index of the thesis's equations against the code: each item that it names is
         /// there, each equation and figure that a comment quotes is in the index or the catalogue,
-        /// and none is left out.
+        /// and none is left out. Each package says what a registry asks.
         cmd tidy {}
         /// Looks at the report of the last run in a browser without a window, at two widths and in
         /// both themes: no error of a script, no missing picture, nothing wider than the page, no
@@ -71,8 +71,23 @@ xflags::xflags! {
             /// Leave out the tests that take minutes.
             optional --short
         }
+        /// Goes through the list of what a release needs, releasing nothing: descriptions, licences and
+        /// versions of all crates, their packages, built from what is packed, changed interfaces, the
+        /// wheel.
+        cmd release {
+            /// Must be there: what goes to a registry goes by hand.
+            optional --dry-run
+            /// Pack without building what is packed, and leave out the wheel.
+            optional --quick
+        }
+        /// Checks the links of the book below docs/book and makes its pages in target/book, where there is
+        /// an mdbook.
+        cmd book {
+            /// Draw the book's pictures and write its case reference anew, in place of that.
+            optional --update
+        }
         /// What continuous integration checks: form, the index of equations, lints, documentation, tests, tests with
-        /// overflow checks, the quick figures, the report in a browser, the Python module, the LAMMPS plugin, and the mutants.
+        /// overflow checks, the quick figures, the report in a browser, the Python module, the LAMMPS plugin, the packages, and the mutants.
         cmd ci {}
         /// Runs the benchmarks.
         cmd bench {

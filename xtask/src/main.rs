@@ -1,10 +1,11 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `lammps`, `ci`, `bench`.
+//! `python`, `lammps`, `release`, `book`, `ci`, `bench`.
 //!
 //! Calls cargo, and reads the sources for `mutants` and `tidy`: whatever computes lives in the crates, so
 //! that this one builds soon.
 
+mod book;
 mod browse;
 mod cargo;
 mod ci;
@@ -12,6 +13,7 @@ mod flags;
 mod lammps;
 mod mutants;
 mod python;
+mod release;
 mod test;
 mod tidy;
 
@@ -41,6 +43,9 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Browse(_) => browse::run()?,
         flags::XtaskCmd::Python(_) => python::run()?,
         flags::XtaskCmd::Lammps(lammps) => lammps::run(lammps.short)?,
+        flags::XtaskCmd::Release(options) => release::run(&options)?,
+        flags::XtaskCmd::Book(options) if options.update => book::update()?,
+        flags::XtaskCmd::Book(_) => book::run()?,
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }

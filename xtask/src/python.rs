@@ -7,45 +7,80 @@ use std::process::Command;
 /// What the tests need beside the wheel.
 const TOOLS: &[&str] = &["maturin>=1.9,<2", "numpy>=1.26", "pytest>=8"];
 /// What they use where it can be had.
-const WISHES: &[&str] = &["distributed", "matplotlib", "pandas", "xarray"];
+const WISHES: &[&str] = &["distributed", "ipykernel", "matplotlib", "nbclient", "pandas", "xarray"];
+
+/// An environment of its own below target/.
+pub(crate) struct Place {
+    folder: PathBuf,
+}
+
+impl Place {
+    /// Its interpreter.
+    pub(crate) fn python(&self) -> PathBuf {
+        self.folder.join("venv/bin/python")
+    }
+
+    fn pip(&self, arguments: &[&str]) -> Command {
+        let mut pip = Command::new(self.python());
+        pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"])
+            .args(arguments);
+        pip
+    }
+}
 
 /// Builds the wheel and tests it in an environment below target/; skipped, and it says so, where there is
 /// no Python 3.11 or later.
 pub(crate) fn run() -> anyhow::Result<()> {
-    let Some(python) = interpreter() else {
-        println!("skipped: there is no Python 3.11 or later with venv");
-        return Ok(());
-    };
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
-    let (project, place) = (root.join("crates/python"), root.join("target/python"));
-    let wheels = place.join("wheels");
-    for old in [place.join("venv"), wheels.clone()] {
-        if old.exists() {
-            std::fs::remove_dir_all(&old).with_context(|| old.display().to_string())?;
-        }
-    }
-    call(Command::new(python).args(["-m", "venv"]).arg(place.join("venv")))?;
-    let bin = place.join("venv/bin");
-    let pip = |arguments: &[&str]| {
-        let mut pip = Command::new(bin.join("python"));
-        pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"]);
-        pip.args(arguments);
-        pip
-    };
-    call(&mut pip(TOOLS))?;
-    if call(&mut pip(WISHES)).is_err() {
+    let Some(place) = place()? else { return Ok(()) };
+    if call(&mut place.pip(WISHES)).is_err() {
         println!("without {}: their tests are skipped", WISHES.join(", "));
     }
-    let mut maturin = Command::new(bin.join("maturin"));
-    maturin.current_dir(&project).args(["build", "--release", "--quiet", "--out"]).arg(&wheels);
-    call(maturin.arg("--target-dir").arg(target(&root)))?;
-    let wheel = wheel(&wheels)?;
-    call(&mut pip(&["--no-index", "--force-reinstall", "--no-deps", &wheel.to_string_lossy()]))?;
+    let wheel = build(&place)?.to_string_lossy().into_owned();
+    call(&mut place.pip(&["--no-index", "--force-reinstall", "--no-deps", &wheel]))?;
     // From elsewhere, so that the installed module is tested, not its sources.
-    let mut pytest = Command::new(bin.join("python"));
-    pytest.current_dir(&place).args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir"]);
+    let project = project()?;
+    let mut pytest = Command::new(place.python());
+    pytest.current_dir(&place.folder);
+    pytest.args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir"]);
     pytest.arg(&project).arg(project.join("tests"));
     call(&mut pytest)
+}
+
+/// A fresh environment with the tools in it; none, and it says so, where there is no Python 3.11 or
+/// later.
+pub(crate) fn place() -> anyhow::Result<Option<Place>> {
+    let Some(python) = interpreter() else {
+        println!("skipped: there is no Python 3.11 or later with venv");
+        return Ok(None);
+    };
+    let place = Place { folder: root()?.join("target/python") };
+    let venv = place.folder.join("venv");
+    if venv.exists() {
+        std::fs::remove_dir_all(&venv).with_context(|| venv.display().to_string())?;
+    }
+    call(Command::new(python).args(["-m", "venv"]).arg(venv))?;
+    call(&mut place.pip(TOOLS))?;
+    Ok(Some(place))
+}
+
+/// Builds the wheel, the only one there is.
+pub(crate) fn build(place: &Place) -> anyhow::Result<PathBuf> {
+    let wheels = place.folder.join("wheels");
+    if wheels.exists() {
+        std::fs::remove_dir_all(&wheels).with_context(|| wheels.display().to_string())?;
+    }
+    let mut maturin = Command::new(place.folder.join("venv/bin/maturin"));
+    maturin.current_dir(project()?).args(["build", "--release", "--quiet", "--out"]).arg(&wheels);
+    call(maturin.arg("--target-dir").arg(target(&root()?)))?;
+    wheel(&wheels)
+}
+
+fn root() -> anyhow::Result<PathBuf> {
+    Ok(Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?)
+}
+
+fn project() -> anyhow::Result<PathBuf> {
+    Ok(root()?.join("crates/python"))
 }
 
 /// The first Python that is new enough and can make environments.

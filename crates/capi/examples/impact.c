@@ -19,6 +19,7 @@ static void must(int holds, const char *what) {
   }
 }
 
+/* ANCHOR: impact */
 /* A ball of steel that meets a plate obliquely. */
 static void impact(void) {
   const carom_material steel = {208e9, 0.3};
@@ -54,6 +55,7 @@ static void impact(void) {
            strcmp(error.field, "mass") == 0 && error.value == -1.0,
        "a bad mass is named");
 }
+/* ANCHOR_END: impact */
 
 /* R_x of many impacts by the table, against one by the exact impact. */
 static void restitution(void) {
@@ -70,6 +72,7 @@ static void restitution(void) {
   printf("R_x(1.214, 0.96) = %.8f\n", table[11]);
 }
 
+/* ANCHOR: contacts */
 /* Contacts of a particle code: memories inside the caller's own structures, one call for all. */
 static void contacts(void) {
   struct particle {
@@ -112,6 +115,7 @@ static void contacts(void) {
            CAROM_STATUS_NULL_POINTER,
        "a null pointer is told");
 }
+/* ANCHOR_END: contacts */
 
 int main(void) {
   printf("carom %s\n", carom_version());

@@ -6,7 +6,7 @@
 //! - The memory of a contact is the caller's: [`CaromState`] is 66 numbers that mean the same to any
 //!   build of this version of the format, to be kept in files and sent to other processes;
 //!   [`CaromContact`] is larger and faster, and is understood by the build that wrote it alone.
-//!   Zero bytes are two bodies apart in both.
+//!   Zero bytes are two bodies apart in both. [`CaromTwist`] is the memory of a twist, 83 numbers.
 //! - [`CaromTouch`] is the contact of two grains, or of a grain and a wall, as a particle code moves them:
 //!   places, velocities and spins in, force and torques out.
 //! - Every function returns a [`CaromStatus`]; what is wrong it writes into the caller's [`CaromError`],
@@ -25,6 +25,7 @@ mod pair;
 mod pointers;
 mod restitution;
 mod state;
+mod twist;
 mod version;
 
 pub use batch::{carom_contact_advance_many, carom_state_advance_many};
@@ -55,5 +56,9 @@ pub use restitution::{CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_rest
 pub use state::{
     CAROM_STATE_NUMBERS, CaromState, carom_state_advance, carom_state_energy, carom_state_heat,
     carom_state_load, carom_state_report, carom_state_turn_frame,
+};
+pub use twist::{
+    CAROM_TWIST_NUMBERS, CaromTwist, carom_twist_advance, carom_twist_energy, carom_twist_heat,
+    carom_twist_torque,
 };
 pub use version::{CAROM_ABI_VERSION, carom_abi_version, carom_state_version, carom_version};

@@ -8,6 +8,7 @@ use carom_laws::hertz::Hertz;
 use carom_laws::memory::VertexStack;
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
+use carom_laws::torsion::law::TorsionConstants;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::pointers::{read, write};
@@ -56,6 +57,10 @@ pub struct CaromPair {
     pub a_squared: f64,
     /// b^2/zeta of the contact ellipse, m; 0 if it is not known.
     pub b_squared: f64,
+    /// Torque over twist without slip, over zeta^1.5, N/m^0.5; 0 if it is not known.
+    pub torsion_stiffness: f64,
+    /// The torque of sliding over friction times F_z, over zeta^0.5, m^0.5; 0 if it is not known.
+    pub torsion_arm: f64,
     /// CAROM_LAW_COULOMB or CAROM_LAW_CHAPTER_7.
     pub law: u32,
     /// CAROM_ABI_VERSION of the library that made it.
@@ -73,7 +78,20 @@ impl CaromPair {
         let ContactStiffness { c_x, c_y, c_z } = stiffness;
         let tolerance = if tolerance == 0.0 { Tolerance::PARTICLES.get() } else { tolerance };
         let version = crate::CAROM_ABI_VERSION;
-        let pair = Self { c_x, c_y, c_z, friction, tolerance, a_squared, b_squared, law, version };
+        let (torsion_stiffness, torsion_arm) = (0.0, 0.0);
+        let pair = Self {
+            c_x,
+            c_y,
+            c_z,
+            friction,
+            tolerance,
+            a_squared,
+            b_squared,
+            torsion_stiffness,
+            torsion_arm,
+            law,
+            version,
+        };
         pair.law::<carom_laws::memory::Fixed<_, 12>>().map(|_| pair)
     }
 
@@ -85,16 +103,24 @@ impl CaromPair {
     ) -> Result<Self, Failure> {
         let ellipse = hertz.ellipse(1.0)?;
         let squares = [ellipse.semi_axis_a(), ellipse.semi_axis_b()].map(|a| a * a);
-        Self::new(hertz.stiffness(), squares, friction, law, tolerance)
+        let TorsionConstants { stiffness, arm, .. } = TorsionConstants::of(hertz)?;
+        let pair = Self::new(hertz.stiffness(), squares, friction, law, tolerance)?;
+        Ok(Self { torsion_stiffness: stiffness, torsion_arm: arm, ..pair })
+    }
+
+    /// Pairs of other versions have other fields.
+    pub(crate) fn check_version(&self) -> Result<(), Failure> {
+        if self.version != crate::CAROM_ABI_VERSION {
+            let text = "the pair was not made by carom_pair_of_spheres or its like of this version";
+            return Err(Failure::new(CaromStatus::BadState, "pair", text));
+        }
+        Ok(())
     }
 
     /// The law of a contact of these constants, the bodies apart.
     #[inline]
     pub(crate) fn law<S: VertexStack<[f64; 2]>>(&self) -> Result<ShiftLaw<[f64; 2], S>, Failure> {
-        if self.version != crate::CAROM_ABI_VERSION {
-            let text = "the pair was not made by carom_pair_of_spheres or its like of this version";
-            return Err(Failure::new(CaromStatus::BadState, "pair", text));
-        }
+        self.check_version()?;
         let stiffness = ContactStiffness::new(self.c_x, self.c_y, self.c_z)?;
         let friction = Friction::new(self.friction)?;
         match self.law {

@@ -326,3 +326,77 @@ fn bodies_of_any_shape_collide() {
         assert_eq!(error.index, 0);
     }
 }
+
+/// The twist of two glass balls: Lubkin's closed form, its memory, and every way to ask wrongly.
+#[test]
+fn a_twist_in_numbers() {
+    use carom_laws::torsion::adhesion::sliding_torque_arm;
+    let pair = pair(0.3, CAROM_LAW_COULOMB);
+    let zero = CaromTwist { numbers: [0.0; CAROM_TWIST_NUMBERS] };
+    let (mut twist, mut error) = (zero, error());
+    let mut go = |twist: &mut CaromTwist, zeta: f64, omega: f64| {
+        let mut torque = f64::NAN;
+        // SAFETY: all pointers are references.
+        let status = unsafe {
+            carom_twist_advance(
+                &raw const pair,
+                twist,
+                zeta,
+                omega,
+                &raw mut torque,
+                &raw mut error,
+            )
+        };
+        (status, torque, field(&error))
+    };
+    let zeta = 1e-7;
+    let (_, none, _) = go(&mut twist, zeta, 0.0);
+    assert_eq!(none, 0.0);
+    // Small: adhesion, 16/3 G a^3 of each body's half; gross: 3 pi/16 f F_z a.
+    let a = (2e-3 / 3.0 * zeta).sqrt();
+    let shear = 70e9 / (2.0 * 1.22);
+    let (_, small, _) = go(&mut twist, zeta, 1e-9);
+    assert!(
+        (small / (16.0 / 3.0 * 0.5 * shear * a.powi(3) * 1e-9) - 1.0).abs() < 1e-5,
+        "{small:e}"
+    );
+    let force = 2.0 / 3.0 * pair.c_z * zeta.powf(1.5);
+    let ellipse = carom_laws::ellipse::ContactEllipse::new(a, a).unwrap();
+    let (_, gross, _) = go(&mut twist, zeta, 1.0);
+    let sliding = 0.3 * force * sliding_torque_arm(&ellipse);
+    assert!((gross / sliding - 1.0).abs() < 1e-9);
+    // Back by half of it there is less torque, and heat and energy in balance with the work.
+    let (mut energy, mut heat) = (0.0, 0.0);
+    // SAFETY: all pointers are references.
+    unsafe {
+        carom_twist_energy(&raw const pair, &raw const twist, &raw mut energy, null_mut());
+        carom_twist_heat(&raw const pair, &raw const twist, zeta, 2.0, &raw mut heat, null_mut());
+    }
+    assert!(energy > 0.0 && (heat / sliding - 1.0).abs() < 1e-6, "{energy:e} {heat:e}");
+    let before = twist;
+    for (zeta, omega, name) in
+        [(f64::NAN, 0.0, "zeta"), (zeta, f64::INFINITY, "omega"), (zeta, 1e80, "omega")]
+    {
+        let (status, _, field) = go(&mut twist, zeta, omega);
+        assert_eq!((status, field.as_str()), (CaromStatus::OutOfRange, name));
+        assert_eq!(twist, before);
+    }
+    twist.numbers[0] = f64::NAN;
+    assert_eq!(go(&mut twist, zeta, 0.0).0, CaromStatus::BadState);
+    // A pair that knows no torsion, and one without slip.
+    // SAFETY: all pointers are references; all zero is a pair that nothing accepts.
+    unsafe {
+        let mut stiff: CaromPair = zeroed();
+        carom_pair_of_stiffness(1.0, 1.0, 1.0, 0.3, 0, 0.0, &raw mut stiff, null_mut());
+        let status = carom_twist_advance(&stiff, &raw mut twist, 1.0, 0.0, null_mut(), null_mut());
+        assert_eq!(status, CaromStatus::BadState);
+        let rough = self::pair(f64::INFINITY, CAROM_LAW_COULOMB);
+        let (twist, error) = (&raw mut twist, null_mut());
+        let status = carom_twist_advance(&raw const rough, twist, 1.0, 0.0, null_mut(), error);
+        assert_eq!(status, CaromStatus::OutOfRange);
+        assert_eq!(
+            carom_twist_advance(null(), twist, 1.0, 0.0, null_mut(), error),
+            CaromStatus::NullPointer
+        );
+    }
+}

@@ -2,6 +2,7 @@
 //! standard output.
 
 use crate::error::CliError;
+use crate::input::STANDARD_INPUT;
 use crate::output::Format;
 use std::fs::{File, Metadata};
 use std::io::Write as _;
@@ -114,20 +115,27 @@ fn is_same(one: &Path, other: &Path) -> bool {
     identities.is_some() && identities == identity(other)
 }
 
-/// Device and number of a file: the same by every name.
+/// Device and number of a file: the same by every name, also of one that standard input comes from.
 #[cfg(unix)]
 fn identity(path: &Path) -> Option<(u64, u64)> {
     use std::os::unix::fs::MetadataExt as _;
+    if path == Path::new(STANDARD_INPUT) {
+        return identity_of(std::io::stdin());
+    }
     std::fs::metadata(path).ok().map(|metadata| (metadata.dev(), metadata.ino()))
 }
 
 /// The same of standard output, if that is a file.
 #[cfg(unix)]
 fn identity_of_output() -> Option<(u64, u64)> {
-    use std::os::fd::AsFd as _;
+    identity_of(std::io::stdout())
+}
+
+#[cfg(unix)]
+fn identity_of(stream: impl std::os::fd::AsFd) -> Option<(u64, u64)> {
     use std::os::unix::fs::MetadataExt as _;
-    let output = File::from(std::io::stdout().as_fd().try_clone_to_owned().ok()?);
-    let metadata = output.metadata().ok().filter(Metadata::is_file)?;
+    let file = File::from(stream.as_fd().try_clone_to_owned().ok()?);
+    let metadata = file.metadata().ok().filter(Metadata::is_file)?;
     Some((metadata.dev(), metadata.ino()))
 }
 

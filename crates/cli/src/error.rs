@@ -182,6 +182,14 @@ pub enum CliError {
         /// The system's reason.
         source: std::io::Error,
     },
+    /// The system gives no such number of threads.
+    #[error("cannot start {count} threads: {source}")]
+    Threads {
+        /// How many were asked for.
+        count: usize,
+        /// Why not.
+        source: Box<dyn std::error::Error + Send + Sync>,
+    },
     /// The results could not be put into the format asked for.
     #[error("cannot write the results: {0}")]
     Format(Box<dyn std::error::Error + Send + Sync>),
@@ -238,6 +246,7 @@ impl CliError {
             Self::Impact(_)
             | Self::Quadrature(_)
             | Self::Io { .. }
+            | Self::Threads { .. }
             | Self::Format(_)
             | Self::Plot(_) => 1,
         }

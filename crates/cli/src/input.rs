@@ -3,13 +3,16 @@
 use crate::case::CaseError;
 use crate::error::CliError;
 use std::fs::{File, Metadata};
-use std::io::Read as _;
+use std::io::Read;
 use std::path::{Path, PathBuf};
 
+/// Standard input, in the place of a file.
+pub const STANDARD_INPUT: &str = "-";
 /// Bytes of a case file, at most.
 const MOST_OF_CASE: u64 = 1 << 20;
 /// Bytes of a table, at most.
 const MOST_OF_TABLE: u64 = 64 << 20;
+const TEXT: &str = "a text file";
 
 /// The text of a case file and where it came from.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -20,12 +23,25 @@ pub struct CaseFile {
 }
 
 impl CaseFile {
-    /// Reads the case file at `path`, once.
+    /// Reads the case file at `path`, once; `-` is standard input. Files that the case names lie beside
+    /// it, or in the present folder.
     ///
     /// # Errors
     /// If it cannot be read, is a device, larger than 1 MiB, or no UTF-8.
     pub fn read(path: &Path) -> Result<Self, CliError> {
-        Ok(Self { path: path.to_owned(), text: read_text(path, MOST_OF_CASE)? })
+        let text = if path == Path::new(STANDARD_INPUT) {
+            let bytes = bounded(std::io::stdin().lock(), path, MOST_OF_CASE, TEXT)?;
+            text(bytes, path, MOST_OF_CASE)?
+        } else {
+            read_text(path, MOST_OF_CASE)?
+        };
+        Ok(Self { path: path.to_owned(), text })
+    }
+
+    /// The whole text.
+    #[must_use]
+    pub fn text(&self) -> &str {
+        &self.text
     }
 
     /// What the text says.
@@ -56,10 +72,18 @@ pub fn read_bytes(path: &Path) -> Result<Vec<u8>, CliError> {
     read(path, MOST_OF_TABLE, "a file")
 }
 
+fn allowed(most: u64, kind: &str) -> String {
+    format!("must be {kind} of at most {} MiB", most >> 20)
+}
+
 fn read_text(path: &Path, most: u64) -> Result<String, CliError> {
-    String::from_utf8(read(path, most, "a text file")?).map_err(|error| {
+    text(read(path, most, TEXT)?, path, most)
+}
+
+fn text(bytes: Vec<u8>, path: &Path, most: u64) -> Result<String, CliError> {
+    String::from_utf8(bytes).map_err(|error| {
         let place = error.utf8_error().valid_up_to() + 1;
-        let allowed = format!("must be a text file of at most {} MiB", most >> 20);
+        let allowed = allowed(most, TEXT);
         let reason = format!("byte {place} is no UTF-8 text; it {allowed}, saved as UTF-8");
         CliError::Input { path: path.to_owned(), reason }
     })
@@ -68,16 +92,23 @@ fn read_text(path: &Path, most: u64) -> Result<String, CliError> {
 fn read(path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, CliError> {
     let refused = |reason: String| CliError::Input { path: path.to_owned(), reason };
     let failed = |error| CliError::io("read", path, error);
-    let allowed = format!("must be {kind} of at most {} MiB", most >> 20);
     if is_device(&std::fs::metadata(path).map_err(failed)?) {
-        return Err(refused(format!("this is a device; it {allowed}")));
+        return Err(refused(format!("this is a device; it {}", allowed(most, kind))));
     }
+    bounded(File::open(path).map_err(failed)?, path, most, kind)
+}
+
+/// All that comes, if it is not too much.
+fn bounded(source: impl Read, path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, CliError> {
     let mut bytes = Vec::new();
-    File::open(path)
-        .and_then(|file| file.take(most + 1).read_to_end(&mut bytes))
-        .map_err(failed)?;
+    source
+        .take(most + 1)
+        .read_to_end(&mut bytes)
+        .map_err(|error| CliError::io("read", path, error))?;
     if bytes.len() as u64 > most {
-        return Err(refused(format!("the file is larger; it {allowed}")));
+        let allowed = allowed(most, kind);
+        let reason = format!("the file is larger; it {allowed}");
+        return Err(CliError::Input { path: path.to_owned(), reason });
     }
     Ok(bytes)
 }

@@ -11,11 +11,27 @@ pub mod command;
 pub mod destination;
 pub mod error;
 pub mod input;
+pub mod manner;
 pub mod numbers;
 pub mod output;
 pub mod range;
+
+pub use command::cases;
 
 /// The examples of the README, run as documentation tests.
 #[cfg(doctest)]
 #[doc = include_str!("../../../README.md")]
 struct Readme;
+
+/// Those of the book.
+#[cfg(doctest)]
+mod book {
+    #[doc = include_str!("../../../docs/book/src/start/rust.md")]
+    struct Start;
+    #[doc = include_str!("../../../docs/book/src/extend/law.md")]
+    struct Law;
+    #[doc = include_str!("../../../docs/book/src/extend/surface.md")]
+    struct Surface;
+    #[doc = include_str!("../../../docs/book/src/extend/method.md")]
+    struct Method;
+}

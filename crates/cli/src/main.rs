@@ -2,21 +2,25 @@
 //! The command `carom`.
 
 use carom_cli::command::{Carom, run};
-use carom_cli::output::{Results, tell};
-use clap::Parser as _;
+use carom_cli::manner::asked_colour;
+use carom_cli::output::Results;
+use clap::{CommandFactory as _, FromArgMatches as _};
 use std::io::ErrorKind;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let arguments = match Carom::try_parse() {
+    let colour = asked_colour(std::env::args_os());
+    let matches = Carom::command().color(colour).try_get_matches();
+    let arguments = match matches.and_then(|matches| Carom::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
         Err(message) => return said(&message),
     };
     let mut results = Results::default();
-    match run(&arguments, &mut results).and_then(|answer| answer.write(&mut results)) {
+    let messages = arguments.messages();
+    match run(&arguments, &mut results).and_then(|answer| answer.write(&mut results, &messages)) {
         Ok(()) => ExitCode::SUCCESS,
         Err(error) => {
-            tell(&format!("error: {error}"));
+            messages.error(&error.to_string());
             ExitCode::from(error.exit_code())
         }
     }

@@ -5,6 +5,7 @@
 
 use crate::destination::{Aside, Destination, Kind};
 use crate::error::CliError;
+use crate::manner::Messages;
 use carom_plot::{Panel, PlotError, render, render_png};
 use comfy_table::{CellAlignment, Table, presets::UTF8_FULL_CONDENSED};
 use serde::Serialize;
@@ -82,7 +83,7 @@ impl Answer {
     ///
     /// # Errors
     /// If the picture cannot be drawn, or a file or standard output cannot be written.
-    pub fn write(&self, results: &mut Results) -> Result<(), CliError> {
+    pub fn write(&self, results: &mut Results, messages: &Messages) -> Result<(), CliError> {
         let encoded = match &self.picture {
             Some((to, picture)) => Some((to, picture.encode(to.kind())?)),
             None => None,
@@ -100,21 +101,16 @@ impl Answer {
                 results.put(format!("{line}\n").as_bytes())?;
                 results.finish()?;
             }
-            Some(Caution { line, .. }) => tell(&format!("warning: {line}")),
+            Some(Caution { line, .. }) => messages.warning(line),
             None => {}
         }
         for warning in &self.warnings {
-            tell(&format!("warning: {warning}"));
+            messages.warning(warning);
         }
         results.put(self.text.as_bytes())?;
         results.finish()?;
         aside.map_or(Ok(()), Aside::put_in_place)
     }
-}
-
-/// A line on standard error. Where that is closed or full there is nobody to tell.
-pub fn tell(line: &str) {
-    let _ = writeln!(std::io::stderr(), "{line}");
 }
 
 /// Standard output. A reader that has seen enough and closed it is no failure: what comes later

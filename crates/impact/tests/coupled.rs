@@ -356,8 +356,11 @@ proptest! {
         // Any turn of an isotropic contact.
         let round = ContactStiffness::new(c[0], c[0], 1.0).unwrap();
         let turn = Rotation3::from_axis_angle(&Vector3::z_axis(), angle).into_inner();
-        let plain = other(Matrix3::identity(), round);
-        prop_assert!((other(turn, round) - turn * plain).norm() <= 1e-10 * scale);
+        let plain = solve(&CoupledImpact::new(matrix(a), round, friction, one.velocity()).unwrap());
+        // Rounding may decide where steps are parted: what that changes is far below what they leave.
+        let allowed = 1e-10 + 0.01 * plain.error_estimate;
+        let off = (other(turn, round) - turn * plain.velocity).norm();
+        prop_assert!(off <= allowed * scale, "{off:e} {allowed:e}");
     }
 }
 

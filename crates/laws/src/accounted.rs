@@ -34,7 +34,13 @@ impl<L: Dissipative> Accounted<L> {
     /// The law from here on, with nothing dissipated yet.
     #[must_use]
     pub const fn new(law: L) -> Self {
-        Self { law, dissipated: 0.0 }
+        Self::going_on(law, 0.0)
+    }
+
+    /// The law from here on, with so much dissipated before: what was kept goes on.
+    #[must_use]
+    pub const fn going_on(law: L, dissipated: f64) -> Self {
+        Self { law, dissipated }
     }
 
     /// The law itself.

@@ -7,7 +7,7 @@ use carom_laws::ellipse::ContactEllipse;
 use carom_laws::field::{EllipsoidalLoad, circular_stress};
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
-use carom_laws::law::{ContactLaw, Energies as _, Shift};
+use carom_laws::law::{ContactLaw, Dissipative as _, Shift};
 use carom_laws::memory::VectorMemory;
 use carom_laws::shift::CattaneoMindlin;
 use carom_laws::shift_law::ShiftLaw;

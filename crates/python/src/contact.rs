@@ -72,7 +72,6 @@ impl Constants {
 pub(crate) struct Contact {
     constants: Constants,
     law: Accounted<Law>,
-    dissipated: f64,
 }
 
 #[pymethods]
@@ -87,7 +86,7 @@ impl Contact {
     ) -> PyResult<Self> {
         let constants = Constants { stiffness, friction, law, tolerance };
         let law = Accounted::new(constants.law()?);
-        Ok(Self { constants, law, dissipated: 0.0 })
+        Ok(Self { constants, law })
     }
 
     /// Goes straight to a new shift (m) and returns the load (F_x, F_y, F_z), N.
@@ -160,7 +159,7 @@ impl Contact {
     #[getter]
     fn dissipated(&self) -> f64 {
         use carom::laws::law::Energies as _;
-        self.dissipated + self.law.dissipated()
+        self.law.dissipated()
     }
 
     /// What the last step did: 'separated', 'adhesion', 'release', 'slip', 'reversal', 'overlay' or
@@ -218,7 +217,7 @@ impl Contact {
         let (numbers, dissipated) = state;
         let mut law: Law = self.constants.law()?;
         law.unpack(&numbers).map_err(Fault::from)?;
-        (self.law, self.dissipated) = (Accounted::new(law), dissipated);
+        self.law = Accounted::going_on(law, dissipated);
         Ok(())
     }
 

@@ -3,6 +3,7 @@
 
 mod arrays;
 mod bodies;
+mod cases;
 mod collide;
 mod contact;
 mod contacts;
@@ -21,6 +22,8 @@ mod twist;
 mod _carom {
     #[pymodule_export]
     use super::bodies::Body;
+    #[pymodule_export]
+    use super::cases::{case_history, case_impact, case_new, case_solve};
     #[pymodule_export]
     use super::collide::{collide, collide_many, history};
     #[pymodule_export]

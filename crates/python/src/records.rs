@@ -3,6 +3,7 @@
 use carom::impact::{EnergyBudget, HistoryPoint, Motion, Outcome, Rebound};
 use carom::laws::hertz::HertzState;
 use carom::table::{Column, Quantity as _, Value};
+use carom_cli::cases::{history_columns, solve_columns};
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -91,18 +92,18 @@ pub(crate) fn columns(
     record: &str,
 ) -> PyResult<Vec<(&'static str, &'static str, &'static str, usize)>> {
     match record {
+        "GridStep" => Ok(about(&solve_columns())),
         "HertzState" => Ok(about(HertzState::COLUMNS)),
         "HistoryPoint" => Ok(about(HistoryPoint::COLUMNS)),
+        "HistoryStep" => Ok(about(&history_columns())),
         "Rebound" => Ok(about(Parted::COLUMNS)),
         "SolverStep" => Ok(about(carom::solver::StepSummary::COLUMNS)),
         _ => Err(PyValueError::new_err(format!("no result `{record}`"))),
     }
 }
 
-fn about<R>(
-    columns: &'static [Column<R>],
-) -> Vec<(&'static str, &'static str, &'static str, usize)> {
-    let one = |column: &'static Column<R>| {
+fn about<R>(columns: &[Column<R>]) -> Vec<(&'static str, &'static str, &'static str, usize)> {
+    let one = |column: &Column<R>| {
         (column.name(), column.unit(), column.meaning(), column.parts().len().max(1))
     };
     columns.iter().map(one).collect()

@@ -5,16 +5,14 @@ use carom::prelude::{
     CellState, ContactProblem, ContactState, Drive, Driven, Friction, Frictional, Gap, Grid,
     Method as _,
 };
-use carom::solver::{
-    CellFriction, Convergence, FrictionalScratch, Products, Residuals, StepSummary, Stop,
-    Subsurface, SurfaceFriction,
-};
+use carom::solver::{CellFriction, FrictionalScratch, StepSummary, Subsurface, SurfaceFriction};
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::{Numbers, map, same_length};
+use crate::cases::lines;
 use crate::error::Fault;
 use crate::materials::MaterialPair;
 use crate::records::arrays;
@@ -32,6 +30,7 @@ pub(crate) struct Solver {
     cut: bool,
     state: ContactState,
     next: ContactState,
+    last: StepSummary,
 }
 
 #[pymethods]
@@ -55,7 +54,15 @@ impl Solver {
         let method = Frictional::default().within(tolerance).map_err(Fault::from)?;
         let scratch = method.scratch(&problem).map_err(Fault::other)?;
         let state = ContactState::apart(grid);
-        Ok(Self { problem, method, scratch, cut, next: state.clone(), state })
+        Ok(Self {
+            problem,
+            method,
+            scratch,
+            cut,
+            next: state.clone(),
+            state,
+            last: StepSummary::default(),
+        })
     }
 
     /// One step to what is given for approach, shift along x and y, and twist.
@@ -65,48 +72,33 @@ impl Solver {
             false => Driven::Shift(value),
         });
         let drive = Drive { normal, x, y, twist };
-        let Self { problem, method, scratch, cut, state, next } = self;
+        let Self { problem, method, scratch, cut, state, next, last } = self;
         let stepped = py.detach(|| {
             let went = method.step(problem, state, &drive, next, scratch, &mut ())?;
             if !*cut && reaches_border(next) {
                 return Err(Fault::other("the contact reaches the border of the grid"));
             }
-            StepSummary::of(problem, state, next, &went).map_err(Fault::other)
+            last.next(problem, [state, next], &went).map_err(Fault::other)
         })?;
         std::mem::swap(&mut self.state, &mut self.next);
-        arrays(py, StepSummary::COLUMNS, &[stepped])
+        self.last = stepped;
+        self.summary(py)
     }
 
-    /// The state's fields, one after another: shifts, pressure, tractions, displacements, cells.
+    /// The last step's numbers, then the state's fields: pressure, tractions, displacements, cells.
     #[allow(clippy::type_complexity)] // as Python has it: lines of numbers
     fn state<'py>(
         &self,
         py: Python<'py>,
-    ) -> ([f64; 4], [Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>) {
-        let ContactState { shift, cells, .. } = &self.state;
-        let fields = [
-            &self.state.pressure,
-            &self.state.traction_x,
-            &self.state.traction_y,
-            &self.state.displacement_x,
-            &self.state.displacement_y,
-        ];
-        let cells = cells.values().iter().map(|cell| match cell {
-            CellState::Exterior => 0,
-            CellState::Stick => 1,
-            CellState::Slip => 2,
-        });
-        (
-            [shift.zeta, shift.xi, shift.eta, shift.omega],
-            fields.map(|field| PyArray1::from_slice(py, field.values())),
-            PyArray1::from_vec(py, cells.collect()),
-        )
+    ) -> (Vec<f64>, [Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>) {
+        let (fields, cells) = lines(py, &self.state);
+        (self.last.numbers().to_vec(), fields, cells)
     }
 
     /// Goes on from a state that was read.
     fn restore(
         &mut self,
-        shift: [f64; 4],
+        numbers: [f64; StepSummary::NUMBERS],
         fields: [Numbers<'_>; 5],
         cells: numpy::PyReadonlyArray1<'_, i8>,
     ) -> PyResult<()> {
@@ -135,9 +127,9 @@ impl Solver {
         else {
             return Err(PyValueError::new_err("a field is missing"));
         };
-        let [zeta, xi, eta, omega] = shift;
+        self.last = StepSummary::from_numbers(&numbers);
         self.state = ContactState {
-            shift: carom::laws::law::Shift { zeta, xi, eta, omega },
+            shift: self.last.shift,
             pressure,
             traction_x,
             traction_y,
@@ -148,16 +140,9 @@ impl Solver {
         Ok(())
     }
 
-    /// The state in numbers, without a step.
+    /// The last step in numbers.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        let nothing = Convergence {
-            iterations: 0,
-            products: Products::default(),
-            residuals: Residuals::default(),
-            stop: Stop::Converged,
-        };
-        let summary = StepSummary::of(&self.problem, &self.state, &self.state, &nothing);
-        arrays(py, StepSummary::COLUMNS, &[summary.map_err(Fault::other)?])
+        arrays(py, StepSummary::COLUMNS, &[self.last])
     }
 
     /// Stresses (xx, yy, zz, xy, yz, zx) at points of a body, 1 or 2, an array (n, 6).

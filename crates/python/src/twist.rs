@@ -1,7 +1,10 @@
 //! Contacts that twist.
 
+use carom::laws::accounted::Accounted;
+use carom::laws::coulomb::packed_numbers;
 use carom::laws::law::{ContactLaw, Energies as _, Shift};
-use carom::laws::torsion::law::{ShiftTwistLaw, TorsionLaw};
+use carom::laws::shift_law::ShiftLaw;
+use carom::laws::torsion::law::{self, ShiftTwistLaw, TorsionLaw};
 use carom::laws::torsion::lubkin::Lubkin;
 use carom::prelude::Friction;
 use numpy::PyArray1;
@@ -13,43 +16,47 @@ use crate::error::Fault;
 use crate::hertz::Hertz;
 
 /// A contact that twists about its normal: Lubkin's law with memory, on an ellipse scaled to its initial
-/// stiffness and sliding torque. Copies, but does not pickle.
+/// stiffness and sliding torque. Copies and pickles.
 #[pyclass(module = "carom", subclass)]
 #[derive(Debug, Clone)]
-pub(crate) struct Twist(TorsionLaw);
+pub(crate) struct Twist {
+    hertz: Hertz,
+    friction: f64,
+    law: Accounted<TorsionLaw>,
+}
 
 #[pymethods]
 impl Twist {
     #[new]
     fn new(hertz: Hertz, friction: f64) -> PyResult<Self> {
-        let friction = Friction::new(friction).map_err(Fault::from)?;
-        Ok(Self(TorsionLaw::new(&hertz.0, friction).map_err(Fault::from)?))
+        let law = Accounted::new(torsion(&hertz, friction)?);
+        Ok(Self { hertz, friction, law })
     }
 
     /// Goes straight to a new approach (m) and twist (radians) and returns (M_z, F_z), N m and N.
     #[pyo3(signature = (zeta, omega=0.0))]
     fn advance(&mut self, zeta: f64, omega: f64) -> PyResult<(f64, f64)> {
         let shift = Shift { zeta, omega, ..Shift::default() };
-        let load = self.0.advance(shift).map_err(Fault::from)?;
+        let load = self.law.advance(shift).map_err(Fault::from)?;
         Ok((load.m_z, load.f_z))
     }
 
     /// The radius of the stick area over that of the contact.
     #[getter]
     fn stick_radius(&self) -> f64 {
-        self.0.stick_radius()
+        self.law.law().stick_radius()
     }
 
     /// The elastic energy, compression included, J.
     #[getter]
     fn stored_energy(&self) -> f64 {
-        self.0.stored_energy()
+        self.law.stored_energy()
     }
 
     /// The energy turned into heat since the beginning, J.
     #[getter]
     fn dissipated(&self) -> f64 {
-        self.0.dissipated()
+        self.law.dissipated()
     }
 
     fn __copy__(&self) -> Self {
@@ -59,20 +66,57 @@ impl Twist {
     fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
         self.clone()
     }
+
+    fn __getnewargs__(&self) -> (Hertz, f64) {
+        (self.hertz, self.friction)
+    }
+
+    fn __getstate__(&self) -> PyResult<(Vec<f64>, f64)> {
+        Ok((numbers_of(self.law.law())?, self.dissipated()))
+    }
+
+    fn __setstate__(&mut self, state: (Vec<f64>, f64)) -> PyResult<()> {
+        let (numbers, dissipated) = state;
+        let mut law = torsion(&self.hertz, self.friction)?;
+        law.unpack(&numbers).map_err(Fault::from)?;
+        self.law = Accounted::going_on(law, dissipated);
+        Ok(())
+    }
 }
 
 /// A contact that shifts and twists, each as if the other were absent: right as long as one is small.
-/// Copies, but does not pickle.
+/// Copies and pickles.
 #[pyclass(module = "carom", subclass)]
 #[derive(Debug, Clone)]
-pub(crate) struct ShiftTwist(ShiftTwistLaw);
+pub(crate) struct ShiftTwist {
+    hertz: Hertz,
+    friction: f64,
+    law: Accounted<ShiftTwistLaw>,
+}
+
+/// What a shift remembers, more than it ever grew to.
+const VERTICES: usize = 99;
+
+/// The law of a twist, at rest.
+fn torsion(hertz: &Hertz, friction: f64) -> Result<TorsionLaw, Fault> {
+    Ok(TorsionLaw::new(&hertz.0, Friction::new(friction)?)?)
+}
+
+/// The numbers of the law of a twist, all of them.
+fn numbers_of(law: &TorsionLaw) -> Result<Vec<f64>, Fault> {
+    let pieces = law.history().map_or(2 * VERTICES, |history| history.pieces().max(4));
+    let mut numbers = vec![0.0; law::packed_numbers(pieces)];
+    law.pack(&mut numbers)?;
+    Ok(numbers)
+}
 
 #[pymethods]
 impl ShiftTwist {
     #[new]
     fn new(hertz: Hertz, friction: f64) -> PyResult<Self> {
-        let friction = Friction::new(friction).map_err(Fault::from)?;
-        Ok(Self(ShiftTwistLaw::new(&hertz.0, friction).map_err(Fault::from)?))
+        let friction_law = Friction::new(friction).map_err(Fault::from)?;
+        let law = ShiftTwistLaw::new(&hertz.0, friction_law).map_err(Fault::from)?;
+        Ok(Self { hertz, friction, law: Accounted::new(law) })
     }
 
     /// Goes straight to a new shift (m) and twist (radians) and returns (F_x, F_y, F_z, M_z), N and N m.
@@ -84,20 +128,20 @@ impl ShiftTwist {
         eta: f64,
         omega: f64,
     ) -> PyResult<(f64, f64, f64, f64)> {
-        let load = self.0.advance(Shift { zeta, xi, eta, omega }).map_err(Fault::from)?;
+        let load = self.law.advance(Shift { zeta, xi, eta, omega }).map_err(Fault::from)?;
         Ok((load.f_x, load.f_y, load.f_z, load.m_z))
     }
 
     /// The elastic energy, compression included, J.
     #[getter]
     fn stored_energy(&self) -> f64 {
-        self.0.stored_energy()
+        self.law.stored_energy()
     }
 
     /// The energy turned into heat since the beginning, J.
     #[getter]
     fn dissipated(&self) -> f64 {
-        self.0.dissipated()
+        self.law.dissipated()
     }
 
     fn __copy__(&self) -> Self {
@@ -106,6 +150,29 @@ impl ShiftTwist {
 
     fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
         self.clone()
+    }
+
+    fn __getnewargs__(&self) -> (Hertz, f64) {
+        (self.hertz, self.friction)
+    }
+
+    fn __getstate__(&self) -> PyResult<(Vec<f64>, Vec<f64>, f64)> {
+        let law = self.law.law();
+        let mut of_shift = vec![0.0; 2 * packed_numbers(VERTICES)];
+        law.tangential().pack(&mut of_shift).map_err(Fault::from)?;
+        Ok((of_shift, numbers_of(law.torsion())?, self.dissipated()))
+    }
+
+    fn __setstate__(&mut self, state: (Vec<f64>, Vec<f64>, f64)) -> PyResult<()> {
+        let (of_shift, of_twist, dissipated) = state;
+        let friction = Friction::new(self.friction).map_err(Fault::from)?;
+        let mut shift = ShiftLaw::new(self.hertz.0.stiffness(), friction);
+        shift.unpack(&of_shift).map_err(Fault::from)?;
+        let mut twist = torsion(&self.hertz, self.friction)?;
+        twist.unpack(&of_twist).map_err(Fault::from)?;
+        let law = ShiftTwistLaw::of(shift, twist).map_err(Fault::from)?;
+        self.law = Accounted::going_on(law, dissipated);
+        Ok(())
     }
 }
 

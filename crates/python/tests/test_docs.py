@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._impact", "carom._solver"]
+MODULES = ["carom", "carom.special", "carom._contact_theory", "carom._contacts", "carom._impact", "carom._solver", "carom.cases"]
 
 
 @pytest.mark.parametrize("name", MODULES)
@@ -23,6 +23,15 @@ def test_examples_of_the_readme_run():
     readme = pathlib.Path(__file__).parents[1] / "README.md"
     results = doctest.testfile(str(readme), module_relative=False)
     assert results.attempted > 0
+    assert results.failed == 0
+
+
+def test_examples_of_the_book_run(monkeypatch):
+    root = pathlib.Path(__file__).parents[3]
+    monkeypatch.chdir(root)
+    page = root / "docs/book/src/start/python.md"
+    results = doctest.testfile(str(page), module_relative=False)
+    assert results.attempted > 10
     assert results.failed == 0
 
 

@@ -25,8 +25,17 @@ pub(crate) fn prose(text: &str) -> String {
 
 /// A formula in LaTeX's notation, as MathML.
 pub(crate) fn formula(latex: &str) -> String {
+    mathml(latex, DisplayMode::Inline)
+}
+
+/// The same on lines of its own.
+pub(crate) fn formula_of_its_own(latex: &str) -> String {
+    mathml(latex, DisplayMode::Block)
+}
+
+fn mathml(latex: &str, display_mode: DisplayMode) -> String {
     let storage = Storage::new();
-    let config = RenderConfig { display_mode: DisplayMode::Inline, ..RenderConfig::default() };
+    let config = RenderConfig { display_mode, ..RenderConfig::default() };
     let mut markup = String::new();
     match push_mathml(&mut markup, Parser::new(latex, &storage), config) {
         Ok(()) => markup,

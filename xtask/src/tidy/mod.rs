@@ -1,11 +1,11 @@
 //! Whether the index of the thesis's equations, `verification/equations.toml`, and the list of mutants,
-//! `xtask/mutants.toml`, fit the code.
+//! `xtask/mutants.toml`, fit the code, and whether what the packages say of themselves is whole.
 
 mod index;
 mod items;
 mod quoted;
 
-use crate::mutants;
+use crate::{book, mutants, release};
 use anyhow::{Context as _, bail};
 use index::Index;
 use std::collections::BTreeSet;
@@ -41,6 +41,8 @@ pub(crate) fn run() -> anyhow::Result<()> {
     }
     if faults.is_empty() {
         println!("{} equations and {} figures: in order", index.count(), figures.len());
+        release::whole()?;
+        book::check(&root)?;
         return mutants::check(&root);
     }
     bail!("{} faults in the index of equations:\n  {}", faults.len(), faults.join("\n  "))

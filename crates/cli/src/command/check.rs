@@ -15,7 +15,7 @@ use std::path::{Path, PathBuf};
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each field", Understood::COLUMNS))]
 pub(super) struct Arguments {
-    /// The case file.
+    /// The case file; - is standard input.
     #[arg(value_name = "CASE.toml")]
     case: PathBuf,
     /// The kind of case; that whose tables the file has if this is left out.

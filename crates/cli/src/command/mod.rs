@@ -2,10 +2,13 @@
 //! that are too many to hold.
 
 mod begin;
+pub mod cases;
 mod check;
+mod completions;
 mod hertz;
 mod history;
 mod impact;
+mod man;
 mod plot;
 mod restitution;
 mod roll;
@@ -20,6 +23,7 @@ pub use history::StepsError;
 use crate::destination::{Destination, check_output};
 use crate::error::CliError;
 use crate::input::CaseFile;
+use crate::manner::{Manner, Messages};
 use crate::output::{Answer, Format, Results};
 use std::path::PathBuf;
 
@@ -33,12 +37,22 @@ use std::path::PathBuf;
 pub struct Carom {
     #[command(subcommand)]
     command: Command,
+    #[command(flatten)]
+    manner: Manner,
+}
+
+impl Carom {
+    /// Messages in the manner that was asked for.
+    #[must_use]
+    pub fn messages(&self) -> Messages {
+        self.manner.messages()
+    }
 }
 
 /// What every command with a case file takes.
 #[derive(Debug, clap::Args)]
 struct CaseArguments {
-    /// The case file.
+    /// The case file; - is standard input.
     #[arg(value_name = "CASE.toml")]
     case: PathBuf,
     /// Format of the results.
@@ -79,6 +93,8 @@ enum Command {
     New(begin::Arguments),
     Check(check::Arguments),
     Schema(schema::Arguments),
+    Completions(completions::Arguments),
+    Man(man::Arguments),
 }
 
 /// Works out what the command asks for.
@@ -86,18 +102,30 @@ enum Command {
 /// # Errors
 /// If its input is bad, or a file cannot be read.
 pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError> {
-    match &arguments.command {
+    let messages = &arguments.messages();
+    let Some(threads) = arguments.manner.threads() else {
+        return go(&arguments.command, messages, results);
+    };
+    let pool = rayon::ThreadPoolBuilder::new().num_threads(threads).build();
+    let failed = |error| CliError::Threads { count: threads, source: Box::new(error) };
+    pool.map_err(failed)?.install(|| go(&arguments.command, messages, results))
+}
+
+fn go(command: &Command, messages: &Messages, results: &mut Results) -> Result<Answer, CliError> {
+    match command {
         Command::Impact(arguments) => impact::run(arguments),
-        Command::Restitution(arguments) => restitution::run(arguments, results),
+        Command::Restitution(arguments) => restitution::run(arguments, messages, results),
         Command::Hertz(arguments) => hertz::run(arguments),
         Command::History(arguments) => history::run(arguments),
         Command::Scene(arguments) => scene::run(arguments),
-        Command::Solve(arguments) => solve::run(arguments),
+        Command::Solve(arguments) => solve::run(arguments, messages),
         Command::Roll(arguments) => roll::run(arguments),
         Command::Stress(arguments) => stress::run(arguments),
-        Command::Compare(arguments) => solve::compare::run(arguments),
+        Command::Compare(arguments) => solve::compare::run(arguments, messages),
         Command::New(arguments) => begin::run(arguments),
         Command::Check(arguments) => check::run(arguments),
         Command::Schema(arguments) => schema::run(arguments),
+        Command::Completions(arguments) => Ok(completions::run(arguments)),
+        Command::Man(arguments) => man::run(arguments),
     }
 }

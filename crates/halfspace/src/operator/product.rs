@@ -14,7 +14,7 @@ pub(crate) struct Term<'a> {
 /// The terms of a product: `terms[output][input]`; `None` is zero.
 pub(crate) type Terms<'a> = [[Option<Term<'a>>; 3]; 3];
 
-/// Checks the fields, leaves out what is zero, and forms the product.
+/// Checks the fields and forms the product.
 pub(crate) fn apply<'s>(
     plan: &Plan,
     term: impl Fn(Axis, Axis) -> Result<Option<Term<'s>>, OperatorError>,
@@ -36,34 +36,54 @@ pub(crate) fn apply<'s>(
         }
     }
     let mut terms: Terms<'_> = [[None; 3]; 3];
-    let mut row_of = [0; 3];
+    let mut outputs: [&mut [f64]; 3] = [&mut [], &mut [], &mut []];
     let mut wanted = 0;
-    let fields = displacements.by_axis();
-    for (receiver, field) in fields.iter().enumerate() {
-        if field.is_some() {
-            for input in 0..given {
-                terms[wanted][input] = term(Axis::ALL[receiver], sources[input])?;
-            }
-            row_of[receiver] = wanted;
-            wanted += 1;
+    for (receiver, field) in displacements.by_axis().into_iter().enumerate() {
+        let Some(field) = field else { continue };
+        for input in 0..given {
+            terms[wanted][input] = term(Axis::ALL[receiver], sources[input])?;
+        }
+        outputs[wanted] = field;
+        wanted += 1;
+    }
+    // From here on nothing can fail.
+    reduced(plan, &inputs[..given], &terms, &mut outputs[..wanted], workspace);
+    Ok(())
+}
+
+/// The product without the fields that vanish and without the results that no other field reaches: a
+/// shift along one axis costs half where the other tangential traction is zero everywhere.
+pub(crate) fn reduced(
+    plan: &Plan,
+    inputs: &[&[f64]],
+    terms: &Terms<'_>,
+    outputs: &mut [&mut [f64]],
+    workspace: &mut Workspace,
+) {
+    let mut fields: [&[f64]; 3] = [&[]; 3];
+    let mut columns = [0; 3];
+    let mut given = 0;
+    for (column, &values) in inputs.iter().enumerate() {
+        // What is not a number is not zero, either.
+        if values.iter().any(|&value| value != 0.0) {
+            (fields[given], columns[given]) = (values, column);
+            given += 1;
         }
     }
-    // From here on nothing can fail. Displacements without a term are zero.
-    let mut outputs: [&mut [f64]; 3] = [&mut [], &mut [], &mut []];
+    let mut reached: [&mut [f64]; 3] = [&mut [], &mut [], &mut []];
     let mut used: Terms<'_> = [[None; 3]; 3];
     let mut count = 0;
-    for (receiver, field) in fields.into_iter().enumerate() {
-        let Some(field) = field else { continue };
-        let row = terms[row_of[receiver]];
-        if row.iter().all(Option::is_none) {
+    for (row, field) in outputs.iter_mut().enumerate() {
+        let of_row: [_; 3] =
+            std::array::from_fn(|at| if at < given { terms[row][columns[at]] } else { None });
+        if of_row.iter().all(Option::is_none) {
             field.fill(0.0);
         } else {
-            (outputs[count], used[count]) = (field, row);
+            (reached[count], used[count]) = (field, of_row);
             count += 1;
         }
     }
     if count > 0 {
-        plan.product(&inputs[..given], &used, &mut outputs[..count], workspace);
+        plan.product(&fields[..given], &used, &mut reached[..count], workspace);
     }
-    Ok(())
 }

@@ -5,7 +5,7 @@ use std::sync::{Arc, OnceLock};
 
 use super::length::Sizes;
 use super::plan::Plan;
-use super::product::Term;
+use super::product::{self, Term};
 use super::spectrum::{Parity, Spectrum};
 use super::{Threads, Workspace};
 use crate::{Grid, MaterialPair};
@@ -76,9 +76,11 @@ impl TorusInverse {
     ) {
         let tangential = self.blocks.tangential(&self.plan.sizes);
         let [xx, xy, yy] = tangential.each_ref().map(|spectrum| Some(term(spectrum)));
+        // Without lateral contraction each component stands by itself.
+        let xy = xy.filter(|_| self.blocks.pair.poisson() != 0.0);
         let terms = [[xx, xy, None], [xy, yy, None], [None; 3]];
         let mut outputs = traction;
-        self.plan.product(&displacement, &terms, &mut outputs, workspace);
+        product::reduced(&self.plan, &displacement, &terms, &mut outputs, workspace);
     }
 }
 

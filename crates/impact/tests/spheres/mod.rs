@@ -37,11 +37,17 @@ pub(crate) fn unknown(encounter: &Collision, rebound: &Rebound) -> f64 {
             body.motion().velocity.norm() + body.motion().spin.norm() * arm
         })
         .sum();
-    let slip = before.xy().norm();
-    if slip == 0.0 || encounter.friction().get() == 0.0 {
+    let (slip, rounding, friction) =
+        (before.xy().norm(), 1e-15 * speed, encounter.friction().get());
+    if friction == 0.0 {
         return 1e-11;
     }
-    let (share, psi) = (1e-15 * speed / slip, slip / before.z / encounter.friction().get());
+    let psi = slip.max(rounding) / before.z / friction;
+    if slip <= rounding {
+        // It may be anything below: one frame has it zero, another not.
+        return 1e-11 + 4.0 * psi.min(1.0);
+    }
+    let share = rounding / slip;
     if share < 1e-13 { 0.0 } else { 1e-11 + 4.0 * share * psi.min(1.0 / psi) }
 }
 

@@ -10,6 +10,7 @@ use carom_special::RangeError;
 use carom_special::quadrature::FixedRule;
 
 use super::heat::{Heat, Unmetered};
+pub use super::pack::packed_numbers;
 use super::rings;
 use super::segment::{Density, Segment};
 pub use super::sliding::sliding_limit;

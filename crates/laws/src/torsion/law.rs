@@ -6,18 +6,51 @@ use carom_special::RangeError;
 use carom_special::quadrature::FixedRule;
 
 use super::adhesion::{AdhesiveTorsion, sliding_torque_arm};
-use super::history::TwistHistory;
-use crate::accounted::Accounted;
+use super::history::{self, TwistHistory};
 use crate::bounds::in_contact;
 use crate::friction::Friction;
 use crate::hertz::Hertz;
-use crate::law::{ContactLaw, ContactLoad, Energies, Shift};
+use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::{AdhesionMemory, Growing};
 use crate::profile::PowerLaw;
 use crate::shift_law::ShiftLaw;
 
+/// Numbers before those of the memory.
+const HEAD: usize = 4;
+
+/// How many numbers the state of a [`TorsionLaw`] with so many pieces of density takes.
+#[must_use]
+pub const fn packed_numbers(pieces: usize) -> usize {
+    HEAD + history::packed_numbers(pieces)
+}
+
 /// Gauss's nodes and weights on (0, 1).
 const GAUSS: [(f64, f64); 5] = FixedRule::parts();
+
+/// What the law of a twist takes from a contact, at unit approach.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct TorsionConstants {
+    /// `F_z = (2/3) c_z zeta^(3/2)`.
+    pub c_z: f64,
+    /// Torque over twist without slip, as `zeta^(3/2)`, (5.35).
+    pub stiffness: f64,
+    /// Torque of sliding over the friction limit, as `zeta^(1/2)`, (7.65).
+    pub arm: f64,
+}
+
+impl TorsionConstants {
+    /// Of a Hertzian contact.
+    ///
+    /// # Errors
+    /// [`RangeError`] if one of them over- or underflows.
+    pub fn of(hertz: &Hertz) -> Result<Self, RangeError> {
+        let ellipse = hertz.ellipse(1.0)?;
+        let stiffness = AdhesiveTorsion::new(ellipse, hertz.materials()).stiffness();
+        RangeError::positive("torsional stiffness", stiffness)?;
+        let arm = sliding_torque_arm(&ellipse);
+        Ok(Self { c_z: hertz.stiffness().c_z, stiffness, arm })
+    }
+}
 
 /// The law of normal load and twist about the normal.
 ///
@@ -52,7 +85,6 @@ pub struct TorsionLaw {
     per_torque: f64,
     state: State,
     shift: Shift,
-    dissipated: f64,
 }
 
 #[derive(Debug, Clone, PartialEq)]
@@ -68,15 +100,25 @@ impl TorsionLaw {
     /// # Errors
     /// [`RangeError`] if a stiffness over- or underflows.
     pub fn new(hertz: &Hertz, friction: Friction) -> Result<Self, RangeError> {
-        // At unit approach; radii are counted in roots of the approach.
-        let ellipse = hertz.ellipse(1.0)?;
-        let stiffness = AdhesiveTorsion::new(ellipse, hertz.materials()).stiffness();
+        Self::from_constants(TorsionConstants::of(hertz)?, friction)
+    }
+
+    /// The law of a contact of which only the constants are known, at rest.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a constant that is not positive and finite.
+    pub fn from_constants(
+        constants: TorsionConstants,
+        friction: Friction,
+    ) -> Result<Self, RangeError> {
+        let TorsionConstants { c_z, stiffness, arm } = constants;
+        RangeError::positive("c_z", c_z)?;
         RangeError::positive("torsional stiffness", stiffness)?;
-        let c_z = hertz.stiffness().c_z;
+        RangeError::positive("torsional arm", arm)?;
         let (state, per_twist, per_torque) = match friction.coefficient() {
             Some(0.0) => (State::Free, 0.0, 0.0),
             Some(f) => {
-                let sliding = f * 2.0 / 3.0 * c_z * sliding_torque_arm(&ellipse);
+                let sliding = f * 2.0 / 3.0 * c_z * arm;
                 let per_torque = sliding * 32.0 / (3.0 * PI);
                 (State::Rubbing(TwistHistory::new()), stiffness / per_torque, per_torque)
             }
@@ -89,7 +131,7 @@ impl TorsionLaw {
             }
         };
         let shift = Shift::default();
-        Ok(Self { c_z, per_twist, per_torque, state, shift, dissipated: 0.0 })
+        Ok(Self { c_z, per_twist, per_torque, state, shift })
     }
 
     /// The twist's history, if the friction is neither zero nor infinite.
@@ -99,6 +141,59 @@ impl TorsionLaw {
             State::Rubbing(history) => Some(history),
             _ => None,
         }
+    }
+
+    /// Writes shift and memory into numbers, [`packed_numbers`] of so many pieces; without slip, 11 and 9
+    /// for each turn of the twist. The constants are not among them.
+    ///
+    /// If there is no room for the whole history the pieces that matter least are joined: the greatest
+    /// jump of the torque that this may bring about is returned, [`TwistHistory::pack`].
+    ///
+    /// # Errors
+    /// [`RangeError`] for too few numbers; nothing is then written.
+    pub fn pack(&self, numbers: &mut [f64]) -> Result<f64, RangeError> {
+        let room = numbers.len() as f64;
+        RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 4")?;
+        let (head, rest) = numbers.split_at_mut(HEAD);
+        let jump = match &self.state {
+            State::Free => {
+                rest.fill(0.0);
+                0.0
+            }
+            State::Rubbing(history) => history.pack(rest)? * self.per_torque,
+            State::Stuck(memory) => {
+                memory.pack(rest)?;
+                0.0
+            }
+        };
+        let Shift { zeta, xi, eta, omega } = self.shift;
+        head.copy_from_slice(&[zeta, xi, eta, omega]);
+        Ok(jump)
+    }
+
+    /// Takes up what [`TorsionLaw::pack`] of a law of the same constants wrote, to the same bits.
+    ///
+    /// # Errors
+    /// [`RangeError`] for numbers that are no state of this law; the law is then unchanged.
+    pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
+        let room = numbers.len() as f64;
+        RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 4")?;
+        let (head, rest) = numbers.split_at(HEAD);
+        let shift = Shift { zeta: head[0], xi: head[1], eta: head[2], omega: head[3] };
+        shift.check_finite()?;
+        match &mut self.state {
+            State::Free => {}
+            State::Rubbing(history) => {
+                let mut read = history.clone();
+                read.unpack(rest)?;
+                let touches = (shift.zeta > 0.0) == (read.radius() > 0.0);
+                RangeError::check("approach", shift.zeta, touches, "> 0 in contact")?;
+                *history = read;
+            }
+            State::Stuck(memory) => memory.unpack(rest)?,
+        }
+        self.shift = shift;
+        Ok(())
     }
 
     /// a*/a, the size of the stick area, from 0 to 1.
@@ -122,6 +217,15 @@ impl TorsionLaw {
         }
     }
 
+    /// The twist, in the law's units, at which bodies that are apart touch on the straight way to a shift.
+    fn touch(&self, to: Shift) -> Option<f64> {
+        let from = self.shift;
+        (from.zeta < 0.0 && to.zeta > 0.0).then(|| {
+            let part = from.zeta / (from.zeta - to.zeta);
+            (from.omega + part * (to.omega - from.omega)) * self.per_twist
+        })
+    }
+
     /// The torque in the law's units.
     fn torque(&self) -> f64 {
         match &self.state {
@@ -132,8 +236,9 @@ impl TorsionLaw {
     }
 }
 
-/// The work of the torque on the straight way to a new radius and twist, by Gauss.
-fn work_to(history: &TwistHistory, radius: f64, twist: f64) -> Result<f64, RangeError> {
+/// The heat of the straight way to a new radius and twist: the work of the torque, by Gauss, without what
+/// is stored.
+fn heat_to(history: &TwistHistory, radius: f64, twist: f64) -> Result<f64, RangeError> {
     let (radius_0, twist_0) = (history.radius(), history.twist());
     let mut probe = history.clone();
     let mut mean = 0.0;
@@ -143,7 +248,10 @@ fn work_to(history: &TwistHistory, radius: f64, twist: f64) -> Result<f64, Range
         let at = square.max(0.0).sqrt();
         mean += weight * probe.advance(at, twist_0 + node * (twist - twist_0))?;
     }
-    Ok(mean * (twist - twist_0))
+    let mut end = history.clone();
+    end.advance(radius, twist)?;
+    let gained = end.stored_energy() - history.stored_energy();
+    Ok((mean * (twist - twist_0) - gained).max(0.0))
 }
 
 impl ContactLaw for TorsionLaw {
@@ -151,33 +259,20 @@ impl ContactLaw for TorsionLaw {
 
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
         shift.check_finite()?;
-        let twist = shift.omega * self.per_twist;
-        in_contact("omega", twist)?;
-        let before = self.twist_energy();
-        let heat = match &mut self.state {
-            State::Free => 0.0,
+        let twist = in_contact("omega", shift.omega * self.per_twist)?;
+        let touch = self.touch(shift);
+        match &mut self.state {
+            State::Free => {}
             State::Rubbing(history) => {
-                let mut next = history.clone();
-                if self.shift.zeta < 0.0 && shift.zeta > 0.0 {
-                    let part = self.shift.zeta / (self.shift.zeta - shift.zeta);
-                    let from = self.shift.omega * self.per_twist;
-                    next.advance(0.0, from + part * (twist - from))?;
+                if let Some(touch) = touch {
+                    history.separate(touch);
                 }
-                let radius = shift.zeta.max(0.0).sqrt();
-                let work = work_to(&next, radius, twist)?;
-                next.advance(radius, twist)?;
-                let scale = self.per_torque / self.per_twist;
-                let heat = work * scale - (next.stored_energy() * scale - before);
-                *history = next;
-                heat.max(0.0)
+                history.advance(shift.zeta.max(0.0).sqrt(), twist)?;
             }
             State::Stuck(memory) => {
-                let heat = memory.dissipation(shift.zeta, twist) * self.per_torque;
                 memory.advance(shift.zeta, twist)?;
-                heat
             }
-        };
-        self.dissipated += heat;
+        }
         self.shift = shift;
         Ok(self.load())
     }
@@ -193,14 +288,33 @@ impl ContactLaw for TorsionLaw {
     }
 }
 
-impl Energies for TorsionLaw {
+impl Dissipative for TorsionLaw {
     fn stored_energy(&self) -> f64 {
         let zeta = self.shift.zeta.max(0.0);
         4.0 / 15.0 * self.c_z * (zeta * zeta * zeta.sqrt()) + self.twist_energy()
     }
 
-    fn dissipated(&self) -> f64 {
-        self.dissipated
+    fn dissipation(&self, to: Shift) -> f64 {
+        let twist = to.omega * self.per_twist;
+        if to.check_finite().and(in_contact("omega", twist)).is_err() {
+            return 0.0;
+        }
+        match &self.state {
+            State::Free => 0.0,
+            State::Rubbing(history) => {
+                let radius = to.zeta.max(0.0).sqrt();
+                let heat = match self.touch(to) {
+                    Some(touch) => {
+                        let mut touching = history.clone();
+                        touching.separate(touch);
+                        heat_to(&touching, radius, twist)
+                    }
+                    None => heat_to(history, radius, twist),
+                };
+                heat.unwrap_or(0.0) * self.per_torque / self.per_twist
+            }
+            State::Stuck(memory) => memory.dissipation(to.zeta, twist) * self.per_torque,
+        }
     }
 }
 
@@ -211,7 +325,7 @@ impl Energies for TorsionLaw {
 /// [`crate::rigid_slip`].
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShiftTwistLaw {
-    tangential: Accounted<ShiftLaw<[f64; 2]>>,
+    tangential: ShiftLaw<[f64; 2]>,
     torsion: TorsionLaw,
 }
 
@@ -223,13 +337,23 @@ impl ShiftTwistLaw {
     pub fn new(hertz: &Hertz, friction: Friction) -> Result<Self, RangeError> {
         let torsion = TorsionLaw::new(hertz, friction)?;
         let shift = ShiftLaw::new(hertz.stiffness(), friction);
-        Ok(Self { tangential: Accounted::new(shift), torsion })
+        Ok(Self { tangential: shift, torsion })
+    }
+
+    /// The law of two that were kept apart.
+    ///
+    /// # Errors
+    /// [`RangeError`] if they are not at the same place.
+    pub fn of(tangential: ShiftLaw<[f64; 2]>, torsion: TorsionLaw) -> Result<Self, RangeError> {
+        let (one, other) = (tangential.shift(), torsion.shift());
+        RangeError::check("approach", other.zeta, one.zeta == other.zeta, "that of the shift")?;
+        Ok(Self { tangential, torsion })
     }
 
     /// The law of the shift.
     #[must_use]
-    pub fn tangential(&self) -> &ShiftLaw<[f64; 2]> {
-        self.tangential.law()
+    pub const fn tangential(&self) -> &ShiftLaw<[f64; 2]> {
+        &self.tangential
     }
 
     /// The law of the twist.
@@ -259,20 +383,22 @@ impl ContactLaw for ShiftTwistLaw {
     }
 }
 
-impl Energies for ShiftTwistLaw {
+impl Dissipative for ShiftTwistLaw {
     fn stored_energy(&self) -> f64 {
         self.tangential.stored_energy() + self.torsion.twist_energy()
     }
 
-    fn dissipated(&self) -> f64 {
-        self.tangential.dissipated() + self.torsion.dissipated()
+    fn dissipation(&self, to: Shift) -> f64 {
+        self.tangential.dissipation(to) + self.torsion.dissipation(to)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
+    use crate::accounted::Accounted;
     use crate::curvature::RelativeCurvature;
+    use crate::law::Energies as _;
     use approx::assert_relative_eq;
     use carom_halfspace::{Material, MaterialPair};
 
@@ -285,8 +411,9 @@ mod tests {
     #[test]
     fn energy_is_balanced() {
         for friction in [0.0, 0.3, f64::INFINITY] {
+            let friction_law = Friction::new(friction).unwrap();
             let mut law =
-                ShiftTwistLaw::new(&hertz(1.0, 0.3), Friction::new(friction).unwrap()).unwrap();
+                Accounted::new(ShiftTwistLaw::new(&hertz(1.0, 0.3), friction_law).unwrap());
             let path = [
                 (0.01, 0.0, 0.0),
                 (0.01, 0.002, 0.03),

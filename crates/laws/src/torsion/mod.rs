@@ -13,6 +13,7 @@ mod heat;
 pub mod history;
 pub mod law;
 pub mod lubkin;
+mod pack;
 mod recede;
 mod rings;
 mod segment;

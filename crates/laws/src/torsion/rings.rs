@@ -22,7 +22,7 @@ const AT_RIM: usize = 2;
 const FINEST: f64 = NARROWEST / (1 << AT_RIM) as f64;
 /// The level of 1/128, unless another is asked for, and the widest.
 pub(super) const USUAL_LEVEL: usize = 1;
-const WIDEST_LEVEL: usize = 6;
+pub(super) const WIDEST_LEVEL: usize = 6;
 
 /// Depths below the rim, in units of [`FINEST`], from which on rings are wider by one level each.
 const WIDER: [i32; 5] = [16, 48, 384, 768, 1536];

@@ -53,7 +53,7 @@ carom.RangeError: poisson = 0.7 is out of range: must be in (-1, 0.5]
 
 from __future__ import annotations
 
-from . import special
+from . import cases, special
 from ._carom import (
     Body,
     CaromError,
@@ -78,7 +78,7 @@ from ._contact_theory import (
     von_mises,
 )
 from ._impact import collide, collide_many, history, plane, sphere
-from ._records import HertzState, HistoryPoint, Rebound, SolverStep
+from ._records import GridStep, HertzState, HistoryPoint, HistoryStep, Rebound, SolverStep
 from ._solver import Solver, cells
 
 #: A rigid body's material.
@@ -90,9 +90,11 @@ __all__ = [
     "CaromError",
     "Contact",
     "Contacts",
+    "GridStep",
     "Hertz",
     "HertzState",
     "HistoryPoint",
+    "HistoryStep",
     "Material",
     "MaterialPair",
     "RangeError",
@@ -102,6 +104,7 @@ __all__ = [
     "SolverStep",
     "Twist",
     "__version__",
+    "cases",
     "cells",
     "collide",
     "collide_many",

@@ -7,10 +7,12 @@ from . import _carom
 RESULTS = {
     "HertzState": "A Hertz contact under load.",
     "HistoryPoint": "Instants of an impact, in contact axes.",
+    "HistoryStep": "A contact after the steps of a history case. SI units; loads act on body 1.",
+    "GridStep": "A contact on a grid after the steps of a case. SI units; loads act on body 1.",
     "SolverStep": "A step of the numerical solver.",
     "Rebound": "How two bodies part. What only an impact has is not a number where they do not meet.",
 }
-TEXTS = {"method", "warnings", "regime"}
+TEXTS = {"method", "warnings", "regime", "twist_regime"}
 
 
 def made() -> str:

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 import numpy as np
 
+from ._arrays import Array
+
 if TYPE_CHECKING:
     import pandas
     import xarray
@@ -20,9 +22,16 @@ class Record:
 
     units: ClassVar[dict[str, str]]
     meanings: ClassVar[dict[str, str]]
+    #: Name, unit and values of the number that a case sweeps over, if it sweeps over one.
+    swept: ClassVar[tuple[str, str, Array] | None] = None
 
     @classmethod
-    def _of(cls, columns: dict[str, Any], shape: tuple[int, ...]) -> Self:
+    def _of(
+        cls,
+        columns: dict[str, Any],
+        shape: tuple[int, ...],
+        swept: tuple[str, str, Array] | None = None,
+    ) -> Self:
         """The native columns, in the shape of what was asked; the first row of them for a number."""
 
         def shaped(values: Any) -> Any:
@@ -32,7 +41,10 @@ class Record:
                 return values[0].item() if values.ndim == 1 else values[0]
             return values.reshape(shape + values.shape[1:])
 
-        return cls(**{name: shaped(values) for name, values in columns.items()})
+        record = cls(**{name: shaped(values) for name, values in columns.items()})
+        if swept is not None:
+            object.__setattr__(record, "swept", swept)
+        return record
 
     def to_dict(self) -> dict[str, Any]:
         """The columns by name."""
@@ -56,6 +68,8 @@ class Record:
         import pandas
 
         frame = pandas.DataFrame(self._cells())
+        if self.swept is not None:
+            frame.index = pandas.Index(self.swept[2], name=self.swept[0])
         frame.attrs["units"] = dict(self.units)
         return frame
 
@@ -67,7 +81,13 @@ class Record:
             array = np.asarray(values)
             vector = name in self._vectors
             dims = [f"dim_{i}" for i in range(array.ndim - vector)] + ["axis"] * vector
+            if self.swept is not None:
+                dims[0] = self.swept[0]
             about = {"units": self.units[name], "long_name": self.meanings[name]}
             return xarray.Variable(dims, array, about)
 
-        return xarray.Dataset({name: variable(name, x) for name, x in self.to_dict().items()})
+        coordinates = {}
+        if self.swept is not None:
+            name, unit, values = self.swept
+            coordinates[name] = xarray.Variable([name], values, {"units": unit})
+        return xarray.Dataset({name: variable(name, x) for name, x in self.to_dict().items()}, coordinates)

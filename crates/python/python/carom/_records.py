@@ -70,6 +70,7 @@ HistoryPoint._vectors = frozenset(['v', 'F'])
 class SolverStep(Record):
     """A step of the numerical solver.
 
+    step                 number of the step, from 1
     zeta                 approach, m
     xi                   shift of body 2 against body 1 along x, m
     eta                  the same along y, m
@@ -82,13 +83,14 @@ class SolverStep(Record):
     contact_area         of all cells in contact, m2
     stick_area           of those that stick, m2
     stored_energy        elastic energy of both bodies, J
-    dissipated           friction heat of the step, J
+    dissipated           friction heat since the start, J
     residual_normal      what is left of the normal conditions
     residual_tangential  what is left of the friction law
     products_normal      products with the normal influence
     products_tangential  the same with the tangential one
     """
 
+    step: Numbers
     zeta: Numbers
     xi: Numbers
     eta: Numbers
@@ -108,8 +110,8 @@ class SolverStep(Record):
     products_tangential: Numbers
 
 
-SolverStep.units = {'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': ''}
-SolverStep.meanings = {'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat of the step', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one'}
+SolverStep.units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': ''}
+SolverStep.meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one'}
 SolverStep._vectors = frozenset([])
 
 

@@ -109,7 +109,7 @@ class Solver:
         return SolverStep._of(columns, ())
 
     def summary(self) -> SolverStep:
-        """The contact as it is, in numbers."""
+        """The last step, in numbers; zero before the first."""
         return SolverStep._of(self._native.summary(), ())
 
     @property

@@ -1,15 +1,17 @@
 //! A step in numbers.
 
 use carom_laws::law::{ContactLoad, Shift};
-use carom_table::Column;
+use carom_table::{Column, Value};
 
-use crate::convergence::Convergence;
+use crate::convergence::{Convergence, Products, Residuals};
+use crate::estimate::{Estimated, Estimates};
 use crate::problem::ContactProblem;
 use crate::result::{StoredEnergy, dissipated};
 use crate::state::{CellState, ContactState};
 use carom_halfspace::operator::OperatorError;
 
-/// The contact at the end of a step, in numbers. SI units; loads act on body 1.
+/// The contact at the end of a step, in numbers. SI units; loads act on body 1. Before the first step
+/// all of them are zero, as by default.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -26,14 +28,16 @@ use carom_halfspace::operator::OperatorError;
 /// let (mut after, mut scratch) = (before.clone(), method.scratch(&problem)?);
 /// let pressed = Drive { normal: Driven::Load(5.0), ..Drive::default() };
 /// let went = method.step(&problem, &before, &pressed, &mut after, &mut scratch, &mut ())?;
-/// let step = StepSummary::of(&problem, &before, &after, &went)?;
+/// let step = StepSummary::default().next(&problem, [&before, &after], &went)?;
 /// assert!((step.load.f_z - 5.0).abs() < 1e-6 && step.dissipated == 0.0);
 /// // Hertz: 2/5 of force times approach.
 /// assert!((step.stored_energy / (0.4 * 5.0 * step.shift.zeta) - 1.0).abs() < 0.02);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct StepSummary {
+    /// The number of the step, from 1.
+    pub step: usize,
     /// Where the bodies are.
     pub shift: Shift,
     /// What that takes.
@@ -46,40 +50,139 @@ pub struct StepSummary {
     pub stick_area: f64,
     /// Elastic energy of both bodies.
     pub stored_energy: f64,
-    /// Friction heat of the step.
+    /// Friction heat since the start.
     pub dissipated: f64,
-    /// How the step went.
-    pub convergence: Convergence,
+    /// What is left of the conditions of contact.
+    pub residuals: Residuals,
+    /// What the step cost.
+    pub products: Products,
+    /// Errors by the mesh, where they are estimated.
+    pub estimates: Option<Estimates>,
 }
 
 impl StepSummary {
-    /// Of the step between two states.
+    /// How many numbers a summary is.
+    pub const NUMBERS: usize = OWN + ERRORS;
+
+    /// Of the step after this one, from a state to another.
     ///
     /// # Errors
     /// [`OperatorError`] unless both are on the grid of the problem.
-    pub fn of(
+    pub fn next(
+        &self,
         problem: &ContactProblem,
-        before: &ContactState,
-        after: &ContactState,
-        convergence: &Convergence,
+        [before, after]: [&ContactState; 2],
+        went: &Convergence,
     ) -> Result<Self, OperatorError> {
         let area = after.pressure.grid().cell_area();
         let [stick, slip] =
             [CellState::Stick, CellState::Slip].map(|cell| after.count(cell) as f64);
+        let heat: f64 = dissipated(before, after).values().iter().sum();
         Ok(Self {
+            step: self.step + 1,
             shift: after.shift,
             load: after.load(),
             greatest_pressure: after.peak_pressure(),
             contact_area: area * (stick + slip),
             stick_area: area * stick,
             stored_energy: StoredEnergy::of(problem, after)?.total(),
-            dissipated: dissipated(before, after).values().iter().sum(),
-            convergence: *convergence,
+            dissipated: self.dissipated + heat,
+            residuals: went.residuals,
+            products: went.products,
+            estimates: None,
         })
+    }
+
+    /// The torque about the origin, where the grid's middle stands at these places.
+    #[must_use]
+    pub fn with_middle_at(mut self, [x, y]: [f64; 2]) -> Self {
+        self.load.m_z += y * self.load.f_x - x * self.load.f_y;
+        self.estimates = self.estimates.map(|all| self.estimated(errors(&all)));
+        self
+    }
+
+    /// With the errors by the mesh; its own values stand beside them.
+    #[must_use]
+    pub fn with_estimates(mut self, estimates: Option<&Estimates>) -> Self {
+        self.estimates = estimates.map(|all| self.estimated(errors(all)));
+        self
+    }
+
+    fn estimated(&self, errors: [f64; ERRORS]) -> Estimates {
+        let Self { shift, load, .. } = self;
+        let with = |value, i: usize| Estimated { value, error: errors[i] };
+        Estimates {
+            zeta: with(shift.zeta, 0),
+            xi: with(shift.xi, 1),
+            eta: with(shift.eta, 2),
+            omega: with(shift.omega, 3),
+            f_x: with(load.f_x, 4),
+            f_y: with(load.f_y, 5),
+            f_z: with(load.f_z, 6),
+            m_z: with(load.m_z, 7),
+            peak: with(self.greatest_pressure, 8),
+            contact_area: with(self.contact_area, 9),
+            stick_area: with(self.stick_area, 10),
+        }
+    }
+
+    fn error(&self, of: fn(&Estimates) -> &Estimated) -> Value {
+        self.estimates.as_ref().map_or(Value::Undefined, |all| of(all).error.into())
+    }
+
+    /// All its numbers, to be kept: those of [`StepSummary::COLUMNS`], then those of
+    /// [`StepSummary::ERROR_COLUMNS`], not numbers where there are none.
+    #[must_use]
+    pub fn numbers(&self) -> [f64; Self::NUMBERS] {
+        let Self { shift, load, residuals, products, .. } = self;
+        let own: [f64; OWN] = [
+            self.step as f64,
+            shift.zeta,
+            shift.xi,
+            shift.eta,
+            shift.omega,
+            load.f_x,
+            load.f_y,
+            load.f_z,
+            load.m_z,
+            self.greatest_pressure,
+            self.contact_area,
+            self.stick_area,
+            self.stored_energy,
+            self.dissipated,
+            residuals.normal,
+            residuals.tangential,
+            products.normal,
+            products.tangential,
+        ];
+        let errors = self.estimates.as_ref().map_or([f64::NAN; ERRORS], errors);
+        std::array::from_fn(|i| if i < OWN { own[i] } else { errors[i - OWN] })
+    }
+
+    /// The summary of these numbers.
+    #[must_use]
+    pub fn from_numbers(n: &[f64; Self::NUMBERS]) -> Self {
+        let own = Self {
+            step: n[0] as usize,
+            shift: Shift { zeta: n[1], xi: n[2], eta: n[3], omega: n[4] },
+            load: ContactLoad { f_x: n[5], f_y: n[6], f_z: n[7], m_z: n[8] },
+            greatest_pressure: n[9],
+            contact_area: n[10],
+            stick_area: n[11],
+            stored_energy: n[12],
+            dissipated: n[13],
+            residuals: Residuals { normal: n[14], tangential: n[15] },
+            products: Products { normal: n[16], tangential: n[17], ..Products::default() },
+            estimates: None,
+        };
+        let errors: [f64; ERRORS] = std::array::from_fn(|i| n[OWN + i]);
+        let estimates = (!errors[0].is_nan()).then(|| own.estimated(errors));
+        Self { estimates, ..own }
     }
 
     /// Its columns.
     pub const COLUMNS: &'static [Column<Self>] = &[
+        Column::new("step", "", "number of the step, from 1", |s| (s.step as u64).into()),
         Column::new("zeta", "m", "approach", |step| step.shift.zeta.into()),
         Column::new("xi", "m", "shift of body 2 against body 1 along x", |s| s.shift.xi.into()),
         Column::new("eta", "m", "the same along y", |step| step.shift.eta.into()),
@@ -94,18 +197,61 @@ impl StepSummary {
         Column::new("stored_energy", "J", "elastic energy of both bodies", |step| {
             step.stored_energy.into()
         }),
-        Column::new("dissipated", "J", "friction heat of the step", |s| s.dissipated.into()),
+        Column::new("dissipated", "J", "friction heat since the start", |s| s.dissipated.into()),
         Column::new("residual_normal", "", "what is left of the normal conditions", |step| {
-            step.convergence.residuals.normal.into()
+            step.residuals.normal.into()
         }),
         Column::new("residual_tangential", "", "what is left of the friction law", |step| {
-            step.convergence.residuals.tangential.into()
+            step.residuals.tangential.into()
         }),
         Column::new("products_normal", "", "products with the normal influence", |step| {
-            step.convergence.products.normal.into()
+            step.products.normal.into()
         }),
         Column::new("products_tangential", "", "the same with the tangential one", |step| {
-            step.convergence.products.tangential.into()
+            step.products.tangential.into()
         }),
     ];
+
+    /// The columns of its errors; undefined where there are none.
+    pub const ERROR_COLUMNS: &'static [Column<Self>] = &[
+        Column::new("zeta_error", "m", "estimated error of zeta by the mesh", |step| {
+            step.error(|all| &all.zeta)
+        }),
+        Column::new("xi_error", "m", "the same of xi", |step| step.error(|all| &all.xi)),
+        Column::new("eta_error", "m", "of eta", |step| step.error(|all| &all.eta)),
+        Column::new("omega_error", "rad", "of omega", |step| step.error(|all| &all.omega)),
+        Column::new("F_x_error", "N", "of F_x", |step| step.error(|all| &all.f_x)),
+        Column::new("F_y_error", "N", "of F_y", |step| step.error(|all| &all.f_y)),
+        Column::new("F_z_error", "N", "of F_z", |step| step.error(|all| &all.f_z)),
+        Column::new("M_z_error", "N m", "of M_z", |step| step.error(|all| &all.m_z)),
+        Column::new("p_max_error", "Pa", "of p_max", |step| step.error(|all| &all.peak)),
+        Column::new("contact_area_error", "m2", "of contact_area, at most", |step| {
+            step.error(|all| &all.contact_area)
+        }),
+        Column::new("stick_area_error", "m2", "of stick_area, at most", |step| {
+            step.error(|all| &all.stick_area)
+        }),
+    ];
+}
+
+/// Numbers without errors, and errors.
+const OWN: usize = 18;
+const ERRORS: usize = 11;
+
+/// Errors in the order of the columns.
+fn errors(all: &Estimates) -> [f64; ERRORS] {
+    [
+        all.zeta,
+        all.xi,
+        all.eta,
+        all.omega,
+        all.f_x,
+        all.f_y,
+        all.f_z,
+        all.m_z,
+        all.peak,
+        all.contact_area,
+        all.stick_area,
+    ]
+    .map(|one| one.error)
 }

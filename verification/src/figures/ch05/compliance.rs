@@ -3,6 +3,7 @@
 use std::f64::consts::TAU;
 
 use carom_halfspace::{Material, MaterialPair};
+use carom_laws::accounted::Accounted;
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
@@ -108,7 +109,7 @@ fn law_claim(figure: &mut Figure) -> Result<(), Failure> {
     let pair = MaterialPair::new(body, body)?;
     let gap = RelativeCurvature::from_coefficients(1.0, 0.4)?;
     let hertz = Hertz::new(gap, pair)?;
-    let mut law = TorsionLaw::new(&hertz, Friction::new(f64::INFINITY)?)?;
+    let mut law = Accounted::new(TorsionLaw::new(&hertz, Friction::new(f64::INFINITY)?)?);
     let stiffness = |zeta: f64| -> Result<f64, Failure> {
         let ellipse = hertz.ellipse(zeta)?;
         let (a, b) = (ellipse.semi_axis_a(), ellipse.semi_axis_b());
@@ -125,7 +126,7 @@ fn law_claim(figure: &mut Figure) -> Result<(), Failure> {
     pairs.push((load.m_z / (1e-3 * first + 2e-3 * second), 1.0));
     // Discs of the first compression carry 3e-3, those that joined 2e-3.
     let energy = 0.5 * (9e-6 * first + 4e-6 * (second - first));
-    pairs.push((law.twist_energy() / energy, 1.0));
+    pairs.push((law.law().twist_energy() / energy, 1.0));
     pairs.push((law.dissipated() / energy, 0.0));
     figure
         .all_close(

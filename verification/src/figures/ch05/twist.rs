@@ -3,6 +3,7 @@
 use std::f64::consts::{PI, TAU};
 
 use carom_halfspace::{Material, MaterialPair};
+use carom_laws::accounted::Accounted;
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
@@ -187,14 +188,14 @@ fn energy_claims(figure: &mut Figure) -> Result<(), Failure> {
     let rule = GaussLegendre::new(60)?;
     let mut pairs = Vec::new();
     for twist in [0.05, 0.2, 0.6] {
-        let mut law = TorsionLaw::new(&hertz, Friction::new(friction)?)?;
+        let mut law = Accounted::new(TorsionLaw::new(&hertz, Friction::new(friction)?)?);
         law.advance(Shift { zeta, ..Shift::default() })?;
         let torque = law.advance(Shift { zeta, omega: twist * unit, ..Shift::default() })?.m_z;
         let end = exact(twist)?;
         let sum = rule.integrate(0.0, twist, |at| exact(at).unwrap_or(f64::NAN));
         let scale = limit * a * unit * twist;
         pairs.push((torque / (limit * a), end));
-        pairs.push((law.twist_energy() / scale, (end * twist - sum) / twist));
+        pairs.push((law.law().twist_energy() / scale, (end * twist - sum) / twist));
         pairs.push((law.dissipated() / scale, (2.0 * sum - end * twist) / twist));
     }
     figure

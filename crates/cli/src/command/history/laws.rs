@@ -6,54 +6,51 @@ use carom_laws::friction::Friction;
 use carom_laws::hertz::{Hertz, HertzState};
 use carom_laws::law::{ContactLaw as _, ContactLoad, Energies as _, Shift};
 use carom_laws::shift_law::ShiftLaw;
-use carom_laws::torsion::law::TorsionLaw;
+use carom_laws::torsion::law::{ShiftTwistLaw, TorsionLaw};
 use carom_special::RangeError;
 
-/// Shift and twist of one contact, each as if the other were absent.
+/// The law of a contact, and what else is told of it.
 #[derive(Debug, Clone)]
 pub(super) struct Laws {
     hertz: Hertz,
-    shift: Accounted<ShiftLaw<[f64; 2]>>,
-    torsion: Option<TorsionLaw>,
+    law: Accounted<ShiftTwistLaw>,
+    /// Whether any step twists.
+    twists: bool,
     contact: Option<HertzState>,
 }
 
 impl Laws {
-    /// The laws that these steps need: without twist there is no torsion.
+    /// At rest, before these steps.
     pub(super) fn new(
         case: &HistoryCase,
         friction: Friction,
         steps: &[Shift],
     ) -> Result<Self, RangeError> {
-        let torsion = match steps.iter().any(|step| step.omega != 0.0) {
-            true => Some(TorsionLaw::new(&case.hertz, friction)?),
-            false => None,
-        };
         let stiffness = case.hertz.stiffness();
         let shift = match case.law {
             TurningLaw::Coulomb(allowed) => ShiftLaw::with_tolerance(stiffness, friction, allowed),
             TurningLaw::FixedDirection => ShiftLaw::of_chapter_7(stiffness, friction),
         };
-        let shift = Accounted::new(shift);
-        Ok(Self { hertz: case.hertz, shift, torsion, contact: None })
+        let torsion = TorsionLaw::new(&case.hertz, friction)?;
+        let law = Accounted::new(ShiftTwistLaw::of(shift, torsion)?);
+        let twists = steps.iter().any(|step| step.omega != 0.0);
+        Ok(Self { hertz: case.hertz, law, twists, contact: None })
     }
 
     pub(super) fn advance(&mut self, step: Shift) -> Result<(), RangeError> {
-        self.shift.advance(step)?;
-        if let Some(torsion) = &mut self.torsion {
-            torsion.advance(step)?;
-        }
+        self.law.advance(step)?;
         let zeta = step.zeta;
         self.contact = if zeta > 0.0 { Some(self.hertz.at_approach(zeta)?) } else { None };
         Ok(())
     }
 
     pub(super) fn shift(&self) -> &ShiftLaw<[f64; 2]> {
-        self.shift.law()
+        self.law.law().tangential()
     }
 
+    /// The law of the twist, if there is one.
     pub(super) fn torsion(&self) -> Option<&TorsionLaw> {
-        self.torsion.as_ref()
+        self.twists.then(|| self.law.law().torsion())
     }
 
     /// The contact area and pressure; none while the bodies are apart.
@@ -62,20 +59,18 @@ impl Laws {
     }
 
     pub(super) fn present(&self) -> Shift {
-        self.shift.shift()
+        self.law.shift()
     }
 
     pub(super) fn load(&self) -> ContactLoad {
-        let m_z = self.torsion.as_ref().map_or(0.0, |law| law.load().m_z);
-        ContactLoad { m_z, ..self.shift.load() }
+        self.law.load()
     }
 
     pub(super) fn stored_energy(&self) -> f64 {
-        let twist = self.torsion.as_ref().map_or(0.0, TorsionLaw::twist_energy);
-        self.shift.stored_energy() + twist
+        self.law.stored_energy()
     }
 
     pub(super) fn dissipated(&self) -> f64 {
-        self.shift.dissipated() + self.torsion.as_ref().map_or(0.0, |law| law.dissipated())
+        self.law.dissipated()
     }
 }

@@ -17,12 +17,13 @@ use crate::command::theory::{Excess, caution};
 use crate::command::{self, CaseArguments};
 use crate::destination::{Destination, check_output};
 use crate::error::CliError;
+use crate::input::CaseFile;
 use crate::output::{Answer, Format, json};
 use carom_laws::law::Shift;
 use carom_laws::stiffness::ContactStiffness;
 use follow::{Wanted, follow};
-use std::path::Path;
-use view::Step;
+use std::path::{Path, PathBuf};
+pub use view::{Step, all_columns};
 
 /// Loads of a contact along a history of shifts and twists, with memory.
 ///
@@ -47,9 +48,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let case = file.parse(HistoryCase::parse)?;
     let shifts = match &case.steps {
         Steps::Inline(shifts) => shifts.clone(),
-        Steps::File(name) => {
-            steps_beside(arguments, &path.parent().unwrap_or(Path::new("")).join(name))?
-        }
+        Steps::File(name) => steps_beside(arguments, &beside(path, name))?,
     };
     let radii = arguments.tractions.map_or(0, |count| count as usize);
     let followed = follow(&case, &shifts, Wanted { radii, picture: plot.is_some() }, |source| {
@@ -77,6 +76,26 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let excesses: Vec<Excess> =
         history.iter().map(|step| Excess::of_contact(step.shift.zeta, radius)).collect();
     Ok(answer.cautioned(caution(&excesses, "steps"), format))
+}
+
+/// The contact after each step of a history; files that the case names lie beside it.
+///
+/// # Errors
+/// If the case is bad, a file cannot be read, or a law refuses a value.
+pub fn followed(file: &CaseFile) -> Result<Vec<Step>, CliError> {
+    let case = file.parse(HistoryCase::parse)?;
+    let shifts = match &case.steps {
+        Steps::Inline(shifts) => shifts.clone(),
+        Steps::File(name) => read_steps(&beside(&file.path, name))?,
+    };
+    let at_fault = |source| CliError::Law { path: file.path.clone(), source };
+    let wanted = Wanted { radii: 0, picture: false };
+    Ok(follow(&case, &shifts, wanted, at_fault)?.steps)
+}
+
+/// A file that a case names.
+fn beside(case: &Path, name: &Path) -> PathBuf {
+    case.parent().unwrap_or(Path::new("")).join(name)
 }
 
 /// What the rows hold.

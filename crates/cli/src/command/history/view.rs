@@ -14,9 +14,9 @@ use carom_special::linspace;
 use carom_table::Column;
 use serde::Serialize;
 
-/// The contact after a step. SI units; loads act on body 1.
+/// The contact after a step of a history. SI units; loads act on body 1.
 #[derive(Debug, Clone)]
-pub(super) struct Step {
+pub struct Step {
     pub(super) step: f64,
     pub(super) shift: Shift,
     pub(super) load: ContactLoad,
@@ -75,10 +75,16 @@ pub(super) const TWIST_COLUMNS: &[Column<Step>] = &[
     }),
 ];
 
+/// The columns of any history; what only a twist has is absent without one.
+#[must_use]
+pub fn all_columns() -> Vec<Column<Step>> {
+    [COLUMNS, TWIST_COLUMNS].concat()
+}
+
 /// The columns of this history.
 pub(super) fn columns(history: &[Step]) -> Vec<Column<Step>> {
     match history.iter().any(|step| step.twist.is_some()) {
-        true => [COLUMNS, TWIST_COLUMNS].concat(),
+        true => all_columns(),
         false => COLUMNS.to_vec(),
     }
 }

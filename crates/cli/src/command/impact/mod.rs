@@ -12,10 +12,11 @@ use crate::command::theory::{self, caution};
 use crate::command::{self, CaseArguments};
 use crate::destination::Destination;
 use crate::error::CliError;
+use crate::input::CaseFile;
 use crate::output::{Answer, Format, Picture, json};
-use carom_impact::{CollisionError, HistoryPoint, NumericalImpact, NumericalImpactError};
+use carom_impact::{CollisionError, HistoryPoint, NumericalImpact, NumericalImpactError, Outcome};
 use rayon::prelude::*;
-use std::path::PathBuf;
+use std::path::{Path, PathBuf};
 use view::{Parameter, Record};
 
 /// Impact of two bodies of any smooth shape from a case file.
@@ -69,11 +70,11 @@ fn impacts(
         return Err(CliError::Options("--history takes a case with one impact, not a sweep"));
     }
     let mut outcomes = match sweep {
-        Some((_, values)) => records(arguments, file, values)?,
-        None => vec![followed(arguments, None, file.nominal())?],
+        Some((_, values)) => records(path, file, values)?,
+        None => vec![record(path, None, file.nominal())?],
     };
     if let (Some(count), [record]) = (arguments.history, outcomes.as_mut_slice()) {
-        record.history = Some(course(arguments, file, count as usize)?);
+        record.history = Some(course(path, file, count as usize)?);
     }
     let rows: Vec<_> = outcomes.iter().map(|record| view::cells(Some(record))).collect();
     // The number that is swept over may be infinite, as friction.
@@ -103,68 +104,93 @@ fn impacts(
     Ok(answer.cautioned(caution(&excesses, several(&outcomes)), format))
 }
 
+/// The impacts of a case.
+#[derive(Debug)]
+pub struct Followed {
+    /// Name, unit and values of the number that is swept over, if there is one.
+    pub swept: Option<(&'static str, &'static str, Vec<f64>)>,
+    /// What came of each.
+    pub outcomes: Vec<Outcome>,
+}
+
+/// The impact of a case, or all of its sweep, in parallel.
+///
+/// # Errors
+/// If the case is bad, has `[uncertainty]`, or an impact cannot be followed.
+pub fn followed(file: &CaseFile) -> Result<Followed, CliError> {
+    let (path, file) = (&file.path, file.parse(ImpactFile::parse)?);
+    if file.uncertainty().is_some() {
+        return Err(CliError::Options("a case with [uncertainty] is for `carom impact` alone"));
+    }
+    let Some((input, values)) = file.sweep() else {
+        return Ok(Followed { swept: None, outcomes: vec![outcome(path, file.nominal())?] });
+    };
+    let outcome = |value: &f64| outcome(path, &swept(path, &file, *value)?);
+    let outcomes = values.par_iter().map(outcome).collect::<Result<_, _>>()?;
+    let Parameter { name, unit, .. } = Parameter::of(input, 0.0);
+    Ok(Followed { swept: Some((name, unit, values.to_vec())), outcomes })
+}
+
 /// The impacts of a sweep over these values, in their order.
-fn records(
-    arguments: &Arguments,
-    file: &ImpactFile<'_>,
-    values: &[f64],
-) -> Result<Vec<Record>, CliError> {
+fn records(path: &Path, file: &ImpactFile<'_>, values: &[f64]) -> Result<Vec<Record>, CliError> {
     let input = file.sweep().map(|(input, _)| input);
     let record = |value: &f64| {
-        let case = file.case(&[*value]).map_err(|source| refused(arguments, source))?;
-        followed(arguments, input.map(|input| Parameter::of(input, *value)), &case)
+        let parameter = input.map(|input| Parameter::of(input, *value));
+        record(path, parameter, &swept(path, file, *value)?)
     };
     values.par_iter().map(record).collect()
 }
 
-fn followed(
-    arguments: &Arguments,
+/// The case at a value of its sweep.
+fn swept(path: &Path, file: &ImpactFile<'_>, value: f64) -> Result<ImpactCase, CliError> {
+    file.case(&[value]).map_err(|source| refused(path, source))
+}
+
+fn record(
+    path: &Path,
     parameter: Option<Parameter>,
     case: &ImpactCase,
 ) -> Result<Record, CliError> {
-    let outcome = match case.contact.is_numerical {
-        true => NumericalImpact::new(&case.collision)
-            .solve()
-            .map_err(|source| on_grid(arguments, source))?,
-        false => case.collision.solve().map_err(|source| blamed(arguments, case, source))?,
-    };
-    Ok(Record::new(parameter, case.clone(), outcome))
+    Ok(Record::new(parameter, case.clone(), outcome(path, case)?))
 }
 
-fn course(
-    arguments: &Arguments,
-    file: &ImpactFile<'_>,
-    count: usize,
-) -> Result<Vec<HistoryPoint>, CliError> {
+fn outcome(path: &Path, case: &ImpactCase) -> Result<Outcome, CliError> {
+    match case.contact.is_numerical {
+        true => {
+            NumericalImpact::new(&case.collision).solve().map_err(|source| on_grid(path, source))
+        }
+        false => case.collision.solve().map_err(|source| blamed(path, case, source)),
+    }
+}
+
+fn course(path: &Path, file: &ImpactFile<'_>, count: usize) -> Result<Vec<HistoryPoint>, CliError> {
     let case = file.nominal();
     let history = match case.contact.is_numerical {
         true => NumericalImpact::new(&case.collision)
             .history(count)
-            .map_err(|source| on_grid(arguments, source))?,
-        false => case.collision.history(count).map_err(|source| blamed(arguments, case, source))?,
+            .map_err(|source| on_grid(path, source))?,
+        false => case.collision.history(count).map_err(|source| blamed(path, case, source))?,
     };
-    columns::check(&arguments.given.case, HistoryPoint::COLUMNS, &history)?;
+    columns::check(path, HistoryPoint::COLUMNS, &history)?;
     Ok(history)
 }
 
 /// The case is to blame for torsion that cannot be given.
-fn blamed(arguments: &Arguments, case: &ImpactCase, source: CollisionError) -> CliError {
+fn blamed(path: &Path, case: &ImpactCase, source: CollisionError) -> CliError {
     match (source, case.contact.torsion) {
         (CollisionError::NormalSpin(source), Some(line)) => {
-            refused(arguments, CaseError::Torsion { line, source: Box::new(source) })
+            refused(path, CaseError::Torsion { line, source: Box::new(source) })
         }
-        (source, _) => {
-            CliError::Collision { path: arguments.given.case.clone(), source: Box::new(source) }
-        }
+        (source, _) => CliError::Collision { path: path.to_owned(), source: Box::new(source) },
     }
 }
 
-fn on_grid(arguments: &Arguments, source: NumericalImpactError) -> CliError {
-    CliError::Numerical { path: arguments.given.case.clone(), source: Box::new(source) }
+fn on_grid(path: &Path, source: NumericalImpactError) -> CliError {
+    CliError::Numerical { path: path.to_owned(), source: Box::new(source) }
 }
 
-fn refused(arguments: &Arguments, source: CaseError) -> CliError {
-    CliError::Case { path: arguments.given.case.clone(), source }
+fn refused(path: &Path, source: CaseError) -> CliError {
+    CliError::Case { path: path.to_owned(), source }
 }
 
 fn scatter(
@@ -196,13 +222,14 @@ fn draw(
     if given.iter().all(|record| record.rebound().is_none()) {
         return Ok(None);
     }
+    let path = &arguments.given.case;
     if let (Some(_), [record]) = (&arguments.animate, given) {
-        return Ok(Some(movie::movie(record, &course(arguments, file, movie::INSTANTS)?)));
+        return Ok(Some(movie::movie(record, &course(path, file, movie::INSTANTS)?)));
     }
     let Some((input, values)) = file.sweep() else {
-        return Ok(Some(plot::course(&course(arguments, file, plot::INSTANTS)?)));
+        return Ok(Some(plot::course(&course(path, file, plot::INSTANTS)?)));
     };
-    let between = records(arguments, file, &plot::between(values))?;
+    let between = records(path, file, &plot::between(values))?;
     Ok(Some(plot::sweep(input, &between, given)))
 }
 

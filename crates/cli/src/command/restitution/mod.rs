@@ -7,12 +7,13 @@ mod tensor;
 use crate::columns;
 use crate::destination::Destination;
 use crate::error::CliError;
+use crate::manner::Messages;
 use crate::output::{Answer, Format, Results};
 use crate::range::Values;
 use carom_impact::oblique::Groups;
 use carom_special::RangeError;
 use carom_table::Column;
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use indicatif::ProgressBar;
 use rayon::prelude::*;
 use rows::{MOST_TO_READ, Printer, Row};
 use std::path::PathBuf;
@@ -126,7 +127,11 @@ impl Plane<'_> {
     }
 }
 
-pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
+pub(super) fn run(
+    arguments: &Arguments,
+    messages: &Messages,
+    results: &mut Results,
+) -> Result<Answer, CliError> {
     let plane = Plane::of(arguments);
     let to = |option, path: &Option<PathBuf>| {
         let to = |path: &PathBuf| Destination::new(option, path, arguments.format, &[]);
@@ -142,7 +147,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
         ));
     }
     plane.check()?;
-    let values = follow(&plane, arguments, map.is_some(), results)?;
+    let values = follow(&plane, arguments, map.is_some(), messages, results)?;
     let picture = match (lines, map) {
         (Some(to), _) => Some((to, plot::lines(&plane)?)),
         (_, Some(to)) => Some((to, plot::map(values, &plane)?)),
@@ -156,6 +161,7 @@ fn follow(
     plane: &Plane<'_>,
     arguments: &Arguments,
     is_mapped: bool,
+    messages: &Messages,
     results: &mut Results,
 ) -> Result<Vec<f64>, CliError> {
     let ratio = arguments.velocity_ratio.map(tensor::velocity_ratio).transpose()?;
@@ -165,7 +171,10 @@ fn follow(
         return Ok(values);
     }
     let mut printer = Printer::new(arguments.format, plane, arguments.tensor);
-    let bar = progress(plane.count());
+    let bar = match plane.count() {
+        ..MANY => ProgressBar::hidden(),
+        count => messages.bar(count, "impacts"),
+    };
     for from in (0..plane.count()).step_by(BLOCK) {
         let rows = (from..plane.count().min(from + BLOCK))
             .into_par_iter()
@@ -186,17 +195,4 @@ fn follow(
     bar.finish_and_clear();
     printer.finish(results)?;
     Ok(values)
-}
-
-/// A bar for many impacts; it hides where standard error is no terminal.
-fn progress(count: usize) -> ProgressBar {
-    if count < MANY {
-        return ProgressBar::hidden();
-    }
-    let target = ProgressDrawTarget::stderr_with_hz(10);
-    let bar = ProgressBar::with_draw_target(Some(count as u64), target);
-    match ProgressStyle::with_template("{bar:40} {pos}/{len} impacts, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
-    }
 }

@@ -1,10 +1,9 @@
 //! Stresses below the contact at the end.
 
-use super::view::Step;
 use crate::case::SolveCase;
 use crate::error::CliError;
 use carom_halfspace::{Material, Stress};
-use carom_solver::{ContactState, Subsurface};
+use carom_solver::{ContactState, StepSummary, Subsurface};
 use carom_special::RangeError;
 use carom_special::linspace;
 use carom_table::Column;
@@ -40,7 +39,7 @@ pub(super) fn along_normal(
     path: &Path,
     case: &SolveCase,
     state: &ContactState,
-    last: &Step,
+    last: &StepSummary,
     count: usize,
 ) -> Result<Vec<Below>, CliError> {
     let failed = |source| CliError::Law { path: path.to_owned(), source };

@@ -7,72 +7,31 @@ use carom_solver::{
     ContactProblem, ContactState, Convergence, DirectError, Drive, Frictional, FrictionalError,
     FrictionalScratch, Method, Observer,
 };
+use std::sync::Arc;
 
 /// A method with its working memory.
-#[derive(Clone)]
 struct At<M: Method> {
     method: M,
     scratch: M::Scratch,
 }
 
-/// One of the older methods.
-#[derive(Clone)]
-enum Classic {
-    /// The program of chapter 12.
-    GaussSeidel(At<GaussSeidel>),
-    /// Gauss and Seidel's with exact friction in each cell.
-    Discs(At<DiscGaussSeidel>),
-    /// Johnson's process.
-    Johnson(At<Johnson>),
-    /// Panagiotopoulos's process.
-    Panagiotopoulos(At<Panagiotopoulos>),
-    /// KOMBI.
-    Kombi(At<Kombi>),
-}
-
-impl<M: Method> At<M> {
-    fn new(method: M, problem: &ContactProblem) -> Result<Self, M::Error> {
-        Ok(Self { scratch: method.scratch(problem)?, method })
-    }
-
-    /// With memory as it was made, so that a resumed run gives the same bits.
+/// One of the older methods with what it needs.
+trait Classic: Send + Sync {
+    /// A step with memory as it was made, so that a resumed run gives the same bits.
     fn step(
         &self,
         problem: &ContactProblem,
         from: &ContactState,
         drive: &Drive,
         to: &mut ContactState,
-    ) -> Result<Convergence, M::Error> {
-        self.method.step(problem, from, drive, to, &mut self.scratch.clone(), &mut ())
-    }
+    ) -> Result<Convergence, DirectError>;
 }
 
-impl Classic {
-    /// The method with its memory; none if it is that of today.
-    fn of(
-        method: SolveMethod,
-        tolerance: Option<f64>,
-        problem: &ContactProblem,
-    ) -> Result<Option<Self>, DirectError> {
-        macro_rules! made {
-            ($variant:ident, $method:expr) => {{
-                let method = match tolerance {
-                    Some(tolerance) => $method.within(tolerance)?,
-                    None => $method,
-                };
-                Self::$variant(At::new(method, problem)?)
-            }};
-        }
-        Ok(Some(match method {
-            SolveMethod::Newton => return Ok(None),
-            SolveMethod::GaussSeidel => made!(GaussSeidel, GaussSeidel::default()),
-            SolveMethod::Discs => made!(Discs, DiscGaussSeidel::default()),
-            SolveMethod::Johnson => made!(Johnson, Johnson::default()),
-            SolveMethod::Panagiotopoulos => made!(Panagiotopoulos, Panagiotopoulos::default()),
-            SolveMethod::Kombi => made!(Kombi, Kombi::default()),
-        }))
-    }
-
+impl<M> Classic for At<M>
+where
+    M: Method<Error = DirectError> + Send + Sync + 'static,
+    M::Scratch: Clone + Send + Sync,
+{
     fn step(
         &self,
         problem: &ContactProblem,
@@ -80,14 +39,33 @@ impl Classic {
         drive: &Drive,
         to: &mut ContactState,
     ) -> Result<Convergence, DirectError> {
-        match self {
-            Self::GaussSeidel(at) => at.step(problem, from, drive, to),
-            Self::Discs(at) => at.step(problem, from, drive, to),
-            Self::Johnson(at) => at.step(problem, from, drive, to),
-            Self::Panagiotopoulos(at) => at.step(problem, from, drive, to),
-            Self::Kombi(at) => at.step(problem, from, drive, to),
-        }
+        self.method.step(problem, from, drive, to, &mut self.scratch.clone(), &mut ())
     }
+}
+
+/// The method with its memory; none if it is that of today.
+fn classic(
+    method: SolveMethod,
+    tolerance: Option<f64>,
+    problem: &ContactProblem,
+) -> Result<Option<Arc<dyn Classic>>, DirectError> {
+    macro_rules! made {
+        ($method:expr) => {{
+            let method = match tolerance {
+                Some(tolerance) => $method.within(tolerance)?,
+                None => $method,
+            };
+            Arc::new(At { scratch: method.scratch(problem)?, method })
+        }};
+    }
+    Ok(Some(match method {
+        SolveMethod::Newton => return Ok(None),
+        SolveMethod::GaussSeidel => made!(GaussSeidel::default()),
+        SolveMethod::Discs => made!(DiscGaussSeidel::default()),
+        SolveMethod::Johnson => made!(Johnson::default()),
+        SolveMethod::Panagiotopoulos => made!(Panagiotopoulos::default()),
+        SolveMethod::Kombi => made!(Kombi::default()),
+    }))
 }
 
 /// The method that a case asks for.
@@ -115,7 +93,7 @@ pub(super) struct Working(Kind);
 #[derive(Clone)]
 enum Kind {
     Today(Box<FrictionalScratch>),
-    Classic(Box<Classic>),
+    Classic(Arc<dyn Classic>),
 }
 
 impl Method for Chosen {
@@ -123,8 +101,8 @@ impl Method for Chosen {
     type Scratch = Working;
 
     fn scratch(&self, problem: &ContactProblem) -> Result<Working, ChosenError> {
-        Ok(Working(match Classic::of(self.method, self.tolerance, problem)? {
-            Some(classic) => Kind::Classic(Box::new(classic)),
+        Ok(Working(match classic(self.method, self.tolerance, problem)? {
+            Some(classic) => Kind::Classic(classic),
             None => Kind::Today(Box::new(self.today.scratch(problem)?)),
         }))
     }

@@ -9,6 +9,7 @@ use crate::case::{SolveCase, SolveMethod};
 use crate::columns::{self, Record};
 use crate::error::CliError;
 use crate::input::CaseFile;
+use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
 use carom_laws::law::Shift;
 use carom_solver::jaeger::{DiscGaussSeidel, GaussSeidel};
@@ -29,7 +30,7 @@ const MOST: [usize; 3] = [2000, 500, 150];
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each method", COLUMNS))]
 pub(in crate::command) struct Arguments {
-    /// The case file.
+    /// The case file; - is standard input.
     #[arg(value_name = "CASE.toml")]
     case: PathBuf,
     /// Format of the results.
@@ -136,14 +137,17 @@ fn difference(a: &ContactState, b: &ContactState) -> f64 {
     differences.fold(0.0, f64::max) / largest(a.pressure.values()).max(f64::MIN_POSITIVE)
 }
 
-pub(in crate::command) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+pub(in crate::command) fn run(
+    arguments: &Arguments,
+    messages: &Messages,
+) -> Result<Answer, CliError> {
     let file = CaseFile::read(&arguments.case)?;
     // The one that the case asks for is among all.
     let case = SolveCase { method: SolveMethod::Newton, ..file.parse(SolveCase::parse)? };
     let bodies = Bodies::of(&file.path, &case)?;
     let run = Run::new(&file.path, &case, &bodies)?;
     let (problem, method) = (run.problem().clone(), run.method());
-    let followed = run.follow(Found::default(), None)?;
+    let followed = run.follow(Found::default(), None, messages)?;
     let shifts = followed.steps.iter().map(|step| step.shift).collect();
     let touching = problem.grid().cells() - followed.state.count(CellState::Exterior);
     let path = Course { problem: &problem, shifts, want: followed.state, touching };

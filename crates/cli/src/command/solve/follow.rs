@@ -3,20 +3,19 @@
 use super::bodies::Bodies;
 use super::classic::{Chosen, ChosenError};
 use super::store::{Found, Saved, Store};
-use super::view::Step;
 use crate::case::{Border, GridCase, Leg, SolveCase, Target};
 use crate::error::CliError;
+use crate::manner::Messages;
 use carom_laws::law::{ContactLoad, Shift};
 use carom_solver::{
     Accuracy, CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalError,
-    NestedError, NestedHistory, ProblemError, StoredEnergy, Window, dissipated,
+    NestedError, NestedHistory, ProblemError, StepSummary, Window,
 };
-use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::path::Path;
 
 /// What a run leaves.
 pub(super) struct Followed {
-    pub(super) steps: Vec<Step>,
+    pub(super) steps: Vec<StepSummary>,
     pub(super) state: ContactState,
     pub(super) window: Window,
     /// How many steps were there before.
@@ -98,6 +97,7 @@ impl<'a> Run<'a> {
         mut self,
         found: Found,
         store: Option<&Store>,
+        messages: &Messages,
     ) -> Result<Followed, CliError> {
         let Found { mut steps, saved } = found;
         if let Some(Saved { state, coarse }) = saved {
@@ -106,13 +106,13 @@ impl<'a> Run<'a> {
         }
         let count = steps.len();
         let drives = self.case.legs.iter().map(|leg| leg.count).sum::<usize>();
-        let bar = progress(drives);
+        let bar = messages.bar(drives, "steps");
         bar.set_position(count as u64);
         bar.reset_eta();
         let (mut first, mut held) = (0, HELD);
         for leg in &self.case.legs {
             for number in first + 1..=first + leg.count {
-                let begin = if first == 0 { Step::default() } else { steps[first - 1] };
+                let begin = if first == 0 { StepSummary::default() } else { steps[first - 1] };
                 let drive = drive(leg, number - first, &begin, held);
                 if number > count {
                     let step = self.step(number, &drive, steps.last())?;
@@ -135,8 +135,8 @@ impl<'a> Run<'a> {
         &mut self,
         number: usize,
         drive: &Drive,
-        last: Option<&Step>,
-    ) -> Result<Step, CliError> {
+        last: Option<&StepSummary>,
+    ) -> Result<StepSummary, CliError> {
         let path = self.path;
         let before = self.history.state().clone();
         let went =
@@ -146,14 +146,11 @@ impl<'a> Run<'a> {
             return Err(CliError::Border { path: path.to_owned(), step: number, side });
         }
         let estimates = self.history.estimates();
-        let mut step = Step::of(number, state, &self.window, estimates.as_ref(), &went);
-        let stored = StoredEnergy::of(self.problem(), state);
-        step.stored_energy = stored
-            .map_err(|error| failed(path, number, FrictionalError::from(error).into()))?
-            .total();
-        let heat: f64 = dissipated(&before, state).values().iter().sum();
-        step.dissipated = last.map_or(0.0, |last| last.dissipated) + heat;
-        Ok(step)
+        let begin = last.copied().unwrap_or_default();
+        let step = begin
+            .next(self.problem(), [&before, state], &went)
+            .map_err(|error| failed(path, number, FrictionalError::from(error).into()))?;
+        Ok(step.with_middle_at(self.window.middle()).with_estimates(estimates.as_ref()))
     }
 
     /// Whether the contact must not reach the border.
@@ -185,7 +182,7 @@ fn ends(legs: &[Leg]) -> Vec<Drive> {
 }
 
 /// What drives a step of a leg that began at `begin`.
-fn drive(leg: &Leg, number: usize, begin: &Step, held: [Driven; 4]) -> Drive {
+fn drive(leg: &Leg, number: usize, begin: &StepSummary, held: [Driven; 4]) -> Drive {
     let part = number as f64 / leg.count as f64;
     let mix = |from: f64, to: f64| if number == leg.count { to } else { from + part * (to - from) };
     let Shift { zeta, xi, eta, omega } = begin.shift;
@@ -224,15 +221,5 @@ fn border(state: &ContactState) -> Option<&'static str> {
         () if columns.clone().any(|i| touches(i, 0)) => Some("lower"),
         () if columns.any(|i| touches(i, upper)) => Some("upper"),
         () => None,
-    }
-}
-
-/// A bar with the time left; it hides where standard error is no terminal.
-fn progress(count: usize) -> ProgressBar {
-    let target = ProgressDrawTarget::stderr_with_hz(5);
-    let bar = ProgressBar::with_draw_target(Some(count as u64), target);
-    match ProgressStyle::with_template("{bar:40} {pos}/{len} steps, {eta} left") {
-        Ok(style) => bar.with_style(style),
-        Err(_) => bar,
     }
 }

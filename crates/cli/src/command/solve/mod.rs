@@ -16,13 +16,16 @@ use crate::case::{GridCase, SolveCase};
 use crate::columns::{self, Record};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
+use crate::input::CaseFile;
+use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
 use bodies::Bodies;
-use carom_solver::{Accuracy, Doubt, Estimates};
+use carom_solver::{Accuracy, ContactState, Doubt, Estimates, StepSummary, Window};
 use follow::{Followed, Run};
 use serde::Serialize;
 use std::path::PathBuf;
 use store::{Found, Store};
+pub use view::columns as solve_columns;
 
 /// A contact with friction on a grid: any gap, any materials, any history.
 ///
@@ -55,7 +58,7 @@ pub(super) struct Arguments {
 
 /// What the rows hold.
 fn help() -> String {
-    let steps = columns::help("A row for each step", view::COLUMNS);
+    let steps = columns::help("A row for each step", &view::columns());
     let depths = columns::help("With --depths as CSV, a row for each depth", below::COLUMNS);
     format!("{steps}\n{depths}")
 }
@@ -63,11 +66,11 @@ fn help() -> String {
 /// Steps, and stresses below the last one, as they stand in JSON.
 #[derive(Serialize)]
 struct Both<'a> {
-    steps: Vec<Record<'a, view::Step>>,
+    steps: Vec<Record<'a, StepSummary>>,
     depths: Vec<Record<'a, below::Below>>,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     if let Some(accuracy) = arguments.accuracy {
         Accuracy::new(accuracy)?;
@@ -75,10 +78,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let case = file.parse(|source| SolveCase::parse_to(source, arguments.accuracy))?;
     let bodies = Bodies::of(&file.path, &case)?;
     let run = Run::new(&file.path, &case, &bodies)?;
-    let text =
-        std::fs::read(&file.path).map_err(|error| CliError::io("read", &file.path, error))?;
     let accuracy = arguments.accuracy.map(f64::to_le_bytes).unwrap_or_default();
-    let inputs = [text.as_slice(), bodies.read(), &accuracy];
+    let inputs = [file.text().as_bytes(), bodies.read(), &accuracy];
     let store = arguments.keep.as_ref().map(|folder| Store::open(folder, &inputs)).transpose()?;
     let found = match &store {
         Some(store) if arguments.resume => {
@@ -90,9 +91,11 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         }
         None => Found::default(),
     };
-    let followed = run.follow(found, store.as_ref())?;
+    let followed = run.follow(found, store.as_ref(), messages)?;
     let (steps, format) = (&followed.steps, arguments.given.format);
-    columns::check(&file.path, view::COLUMNS, steps)?;
+    let all = view::columns();
+    columns::check(&file.path, &all, steps)?;
+    let records = || steps.iter().map(|step| Record::new(&all, step)).collect::<Vec<_>>();
     let stresses = match (arguments.depths, steps.last()) {
         (Some(count), Some(last)) => {
             below::along_normal(&file.path, &case, &followed.state, last, count as usize)?
@@ -101,17 +104,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     };
     let depths = || columns::rows(format, below::COLUMNS, &stresses);
     let text = match (format, arguments.depths) {
-        (Format::Json, None) => json(&view::records(steps))?,
+        (Format::Json, None) => json(&records())?,
         (Format::Json, Some(_)) => json(&Both {
-            steps: view::records(steps),
+            steps: records(),
             depths: stresses.iter().map(|row| Record::new(below::COLUMNS, row)).collect(),
         })?,
         (Format::Table, depth) => {
-            let rows = columns::rows(format, &view::readable(), steps)? + &view::errors(steps);
+            let rows = columns::rows(format, view::readable(), steps)? + &view::errors(steps);
             if depth.is_some() { rows + &depths()? } else { rows }
         }
         (_, Some(_)) => depths()?,
-        (_, None) => columns::rows(format, view::COLUMNS, steps)?,
+        (_, None) => columns::rows(format, &all, steps)?,
     };
     let mut warnings = Vec::new();
     if followed.found > 0 {
@@ -126,6 +129,33 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     Ok(Answer { text, warnings, picture, ..Answer::default() })
 }
 
+/// A contact on a grid after all its steps.
+#[derive(Debug)]
+pub struct Solved {
+    /// A row for each.
+    pub steps: Vec<StepSummary>,
+    /// At the end.
+    pub state: ContactState,
+    /// Where the cells are.
+    pub window: Window,
+}
+
+/// Solves a case, to `accuracy` if one is given, whatever the case says of its grid.
+///
+/// # Errors
+/// If the case is bad, a file that it names cannot be read, or a step cannot be solved.
+pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<Solved, CliError> {
+    if let Some(accuracy) = accuracy {
+        Accuracy::new(accuracy)?;
+    }
+    let case = file.parse(|source| SolveCase::parse_to(source, accuracy))?;
+    let bodies = Bodies::of(&file.path, &case)?;
+    let run = Run::new(&file.path, &case, &bodies)?;
+    let Followed { steps, state, window, .. } =
+        run.follow(Found::default(), None, &Messages::QUIET)?;
+    Ok(Solved { steps, state, window })
+}
+
 /// A warning if few cells lie across the contact.
 fn doubts(followed: &Followed) -> Option<String> {
     let across = followed.state.doubts().into_iter().find_map(|doubt| match doubt {
@@ -133,7 +163,7 @@ fn doubts(followed: &Followed) -> Option<String> {
         Doubt::Border { .. } => None,
     })?;
     let last = followed.steps.last()?;
-    let error = last.estimates().map(|all| Estimates::worst(&[all]));
+    let error = last.estimates.map(|all| Estimates::worst(&[all]));
     let error = error.map_or_else(
         || "there is no estimate of the error".to_owned(),
         |error| format!("loads and shifts may be off by {:.1} %", 100.0 * error),
@@ -143,9 +173,9 @@ fn doubts(followed: &Followed) -> Option<String> {
 
 /// A warning if steps between the ends of the legs, or from one to the next, have greater errors than
 /// was asked for.
-fn unreached(case: &SolveCase, steps: &[view::Step]) -> Option<String> {
+fn unreached(case: &SolveCase, steps: &[StepSummary]) -> Option<String> {
     let GridCase::Accuracy(accuracy) = case.grid else { return None };
-    let all: Option<Vec<Estimates>> = steps.iter().map(view::Step::estimates).collect();
+    let all: Option<Vec<Estimates>> = steps.iter().map(|step| step.estimates).collect();
     let reached = all.map_or(f64::INFINITY, |all| Estimates::worst(&all));
     (reached > accuracy).then(|| {
         format!("estimated errors reach {reached:.1e} on the way, above {accuracy}; ask for more")

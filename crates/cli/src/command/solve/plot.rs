@@ -1,21 +1,24 @@
 //! The picture of a solution.
 
 use super::follow::Followed;
-use super::view::Step;
 use crate::case::SolveCase;
 use crate::command::plot::Course;
 use crate::error::CliError;
 use crate::output::Picture;
 use carom_plot::{Arrow, Axis, Field, Marker, Panel, Point, Series};
-use carom_solver::{CellState, ContactState, Contour};
+use carom_solver::{CellState, ContactState, Contour, StepSummary};
 
 /// Arrows along an axis, at most.
 const MOST_ARROWS: usize = 40;
 
 pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, CliError> {
     let steps = followed.steps.as_slice();
-    let course =
-        Course { records: steps, marked: steps, label: "step", at: |step: &Step| step.step };
+    let course = Course {
+        records: steps,
+        marked: steps,
+        label: "step",
+        at: |step: &StepSummary| step.step as f64,
+    };
     let (state, f) = (&followed.state, case.friction);
     let mut panels = Vec::new();
     if steps.len() > 1 {

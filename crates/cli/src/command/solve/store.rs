@@ -3,14 +3,14 @@
 
 use super::classic::Chosen;
 use super::npz::{self, Array};
-use super::view::{COLUMNS, NUMBERS, Step};
+use super::view;
 use crate::columns;
 use crate::destination::Aside;
 use crate::error::CliError;
 use crate::output::Format;
 use carom_halfspace::{Field, Grid};
 use carom_laws::law::Shift;
-use carom_solver::{CellState, ContactState, NestedHistory, Window};
+use carom_solver::{CellState, ContactState, NestedHistory, StepSummary, Window};
 use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
@@ -25,7 +25,7 @@ pub(super) struct Store {
 /// Steps found, and the state after the last one.
 #[derive(Default)]
 pub(super) struct Found {
-    pub(super) steps: Vec<Step>,
+    pub(super) steps: Vec<StepSummary>,
     /// None before the first.
     pub(super) saved: Option<Saved>,
 }
@@ -99,7 +99,7 @@ impl Store {
     /// [`CliError::Io`]; earlier steps stay as they are.
     pub(super) fn save(
         &self,
-        steps: &[Step],
+        steps: &[StepSummary],
         history: &NestedHistory<Chosen>,
         window: &Window,
     ) -> Result<(), CliError> {
@@ -108,13 +108,13 @@ impl Store {
         let bytes = npz::encode(&self.arrays(last, history, window));
         Aside::write(&path, &bytes)?.put_in_place()?;
         let loads = self.folder.join("loads.csv");
-        let text = columns::rows(Format::Csv, COLUMNS, steps)?;
+        let text = columns::rows(Format::Csv, &view::columns(), steps)?;
         Aside::write(&loads, text.as_bytes())?.put_in_place()
     }
 
     fn arrays(
         &self,
-        step: &Step,
+        step: &StepSummary,
         history: &NestedHistory<Chosen>,
         window: &Window,
     ) -> BTreeMap<String, Array> {
@@ -125,7 +125,10 @@ impl Store {
         let stamp = Array::Bytes(vec![8], self.fingerprint.to_le_bytes().to_vec());
         let mut arrays = BTreeMap::from([
             ("case".to_owned(), stamp),
-            ("numbers".to_owned(), Array::Numbers(vec![NUMBERS], step.numbers().to_vec())),
+            (
+                "numbers".to_owned(),
+                Array::Numbers(vec![StepSummary::NUMBERS], step.numbers().to_vec()),
+            ),
             ("x".to_owned(), axis(grid.nx(), &|i| x + grid.centred_x(i))),
             ("y".to_owned(), axis(grid.ny(), &|i| y + grid.centred_y(i))),
         ]);
@@ -143,9 +146,9 @@ impl Store {
     }
 }
 
-fn read_numbers(arrays: &BTreeMap<String, Array>) -> Option<Step> {
+fn read_numbers(arrays: &BTreeMap<String, Array>) -> Option<StepSummary> {
     let Array::Numbers(_, numbers) = arrays.get("numbers")? else { return None };
-    Some(Step::from_numbers(numbers.as_slice().try_into().ok()?))
+    Some(StepSummary::from_numbers(numbers.as_slice().try_into().ok()?))
 }
 
 /// The fields of a state under their names with a prefix.

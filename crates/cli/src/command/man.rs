@@ -1,0 +1,65 @@
+//! `carom man`: manual pages.
+
+use super::Carom;
+use crate::error::CliError;
+use crate::output::Answer;
+use clap::CommandFactory as _;
+use clap_mangen::Man;
+use std::path::Path;
+
+/// A manual page, in the form that man reads.
+///
+/// To read one: carom man impact | man -l -. To keep it: carom man > ~/.local/share/man/man1/carom.1, and
+/// carom man impact > ~/.local/share/man/man1/carom-impact.1.
+#[derive(Debug, clap::Args)]
+pub(super) struct Arguments {
+    /// The command whose page it is; that of carom itself if this is left out.
+    #[arg(value_parser = commands())]
+    command: Option<String>,
+}
+
+/// The names of all commands but this one, which is not there yet when they are asked for.
+const NAMES: &[&str] = &[
+    "impact",
+    "restitution",
+    "hertz",
+    "history",
+    "scene",
+    "solve",
+    "roll",
+    "stress",
+    "compare",
+    "new",
+    "check",
+    "schema",
+    "completions",
+    "man",
+];
+
+fn commands() -> clap::builder::PossibleValuesParser {
+    NAMES.into()
+}
+
+pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+    let mut root = Carom::command().disable_help_subcommand(true);
+    root.build();
+    let name = arguments.command.as_deref();
+    let command = name.and_then(|name| root.find_subcommand(name)).unwrap_or(&root);
+    let mut page = Vec::new();
+    let man = Man::new(command.clone()).source(format!("carom {}", env!("CARGO_PKG_VERSION")));
+    man.render(&mut page)
+        .map_err(|error| CliError::io("write", Path::new("standard output"), error))?;
+    Ok(Answer { text: String::from_utf8_lossy(&page).into_owned(), ..Answer::default() })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_command_has_a_page() {
+        let root = Carom::command();
+        let names: Vec<&str> = root.get_subcommands().map(clap::Command::get_name).collect();
+        assert_eq!(names, NAMES);
+    }
+}

@@ -1,0 +1,128 @@
+//! How a command runs and speaks, whatever it does: threads, colours, silence.
+
+use clap::ColorChoice;
+use clap::builder::styling::{AnsiColor, Style};
+use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
+use std::ffi::{OsStr, OsString};
+use std::io::{IsTerminal as _, Write as _};
+
+/// Refreshes of a bar in a second.
+const REFRESHES: u8 = 5;
+
+/// Options that every command takes.
+#[derive(Debug, Clone, Copy, Default, clap::Args)]
+pub struct Manner {
+    /// Tell errors only: no warnings and no bars on standard error.
+    #[arg(long, short, global = true)]
+    quiet: bool,
+    /// Colours of help and messages; auto: on a terminal, unless NO_COLOR is set.
+    #[arg(long, value_name = "WHEN", value_enum, default_value_t, global = true)]
+    color: ColorChoice,
+    /// Threads that compute; as many as there are cores unless given. The results are the same.
+    #[arg(long, value_name = "COUNT", global = true)]
+    #[arg(value_parser = clap::value_parser!(u16).range(1..=1024))]
+    threads: Option<u16>,
+}
+
+impl Manner {
+    /// The messages in this manner.
+    #[must_use]
+    pub fn messages(&self) -> Messages {
+        Messages { is_quiet: self.quiet, is_coloured: is_coloured(self.color) }
+    }
+
+    /// Threads that compute; none for as many as there are cores.
+    #[must_use]
+    pub fn threads(&self) -> Option<usize> {
+        self.threads.map(usize::from)
+    }
+}
+
+/// The colours that the arguments ask for, as far as one can tell before they are parsed: help and what
+/// is wrong with the others come in them too.
+pub fn asked_colour(arguments: impl IntoIterator<Item = OsString>) -> ColorChoice {
+    let mut choice = ColorChoice::Auto;
+    let mut arguments = arguments.into_iter().skip(1);
+    while let Some(argument) = arguments.next() {
+        let word = match argument.to_str() {
+            Some("--") => break,
+            Some("--color") => arguments.next(),
+            Some(argument) => argument.strip_prefix("--color=").map(OsString::from),
+            None => None,
+        };
+        let word = word.as_deref().and_then(OsStr::to_str);
+        choice = word.and_then(|word| word.parse().ok()).unwrap_or(choice);
+    }
+    choice
+}
+
+fn is_coloured(choice: ColorChoice) -> bool {
+    let is_set = |name| std::env::var_os(name).is_some_and(|value| !value.is_empty());
+    match choice {
+        ColorChoice::Always => true,
+        ColorChoice::Never => false,
+        ColorChoice::Auto => {
+            let is_dumb = std::env::var_os("TERM").is_some_and(|term| term == "dumb");
+            std::io::stderr().is_terminal() && !is_set("NO_COLOR") && !is_dumb
+        }
+    }
+}
+
+/// Lines and bars on standard error. Where that is closed or full there is nobody to tell.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Messages {
+    is_quiet: bool,
+    is_coloured: bool,
+}
+
+impl Messages {
+    /// Nothing but errors.
+    pub const QUIET: Self = Self { is_quiet: true, is_coloured: false };
+
+    /// Tells what ended the command.
+    pub fn error(&self, line: &str) {
+        self.tell(AnsiColor::Red, "error", line);
+    }
+
+    /// Tells what limits the results, unless it is to be quiet.
+    pub fn warning(&self, line: &str) {
+        if !self.is_quiet {
+            self.tell(AnsiColor::Yellow, "warning", line);
+        }
+    }
+
+    fn tell(self, colour: AnsiColor, kind: &str, line: &str) {
+        let style = if self.is_coloured { colour.on_default().bold() } else { Style::new() };
+        let _ = writeln!(std::io::stderr(), "{style}{kind}:{style:#} {line}");
+    }
+
+    /// A bar with the time left, for so many `what`; it hides where standard error is no terminal.
+    #[must_use]
+    pub fn bar(&self, count: usize, what: &str) -> ProgressBar {
+        if self.is_quiet {
+            return ProgressBar::hidden();
+        }
+        let target = ProgressDrawTarget::stderr_with_hz(REFRESHES);
+        let bar = ProgressBar::with_draw_target(Some(count as u64), target);
+        let form = format!("{{bar:40}} {{pos}}/{{len}} {what}, {{eta}} left");
+        match ProgressStyle::with_template(&form) {
+            Ok(style) => bar.with_style(style),
+            Err(_) => bar,
+        }
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn colours_are_seen_before_the_arguments_are_parsed() {
+        let asked = |line: &str| asked_colour(line.split(' ').map(OsString::from));
+        assert_eq!(asked("carom impact --color never"), ColorChoice::Never);
+        assert_eq!(asked("carom --color=always impact --nonsense"), ColorChoice::Always);
+        assert_eq!(asked("carom impact -- --color=always"), ColorChoice::Auto);
+        assert_eq!(asked("carom --color mauve"), ColorChoice::Auto);
+        assert_eq!(asked("carom --color"), ColorChoice::Auto);
+    }
+}

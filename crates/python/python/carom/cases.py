@@ -1,0 +1,122 @@
+"""Cases from TOML files, as the command `carom` takes them: the same readers, the same results.
+
+What is wrong with a case is a ValueError that names the field, its line and what is allowed.
+
+>>> import carom, pathlib, tempfile
+>>> path = pathlib.Path(tempfile.mkdtemp()) / "ball.toml"
+>>> _ = path.write_text(carom.cases.new("impact"))  # a commented case that runs as it stands
+>>> rebound = carom.cases.impact(path)
+>>> bool(rebound.energy_after < rebound.energy_before)
+True
+"""
+
+from __future__ import annotations
+
+import os
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from . import _carom
+from ._arrays import Array
+from ._records import GridStep, HistoryStep, Rebound
+
+Path = str | os.PathLike[str]
+
+__all__ = ["Solved", "history", "impact", "new", "solve"]
+
+
+def new(kind: str) -> str:
+    """A commented case of a kind (impact, hertz, history, scene, solve, roll or stress), with every field
+    that it may have.
+
+    >>> import carom
+    >>> carom.cases.new("solve").splitlines()[0]
+    '# A contact with friction on a grid, step by step.'
+    """
+    return _carom.case_new(kind)
+
+
+def impact(path: Path) -> Rebound:
+    """The impact of a case; of a sweep all of them, arrays (n,), in parallel.
+
+    `swept` of the result is then the name of the number that is swept over, its unit and its values: the
+    index of `to_pandas`, the coordinate of `to_xarray`.
+
+    >>> import carom, pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "balls.toml"
+    >>> once = carom.cases.new("impact")
+    >>> _ = path.write_text(once.replace("friction = 0.2", "friction = [0.05, 0.1, 0.2]"))
+    >>> rebounds = carom.cases.impact(path)
+    >>> rebounds.swept[0], rebounds.restitution.shape
+    ('contact.friction', (3,))
+    """
+    swept, columns = _carom.case_impact(os.fspath(path))
+    shape = () if swept is None else (len(swept[2]),)
+    return Rebound._of(columns, shape, swept)
+
+
+def history(path: Path) -> HistoryStep:
+    """A contact that is pressed, shifted and twisted: arrays (n,) with an entry for each step.
+
+    What only a twist has is not a number without one.
+
+    >>> import carom, pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "loop.toml"
+    >>> _ = path.write_text(carom.cases.new("history"))
+    >>> steps = carom.cases.history(path)
+    >>> bool((np.hypot(steps.F_x, steps.F_y) <= 0.3 * steps.F_z * (1 + 1e-12)).all())
+    True
+    """
+    columns = _carom.case_history(os.fspath(path))
+    count = len(columns["step"])
+    if not isinstance(columns["twist_regime"], list):
+        columns["twist_regime"] = [""] * count
+    return HistoryStep._of(columns, (count,))
+
+
+@dataclass(frozen=True, eq=False)
+class Solved:
+    """A contact on a grid after all its steps. Fields are arrays (ny, nx) at the end.
+
+    steps           the contact after each step, arrays (n,)
+    x, y            middles of the cells, (nx,) and (ny,), m
+    pressure        Pa
+    traction_x, _y  on body 1, Pa
+    displacement_x, _y  elastic, of body 1 against body 2, m
+    cells           what each does: 0 apart, 1 sticks, 2 slips
+    """
+
+    steps: GridStep
+    x: Array
+    y: Array
+    pressure: Array
+    traction_x: Array
+    traction_y: Array
+    displacement_x: Array
+    displacement_y: Array
+    cells: NDArray[np.int8]
+
+
+def solve(path: Path, *, accuracy: float | None = None) -> Solved:
+    """A contact with friction on a grid, step by step; to an accuracy of loads and shifts, if one is given,
+    whatever the case says of its grid.
+
+    >>> import carom, pathlib, tempfile
+    >>> path = pathlib.Path(tempfile.mkdtemp()) / "ball.toml"
+    >>> _ = path.write_text(carom.cases.new("solve"))
+    >>> solved = carom.cases.solve(path)
+    >>> cell = (solved.x[1] - solved.x[0]) * (solved.y[1] - solved.y[0])
+    >>> bool(np.isclose(solved.pressure.sum() * cell, solved.steps.F_z[-1]))
+    True
+    """
+    steps, (x, y), fields, cells = _carom.case_solve(os.fspath(path), accuracy)
+    shape = (len(y), len(x))
+    return Solved(
+        GridStep._of(steps, (len(steps["step"]),)),
+        x,
+        y,
+        *(field.reshape(shape) for field in fields),
+        cells.reshape(shape),
+    )

@@ -1,0 +1,110 @@
+//! Cases from TOML files, as the command `carom` takes them.
+
+use carom::solver::{CellState, ContactState};
+use carom_cli::case::CaseKind;
+use carom_cli::cases::{self, HistoryStep, Impacts, Solved, history_columns, solve_columns};
+use carom_cli::error::CliError;
+use carom_cli::input::CaseFile;
+use numpy::PyArray1;
+use pyo3::exceptions::{PyOSError, PyValueError};
+use pyo3::prelude::*;
+use pyo3::types::PyDict;
+use std::path::PathBuf;
+
+use crate::error::{CaromError, Fault};
+use crate::records::{Parted, arrays};
+
+/// Name, unit and values of the number that a case sweeps over.
+type Swept<'py> = (&'static str, &'static str, Bound<'py, PyArray1<f64>>);
+
+/// The impact of a case, or all of its sweep.
+#[pyfunction]
+pub(crate) fn case_impact<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+) -> PyResult<(Option<Swept<'py>>, Bound<'py, PyDict>)> {
+    let followed = py.detach(|| cases::impact(&CaseFile::read(&path)?));
+    let Impacts { swept, outcomes } = followed.map_err(raised)?;
+    let outcomes: Vec<Parted> = outcomes.into_iter().map(Parted::from).collect();
+    let swept = swept.map(|(name, unit, values)| (name, unit, PyArray1::from_vec(py, values)));
+    Ok((swept, arrays(py, Parted::COLUMNS, &outcomes)?))
+}
+
+/// The contact after each step of a history.
+#[pyfunction]
+pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
+    let steps = py.detach(|| cases::history(&CaseFile::read(&path)?));
+    let steps: Vec<HistoryStep> = steps.map_err(raised)?;
+    arrays(py, &history_columns(), &steps)
+}
+
+/// A contact on a grid: its steps, the middles of the cells along x and y, and the fields at the end as a
+/// solver's state has them.
+#[pyfunction]
+#[allow(clippy::type_complexity)] // as Python has it: lines of numbers
+pub(crate) fn case_solve<'py>(
+    py: Python<'py>,
+    path: PathBuf,
+    accuracy: Option<f64>,
+) -> PyResult<(
+    Bound<'py, PyDict>,
+    [Bound<'py, PyArray1<f64>>; 2],
+    [Bound<'py, PyArray1<f64>>; 5],
+    Bound<'py, PyArray1<i8>>,
+)> {
+    let solved = py.detach(|| cases::solve(&CaseFile::read(&path)?, accuracy));
+    let Solved { steps, state, window } = solved.map_err(raised)?;
+    let (grid, [x, y]) = (window.grid(), window.middle());
+    let axes = [
+        (0..grid.nx()).map(|i| x + grid.centred_x(i)).collect::<Vec<_>>(),
+        (0..grid.ny()).map(|j| y + grid.centred_y(j)).collect(),
+    ];
+    let axes = axes.map(|axis| PyArray1::from_vec(py, axis));
+    let (fields, cells) = lines(py, &state);
+    Ok((arrays(py, &solve_columns(), &steps)?, axes, fields, cells))
+}
+
+/// A commented case of a kind, with every field that it may have: it runs as it stands.
+#[pyfunction]
+pub(crate) fn case_new(kind: &str) -> PyResult<String> {
+    let found = CaseKind::ALL.into_iter().find(|known| known.name() == kind);
+    let names = CaseKind::ALL.map(CaseKind::name).join(", ");
+    let kind = found
+        .ok_or_else(|| PyValueError::new_err(format!("kind = {kind:?}: must be one of {names}")))?;
+    Ok(kind.begin())
+}
+
+/// Fields and cells of a state, one number after the other: pressure, tractions, displacements.
+#[allow(clippy::type_complexity)]
+pub(crate) fn lines<'py>(
+    py: Python<'py>,
+    state: &ContactState,
+) -> ([Bound<'py, PyArray1<f64>>; 5], Bound<'py, PyArray1<i8>>) {
+    let fields = [
+        &state.pressure,
+        &state.traction_x,
+        &state.traction_y,
+        &state.displacement_x,
+        &state.displacement_y,
+    ];
+    let cells = state.cells.values().iter().map(|cell| match cell {
+        CellState::Exterior => 0,
+        CellState::Stick => 1,
+        CellState::Slip => 2,
+    });
+    let fields = fields.map(|field| PyArray1::from_slice(py, field.values()));
+    (fields, PyArray1::from_vec(py, cells.collect()))
+}
+
+/// What is wrong with a case is a `ValueError`, a file that cannot be read an `OSError`.
+fn raised(error: CliError) -> PyErr {
+    match error {
+        CliError::Option(range) => Fault::from(range).into(),
+        CliError::Io { path, source, .. } => match source.raw_os_error() {
+            Some(code) => PyOSError::new_err((code, source.to_string(), path)),
+            None => PyOSError::new_err(format!("{}: {source}", path.display())),
+        },
+        error if error.exit_code() == 2 => PyValueError::new_err(error.to_string()),
+        error => CaromError::new_err(error.to_string()),
+    }
+}

@@ -1,0 +1,116 @@
+//! The formulas of the book below `docs/book`.
+
+use crate::report::markup::{escape, formula, formula_of_its_own};
+
+/// A formula that cannot be set.
+#[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
+#[error("cannot set the formula ${formula}$: {reason}")]
+pub struct FormulaError {
+    /// As it stands.
+    pub formula: String,
+    /// Why not.
+    pub reason: String,
+}
+
+/// Markdown with its formulas, `$a$` and `$$a$$`, as MathML; code stays as it is.
+///
+/// ```
+/// use carom_verification::book::set_formulas;
+/// let set = set_formulas("the root $\\sqrt{a}$, and `$HOME`")?;
+/// assert!(set.contains("<msqrt>") && set.contains("`$HOME`"));
+/// # Ok::<(), carom_verification::book::FormulaError>(())
+/// ```
+///
+/// # Errors
+/// [`FormulaError`] for one that is not LaTeX, or has no end.
+pub fn set_formulas(markdown: &str) -> Result<String, FormulaError> {
+    let mut set = String::new();
+    let mut rest = markdown;
+    while let Some(start) = rest.find(['$', '`']) {
+        let (before, from) = rest.split_at(start);
+        set += before;
+        let sign = &from[..1];
+        let count = from.len() - from.trim_start_matches(sign).len();
+        let mark = &from[..count];
+        let inner = &from[count..];
+        let Some(end) = inner.find(mark) else {
+            let formula = inner.chars().take(40).collect();
+            return match sign {
+                "$" => Err(FormulaError { formula, reason: format!("no {mark} at its end") }),
+                _ => Ok(set + from),
+            };
+        };
+        let content = &inner[..end];
+        match mark {
+            "$" => set += &quiet(&checked(content, formula(content))?),
+            "$$" => {
+                let markup = checked(content, formula_of_its_own(content))?;
+                set += &format!("<div class=\"formula\">{}</div>", quiet(&markup));
+            }
+            _ => set += &from[..2 * count + end],
+        }
+        rest = &inner[end + count..];
+    }
+    Ok(set + rest)
+}
+
+fn checked(content: &str, markup: String) -> Result<String, FormulaError> {
+    let failed = markup.contains("class=\"fail\"") || markup.contains("merror");
+    match failed || content.trim().is_empty() {
+        false => Ok(markup),
+        true => Err(FormulaError { formula: content.to_owned(), reason: escape(&markup) }),
+    }
+}
+
+/// On one line, and without what Markdown would take for its own.
+fn quiet(markup: &str) -> String {
+    markup.replace('\n', " ").replace('*', "&#42;").replace('_', "&#95;")
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use std::path::{Path, PathBuf};
+
+    #[test]
+    fn code_stays_and_formulas_are_set() {
+        let set = set_formulas("a $x_1$ b\n\n$$ y^* = \\tfrac12 $$\n\n```sh\necho $HOME $$\n```\n")
+            .unwrap();
+        assert_eq!(set.matches("<math").count(), 2, "{set}");
+        assert!(set.contains("echo $HOME $$") && set.contains("<div class=\"formula\">"));
+        assert!(!set.split("</div>").next().unwrap().contains('*'), "{set}");
+        assert_eq!(set_formulas("no formula").unwrap(), "no formula");
+    }
+
+    #[test]
+    fn bad_formulas_are_named() {
+        assert_eq!(set_formulas("a $x").unwrap_err().formula, "x");
+        assert_eq!(set_formulas("a $\\nothing{x}$").unwrap_err().formula, "\\nothing{x}");
+    }
+
+    fn chapters(folder: &Path) -> Vec<PathBuf> {
+        let mut found = Vec::new();
+        for entry in std::fs::read_dir(folder).unwrap() {
+            let path = entry.unwrap().path();
+            match path.is_dir() {
+                true => found.extend(chapters(&path)),
+                false => {
+                    found.extend(path.extension().is_some_and(|end| end == "md").then_some(path))
+                }
+            }
+        }
+        found
+    }
+
+    #[test]
+    fn every_formula_of_the_book_can_be_set() {
+        let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../docs/book/src");
+        let mut count = 0;
+        for path in chapters(&folder) {
+            let set = set_formulas(&std::fs::read_to_string(&path).unwrap());
+            let set = set.unwrap_or_else(|error| panic!("{}: {error}", path.display()));
+            count += set.matches("<math").count();
+        }
+        assert!(count > 50, "{count}");
+    }
+}

@@ -1,0 +1,109 @@
+//! The book below `docs/book`: whether its links lead somewhere, and its pages.
+
+mod links;
+
+use crate::cargo;
+use anyhow::{Context as _, ensure};
+use std::collections::BTreeSet;
+use std::path::{Path, PathBuf};
+use std::process::{Command, Stdio};
+
+const SOURCES: &str = "docs/book/src";
+
+/// Checks the book and, where there is an mdBook, makes its pages in target/book/.
+pub(crate) fn run() -> anyhow::Result<()> {
+    check(&root())?;
+    let has_mdbook = Command::new("mdbook").arg("--version").stdout(Stdio::null()).status().is_ok();
+    if !has_mdbook {
+        println!(
+            "skipped: the pages of the book, for there is no mdbook; `cargo install mdbook` has it"
+        );
+        return Ok(());
+    }
+    let status =
+        Command::new("mdbook").arg("build").current_dir(root().join("docs/book")).status()?;
+    ensure!(status.success(), "`mdbook build` failed ({status})");
+    let page = std::fs::read_to_string(root().join("target/book/theory/impact.html"))?;
+    ensure!(page.contains("<math"), "no formula is set in target/book/theory/impact.html");
+    println!("the book: target/book/index.html");
+    Ok(())
+}
+
+/// Draws the book's pictures and writes its case reference anew.
+pub(crate) fn update() -> anyhow::Result<()> {
+    let test = ["test", "--release", "--package", "carom-cli", "--test", "book"];
+    cargo::run_with(&test, "CAROM_BOOK", "update")
+}
+
+/// Whether all chapters are in the contents, and all links of the book and of the pages beside the sources
+/// lead somewhere.
+pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
+    let sources = root.join(SOURCES);
+    let chapters = markdown(&sources)?;
+    let mut faults = Vec::new();
+    let summary = sources.join("SUMMARY.md");
+    let contents: BTreeSet<PathBuf> = links::of(&std::fs::read_to_string(&summary)?)
+        .into_iter()
+        .map(|link| sources.join(link.target))
+        .collect();
+    for chapter in chapters.iter().filter(|chapter| **chapter != summary) {
+        if !contents.contains(chapter) {
+            faults.push(format!("{}: not in SUMMARY.md", chapter.display()));
+        }
+    }
+    let mut count = 0;
+    for path in chapters.iter().cloned().chain(beside(root)?) {
+        let text = std::fs::read_to_string(&path)?;
+        let found = links::of(&text);
+        count += found.len();
+        let below = chapters.contains(&path).then_some(sources.as_path());
+        faults.extend(found.iter().filter_map(|link| links::fault(&path, link, below)));
+        faults.extend(links::inclusions(&path, &text));
+    }
+    ensure!(faults.is_empty(), "{} faults in the book:\n  {}", faults.len(), faults.join("\n  "));
+    println!("{} chapters, {count} links: in order", chapters.len());
+    Ok(())
+}
+
+/// The pages that stand beside the sources.
+fn beside(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    let mut pages =
+        ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "benches/README.md"]
+            .map(|name| root.join(name))
+            .to_vec();
+    for entry in std::fs::read_dir(root.join("crates"))? {
+        pages.push(entry?.path().join("README.md"));
+    }
+    pages.retain(|page| page.is_file());
+    pages.sort();
+    Ok(pages)
+}
+
+/// All Markdown below a folder.
+fn markdown(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).with_context(|| folder.display().to_string())? {
+        let path = entry?.path();
+        if path.is_dir() {
+            found.extend(markdown(&path)?);
+        } else if path.extension().is_some_and(|end| end == "md") {
+            found.push(path);
+        }
+    }
+    found.sort();
+    Ok(found)
+}
+
+fn root() -> PathBuf {
+    PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_book_is_in_order() {
+        check(&root()).unwrap();
+    }
+}
