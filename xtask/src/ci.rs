@@ -16,9 +16,9 @@ const STEPS: &[(&str, Step)] = &[
     ("quick figures", quick_figures),
     ("the report in a browser", browse::run),
     ("the Python module, in an environment of its own", python::run),
-    ("the LAMMPS plugin, in the pinned release", lammps::quick),
     ("the book", book::run),
     ("packages", release::pack_quickly),
+    ("the LAMMPS plugin, in the pinned release", lammps::quick),
     ("mutants, each against the test known to notice it", mutants::quick),
 ];
 

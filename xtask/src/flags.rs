@@ -65,12 +65,6 @@ xflags::xflags! {
         /// runs its tests and the examples of its documentation there. Skipped, and it says so,
         /// where there is no Python.
         cmd python {}
-        /// Builds the LAMMPS plugin for the pinned release, in an environment below target/, and runs
-        /// its tests there. Skipped, and it says so, where Python, g++ or the packages cannot be had.
-        cmd lammps {
-            /// Leave out the tests that take minutes.
-            optional --short
-        }
         /// Goes through the list of what a release needs, releasing nothing: descriptions, licences and
         /// versions of all crates, their packages, built from what is packed, changed interfaces, the
         /// wheel.
@@ -86,8 +80,14 @@ xflags::xflags! {
             /// Draw the book's pictures and write its case reference anew, in place of that.
             optional --update
         }
+        /// Builds the LAMMPS plugin for the pinned release, in an environment below target/, and runs
+        /// its tests there. Skipped, and it says so, where Python, g++ or the packages cannot be had.
+        cmd lammps {
+            /// Leave out the tests that take minutes.
+            optional --short
+        }
         /// What continuous integration checks: form, the index of equations, lints, documentation, tests, tests with
-        /// overflow checks, the quick figures, the report in a browser, the Python module, the LAMMPS plugin, the packages, and the mutants.
+        /// overflow checks, the quick figures, the report in a browser, the Python module, the book, the packages, the LAMMPS plugin, and the mutants.
         cmd ci {}
         /// Runs the benchmarks.
         cmd bench {

@@ -42,10 +42,10 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Tidy(_) => tidy::run()?,
         flags::XtaskCmd::Browse(_) => browse::run()?,
         flags::XtaskCmd::Python(_) => python::run()?,
-        flags::XtaskCmd::Lammps(lammps) => lammps::run(lammps.short)?,
         flags::XtaskCmd::Release(options) => release::run(&options)?,
         flags::XtaskCmd::Book(options) if options.update => book::update()?,
         flags::XtaskCmd::Book(_) => book::run()?,
+        flags::XtaskCmd::Lammps(lammps) => lammps::run(lammps.short)?,
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }
