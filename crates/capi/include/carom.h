@@ -19,12 +19,6 @@
 // The words of 8 bytes in a `carom_contact`, beside its mark.
 #define CAROM_CONTACT_WORDS 144
 
-// The words of 8 bytes in a `carom_touch`, beside its mark.
-#define CAROM_TOUCH_WORDS 160
-
-// The numbers in which a `carom_touch` is kept elsewhere.
-#define CAROM_TOUCH_NUMBERS 75
-
 // A sphere: `sizes[0]` is its radius.
 #define CAROM_SHAPE_SPHERE 0
 
@@ -79,6 +73,12 @@
 
 // The numbers in a `carom_state`.
 #define CAROM_STATE_NUMBERS 66
+
+// The words of 8 bytes in a `carom_touch`, beside its mark.
+#define CAROM_TOUCH_WORDS 160
+
+// The numbers in which a `carom_touch` is kept elsewhere.
+#define CAROM_TOUCH_NUMBERS 75
 
 // The numbers in a `carom_twist`.
 #define CAROM_TWIST_NUMBERS 83
@@ -593,46 +593,6 @@ carom_status carom_touch_wall_load(const struct carom_grains *grains,
                                    struct carom_grain_load *load,
                                    struct carom_error *error);
 
-// The elastic energy of a contact, compression included, J.
-//
-// # Safety
-// `touch` is null or may be read; `energy` and `error` are null or may be written. The touch is as in
-// `carom_touch_grains`.
-carom_status carom_touch_energy(const struct carom_touch *touch,
-                                double *energy,
-                                struct carom_error *error);
-
-// What the last step did, and how much of the contact sticks.
-//
-// # Safety
-// As `carom_touch_energy`.
-carom_status carom_touch_report(const struct carom_touch *touch,
-                                struct carom_report *report,
-                                struct carom_error *error);
-
-// Writes a contact into CAROM_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
-// apart, the first of others is positive.
-//
-// # Safety
-// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
-// written. The touch is as in `carom_touch_grains`.
-carom_status carom_touch_pack(const struct carom_touch *touch,
-                              double *numbers,
-                              struct carom_error *error);
-
-// Makes a contact of what `carom_touch_pack` wrote, of the same constants and radii; that of a wall is
-// infinite. Its load is the same to the bit, and so is the way on from there.
-//
-// # Safety
-// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
-// may be written.
-carom_status carom_touch_unpack(const struct carom_grains *grains,
-                                double radius_1,
-                                double radius_2,
-                                const double *numbers,
-                                struct carom_touch *touch,
-                                struct carom_error *error);
-
 // The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
 // 2 with that common normal, from body 2 into body 1.
 //
@@ -841,46 +801,6 @@ carom_status carom_touch_wall_load(const struct carom_grains *grains,
                                    struct carom_grain_load *load,
                                    struct carom_error *error);
 
-// The elastic energy of a contact, compression included, J.
-//
-// # Safety
-// `touch` is null or may be read; `energy` and `error` are null or may be written. The touch is as in
-// `carom_touch_grains`.
-carom_status carom_touch_energy(const struct carom_touch *touch,
-                                double *energy,
-                                struct carom_error *error);
-
-// What the last step did, and how much of the contact sticks.
-//
-// # Safety
-// As `carom_touch_energy`.
-carom_status carom_touch_report(const struct carom_touch *touch,
-                                struct carom_report *report,
-                                struct carom_error *error);
-
-// Writes a contact into CAROM_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
-// apart, the first of others is positive.
-//
-// # Safety
-// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
-// written. The touch is as in `carom_touch_grains`.
-carom_status carom_touch_pack(const struct carom_touch *touch,
-                              double *numbers,
-                              struct carom_error *error);
-
-// Makes a contact of what `carom_touch_pack` wrote, of the same constants and radii; that of a wall is
-// infinite. Its load is the same to the bit, and so is the way on from there.
-//
-// # Safety
-// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
-// may be written.
-carom_status carom_touch_unpack(const struct carom_grains *grains,
-                                double radius_1,
-                                double radius_2,
-                                const double *numbers,
-                                struct carom_touch *touch,
-                                struct carom_error *error);
-
 // The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
 // 2 with that common normal, from body 2 into body 1.
 //
@@ -1026,6 +946,46 @@ carom_status carom_state_turn_frame(const struct carom_pair *pair,
                                     struct carom_state *state,
                                     double angle,
                                     struct carom_error *error);
+
+// The elastic energy of a contact, compression included, J.
+//
+// # Safety
+// `touch` is null or may be read; `energy` and `error` are null or may be written. The touch is as in
+// `carom_touch_grains`.
+carom_status carom_touch_energy(const struct carom_touch *touch,
+                                double *energy,
+                                struct carom_error *error);
+
+// What the last step did, and how much of the contact sticks.
+//
+// # Safety
+// As `carom_touch_energy`.
+carom_status carom_touch_report(const struct carom_touch *touch,
+                                struct carom_report *report,
+                                struct carom_error *error);
+
+// Writes a contact into CAROM_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
+// apart, the first of others is positive.
+//
+// # Safety
+// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
+// written. The touch is as in `carom_touch_grains`.
+carom_status carom_touch_pack(const struct carom_touch *touch,
+                              double *numbers,
+                              struct carom_error *error);
+
+// Makes a contact of what `carom_touch_pack` wrote, of the same constants and radii; that of a wall is
+// infinite. Its load is the same to the bit, and so is the way on from there.
+//
+// # Safety
+// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
+// may be written.
+carom_status carom_touch_unpack(const struct carom_grains *grains,
+                                double radius_1,
+                                double radius_2,
+                                const double *numbers,
+                                struct carom_touch *touch,
+                                struct carom_error *error);
 
 // Goes straight to a new approach (m) and twist of body 2 against body 1 about the normal (radians);
 // `torque`, that on body 1 in N m, may be null.
@@ -1211,6 +1171,46 @@ carom_status carom_state_turn_frame(const struct carom_pair *pair,
                                     struct carom_state *state,
                                     double angle,
                                     struct carom_error *error);
+
+// The elastic energy of a contact, compression included, J.
+//
+// # Safety
+// `touch` is null or may be read; `energy` and `error` are null or may be written. The touch is as in
+// `carom_touch_grains`.
+carom_status carom_touch_energy(const struct carom_touch *touch,
+                                double *energy,
+                                struct carom_error *error);
+
+// What the last step did, and how much of the contact sticks.
+//
+// # Safety
+// As `carom_touch_energy`.
+carom_status carom_touch_report(const struct carom_touch *touch,
+                                struct carom_report *report,
+                                struct carom_error *error);
+
+// Writes a contact into CAROM_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
+// apart, the first of others is positive.
+//
+// # Safety
+// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
+// written. The touch is as in `carom_touch_grains`.
+carom_status carom_touch_pack(const struct carom_touch *touch,
+                              double *numbers,
+                              struct carom_error *error);
+
+// Makes a contact of what `carom_touch_pack` wrote, of the same constants and radii; that of a wall is
+// infinite. Its load is the same to the bit, and so is the way on from there.
+//
+// # Safety
+// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
+// may be written.
+carom_status carom_touch_unpack(const struct carom_grains *grains,
+                                double radius_1,
+                                double radius_2,
+                                const double *numbers,
+                                struct carom_touch *touch,
+                                struct carom_error *error);
 
 // Goes straight to a new approach (m) and twist of body 2 against body 1 about the normal (radians);
 // `torque`, that on body 1 in N m, may be null.
