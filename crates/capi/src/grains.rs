@@ -1,37 +1,16 @@
 //! The contact of two grains, or of a grain and a wall, as a particle code has it.
 
-use std::mem::MaybeUninit;
-
 use carom_halfspace::MaterialPair;
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
-use carom_laws::grains::{
-    Grain, GrainContact, GrainLoad, Heats, Meeting, Wall, compliance_shares, grain_numbers,
-};
+use carom_laws::grains::{Grain, GrainContact, GrainLoad, Heats, Meeting, Wall, compliance_shares};
 use carom_laws::hertz::Hertz;
-use carom_laws::memory::Fixed;
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::law::CaromReport;
 use crate::pair::{CaromMaterial, CaromPair, materials};
 use crate::pointers::{read, write};
 use crate::state::finite;
-
-/// The words of 8 bytes in a `carom_touch`, beside its mark.
-pub const CAROM_TOUCH_WORDS: usize = 160;
-/// The numbers in which a `carom_touch` is kept elsewhere.
-pub const CAROM_TOUCH_NUMBERS: usize = 75;
-
-/// As many vertices as in a `carom_state`.
-const VERTICES: usize = 12;
-type Contact = GrainContact<Fixed<[f64; 2], VERTICES>>;
-
-const _: () = assert!(CAROM_TOUCH_NUMBERS == grain_numbers(VERTICES));
-const _: () = assert!(size_of::<Contact>() <= 8 * CAROM_TOUCH_WORDS && align_of::<Contact>() <= 8);
-const _: () = assert!(!std::mem::needs_drop::<Contact>());
-
-/// Tells a touch that was made by a build of this size from other bytes.
-const MARK: u64 = 0x6361_726f_6d01_0001 + ((size_of::<Contact>() as u64) << 8);
+use crate::touch::{CaromTouch, Contact};
 
 /// A sphere as a particle code moves it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -74,20 +53,6 @@ pub struct CaromGrains {
     pub share_2: f64,
 }
 
-/// The memory of the contact of two grains, the caller's: 1288 bytes, aligned to 8, that may be copied as
-/// bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
-/// `carom_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
-///
-/// The constants are those of the step in which it began; to change them, make it zero.
-#[derive(Debug, Clone, Copy)]
-#[repr(C)]
-pub struct CaromTouch {
-    /// Not to be changed but by the functions of this library.
-    pub mark: u64,
-    /// The contact.
-    pub words: [MaybeUninit<u64>; CAROM_TOUCH_WORDS],
-}
-
 /// What body 2 exerts on body 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
@@ -119,7 +84,7 @@ impl From<CaromGrain> for Grain {
 
 impl CaromGrainLoad {
     #[inline]
-    fn new(GrainLoad { force, couple }: GrainLoad, arms: [f64; 2]) -> Self {
+    pub(crate) fn new(GrainLoad { force, couple }: GrainLoad, arms: [f64; 2]) -> Self {
         let [x, y, z] = couple;
         let torque = |arm: f64| [-arm * x, -arm * y, -arm * z];
         Self { force, torque_1: torque(arms[0]), torque_2: torque(arms[1]) }
@@ -128,7 +93,7 @@ impl CaromGrainLoad {
 
 impl CaromGrains {
     /// A contact to be, of a relative radius.
-    fn contact(&self, relative_radius: f64) -> Result<Contact, Failure> {
+    pub(crate) fn contact(&self, relative_radius: f64) -> Result<Contact, Failure> {
         let by = relative_radius.sqrt();
         let CaromPair { c_x, c_y, c_z, .. } = self.unit;
         let pair = CaromPair { c_x: by * c_x, c_y: by * c_y, c_z: by * c_z, ..self.unit };
@@ -138,75 +103,14 @@ impl CaromGrains {
 
 /// Of two spheres; a wall has an infinite radius.
 #[inline]
-fn relative_radius(one: f64, two: f64) -> Result<f64, Failure> {
+pub(crate) fn relative_radius(one: f64, two: f64) -> Result<f64, Failure> {
     RangeError::positive("radius_1", one)?;
     RangeError::check("radius_2", two, two > 0.0, "> 0")?;
     Ok(1.0 / (1.0 / one + 1.0 / two))
 }
 
-impl CaromTouch {
-    #[inline]
-    fn present(&self) -> Result<Option<&Contact>, Failure> {
-        match self.mark {
-            // SAFETY: a contact was written there; its size and alignment fit.
-            MARK => Ok(Some(unsafe { &*self.words.as_ptr().cast() })),
-            0 => Ok(None),
-            _ => Err(strange()),
-        }
-    }
-
-    #[inline]
-    fn present_mut(&mut self) -> Result<Option<&mut Contact>, Failure> {
-        match self.mark {
-            // SAFETY: a contact was written there; its size and alignment fit.
-            MARK => Ok(Some(unsafe { &mut *self.words.as_mut_ptr().cast() })),
-            0 => Ok(None),
-            _ => Err(strange()),
-        }
-    }
-
-    fn keep(&mut self, contact: &Contact) {
-        // SAFETY: size and alignment fit; what stood there needs no drop.
-        unsafe { self.words.as_mut_ptr().cast::<Contact>().write(*contact) };
-        self.mark = MARK;
-    }
-
-    #[inline]
-    fn advance(
-        &mut self,
-        meeting: &Meeting,
-        dt: f64,
-        heats: Option<&mut CaromHeats>,
-        fresh: impl FnOnce() -> Result<Contact, Failure>,
-    ) -> Result<CaromGrainLoad, Failure> {
-        let load = match self.present_mut()? {
-            Some(contact) => step(contact, meeting, dt, heats)?,
-            None => {
-                let mut contact = fresh()?;
-                let load = step(&mut contact, meeting, dt, heats)?;
-                self.keep(&contact);
-                load
-            }
-        };
-        Ok(CaromGrainLoad::new(load, meeting.arms))
-    }
-
-    #[inline]
-    fn load(
-        &self,
-        meeting: &Meeting,
-        fresh: impl FnOnce() -> Result<Contact, Failure>,
-    ) -> Result<CaromGrainLoad, Failure> {
-        let load = match self.present()? {
-            Some(contact) => contact.load(meeting),
-            None => fresh()?.load(meeting),
-        };
-        Ok(CaromGrainLoad::new(load, meeting.arms))
-    }
-}
-
 #[inline]
-fn step(
+pub(crate) fn step(
     contact: &mut Contact,
     meeting: &Meeting,
     dt: f64,
@@ -218,12 +122,6 @@ fn step(
     sums.friction += heats.friction;
     sums.damping += heats.damping;
     Ok(load)
-}
-
-#[cold]
-fn strange() -> Failure {
-    let text = "the touch was written by another build of carom, or is no touch";
-    Failure::new(CaromStatus::BadState, "touch", text)
 }
 
 /// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and
@@ -394,109 +292,6 @@ pub unsafe extern "C" fn carom_touch_wall_load(
         let meeting = Meeting::on_wall(&one, &wall, grains.share_1);
         let fresh = || grains.contact(relative_radius(one.radius, f64::INFINITY)?);
         *write(load, "load")? = touch.load(&meeting, fresh)?;
-        Ok(())
-    };
-    // SAFETY: the caller's promise.
-    unsafe { border(error, call) }
-}
-
-/// The elastic energy of a contact, compression included, J.
-///
-/// # Safety
-/// `touch` is null or may be read; `energy` and `error` are null or may be written. The touch is as in
-/// `carom_touch_grains`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_touch_energy(
-    touch: *const CaromTouch,
-    energy: *mut f64,
-    error: *mut CaromError,
-) -> CaromStatus {
-    // SAFETY: the caller's promise.
-    let call = || unsafe {
-        let contact = read(touch, "touch")?.present()?;
-        *write(energy, "energy")? = contact.map_or(0.0, GrainContact::stored_energy);
-        Ok(())
-    };
-    // SAFETY: the caller's promise.
-    unsafe { border(error, call) }
-}
-
-/// What the last step did, and how much of the contact sticks.
-///
-/// # Safety
-/// As `carom_touch_energy`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_touch_report(
-    touch: *const CaromTouch,
-    report: *mut CaromReport,
-    error: *mut CaromError,
-) -> CaromStatus {
-    // SAFETY: the caller's promise.
-    let call = || unsafe {
-        let contact = read(touch, "touch")?.present()?;
-        *write(report, "report")? = contact.map_or(CaromReport::APART, |contact| {
-            let law = contact.law();
-            CaromReport { sticking: law.stick_depth(), regime: law.regime().into() }
-        });
-        Ok(())
-    };
-    // SAFETY: the caller's promise.
-    unsafe { border(error, call) }
-}
-
-/// Writes a contact into CAROM_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
-/// apart, the first of others is positive.
-///
-/// # Safety
-/// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
-/// written. The touch is as in `carom_touch_grains`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_touch_pack(
-    touch: *const CaromTouch,
-    numbers: *mut f64,
-    error: *mut CaromError,
-) -> CaromStatus {
-    // SAFETY: the caller's promise.
-    let call = || unsafe {
-        let touch = read(touch, "touch")?;
-        let numbers = write(numbers.cast::<[f64; CAROM_TOUCH_NUMBERS]>(), "numbers")?;
-        match touch.present()? {
-            Some(contact) => contact.pack(numbers)?,
-            None => numbers.fill(0.0),
-        }
-        Ok(())
-    };
-    // SAFETY: the caller's promise.
-    unsafe { border(error, call) }
-}
-
-/// Makes a contact of what `carom_touch_pack` wrote, of the same constants and radii; that of a wall is
-/// infinite. Its load is the same to the bit, and so is the way on from there.
-///
-/// # Safety
-/// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
-/// may be written.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_touch_unpack(
-    grains: *const CaromGrains,
-    radius_1: f64,
-    radius_2: f64,
-    numbers: *const f64,
-    touch: *mut CaromTouch,
-    error: *mut CaromError,
-) -> CaromStatus {
-    // SAFETY: the caller's promise.
-    let call = || unsafe {
-        let grains = read(grains, "grains")?;
-        let numbers = read(numbers.cast::<[f64; CAROM_TOUCH_NUMBERS]>(), "numbers")?;
-        let touch = write(touch, "touch")?;
-        if numbers[0] == 0.0 {
-            touch.mark = 0;
-            return Ok(());
-        }
-        let mut contact = grains.contact(relative_radius(radius_1, radius_2)?)?;
-        contact.unpack(numbers).map_err(|error| Failure::from(error).in_state())?;
-        touch.keep(&contact);
         Ok(())
     };
     // SAFETY: the caller's promise.

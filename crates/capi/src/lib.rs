@@ -25,6 +25,7 @@ mod pair;
 mod pointers;
 mod restitution;
 mod state;
+mod touch;
 mod twist;
 mod version;
 
@@ -36,10 +37,8 @@ pub use contact::{
 };
 pub use error::{CaromError, CaromStatus, carom_status_text};
 pub use grains::{
-    CAROM_TOUCH_NUMBERS, CAROM_TOUCH_WORDS, CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats,
-    CaromTouch, CaromWall, carom_grains_of, carom_touch_energy, carom_touch_grains,
-    carom_touch_grains_load, carom_touch_pack, carom_touch_report, carom_touch_unpack,
-    carom_touch_wall, carom_touch_wall_load,
+    CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, CaromWall, carom_grains_of,
+    carom_touch_grains, carom_touch_grains_load, carom_touch_wall, carom_touch_wall_load,
 };
 pub use impact::{
     CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,
@@ -56,6 +55,10 @@ pub use restitution::{CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_rest
 pub use state::{
     CAROM_STATE_NUMBERS, CaromState, carom_state_advance, carom_state_energy, carom_state_heat,
     carom_state_load, carom_state_report, carom_state_turn_frame,
+};
+pub use touch::{
+    CAROM_TOUCH_NUMBERS, CAROM_TOUCH_WORDS, CaromTouch, carom_touch_energy, carom_touch_pack,
+    carom_touch_report, carom_touch_unpack,
 };
 pub use twist::{
     CAROM_TWIST_NUMBERS, CaromTwist, carom_twist_advance, carom_twist_energy, carom_twist_heat,

@@ -2,7 +2,7 @@
 
 use carom::solver::{CellState, ContactState};
 use carom_cli::case::CaseKind;
-use carom_cli::cases::{self, HistoryStep, Impacts, Solved, history_columns, solve_columns};
+use carom_cli::cases::{self, HistoryStep, Impacts, Solved, history_columns};
 use carom_cli::error::CliError;
 use carom_cli::input::CaseFile;
 use numpy::PyArray1;
@@ -61,7 +61,7 @@ pub(crate) fn case_solve<'py>(
     ];
     let axes = axes.map(|axis| PyArray1::from_vec(py, axis));
     let (fields, cells) = lines(py, &state);
-    Ok((arrays(py, &solve_columns(), &steps)?, axes, fields, cells))
+    Ok((arrays(py, &carom::solver::StepSummary::columns(), &steps)?, axes, fields, cells))
 }
 
 /// A commented case of a kind, with every field that it may have: it runs as it stands.

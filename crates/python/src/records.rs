@@ -3,7 +3,7 @@
 use carom::impact::{EnergyBudget, HistoryPoint, Motion, Outcome, Rebound};
 use carom::laws::hertz::HertzState;
 use carom::table::{Column, Quantity as _, Value};
-use carom_cli::cases::{history_columns, solve_columns};
+use carom_cli::cases::history_columns;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -92,12 +92,11 @@ pub(crate) fn columns(
     record: &str,
 ) -> PyResult<Vec<(&'static str, &'static str, &'static str, usize)>> {
     match record {
-        "GridStep" => Ok(about(&solve_columns())),
         "HertzState" => Ok(about(HertzState::COLUMNS)),
         "HistoryPoint" => Ok(about(HistoryPoint::COLUMNS)),
         "HistoryStep" => Ok(about(&history_columns())),
         "Rebound" => Ok(about(Parted::COLUMNS)),
-        "SolverStep" => Ok(about(carom::solver::StepSummary::COLUMNS)),
+        "SolverStep" => Ok(about(&carom::solver::StepSummary::columns())),
         _ => Err(PyValueError::new_err(format!("no result `{record}`"))),
     }
 }

@@ -142,7 +142,7 @@ impl Solver {
 
     /// The last step in numbers.
     fn summary<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyDict>> {
-        arrays(py, StepSummary::COLUMNS, &[self.last])
+        arrays(py, &StepSummary::columns(), &[self.last])
     }
 
     /// Stresses (xx, yy, zz, xy, yz, zx) at points of a body, 1 or 2, an array (n, 6).

@@ -173,6 +173,10 @@ double PairCarom::init_one(int i, int j)
   if (!setflag[i][j]) error->all(FLERR, who + " is missing: friction is that of a pair");
   const carom::Material &pair = coefficients[place(i, j)];
   const bool own = pair.has_body;
+  for (const int type : {i, j})
+    if (!own && !material(type).has_body)
+      error->all(FLERR, who + ": type " + std::to_string(type) +
+                            " has no material of its own, so young and poisson are missing here");
   const carom_material one = own ? pair.body() : material(i).body();
   const carom_material two = own ? pair.body() : material(j).body();
   constants[place(i, j)] = carom::grains_of(lmp, who, one, two, pair, law_);

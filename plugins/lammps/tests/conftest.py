@@ -15,6 +15,10 @@ PLUGIN = pathlib.Path(os.environ["CAROM_PLUGIN"]).resolve()
 VENV = pathlib.Path(sys.prefix)
 
 
+def pytest_configure(config):
+    config.addinivalue_line("markers", "slow: takes a minute or more")
+
+
 class Failed(Exception):
     """LAMMPS ended with an error."""
 

@@ -6,7 +6,7 @@ import re
 import subprocess
 
 import pytest
-from conftest import PLUGIN, VENV, Failed, lmp
+from conftest import PLUGIN, VENV, Failed, dump, lmp
 
 ROOT = pathlib.Path(__file__).parents[3]
 START = """
@@ -97,3 +97,12 @@ def test_plugin_path(tmp_path, monkeypatch):
     monkeypatch.setenv("LAMMPS_PLUGIN_PATH", str(tmp_path))
     said = lmp(START.replace("plugin load ${plugin}", "") + PAIRS + VEL + "fix move all nve/sphere\nrun 10\n", tmp_path)
     assert "Loop time" in said
+
+
+def test_shear_example_runs(tmp_path):
+    """A few grains and steps of it."""
+    script = (ROOT / "plugins/lammps/examples/shear.in").read_text()
+    lmp(script, tmp_path, grains=400, pour=1500, shear=300)
+    rows = dump(tmp_path / "sheared.dump")
+    assert len(rows) == 400
+    assert rows[:, 4].min() > 0.002

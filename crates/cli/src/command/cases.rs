@@ -5,4 +5,4 @@ pub use super::history::{
     Step as HistoryStep, all_columns as history_columns, followed as history,
 };
 pub use super::impact::{Followed as Impacts, followed as impact};
-pub use super::solve::{Solved, solve_columns, solved as solve};
+pub use super::solve::{Solved, solved as solve};

@@ -78,7 +78,7 @@ from ._contact_theory import (
     von_mises,
 )
 from ._impact import collide, collide_many, history, plane, sphere
-from ._records import GridStep, HertzState, HistoryPoint, HistoryStep, Rebound, SolverStep
+from ._records import HertzState, HistoryPoint, HistoryStep, Rebound, SolverStep
 from ._solver import Solver, cells
 
 #: A rigid body's material.
@@ -90,7 +90,6 @@ __all__ = [
     "CaromError",
     "Contact",
     "Contacts",
-    "GridStep",
     "Hertz",
     "HertzState",
     "HistoryPoint",

@@ -8,7 +8,6 @@ RESULTS = {
     "HertzState": "A Hertz contact under load.",
     "HistoryPoint": "Instants of an impact, in contact axes.",
     "HistoryStep": "A contact after the steps of a history case. SI units; loads act on body 1.",
-    "GridStep": "A contact on a grid after the steps of a case. SI units; loads act on body 1.",
     "SolverStep": "A step of the numerical solver.",
     "Rebound": "How two bodies part. What only an impact has is not a number where they do not meet.",
 }

@@ -118,8 +118,8 @@ HistoryStep._vectors = frozenset([])
 
 
 @dataclass(frozen=True, eq=False)
-class GridStep(Record):
-    """A contact on a grid after the steps of a case. SI units; loads act on body 1.
+class SolverStep(Record):
+    """A step of the numerical solver.
 
     step                 number of the step, from 1
     zeta                 approach, m
@@ -183,57 +183,8 @@ class GridStep(Record):
     stick_area_error: Numbers
 
 
-GridStep.units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': '', 'zeta_error': 'm', 'xi_error': 'm', 'eta_error': 'm', 'omega_error': 'rad', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
-GridStep.meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
-GridStep._vectors = frozenset([])
-
-
-@dataclass(frozen=True, eq=False)
-class SolverStep(Record):
-    """A step of the numerical solver.
-
-    step                 number of the step, from 1
-    zeta                 approach, m
-    xi                   shift of body 2 against body 1 along x, m
-    eta                  the same along y, m
-    omega                twist about the normal, rad
-    F_x                  force on body 1 along x, N
-    F_y                  the same along y, N
-    F_z                  normal force, N
-    M_z                  torque on body 1, N m
-    p_max                greatest pressure, Pa
-    contact_area         of all cells in contact, m2
-    stick_area           of those that stick, m2
-    stored_energy        elastic energy of both bodies, J
-    dissipated           friction heat since the start, J
-    residual_normal      what is left of the normal conditions
-    residual_tangential  what is left of the friction law
-    products_normal      products with the normal influence
-    products_tangential  the same with the tangential one
-    """
-
-    step: Numbers
-    zeta: Numbers
-    xi: Numbers
-    eta: Numbers
-    omega: Numbers
-    F_x: Numbers
-    F_y: Numbers
-    F_z: Numbers
-    M_z: Numbers
-    p_max: Numbers
-    contact_area: Numbers
-    stick_area: Numbers
-    stored_energy: Numbers
-    dissipated: Numbers
-    residual_normal: Numbers
-    residual_tangential: Numbers
-    products_normal: Numbers
-    products_tangential: Numbers
-
-
-SolverStep.units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': ''}
-SolverStep.meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one'}
+SolverStep.units = {'step': '', 'zeta': 'm', 'xi': 'm', 'eta': 'm', 'omega': 'rad', 'F_x': 'N', 'F_y': 'N', 'F_z': 'N', 'M_z': 'N m', 'p_max': 'Pa', 'contact_area': 'm2', 'stick_area': 'm2', 'stored_energy': 'J', 'dissipated': 'J', 'residual_normal': '', 'residual_tangential': '', 'products_normal': '', 'products_tangential': '', 'zeta_error': 'm', 'xi_error': 'm', 'eta_error': 'm', 'omega_error': 'rad', 'F_x_error': 'N', 'F_y_error': 'N', 'F_z_error': 'N', 'M_z_error': 'N m', 'p_max_error': 'Pa', 'contact_area_error': 'm2', 'stick_area_error': 'm2'}
+SolverStep.meanings = {'step': 'number of the step, from 1', 'zeta': 'approach', 'xi': 'shift of body 2 against body 1 along x', 'eta': 'the same along y', 'omega': 'twist about the normal', 'F_x': 'force on body 1 along x', 'F_y': 'the same along y', 'F_z': 'normal force', 'M_z': 'torque on body 1', 'p_max': 'greatest pressure', 'contact_area': 'of all cells in contact', 'stick_area': 'of those that stick', 'stored_energy': 'elastic energy of both bodies', 'dissipated': 'friction heat since the start', 'residual_normal': 'what is left of the normal conditions', 'residual_tangential': 'what is left of the friction law', 'products_normal': 'products with the normal influence', 'products_tangential': 'the same with the tangential one', 'zeta_error': 'estimated error of zeta by the mesh', 'xi_error': 'the same of xi', 'eta_error': 'of eta', 'omega_error': 'of omega', 'F_x_error': 'of F_x', 'F_y_error': 'of F_y', 'F_z_error': 'of F_z', 'M_z_error': 'of M_z', 'p_max_error': 'of p_max', 'contact_area_error': 'of contact_area, at most', 'stick_area_error': 'of stick_area, at most'}
 SolverStep._vectors = frozenset([])
 
 

@@ -20,7 +20,7 @@ from numpy.typing import NDArray
 
 from . import _carom
 from ._arrays import Array
-from ._records import GridStep, HistoryStep, Rebound
+from ._records import HistoryStep, Rebound, SolverStep
 
 Path = str | os.PathLike[str]
 
@@ -88,7 +88,7 @@ class Solved:
     cells           what each does: 0 apart, 1 sticks, 2 slips
     """
 
-    steps: GridStep
+    steps: SolverStep
     x: Array
     y: Array
     pressure: Array
@@ -114,7 +114,7 @@ def solve(path: Path, *, accuracy: float | None = None) -> Solved:
     steps, (x, y), fields, cells = _carom.case_solve(os.fspath(path), accuracy)
     shape = (len(y), len(x))
     return Solved(
-        GridStep._of(steps, (len(steps["step"]),)),
+        SolverStep._of(steps, (len(steps["step"]),)),
         x,
         y,
         *(field.reshape(shape) for field in fields),

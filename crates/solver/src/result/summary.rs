@@ -212,6 +212,12 @@ impl StepSummary {
         }),
     ];
 
+    /// Both lists of columns, one after the other.
+    #[must_use]
+    pub fn columns() -> Vec<Column<Self>> {
+        [Self::COLUMNS, Self::ERROR_COLUMNS].concat()
+    }
+
     /// The columns of its errors; undefined where there are none.
     pub const ERROR_COLUMNS: &'static [Column<Self>] = &[
         Column::new("zeta_error", "m", "estimated error of zeta by the mesh", |step| {

@@ -25,7 +25,6 @@ use follow::{Followed, Run};
 use serde::Serialize;
 use std::path::PathBuf;
 use store::{Found, Store};
-pub use view::columns as solve_columns;
 
 /// A contact with friction on a grid: any gap, any materials, any history.
 ///
@@ -58,7 +57,7 @@ pub(super) struct Arguments {
 
 /// What the rows hold.
 fn help() -> String {
-    let steps = columns::help("A row for each step", &view::columns());
+    let steps = columns::help("A row for each step", &StepSummary::columns());
     let depths = columns::help("With --depths as CSV, a row for each depth", below::COLUMNS);
     format!("{steps}\n{depths}")
 }
@@ -93,7 +92,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     };
     let followed = run.follow(found, store.as_ref(), messages)?;
     let (steps, format) = (&followed.steps, arguments.given.format);
-    let all = view::columns();
+    let all = StepSummary::columns();
     columns::check(&file.path, &all, steps)?;
     let records = || steps.iter().map(|step| Record::new(&all, step)).collect::<Vec<_>>();
     let stresses = match (arguments.depths, steps.last()) {

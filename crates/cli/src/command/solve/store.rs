@@ -3,7 +3,6 @@
 
 use super::classic::Chosen;
 use super::npz::{self, Array};
-use super::view;
 use crate::columns;
 use crate::destination::Aside;
 use crate::error::CliError;
@@ -108,7 +107,7 @@ impl Store {
         let bytes = npz::encode(&self.arrays(last, history, window));
         Aside::write(&path, &bytes)?.put_in_place()?;
         let loads = self.folder.join("loads.csv");
-        let text = columns::rows(Format::Csv, &view::columns(), steps)?;
+        let text = columns::rows(Format::Csv, &StepSummary::columns(), steps)?;
         Aside::write(&loads, text.as_bytes())?.put_in_place()
     }
 

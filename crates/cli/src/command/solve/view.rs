@@ -3,12 +3,6 @@
 use carom_solver::StepSummary;
 use carom_table::Column;
 
-/// The columns of a solution.
-#[must_use]
-pub fn columns() -> Vec<Column<StepSummary>> {
-    [StepSummary::COLUMNS, StepSummary::ERROR_COLUMNS].concat()
-}
-
 /// Those of a table to read.
 pub(super) fn readable() -> &'static [Column<StepSummary>] {
     &StepSummary::COLUMNS[..14]
