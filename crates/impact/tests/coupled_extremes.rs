@@ -280,3 +280,26 @@ proptest! {
         }
     }
 }
+
+/// Known problem, one of 120 000 random impacts: the law of fixed directions wedges and does not settle, an
+/// estimate of .006 after 38 million steps. Uniform steps of it do, to 1e-5; Coulomb's law settles at once.
+#[test]
+#[ignore = "does not hold yet: the steps of the fixed directions' law converge to no limit here"]
+fn wedging_with_fixed_directions_settles() {
+    let a = [
+        -0.5735527274244027,
+        0.35310119860846145,
+        2.5940924417444977,
+        -0.7252053497222897,
+        1.834765095387128,
+        -0.7426347144520603,
+    ];
+    let c = [0.699506192991745, -0.8577791847758154].map(power);
+    let case = Case::of(a, c, power(0.42217257501809324), [1.0, -power(3.921939882691706)]);
+    case.check(&case.impact().solve(VectorLaw::Coulomb).unwrap(), 5e-6).unwrap();
+    let fixed = case.impact().accepting_unsettled().solve(VectorLaw::FixedDirection).unwrap();
+    // Uniform steps, 3.2 million of them.
+    let limit = Vector3::new(-0.03886, 0.42867, -0.21729);
+    let off = (fixed.velocity / Vector3::from(case.v).norm() - limit).norm();
+    assert!(off < 1e-4 && fixed.warning.is_none(), "{off:e} {fixed:?}");
+}
