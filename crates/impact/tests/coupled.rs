@@ -308,11 +308,21 @@ proptest! {
         let v = speed.map(|(back, x)| if back { -power(x) } else { power(x) });
         let impact = impact(a, c.map(power), power(f), v);
         for law in [VectorLaw::Coulomb, VectorLaw::FixedDirection] {
-            let outcome = impact.solve(law).unwrap();
+            let energy = |v: &Vector3<f64>| matrix(a).energy(v);
+            let before = energy(&impact.velocity());
+            let outcome = match impact.solve(law) {
+                Err(CoupledError::NotSettled { .. }) if law == VectorLaw::FixedDirection => {
+                    // This law may create energy, one impact in 60 000; what is accepted all the same has
+                    // as much as there was.
+                    let held = impact.accepting_unsettled().solve(law).unwrap();
+                    prop_assert!((energy(&held.velocity) / before - 1.0).abs() <= 1e-12, "{held:?}");
+                    continue;
+                }
+                outcome => outcome.unwrap(),
+            };
             prop_assert!(outcome.velocity.z < 0.0, "{outcome:?}");
             prop_assert!(outcome.warning.is_none() && outcome.error_estimate <= 5e-6, "{outcome:?}");
-            let (before, after) =
-                (matrix(a).energy(&impact.velocity()), matrix(a).energy(&outcome.velocity));
+            let after = energy(&outcome.velocity);
             prop_assert!(after <= before * (1.0 + 1e-12), "{before:e} {after:e} {outcome:?}");
             prop_assert!(outcome.duration.is_finite() && outcome.maximal_approach > 0.0);
         }
