@@ -101,7 +101,7 @@ def test_pickled_or_copied_it_goes_on_bit_for_bit():
     expected = solver.step(F_x=0.5)
     for other in others:
         step = other.step(F_x=0.5)
-        assert step.to_dict() == expected.to_dict()
+        np.testing.assert_equal(step.to_dict(), expected.to_dict())
         assert (other.pressure == solver.pressure).all()
         assert (other.traction_y == solver.traction_y).all()
 
