@@ -115,6 +115,7 @@ fn laws_go_on_from_their_numbers() {
             let joined = ShiftTwistLaw::of(shifted, again).unwrap();
             assert!((joined.load().f_x - pair.load().f_x).abs() <= 1e-13 * load.f_z);
             assert_eq!(joined.load().m_z, pair.load().m_z);
+            assert_eq!(joined.shift().omega, omega);
         }
     }
 }
@@ -151,4 +152,14 @@ fn numbers_that_are_no_state_are_refused() {
         assert_eq!((error.field, &history), (field, &before), "{place} {value}");
     }
     assert_eq!(history.unpack(&numbers[..6]).unwrap_err().field, "numbers");
+}
+
+#[test]
+fn a_step_that_fails_before_the_touch_leaves_the_twist_as_it_was() {
+    let mut law = TorsionLaw::new(&hertz(), Friction::new(0.3).unwrap()).unwrap();
+    law.advance(Shift { zeta: -0.1, omega: 0.2, ..Shift::default() }).unwrap();
+    let before = law.clone();
+    let far = Shift { zeta: 1e130, omega: 0.3, ..Shift::default() };
+    assert_eq!(law.advance(far).unwrap_err().field, "zeta");
+    assert_eq!(law, before);
 }

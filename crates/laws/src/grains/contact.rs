@@ -170,7 +170,9 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     #[inline]
     fn carried(&self, meeting: &Meeting, angle: f64) -> Vector {
         let (old, new) = (self.normal, meeting.normal);
-        let tilt = dot(self.tangent, new) / (1.0 + dot(old, new));
+        // A normal that turns right round does so about the tangent.
+        let lean = 1.0 + dot(old, new);
+        let tilt = if lean > 1e-12 { dot(self.tangent, new) / lean } else { 0.0 };
         let tangent = minus(self.tangent, times(plus(old, new), tilt));
         let (sine, cosine) = small_turn(angle);
         let turned = plus(times(tangent, cosine), times(cross(new, tangent), sine));

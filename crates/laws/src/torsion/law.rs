@@ -375,7 +375,7 @@ impl ContactLaw for ShiftTwistLaw {
     }
 
     fn shift(&self) -> Shift {
-        self.tangential.shift()
+        Shift { omega: self.torsion.shift().omega, ..self.tangential.shift() }
     }
 
     fn load(&self) -> ContactLoad {
