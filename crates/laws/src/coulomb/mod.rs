@@ -78,7 +78,7 @@ pub struct CoulombMemory<V, S = Growing<V>> {
 pub struct Tolerance(f64);
 
 /// The largest bubble over the power 2/3 of the tolerance.
-const BULGE: f64 = 0.3;
+const BULGE: f64 = 0.25;
 
 impl Tolerance {
     /// That of many particles: 1e-2.

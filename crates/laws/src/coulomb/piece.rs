@@ -84,6 +84,13 @@ impl<V: Lateral> Piece<V> {
         self.low.anchor.plus(self.high.anchor).times(0.5).plus(self.bubble)
     }
 
+    /// The squares of the ways of its ends and its middle to others.
+    #[inline]
+    pub(super) fn ways(&self, new: [V; 3]) -> [f64; 3] {
+        let way = |from: V, to: V| to.minus(from).dot(to.minus(from));
+        [way(self.low.anchor, new[0]), way(self.middle(), new[1]), way(self.high.anchor, new[2])]
+    }
+
     #[inline]
     pub(super) fn middle_depth(&self) -> f64 {
         0.5 * (self.low.depth + self.high.depth)
@@ -110,7 +117,7 @@ impl<V: Lateral> Piece<V> {
     }
 
     /// The part at which the rings begin to be beyond their limit, given a part that is within and
-    /// a higher one that is not.
+    /// one that is not.
     #[inline]
     pub(super) fn front(&self, step: &Step<V>, within: f64, beyond: f64) -> f64 {
         let (low, high) = (self.at(within), self.at(beyond));
@@ -142,10 +149,12 @@ impl<V: Lateral> Piece<V> {
             let (depth, anchor) = (self.depth_at(part), self.at(part));
             let rate = chord.plus(self.bubble.times(4.0 - 8.0 * part));
             let slope = 2.0 * ((step.zeta - depth) * length - step.shift.minus(anchor).dot(rate));
-            if slope <= 0.0 {
+            // Outwards, from what sticks to what slips.
+            if slope * (beyond - within) <= 0.0 {
                 return part;
             }
-            part = (part - step.excess(depth, anchor) / slope).clamp(within, beyond);
+            let next = part - step.excess(depth, anchor) / slope;
+            part = next.clamp(within.min(beyond), within.max(beyond));
         }
         part
     }
