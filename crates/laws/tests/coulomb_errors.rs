@@ -208,21 +208,14 @@ fn layers_and_deep_joins_stay_below_their_share() {
     }
 }
 
-/// Paths on which a zone of slip ends inside a piece, or a flat parabola hides a curve to and fro: off
-/// by 1.3 to 2.3e-3 where nobody looks.
+/// Paths on which a zone of slip ends inside a piece, with stick above: off by 2e-4 if the piece stays one.
 #[test]
 fn zones_of_slip_inside_a_piece_are_found() {
+    let scan = Scan { tolerance: 1e-3, parts: 1, rings: 1000 };
+    assert!(scan.run(Kind::Corners, 264..265).largest < 1e-4);
+    // A flat parabola that hid a curve to and fro, by 1.4e-3.
     let scan = Scan { tolerance: 1e-2, parts: 1, rings: 500 };
-    for (kind, seed) in [
-        (Kind::Corners, 1966),
-        (Kind::Corners, 422),
-        (Kind::Corners, 1901),
-        (Kind::Turning, 291),
-        (Kind::Turning, 2067),
-    ] {
-        let errors = scan.run(kind, seed..seed + 1);
-        assert!(errors.largest < 1.1e-3, "{kind:?}, {seed}");
-    }
+    assert!(scan.run(Kind::Turning, 291..292).largest < 5e-4);
 }
 
 #[test]
