@@ -190,6 +190,10 @@ fn layers_and_deep_joins_stay_below_their_share() {
     let scan = Scan { tolerance: 1e-2, parts: 1, rings: 500 };
     // Steps by which a growing contact turns slowly, each joined to the last.
     assert!(scan.run(Kind::Collision, 3285..3286).largest < 1.5e-3);
+    assert!(scan.run(Kind::Collision, 4943..4944).largest < 1.2e-3);
+    // A contact that slid and turned recedes to a part of its lowest piece; one recedes unshifted.
+    assert!(scan.run(Kind::Adversarial, 1634..1635).largest < 5e-4);
+    assert!(scan.run(Kind::Adversarial, 3836..3837).largest < 1e-3);
     for (kind, seed) in [
         (Kind::Turning, 155),
         (Kind::Turning, 775),

@@ -45,7 +45,7 @@ pub(super) enum AnyLaw {
 const OFF_LINE: f64 = 6.0;
 /// How far the curve of anchors may be off: this over the steps of a free impact and over the steps
 /// taken.
-const OFF_CURVE: f64 = 40.0;
+const OFF_CURVE: f64 = 20.0;
 /// The greatest part of c_x by which c_y may differ where slip passes for that of equal ones.
 const ROUND: f64 = 1e-13;
 

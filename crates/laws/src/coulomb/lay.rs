@@ -12,6 +12,11 @@ const LAYER: f64 = 0.8;
 /// that is looked for.
 const HIDES: f64 = 0.43;
 const NEAR: f64 = 0.75;
+/// Where the lowest piece is looked at again: the contact may recede to there, and then what is off
+/// counts for more.
+const DEEP: f64 = 0.25;
+/// Below which root of its lower end, over that of its upper, a piece is the lowest, or next to it.
+const LOW: f64 = 0.25;
 /// How often a piece may be halved in one step.
 pub(super) const HALVINGS: u32 = 6;
 /// Below which root of its lower end, over that of its upper, a flat parabola is not believed.
@@ -40,9 +45,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             self.split(i, old, (part, new), step, (sizes, halvings));
             return;
         }
-        let miss = LAYER * miss;
-        let doubtful = square > miss * miss || old.low.root < WIDE * old.high.root;
-        if doubtful && let Some(part) = layer(old, new, bubble, step, miss) {
+        let drawn = Drawn { old, new, bubble };
+        if let Some(part) = drawn.hides(step, LAYER * miss) {
             self.split(i, old, (part, new), step, (sizes, halvings));
         }
     }
@@ -143,25 +147,45 @@ fn kink_between<V: Lateral>(
     })
 }
 
-/// Where a dragged piece is to be split since its parabola, though flat, is off by more than allowed
-/// near its upper end: rings of limits below the length of the step have turned, others have not.
-#[inline]
-fn layer<V: Lateral>(
-    old: &Piece<V>,
+/// The parabola in the place of a dragged piece, through its ends and its middle.
+struct Drawn<'a, V> {
+    old: &'a Piece<V>,
     new: [V; 3],
     bubble: V,
-    step: &Step<V>,
-    allowed: f64,
-) -> Option<f64> {
-    let [low, high] = [old.low.depth, old.high.depth].map(|depth| step.zeta - depth);
-    if high > HIDES * low {
-        return None;
+}
+
+impl<V: Lateral> Drawn<'_, V> {
+    /// Where the piece is to be split since its parabola, though flat, is off by more than allowed.
+    #[inline]
+    fn hides(&self, step: &Step<V>, allowed: f64) -> Option<f64> {
+        let bent = self.bubble.dot(self.bubble) > allowed * allowed;
+        let doubtful = bent || self.old.low.root < WIDE * self.old.high.root;
+        if doubtful && let Some(part) = self.layer(step, allowed) {
+            return Some(part);
+        }
+        let deep = bent && self.old.low.root < LOW * self.old.high.root;
+        (deep && self.off(step, DEEP) > DEEP * allowed).then_some(DEEP)
     }
-    let [low, high] = [low, high].map(|limit| limit + step.length);
-    let part = ((low - (low * high).sqrt()) / (low - high)).max(NEAR);
-    let depth = old.depth_at(part);
-    let on = new[0].plus(new[2].minus(new[0]).times(part));
-    let on = on.plus(bubble.times(4.0 * part * (1.0 - part)));
-    let off = step.drag(depth, old.at(part)).minus(on);
-    (off.dot(off) > allowed * allowed).then_some(part)
+
+    /// The same near its upper end: rings of limits below the length of the step, or below what the
+    /// contact receded, have turned, others have not.
+    #[inline]
+    fn layer(&self, step: &Step<V>, allowed: f64) -> Option<f64> {
+        let [low, high] = [self.old.low.depth, self.old.high.depth].map(|depth| step.zeta - depth);
+        if high > HIDES * low {
+            return None;
+        }
+        let [low, high] = [low, high].map(|limit| limit + step.length.max(-step.dz));
+        let part = ((low - (low * high).sqrt()) / (low - high)).max(NEAR);
+        (self.off(step, part) > allowed).then_some(part)
+    }
+
+    /// How far the parabola is off at a part of the depth.
+    #[inline]
+    fn off(&self, step: &Step<V>, part: f64) -> f64 {
+        let [low, _, high] = self.new;
+        let on = low.plus(high.minus(low).times(part));
+        let on = on.plus(self.bubble.times(4.0 * part * (1.0 - part)));
+        step.drag(self.old.depth_at(part), self.old.at(part)).minus(on).length()
+    }
 }

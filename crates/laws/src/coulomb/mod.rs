@@ -79,7 +79,7 @@ pub struct CoulombMemory<V, S = Growing<V>> {
 pub struct Tolerance(f64);
 
 /// The largest bubble over the power 2/3 of the tolerance.
-const BULGE: f64 = 0.25;
+const BULGE: f64 = 0.24;
 
 impl Tolerance {
     /// That of many particles: 1e-2.

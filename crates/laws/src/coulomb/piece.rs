@@ -79,6 +79,12 @@ impl<V: Lateral> Piece<V> {
         self.low.anchor.plus(chord).plus(self.bubble.times(4.0 * part * (1.0 - part)))
     }
 
+    /// The derivative of the anchor by the part.
+    #[inline]
+    pub(super) fn rate(&self, part: f64) -> V {
+        self.high.anchor.minus(self.low.anchor).plus(self.bubble.times(4.0 - 8.0 * part))
+    }
+
     #[inline]
     pub(super) fn middle(&self) -> V {
         self.low.anchor.plus(self.high.anchor).times(0.5).plus(self.bubble)
@@ -144,11 +150,10 @@ impl<V: Lateral> Piece<V> {
     /// Two steps of Newton's from the chord to the curve.
     fn on_curve(&self, step: &Step<V>, mut part: f64, within: f64, beyond: f64) -> f64 {
         let length = self.high.depth - self.low.depth;
-        let chord = self.high.anchor.minus(self.low.anchor);
         for _ in 0..2 {
             let (depth, anchor) = (self.depth_at(part), self.at(part));
-            let rate = chord.plus(self.bubble.times(4.0 - 8.0 * part));
-            let slope = 2.0 * ((step.zeta - depth) * length - step.shift.minus(anchor).dot(rate));
+            let rise = step.shift.minus(anchor).dot(self.rate(part));
+            let slope = 2.0 * ((step.zeta - depth) * length - rise);
             // Outwards, from what sticks to what slips.
             if slope * (beyond - within) <= 0.0 {
                 return part;

@@ -11,7 +11,7 @@ use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 /// What counts as no length at all, over the approach and over the shift.
 const EXACT: [f64; 2] = [1e-13, 1e-15];
 /// The share of the tolerance by which a join may move the curve of the whole contact.
-const SHARE: f64 = 0.07;
+const SHARE: f64 = 0.06;
 /// Where the slipping part of the curve begins.
 enum Front {
     /// Nothing slips.
