@@ -23,7 +23,7 @@ const RINGED: usize = 2;
 
 /// What the last change of the outcome counts for where a law has rings: which of them slip jumps
 /// from run to run, and so the errors do. Of 60 random impacts two were off by up to three times a
-/// tolerance of 1e-5 or 1e-6 where it counted once, none of 300 where it counts twice.
+/// tolerance of 1e-5 or 1e-6 where it counted once, none where it counts twice.
 const DOUBT: f64 = 2.0;
 
 /// Runs that double steps and rings, while the next one takes no more than so many steps.
