@@ -155,6 +155,11 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         ),
         (
             "friction = 0.2",
+            "friction = 0.2\nnormal_restitution = 0.9\nwave_loss = true",
+            "line 19: `contact.normal_restitution` cannot stand beside `contact.wave_loss`: it is what",
+        ),
+        (
+            "friction = 0.2",
             "friction = 0.2\npoint_1 = [0, 0, -0.015]",
             "line 8: `body_1.position` cannot stand beside `contact.point_1`",
         ),

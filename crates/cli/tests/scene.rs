@@ -38,6 +38,25 @@ fn a_superball_hops_to_and_fro_and_loses_energy() {
 }
 
 #[test]
+fn a_golf_ball_comes_to_rest_and_its_energy_is_booked() {
+    let report = report(&example("scene_golf_ball.toml"), &[]);
+    let bounces = report["bounces"].as_array().unwrap();
+    assert!(bounces.len() > 8);
+    assert_eq!(report["ending"], "it stays on floor");
+    for bounce in bounces {
+        let number = |name: &str| bounce[name].as_f64().unwrap();
+        let normal = |name: &str| bounce[name][2].as_f64().unwrap();
+        if bounce["wall"] == "floor" {
+            assert!((normal("velocity") + 0.75 * normal("velocity_before")).abs() < 1e-12);
+        }
+        let taken = number("energy_dissipated") + number("energy_lost");
+        let balance = number("energy_before") - number("energy_after") - taken;
+        assert!(number("energy_lost") > 0.0);
+        assert!(balance.abs() < 1e-12 * number("energy_before"));
+    }
+}
+
+#[test]
 fn bad_scenes_end_with_code_2_and_write_nothing() {
     let book = std::fs::read_to_string(example("scene_book.toml")).unwrap();
     for (old, new, expected) in [
@@ -45,6 +64,11 @@ fn bad_scenes_end_with_code_2_and_write_nothing() {
         ("gravity = [0, 0, 0]", "gravity = [0, 0, nan]", "`scene.gravity.z` = NaN is out of range"),
         ("gravity = ", "gravty = ", "did you mean `gravity`?"),
         ("friction = 0.3", "friction = -1", "`wall[0].friction` = -1 is out of range"),
+        (
+            "friction = 0.3",
+            "friction = 0.3\nnormal_restitution = 1.2",
+            "`wall[0].normal_restitution` = 1.2 is out of range",
+        ),
         ("along = [1, 0, 0]", "along = [0, 0, 2]", "`wall[1].along`"),
         ("width = 0.17", "", "`wall[1].width` is missing"),
         ("normal = [0, 0, 1]", "normal = [0, 0, 0]", "`wall[0].normal` = 0 is out of range"),

@@ -8,6 +8,7 @@
 mod body;
 mod collision;
 mod mobility;
+mod normal_restitution;
 mod normal_spin;
 mod numerical;
 mod outcome;
@@ -25,6 +26,7 @@ pub mod uncertain;
 pub use body::{Body, Motion};
 pub use collision::{Collision, CollisionError};
 pub use mobility::{Lever, Mobility};
+pub use normal_restitution::NormalRestitution;
 pub use normal_spin::NormalSpinError;
 pub use numerical::{NumericalImpact, NumericalImpactError};
 pub use outcome::{EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Torsion, Warning};

@@ -9,6 +9,7 @@ use carom_laws::hertz::Hertz;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::closed_form::NOTICEABLE;
+use crate::normal_restitution::Damped;
 use crate::outcome::{Torsion, Warning};
 use crate::torsional::{SpinCollision, Spinner, TorsionalError, limits};
 
@@ -36,6 +37,17 @@ pub enum NormalSpinError {
     /// The torsional impact could not be followed.
     #[error("torsion: {0}")]
     Torsional(#[from] TorsionalError),
+}
+
+impl Torsion {
+    /// Leaves a part of it.
+    pub(crate) fn damp(&mut self, damped: Damped) {
+        if damped.part < 1.0 {
+            self.torque_impulse *= damped.part;
+            self.spin_ratio = 1.0 - damped.part * (1.0 - self.spin_ratio);
+            self.dissipated *= damped.part;
+        }
+    }
 }
 
 /// What turns a body about the normal.
@@ -86,6 +98,11 @@ impl NormalSpin<'_> {
             dissipated: outcome.energy_loss,
             error_estimate: outcome.error_estimate,
         })
+    }
+
+    /// Half of torque impulse times the change of the relative spin.
+    pub(crate) fn exchanged(&self, torsion: &Torsion) -> f64 {
+        0.5 * (torsion.torque_impulse * (1.0 - torsion.spin_ratio) * self.relative_spin()).abs()
     }
 
     /// The change of a body's spin by the torque impulse on body 1.

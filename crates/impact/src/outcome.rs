@@ -66,7 +66,7 @@ pub struct Rebound {
     pub maximal_approach: f64,
     /// The greatest contact area, a circle for spheres.
     pub maximal_contact: ContactEllipse,
-    /// Kinetic energies and what friction took.
+    /// Kinetic energies, and what friction and material took.
     pub energy: EnergyBudget,
     /// The torsional impact; none where the spin about the normal was left alone.
     pub torsion: Option<Torsion>,
@@ -107,6 +107,7 @@ impl Rebound {
         Column::new("energy_before", "J", "kinetic", |rebound| rebound.energy.before.into()),
         Column::new("energy_after", "J", "kinetic", |rebound| rebound.energy.after.into()),
         Column::new("energy_dissipated", "J", "by friction", |r| r.energy.dissipated.into()),
+        Column::new("energy_lost", "J", "in the bodies' material", |r| r.energy.lost.into()),
         Column::new(
             "regimes",
             "",
@@ -156,6 +157,8 @@ pub struct EnergyBudget {
     pub after: f64,
     /// Turned into heat by slip and released by the receding edge, (9.59).
     pub dissipated: f64,
+    /// Lost in the bodies' material, as [`crate::NormalRestitution`] has it; 0 of elastic ones.
+    pub lost: f64,
 }
 
 /// Whether the torsional impact is computed too.
@@ -249,7 +252,8 @@ pub enum Warning {
         /// curvature.
         ratio: f64,
     },
-    /// Elastic waves would carry away more than 1 % of the normal energy, (3.2).
+    /// Elastic waves would carry away more than 1 % of the normal energy, (3.2), and nothing is taken off
+    /// for them.
     WaveLoss {
         /// The share, estimated for the body's material throughout.
         share: f64,

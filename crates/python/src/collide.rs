@@ -1,7 +1,7 @@
 //! Collisions, one and many.
 
 use carom::impact::coupled::VectorLaw;
-use carom::impact::{Body as Colliding, Collision, HistoryPoint};
+use carom::impact::{Body as Colliding, Collision, HistoryPoint, NormalRestitution};
 use carom::prelude::Friction;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -19,6 +19,7 @@ struct Way {
     torsion: bool,
     law: VectorLaw,
     tolerance: Option<f64>,
+    normal_restitution: f64,
 }
 
 impl Way {
@@ -36,7 +37,12 @@ impl Way {
                 return Err(PyValueError::new_err(text));
             }
         };
-        Ok(Self { normal, torsion, law, tolerance })
+        Ok(Self { normal, torsion, law, tolerance, normal_restitution: 1.0 })
+    }
+
+    /// Where the material takes a part.
+    fn losing(self, normal_restitution: f64) -> Self {
+        Self { normal_restitution, ..self }
     }
 
     fn collision(&self, one: Colliding, two: Colliding, friction: f64) -> Result<Collision, Fault> {
@@ -45,7 +51,9 @@ impl Way {
             Some(normal) => Collision::along(one, two, normal, friction)?,
             None => Collision::touching(one, two, friction)?,
         };
-        collision = collision.with_law(self.law);
+        collision = collision
+            .with_law(self.law)
+            .with_normal_restitution(NormalRestitution::new(self.normal_restitution)?);
         if let Some(tolerance) = self.tolerance {
             collision = collision.within(tolerance)?;
         }
@@ -65,8 +73,9 @@ pub(crate) fn collide<'py>(
     torsion: bool,
     law: &str,
     tolerance: Option<f64>,
+    normal_restitution: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let way = Way::new(normal, torsion, law, tolerance)?;
+    let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution);
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let solve =
         || -> Result<Parted, Fault> { Ok(way.collision(one, two, friction)?.solve()?.into()) };
@@ -86,8 +95,9 @@ pub(crate) fn collide_many<'py>(
     torsion: bool,
     law: &str,
     tolerance: Option<f64>,
+    normal_restitution: f64,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let way = Way::new(normal, torsion, law, tolerance)?;
+    let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution);
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let friction = friction.as_slice()?;
     let mut rows: [&[[f64; 3]]; 4] = [&[]; 4];

@@ -74,6 +74,7 @@ impl Parted {
         Column::new("energy_before", "J", "kinetic energy before", |p| p.energy(|e| e.before)),
         Column::new("energy_after", "J", "kinetic energy after", |p| p.energy(|e| e.after)),
         Column::new("dissipated", "J", "what friction took", |p| p.energy(|e| e.dissipated)),
+        Column::new("lost", "J", "what the bodies' material took", |p| p.energy(|e| e.lost)),
         Column::new("error_estimate", "", "of the velocity after, over that before", |p| {
             p.of(|r| r.error_estimate)
         }),

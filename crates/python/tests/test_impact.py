@@ -164,3 +164,16 @@ def test_pictures(tmp_path):
     assert axes.get_ylabel() == "F / N"
     contact = carom.Contact(carom.hertz_of_spheres(0.01, 0.01, STEEL), 0.3)
     plot.loop([0, 1e-7], contact.follow([1e-6, 1e-6], [0, 1e-7]))
+
+
+def test_the_material_takes_a_part():
+    rubber = carom.Material(5e6, 0.5)
+    ball = carom.sphere(0.02, rubber, 0.037, velocity=(1, 0, -3))
+    floor = carom.plane(carom.RIGID)
+    rebound = carom.collide(ball, floor, 0.5, normal_restitution=0.8)
+    assert rebound.velocity_1[2] == pytest.approx(2.4, rel=1e-14)
+    booked = rebound.energy_after + rebound.dissipated + rebound.lost
+    assert booked == pytest.approx(rebound.energy_before, rel=1e-12)
+    assert rebound.lost >= 0.5 * 0.037 * (9 - 2.4**2) * (1 - 1e-12)
+    with pytest.raises(carom.RangeError, match="normal restitution = 1.5"):
+        carom.collide(ball, floor, 0.5, normal_restitution=1.5)

@@ -4,6 +4,7 @@ use super::error::CaseError;
 use super::field::{Default, Field, Form, Word};
 use super::range::Range;
 use super::section::Section;
+use carom_impact::NormalRestitution;
 use carom_impact::coupled::VectorLaw;
 
 pub(super) const COULOMB: &str = "coulomb";
@@ -34,6 +35,31 @@ pub(super) const LAW: Field = Field::new(
 pub(super) const TORSION: Field =
     Field::new("torsion", Form::Switch, "whether friction acts on the spin about the normal too")
         .default(Default::False);
+pub(super) const NORMAL_RESTITUTION: Field = Field::number(
+    "normal_restitution",
+    Range::Part.pure(),
+    "normal velocity after over that before; below 1 the material takes energy, beyond the elastic theory",
+)
+.default(Default::Number(1.0));
+pub(super) const WAVE_LOSS: Field = Field::new(
+    "wave_loss",
+    Form::Switch,
+    "whether elastic waves take their share of the normal energy",
+)
+.default(Default::False);
+
+/// What the material takes, of an impact or a wall.
+pub(super) fn normal_restitution(section: &Section<'_>) -> Result<NormalRestitution, CaseError> {
+    if !section.switch(&WAVE_LOSS)? {
+        let coefficient = section.number(&NORMAL_RESTITUTION)?;
+        return NormalRestitution::new(coefficient).map_err(|error| section.refused(error));
+    }
+    if section.has(&NORMAL_RESTITUTION) {
+        let reason = "it is what waves leave";
+        return Err(section.conflict(&NORMAL_RESTITUTION, &WAVE_LOSS, reason));
+    }
+    Ok(NormalRestitution::by_waves())
+}
 
 /// Friction, law and torsion of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -46,6 +72,8 @@ pub struct Contact {
     pub is_numerical: bool,
     /// The line of `torsion = true`; none if the spin about the normal is left alone.
     pub torsion: Option<usize>,
+    /// What the material takes.
+    pub normal_restitution: NormalRestitution,
 }
 
 impl Contact {
@@ -67,6 +95,7 @@ impl Contact {
             let allowed = "finite with law = \"numerical\"";
             return Err(contact.out_of_range(&FRICTION, friction, allowed));
         }
-        Ok(Self { friction, law, is_numerical, torsion })
+        let normal_restitution = normal_restitution(contact)?;
+        Ok(Self { friction, law, is_numerical, torsion, normal_restitution })
     }
 }

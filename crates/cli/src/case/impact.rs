@@ -5,7 +5,7 @@
 //! several, a sweep, or be a distribution.
 
 use super::body::{BODY_1, BODY_2, BodyCase, FIXED, MASS, SHAPE, Velocity};
-use super::contact::{Contact, FRICTION, LAW, TORSION};
+use super::contact::{Contact, FRICTION, LAW, NORMAL_RESTITUTION, TORSION, WAVE_LOSS};
 use super::error::CaseError;
 use super::field::{Field, Form};
 use super::material::MATERIAL;
@@ -39,7 +39,17 @@ const APPROACH: Field = Field::new(
 .may("the velocity is `body_1.velocity`");
 pub(super) const CONTACT: Field = Field::new(
     "contact",
-    Form::Table(&[FRICTION, LAW, TORSION, POINT, POINT_1, POINT_2, SEARCH]),
+    Form::Table(&[
+        FRICTION,
+        LAW,
+        TORSION,
+        NORMAL_RESTITUTION,
+        WAVE_LOSS,
+        POINT,
+        POINT_1,
+        POINT_2,
+        SEARCH,
+    ]),
     "friction, and where the bodies touch",
 );
 
@@ -150,7 +160,10 @@ fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase
         None => meet(one),
         Some(approach) => approach.meet(&one, touch.is_approach(), meet),
     };
-    let collision = collision.map_err(at_fault)?.with_law(contact.law);
+    let collision = collision
+        .map_err(at_fault)?
+        .with_law(contact.law)
+        .with_normal_restitution(contact.normal_restitution);
     let collision = if contact.torsion.is_some() { collision.with_torsion() } else { collision };
     Ok(ImpactCase { collision, contact, angle: approach.map(|approach| approach.angle) })
 }

@@ -1,7 +1,7 @@
 //! The case file of `carom scene`: a ball, walls, gravity and limits.
 
 use super::body::{BALL, BodyCase, INERTIA, MASS, POSITION, Velocity};
-use super::contact::FRICTION;
+use super::contact::{FRICTION, NORMAL_RESTITUTION, WAVE_LOSS, normal_restitution};
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
 use super::material::{self, MATERIAL};
@@ -39,7 +39,18 @@ const WIDTH: Field =
     Field::number("width", LENGTH_ABOVE_0, "of a rectangle").may(WHOLE_PLANE).such_as("0.5");
 const WALL: Field = Field::new(
     "wall",
-    Form::Tables(&[NAME, POINT, NORMAL, ALONG, LENGTH, WIDTH, MATERIAL, FRICTION]),
+    Form::Tables(&[
+        NAME,
+        POINT,
+        NORMAL,
+        ALONG,
+        LENGTH,
+        WIDTH,
+        MATERIAL,
+        FRICTION,
+        NORMAL_RESTITUTION,
+        WAVE_LOSS,
+    ]),
     "a plane held fast that the ball bounces off",
 );
 const START: Field =
@@ -140,7 +151,9 @@ fn read_ball(case: &Section<'_>, setting: &Section<'_>) -> Result<Ball, CaseErro
 fn read_wall(wall: &Section<'_>) -> Result<Wall, CaseError> {
     let (point, normal) = (wall.vector(&POINT)?, wall.vector(&NORMAL)?);
     let friction = Friction::new(wall.number(&FRICTION)?).map_err(at(wall))?;
-    let plane = Wall::new(point, normal, material::read(wall)?, friction).map_err(at(wall))?;
+    let plane = Wall::new(point, normal, material::read(wall)?, friction)
+        .map_err(at(wall))?
+        .with_normal_restitution(normal_restitution(wall)?);
     if wall.given([&ALONG, &LENGTH, &WIDTH]).is_empty() {
         return Ok(plane);
     }

@@ -11,6 +11,7 @@ use crate::body::{Body, Motion};
 use crate::closed_form::{NOTICEABLE, restitution_without_slip};
 use crate::coupled::is_coupled;
 use crate::normal::NormalImpact;
+use crate::normal_restitution::Damped;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
 use crate::outcome::{EnergyBudget, Rebound, Torsion, TorsionMode, Warning};
 use crate::wave_share::wave_share;
@@ -26,18 +27,25 @@ const EVEN: f64 = 1e-12;
 
 impl Collision {
     pub(crate) fn rebound(&self, passed: Passed) -> Result<Rebound, CollisionError> {
-        let (before, after) = (passed.before, passed.after);
-        let impulse = passed.impulse.unwrap_or_else(|| self.mobility.impulse(&before, &after));
+        let (before, elastic) = (passed.before, passed.after);
+        let whole = passed.impulse.unwrap_or_else(|| self.mobility.impulse(&before, &elastic));
+        let share = self.wave_share(before.z)?;
+        let damped = Damped { part: self.normal_restitution.part(share) };
+        let [impulse, after] = damped.motion(whole, [&before, &elastic]);
         let mut motions = [0, 1].map(|i| {
             let push = if i == 0 { impulse } else { -impulse };
             self.levers[i].pushed(self.frame().axes(), &self.bodies[i].motion(), &push)
         });
         // E_A - E_E of the relative motion, without its cancellation.
         let mut dissipated =
-            passed.dissipated.unwrap_or_else(|| 0.5 * impulse.dot(&(before + after)));
-        let torsion = self.torsion(before.z)?;
-        if let Some(torsion) = &torsion {
+            passed.dissipated.unwrap_or_else(|| 0.5 * whole.dot(&(before + elastic)));
+        dissipated *= damped.part;
+        let mut lost = damped.lost(0.5 * whole.dot(&(before - elastic)));
+        let mut torsion = self.torsion(before.z)?;
+        if let Some(torsion) = &mut torsion {
             let spin = self.normal_spin(before.z);
+            lost += damped.lost(spin.exchanged(torsion));
+            torsion.damp(damped);
             motions.iter_mut().enumerate().for_each(|(i, m)| m.spin += spin.turn(i, torsion));
             dissipated += torsion.dissipated;
         }
@@ -48,9 +56,10 @@ impl Collision {
             before: kinetic(self.bodies.each_ref().map(Body::motion)),
             after: kinetic(motions),
             dissipated,
+            lost,
         };
         let maximal_contact = self.hertz.ellipse(passed.maximal_approach)?;
-        let mut warnings = self.warnings(maximal_contact.semi_axis_b(), before.z)?;
+        let mut warnings = self.warnings(maximal_contact.semi_axis_b(), before.z, share);
         warnings.extend(passed.warning);
         Ok(Rebound {
             motions,
@@ -59,7 +68,8 @@ impl Collision {
             velocity_after: self.frame().to_space(&after),
             tangential_restitution: passed
                 .restitution
-                .or_else(|| self.restitution(&before, &after)),
+                .or_else(|| self.restitution(&before, &elastic))
+                .map(|elastic| damped.restitution(elastic)),
             duration: passed.duration,
             maximal_force: passed.maximal_force,
             maximal_approach: passed.maximal_approach,
@@ -130,7 +140,18 @@ impl Collision {
         even.then(|| restitution_without_slip(chi[0]).clamp(-1.0, 1.0))
     }
 
-    fn warnings(&self, maximal_radius: f64, velocity: f64) -> Result<Vec<Warning>, RangeError> {
+    // The greatest share of the normal energy that waves carry away.
+    fn wave_share(&self, velocity: f64) -> Result<f64, RangeError> {
+        let d_zz = self.mobility.matrix().m33;
+        let pulse = NormalImpact::new(d_zz, self.hertz.stiffness().c_z, velocity)?;
+        let share = self.bodies.iter().filter_map(|body| {
+            let density = body.inertia().mass() / body.placed().surface().volume()?;
+            wave_share(body.material(), density, &pulse)
+        });
+        Ok(share.fold(0.0, f64::max))
+    }
+
+    fn warnings(&self, maximal_radius: f64, velocity: f64, wave_share: f64) -> Vec<Warning> {
         let mut warnings = Vec::new();
         if self.contact.certainty() == Certainty::Sampled {
             warnings.push(Warning::PointSampled);
@@ -144,20 +165,13 @@ impl Collision {
         if ratio > 0.1 {
             warnings.push(Warning::LargeContact { ratio });
         }
-        let d_zz = self.mobility.matrix().m33;
-        let pulse = NormalImpact::new(d_zz, self.hertz.stiffness().c_z, velocity)?;
-        let share = self.bodies.iter().filter_map(|body| {
-            let density = body.inertia().mass() / body.placed().surface().volume()?;
-            wave_share(body.material(), density, &pulse)
-        });
-        let share = share.fold(0.0, f64::max);
-        if share > NOTICEABLE {
-            warnings.push(Warning::WaveLoss { share });
+        if wave_share > NOTICEABLE && self.normal_restitution.is_elastic() {
+            warnings.push(Warning::WaveLoss { share: wave_share });
         }
         if self.torsion == TorsionMode::LeftOut {
             warnings.extend(self.normal_spin(velocity).left_alone());
         }
-        Ok(warnings)
+        warnings
     }
 }
 

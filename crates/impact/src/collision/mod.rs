@@ -15,6 +15,7 @@ use nalgebra::{Matrix3, Vector3};
 use crate::body::Body;
 use crate::coupled::{CoupledError, CoupledImpact, Unsettled, VectorLaw};
 use crate::mobility::{Lever, Mobility};
+use crate::normal_restitution::NormalRestitution;
 use crate::normal_spin::NormalSpinError;
 use crate::oblique::ObliqueError;
 use crate::outcome::{Outcome, TorsionMode};
@@ -98,6 +99,7 @@ pub struct Collision {
     friction: Friction,
     law: VectorLaw,
     torsion: TorsionMode,
+    normal_restitution: NormalRestitution,
     tolerance: Option<f64>,
     unsettled: Unsettled,
     contact: ContactPoint,
@@ -213,6 +215,7 @@ impl Collision {
             friction,
             law: VectorLaw::default(),
             torsion: TorsionMode::default(),
+            normal_restitution: NormalRestitution::ELASTIC,
             tolerance: None,
             unsettled: Unsettled::Refused,
             contact,
@@ -253,6 +256,14 @@ impl Collision {
     #[must_use]
     pub fn with_torsion(self) -> Self {
         Self { torsion: TorsionMode::Included, ..self }
+    }
+
+    /// The same collision of bodies whose material takes a part of the normal energy, and alike of the
+    /// tangential one: an extension of the elastic theory, see [`NormalRestitution`]. Duration, greatest
+    /// force and course are those of the elastic impact.
+    #[must_use]
+    pub fn with_normal_restitution(self, normal_restitution: NormalRestitution) -> Self {
+        Self { normal_restitution, ..self }
     }
 
     /// The same collision, its impact settled to another tolerance than the default; as

@@ -145,7 +145,8 @@ pub enum Ending {
     Time,
     /// The last bounce is done.
     Bounces,
-    /// The ball stays on this wall: it lies, slides or rolls there, or rises too little.
+    /// The ball stays on this wall: it lies, slides or rolls there, or rises too little (less than the
+    /// limit; where the material takes energy, less than a millionth of its radius).
     Rest {
         /// Which wall.
         wall: usize,

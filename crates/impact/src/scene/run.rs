@@ -101,9 +101,14 @@ impl Scene {
     ) -> Result<Collision, SceneError> {
         let wall = &self.walls[index];
         Collision::along(body, Body::plane(wall.material()), (*normal).into(), wall.friction())
+            .map(|collision| collision.with_normal_restitution(wall.normal_restitution()))
             .map_err(|source| SceneError::Collision { wall: index, source })
     }
 }
+
+/// A ball that loses energy in each bounce would bounce without end in a finite time: it rests once it
+/// rises less than this part of its radius.
+const LOW: f64 = 1e-6;
 
 /// The state between two events.
 struct Run<'a> {
@@ -201,6 +206,7 @@ impl<'a> Run<'a> {
             return Ok((pull >= 0.0).then_some(Ending::Rest { wall }));
         };
         let [after, _] = rebound.motions;
+        let loses = rebound.energy.lost > 0.0;
         self.record(Bounce {
             time: self.now.time,
             wall,
@@ -211,8 +217,9 @@ impl<'a> Run<'a> {
             rebound: *rebound,
         });
         let speed = after.velocity.dot(&normal);
+        let least = if loses { LOW * self.radius } else { 0.0 };
         // v^2/(2 g) is how high it rises.
-        if pull > 0.0 && speed * speed < 2.0 * pull * self.limits.rebound_height() {
+        if pull > 0.0 && speed * speed < 2.0 * pull * self.limits.rebound_height().max(least) {
             return Ok(Some(Ending::Rest { wall }));
         }
         Ok((self.bounces.len() >= self.limits.bounces()).then_some(Ending::Bounces))

@@ -7,6 +7,7 @@ use nalgebra::Vector3;
 
 use super::flight::Flight;
 use super::roots::falls;
+use crate::normal_restitution::NormalRestitution;
 
 /// A plane held fast: a half-space that fills the side against the normal, or a thin rectangular
 /// plate that is hit from both sides.
@@ -30,6 +31,7 @@ pub struct Wall {
     extent: Extent,
     material: Material,
     friction: Friction,
+    normal_restitution: NormalRestitution,
 }
 
 /// How far a wall reaches.
@@ -79,7 +81,14 @@ impl Wall {
             RangeError::finite("point", value)?;
         }
         let normal = unit("normal", normal)?;
-        Ok(Self { point: point.into(), normal, extent: Extent::Infinite, material, friction })
+        Ok(Self {
+            point: point.into(),
+            normal,
+            extent: Extent::Infinite,
+            material,
+            friction,
+            normal_restitution: NormalRestitution::ELASTIC,
+        })
     }
 
     /// Only a rectangle about the point, thin and hit from both sides: one pair of its sides
@@ -99,6 +108,12 @@ impl Wall {
         let first = inside / length;
         let axes = [first, self.normal.cross(&first)];
         Ok(Self { extent: Extent::Rectangle { axes, half_lengths }, ..self })
+    }
+
+    /// A wall off which the ball bounces with a loss in the material, [`NormalRestitution`].
+    #[must_use]
+    pub const fn with_normal_restitution(self, normal_restitution: NormalRestitution) -> Self {
+        Self { normal_restitution, ..self }
     }
 
     /// A point of the plane; the centre of a rectangle.
@@ -129,6 +144,12 @@ impl Wall {
     #[must_use]
     pub const fn friction(&self) -> Friction {
         self.friction
+    }
+
+    /// What the material takes of a bounce.
+    #[must_use]
+    pub const fn normal_restitution(&self) -> NormalRestitution {
+        self.normal_restitution
     }
 
     /// The corners of a rectangle, in order around it; none of an infinite plane.

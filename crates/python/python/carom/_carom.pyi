@@ -215,6 +215,7 @@ def collide(
     torsion: bool,
     law: str,
     tolerance: float | None,
+    normal_restitution: float,
 ) -> _Columns: ...
 def collide_many(
     body_1: Body,
@@ -225,6 +226,7 @@ def collide_many(
     torsion: bool,
     law: str,
     tolerance: float | None,
+    normal_restitution: float,
 ) -> _Columns: ...
 def history(
     body_1: Body,

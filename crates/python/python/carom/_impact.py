@@ -46,11 +46,13 @@ def collide(
     torsion: bool = False,
     law: str = "coulomb",
     tolerance: float | None = None,
+    normal_restitution: float = 1.0,
 ) -> Rebound:
     """Two bodies collide: body 1 is put on body 2 with this common normal, from body 2 into body 1.
 
     With `normal=None` they touch where they are. `torsion` takes the spin about the normal along. Where
-    the direction of slip turns, `law` is 'coulomb' or 'chapter 8', one direction for each ring.
+    the direction of slip turns, `law` is 'coulomb' or 'chapter 8', one direction for each ring. With a
+    `normal_restitution` below 1 the material takes a part, beyond the elastic theory.
 
     >>> import carom
     >>> rubber = carom.Material(5e6, 0.5)
@@ -62,7 +64,9 @@ def collide(
     >>> bool(abs(lost - rebound.dissipated) < 1e-9 * rebound.energy_before)
     True
     """
-    columns = _carom.collide(body_1, body_2, friction, normal, torsion, law, tolerance)
+    columns = _carom.collide(
+        body_1, body_2, friction, normal, torsion, law, tolerance, normal_restitution
+    )
     return Rebound._of(columns, ())
 
 
@@ -79,6 +83,7 @@ def collide_many(
     torsion: bool = False,
     law: str = "coulomb",
     tolerance: float | None = None,
+    normal_restitution: float = 1.0,
 ) -> Rebound:
     """The same two bodies collide in many motions, arrays (n, 3), and with many frictions, (n,).
 
@@ -102,7 +107,7 @@ def collide_many(
     motions = [rows(d if v is None else v, count) for v, d in zip(given, default, strict=True)]
     frictions = line(np.broadcast_to(np.asarray(friction, dtype=np.float64), (count,)))
     columns = _carom.collide_many(
-        body_1, body_2, frictions, motions, normal, torsion, law, tolerance
+        body_1, body_2, frictions, motions, normal, torsion, law, tolerance, normal_restitution
     )
     return Rebound._of(columns, (count,))
 

@@ -1,0 +1,112 @@
+//! What the bodies' material takes of an impact: beyond the elastic theory.
+//!
+//! Elastic bodies without friction part as fast as they met. Real ones lose energy to plastic flow,
+//! internal friction and waves. [`NormalRestitution`] lets them, by a share of the elastic impulse:
+//! where that is J, they part with `s J`, `s = (1 + e)/2`. The pulse is taken to be weaker in all its
+//! parts alike, so that it stays below the limit of friction where it was, sliding throughout is right,
+//! and `e = 1` is the elastic impact. Of the kinetic energy friction takes `s Q`, Q its heat in the
+//! elastic impact, and the material `s (1 - s) J.D.J/2`, D the mobility: of a normal impact at v
+//! `(1 - e^2) v^2/(2 D_zz)`. Neither is negative.
+
+use carom_special::RangeError;
+use nalgebra::Vector3;
+
+/// How much of the normal velocity is left after an impact, over that before.
+///
+/// ```
+/// use carom_halfspace::Material;
+/// use carom_impact::{Body, Collision, Motion, NormalRestitution};
+/// use carom_laws::friction::Friction;
+/// let rubber = Material::from_young(20e6, 0.5)?;
+/// let ball = Body::sphere(0.02, rubber, 0.03)?
+///     .moving(Motion::new([0.0, 0.0, -2.0], [0.0; 3])?);
+/// let floor = Body::plane(Material::RIGID);
+/// let outcome = Collision::new(ball, floor, Friction::new(0.3)?)?
+///     .with_normal_restitution(NormalRestitution::new(0.8)?)
+///     .solve()?;
+/// assert!((outcome.motions()[0].velocity.z - 1.6).abs() < 1e-14);
+/// let energy = outcome.rebound().ok_or("they meet")?.energy;
+/// assert!((energy.lost - 0.5 * 0.03 * (2.0 * 2.0 - 1.6 * 1.6)).abs() < 1e-15);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct NormalRestitution(Cause);
+
+#[derive(Debug, Clone, Copy, PartialEq)]
+enum Cause {
+    Given(f64),
+    Waves,
+}
+
+impl NormalRestitution {
+    /// Nothing is lost in the material.
+    pub const ELASTIC: Self = Self(Cause::Given(1.0));
+
+    /// A given coefficient e.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it is in [0, 1].
+    pub fn new(coefficient: f64) -> Result<Self, RangeError> {
+        let holds = (0.0..=1.0).contains(&coefficient);
+        RangeError::check("normal restitution", coefficient, holds, "from 0 to 1")
+            .map(|e| Self(Cause::Given(e)))
+    }
+
+    /// What elastic waves leave, `e = sqrt(1 - share)`, with the share of (3.2) that
+    /// [`crate::Warning::WaveLoss`] speaks of: that of the body that would lose most to a half-space of
+    /// its own material.
+    #[must_use]
+    pub const fn by_waves() -> Self {
+        Self(Cause::Waves)
+    }
+
+    /// Whether nothing is lost.
+    pub(crate) fn is_elastic(self) -> bool {
+        self == Self::ELASTIC
+    }
+
+    /// The part of the elastic impulse that is left.
+    pub(crate) fn part(self, wave_share: f64) -> f64 {
+        match self.0 {
+            Cause::Given(e) => 0.5 * (1.0 + e),
+            Cause::Waves => 0.5 * (1.0 + (1.0 - wave_share).max(0.0).sqrt()),
+        }
+    }
+}
+
+impl Default for NormalRestitution {
+    fn default() -> Self {
+        Self::ELASTIC
+    }
+}
+
+/// What is left of an elastic impact.
+#[derive(Debug, Clone, Copy)]
+pub(crate) struct Damped {
+    /// Of the impulse.
+    pub(crate) part: f64,
+}
+
+impl Damped {
+    /// The impulse and the relative velocity after, from those of the elastic impact.
+    pub(crate) fn motion(
+        self,
+        impulse: Vector3<f64>,
+        [before, after]: [&Vector3<f64>; 2],
+    ) -> [Vector3<f64>; 2] {
+        if self.part == 1.0 {
+            return [impulse, *after];
+        }
+        [self.part * impulse, before + self.part * (after - before)]
+    }
+
+    /// R_x from that of the elastic impact.
+    pub(crate) fn restitution(self, elastic: f64) -> f64 {
+        if self.part == 1.0 { elastic } else { self.part * (1.0 + elastic) - 1.0 }
+    }
+
+    /// What the material takes, given J.D.J/2 of the elastic impact.
+    pub(crate) fn lost(self, exchanged: f64) -> f64 {
+        self.part * (1.0 - self.part) * exchanged.max(0.0)
+    }
+}

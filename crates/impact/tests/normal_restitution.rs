@@ -1,0 +1,157 @@
+//! What the bodies' material takes of an impact: closed forms, energy, friction limit.
+
+use approx::assert_relative_eq;
+use carom_geometry::{Attitude, Surface};
+use carom_halfspace::Material;
+use carom_impact::closed_form::wave_loss;
+use carom_impact::scene::{Ball, Ending, Limits, Scene, Wall};
+use carom_impact::{Body, Collision, Motion, NormalRestitution, Outcome, Rebound, Warning};
+use carom_laws::friction::Friction;
+use proptest::prelude::*;
+
+const RADIUS: f64 = 0.02;
+const MASS: f64 = 0.03;
+
+fn rubber() -> Material {
+    Material::from_young(20e6, 0.5).unwrap()
+}
+
+fn ball(velocity: [f64; 3], spin: [f64; 3]) -> Body {
+    Body::sphere(RADIUS, rubber(), MASS).unwrap().moving(Motion::new(velocity, spin).unwrap())
+}
+
+fn on_floor(body: Body, friction: f64) -> Collision {
+    Collision::new(body, Body::plane(Material::RIGID), Friction::new(friction).unwrap()).unwrap()
+}
+
+fn losing(collision: Collision, e: f64) -> Rebound {
+    let restitution = NormalRestitution::new(e).unwrap();
+    match collision.with_normal_restitution(restitution).solve().unwrap() {
+        Outcome::Rebound(rebound) => *rebound,
+        Outcome::NoImpact { .. } => unreachable!("they meet"),
+    }
+}
+
+#[test]
+fn a_ball_that_slides_throughout_has_the_closed_form() {
+    let (f, e, vx, vz) = (0.1, 0.7, 3.0, -2.0);
+    let rebound = losing(on_floor(ball([vx, 0.0, vz], [0.0; 3]), f), e);
+    let [after, _] = rebound.motions;
+    let impulse = MASS * (1.0 + e) * -vz;
+    assert_relative_eq!(after.velocity.z, -e * vz, max_relative = 1e-14);
+    assert_relative_eq!(after.velocity.x, vx - f * impulse / MASS, max_relative = 1e-14);
+    let inertia = 0.4 * MASS * RADIUS * RADIUS;
+    assert_relative_eq!(after.spin.y, f * impulse * RADIUS / inertia, max_relative = 1e-13);
+    let slip = vx - after.velocity.x + RADIUS * after.spin.y;
+    assert_relative_eq!(
+        rebound.tangential_restitution.unwrap(),
+        slip / vx - 1.0,
+        max_relative = 1e-12
+    );
+}
+
+#[test]
+fn without_friction_the_material_takes_what_the_definition_says() {
+    for e in [0.0, 0.3, 0.95] {
+        let rebound = losing(on_floor(ball([1.0, 0.0, -2.0], [0.0; 3]), 0.0), e);
+        assert_relative_eq!(rebound.energy.lost, 0.5 * MASS * 4.0 * (1.0 - e * e), epsilon = 1e-16);
+        assert_eq!(rebound.energy.dissipated, 0.0);
+        assert!((rebound.motions[0].velocity.z - 2.0 * e).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn nothing_lost_is_the_elastic_impact_to_the_bit() {
+    let collision = on_floor(ball([1.0, 0.4, -2.0], [3.0, 0.0, 40.0]), 0.3).with_torsion();
+    let elastic = collision.solve().unwrap();
+    assert_eq!(*elastic.rebound().unwrap(), losing(collision, 1.0));
+}
+
+#[test]
+fn waves_take_the_share_of_the_closed_form() {
+    let (density, poisson, young, speed) = (7850.0, 0.3, 208e9, 5.0);
+    let steel = Material::from_young(young, poisson).unwrap();
+    let mass = density * 4.0 / 3.0 * std::f64::consts::PI * RADIUS.powi(3);
+    let body = Body::sphere(RADIUS, steel, mass)
+        .unwrap()
+        .moving(Motion::new([0.0, 0.0, -speed], [0.0; 3]).unwrap());
+    let collision = Collision::new(body, Body::plane(steel), Friction::new(0.2).unwrap()).unwrap();
+    let share = wave_loss(poisson, speed, f64::sqrt(young / density)).unwrap();
+    let is_warned = |outcome: &Outcome| {
+        let warnings = &outcome.rebound().unwrap().warnings;
+        warnings.iter().any(|warning| matches!(warning, Warning::WaveLoss { .. }))
+    };
+    assert!(is_warned(&collision.solve().unwrap()));
+    let damped = collision.with_normal_restitution(NormalRestitution::by_waves()).solve().unwrap();
+    assert!(!is_warned(&damped));
+    let speed_after = damped.motions()[0].velocity.z;
+    assert_relative_eq!(speed_after, speed * (1.0 - share).sqrt(), max_relative = 1e-12);
+}
+
+#[test]
+fn a_coefficient_out_of_range_is_refused() {
+    for e in [-0.1, 1.01, f64::NAN, f64::INFINITY] {
+        let error = NormalRestitution::new(e).unwrap_err();
+        assert_eq!((error.field, error.allowed), ("normal restitution", "from 0 to 1"));
+    }
+}
+
+#[test]
+fn a_ball_comes_to_rest_in_the_time_of_the_geometric_series() {
+    let (e, height, gravity) = (0.8_f64, 1.0, 9.81);
+    let floor = Wall::new([0.0; 3], [0.0, 0.0, 1.0], Material::RIGID, Friction::new(0.3).unwrap())
+        .unwrap()
+        .with_normal_restitution(NormalRestitution::new(e).unwrap());
+    let scene = Scene::new([0.0, 0.0, -gravity]).unwrap().with(floor);
+    let body = ball([0.0; 3], [0.0; 3]).at([0.0, 0.0, RADIUS + height]).unwrap();
+    let limits = Limits::new(100.0, 1000).unwrap();
+    let path = scene.run(&Ball::new(body).unwrap(), limits).unwrap();
+    assert_eq!(path.ending(), Ending::Rest { wall: 0 });
+    for pair in path.bounces().windows(2) {
+        let fallen = pair[1].before.velocity.z / pair[0].before.velocity.z;
+        assert_relative_eq!(fallen, e, max_relative = 1e-6);
+    }
+    let fall = (2.0 * height / gravity).sqrt();
+    let series = fall * (1.0 + e) / (1.0 - e);
+    // What is left when it rises less than a millionth of its radius.
+    let left = 2.0 * (2.0 * 1e-6 * RADIUS / gravity).sqrt() / (1.0 - e);
+    assert!(path.last().time < series && path.last().time > series - 2.0 * left);
+}
+
+proptest! {
+    #[test]
+    fn energy_is_booked_and_the_friction_limit_holds(
+        e in 0.0..1.0_f64,
+        f in 0.0..1.5_f64,
+        velocity in [-2.0..2.0_f64, -2.0..2.0, -3.0..-0.1],
+        spin in [-60.0..60.0_f64, -60.0..60.0, -60.0..60.0],
+        tilt in 0.0..1.2_f64,
+        is_sphere in any::<bool>(),
+    ) {
+        let motion = Motion::new(velocity, spin).unwrap();
+        let collision = if is_sphere {
+            on_floor(ball(velocity, spin), f).with_torsion()
+        } else {
+            let egg = Surface::ellipsoid([0.03, 0.02, 0.015]).unwrap();
+            let inertia = egg.solid(0.296).unwrap();
+            let egg = Body::new(egg, rubber(), inertia).turned(Attitude::about([0.0, 1.0, 0.0], tilt).unwrap());
+            on_floor(egg.moving(motion), f)
+        };
+        let collision = collision.accepting_unsettled();
+        let normal = collision.frame().z();
+        let Outcome::Rebound(elastic) = collision.solve().unwrap() else { return Ok(()) };
+        let rebound = losing(collision, e);
+        let energy = rebound.energy;
+        let balance = energy.before - energy.after - energy.dissipated - energy.lost;
+        prop_assert!(balance.abs() < 1e-11 * energy.before, "{balance:e} {energy:?}");
+        prop_assert!(energy.dissipated >= -1e-12 * energy.before && energy.lost >= 0.0);
+        prop_assert!(energy.dissipated <= elastic.energy.dissipated * (1.0 + 1e-12) + 1e-300);
+        let pushed = rebound.impulse.dot(&normal);
+        let rubbed = (rebound.impulse - pushed * normal).norm();
+        prop_assert!(rubbed <= f * pushed * (1.0 + 1e-9));
+        let speed = |velocity: nalgebra::Vector3<f64>| velocity.dot(&normal);
+        let whole = speed(elastic.velocity_after) - speed(elastic.velocity_before);
+        let part = speed(rebound.velocity_after) - speed(rebound.velocity_before);
+        prop_assert!((part - 0.5 * (1.0 + e) * whole).abs() < 1e-12 * whole.abs());
+    }
+}
