@@ -75,10 +75,10 @@
 #define CAROM_STATE_NUMBERS 66
 
 // The words of 8 bytes in a `carom_touch`, beside its mark.
-#define CAROM_TOUCH_WORDS 160
+#define CAROM_TOUCH_WORDS 158
 
 // The numbers in which a `carom_touch` is kept elsewhere.
-#define CAROM_TOUCH_NUMBERS 75
+#define CAROM_TOUCH_NUMBERS 79
 
 // The numbers in a `carom_twist`.
 #define CAROM_TWIST_NUMBERS 83
@@ -260,7 +260,7 @@ typedef struct carom_grains {
   double share_2;
 } carom_grains;
 
-// The memory of the contact of two grains, the caller's: 1288 bytes, aligned to 8, that may be copied as
+// The memory of the contact of two grains, the caller's: 1272 bytes, aligned to 8, that may be copied as
 // bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
 // `carom_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
 //

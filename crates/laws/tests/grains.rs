@@ -1,7 +1,7 @@
 //! The contact of two grains goes along with them.
 
 use carom_laws::friction::Friction;
-use carom_laws::grains::{Grain, GrainContact, Heats, Meeting, Wall, grain_numbers};
+use carom_laws::grains::{Grain, GrainContact, GrainLoad, Heats, Meeting, Wall, grain_numbers};
 use carom_laws::memory::Fixed;
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
@@ -50,14 +50,13 @@ fn turned_as_a_whole(shift: V, spin: V, dt: f64, steps: usize) -> (f64, V, V) {
     let arm = [0.6, 0.0, 0.8];
     let one = Grain { place: arm.map(|x| 1.98 * x), velocity: shift, ..grain };
     let mut contact = fresh(0.0);
-    contact
-        .advance(
-            &Meeting::of_spheres(&Grain { velocity: [0.0; 3], ..one }, &grain, [0.5; 2]).unwrap(),
-            1.0,
-        )
-        .unwrap();
-    let before =
-        contact.advance(&Meeting::of_spheres(&one, &grain, [0.5; 2]).unwrap(), 1.0).unwrap();
+    let still = Grain { velocity: [0.0; 3], ..one };
+    let mut before = GrainLoad::default();
+    // Two steps at rest, so that nothing is accelerated any more.
+    for body in [still, one, still, still] {
+        let meeting = Meeting::of_spheres(&body, &grain, [0.5; 2]).unwrap();
+        before = contact.advance(&meeting, 1.0).unwrap();
+    }
     let mut load = before;
     for step in 1..=steps {
         // Velocities of a leapfrog: those of the middle of the step.
@@ -160,11 +159,32 @@ fn what_is_no_contact_is_refused() {
     assert_eq!(GrainContact::new(law, -1.0).unwrap_err().field, "relaxation");
     let mut contact = fresh(0.0);
     let mut numbers = [0.0; grain_numbers(12)];
-    for (at, field) in [(66, "tangent"), (69, "normal"), (74, "force"), (0, "mark")] {
-        numbers[at] = if at == 74 { f64::NAN } else { 2.0 };
+    for (at, field) in
+        [(66, "tangent"), (69, "normal"), (74, "force"), (78, "velocity"), (0, "mark")]
+    {
+        numbers[at] = if at >= 74 { f64::NAN } else { 2.0 };
         assert_eq!(contact.unpack(&numbers).unwrap_err().field, field);
         assert_eq!(contact, fresh(0.0));
         numbers[at] = 0.0;
     }
     assert!(contact.unpack(&numbers[..5]).is_err());
+}
+
+/// The normal turns right round in one step, or nearly so: the axes stay of length 1 and across it.
+#[test]
+fn normal_may_turn_right_round() {
+    let grain = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+    for lean in [0.0, 1e-14, 1e-9, 1e-4, 0.3, 1.5] {
+        let mut contact = fresh(0.0);
+        let angle = std::f64::consts::PI - lean;
+        for along in [[0.0, 0.0, 1.98], [0.0, 1.98 * angle.sin(), 1.98 * angle.cos()]] {
+            let body = Grain { place: along, ..grain };
+            let meeting = Meeting::of_spheres(&body, &grain, [0.5; 2]).unwrap();
+            let load = contact.advance(&meeting, 0.1).unwrap();
+            let tangent = contact.tangent();
+            assert!((dot(tangent, tangent) - 1.0).abs() < 1e-12, "{lean}: {tangent:?}");
+            assert!(dot(tangent, meeting.normal).abs() < 1e-12, "{lean}: {tangent:?}");
+            assert!(dot(load.force, load.force) > 0.0 && load.force.iter().all(|f| f.is_finite()));
+        }
+    }
 }

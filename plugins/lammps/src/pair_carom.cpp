@@ -207,12 +207,6 @@ double PairCarom::share_of(int j) const
   return force->newton_pair || j < atom->nlocal ? 1.0 : 0.5;
 }
 
-void PairCarom::end(double *slot, int &touching)
-{
-  touches.drop(slot);
-  touching = 0;
-}
-
 void PairCarom::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
@@ -221,72 +215,95 @@ void PairCarom::compute(int eflag, int vflag)
   // A setup only looks at what the last step left; a contact that is new to it begins with a step of no
   // duration. Two grains that touched make one more step apart, in which the contact ends.
   const bool moves = !update->setupflag;
-  double **x = atom->x, **f = atom->f, **torque = atom->torque;
+  double **x = atom->x;
   const double *radius = atom->radius;
-  const tagint *tag = atom->tag;
-  const int *type = atom->type;
-  const int nlocal = atom->nlocal, newton = force->newton_pair, types = atom->ntypes + 1;
-  carom_error why;
+  int found = 0;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
-    int *touching = history->firstflag[i];
+    int *flags = history->firstflag[i];
     double *slots = history->firstvalue[i];
     const int *neighbors = list->firstneigh[i];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = neighbors[jj] & NEIGHMASK;
-      double *slot = slots + Touches::NUMBERS * jj;
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
       const double reach = radius[i] + radius[j];
       const bool apart = dx * dx + dy * dy + dz * dz >= reach * reach;
-      if (apart && !touching[jj]) continue;
-      if (apart && !moves) {
-        end(slot, touching[jj]);
-        continue;
-      }
-      touching[jj] = 1;
-      const bool i_is_1 = tag[i] < tag[j];
-      const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
-      const carom_grains &grains = constants[type[one] * types + type[two]];
-      const carom_grain body_1 = grain(one), body_2 = grain(two);
-      const bool is_new = slot[0] == 0.0;
-      carom_touch *touch = touch_of(slot, one, two);
-      carom_grain_load load;
-      carom_status status;
-      if (moves || is_new) {
-        carom_heats made = {0.0, 0.0};
-        status = carom_touch_grains(&grains, touch, &body_1, &body_2, moves ? update->dt : 0.0, &load,
-                                    account ? &made : nullptr, &why);
-        if (account) {
-          const double share = share_of(j);
-          heats.friction += share * made.friction;
-          heats.damping += share * made.damping;
-        }
-      } else {
-        status = carom_touch_grains_load(&grains, touch, &body_1, &body_2, &load, &why);
-      }
-      if (status != CAROM_STATUS_OK) carom::fail(lmp, "pair carom", why);
-      const double sign = i_is_1 ? 1.0 : -1.0;
-      const double *torque_i = i_is_1 ? load.torque_1 : load.torque_2;
-      const double *torque_j = i_is_1 ? load.torque_2 : load.torque_1;
-      const double fx = sign * load.force[0], fy = sign * load.force[1], fz = sign * load.force[2];
-      f[i][0] += fx;
-      f[i][1] += fy;
-      f[i][2] += fz;
-      for (int k = 0; k < 3; k++) torque[i][k] += torque_i[k];
-      if (newton || j < nlocal) {
-        f[j][0] -= fx;
-        f[j][1] -= fy;
-        f[j][2] -= fz;
-        for (int k = 0; k < 3; k++) torque[j][k] += torque_j[k];
-      }
-      if (evflag) {
-        double energy = 0.0;
-        if (eflag) carom_touch_energy(touch, &energy, nullptr);
-        ev_tally_xyz(i, j, nlocal, newton, energy, 0.0, fx, fy, fz, dx, dy, dz);
-      }
-      if (apart) end(slot, touching[jj]);
+      if (apart && !flags[jj]) continue;
+      Close &pair = close[found];
+      pair.flag = flags + jj;
+      pair.slot = slots + Touches::NUMBERS * jj;
+      pair.i = i;
+      pair.j = j;
+      pair.apart = apart;
+      if (apart && !moves) end(pair);
+      else if (++found == TOGETHER) found = step_all(found, eflag, moves);
     }
   }
+  step_all(found, eflag, moves);
+}
+
+// What is remembered of a contact takes long to come from memory: it is sent for some contacts ahead.
+int PairCarom::step_all(int count, int eflag, bool moves)
+{
+  const double dt = moves ? update->dt : 0.0;
+  for (int k = 0; k < count; k++) {
+    if (k + AHEAD < count) touches.send_for(*close[k + AHEAD].flag);
+    const Close &pair = close[k];
+    const int i = pair.i, j = pair.j;
+    const bool i_is_1 = atom->tag[i] < atom->tag[j], is_new = *pair.flag == 0;
+    const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
+    const carom_grains &grains = constants[place(atom->type[one], atom->type[two])];
+    const carom_grain body_1 = grain(one), body_2 = grain(two);
+    carom_touch *touch = touches.with_flag(*pair.flag);
+    if (!touch) {
+      touch = touch_of(pair.slot, one, two);
+      *pair.flag = Touches::flag_of(pair.slot);
+    }
+    carom_grain_load load;
+    carom_heats made = {0.0, 0.0};
+    const carom_status status =
+        moves || is_new ? carom_touch_grains(&grains, touch, &body_1, &body_2, dt, &load,
+                                             account ? &made : nullptr, &why)
+                        : carom_touch_grains_load(&grains, touch, &body_1, &body_2, &load, &why);
+    if (status != CAROM_STATUS_OK) carom::fail(lmp, "pair carom", why);
+    if (account) {
+      const double share = share_of(j);
+      heats.friction += share * made.friction;
+      heats.damping += share * made.damping;
+    }
+    add(one, load.force, 1.0, load.torque_1);
+    add(two, load.force, -1.0, load.torque_2);
+    if (evflag) tally(pair, eflag, touch, load.force, i_is_1 ? 1.0 : -1.0);
+    if (pair.apart) end(pair);
+  }
+  return 0;
+}
+
+// A grain of another rank gets its forces there, unless newton is on.
+void PairCarom::add(int i, const double *force_1, double sign, const double *torque_i)
+{
+  if (i >= atom->nlocal && !force->newton_pair) return;
+  double *f = atom->f[i], *torque = atom->torque[i];
+  for (int k = 0; k < 3; k++) {
+    f[k] += sign * force_1[k];
+    torque[k] += torque_i[k];
+  }
+}
+
+void PairCarom::tally(const Close &pair, int eflag, const carom_touch *touch, const double *force_1,
+                      double sign)
+{
+  const double *x = atom->x[pair.i], *y = atom->x[pair.j];
+  double energy = 0.0;
+  if (eflag) carom_touch_energy(touch, &energy, nullptr);
+  ev_tally_xyz(pair.i, pair.j, atom->nlocal, force->newton_pair, energy, 0.0, sign * force_1[0],
+               sign * force_1[1], sign * force_1[2], x[0] - y[0], x[1] - y[1], x[2] - y[2]);
+}
+
+void PairCarom::end(const Close &pair)
+{
+  touches.drop(pair.slot);
+  *pair.flag = 0;
 }
 
 void PairCarom::pack_all()
@@ -296,11 +313,14 @@ void PairCarom::pack_all()
   carom_error why;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
-    const int *touching = history->firstflag[i];
+    int *flags = history->firstflag[i];
     double *slots = history->firstvalue[i];
-    for (int jj = 0; jj < list->numneigh[i]; jj++)
-      if (touching[jj] && touches.pack(slots + Touches::NUMBERS * jj, &why) != CAROM_STATUS_OK)
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      if (!flags[jj]) continue;
+      if (touches.pack(slots + Touches::NUMBERS * jj, &why) != CAROM_STATUS_OK)
         carom::fail(lmp, "pair carom", why);
+      flags[jj] = 1;
+    }
   }
 }
 

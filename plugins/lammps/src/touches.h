@@ -25,6 +25,17 @@ class Touches {
   static bool is_unpacked(const double *slot) { return slot[0] < 0.0; }
   // The contact of a slot that is unpacked.
   carom_touch &of(const double *slot) { return pool[index(slot)]; }
+
+  // The host's flag of a pair of grains: 0 apart, 1 in contact, above that it says where what is unpacked
+  // is, without a look at the slot.
+  static int flag_of(const double *slot) { return is_unpacked(slot) ? 2 + index(slot) : 1; }
+  carom_touch *with_flag(int flag) { return flag > 1 ? &pool[flag - 2] : nullptr; }
+  void send_for(int flag) const
+  {
+    if (flag <= 1) return;
+    const char *from = reinterpret_cast<const char *>(&pool[flag - 2]);
+    for (std::size_t byte = 0; byte < sizeof(carom_touch); byte += 64) __builtin_prefetch(from + byte);
+  }
   // Ends the contact of a slot.
   void drop(double *slot);
   // Makes a slot hold its contact as numbers.
