@@ -988,6 +988,49 @@ carom_status carom_touch_unpack(const struct carom_grains *grains,
                                 struct carom_touch *touch,
                                 struct carom_error *error);
 
+// One step of the twist of two grains about their normal, beside that of `carom_touch_grains` and as if the
+// contact were not shifted; its torque is added to those of `load`, its heat to `heats`, which may be null.
+//
+// The twist is zero for two grains apart. A step of no duration only tells the torque that the last step
+// left, but for a new contact. Where the two come apart the memory is lost; it costs some ten times a
+// touch.
+//
+// # Safety
+// `grains`, `one` and `two` are null or may be read; `twist`, `load`, `heats` and `error` are null or may
+// be written.
+carom_status carom_touch_twist_grains(const struct carom_grains *grains,
+                                      struct carom_twist *twist,
+                                      const struct carom_grain *one,
+                                      const struct carom_grain *two,
+                                      double dt,
+                                      struct carom_grain_load *load,
+                                      struct carom_heats *heats,
+                                      struct carom_error *error);
+
+// The same of a grain, body 1, and a wall, which takes no torque.
+//
+// # Safety
+// As `carom_touch_twist_grains`.
+carom_status carom_touch_twist_wall(const struct carom_grains *grains,
+                                    struct carom_twist *twist,
+                                    const struct carom_grain *one,
+                                    const struct carom_wall *wall,
+                                    double dt,
+                                    struct carom_grain_load *load,
+                                    struct carom_heats *heats,
+                                    struct carom_error *error);
+
+// The elastic energy of the twist of two grains, J; the radius of a wall is infinite.
+//
+// # Safety
+// `grains` and `twist` are null or may be read, `energy` and `error` null or may be written.
+carom_status carom_touch_twist_energy(const struct carom_grains *grains,
+                                      const struct carom_twist *twist,
+                                      double radius_1,
+                                      double radius_2,
+                                      double *energy,
+                                      struct carom_error *error);
+
 // Goes straight to a new approach (m) and twist of body 2 against body 1 about the normal (radians);
 // `torque`, that on body 1 in N m, may be null.
 //
@@ -1212,6 +1255,49 @@ carom_status carom_touch_unpack(const struct carom_grains *grains,
                                 const double *numbers,
                                 struct carom_touch *touch,
                                 struct carom_error *error);
+
+// One step of the twist of two grains about their normal, beside that of `carom_touch_grains` and as if the
+// contact were not shifted; its torque is added to those of `load`, its heat to `heats`, which may be null.
+//
+// The twist is zero for two grains apart. A step of no duration only tells the torque that the last step
+// left, but for a new contact. Where the two come apart the memory is lost; it costs some ten times a
+// touch.
+//
+// # Safety
+// `grains`, `one` and `two` are null or may be read; `twist`, `load`, `heats` and `error` are null or may
+// be written.
+carom_status carom_touch_twist_grains(const struct carom_grains *grains,
+                                      struct carom_twist *twist,
+                                      const struct carom_grain *one,
+                                      const struct carom_grain *two,
+                                      double dt,
+                                      struct carom_grain_load *load,
+                                      struct carom_heats *heats,
+                                      struct carom_error *error);
+
+// The same of a grain, body 1, and a wall, which takes no torque.
+//
+// # Safety
+// As `carom_touch_twist_grains`.
+carom_status carom_touch_twist_wall(const struct carom_grains *grains,
+                                    struct carom_twist *twist,
+                                    const struct carom_grain *one,
+                                    const struct carom_wall *wall,
+                                    double dt,
+                                    struct carom_grain_load *load,
+                                    struct carom_heats *heats,
+                                    struct carom_error *error);
+
+// The elastic energy of the twist of two grains, J; the radius of a wall is infinite.
+//
+// # Safety
+// `grains` and `twist` are null or may be read, `energy` and `error` null or may be written.
+carom_status carom_touch_twist_energy(const struct carom_grains *grains,
+                                      const struct carom_twist *twist,
+                                      double radius_1,
+                                      double radius_2,
+                                      double *energy,
+                                      struct carom_error *error);
 
 // Goes straight to a new approach (m) and twist of body 2 against body 1 about the normal (radians);
 // `torque`, that on body 1 in N m, may be null.

@@ -94,10 +94,23 @@ impl CaromGrainLoad {
 impl CaromGrains {
     /// A contact to be, of a relative radius.
     pub(crate) fn contact(&self, relative_radius: f64) -> Result<Contact, Failure> {
+        Ok(GrainContact::new(self.pair(relative_radius).law()?, self.relaxation)?)
+    }
+
+    /// The constants of a contact of a relative radius: a^2/zeta is that radius.
+    pub(crate) fn pair(&self, relative_radius: f64) -> CaromPair {
         let by = relative_radius.sqrt();
-        let CaromPair { c_x, c_y, c_z, .. } = self.unit;
-        let pair = CaromPair { c_x: by * c_x, c_y: by * c_y, c_z: by * c_z, ..self.unit };
-        Ok(GrainContact::new(pair.law()?, self.relaxation)?)
+        let unit = self.unit;
+        CaromPair {
+            c_x: by * unit.c_x,
+            c_y: by * unit.c_y,
+            c_z: by * unit.c_z,
+            a_squared: relative_radius * unit.a_squared,
+            b_squared: relative_radius * unit.b_squared,
+            torsion_stiffness: relative_radius * by * unit.torsion_stiffness,
+            torsion_arm: by * unit.torsion_arm,
+            ..unit
+        }
     }
 }
 
@@ -137,7 +150,7 @@ fn accounted(
 }
 
 /// Two bodies that may touch.
-trait Bodies: Copy {
+pub(crate) trait Bodies: Copy {
     /// Where they meet.
     fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure>;
 

@@ -17,6 +17,8 @@ class NeighHistory;
 class FixCaromKeep;
 
 class PairCarom : public Pair {
+  using Touches = carom::Touches;
+
  public:
   PairCarom(LAMMPS *lmp);
   ~PairCarom() override;
@@ -55,9 +57,12 @@ class PairCarom : public Pair {
   std::vector<double> largest;                  // radius of a type
   NeighHistory *history = nullptr;
   std::string keep_id, history_id, restore_id;
-  carom::Touches touches;
+  Touches touches;
   carom_error why;
 
+  // What a contact takes in the host's slots.
+  int numbers() const { return law_.torsion ? Touches::WITH_TWIST : Touches::NUMBERS; }
+  double energy_of(double *slot, const carom_touch *touch, int body_1, int body_2) const;
   int place(int i, int j) const;
   void allocate();
   carom_grain grain(int i) const;
@@ -74,7 +79,7 @@ class PairCarom : public Pair {
   Close close[TOGETHER];
   int step_all(int count, int eflag, bool moves);
   void add(int i, const double *force_1, double sign, const double *torque_i);
-  void tally(const Close &pair, int eflag, const carom_touch *touch, const double *force_1, double sign);
+  void tally(const Close &pair, double energy, const double *force_1, double sign);
   void end(const Close &pair);
   double *find_slot(int i, int j) const;
   double share_of(int j) const;

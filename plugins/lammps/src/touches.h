@@ -14,6 +14,9 @@ namespace carom {
 class Touches {
  public:
   static constexpr int NUMBERS = CAROM_TOUCH_NUMBERS;
+  // A slot with a twist: its numbers stand behind those of the contact and stay there.
+  static constexpr int WITH_TWIST = NUMBERS + CAROM_TWIST_NUMBERS;
+  static carom_twist *twist_of(double *slot) { return reinterpret_cast<carom_twist *>(slot + NUMBERS); }
 
   // The contact of a slot, unpacked; made if there is none. Null if the numbers are no contact: `why` says so.
   carom_touch *at(double *slot, const carom_grains &grains, double radius_1, double radius_2,
@@ -36,7 +39,7 @@ class Touches {
     const char *from = reinterpret_cast<const char *>(&pool[flag - 2]);
     for (std::size_t byte = 0; byte < sizeof(carom_touch); byte += 64) __builtin_prefetch(from + byte);
   }
-  // Ends the contact of a slot.
+  // Ends the contact of a slot; its twist is left to the caller.
   void drop(double *slot);
   // Makes a slot hold its contact as numbers.
   carom_status pack(double *slot, carom_error *why);
