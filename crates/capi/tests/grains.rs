@@ -454,10 +454,9 @@ fn spin_about_the_normal_meets_the_law_of_a_twist() {
             carom_twist_advance(&pair, &mut alone, zeta, omega, &mut torque, null_mut());
             largest = largest.max(torque.abs());
             assert_eq!(load.force, [0.0; 3]);
-            for k in 0..3 {
-                assert!((load.torque_1[k] - torque * normal[k]).abs() < 1e-9 * largest);
-                assert_eq!(load.torque_1[k], -load.torque_2[k]);
-            }
+            assert_eq!(load.torque_1, load.torque_2.map(|torque| -torque));
+            let off = plus(load.torque_1, normal, -torque);
+            assert!(dot(off, off).sqrt() < 1e-9 * largest);
             work += 0.5 * (before + torque) * spin * dt;
             before = torque;
             // Looked at once more without a step: the same bits.
