@@ -992,7 +992,7 @@ carom_status carom_touch_unpack(const struct carom_grains *grains,
 // contact were not shifted; its torque is added to those of `load`, its heat to `heats`, which may be null.
 //
 // The twist is zero for two grains apart. A step of no duration only tells the torque that the last step
-// left, but for a new contact. Where the two come apart the memory is lost; it costs some ten times a
+// left, but for a new contact. Where the two come apart the memory is lost. It costs tens of times a
 // touch.
 //
 // # Safety
@@ -1260,7 +1260,7 @@ carom_status carom_touch_unpack(const struct carom_grains *grains,
 // contact were not shifted; its torque is added to those of `load`, its heat to `heats`, which may be null.
 //
 // The twist is zero for two grains apart. A step of no duration only tells the torque that the last step
-// left, but for a new contact. Where the two come apart the memory is lost; it costs some ten times a
+// left, but for a new contact. Where the two come apart the memory is lost. It costs tens of times a
 // touch.
 //
 // # Safety

@@ -14,7 +14,7 @@ use crate::twist::CaromTwist;
 /// contact were not shifted; its torque is added to those of `load`, its heat to `heats`, which may be null.
 ///
 /// The twist is zero for two grains apart. A step of no duration only tells the torque that the last step
-/// left, but for a new contact. Where the two come apart the memory is lost; it costs some ten times a
+/// left, but for a new contact. Where the two come apart the memory is lost. It costs tens of times a
 /// touch.
 ///
 /// # Safety
