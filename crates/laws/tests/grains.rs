@@ -188,3 +188,38 @@ fn normal_may_turn_right_round() {
         }
     }
 }
+
+/// A grain that swings on a wall without slip, by leapfrog: its period is that of the spring, which the
+/// leapfrog alone misses by y/24 with y = (omega dt)^2, and it loses y^2/24 of its amplitude a step.
+#[test]
+fn swing_without_slip_keeps_its_period_and_gains_nothing() {
+    let stiffness = ContactStiffness::new(0.85, 0.85, 1.0).unwrap();
+    let law = ShiftLaw::<[f64; 2]>::new(stiffness, Friction::INFINITE);
+    let mut contact = GrainContact::new(law, 0.0).unwrap();
+    let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
+    let zeta = 0.01_f64;
+    let y = 0.1;
+    // Steps of 1: the mass is stiffness over y.
+    let mass = 0.85 * zeta.sqrt() / y;
+    let (mut x, mut v) = (0.0, 1e-6);
+    let (mut crossings, mut highest) = (Vec::new(), Vec::new());
+    for step in 0..2000 {
+        let before = x;
+        x += v;
+        let place = [x, 0.0, 1.0 - zeta];
+        let body = Grain { place, velocity: [v, 0.0, 0.0], spin: [0.0; 3], radius: 1.0 };
+        let load = contact.advance(&Meeting::on_wall(&body, &wall, 1.0), 1.0).unwrap();
+        v += load.force[0] / mass;
+        if before < 0.0 && x >= 0.0 {
+            crossings.push(f64::from(step) - x / (x - before));
+            highest.push(v);
+        }
+    }
+    let count = crossings.len() - 1;
+    let span = crossings[count] - crossings[0];
+    let period = span / count as f64;
+    let expected = 2.0 * std::f64::consts::PI / y.sqrt();
+    assert!((period / expected - 1.0).abs() < 3e-4, "{period} for {expected}");
+    let loss = -(highest[count] / highest[0]).ln() / span;
+    assert!(loss > 0.0 && (loss / (y * y / 24.0) - 1.0).abs() < 0.1, "{loss}");
+}
