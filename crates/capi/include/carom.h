@@ -75,10 +75,10 @@
 #define CAROM_STATE_NUMBERS 66
 
 // The words of 8 bytes in a `carom_touch`, beside its mark.
-#define CAROM_TOUCH_WORDS 160
+#define CAROM_TOUCH_WORDS 158
 
 // The numbers in which a `carom_touch` is kept elsewhere.
-#define CAROM_TOUCH_NUMBERS 75
+#define CAROM_TOUCH_NUMBERS 79
 
 // The numbers in a `carom_twist`.
 #define CAROM_TWIST_NUMBERS 83
@@ -260,7 +260,7 @@ typedef struct carom_grains {
   double share_2;
 } carom_grains;
 
-// The memory of the contact of two grains, the caller's: 1288 bytes, aligned to 8, that may be copied as
+// The memory of the contact of two grains, the caller's: 1272 bytes, aligned to 8, that may be copied as
 // bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
 // `carom_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
 //
@@ -988,6 +988,49 @@ carom_status carom_touch_unpack(const struct carom_grains *grains,
                                 struct carom_touch *touch,
                                 struct carom_error *error);
 
+// One step of the twist of two grains about their normal, beside that of `carom_touch_grains` and as if the
+// contact were not shifted; its torque is added to those of `load`, its heat to `heats`, which may be null.
+//
+// The twist is zero for two grains apart. A step of no duration only tells the torque that the last step
+// left, but for a new contact. Where the two come apart the memory is lost. It costs tens of times a
+// touch.
+//
+// # Safety
+// `grains`, `one` and `two` are null or may be read; `twist`, `load`, `heats` and `error` are null or may
+// be written.
+carom_status carom_touch_twist_grains(const struct carom_grains *grains,
+                                      struct carom_twist *twist,
+                                      const struct carom_grain *one,
+                                      const struct carom_grain *two,
+                                      double dt,
+                                      struct carom_grain_load *load,
+                                      struct carom_heats *heats,
+                                      struct carom_error *error);
+
+// The same of a grain, body 1, and a wall, which takes no torque.
+//
+// # Safety
+// As `carom_touch_twist_grains`.
+carom_status carom_touch_twist_wall(const struct carom_grains *grains,
+                                    struct carom_twist *twist,
+                                    const struct carom_grain *one,
+                                    const struct carom_wall *wall,
+                                    double dt,
+                                    struct carom_grain_load *load,
+                                    struct carom_heats *heats,
+                                    struct carom_error *error);
+
+// The elastic energy of the twist of two grains, J; the radius of a wall is infinite.
+//
+// # Safety
+// `grains` and `twist` are null or may be read, `energy` and `error` null or may be written.
+carom_status carom_touch_twist_energy(const struct carom_grains *grains,
+                                      const struct carom_twist *twist,
+                                      double radius_1,
+                                      double radius_2,
+                                      double *energy,
+                                      struct carom_error *error);
+
 // Goes straight to a new approach (m) and twist of body 2 against body 1 about the normal (radians);
 // `torque`, that on body 1 in N m, may be null.
 //
@@ -1212,6 +1255,49 @@ carom_status carom_touch_unpack(const struct carom_grains *grains,
                                 const double *numbers,
                                 struct carom_touch *touch,
                                 struct carom_error *error);
+
+// One step of the twist of two grains about their normal, beside that of `carom_touch_grains` and as if the
+// contact were not shifted; its torque is added to those of `load`, its heat to `heats`, which may be null.
+//
+// The twist is zero for two grains apart. A step of no duration only tells the torque that the last step
+// left, but for a new contact. Where the two come apart the memory is lost. It costs tens of times a
+// touch.
+//
+// # Safety
+// `grains`, `one` and `two` are null or may be read; `twist`, `load`, `heats` and `error` are null or may
+// be written.
+carom_status carom_touch_twist_grains(const struct carom_grains *grains,
+                                      struct carom_twist *twist,
+                                      const struct carom_grain *one,
+                                      const struct carom_grain *two,
+                                      double dt,
+                                      struct carom_grain_load *load,
+                                      struct carom_heats *heats,
+                                      struct carom_error *error);
+
+// The same of a grain, body 1, and a wall, which takes no torque.
+//
+// # Safety
+// As `carom_touch_twist_grains`.
+carom_status carom_touch_twist_wall(const struct carom_grains *grains,
+                                    struct carom_twist *twist,
+                                    const struct carom_grain *one,
+                                    const struct carom_wall *wall,
+                                    double dt,
+                                    struct carom_grain_load *load,
+                                    struct carom_heats *heats,
+                                    struct carom_error *error);
+
+// The elastic energy of the twist of two grains, J; the radius of a wall is infinite.
+//
+// # Safety
+// `grains` and `twist` are null or may be read, `energy` and `error` null or may be written.
+carom_status carom_touch_twist_energy(const struct carom_grains *grains,
+                                      const struct carom_twist *twist,
+                                      double radius_1,
+                                      double radius_2,
+                                      double *energy,
+                                      struct carom_error *error);
 
 // Goes straight to a new approach (m) and twist of body 2 against body 1 about the normal (radians);
 // `torque`, that on body 1 in N m, may be null.

@@ -94,10 +94,23 @@ impl CaromGrainLoad {
 impl CaromGrains {
     /// A contact to be, of a relative radius.
     pub(crate) fn contact(&self, relative_radius: f64) -> Result<Contact, Failure> {
+        Ok(GrainContact::new(self.pair(relative_radius).law()?, self.relaxation)?)
+    }
+
+    /// The constants of a contact of a relative radius: a^2/zeta is that radius.
+    pub(crate) fn pair(&self, relative_radius: f64) -> CaromPair {
         let by = relative_radius.sqrt();
-        let CaromPair { c_x, c_y, c_z, .. } = self.unit;
-        let pair = CaromPair { c_x: by * c_x, c_y: by * c_y, c_z: by * c_z, ..self.unit };
-        Ok(GrainContact::new(pair.law()?, self.relaxation)?)
+        let unit = self.unit;
+        CaromPair {
+            c_x: by * unit.c_x,
+            c_y: by * unit.c_y,
+            c_z: by * unit.c_z,
+            a_squared: relative_radius * unit.a_squared,
+            b_squared: relative_radius * unit.b_squared,
+            torsion_stiffness: relative_radius * by * unit.torsion_stiffness,
+            torsion_arm: by * unit.torsion_arm,
+            ..unit
+        }
     }
 }
 
@@ -109,19 +122,110 @@ pub(crate) fn relative_radius(one: f64, two: f64) -> Result<f64, Failure> {
     Ok(1.0 / (1.0 / one + 1.0 / two))
 }
 
-#[inline]
+#[inline(always)]
 pub(crate) fn step(
     contact: &mut Contact,
     meeting: &Meeting,
     dt: f64,
     heats: Option<&mut CaromHeats>,
 ) -> Result<GrainLoad, RangeError> {
-    let Some(sums) = heats else { return contact.advance(meeting, dt) };
+    match heats {
+        None => contact.advance(meeting, dt),
+        Some(sums) => accounted(contact, meeting, dt, sums),
+    }
+}
+
+#[inline(never)]
+fn accounted(
+    contact: &mut Contact,
+    meeting: &Meeting,
+    dt: f64,
+    sums: &mut CaromHeats,
+) -> Result<GrainLoad, RangeError> {
     let mut heats = Heats::default();
     let load = contact.advance_accounted(meeting, dt, &mut heats)?;
     sums.friction += heats.friction;
     sums.damping += heats.damping;
     Ok(load)
+}
+
+/// Two bodies that may touch.
+pub(crate) trait Bodies: Copy {
+    /// Where they meet.
+    fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure>;
+
+    fn radii(self) -> [f64; 2];
+
+    /// Their contact to be.
+    #[inline(never)]
+    fn fresh(self, grains: &CaromGrains) -> Result<Contact, Failure> {
+        let [one, two] = self.radii();
+        grains.contact(relative_radius(one, two)?)
+    }
+}
+
+impl Bodies for [&CaromGrain; 2] {
+    #[inline(always)]
+    fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure> {
+        let [one, two] = self.map(|grain| Grain::from(*grain));
+        Ok(Meeting::of_spheres(&one, &two, [grains.share_1, grains.share_2])?)
+    }
+
+    fn radii(self) -> [f64; 2] {
+        self.map(|grain| grain.radius)
+    }
+}
+
+impl Bodies for (&CaromGrain, &CaromWall) {
+    #[inline(always)]
+    fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure> {
+        let CaromWall { place, normal, velocity } = *self.1;
+        let [x, y, z] = normal;
+        let square = x * x + y * y + z * z;
+        RangeError::check("normal", square.sqrt(), (square - 1.0).abs() < 1e-9, "of length 1")?;
+        let wall = Wall { place, normal, velocity };
+        Ok(Meeting::on_wall(&Grain::from(*self.0), &wall, grains.share_1))
+    }
+
+    fn radii(self) -> [f64; 2] {
+        [self.0.radius, f64::INFINITY]
+    }
+}
+
+/// # Safety
+/// As `carom_touch_grains`.
+#[inline(always)]
+unsafe fn advance(
+    grains: *const CaromGrains,
+    touch: *mut CaromTouch,
+    bodies: impl Bodies,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut CaromHeats,
+) -> Result<(), Failure> {
+    // SAFETY: the caller's promise.
+    let (grains, touch, load) =
+        unsafe { (read(grains, "grains")?, write(touch, "touch")?, write(load, "load")?) };
+    // SAFETY: the caller's promise.
+    let heats = if heats.is_null() { None } else { Some(unsafe { write(heats, "heats")? }) };
+    let meeting = bodies.meeting(grains)?;
+    touch.advance(&meeting, dt, heats, load, || bodies.fresh(grains))
+}
+
+/// # Safety
+/// As `carom_touch_grains_load`.
+unsafe fn load_of(
+    grains: *const CaromGrains,
+    touch: *const CaromTouch,
+    bodies: impl Bodies,
+    load: *mut CaromGrainLoad,
+) -> Result<(), Failure> {
+    // SAFETY: the caller's promise.
+    let (grains, touch) = unsafe { (read(grains, "grains")?, read(touch, "touch")?) };
+    let meeting = bodies.meeting(grains)?;
+    // SAFETY: the caller's promise.
+    *unsafe { write(load, "load")? } = touch.load(&meeting, || bodies.fresh(grains))?;
+    Ok(())
 }
 
 /// The constants of the contacts of grains of two materials, of any radii, or of grains of material 1 and
@@ -192,14 +296,8 @@ pub unsafe extern "C" fn carom_touch_grains(
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
     let call = || unsafe {
-        let (grains, touch) = (read(grains, "grains")?, write(touch, "touch")?);
-        let (one, two) = (Grain::from(*read(one, "one")?), Grain::from(*read(two, "two")?));
-        let place = write(load, "load")?;
-        let heats = if heats.is_null() { None } else { Some(write(heats, "heats")?) };
-        let meeting = Meeting::of_spheres(&one, &two, [grains.share_1, grains.share_2])?;
-        let fresh = || grains.contact(relative_radius(one.radius, two.radius)?);
-        *place = touch.advance(&meeting, dt, heats, fresh)?;
-        Ok(())
+        let bodies = [read(one, "one")?, read(two, "two")?];
+        advance(grains, touch, bodies, dt, load, heats)
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
@@ -222,26 +320,11 @@ pub unsafe extern "C" fn carom_touch_wall(
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
     let call = || unsafe {
-        let (grains, touch) = (read(grains, "grains")?, write(touch, "touch")?);
-        let (one, wall) = (Grain::from(*read(one, "one")?), to_wall(read(wall, "wall")?)?);
-        let place = write(load, "load")?;
-        let heats = if heats.is_null() { None } else { Some(write(heats, "heats")?) };
-        let meeting = Meeting::on_wall(&one, &wall, grains.share_1);
-        let fresh = || grains.contact(relative_radius(one.radius, f64::INFINITY)?);
-        *place = touch.advance(&meeting, dt, heats, fresh)?;
-        Ok(())
+        let bodies = (read(one, "one")?, read(wall, "wall")?);
+        advance(grains, touch, bodies, dt, load, heats)
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
-}
-
-#[inline]
-fn to_wall(wall: &CaromWall) -> Result<Wall, RangeError> {
-    let CaromWall { place, normal, velocity } = *wall;
-    let [x, y, z] = normal;
-    let square = x * x + y * y + z * z;
-    RangeError::check("normal", square.sqrt(), (square - 1.0).abs() < 1e-9, "of length 1")?;
-    Ok(Wall { place, normal, velocity })
 }
 
 /// The load of two grains as the last step left them, without a step: the same bits that it told, if the
@@ -260,14 +343,7 @@ pub unsafe extern "C" fn carom_touch_grains_load(
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
-    let call = || unsafe {
-        let (grains, touch) = (read(grains, "grains")?, read(touch, "touch")?);
-        let (one, two) = (Grain::from(*read(one, "one")?), Grain::from(*read(two, "two")?));
-        let meeting = Meeting::of_spheres(&one, &two, [grains.share_1, grains.share_2])?;
-        let fresh = || grains.contact(relative_radius(one.radius, two.radius)?);
-        *write(load, "load")? = touch.load(&meeting, fresh)?;
-        Ok(())
-    };
+    let call = || unsafe { load_of(grains, touch, [read(one, "one")?, read(two, "two")?], load) };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
 }
@@ -286,14 +362,7 @@ pub unsafe extern "C" fn carom_touch_wall_load(
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
-    let call = || unsafe {
-        let (grains, touch) = (read(grains, "grains")?, read(touch, "touch")?);
-        let (one, wall) = (Grain::from(*read(one, "one")?), to_wall(read(wall, "wall")?)?);
-        let meeting = Meeting::on_wall(&one, &wall, grains.share_1);
-        let fresh = || grains.contact(relative_radius(one.radius, f64::INFINITY)?);
-        *write(load, "load")? = touch.load(&meeting, fresh)?;
-        Ok(())
-    };
+    let call = || unsafe { load_of(grains, touch, (read(one, "one")?, read(wall, "wall")?), load) };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
 }

@@ -26,6 +26,7 @@ mod pointers;
 mod restitution;
 mod state;
 mod touch;
+mod touch_twist;
 mod twist;
 mod version;
 
@@ -60,6 +61,7 @@ pub use touch::{
     CAROM_TOUCH_NUMBERS, CAROM_TOUCH_WORDS, CaromTouch, carom_touch_energy, carom_touch_pack,
     carom_touch_report, carom_touch_unpack,
 };
+pub use touch_twist::{carom_touch_twist_energy, carom_touch_twist_grains, carom_touch_twist_wall};
 pub use twist::{
     CAROM_TWIST_NUMBERS, CaromTwist, carom_twist_advance, carom_twist_energy, carom_twist_heat,
     carom_twist_torque,

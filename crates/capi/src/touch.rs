@@ -11,9 +11,9 @@ use crate::law::CaromReport;
 use crate::pointers::{read, write};
 
 /// The words of 8 bytes in a `carom_touch`, beside its mark.
-pub const CAROM_TOUCH_WORDS: usize = 160;
+pub const CAROM_TOUCH_WORDS: usize = 158;
 /// The numbers in which a `carom_touch` is kept elsewhere.
-pub const CAROM_TOUCH_NUMBERS: usize = 75;
+pub const CAROM_TOUCH_NUMBERS: usize = 79;
 
 /// As many vertices as in a `carom_state`.
 const VERTICES: usize = 12;
@@ -26,7 +26,7 @@ const _: () = assert!(!std::mem::needs_drop::<Contact>());
 /// Tells a touch that was made by a build of this size from other bytes.
 const MARK: u64 = 0x6361_726f_6d01_0001 + ((size_of::<Contact>() as u64) << 8);
 
-/// The memory of the contact of two grains, the caller's: 1288 bytes, aligned to 8, that may be copied as
+/// The memory of the contact of two grains, the caller's: 1272 bytes, aligned to 8, that may be copied as
 /// bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
 /// `carom_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
 ///
@@ -67,24 +67,23 @@ impl CaromTouch {
         self.mark = MARK;
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn advance(
         &mut self,
         meeting: &Meeting,
         dt: f64,
         heats: Option<&mut CaromHeats>,
+        load: &mut CaromGrainLoad,
         fresh: impl FnOnce() -> Result<Contact, Failure>,
-    ) -> Result<CaromGrainLoad, Failure> {
-        let load = match self.present_mut()? {
-            Some(contact) => step(contact, meeting, dt, heats)?,
-            None => {
-                let mut contact = fresh()?;
-                let load = step(&mut contact, meeting, dt, heats)?;
-                self.keep(&contact);
-                load
-            }
+    ) -> Result<(), Failure> {
+        let Some(contact) = self.present_mut()? else {
+            let mut contact = fresh()?;
+            *load = CaromGrainLoad::new(step(&mut contact, meeting, dt, heats)?, meeting.arms);
+            self.keep(&contact);
+            return Ok(());
         };
-        Ok(CaromGrainLoad::new(load, meeting.arms))
+        *load = CaromGrainLoad::new(step(contact, meeting, dt, heats)?, meeting.arms);
+        Ok(())
     }
 
     #[inline]

@@ -30,7 +30,7 @@ pub struct CaromTwist {
 }
 
 impl CaromTwist {
-    fn law(&self, pair: &CaromPair) -> Result<TorsionLaw, Failure> {
+    pub(crate) fn law(&self, pair: &CaromPair) -> Result<TorsionLaw, Failure> {
         finite(pair)?;
         let mut law = pair.torsion()?;
         law.unpack(&self.numbers).map_err(|error| Failure::from(error).in_state())?;

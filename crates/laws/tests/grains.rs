@@ -1,7 +1,7 @@
 //! The contact of two grains goes along with them.
 
 use carom_laws::friction::Friction;
-use carom_laws::grains::{Grain, GrainContact, Heats, Meeting, Wall, grain_numbers};
+use carom_laws::grains::{Grain, GrainContact, GrainLoad, Heats, Meeting, Wall, grain_numbers};
 use carom_laws::memory::Fixed;
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
@@ -50,14 +50,13 @@ fn turned_as_a_whole(shift: V, spin: V, dt: f64, steps: usize) -> (f64, V, V) {
     let arm = [0.6, 0.0, 0.8];
     let one = Grain { place: arm.map(|x| 1.98 * x), velocity: shift, ..grain };
     let mut contact = fresh(0.0);
-    contact
-        .advance(
-            &Meeting::of_spheres(&Grain { velocity: [0.0; 3], ..one }, &grain, [0.5; 2]).unwrap(),
-            1.0,
-        )
-        .unwrap();
-    let before =
-        contact.advance(&Meeting::of_spheres(&one, &grain, [0.5; 2]).unwrap(), 1.0).unwrap();
+    let still = Grain { velocity: [0.0; 3], ..one };
+    let mut before = GrainLoad::default();
+    // Two steps at rest, so that nothing is accelerated any more.
+    for body in [still, one, still, still] {
+        let meeting = Meeting::of_spheres(&body, &grain, [0.5; 2]).unwrap();
+        before = contact.advance(&meeting, 1.0).unwrap();
+    }
     let mut load = before;
     for step in 1..=steps {
         // Velocities of a leapfrog: those of the middle of the step.
@@ -160,11 +159,67 @@ fn what_is_no_contact_is_refused() {
     assert_eq!(GrainContact::new(law, -1.0).unwrap_err().field, "relaxation");
     let mut contact = fresh(0.0);
     let mut numbers = [0.0; grain_numbers(12)];
-    for (at, field) in [(66, "tangent"), (69, "normal"), (74, "force"), (0, "mark")] {
-        numbers[at] = if at == 74 { f64::NAN } else { 2.0 };
+    for (at, field) in
+        [(66, "tangent"), (69, "normal"), (74, "force"), (78, "velocity"), (0, "mark")]
+    {
+        numbers[at] = if at >= 74 { f64::NAN } else { 2.0 };
         assert_eq!(contact.unpack(&numbers).unwrap_err().field, field);
         assert_eq!(contact, fresh(0.0));
         numbers[at] = 0.0;
     }
     assert!(contact.unpack(&numbers[..5]).is_err());
+}
+
+/// The normal turns right round in one step, or nearly so: the axes stay of length 1 and across it.
+#[test]
+fn normal_may_turn_right_round() {
+    let grain = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+    for lean in [0.0, 1e-14, 1e-9, 1e-4, 0.3, 1.5] {
+        let mut contact = fresh(0.0);
+        let angle = std::f64::consts::PI - lean;
+        for along in [[0.0, 0.0, 1.98], [0.0, 1.98 * angle.sin(), 1.98 * angle.cos()]] {
+            let body = Grain { place: along, ..grain };
+            let meeting = Meeting::of_spheres(&body, &grain, [0.5; 2]).unwrap();
+            let load = contact.advance(&meeting, 0.1).unwrap();
+            let tangent = contact.tangent();
+            assert!((dot(tangent, tangent) - 1.0).abs() < 1e-12, "{lean}: {tangent:?}");
+            assert!(dot(tangent, meeting.normal).abs() < 1e-12, "{lean}: {tangent:?}");
+            assert!(dot(load.force, load.force) > 0.0 && load.force.iter().all(|f| f.is_finite()));
+        }
+    }
+}
+
+/// A grain that swings on a wall without slip, by leapfrog: its period is that of the spring, which the
+/// leapfrog alone misses by y/24 with y = (omega dt)^2, and it loses y^2/24 of its amplitude a step.
+#[test]
+fn swing_without_slip_keeps_its_period_and_gains_nothing() {
+    let stiffness = ContactStiffness::new(0.85, 0.85, 1.0).unwrap();
+    let law = ShiftLaw::<[f64; 2]>::new(stiffness, Friction::INFINITE);
+    let mut contact = GrainContact::new(law, 0.0).unwrap();
+    let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
+    let zeta = 0.01_f64;
+    let y = 0.1;
+    // Steps of 1: the mass is stiffness over y.
+    let mass = 0.85 * zeta.sqrt() / y;
+    let (mut x, mut v) = (0.0, 1e-6);
+    let (mut crossings, mut highest) = (Vec::new(), Vec::new());
+    for step in 0..2000 {
+        let before = x;
+        x += v;
+        let place = [x, 0.0, 1.0 - zeta];
+        let body = Grain { place, velocity: [v, 0.0, 0.0], spin: [0.0; 3], radius: 1.0 };
+        let load = contact.advance(&Meeting::on_wall(&body, &wall, 1.0), 1.0).unwrap();
+        v += load.force[0] / mass;
+        if before < 0.0 && x >= 0.0 {
+            crossings.push(f64::from(step) - x / (x - before));
+            highest.push(v);
+        }
+    }
+    let count = crossings.len() - 1;
+    let span = crossings[count] - crossings[0];
+    let period = span / count as f64;
+    let expected = 2.0 * std::f64::consts::PI / y.sqrt();
+    assert!((period / expected - 1.0).abs() < 3e-4, "{period} for {expected}");
+    let loss = -(highest[count] / highest[0]).ln() / span;
+    assert!(loss > 0.0 && (loss / (y * y / 24.0) - 1.0).abs() < 0.1, "{loss}");
 }

@@ -15,7 +15,6 @@
 #include <cstring>
 
 using namespace LAMMPS_NS;
-using carom::Touches;
 
 // What compute_vector() tells, from f_ID[1] on.
 enum { FORCE_X, FORCE_Y, FORCE_Z, STORED, FRICTION, DAMPING, WORK, OUTPUTS };
@@ -45,7 +44,7 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
     if (words == 0)
       error->all(FLERR, who() + " knows no '" + word +
                             "': only plane and velocity (with all their values), young, shear, poisson, "
-                            "rigid, friction, damping, law and tolerance");
+                            "rigid, friction, damping, law, tolerance and torsion");
     k += words;
   }
   material.check(lmp, who());
@@ -60,7 +59,7 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
 
   restart_global = restart_peratom = 1;
   create_attribute = 1;
-  maxexchange = 1 + Touches::NUMBERS;
+  maxexchange = 1 + Touches::WITH_TWIST;
   vector_flag = 1;
   size_vector = OUTPUTS;
   global_freq = 1;
@@ -95,6 +94,7 @@ void FixWallCarom::init()
   account = false;
   constants.assign(atom->ntypes + 1, {});
   known.assign(atom->ntypes + 1, 0);
+  twists = has_law ? law.torsion : pairs.front()->law().torsion;
   for (const PairCarom *pair : pairs) {
     account = account || pair->keeps_account();
     for (int type = 1; type <= atom->ntypes; type++) {
@@ -135,6 +135,12 @@ carom_grain_load FixWallCarom::step(int i, double duration)
   } else {
     status = carom_touch_wall_load(&grains, touch, &grain, &wall, &load, &why);
   }
+  if (twists && status == CAROM_STATUS_OK) {
+    carom_heats made = {0.0, 0.0};
+    status = carom_touch_twist_wall(&grains, Touches::twist_of(slots[i].get()), &grain, &wall, duration, &load,
+                                    account ? &made : nullptr, &why);
+    sums_.friction += made.friction;
+  }
   if (status != CAROM_STATUS_OK) carom::fail(lmp, who(), why);
   return load;
 }
@@ -158,7 +164,7 @@ void FixWallCarom::post_force(int)
     if (!known[atom->type[i]])
       error->one(FLERR, who() + ": pair_coeff of pair carom tells no material of grains of type " +
                             std::to_string(atom->type[i]));
-    if (!slots[i]) slots[i].reset(new double[Touches::NUMBERS]());
+    slot_of(i);
     const carom_grain_load load = step(i, duration);
     for (int axis = 0; axis < 3; axis++) {
       atom->f[i][axis] += load.force[axis];
@@ -180,6 +186,10 @@ double FixWallCarom::stored_energy()
     if (!touches_wall(i)) continue;
     double energy = 0.0;
     carom_touch_energy(touch_of(i), &energy, nullptr);
+    sum += energy;
+    if (!twists) continue;
+    carom_touch_twist_energy(&constants[atom->type[i]], Touches::twist_of(slots[i].get()), atom->radius[i],
+                             INFINITY, &energy, nullptr);
     sum += energy;
   }
   return sum;
@@ -236,7 +246,23 @@ void FixWallCarom::copy_arrays(int i, int j, int)
 
 void FixWallCarom::drop(int i)
 {
-  if (slots[i]) touches.drop(slots[i].get());
+  if (!slots[i]) return;
+  touches.drop(slots[i].get());
+  memset(slots[i].get(), 0, Touches::WITH_TWIST * sizeof(double));
+}
+
+// How many numbers are kept of a grain.
+int FixWallCarom::count_of(int i) const
+{
+  if (!touches_wall(i)) return 0;
+  return twists ? Touches::WITH_TWIST : Touches::NUMBERS;
+}
+
+// A slot has room for a twist in any case: what a restart file tells is known before the law is.
+double *FixWallCarom::slot_of(int i)
+{
+  if (!slots[i]) slots[i].reset(new double[Touches::WITH_TWIST]());
+  return slots[i].get();
 }
 
 void FixWallCarom::set_arrays(int i)
@@ -253,19 +279,18 @@ void FixWallCarom::pack(int i)
 int FixWallCarom::pack_exchange(int i, double *buffer)
 {
   pack(i);
-  buffer[0] = touches_wall(i);
-  if (buffer[0] == 0.0) return 1;
-  memcpy(buffer + 1, slots[i].get(), Touches::NUMBERS * sizeof(double));
-  return 1 + Touches::NUMBERS;
+  const int count = count_of(i);
+  buffer[0] = count;
+  if (count > 0) memcpy(buffer + 1, slots[i].get(), count * sizeof(double));
+  return 1 + count;
 }
 
 int FixWallCarom::unpack_exchange(int i, double *buffer)
 {
   drop(i);
-  if (buffer[0] == 0.0) return 1;
-  if (!slots[i]) slots[i].reset(new double[Touches::NUMBERS]);
-  memcpy(slots[i].get(), buffer + 1, Touches::NUMBERS * sizeof(double));
-  return 1 + Touches::NUMBERS;
+  const int count = static_cast<int>(buffer[0]);
+  if (count > 0) memcpy(slot_of(i), buffer + 1, count * sizeof(double));
+  return 1 + count;
 }
 
 int FixWallCarom::pack_restart(int i, double *buffer)
@@ -284,12 +309,12 @@ void FixWallCarom::unpack_restart(int i, int nth)
 
 int FixWallCarom::size_restart(int i)
 {
-  return touches_wall(i) ? 2 + Touches::NUMBERS : 2;
+  return 2 + count_of(i);
 }
 
 int FixWallCarom::maxsize_restart()
 {
-  return 2 + Touches::NUMBERS;
+  return 2 + Touches::WITH_TWIST;
 }
 
 double FixWallCarom::memory_usage()

@@ -15,6 +15,8 @@
 namespace LAMMPS_NS {
 
 class FixWallCarom : public Fix {
+  using Touches = carom::Touches;
+
  public:
   FixWallCarom(LAMMPS *lmp, int narg, char **arg);
   ~FixWallCarom() override;
@@ -52,10 +54,10 @@ class FixWallCarom : public Fix {
   carom_wall wall = {};
   std::vector<carom_grains> constants;    // by type of grain
   std::vector<char> known;                // whether there are any
-  bool account = false;
+  bool account = false, twists = false;
   Sums sums_ = {0.0, 0.0, 0.0};
   double force_on_wall[3] = {0.0, 0.0, 0.0};
-  carom::Touches touches;
+  Touches touches;
   std::vector<std::unique_ptr<double[]>> slots;    // by grain; null where nothing ever touched
 
   std::string who() const { return std::string("fix ") + id + " wall/carom"; }
@@ -63,6 +65,8 @@ class FixWallCarom : public Fix {
   carom_grain_load step(int i, double duration);
   void pack(int i);
   void drop(int i);
+  double *slot_of(int i);
+  int count_of(int i) const;
   bool touches_wall(int i) const { return slots[i] && slots[i][0] != 0.0; }
 };
 

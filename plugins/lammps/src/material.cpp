@@ -89,6 +89,10 @@ int Law::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
     else lmp->error->all(FLERR, who + ": law is neither coulomb nor chapter7: '" + name + "'");
     return 2;
   }
+  if (word == "torsion" && narg > 1) {
+    torsion = utils::logical(FLERR, arg[1], false, lmp);
+    return 2;
+  }
   if (word == "tolerance") {
     tolerance = number(lmp, who, narg, arg);
     if (!(tolerance > 0.0 && tolerance <= 0.1))

@@ -32,9 +32,10 @@ struct Material {
   bool has_young = false, has_shear = false, has_poisson = false;
 };
 
-// law chapter7 | coulomb, tolerance T
+// law chapter7 | coulomb, tolerance T, torsion yes | no
 struct Law {
   uint32_t law = CAROM_LAW_CHAPTER_7;
+  int torsion = 0;    // whether a twist about the normal has its torque
   double tolerance = 0.0;
 
   int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);

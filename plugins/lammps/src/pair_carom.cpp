@@ -19,7 +19,6 @@
 #include <cstring>
 
 using namespace LAMMPS_NS;
-using carom::Touches;
 
 // What single() tells of a contact, in the order of compute pair/local's p1, p2, ...
 enum { F_X, F_Y, F_Z, F_NORMAL, F_FRICTION, OVERLAP, AREA_RADIUS, STICKING, REGIME, ENERGY, EXTRAS };
@@ -97,7 +96,7 @@ void PairCarom::settings(int narg, char **arg)
     }
     if (words == 0)
       error->all(FLERR, std::string("pair_style carom knows no '") + arg[k] +
-                            "': only law, tolerance and energy");
+                            "': only law, tolerance, torsion and energy");
     k += words;
   }
 }
@@ -143,8 +142,7 @@ void PairCarom::init_style()
       return modify->replace_fix(id + "_DUMMY", id + " all " + style, 0);
     };
     keep = static_cast<FixCaromKeep *>(make(keep_id, "CAROM_KEEP"));
-    const auto numbers = std::to_string(Touches::NUMBERS);
-    history = static_cast<NeighHistory *>(make(history_id, "NEIGH_HISTORY " + numbers));
+    history = static_cast<NeighHistory *>(make(history_id, "NEIGH_HISTORY " + std::to_string(numbers())));
     keep->serve(this, history);
     static_cast<FixCaromRestore *>(make(restore_id, "CAROM_RESTORE"))->keep = keep;
     if (history->pair != nullptr)
@@ -193,7 +191,6 @@ carom_grain PairCarom::grain(int i) const
 carom_touch *PairCarom::touch_of(double *slot, int body_1, int body_2)
 {
   if (Touches::is_unpacked(slot)) return &touches.of(slot);
-  carom_error why;
   const carom_grains &grains = constants[place(atom->type[body_1], atom->type[body_2])];
   carom_touch *touch = touches.at(slot, grains, atom->radius[body_1], atom->radius[body_2], &why);
   if (!touch) carom::fail(lmp, "pair carom", why);
@@ -207,12 +204,6 @@ double PairCarom::share_of(int j) const
   return force->newton_pair || j < atom->nlocal ? 1.0 : 0.5;
 }
 
-void PairCarom::end(double *slot, int &touching)
-{
-  touches.drop(slot);
-  touching = 0;
-}
-
 void PairCarom::compute(int eflag, int vflag)
 {
   ev_init(eflag, vflag);
@@ -221,86 +212,127 @@ void PairCarom::compute(int eflag, int vflag)
   // A setup only looks at what the last step left; a contact that is new to it begins with a step of no
   // duration. Two grains that touched make one more step apart, in which the contact ends.
   const bool moves = !update->setupflag;
-  double **x = atom->x, **f = atom->f, **torque = atom->torque;
+  double **x = atom->x;
   const double *radius = atom->radius;
-  const tagint *tag = atom->tag;
-  const int *type = atom->type;
-  const int nlocal = atom->nlocal, newton = force->newton_pair, types = atom->ntypes + 1;
-  carom_error why;
+  int found = 0;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
-    int *touching = history->firstflag[i];
+    int *flags = history->firstflag[i];
     double *slots = history->firstvalue[i];
     const int *neighbors = list->firstneigh[i];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
       const int j = neighbors[jj] & NEIGHMASK;
-      double *slot = slots + Touches::NUMBERS * jj;
       const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
       const double reach = radius[i] + radius[j];
       const bool apart = dx * dx + dy * dy + dz * dz >= reach * reach;
-      if (apart && !touching[jj]) continue;
-      if (apart && !moves) {
-        end(slot, touching[jj]);
-        continue;
-      }
-      touching[jj] = 1;
-      const bool i_is_1 = tag[i] < tag[j];
-      const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
-      const carom_grains &grains = constants[type[one] * types + type[two]];
-      const carom_grain body_1 = grain(one), body_2 = grain(two);
-      const bool is_new = slot[0] == 0.0;
-      carom_touch *touch = touch_of(slot, one, two);
-      carom_grain_load load;
-      carom_status status;
-      if (moves || is_new) {
-        carom_heats made = {0.0, 0.0};
-        status = carom_touch_grains(&grains, touch, &body_1, &body_2, moves ? update->dt : 0.0, &load,
-                                    account ? &made : nullptr, &why);
-        if (account) {
-          const double share = share_of(j);
-          heats.friction += share * made.friction;
-          heats.damping += share * made.damping;
-        }
-      } else {
-        status = carom_touch_grains_load(&grains, touch, &body_1, &body_2, &load, &why);
-      }
-      if (status != CAROM_STATUS_OK) carom::fail(lmp, "pair carom", why);
-      const double sign = i_is_1 ? 1.0 : -1.0;
-      const double *torque_i = i_is_1 ? load.torque_1 : load.torque_2;
-      const double *torque_j = i_is_1 ? load.torque_2 : load.torque_1;
-      const double fx = sign * load.force[0], fy = sign * load.force[1], fz = sign * load.force[2];
-      f[i][0] += fx;
-      f[i][1] += fy;
-      f[i][2] += fz;
-      for (int k = 0; k < 3; k++) torque[i][k] += torque_i[k];
-      if (newton || j < nlocal) {
-        f[j][0] -= fx;
-        f[j][1] -= fy;
-        f[j][2] -= fz;
-        for (int k = 0; k < 3; k++) torque[j][k] += torque_j[k];
-      }
-      if (evflag) {
-        double energy = 0.0;
-        if (eflag) carom_touch_energy(touch, &energy, nullptr);
-        ev_tally_xyz(i, j, nlocal, newton, energy, 0.0, fx, fy, fz, dx, dy, dz);
-      }
-      if (apart) end(slot, touching[jj]);
+      if (apart && !flags[jj]) continue;
+      Close &pair = close[found];
+      pair.flag = flags + jj;
+      pair.slot = slots + numbers() * jj;
+      pair.i = i;
+      pair.j = j;
+      pair.apart = apart;
+      if (apart && !moves) end(pair);
+      else if (++found == TOGETHER) found = step_all(found, eflag, moves);
     }
   }
+  step_all(found, eflag, moves);
+}
+
+// What is remembered of a contact takes long to come from memory: it is sent for some contacts ahead.
+int PairCarom::step_all(int count, int eflag, bool moves)
+{
+  const double dt = moves ? update->dt : 0.0;
+  for (int k = 0; k < count; k++) {
+    if (k + AHEAD < count) touches.send_for(*close[k + AHEAD].flag);
+    const Close &pair = close[k];
+    const int i = pair.i, j = pair.j;
+    const bool i_is_1 = atom->tag[i] < atom->tag[j], is_new = *pair.flag == 0;
+    const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
+    const carom_grains &grains = constants[place(atom->type[one], atom->type[two])];
+    const carom_grain body_1 = grain(one), body_2 = grain(two);
+    carom_touch *touch = touches.with_flag(*pair.flag);
+    if (!touch) {
+      touch = touch_of(pair.slot, one, two);
+      *pair.flag = Touches::flag_of(pair.slot);
+    }
+    carom_grain_load load;
+    carom_heats made = {0.0, 0.0};
+    carom_status status =
+        moves || is_new ? carom_touch_grains(&grains, touch, &body_1, &body_2, dt, &load,
+                                             account ? &made : nullptr, &why)
+                        : carom_touch_grains_load(&grains, touch, &body_1, &body_2, &load, &why);
+    if (law_.torsion && status == CAROM_STATUS_OK)
+      status = carom_touch_twist_grains(&grains, Touches::twist_of(pair.slot), &body_1, &body_2, dt, &load,
+                                        account ? &made : nullptr, &why);
+    if (status != CAROM_STATUS_OK) carom::fail(lmp, "pair carom", why);
+    if (account) {
+      const double share = share_of(j);
+      heats.friction += share * made.friction;
+      heats.damping += share * made.damping;
+    }
+    add(one, load.force, 1.0, load.torque_1);
+    add(two, load.force, -1.0, load.torque_2);
+    if (evflag) {
+      const double energy = eflag ? energy_of(pair.slot, touch, one, two) : 0.0;
+      tally(pair, energy, load.force, i_is_1 ? 1.0 : -1.0);
+    }
+    if (pair.apart) end(pair);
+  }
+  return 0;
+}
+
+// A grain of another rank gets its forces there, unless newton is on.
+void PairCarom::add(int i, const double *force_1, double sign, const double *torque_i)
+{
+  if (i >= atom->nlocal && !force->newton_pair) return;
+  double *f = atom->f[i], *torque = atom->torque[i];
+  for (int k = 0; k < 3; k++) {
+    f[k] += sign * force_1[k];
+    torque[k] += torque_i[k];
+  }
+}
+
+// The elastic energy of a contact, its twist included.
+double PairCarom::energy_of(double *slot, const carom_touch *touch, int body_1, int body_2) const
+{
+  double energy = 0.0, twisted = 0.0;
+  carom_touch_energy(touch, &energy, nullptr);
+  if (law_.torsion)
+    carom_touch_twist_energy(&constants[place(atom->type[body_1], atom->type[body_2])],
+                             Touches::twist_of(slot), atom->radius[body_1], atom->radius[body_2], &twisted,
+                             nullptr);
+  return energy + twisted;
+}
+
+void PairCarom::tally(const Close &pair, double energy, const double *force_1, double sign)
+{
+  const double *x = atom->x[pair.i], *y = atom->x[pair.j];
+  ev_tally_xyz(pair.i, pair.j, atom->nlocal, force->newton_pair, energy, 0.0, sign * force_1[0],
+               sign * force_1[1], sign * force_1[2], x[0] - y[0], x[1] - y[1], x[2] - y[2]);
+}
+
+void PairCarom::end(const Close &pair)
+{
+  touches.drop(pair.slot);
+  memset(pair.slot, 0, numbers() * sizeof(double));
+  *pair.flag = 0;
 }
 
 void PairCarom::pack_all()
 {
   // Nothing was unpacked since the list was built, or there is no list yet.
   if (!history || !list || !history->firstflag) return;
-  carom_error why;
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
-    const int *touching = history->firstflag[i];
+    int *flags = history->firstflag[i];
     double *slots = history->firstvalue[i];
-    for (int jj = 0; jj < list->numneigh[i]; jj++)
-      if (touching[jj] && touches.pack(slots + Touches::NUMBERS * jj, &why) != CAROM_STATUS_OK)
+    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+      if (!flags[jj]) continue;
+      if (touches.pack(slots + numbers() * jj, &why) != CAROM_STATUS_OK)
         carom::fail(lmp, "pair carom", why);
+      flags[jj] = 1;
+    }
   }
 }
 
@@ -311,13 +343,12 @@ double PairCarom::stored_energy()
   for (int ii = 0; ii < list->inum; ii++) {
     const int i = list->ilist[ii];
     for (int jj = 0; jj < list->numneigh[i]; jj++) {
-      double *slot = history->firstvalue[i] + Touches::NUMBERS * jj;
+      double *slot = history->firstvalue[i] + numbers() * jj;
       if (slot[0] == 0.0) continue;
       const int j = list->firstneigh[i][jj] & NEIGHMASK;
       const bool i_is_1 = atom->tag[i] < atom->tag[j];
-      double energy = 0.0;
-      carom_touch_energy(touch_of(slot, i_is_1 ? i : j, i_is_1 ? j : i), &energy, nullptr);
-      sum += share_of(j) * energy;
+      const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
+      sum += share_of(j) * energy_of(slot, touch_of(slot, one, two), one, two);
     }
   }
   return sum;
@@ -330,7 +361,7 @@ double *PairCarom::find_slot(int i, int j) const
     if (i >= atom->nlocal) continue;
     for (int jj = 0; jj < list->numneigh[i]; jj++)
       if ((list->firstneigh[i][jj] & NEIGHMASK) == j)
-        return history->firstvalue[i] + Touches::NUMBERS * jj;
+        return history->firstvalue[i] + numbers() * jj;
   }
   return nullptr;
 }
@@ -348,12 +379,10 @@ double PairCarom::single(int i, int j, int itype, int jtype, double rsq, double,
   const carom_touch *touch = touch_of(slot, one, two);
   carom_grain_load load;
   carom_report report;
-  double energy;
-  carom_error why;
   if (carom_touch_grains_load(&grains, touch, &body_1, &body_2, &load, &why) != CAROM_STATUS_OK ||
-      carom_touch_report(touch, &report, &why) != CAROM_STATUS_OK ||
-      carom_touch_energy(touch, &energy, &why) != CAROM_STATUS_OK)
+      carom_touch_report(touch, &report, &why) != CAROM_STATUS_OK)
     carom::fail(lmp, "pair carom", why);
+  const double energy = energy_of(slot, touch, one, two);
   const double distance = sqrt(rsq), overlap = atom->radius[i] + atom->radius[j] - distance;
   double normal_force = 0.0, square = 0.0;
   for (int k = 0; k < 3; k++)
@@ -378,7 +407,7 @@ double PairCarom::single(int i, int j, int itype, int jtype, double rsq, double,
 
 void PairCarom::transfer_history(double *source, double *target, int, int)
 {
-  memcpy(target, source, Touches::NUMBERS * sizeof(double));
+  memcpy(target, source, numbers() * sizeof(double));
 }
 
 void PairCarom::write_restart_settings(FILE *fp)

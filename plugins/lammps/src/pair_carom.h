@@ -17,6 +17,8 @@ class NeighHistory;
 class FixCaromKeep;
 
 class PairCarom : public Pair {
+  using Touches = carom::Touches;
+
  public:
   PairCarom(LAMMPS *lmp);
   ~PairCarom() override;
@@ -55,13 +57,30 @@ class PairCarom : public Pair {
   std::vector<double> largest;                  // radius of a type
   NeighHistory *history = nullptr;
   std::string keep_id, history_id, restore_id;
-  carom::Touches touches;
+  Touches touches;
+  carom_error why;
 
+  // What a contact takes in the host's slots.
+  int numbers() const { return law_.torsion ? Touches::WITH_TWIST : Touches::NUMBERS; }
+  double energy_of(double *slot, const carom_touch *touch, int body_1, int body_2) const;
   int place(int i, int j) const;
   void allocate();
   carom_grain grain(int i) const;
   carom_touch *touch_of(double *slot, int body_1, int body_2);
-  void end(double *slot, int &touching);
+
+  // Two grains that touch, or did so one step ago: the host's flag and its slot for them.
+  struct Close {
+    int *flag;
+    double *slot;
+    int i, j;
+    bool apart;
+  };
+  static constexpr int TOGETHER = 128, AHEAD = 3;
+  Close close[TOGETHER];
+  int step_all(int count, int eflag, bool moves);
+  void add(int i, const double *force_1, double sign, const double *torque_i);
+  void tally(const Close &pair, double energy, const double *force_1, double sign);
+  void end(const Close &pair);
   double *find_slot(int i, int j) const;
   double share_of(int j) const;
 };

@@ -14,6 +14,9 @@ namespace carom {
 class Touches {
  public:
   static constexpr int NUMBERS = CAROM_TOUCH_NUMBERS;
+  // A slot with a twist: its numbers stand behind those of the contact and stay there.
+  static constexpr int WITH_TWIST = NUMBERS + CAROM_TWIST_NUMBERS;
+  static carom_twist *twist_of(double *slot) { return reinterpret_cast<carom_twist *>(slot + NUMBERS); }
 
   // The contact of a slot, unpacked; made if there is none. Null if the numbers are no contact: `why` says so.
   carom_touch *at(double *slot, const carom_grains &grains, double radius_1, double radius_2,
@@ -25,7 +28,18 @@ class Touches {
   static bool is_unpacked(const double *slot) { return slot[0] < 0.0; }
   // The contact of a slot that is unpacked.
   carom_touch &of(const double *slot) { return pool[index(slot)]; }
-  // Ends the contact of a slot.
+
+  // The host's flag of a pair of grains: 0 apart, 1 in contact, above that it says where what is unpacked
+  // is, without a look at the slot.
+  static int flag_of(const double *slot) { return is_unpacked(slot) ? 2 + index(slot) : 1; }
+  carom_touch *with_flag(int flag) { return flag > 1 ? &pool[flag - 2] : nullptr; }
+  void send_for(int flag) const
+  {
+    if (flag <= 1) return;
+    const char *from = reinterpret_cast<const char *>(&pool[flag - 2]);
+    for (std::size_t byte = 0; byte < sizeof(carom_touch); byte += 64) __builtin_prefetch(from + byte);
+  }
+  // Ends the contact of a slot; its twist is left to the caller.
   void drop(double *slot);
   // Makes a slot hold its contact as numbers.
   carom_status pack(double *slot, carom_error *why);

@@ -1,6 +1,6 @@
 """What a contact step costs: pair carom against pair granular with mindlin, in turn, in the same settled bed.
 
-CAROM_PLUGIN=... python cost.py [rounds]
+CAROM_PLUGIN=... python cost.py [rounds] [copies]: copies along x and y of a bed of 840 contacts.
 """
 
 import pathlib
@@ -25,7 +25,9 @@ atom_modify map array sort 0 0
 boundary p p f
 comm_modify vel yes
 read_data settled.data
-group floor id 1:36
+replicate ${copies} ${copies} 1
+region low block INF INF INF INF INF 0.0001 units box
+group floor region low
 group grain subtract all floor
 pair_style ${style}
 pair_coeff * * ${coeff}
@@ -42,14 +44,14 @@ run 3000
 """
 
 
-def main(rounds):
+def main(rounds, copies):
     with tempfile.TemporaryDirectory() as folder:
         style, coeff = STYLES["carom chapter7"]
         lmp((HERE / "bed.in").read_text() + "write_data settled.data\n", folder, n1=24000, style=style, coeff=coeff)
         best = {}
         for _ in range(rounds):
             for name, (style, coeff) in STYLES.items():
-                printed = lmp(AGAIN, folder, style=style, coeff=coeff)
+                printed = lmp(AGAIN, folder, style=style, coeff=coeff, copies=copies)
                 seconds = float(re.search(r"^Pair +\| +\S+ +\| +(\S+)", printed, re.M).group(1))
                 share = float(re.search(r"([\d.]+)% CPU use", printed).group(1)) / 100
                 sums = [float(words[1]) for words in map(str.split, printed.split("\n")) if len(words) == 2 and words[0] in ("0", "1500", "3000")]
@@ -61,4 +63,6 @@ def main(rounds):
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]) if len(sys.argv) > 1 else 3)
+    rounds = int(sys.argv[1]) if len(sys.argv) > 1 else 3
+    copies = int(sys.argv[2]) if len(sys.argv) > 2 else 1
+    main(rounds, copies)

@@ -53,7 +53,7 @@ def test_ranks_and_borders(settled, tmp_path):
 
 @pytest.mark.parametrize(
     "law, ranks, newton",
-    [("law chapter7", 1, "off"), ("law coulomb", 1, "on"), ("law chapter7", 2, "on")],
+    [("law chapter7", 1, "off"), ("law coulomb", 1, "on"), ("law chapter7", 2, "on"), ("law chapter7 torsion yes", 2, "on")],
 )
 def test_restart_in_the_middle_goes_on_bit_for_bit(tmp_path, law, ranks, newton):
     """Grains in full motion between a moving floor and walls, a restart file written on the way."""

@@ -11,7 +11,7 @@ BOX = (HERE / "box.in").read_text()
 WALLS = (HERE / "box_walls.in").read_text()
 
 
-@pytest.mark.parametrize("law", ["law chapter7", "law coulomb"])
+@pytest.mark.parametrize("law", ["law chapter7", "law coulomb", "law chapter7 torsion yes"])
 def test_energy_goes_where_it_is_booked(tmp_path, law):
     """Kinetic, potential and stored energy, heats and the work of the moving floor: their sum stays, to the
     leapfrog's error, which falls with the step."""

@@ -48,6 +48,8 @@ pub struct Meeting {
     pub rolling: [f64; 3],
     /// The mean of the spins, rad/s.
     pub turning: [f64; 3],
+    /// The spin of body 2 against body 1, rad/s; what of it is along the normal twists the contact.
+    pub twisting: [f64; 3],
 }
 
 /// What share of the approach each body gives way: its (1 - nu)/G over that of both. Thus far from its
@@ -87,7 +89,8 @@ impl Meeting {
         let rolling = plus(times(one.spin, arms[0]), times(two.spin, arms[1]));
         let velocity = minus(two.velocity, one.velocity);
         let turning = times(plus(one.spin, two.spin), 0.5);
-        Ok(Self { normal, zeta, arms, velocity, rolling, turning })
+        let twisting = minus(two.spin, one.spin);
+        Ok(Self { normal, zeta, arms, velocity, rolling, turning, twisting })
     }
 
     /// A sphere, body 1, on a flat wall, body 2; the sphere gives way by its share of the approach.
@@ -98,6 +101,7 @@ impl Meeting {
         let arm = one.radius - share * zeta;
         let velocity = minus(wall.velocity, one.velocity);
         let (rolling, turning) = (times(one.spin, arm), times(one.spin, 0.5));
-        Self { normal: wall.normal, zeta, arms: [arm, 0.0], velocity, rolling, turning }
+        let (normal, arms, twisting) = (wall.normal, [arm, 0.0], times(one.spin, -1.0));
+        Self { normal, zeta, arms, velocity, rolling, turning, twisting }
     }
 }

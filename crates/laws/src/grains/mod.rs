@@ -3,7 +3,8 @@
 //! A code that follows places, velocities and spins of spheres makes a [`Meeting`] of two of them (or
 //! of one and a flat wall) in each step; a [`GrainContact`] turns it into the force and the torques. It
 //! carries the axes of the contact along with the two bodies and a [`crate::shift_law::ShiftLaw`] in
-//! them, so that a pair that turns as a whole does not slip.
+//! them, so that a pair that turns as a whole does not slip. A [`GrainTwist`] stands beside it where the twist
+//! about the normal counts.
 //!
 //! ```
 //! use carom_laws::friction::Friction;
@@ -25,8 +26,10 @@
 mod contact;
 mod meeting;
 mod pack;
+mod twist;
 mod vector;
 
 pub use contact::{GrainContact, GrainLoad, Heats};
 pub use meeting::{Grain, Meeting, Wall, compliance_shares};
 pub use pack::grain_numbers;
+pub use twist::GrainTwist;

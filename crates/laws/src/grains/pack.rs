@@ -7,13 +7,13 @@ use super::vector::{Vector, dot};
 use crate::coulomb::packed_numbers;
 use crate::memory::VertexStack;
 
-/// Tangent, normal, friction and drag.
-const BESIDE: usize = 9;
+/// Tangent, normal, friction, drag, velocity and lead.
+const BESIDE: usize = 13;
 
-/// How many numbers the contact of two grains takes in that many vertices: 75 for 12.
+/// How many numbers the contact of two grains takes in that many vertices: 79 for 12.
 ///
 /// ```
-/// assert_eq!(carom_laws::grains::grain_numbers(12), 75);
+/// assert_eq!(carom_laws::grains::grain_numbers(12), 79);
 /// ```
 #[must_use]
 pub const fn grain_numbers(vertices: usize) -> usize {
@@ -22,8 +22,8 @@ pub const fn grain_numbers(vertices: usize) -> usize {
 
 impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// Writes what the contact remembers into numbers: those of the law
-    /// ([`crate::shift_law::ShiftLaw::pack`]), the first of which is not zero, then tangent, normal and
-    /// the forces of the last step. All zeros are two grains apart. The constants of the contact are not
+    /// ([`crate::shift_law::ShiftLaw::pack`]), the first of which is not zero, then tangent, normal,
+    /// the forces of the last step and its velocity. All zeros are two grains apart. The constants of the contact are not
     /// among them.
     ///
     /// # Errors
@@ -37,6 +37,8 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         beside[3..6].copy_from_slice(&self.normal);
         beside[6..8].copy_from_slice(&self.friction);
         beside[8] = self.drag;
+        beside[9..11].copy_from_slice(&self.velocity);
+        beside[11..].copy_from_slice(&self.lead);
         Ok(())
     }
 
@@ -56,12 +58,16 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
             let holds = square == 0.0 || (square - 1.0).abs() < 1e-9;
             RangeError::check(field, square.sqrt(), holds, "of length 0 or 1")?;
         }
-        for value in &beside[6..] {
-            RangeError::finite("force", *value)?;
+        for (field, values) in [("force", &beside[6..9]), ("velocity", &beside[9..])] {
+            for value in values {
+                RangeError::finite(field, *value)?;
+            }
         }
         self.law.unpack(law)?;
         (self.tangent, self.normal) = (tangent, normal);
-        (self.friction, self.drag) = ([beside[6], beside[7]], beside[8]);
+        let pair = |i: usize| [beside[i], beside[i + 1]];
+        (self.friction, self.drag) = (pair(6), beside[8]);
+        (self.velocity, self.lead) = (pair(9), pair(11));
         Ok(())
     }
 }

@@ -1,0 +1,139 @@
+//! The twist of two grains, or of a grain and a wall, about their normal.
+
+use carom_laws::grains::{GrainTwist, Heats};
+use carom_laws::law::ContactLaw as _;
+
+use crate::error::{CaromError, CaromStatus, Failure, border};
+use crate::grains::{
+    Bodies, CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, CaromWall, relative_radius,
+};
+use crate::pointers::{read, write};
+use crate::twist::CaromTwist;
+
+/// One step of the twist of two grains about their normal, beside that of `carom_touch_grains` and as if the
+/// contact were not shifted; its torque is added to those of `load`, its heat to `heats`, which may be null.
+///
+/// The twist is zero for two grains apart. A step of no duration only tells the torque that the last step
+/// left, but for a new contact. Where the two come apart the memory is lost. It costs tens of times a
+/// touch.
+///
+/// # Safety
+/// `grains`, `one` and `two` are null or may be read; `twist`, `load`, `heats` and `error` are null or may
+/// be written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_twist_grains(
+    grains: *const CaromGrains,
+    twist: *mut CaromTwist,
+    one: *const CaromGrain,
+    two: *const CaromGrain,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut CaromHeats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let bodies = [read(one, "one")?, read(two, "two")?];
+        let torque = turn(grains, twist, bodies, dt, load, heats)?;
+        let load = write(load, "load")?;
+        add(&mut load.torque_1, torque, 1.0);
+        add(&mut load.torque_2, torque, -1.0);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The same of a grain, body 1, and a wall, which takes no torque.
+///
+/// # Safety
+/// As `carom_touch_twist_grains`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_twist_wall(
+    grains: *const CaromGrains,
+    twist: *mut CaromTwist,
+    one: *const CaromGrain,
+    wall: *const CaromWall,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut CaromHeats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let bodies = (read(one, "one")?, read(wall, "wall")?);
+        let torque = turn(grains, twist, bodies, dt, load, heats)?;
+        add(&mut write(load, "load")?.torque_1, torque, 1.0);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The elastic energy of the twist of two grains, J; the radius of a wall is infinite.
+///
+/// # Safety
+/// `grains` and `twist` are null or may be read, `energy` and `error` null or may be written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_twist_energy(
+    grains: *const CaromGrains,
+    twist: *const CaromTwist,
+    radius_1: f64,
+    radius_2: f64,
+    energy: *mut f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let (grains, twist) = (read(grains, "grains")?, read(twist, "twist")?);
+        let pair = grains.pair(relative_radius(radius_1, radius_2)?);
+        *write(energy, "energy")? = twist.law(&pair)?.twist_energy();
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// # Safety
+/// As `carom_touch_twist_grains`.
+unsafe fn turn(
+    grains: *const CaromGrains,
+    twist: *mut CaromTwist,
+    bodies: impl Bodies,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut CaromHeats,
+) -> Result<[f64; 3], Failure> {
+    // SAFETY: the caller's promise. All are checked before anything moves.
+    let (grains, twist, _) =
+        unsafe { (read(grains, "grains")?, write(twist, "twist")?, write(load, "load")?) };
+    let meeting = bodies.meeting(grains)?;
+    let [one, two] = bodies.radii();
+    let law = twist.law(&grains.pair(relative_radius(one, two)?))?;
+    let is_new = law.shift().zeta <= 0.0;
+    let mut turned = GrainTwist::new(law);
+    if dt == 0.0 && !is_new {
+        return Ok(turned.torque(&meeting));
+    }
+    let torque = if heats.is_null() {
+        turned.advance(&meeting, dt)?
+    } else {
+        // SAFETY: the caller's promise.
+        let sums = unsafe { write(heats, "heats")? };
+        let mut made = Heats::default();
+        let torque = turned.advance_accounted(&meeting, dt, &mut made)?;
+        sums.friction += made.friction;
+        torque
+    };
+    match meeting.zeta > 0.0 {
+        true => turned.law().pack(&mut twist.numbers).map(|_| ())?,
+        false => twist.numbers.fill(0.0),
+    }
+    Ok(torque)
+}
+
+fn add(to: &mut [f64; 3], torque: [f64; 3], sign: f64) {
+    for (to, torque) in to.iter_mut().zip(torque) {
+        *to += sign * torque;
+    }
+}
