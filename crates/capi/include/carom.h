@@ -260,7 +260,7 @@ typedef struct carom_grains {
   double share_2;
 } carom_grains;
 
-// The memory of the contact of two grains, the caller's: 1272 bytes, aligned to 8, that may be copied as
+// The memory of the contact of two grains, the caller's: 1280 bytes, aligned to 8, that may be copied as
 // bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
 // `carom_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
 //
