@@ -134,6 +134,7 @@ impl Pass<'_> {
             limits: &scratch.limits.values,
             offset: [x, y],
             rigid: self.rigid,
+            pressure: to.pressure.values().iter().copied().fold(0.0, f64::max),
             traction: [to.traction_x.values_mut(), to.traction_y.values_mut()],
             cells: to.cells.values_mut(),
         };

@@ -45,6 +45,8 @@ pub(crate) struct TangentialTask<'a> {
     pub(crate) offset: [&'a [f64]; 2],
     /// Given loads, and the shifts that they lead to.
     pub(crate) rigid: Rigid,
+    /// The greatest pressure: a limit above it may be out of reach.
+    pub(crate) pressure: f64,
     /// The start and the solution.
     pub(crate) traction: [&'a mut [f64]; 2],
     /// What the cells did in the start and do in the solution.
@@ -612,17 +614,24 @@ pub(crate) fn within([x, y]: [f64; 2], limit: f64) -> [f64; 2] {
     if norm > limit { [limit * (x / norm), limit * (y / norm)] } else { [x, y] }
 }
 
-/// The greatest finite limit; where there is none the traction that the offset asks for.
+/// The greatest limit; where that is above all pressures and above what the offset asks for, the
+/// greater of these.
 fn force_scale(task: &TangentialTask<'_>) -> f64 {
     let finite = task.limits.iter().copied().filter(|limit| limit.is_finite());
     let greatest = finite.fold(0.0, f64::max);
-    if greatest > 0.0 {
+    if greatest > 0.0 && greatest <= task.pressure {
         return greatest;
     }
     let own = task.operator.coefficients(0, 0).rows[0][0];
     let offset = task.offset.iter().flat_map(|values| values.iter());
     let asked = offset.fold(0.0_f64, |most, value| most.max(value.abs())) / own;
-    if asked > 0.0 { asked } else { 1.0 }
+    if greatest > 0.0 {
+        greatest.min(asked.max(task.pressure))
+    } else if asked > 0.0 {
+        asked
+    } else {
+        1.0
+    }
 }
 
 fn dot(a: &Plane, b: &Plane) -> f64 {

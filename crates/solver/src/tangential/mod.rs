@@ -40,6 +40,7 @@ struct Level {
     limits: Vec<f64>,
     offset: Plane,
     rigid: Rigid,
+    pressure: f64,
     traction: Plane,
     cells: Vec<CellState>,
 }
@@ -61,6 +62,7 @@ impl Level {
             limits: zero.clone(),
             offset: [zero.clone(), zero.clone()],
             rigid: Rigid::default(),
+            pressure: 0.0,
             traction: [zero.clone(), zero],
             cells: vec![CellState::Exterior; grid.cells()],
         }))
@@ -85,6 +87,7 @@ impl Level {
             limits: &self.limits,
             offset: [&self.offset[0], &self.offset[1]],
             rigid: self.rigid,
+            pressure: self.pressure,
             traction: [x, y],
             cells: &mut self.cells,
         };
@@ -168,6 +171,7 @@ impl TangentialScratch {
         let fine = task.operator.grid();
         let coarsest = self.coarse.len();
         for i in 0..coarsest {
+            self.coarse[i].pressure = task.pressure;
             let (above, below) = self.coarse.split_at_mut(i);
             match above.last() {
                 None => below[0].take(fine, task.limits, task.offset, &task.rigid),
