@@ -2,7 +2,8 @@
 
 use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 
-use super::active_set::{ActiveSet, TangentialTask, within};
+use super::active_set::{ActiveSet, TangentialTask};
+use super::law::within;
 use crate::convergence::Products;
 use crate::state::CellState;
 

@@ -1,8 +1,13 @@
 //! The tangential problem at known pressures, started from coarser grids.
 
 mod active_set;
+mod course;
 mod descent;
+mod law;
+mod loads;
+mod precondition;
 mod rigid;
+mod sets;
 
 use std::sync::Arc;
 
@@ -14,7 +19,8 @@ use crate::nested;
 use crate::state::CellState;
 use active_set::{ActiveSet, Limits, Plane};
 
-pub(crate) use active_set::{TangentialTask, within};
+pub(crate) use active_set::TangentialTask;
+pub(crate) use law::within;
 pub(crate) use rigid::Rigid;
 
 /// Grids with fewer cells along a side than this are not made coarser.
