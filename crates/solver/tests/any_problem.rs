@@ -276,7 +276,7 @@ fn any_step_of_any_contact_obeys_its_laws() {
 #[test]
 #[ignore = "minutes: many more"]
 fn any_step_of_many_more_contacts_obeys_its_laws() {
-    all_hold(1000..4000);
+    all_hold(1000..2500);
 }
 
 /// The rigid shift ran away while all cells slipped one way.
