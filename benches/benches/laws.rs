@@ -17,7 +17,8 @@ use carom_laws::memory::{Fixed, Growing, Lateral, Memory, VertexStack};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::torsion::history::TwistHistory;
-use criterion::{Criterion, Throughput, criterion_group, criterion_main};
+use criterion::measurement::WallTime;
+use criterion::{BenchmarkGroup, Criterion, Throughput, criterion_group, criterion_main};
 
 const CONTACTS: usize = 10_000;
 const STEPS: usize = 200;
@@ -318,8 +319,73 @@ fn turning(c: &mut Criterion) {
     }
 }
 
+/// Each step in equal parts.
+fn in_parts(path: &Path<[f64; 2]>, parts: usize) -> Path<[f64; 2]> {
+    let steps = path.windows(2).flat_map(|ends| {
+        let [(zeta, x), (to, end)] = [ends[0], ends[1]];
+        (1..=parts).map(move |part| {
+            let t = part as f64 / parts as f64;
+            (zeta + t * (to - zeta), x.plus(end.minus(x).times(t)))
+        })
+    });
+    path.first().copied().into_iter().chain(steps).collect()
+}
+
+fn in_storage<const N: usize>(
+    group: &mut BenchmarkGroup<'_, WallTime>,
+    (size, paths): (&str, &[Path<[f64; 2]>]),
+) {
+    group.bench_function(format!("{size} steps, Coulomb, {N} vertices"), |b| {
+        b.iter(|| {
+            let mut sum = [0.0; 2];
+            for path in black_box(paths) {
+                let mut memory =
+                    CoulombMemory::<[f64; 2], Fixed<[f64; 2], N>>::new(Tolerance::PARTICLES);
+                for &(zeta, x) in path {
+                    sum = sum.plus(memory.advance(zeta, x).unwrap_or_default());
+                }
+            }
+            sum
+        });
+    });
+    group.bench_function(format!("{size} steps, chapter 7, {N} vertices"), |b| {
+        b.iter(|| {
+            let mut sum = [0.0; 2];
+            for path in black_box(paths) {
+                let mut memory = Memory::<[f64; 2], Fixed<[f64; 2], N>>::new();
+                for &(zeta, x) in path {
+                    sum = sum.plus(memory.advance(zeta, x).unwrap_or_default());
+                }
+            }
+            sum
+        });
+    });
+}
+
+/// What fixed storage costs, in both laws, at whole steps and where each is cut in 16.
+fn capacity(c: &mut Criterion) {
+    for kind in ["noise", "corners", "turning", "collision"] {
+        let mut group = c.benchmark_group(format!("storage, {kind}"));
+        group
+            .sample_size(20)
+            .warm_up_time(Duration::from_millis(200))
+            .measurement_time(Duration::from_millis(600));
+        let whole = turning_paths(kind);
+        for (size, parts) in [("whole", 1), ("tiny", 16)] {
+            let paths: Vec<_> = whole.iter().take(24).map(|path| in_parts(path, parts)).collect();
+            let steps: usize = paths.iter().map(Vec::len).sum();
+            group.throughput(Throughput::Elements(steps as u64));
+            in_storage::<8>(&mut group, (size, &paths));
+            in_storage::<12>(&mut group, (size, &paths));
+            in_storage::<16>(&mut group, (size, &paths));
+        }
+        group.finish();
+    }
+}
+
 fn benches(c: &mut Criterion) {
     turning(c);
+    capacity(c);
     twist(c);
     against_memory::<f64, Growing<f64>>(c, "SI units, one direction");
     against_memory::<[f64; 2], Growing<[f64; 2]>>(c, "SI units, two directions");

@@ -102,8 +102,11 @@ fn trembling<const N: usize>(size: f64) -> [f64; 2] {
 #[test]
 fn round_off_does_not_grow_in_a_contact_at_rest() {
     for size in [1e-12, 1e-6] {
-        for apart in [trembling::<8>(size), trembling::<12>(size), trembling::<16>(size)] {
-            assert!(apart[0] < 2e-5 && apart[1] < 1e-12, "{size:e}: {apart:?}");
+        // Eight vertices are fewer than these contacts want: each step joins for want of room.
+        let few = trembling::<8>(size);
+        assert!(few[0] < 1e-4 && few[1] < 1e-12, "{size:e}: {few:?}");
+        for apart in [trembling::<12>(size), trembling::<16>(size)] {
+            assert!(apart[0] < 1e-7 && apart[1] < 1e-12, "{size:e}: {apart:?}");
         }
     }
 }

@@ -155,7 +155,7 @@ fn a_ring_is_dragged_on_a_tractrix() {
 
 #[test]
 fn errors_at_a_hundredth() {
-    for (parts, mean, largest) in [(1, 1.5e-4, 1.5e-3), (16, 1.5e-3, 4e-3)] {
+    for (parts, mean, largest) in [(1, 1.5e-4, 1.5e-3), (16, 1.5e-3, 7.5e-3)] {
         let scan = Scan { tolerance: 1e-2, parts, rings: 500 };
         for kind in Kind::ALL {
             if kind == Kind::Adhesion {
@@ -190,6 +190,11 @@ fn layers_and_deep_joins_stay_below_their_share() {
     let scan = Scan { tolerance: 1e-2, parts: 1, rings: 500 };
     // Steps by which a growing contact turns slowly, each joined to the last.
     assert!(scan.run(Kind::Collision, 3285..3286).largest < 1.5e-3);
+    assert!(scan.run(Kind::Collision, 4943..4944).largest < 1.2e-3);
+    // A contact that slid and turned recedes to a part of its lowest piece; one recedes unshifted.
+    assert!(scan.run(Kind::Adversarial, 1634..1635).largest < 5e-4);
+    assert!(scan.run(Kind::Adversarial, 3836..3837).largest < 1e-3);
+    assert!(scan.run(Kind::Adversarial, 31817..31818).largest < 1e-3);
     for (kind, seed) in [
         (Kind::Turning, 155),
         (Kind::Turning, 775),
@@ -204,8 +209,18 @@ fn layers_and_deep_joins_stay_below_their_share() {
         (Kind::Adversarial, 850),
     ] {
         let errors = scan.run(kind, seed..seed + 1);
-        assert!(errors.largest < 8e-4, "{kind:?}, {seed}");
+        assert!(errors.largest < 1e-3, "{kind:?}, {seed}");
     }
+}
+
+/// Paths on which a zone of slip ends inside a piece, with stick above: off by 2e-4 if the piece stays one.
+#[test]
+fn zones_of_slip_inside_a_piece_are_found() {
+    let scan = Scan { tolerance: 1e-3, parts: 1, rings: 1000 };
+    assert!(scan.run(Kind::Corners, 264..265).largest < 1e-4);
+    // A flat parabola that hid a curve to and fro, by 1.4e-3.
+    let scan = Scan { tolerance: 1e-2, parts: 1, rings: 500 };
+    assert!(scan.run(Kind::Turning, 291..292).largest < 5e-4);
 }
 
 #[test]
@@ -226,7 +241,7 @@ fn chapter_7_misses_turning_paths() {
     assert!(sum / steps > 0.02 && largest > 0.1);
 }
 
-/// `TOLERANCE`, `PARTS`, `PATHS` of each kind, `RINGS` and `FROM` say how many of what.
+/// `TOLERANCE`, `PARTS`, `PATHS` of each kind, `RINGS` and `FROM` say how many of what, `KIND` of which.
 #[test]
 #[ignore = "minutes: 14300 paths of each of seven kinds at 1e-2 in 300 rings take 5 on one core"]
 fn large_scan() {
@@ -235,9 +250,13 @@ fn large_scan() {
     let (parts, rings) = (env("PARTS", 1.0) as usize, env("RINGS", 300.0) as usize);
     let scan = Scan { tolerance, parts, rings };
     let from = env("FROM", 1000.0) as u64;
+    let only = std::env::var("KIND").ok();
     for kind in Kind::ALL {
         if kind == Kind::Adhesion || kind == Kind::Collinear {
             continue; // exact
+        }
+        if only.as_ref().is_some_and(|only| *only != format!("{kind:?}")) {
+            continue;
         }
         let errors = scan.run(kind, from..from + env("PATHS", 2000.0) as u64);
         assert!(errors.largest < tolerance, "{kind:?}");

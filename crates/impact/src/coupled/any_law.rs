@@ -16,8 +16,8 @@ use super::{ImpactLaw, Stage, Staged};
 pub enum VectorLaw {
     /// Coulomb: every ring slips along its traction in the physical plane. Their anchors lie on a
     /// curve ([`carom_laws::coulomb`]) where c_x = c_y and the impact passes much like a free one,
-    /// else on a line ([`SlipLines`]); in 60 random impacts of the former kind the curve took 0.8 of
-    /// the time at 1e-3, 0.4 at 1e-5 and 0.15 at 1e-7.
+    /// else on a line ([`SlipLines`]); in 60 random impacts of the former kind the curve took 0.7 of
+    /// the time at 1e-3, 0.4 from 1e-4 to 1e-6 and 0.25 at 1e-7.
     #[default]
     Coulomb,
     /// The thesis (8.51): every slip ring keeps the direction in which it formed, measured with
@@ -45,7 +45,7 @@ pub(super) enum AnyLaw {
 const OFF_LINE: f64 = 6.0;
 /// How far the curve of anchors may be off: this over the steps of a free impact and over the steps
 /// taken.
-const OFF_CURVE: f64 = 40.0;
+const OFF_CURVE: f64 = 20.0;
 /// The greatest part of c_x by which c_y may differ where slip passes for that of equal ones.
 const ROUND: f64 = 1e-13;
 

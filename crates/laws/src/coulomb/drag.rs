@@ -25,6 +25,8 @@ pub(crate) struct Step<V> {
 const STEEP: f64 = 1e15;
 /// What is no length to round-off, over approach and shift.
 const GRAIN: f64 = 1e-15;
+/// The square of the share of its limit from which a ring is at it, but for round-off.
+const AT_LIMIT: f64 = 1.0 - 1e-14;
 /// What is beyond the limit by round-off, over the grain.
 pub(super) const BEYOND: f64 = 20.0;
 
@@ -80,12 +82,31 @@ impl<V: Lateral> Step<V> {
         self.shift.minus(self.ahead.times(self.zeta - depth))
     }
 
+    /// Whether a ring ends behind the end, to a length, since it is on one line with the step before
+    /// and meets its limit ahead.
+    #[inline]
+    pub(super) fn is_in_line(&self, depth: f64, anchor: V, exact: f64) -> bool {
+        let limit = self.zeta - depth;
+        if self.dz > 0.0 && limit <= self.dz {
+            return true; // it touches on the way
+        }
+        let stretch = self.shift.minus(anchor);
+        let along = stretch.dot(self.ahead);
+        let across = cross(self.ahead, stretch).abs();
+        // The limit where it is met, times 1 - slope; from there on the traction turns on.
+        let met = limit - self.slope * along;
+        self.slope.abs() < 1.0
+            && along > limit
+            && across <= exact
+            && across * limit * (1.0 - self.slope) <= exact * met
+    }
+
     /// The anchor of the ring of a depth at the end of the step.
     ///
     /// A ring within its limit at both ends never slipped, since the limit is a convex cone. Else
     /// it leaves its limit once, and from there the traction's direction turns towards that of the
     /// step, `tan(theta/2)` falling as `exp(-int dl/r)`, r the limit (8.56).
-    #[inline]
+    #[inline(never)]
     pub(crate) fn drag(&self, depth: f64, anchor: V) -> V {
         let limit = self.zeta - depth;
         let stretch = self.shift.minus(anchor);
@@ -131,7 +152,7 @@ impl<V: Lateral> Step<V> {
 
     /// Where a ring meets its limit, from the stretch along and across the step that it would have
     /// at the end had it not slipped.
-    #[inline]
+    #[inline(always)]
     pub(super) fn met(&self, along: f64, across: f64, limit: f64) -> Met {
         if self.dz > 0.0 && limit <= self.dz {
             // It touches on the way.
@@ -144,7 +165,34 @@ impl<V: Lateral> Step<V> {
                 half: None,
             };
         }
+        let (before, held) = (along - self.length, limit - self.dz);
+        let square = before * before + across * across;
+        if square >= AT_LIMIT * (held * held) {
+            // At its limit from the start, but for what the curve was off, and on its way out.
+            let arm = square.sqrt();
+            if before < self.slope * arm {
+                return self.met_late(along, across, limit);
+            }
+            let half = self.half(before, across, arm);
+            return Met { rest: self.length, at: before, arm, limit: held, half, grazes: false };
+        }
         // |stretch - rest| = limit - slope rest, from the end, where nothing cancels.
+        let half = along - self.slope * limit;
+        let excess = along * along + across * across - limit * limit;
+        let root = (half * half - self.curve * excess).sqrt();
+        let rest = if half > 0.0 { excess / (half + root) } else { (half - root) / self.curve };
+        let met = limit - self.slope * rest;
+        if !(rest > 0.0 && rest <= self.length && met > 0.0) {
+            return self.met_late(along, across, limit);
+        }
+        let at = along - rest;
+        Met { rest, at, arm: met, limit: met, half: self.half(at, across, met), grazes: false }
+    }
+
+    /// The same of a ring that was drawn beyond its limit, or hardly comes to be.
+    #[cold]
+    #[inline(never)]
+    fn met_late(&self, along: f64, across: f64, limit: f64) -> Met {
         let half = along - self.slope * limit;
         let excess = along * along + across * across - limit * limit;
         let square = half * half - self.curve * excess;
@@ -156,28 +204,31 @@ impl<V: Lateral> Step<V> {
         let inside = rest <= self.length;
         let rest = rest.min(self.length);
         let (at, met) = (along - rest, limit - self.slope * rest);
-        // At its limit, but for what the curve was off before the step.
         let arm = (at * at + across * across).sqrt();
         let grazes = grazes || (!inside && at < self.slope * arm);
-        let on_line = if arm == 0.0 || met <= 0.0 {
-            return Met { rest, at: 0.0, arm: 0.0, limit: met, half: None, grazes };
-        } else if at < 0.0 {
-            // Against the step a ring would not stay, but in one direction.
-            across.abs() < self.grain.max(1e-16 * arm)
-        } else {
-            across.abs() < 1e-16 * arm
-        };
-        let half = if at > 0.0 { [arm + at, across] } else { [across, arm - at] };
-        Met { rest, at, arm, limit: met, half: (!on_line).then_some(half), grazes }
+        let half = if met > 0.0 { self.half(at, across, arm) } else { None };
+        Met { rest, at, arm, limit: met, half, grazes }
+    }
+
+    /// The half angle from the step to the traction, see [`Met`].
+    #[inline(always)]
+    fn half(&self, at: f64, across: f64, arm: f64) -> Option<[f64; 2]> {
+        let off = across.abs();
+        // Against the step a ring would not stay, but in one direction.
+        if off <= 1e-16 * arm || (at < 0.0 && off < self.grain) {
+            return None;
+        }
+        Some(if at > 0.0 { [arm + at, across] } else { [across, arm - at] })
     }
 
     /// The anchor of a slipping ring at the end.
-    #[inline]
+    #[inline(always)]
     fn turned(&self, met: &Met, limit: f64) -> V {
         let Some([near, far]) = met.half else {
             return self.shift.minus(self.ahead.times(limit.copysign(met.at)));
         };
-        let far = far * decay(fall(met.rest, met.limit, self.slope));
+        let [over, under] = decay(fall(met.rest, [met.limit, limit], self.slope));
+        let (near, far) = (near * under, far * over);
         let scale = limit / (near * near + far * far);
         let (forward, aside) = ((near - far) * (near + far) * scale, 2.0 * near * far * scale);
         self.shift.minus(combine(self.ahead, forward, aside))
@@ -201,60 +252,46 @@ pub(super) struct Met {
 }
 
 /// By how much the logarithm of `tan(theta/2)` falls on a way over which the limit grows by the
-/// slope, `int dl/r`: the way over the logarithmic mean of the limits at both ends.
-#[inline]
-pub(super) fn fall(way: f64, limit: f64, slope: f64) -> f64 {
-    let part = way / limit;
-    let growth = slope * part;
-    if growth == 0.0 {
-        return part;
+/// slope from one to another, `int dl/r`: the way over the logarithmic mean of both.
+#[inline(always)]
+pub(super) fn fall(way: f64, [from, to]: [f64; 2], slope: f64) -> f64 {
+    if slope == 0.0 {
+        return way / to;
     }
-    // log(1 + g)/g = 2 artanh(z)/g, z = g/(2 + g)
-    let inverse = 1.0 / (2.0 + growth);
-    let z = growth * inverse;
+    // log(to/from) = 2 artanh(z), z = (to - from)/(to + from)
+    let inverse = 1.0 / (from + to);
+    let z = slope * way * inverse;
     if z.abs() > 0.12 {
-        return part * (libm::log1p(growth) / growth);
+        return libm::log1p(slope * way / from) / slope;
     }
     let w = z * z;
     let (u, v) = (w * w, w * w * (w * w));
     let low = 1.0 + w * (1.0 / 3.0) + u * (1.0 / 5.0 + w * (1.0 / 7.0));
     let high = 1.0 / 9.0 + w * (1.0 / 11.0) + u * (1.0 / 13.0 + w * (1.0 / 15.0));
-    part * (2.0 * inverse) * (low + v * high)
+    2.0 * way * inverse * (low + v * high)
 }
 
-/// `exp(-x)` of an x that is not negative, to some units in the last place: by `2^-k` and the
-/// series of what is left, at most half of ln 2.
-#[inline]
-pub(super) fn decay(x: f64) -> f64 {
+/// `exp(-x)` of an x that is not negative, to some units in the last place, as two numbers to be
+/// divided: by `2^-k` and Pade's fraction of what is left, at most half of ln 2.
+#[inline(always)]
+pub(super) fn decay(x: f64) -> [f64; 2] {
+    /// Beyond, nothing is left, and its square would be no normal number.
+    const FARTHEST: f64 = 60.0;
     const HIGH: f64 = 6.931_471_803_691_238e-1;
     const LOW: f64 = 1.908_214_929_270_587_7e-10;
     /// Its last place is one: what is added to it becomes whole.
     const WHOLE: f64 = 6_755_399_441_055_744.0;
-    if x > 700.0 {
-        return 0.0;
-    }
+    /// One.
+    const HALVED: u64 = 1023 << 52;
+    let x = if x < FARTHEST { x } else { FARTHEST };
     let whole = x * std::f64::consts::LOG2_E + WHOLE;
     let halvings = whole - WHOLE;
-    let r = (halvings * HIGH - x) + halvings * LOW;
-    let (r2, r4) = (r * r, (r * r) * (r * r));
-    let c = |n: usize| TAYLOR[n];
-    let low = (c(0) + c(1) * r) + r2 * (c(2) + c(3) * r);
-    let middle = (c(4) + c(5) * r) + r2 * (c(6) + c(7) * r);
-    let high = (c(8) + c(9) * r) + r2 * (c(10) + c(11) * r) + r4 * (c(12) + c(13) * r);
-    let series = low + r4 * (middle + r4 * high);
-    series * f64::from_bits((1023 - halvings as u64) << 52)
+    let r = (x - halvings * HIGH) - halvings * LOW;
+    let w = r * r;
+    let even = 1.0 + w * (1.0 / 9.0 + w * (1.0 / 1008.0));
+    let odd = r * (0.5 + w * (1.0 / 72.0 + w * (1.0 / 30240.0)));
+    [(even - odd) * f64::from_bits(HALVED.wrapping_sub(whole.to_bits() << 52)), even + odd]
 }
-
-/// One over the factorials.
-const TAYLOR: [f64; 14] = {
-    let mut terms = [1.0; 14];
-    let mut n = 1;
-    while n < 14 {
-        terms[n] = terms[n - 1] / n as f64;
-        n += 1;
-    }
-    terms
-};
 
 /// What is no length to round-off, at an approach and a shift.
 #[inline]

@@ -201,28 +201,82 @@ fn over_piece<V: Lateral>(
     let excess = |part: f64| step.excess(piece.depth_at(part), piece.at(part));
     let before = |part: f64| step.excess_before(piece.depth_at(part), piece.at(part));
     let grazes = |part: f64| f64::from(step.grazes(piece.depth_at(part), piece.at(part)));
-    let mut marks = [1.0; 4 + 3 * LOOKS];
+    // The derivatives of both by the part, halved.
+    let rate = |zeta: f64, shift: V| {
+        move |part: f64| {
+            let limit = (zeta - piece.depth_at(part)).abs();
+            limit * length - shift.minus(piece.at(part)).dot(piece.rate(part))
+        }
+    };
+    let start = step.shift.minus(step.ahead.times(step.length));
+    let [rate, rate_before] = [rate(step.zeta, step.shift), rate(step.zeta - step.dz, start)];
     // The ring that parts at the end is between those that do before and those that stay.
     let parts = ((step.zeta - piece.low.depth) / length).clamp(0.0, 1.0);
-    (marks[0], marks[1], marks[2]) = (0.0, 0.5, parts);
-    let mut count = 4;
-    for look in 0..LOOKS {
-        let [from, to] = [look, look + 1].map(|look| look as f64 / LOOKS as f64);
-        let kinks = [kink(&excess, from, to), kink(&before, from, to), kink(&grazes, from, to)];
-        for mark in kinks.into_iter().flatten() {
-            marks[count] = mark;
-            count += 1;
+    let mut marks = Marks::new(parts);
+    for [from, to] in looks(0.0, 1.0) {
+        // A zone that slips or sticks may be narrower than a look: it has an extreme.
+        let top = kink(&rate, from, to).unwrap_or(to);
+        let top_before = kink(&rate_before, from, to).unwrap_or(to);
+        marks.add(kink(&excess, from, top));
+        marks.add(kink(&excess, top, to));
+        marks.add(kink(&before, from, top_before));
+        marks.add(kink(&before, top_before, to));
+    }
+    for [low, high] in marks.clone().intervals() {
+        let middle = 0.5 * (low + high);
+        if excess(middle) > 0.0 && before(middle) > 0.0 {
+            for [from, to] in looks(low, high) {
+                marks.add(kink(&grazes, from, to));
+            }
         }
     }
-    let marks = &mut marks[..count];
-    marks.sort_by(f64::total_cmp);
     let root_at = |part: f64| piece.depth_at(part).sqrt();
-    let integral = |ends: &[f64]| match adaptive(root_at(ends[0]), root_at(ends[1]), tolerance, at)
-    {
-        Ok(integral) | Err(QuadratureError::NotConverged { integral }) => integral.value,
-        Err(_) => 0.0,
-    };
-    marks.windows(2).map(integral).sum()
+    let integral =
+        |ends: [f64; 2]| match adaptive(root_at(ends[0]), root_at(ends[1]), tolerance, at) {
+            Ok(integral) | Err(QuadratureError::NotConverged { integral }) => integral.value,
+            Err(_) => 0.0,
+        };
+    marks.intervals().map(integral).sum()
+}
+
+/// The parts of a piece at which an integrand has kinks, in order from 0 to 1.
+#[derive(Clone)]
+struct Marks {
+    at: [f64; 8 * LOOKS],
+    count: usize,
+}
+
+impl Marks {
+    /// Both ends, the middle, and one more.
+    fn new(part: f64) -> Self {
+        let mut marks = Self { at: [1.0; 8 * LOOKS], count: 2 };
+        marks.at[0] = 0.0;
+        marks.add(Some(0.5));
+        marks.add(Some(part));
+        marks
+    }
+
+    /// Adds one, while there is room.
+    fn add(&mut self, mark: Option<f64>) {
+        if let Some(mark) = mark
+            && self.count < self.at.len()
+        {
+            let place = self.at[..self.count].partition_point(|at| *at < mark);
+            self.at[place..=self.count].rotate_right(1);
+            self.at[place] = mark;
+            self.count += 1;
+        }
+    }
+
+    fn intervals(&self) -> impl Iterator<Item = [f64; 2]> + '_ {
+        self.at[..self.count].windows(2).map(|ends| [ends[0], ends[1]])
+    }
+}
+
+/// Equal parts of an interval.
+fn looks(from: f64, to: f64) -> impl Iterator<Item = [f64; 2]> {
+    let at = move |look: usize| from + (to - from) * (look as f64 / LOOKS as f64);
+    (0..LOOKS).map(move |look| [at(look), at(look + 1)])
 }
 
 /// Where a function changes its sign between two places, if it has two signs there.

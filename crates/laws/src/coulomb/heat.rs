@@ -152,7 +152,7 @@ impl<V: Lateral> Step<V> {
         }
         // In x = log tan(theta/2): dx = -dl/r, r = r_0 exp(slope (x_0 - x)).
         let first = libm::log(tangent.abs());
-        let fall = fall(met.rest, met.limit, self.slope);
+        let fall = fall(met.rest, [met.limit, *limit], self.slope);
         let last = (first - fall).max(ALIGNED.min(first));
         let limit_at = |x: f64| met.limit * libm::exp(self.slope * (first - x));
         let at = |x: f64| {

@@ -10,10 +10,10 @@ use crate::memory::{Lateral, VertexStack};
 pub(super) struct Sizes {
     /// The largest stretch there has been.
     pub(super) extent: f64,
-    /// How far a join may move the curve, over the approach at which it comes to light again or,
-    /// where that is smaller, the extent.
+    /// How far a join may move the curve of the whole contact, over the approach at which it comes to
+    /// light again or, where that is smaller, the extent.
     pub(super) miss: f64,
-    /// The largest bubble over the same.
+    /// The largest bubble of the whole contact over the same.
     pub(super) bulge: f64,
     /// What is no length at all.
     pub(super) exact: f64,
@@ -27,19 +27,45 @@ impl Sizes {
         high.depth.min(self.extent)
     }
 
+    /// How far a join may move the curve between two ends, and how large a bubble may be there: the
+    /// more, the smaller the part of these rings in the force of the contact that they are the edge of,
+    /// `1 - sqrt(low/high)`.
     #[inline]
-    pub(super) fn miss<V>(&self, high: &End<V>) -> f64 {
-        self.miss * self.of(high)
+    pub(super) fn allowed<V>(&self, low: &End<V>, high: &End<V>) -> [f64; 2] {
+        let size = self.of(high);
+        let inverse = high.root / (high.root - low.root);
+        let at_most = |most: f64| if inverse < most { inverse } else { most };
+        [self.miss * size * at_most(NARROWEST), self.bulge * size * at_most(NARROW)]
     }
 
+    /// What is a straight line.
     #[inline]
-    pub(super) fn bulge<V>(&self, high: &End<V>) -> f64 {
-        self.bulge * self.of(high)
+    pub(super) fn straight<V>(&self, high: &End<V>) -> f64 {
+        self.exact.max(STRAIGHT * self.miss * self.of(high))
     }
 }
 
+/// How much more a join may move what has a small part in the force than the whole contact, and how
+/// much larger its bubble may be. What is drawn stays within the tolerance.
+const NARROWEST: f64 = 10.0;
+const NARROW: f64 = 2.5;
+/// What is a straight line, as a share of what a join may move.
+const STRAIGHT: f64 = 1e-6;
 /// The sine below which three anchors lie on a line.
 const IN_LINE: f64 = 1e-9;
+
+/// A place on two neighbouring pieces: its way off their common chord, and how far it would lie off
+/// on one parabola, over its bubble.
+struct Place<V> {
+    off: V,
+    weight: f64,
+}
+
+/// The larger of two numbers that are ones.
+#[inline]
+fn larger(a: f64, b: f64) -> f64 {
+    if a > b { a } else { b }
+}
 
 /// Two neighbouring pieces of the curve.
 struct Pair<V> {
@@ -96,43 +122,59 @@ impl<V: Lateral> Pair<V> {
         rise.times(chord).minus(self.below.force()).minus(self.above.force()).times(1.0 / bubble)
     }
 
-    /// The places whose moves count: the vertex taken out and both middles, each as its part of
-    /// the one piece and its way off the chord.
+    /// The places whose moves count: the vertex taken out and both middles.
     #[inline]
-    fn places(&self) -> [(f64, V); 3] {
+    fn places(&self) -> [Place<V>; 3] {
         let part = self.part();
-        let [rise, _] = self.rises();
-        let foot = self.below.low.anchor;
-        let off = |part: f64, anchor: V| (part, anchor.minus(foot).minus(rise.times(part)));
+        let rest = 1.0 - part;
+        let [rise, first] = self.rises();
+        let off = first.minus(rise.times(part));
+        let half = off.times(0.5);
         [
-            off(part, self.below.high.anchor),
-            off(0.5 * part, self.below.middle()),
-            off(0.5 * (1.0 + part), self.above.middle()),
+            Place { off, weight: 4.0 * part * rest },
+            Place { off: half.plus(self.below.bubble), weight: part * (1.0 + rest) },
+            Place { off: half.plus(self.above.bubble), weight: rest * (1.0 + part) },
         ]
     }
 
     /// The square of how far the curve moves.
     #[inline]
-    fn move_by(places: &[(f64, V); 3], bubble: V) -> f64 {
-        let square = |(part, off): &(f64, V)| {
-            let by = off.minus(bubble.times(4.0 * part * (1.0 - part)));
+    fn move_by(places: &[Place<V>; 3], bubble: V) -> f64 {
+        let [vertex, below, above] = places.each_ref().map(|place| {
+            let by = place.off.minus(bubble.times(place.weight));
             by.dot(by)
-        };
-        places.iter().map(square).fold(0.0, f64::max)
+        });
+        larger(vertex, larger(below, above))
     }
 
-    /// Whether no bubble at all keeps the moves of the vertex and of a middle within a length.
+    /// How far apart the vertex and a middle are from one parabola, times what is second.
     #[inline]
-    fn is_hopeless(places: &[(f64, V); 3], miss: f64) -> bool {
-        let weight = |part: f64| part * (1.0 - part);
-        let [(part, off), rest @ ..] = places;
-        let vertex = weight(*part);
-        rest.iter().any(|(part, middle)| {
-            let middle_weight = weight(*part);
-            let gap = off.times(middle_weight).minus(middle.times(vertex));
-            let allowed = (vertex + middle_weight) * miss;
-            gap.dot(gap) > allowed * allowed
-        })
+    fn gap(vertex: &Place<V>, middle: &Place<V>) -> [f64; 2] {
+        let gap = vertex.off.times(middle.weight).minus(middle.off.times(vertex.weight));
+        let weight = vertex.weight + middle.weight;
+        [gap.dot(gap), weight * weight]
+    }
+
+    /// The square of how far the vertex or a middle moves at least, whatever the bubble.
+    #[inline]
+    fn least_move([vertex, below, above]: &[Place<V>; 3]) -> f64 {
+        let [low, high] = [below, above].map(|middle| {
+            let [gap, weight] = Self::gap(vertex, middle);
+            gap / weight
+        });
+        larger(low, high)
+    }
+
+    /// Whether no bubble that is allowed keeps the moves within a length.
+    #[inline]
+    fn is_hopeless([vertex, below, above]: &[Place<V>; 3], miss: f64, bulge: f64) -> bool {
+        let reach = miss + vertex.weight * bulge;
+        let square = miss * miss;
+        vertex.off.dot(vertex.off) > reach * reach
+            || [above, below].into_iter().any(|middle| {
+                let [gap, weight] = Self::gap(vertex, middle);
+                gap > square * weight
+            })
     }
 
     /// The bubble of one piece in the place of both, if it may take it.
@@ -140,15 +182,14 @@ impl<V: Lateral> Pair<V> {
     fn joint(&self, sizes: &Sizes) -> Option<V> {
         let places = self.places();
         if self.in_line(sizes.exact) {
-            let off = places[0].1;
+            let off = places[0].off;
             return (off.dot(off) <= sizes.exact * sizes.exact).then(V::default);
         }
-        let miss = sizes.miss(&self.above.high);
-        if Self::is_hopeless(&places, miss) {
+        let [miss, bulge] = sizes.allowed(&self.below.low, &self.above.high);
+        if Self::is_hopeless(&places, miss, bulge) {
             return None;
         }
         let bubble = self.bubble();
-        let bulge = sizes.bulge(&self.above.high);
         let holds =
             bubble.dot(bubble) <= bulge * bulge && Self::move_by(&places, bubble) <= miss * miss;
         holds.then_some(bubble)
@@ -184,17 +225,17 @@ pub(super) fn make_room<V: Lateral, S: VertexStack<V>>(stack: &mut S, room: usiz
 
 #[cold]
 fn join_least<V: Lateral, S: VertexStack<V>>(stack: &mut S, tip: End<V>) {
-    let mut best = (f64::INFINITY, 1, V::default());
+    let mut best = (f64::INFINITY, 1);
     for i in 1..stack.len() {
         let pair = Pair::at(stack, i, tip);
-        let bubble = pair.bubble();
-        let effect = Pair::move_by(&pair.places(), bubble).sqrt()
-            * (pair.above.high.root - pair.below.low.root);
+        let width = pair.above.high.root - pair.below.low.root;
+        let effect = Pair::least_move(&pair.places()) * (width * width);
         if effect < best.0 {
-            best = (effect, i, bubble);
+            best = (effect, i);
         }
     }
-    stack.get_mut(best.1 - 1).slope = best.2;
+    let bubble = Pair::at(stack, best.1, tip).bubble();
+    stack.get_mut(best.1 - 1).slope = bubble;
     stack.remove(best.1);
     stack.count_merge();
 }

@@ -79,9 +79,22 @@ impl<V: Lateral> Piece<V> {
         self.low.anchor.plus(chord).plus(self.bubble.times(4.0 * part * (1.0 - part)))
     }
 
+    /// The derivative of the anchor by the part.
+    #[inline]
+    pub(super) fn rate(&self, part: f64) -> V {
+        self.high.anchor.minus(self.low.anchor).plus(self.bubble.times(4.0 - 8.0 * part))
+    }
+
     #[inline]
     pub(super) fn middle(&self) -> V {
         self.low.anchor.plus(self.high.anchor).times(0.5).plus(self.bubble)
+    }
+
+    /// The squares of the ways of its ends and its middle to others.
+    #[inline]
+    pub(super) fn ways(&self, new: [V; 3]) -> [f64; 3] {
+        let way = |from: V, to: V| to.minus(from).dot(to.minus(from));
+        [way(self.low.anchor, new[0]), way(self.middle(), new[1]), way(self.high.anchor, new[2])]
     }
 
     #[inline]
@@ -110,7 +123,7 @@ impl<V: Lateral> Piece<V> {
     }
 
     /// The part at which the rings begin to be beyond their limit, given a part that is within and
-    /// a higher one that is not.
+    /// one that is not.
     #[inline]
     pub(super) fn front(&self, step: &Step<V>, within: f64, beyond: f64) -> f64 {
         let (low, high) = (self.at(within), self.at(beyond));
@@ -137,15 +150,16 @@ impl<V: Lateral> Piece<V> {
     /// Two steps of Newton's from the chord to the curve.
     fn on_curve(&self, step: &Step<V>, mut part: f64, within: f64, beyond: f64) -> f64 {
         let length = self.high.depth - self.low.depth;
-        let chord = self.high.anchor.minus(self.low.anchor);
         for _ in 0..2 {
             let (depth, anchor) = (self.depth_at(part), self.at(part));
-            let rate = chord.plus(self.bubble.times(4.0 - 8.0 * part));
-            let slope = 2.0 * ((step.zeta - depth) * length - step.shift.minus(anchor).dot(rate));
-            if slope <= 0.0 {
+            let rise = step.shift.minus(anchor).dot(self.rate(part));
+            let slope = 2.0 * ((step.zeta - depth) * length - rise);
+            // Outwards, from what sticks to what slips.
+            if slope * (beyond - within) <= 0.0 {
                 return part;
             }
-            part = (part - step.excess(depth, anchor) / slope).clamp(within, beyond);
+            let next = part - step.excess(depth, anchor) / slope;
+            part = next.clamp(within.min(beyond), within.max(beyond));
         }
         part
     }

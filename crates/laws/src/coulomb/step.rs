@@ -4,17 +4,14 @@ use super::CoulombMemory;
 use super::drag::{BEYOND, Step, grain};
 use super::energy::{Notes, Unnoted};
 use super::join::{Sizes, join, make_room};
+use super::lay::{HALVINGS, kink};
 use super::piece::{End, Knot, Piece};
 use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 
 /// What counts as no length at all, over the approach and over the shift.
 const EXACT: [f64; 2] = [1e-13, 1e-15];
-/// The share of the tolerance by which a join may move the curve.
-const SHARE: f64 = 0.07;
-/// What is a straight line behind the tip, as a share of what a join may move.
-pub(super) const STRAIGHT: f64 = 1e-6;
-/// How often a piece may be halved in one step.
-const HALVINGS: u32 = 6;
+/// The share of the tolerance by which a join may move the curve of the whole contact.
+const SHARE: f64 = 0.06;
 /// Where the slipping part of the curve begins.
 enum Front {
     /// Nothing slips.
@@ -47,7 +44,10 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             return; // not a step at all
         }
         let stretch = shift.minus(self.stack.get(0).anchor);
-        self.extent = self.extent.max(stretch.length());
+        let square = stretch.dot(stretch);
+        if square > self.extent * self.extent {
+            self.extent = square.sqrt();
+        }
         // On the cone itself, to round-off, the rings that touch may as well slip.
         let clear = dz - grain(zeta, shift);
         if clear > 0.0 && dx.dot(dx) <= clear * clear {
@@ -136,7 +136,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         make_room(&mut self.stack, 1, old);
         let front = self.find_front(&step, old);
         let end = End { depth: zeta, root: old.root, anchor: shift };
-        let first = match front {
+        let (first, sticks) = match front {
             Front::None => {
                 self.finish(end, self.stack.len() - 1);
                 if released {
@@ -144,12 +144,11 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
                 }
                 return;
             }
-            Front::Bottom => 0,
+            Front::Bottom => (0, false),
             Front::On { piece, within, beyond } => self.cut(&step, old, piece, within, beyond),
         };
-        let slides = matches!(front, Front::Bottom) && self.all_beyond(&step, old);
-        self.report(first, slides, zeta);
-        self.drag_from(first, &step, old, &self.sizes(end));
+        let slides = self.drag_from((first, sticks), &step, old, &self.sizes(end));
+        self.report(first, slides && matches!(front, Front::Bottom), zeta);
         self.finish(end, first.saturating_sub(1));
         notes.drawn(self.chain_to(end), shift);
         self.join_from(first.max(1), end, notes);
@@ -209,19 +208,26 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         Front::None
     }
 
-    /// Makes the front a vertex and returns its place.
-    fn cut(&mut self, step: &Step<V>, old: End<V>, i: usize, within: f64, beyond: f64) -> usize {
+    /// Makes the front a vertex and returns its place, and whether it is at its limit, so that it sticks.
+    fn cut(
+        &mut self,
+        step: &Step<V>,
+        old: End<V>,
+        i: usize,
+        within: f64,
+        beyond: f64,
+    ) -> (usize, bool) {
         let knot = Knot::of(self.stack.get(i));
         let piece = Piece::new(&knot, self.end_of(i, old));
         let part = piece.front(step, within, beyond);
         let cut = piece.cut(part);
         let grain = BEYOND * step.grain;
         if cut.depth <= knot.depth + grain {
-            return i;
+            return (i, false);
         }
         if cut.depth >= piece.high.depth - grain {
             // The vertex above is the front, or a ring at the edge too thin to be seen.
-            return (i + 1).min(self.stack.len() - 1);
+            return ((i + 1).min(self.stack.len() - 1), false);
         }
         let rest = 1.0 - part;
         let front = Knot {
@@ -233,43 +239,70 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         };
         self.stack.get_mut(i).slope = knot.bubble.times(part * part);
         self.stack.insert(i + 1, front.vertex());
-        i + 1
+        (i + 1, true)
     }
 
-    /// Drags the curve from a vertex up, from the edge down.
-    fn drag_from(&mut self, first: usize, step: &Step<V>, old: End<V>, sizes: &Sizes) {
+    /// Drags the curve from a vertex up, which may stick, from the edge down; whether all of it slips.
+    fn drag_from(
+        &mut self,
+        (first, sticks): (usize, bool),
+        step: &Step<V>,
+        old: End<V>,
+        sizes: &Sizes,
+    ) -> bool {
         let mut old = old;
         let mut new = step.shift;
-        let mut in_line = true;
         let end = End { depth: step.zeta, root: old.root, anchor: new };
-        let straight = sizes.exact.max(STRAIGHT * sizes.miss(&end));
+        let straight = sizes.straight(&end);
+        let near = |depth: f64, anchor: V| {
+            let off = anchor.minus(step.behind(depth));
+            off.dot(off) <= straight * straight
+        };
+        // Behind the tip after the step, and before it.
+        let mut in_line = true;
+        let mut was_in_line =
+            old.depth >= self.zeta || step.is_in_line(old.depth, old.anchor, sizes.exact);
+        let mut slides = !sticks;
         for i in (first..self.stack.len()).rev() {
             let knot = Knot::of(self.stack.get(i));
             let piece = Piece::new(&knot, old);
-            let anchor = step.drag(knot.depth, knot.anchor);
-            in_line = in_line && self.lies_behind(step, &piece, anchor, straight);
-            if in_line {
-                // One piece, straight behind the tip.
-                self.stack.truncate(i + 1);
-                let vertex = self.stack.get_mut(i);
-                (vertex.anchor, vertex.slope) = (anchor, V::default());
-            } else {
-                self.lay(i, &piece, [anchor, new], step, (sizes, HALVINGS));
+            was_in_line = was_in_line
+                && knot.bubble == V::default()
+                && step.is_in_line(knot.depth, knot.anchor, sizes.exact);
+            if was_in_line {
+                (old, new) = (piece.low, step.behind(knot.depth));
+                self.lay_line(i, new);
+                continue;
             }
-            (old, new) = (piece.low, anchor);
+            let sticks = sticks && i == first;
+            let low = if sticks { knot.anchor } else { step.drag(knot.depth, knot.anchor) };
+            let middle = step.drag(piece.middle_depth(), piece.middle());
+            in_line = in_line
+                && near(knot.depth, low)
+                && (knot.depth >= self.zeta || near(piece.middle_depth(), middle));
+            if in_line {
+                self.lay_line(i, low);
+            } else {
+                let new = [low, middle, new];
+                let ways = piece.ways(new);
+                slides = slides && ways[0] > 0.0 && ways[1] > 0.0;
+                let ways = if sticks { [ways[1], ways[1], ways[2]] } else { ways };
+                match kink(&piece, ways, step, sizes) {
+                    Some(part) => self.lay_kinked(i, &piece, (part, new), step, sizes),
+                    None => self.lay(i, &piece, new, step, (sizes, HALVINGS)),
+                }
+            }
+            (old, new) = (piece.low, low);
         }
+        slides
     }
 
-    /// Whether the dragged piece lies on the line behind the tip.
+    /// One piece, straight behind the tip.
     #[inline]
-    fn lies_behind(&self, step: &Step<V>, piece: &Piece<V>, anchor: V, exact: f64) -> bool {
-        let near = |depth: f64, anchor: V| {
-            let off = anchor.minus(step.behind(depth));
-            off.dot(off) <= exact * exact
-        };
-        let depth = piece.middle_depth();
-        near(piece.low.depth, anchor)
-            && (piece.low.depth >= self.zeta || near(depth, step.drag(depth, piece.middle())))
+    fn lay_line(&mut self, i: usize, anchor: V) {
+        self.stack.truncate(i + 1);
+        let vertex = self.stack.get_mut(i);
+        (vertex.anchor, vertex.slope) = (anchor, V::default());
     }
 
     /// The forces from a vertex up, and the end of the step.
@@ -299,19 +332,6 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
                 i += 1;
             }
         }
-    }
-
-    /// Whether no ring sticks, the deepest being known to slip.
-    #[cold]
-    fn all_beyond(&self, step: &Step<V>, old: End<V>) -> bool {
-        (0..self.stack.len()).all(|i| {
-            let knot = Knot::of(self.stack.get(i));
-            let piece = Piece::new(&knot, self.end_of(i, old));
-            let middle = piece.middle_depth();
-            knot.depth >= self.zeta
-                || (step.is_beyond(knot.depth, knot.anchor)
-                    && (middle >= self.zeta || step.is_beyond(middle, piece.middle())))
-        })
     }
 
     /// What the step did: the front is vertex `first`.
