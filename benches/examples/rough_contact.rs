@@ -179,8 +179,7 @@ impl<'a> Constrained<'a> {
             self.image.iter_mut().for_each(|image| *image -= mean);
         }
         let (mut down, mut bend) = (0.0, 0.0);
-        for (i, pressure) in self.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
-            let _ = pressure;
+        for (i, _) in self.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
             down += self.gap[i] * self.direction[i];
             bend += self.image[i] * self.direction[i];
         }
