@@ -5,8 +5,7 @@
 //! |t| <= R. Cells that stick have two unknowns, those that slip one, along the rim of their disc,
 //! whose bend adds `D = -s.e/R` to the diagonal (12.20)-(12.24). Preconditioned conjugate gradients
 //! solve for them together; the sets change when what violates the discs or the direction of slip
-//! outweighs the last step. Projections to the discs are made in
-//! one product with a damped step.
+//! outweighs the last step. Projections to the discs are made in one product with a damped step.
 
 use std::ops::ControlFlow;
 
