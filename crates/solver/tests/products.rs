@@ -188,7 +188,7 @@ fn small_grids_stay_within_their_budgets() {
     flat_punch(128, 10.0);
     rough(128, 0.04, [0.05, 0.3]);
     cattaneo(128, 0.0, 19.0, 24.0);
-    cattaneo(128, 0.28, 24.0, 34.0);
+    cattaneo(128, 0.28, 18.0, 27.0);
     history(128, 0.28);
 }
 
@@ -206,8 +206,8 @@ fn all_sizes_stay_within_their_budgets() {
     }
     cattaneo(256, 0.0, 19.0, 25.0);
     cattaneo(512, 0.0, 19.0, 27.0);
-    cattaneo(256, 0.28, 24.0, 38.0);
-    cattaneo(512, 0.28, 28.0, 50.0);
+    cattaneo(256, 0.28, 20.0, 34.0);
+    cattaneo(512, 0.28, 24.0, 41.0);
     history(256, 0.0);
     history(256, 0.28);
 }

@@ -94,3 +94,38 @@ fn next_to_no_step_is_refused() {
         assert!(100 * refused <= tried, "f gamma = {product}: {refused} of {tried}");
     }
 }
+
+/// Limits creep past the end of a solution for two hundred rounds before they find the next one.
+#[test]
+fn a_solution_that_has_just_ended_is_left_behind() {
+    assert_eq!(history(1111, f64::INFINITY), (4, false));
+}
+
+/// What friction could hold at most says nothing of how exactly cells stick.
+#[test]
+fn great_friction_sticks_as_exactly_as_infinite_friction() {
+    for other in [0.3, 0.0] {
+        let force = |friction: f64| {
+            let grid = Grid::new(24, 24, 0.1, 0.1).unwrap();
+            let [one, two] = [0.3, other].map(|nu| Material::from_shear(2.0, nu).unwrap());
+            let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y)).unwrap();
+            let pair = MaterialPair::new(one, two).unwrap();
+            let friction = Friction::new(friction).unwrap();
+            let problem = ContactProblem::of_half_spaces(gap, pair, friction).unwrap();
+            let (apart, shift) =
+                (ContactState::apart(grid), Shift { zeta: 1.0, xi: 0.1, ..Shift::default() });
+            let (mut to, method) = (apart.clone(), Frictional::default());
+            let mut scratch = method.scratch(&problem).unwrap();
+            let drive = Drive::by_shift(shift);
+            method.step(&problem, &apart, &drive, &mut to, &mut scratch, &mut ()).unwrap();
+            let left = violations(&problem, &apart, &to).unwrap();
+            assert!(left.tangential < 1e-8, "{friction:?}: {left:?}");
+            to.load().f_x
+        };
+        let infinite = force(f64::INFINITY);
+        for friction in [1e4, 1e6, 1e9] {
+            let error = force(friction) / infinite - 1.0;
+            assert!(error.abs() < 1e-5, "nu = {other}, f = {friction}: {error}");
+        }
+    }
+}

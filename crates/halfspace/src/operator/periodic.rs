@@ -142,11 +142,15 @@ fn spectra(pair: &MaterialPair, grid: Grid, sizes: &Sizes) -> [Option<Spectrum>;
         }
     }
     let rows = [Parity::Even, Parity::Odd, Parity::Even, Parity::Even, Parity::Even, Parity::Odd];
-    let mut number = 0;
-    blocks.map(|values| {
-        let (row_parity, imaginary) = (rows[number], number >= 4);
-        number += 1;
-        let held = !imaginary || !pair.is_uncoupled();
+    let mut blocks = blocks.into_iter();
+    std::array::from_fn(|entry| {
+        let values = blocks.next().unwrap_or_default();
+        let (row_parity, imaginary) = (rows[entry], entry >= 4);
+        let held = match entry {
+            1 => pair.poisson() != 0.0,
+            4.. => !pair.is_uncoupled(),
+            _ => true,
+        };
         held.then(|| Spectrum::Symmetric { values, half: ny / 2 + 1, imaginary, row_parity })
     })
 }

@@ -87,3 +87,151 @@ pub(crate) fn reduced(
         plan.product(&fields[..given], &used, &mut reached[..count], workspace);
     }
 }
+
+#[cfg(test)]
+mod tests {
+    use super::super::length::Sizes;
+    use super::*;
+    use crate::operator::{HalfSpaceOperator, PeriodicOperator, SurfaceOperator, Threads};
+    use crate::{Grid, Material, MaterialPair};
+    use Axis::{Normal, X, Y};
+
+    type Fields = [Vec<f64>; 3];
+    /// Fields transformed there, and fields transformed back.
+    type Counts = (usize, usize);
+
+    const SIMILAR: [f64; 2] = [0.3, 0.3];
+    const NO_CONTRACTION: [f64; 2] = [0.0, 0.0];
+    const DISSIMILAR: [f64; 2] = [0.1, 0.45];
+
+    fn grid() -> Grid {
+        Grid::new(12, 10, 0.1, 0.2).unwrap()
+    }
+
+    fn pair(poisson: [f64; 2]) -> MaterialPair {
+        let [one, two] = poisson.map(|nu| Material::from_shear(1.5, nu).unwrap());
+        MaterialPair::new(one, two).unwrap()
+    }
+
+    /// Tractions along the loaded axes, `others` times tractions along the others.
+    fn loads(loaded: &[Axis], others: f64) -> Fields {
+        Axis::ALL.map(|axis| {
+            let part = if loaded.contains(&axis) { 1.0 } else { others };
+            let value = |i: usize| part * ((1.7 * i as f64 + axis as u8 as f64).sin() + 0.01);
+            (0..grid().cells()).map(value).collect()
+        })
+    }
+
+    /// What a fresh workspace has room for after a product.
+    fn counts(workspace: &Workspace, sizes: Sizes) -> Counts {
+        let field = sizes.columns() * sizes.ny;
+        (workspace.rows.len() / field, workspace.columns.len() / field)
+    }
+
+    /// All displacements, and how many fields were transformed.
+    fn displaced(operator: &dyn SurfaceOperator, sizes: Sizes, load: &Fields) -> (Fields, Counts) {
+        // What is left out is written all the same.
+        let mut fields = [(); 3].map(|()| vec![f64::NAN; grid().cells()]);
+        let [u, v, w] = &mut fields;
+        let displacements = DisplacementField::full(u, v, w);
+        let mut workspace = Workspace::default();
+        let tractions = TractionField::full(&load[0], &load[1], &load[2]);
+        operator.apply(tractions, displacements, &mut workspace).unwrap();
+        (fields, counts(&workspace, sizes))
+    }
+
+    /// Only the loaded fields are transformed there, only the reached ones back; what comes is the
+    /// mean of two products in which no field vanishes.
+    fn check(product: impl Fn(&Fields) -> (Fields, Counts), loaded: &[Axis], reached: &[Axis]) {
+        let (got, counts) = product(&loads(loaded, 0.0));
+        let there = if reached.is_empty() { 0 } else { loaded.len() };
+        assert_eq!(counts, (there, reached.len()), "{loaded:?} reach {reached:?}");
+        let (one, _) = product(&loads(loaded, 1.0));
+        let (other, _) = product(&loads(loaded, -1.0));
+        for axis in Axis::ALL {
+            let field = axis as usize;
+            let vanishes = got[field].iter().all(|value| *value == 0.0);
+            assert_eq!(vanishes, !reached.contains(&axis), "{loaded:?} reach {axis:?}");
+            let most = one[field].iter().fold(0.0_f64, |most, value| most.max(value.abs()));
+            for (i, got) in got[field].iter().enumerate() {
+                let want = 0.5 * (one[field][i] + other[field][i]);
+                assert!((got - want).abs() <= 1e-14 * most, "{loaded:?}, {axis:?}: {got} {want}");
+            }
+        }
+    }
+
+    /// What each drive loads, and what that reaches: a normal force alone, a shift along x alone, both,
+    /// and a shift in any direction.
+    fn drives(poisson: [f64; 2], expected: [(&[Axis], &[Axis]); 5]) {
+        let half_space = HalfSpaceOperator::new(pair(poisson), grid()).unwrap();
+        let periodic = PeriodicOperator::new(pair(poisson), grid(), Threads::One).unwrap();
+        for (loaded, reached) in expected {
+            check(|load| displaced(&half_space, Sizes::of(grid()), load), loaded, reached);
+            check(|load| displaced(&periodic, Sizes::of_period(grid()), load), loaded, reached);
+        }
+    }
+
+    #[test]
+    fn without_lateral_contraction_each_component_stands_by_itself() {
+        drives(
+            NO_CONTRACTION,
+            [
+                (&[], &[]),
+                (&[X], &[X]),
+                (&[Y], &[Y]),
+                (&[X, Y], &[X, Y]),
+                // The difference of equal bodies: pressures displace nothing along the surface.
+                (&[X, Normal], &[X, Normal]),
+            ],
+        );
+    }
+
+    #[test]
+    fn similar_bodies_leave_out_what_pressures_do_along_the_surface() {
+        drives(
+            SIMILAR,
+            [
+                (&[], &[]),
+                (&[Normal], &[Normal]),
+                (&[X], &[X, Y]),
+                (&[X, Y], &[X, Y]),
+                (&[Y, Normal], &[X, Y, Normal]),
+            ],
+        );
+    }
+
+    #[test]
+    fn dissimilar_bodies_leave_out_vanishing_tractions_alone() {
+        drives(
+            DISSIMILAR,
+            [
+                (&[], &[]),
+                (&[Normal], &[X, Y, Normal]),
+                (&[X], &[X, Y, Normal]),
+                (&[X, Y], &[X, Y, Normal]),
+                (&[X, Y, Normal], &[X, Y, Normal]),
+            ],
+        );
+    }
+
+    #[test]
+    fn the_inverse_on_a_torus_leaves_out_the_same() {
+        for poisson in [NO_CONTRACTION, SIMILAR] {
+            let operator = HalfSpaceOperator::new(pair(poisson), grid()).unwrap();
+            let inverse = operator.inverse().unwrap();
+            let product = |load: &Fields| {
+                let mut workspace = Workspace::default();
+                let mut fields = [(); 3].map(|()| vec![f64::NAN; grid().cells()]);
+                let [x, y, normal] = &mut fields;
+                normal.fill(0.0);
+                inverse.traction([&load[0], &load[1]], [x, y], &mut workspace);
+                (fields, counts(&workspace, Sizes::of_torus(grid())))
+            };
+            check(product, &[], &[]);
+            let alone = poisson == NO_CONTRACTION;
+            check(product, &[X], if alone { &[X] } else { &[X, Y] });
+            check(product, &[Y], if alone { &[Y] } else { &[X, Y] });
+            check(product, &[X, Y], &[X, Y]);
+        }
+    }
+}

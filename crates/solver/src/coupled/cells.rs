@@ -56,10 +56,10 @@ impl Cells {
     }
 
     /// What is left of the conditions: normal over the greatest displacement, tangential over the
-    /// greatest limit, or the greatest traction where that has none.
+    /// greatest limit, but over no more than the greatest pressure or traction.
     pub(super) fn residuals(&self, task: &CoupledTask<'_>, system: &System) -> Residuals {
         let (mut normal, mut tangential) = (system.unbalance(task)[0], system.unbalance(task)[1]);
-        let (mut depth, mut most) = (0.0_f64, 0.0_f64);
+        let (mut depth, mut most, mut reached) = (0.0_f64, 0.0_f64, 0.0_f64);
         for (i, &pressure) in task.pressure.iter().enumerate() {
             let gap = system.gap[i];
             let off = if pressure > 0.0 {
@@ -78,15 +78,15 @@ impl Cells {
             (normal, tangential) = (normal.max(off), tangential.max(distance));
             if pressure > 0.0 {
                 depth = depth.max((gap + task.approach - task.heights[i]).abs());
-                let limited = task.friction[i].is_finite();
-                most = most.max(if limited { limit } else { at[0].hypot(at[1]) });
+                most = most.max(limit);
+                reached = reached.max(pressure).max(at[0].hypot(at[1]));
             }
         }
         let over = |value: f64, scale: f64| if scale > 0.0 { value / scale } else { value };
         let nothing = depth == 0.0;
         Residuals {
             normal: if nothing { f64::NAN } else { over(normal, depth) },
-            tangential: over(tangential, most),
+            tangential: over(tangential, most.min(reached)),
         }
     }
 

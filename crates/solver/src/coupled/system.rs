@@ -16,8 +16,9 @@ use crate::convergence::Products;
 use crate::drive::Driven;
 use crate::state::CellState;
 
-/// Compliance of a slipping cell, over that by its own traction, for the preconditioner.
-const SOFTNESS: f64 = 2.5;
+/// What stands for the influence beside the bend where slipping cells are taken one by one, over that
+/// of a cell on itself.
+const ALONE: f64 = 10.0;
 /// Motions: approach, shifts, twist.
 const MOTIONS: usize = 4;
 
@@ -268,14 +269,14 @@ impl Newton<'_> {
     /// The preconditioner of the cells: the inverses on a torus, normal and tangential each by
     /// itself, weighted where the surfaces slip.
     fn invert(&mut self, rows: &[f64], x: &mut [f64]) {
-        let (n, soft) = (self.cells.states.len(), SOFTNESS / self.system.own);
+        let (n, own) = (self.cells.states.len(), self.system.own);
         let cells = self.cells;
         let system = &mut *self.system;
         for i in 0..n {
             let [gap, a, b] = [rows[3 * i], rows[3 * i + 1], rows[3 * i + 2]];
             let (t_x, t_y) = match cells.states[i] {
                 CellState::Slip => {
-                    let part = a / (1.0 + cells.bend[i] * soft).sqrt();
+                    let part = a / (1.0 + cells.bend[i] / own).sqrt();
                     (-part * cells.rim[1][i], part * cells.rim[0][i])
                 }
                 _ => (a, b),
@@ -303,9 +304,9 @@ impl Newton<'_> {
                 CellState::Slip => {
                     let [cos, sin] = cells.ray[i];
                     let bend = cells.bend[i];
-                    let sigma = 1.0 / (1.0 + bend * soft);
+                    let sigma = 1.0 / (1.0 + bend / own);
                     let around = cells.rim[0][i] * t_y - cells.rim[1][i] * t_x;
-                    let direct = (1.0 - sigma) / (bend + 1.0 / soft) * rows[3 * i + 1];
+                    let direct = (1.0 - sigma) / (bend + ALONE * own) * rows[3 * i + 1];
                     [p / cos.hypot(system.gamma * sin), sigma.sqrt() * around + direct, 0.0]
                 }
             };

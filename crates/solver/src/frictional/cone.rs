@@ -6,9 +6,11 @@ use crate::convergence::{Convergence, Stop};
 use crate::coupled::{Coupled, CoupledTask};
 use crate::state::ContactState;
 
-/// Rounds of a cone that opens; how many lie between trials of Newton's method, unless limits are
-/// off by less than this part of the greatest traction.
-const ROUNDS: usize = 100;
+/// Rounds of a cone that opens. Where the solution of a blunter cone has just ended, limits creep
+/// past the place for some hundred rounds before they go on to another solution.
+const ROUNDS: usize = 400;
+/// How many rounds lie between trials of Newton's method, unless limits are off by less than this
+/// part of the greatest traction and by half of what they were when it last failed.
 const ROUNDS_A_TRIAL: usize = 4;
 const CLOSE: f64 = 0.05;
 
@@ -25,7 +27,7 @@ impl Pass<'_> {
         let (least, mut change) = (0.05 * most, 1.0_f64);
         let (what, tolerance) = ("pressures and tractions together", self.method.tolerance);
         scratch.limits.blunt(most);
-        let mut round = 0;
+        let (mut round, mut near) = (0, CLOSE);
         loop {
             let kept = self.keep(to, scratch);
             let inner = (1e-2 * change).clamp(1e-5, 1e-3).max(tolerance);
@@ -44,7 +46,8 @@ impl Pass<'_> {
             }
             round += 1;
             change = scratch.limits.open(to);
-            if change < CLOSE || round % ROUNDS_A_TRIAL == 0 {
+            if change < near || round % ROUNDS_A_TRIAL == 0 {
+                near = near.min(0.5 * change);
                 let kept = self.keep(to, scratch);
                 if let Some(reached) = self.solve_together(to, scratch)? {
                     return Ok(reached);

@@ -17,6 +17,8 @@ const SMALL_STEP: f64 = 0.1;
 const PATIENCE: usize = 40;
 /// Passes after which Newton's method is tried.
 const MANY: usize = 35;
+/// A force that is below the friction limit by less than this part is not below it.
+const ROUNDING: f64 = 1e-12;
 /// Passes that change the displacements by more than this part of the last change are mixed.
 const SLOW: f64 = 0.25;
 
@@ -134,6 +136,7 @@ impl Pass<'_> {
             limits: &scratch.limits.values,
             offset: [x, y],
             rigid: self.rigid,
+            pressure: to.pressure.values().iter().copied().fold(0.0, f64::max),
             traction: [to.traction_x.values_mut(), to.traction_y.values_mut()],
             cells: to.cells.values_mut(),
         };
@@ -163,7 +166,7 @@ impl Pass<'_> {
         }
         let friction = scratch.limits.friction.iter().zip(pressure);
         let limit: f64 = friction.filter(|(_, p)| **p > 0.0).map(|(own, p)| own * p).sum();
-        if force >= limit {
+        if force >= limit * (1.0 - ROUNDING) {
             let area = self.problem.grid().cell_area();
             return Err(FrictionalError::Slides { force: area * force, limit: area * limit });
         }

@@ -4,7 +4,9 @@
 //! set I of cells with pressure, preconditioned conjugate gradients solve g = 0. The set changes
 //! when what violates the signs outweighs the last step; pressures that leave are dropped in one
 //! product with a damped step of those that stay. A given force keeps the mean of g free: it is
-//! deflated with K 1, so that every correction has no force of its own.
+//! deflated with K 1, so that every correction has no force of its own. The damped step has none by a
+//! given approach either: where the contact is many spots far apart, K overestimates the answer to an
+//! even displacement fifty times, which takes a line search.
 
 use std::ops::ControlFlow;
 
@@ -12,17 +14,13 @@ use carom_halfspace::operator::{
     DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
 };
 
-use crate::convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
+use super::course::Course;
+use super::signs::finish;
+use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
 use crate::drive::Driven;
 
-/// The set changes when the violation of signs exceeds this part of the last step.
-const EAGERNESS: f64 = 0.3;
 /// A force that is off by more than this part is lost.
 const LOST: f64 = 1e-9;
-/// Part of a preconditioned step beside dropped pressures: it overshoots where the edge moves.
-const DAMPING: f64 = 0.4;
-/// A violation that falls by less than this between two changes of the set, twice, calls for care.
-const FALL: f64 = 0.6;
 
 /// When to stop.
 #[derive(Debug, Clone, Copy)]
@@ -48,52 +46,21 @@ pub(super) struct NormalTask<'a> {
 /// One grid of the normal problem, with its working memory.
 #[derive(Clone)]
 pub(super) struct ActiveSet {
-    inverse: Option<TorusInverse>,
-    workspace: Workspace,
+    pub(super) inverse: Option<TorusInverse>,
+    pub(super) workspace: Workspace,
     /// The influence of a cell on itself.
-    own: f64,
+    pub(super) own: f64,
     /// The gap g.
-    gap: Vec<f64>,
+    pub(super) gap: Vec<f64>,
     /// K g on the set.
-    preconditioned: Vec<f64>,
+    pub(super) preconditioned: Vec<f64>,
     /// The correction, taken from the pressure.
-    direction: Vec<f64>,
+    pub(super) direction: Vec<f64>,
     /// A times the correction.
-    image: Vec<f64>,
+    pub(super) image: Vec<f64>,
     /// K 1 on the set, kept while it stands.
-    ones: Vec<f64>,
-    active: Vec<bool>,
-}
-
-/// The course of an iteration on one grid.
-#[derive(Default)]
-struct Course {
-    products: Products,
-    /// `<K g, g>` of the last step within the set; none if the next one begins afresh.
-    power: Option<f64>,
-    /// The norm of the last correction.
-    step: f64,
-    /// The violation at the last change of the set, and how often it hardly fell.
-    last_violation: Option<f64>,
-    slow_changes: u32,
-    /// The set stands for one step.
-    held: bool,
-    /// Whether the contact was lost once already.
-    rescued: bool,
-}
-
-impl Course {
-    const fn careful(&self) -> bool {
-        self.slow_changes >= 2
-    }
-
-    fn changes(&mut self, violation: f64) {
-        if self.last_violation.is_some_and(|last| violation > FALL * last) {
-            self.slow_changes += 1;
-        }
-        self.last_violation = Some(violation);
-        self.held = self.careful();
-    }
+    pub(super) ones: Vec<f64>,
+    pub(super) active: Vec<bool>,
 }
 
 impl ActiveSet {
@@ -138,7 +105,7 @@ impl ActiveSet {
         let mut iteration = 0;
         loop {
             iteration += 1;
-            if iteration == 1 || self.asks_for_change(task, &course) {
+            if iteration == 1 || course.asks_for_change(self.violation(task)) {
                 self.change_set(task, &mut course)?;
             } else {
                 course.held = false;
@@ -203,7 +170,9 @@ impl ActiveSet {
         for ((gap, image), height) in self.gap.iter_mut().zip(&self.image).zip(task.heights) {
             *gap = factor * image + height - task.approach;
         }
-        self.precondition_ones(task.driven, course);
+        if matches!(task.driven, Driven::Load(_)) {
+            self.precondition_ones(course);
+        }
         self.deflate(task);
         Ok(())
     }
@@ -227,11 +196,6 @@ impl ActiveSet {
         self.begin(task, course)
     }
 
-    fn asks_for_change(&self, task: &NormalTask<'_>, course: &Course) -> bool {
-        let eagerness = if course.careful() { 1.0 } else { EAGERNESS };
-        !course.held && self.violation(task) > eagerness * course.step
-    }
-
     /// Drops pressures that pull and takes up cells that overlap.
     fn change_set(
         &mut self,
@@ -246,16 +210,13 @@ impl ActiveSet {
             dropped |= *active && *pressure < 0.0;
             *active = if *active { *pressure > 0.0 } else { *gap < 0.0 };
         }
-        self.precondition_ones(task.driven, course);
+        if matches!(task.driven, Driven::Load(_)) {
+            self.precondition_ones(course);
+        }
         self.deflate(task);
         self.precondition(course);
         course.power = None;
-        if dropped {
-            let damping = if course.careful() { 0.0 } else { DAMPING };
-            self.merged_step(task, course, damping)
-        } else {
-            self.gradient_step(task, course)
-        }
+        if dropped { self.merged_step(task, course) } else { self.gradient_step(task, course) }
     }
 
     /// What was dropped goes, what stays takes a damped step, in one product.
@@ -263,17 +224,27 @@ impl ActiveSet {
         &mut self,
         task: &mut NormalTask<'_>,
         course: &mut Course,
-        damping: f64,
     ) -> Result<(), OperatorError> {
-        let mut sum = 0.0;
+        let (damping, mut dropped, mut step) = (course.damping(), 0.0, 0.0);
         for (i, direction) in self.direction.iter_mut().enumerate() {
-            *direction =
-                if self.active[i] { damping * self.preconditioned[i] } else { task.pressure[i] };
-            sum += *direction;
+            if self.active[i] {
+                *direction = damping * self.preconditioned[i];
+                step += *direction;
+            } else {
+                *direction = task.pressure[i];
+                dropped += *direction;
+            }
         }
-        if matches!(task.driven, Driven::Load(_)) {
-            // A correction has no force.
-            let part = sum / self.ones.iter().sum::<f64>();
+        // By an approach what is dropped changes the force, by a force nothing does.
+        let force = match task.driven {
+            Driven::Load(_) => dropped + step,
+            Driven::Shift(_) => step,
+        };
+        if force != 0.0 {
+            if matches!(task.driven, Driven::Shift(_)) {
+                self.precondition_ones(course);
+            }
+            let part = force / self.ones.iter().sum::<f64>();
             for (direction, one) in self.direction.iter_mut().zip(&self.ones) {
                 *direction -= part * one;
             }
@@ -338,51 +309,8 @@ impl ActiveSet {
         }
     }
 
-    /// The norm of what breaks the signs: tension in the set, overlap outside, as pressures.
-    fn violation(&self, task: &NormalTask<'_>) -> f64 {
-        let mut square = 0.0;
-        for ((active, pressure), gap) in self.active.iter().zip(task.pressure.iter()).zip(&self.gap)
-        {
-            let wrong = if *active { pressure.min(0.0) } else { gap.min(0.0) / self.own };
-            square += wrong * wrong;
-        }
-        square.sqrt()
-    }
-
-    /// The greatest violation over the greatest displacement; not a number if one is none.
-    fn residual(&self, task: &NormalTask<'_>) -> f64 {
-        let (mut greatest, mut scale) = (0.0_f64, 0.0_f64);
-        for (i, gap) in self.gap.iter().enumerate() {
-            let pressure = task.pressure[i];
-            let wrong = match (self.active[i], pressure < 0.0) {
-                (true, true) => gap.abs().max(-pressure * self.own),
-                (true, false) => gap.abs(),
-                (false, _) => (-gap).max(0.0),
-            };
-            if wrong.is_nan() {
-                return wrong;
-            }
-            greatest = greatest.max(wrong);
-            if self.active[i] {
-                scale = scale.max((gap + task.approach - task.heights[i]).abs());
-            }
-        }
-        if scale > 0.0 { greatest / scale } else { greatest }
-    }
-
-    fn is_settled(&self, task: &NormalTask<'_>, course: &Course, change: f64) -> bool {
-        if change == 0.0 {
-            return false;
-        }
-        let norm = change * task.pressure.iter().map(|p| p * p).sum::<f64>().sqrt();
-        course.step < norm && self.violation(task) < norm
-    }
-
-    /// K 1 on the set, where a force is given.
-    fn precondition_ones(&mut self, driven: Driven, course: &mut Course) {
-        if matches!(driven, Driven::Shift(_)) {
-            return;
-        }
+    /// K 1 on the set.
+    fn precondition_ones(&mut self, course: &mut Course) {
         for (one, active) in self.preconditioned.iter_mut().zip(&self.active) {
             *one = f64::from(u8::from(*active));
         }
@@ -431,21 +359,6 @@ fn is_force_lost(task: &NormalTask<'_>) -> bool {
     let Driven::Load(force) = task.driven else { return false };
     let sum = task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>();
     (sum - force).abs() > LOST * force
-}
-
-/// What pulls within the tolerance goes; a given force is met to rounding.
-fn finish(task: &mut NormalTask<'_>) {
-    for pressure in task.pressure.iter_mut() {
-        *pressure = pressure.max(0.0);
-    }
-    if let Driven::Load(force) = task.driven {
-        let sum = task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>();
-        if sum > 0.0 {
-            for pressure in task.pressure.iter_mut() {
-                *pressure *= force / sum;
-            }
-        }
-    }
 }
 
 fn dot(a: &[f64], b: &[f64], active: &[bool]) -> f64 {

@@ -1,6 +1,8 @@
 //! The normal problem: pressures without tension, gaps without overlap.
 
 mod active_set;
+mod course;
+mod signs;
 
 use std::sync::Arc;
 

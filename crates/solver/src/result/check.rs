@@ -12,7 +12,8 @@ use crate::state::ContactState;
 ///
 /// Normal: a gap in the contact, an overlap outside or tension (in displacement by its own cell),
 /// over the approach. Tangential: the distance of a traction from where its own slip would pull it
-/// within the disc of its limit, over the greatest limit.
+/// within the disc of its limit, over the greatest limit, or over the greatest pressure or traction
+/// if friction could hold more than these.
 ///
 /// # Errors
 /// [`OperatorError`] for states of another grid.
@@ -32,7 +33,8 @@ pub fn violations(
     let tractions = TractionField::full(x, y, pressure);
     operator.apply(tractions, displacements, &mut operator.workspace())?;
     let [slip_x, slip_y] = anew.slip_since(before);
-    let (mut normal, mut tangential, mut depth, mut most) = (0.0_f64, 0.0_f64, 0.0_f64, 0.0_f64);
+    let (mut normal, mut tangential) = (0.0_f64, 0.0_f64);
+    let (mut depth, mut most, mut reached) = (0.0_f64, 0.0_f64, 0.0_f64);
     for (i, height) in problem.gap().heights().values().iter().enumerate() {
         let gap = w[i] + height - after.shift.zeta;
         depth = depth.max(after.shift.zeta - height);
@@ -40,11 +42,12 @@ pub fn violations(
         normal = normal.max(off);
         let limit = firm(problem.friction().at(i).motion().get()) * pressure[i].max(0.0);
         most = most.max(limit);
+        reached = reached.max(pressure[i]).max(x[i].hypot(y[i]));
         // One compliance for both: a slip against the traction pulls along it.
         let [to_x, to_y] = [x[i] - slip_x.values()[i] / soft, y[i] - slip_y.values()[i] / soft];
         let part = if to_x.hypot(to_y) > limit { limit / to_x.hypot(to_y) } else { 1.0 };
         tangential = tangential.max((part * to_x - x[i]).hypot(part * to_y - y[i]));
     }
     let over = |value: f64, scale: f64| if scale > 0.0 { value / scale } else { value };
-    Ok(Residuals { normal: over(normal, depth), tangential: over(tangential, most) })
+    Ok(Residuals { normal: over(normal, depth), tangential: over(tangential, most.min(reached)) })
 }

@@ -1,13 +1,23 @@
 //! Accelerated projected gradients: slow, sure, and needed only where the active set loses its way.
+//!
+//! Where loads are given, each step is projected to the tractions that have them: what they move
+//! goes where the discs around the moved tractions hold the loads.
 
 use carom_halfspace::operator::{OperatorError, SurfaceOperator};
+use nalgebra::{Matrix3, Vector3};
 
-use super::active_set::{ActiveSet, TangentialTask, within};
+use super::active_set::{ActiveSet, Plane, TangentialTask};
+use super::law::within;
+use super::rigid;
 use crate::convergence::Products;
 use crate::state::CellState;
 
 /// Steps of one rescue.
 const STEPS: usize = 12;
+/// Rounds of the search for what has a given load.
+const ROUNDS: usize = 20;
+/// Loads are met within the square of this part of how far they were off.
+const MET: f64 = 1e-20;
 
 /// Steps of a fixed length, the inverse of a bound on the operator's norm.
 pub(super) struct Descent {
@@ -35,6 +45,7 @@ impl Descent {
         let mut momentum = 1.0_f64;
         for _ in 0..STEPS {
             self.slip_at(set, task, &ahead, products)?;
+            self.meet_loads(set, task, &ahead);
             let next_momentum = 0.5 * (1.0 + (1.0 + 4.0 * momentum * momentum).sqrt());
             let share = (momentum - 1.0) / next_momentum;
             let mut uphill = 0.0;
@@ -70,6 +81,66 @@ impl Descent {
         Ok(())
     }
 
+    /// Moves what has a given load until the tractions of the next step have it: Newton's method on a
+    /// convex function, of which a bound on the second derivative is known.
+    fn meet_loads(&self, set: &mut ActiveSet, task: &mut TangentialTask<'_>, ahead: &Plane) {
+        if !task.rigid.is_loaded() {
+            return;
+        }
+        let mut wrong = self.loads_off(set, task, ahead);
+        let bound = wrong.bound.try_inverse().unwrap_or_default();
+        let size = |wrong: &LoadsOff| wrong.loads.dot(&(bound * wrong.loads));
+        let enough = MET * size(&wrong);
+        for _ in 0..ROUNDS {
+            if size(&wrong) <= enough {
+                break;
+            }
+            let newton = wrong.slope.try_inverse().unwrap_or_default() * wrong.loads;
+            move_rigidly(set, task, &-newton);
+            let next = self.loads_off(set, task, ahead);
+            if size(&next) < size(&wrong) {
+                wrong = next;
+                continue;
+            }
+            let sure = bound * wrong.loads;
+            move_rigidly(set, task, &(newton - sure));
+            wrong = self.loads_off(set, task, ahead);
+        }
+    }
+
+    /// How far the loads of the next step are off.
+    fn loads_off(&self, set: &ActiveSet, task: &TangentialTask<'_>, ahead: &Plane) -> LoadsOff {
+        let mut off = LoadsOff::default();
+        for (i, &limit) in task.limits.iter().enumerate().filter(|(_, limit)| **limit > 0.0) {
+            let (x, y) = (set.centres[0][i], set.centres[1][i]);
+            let [u, v] = [Vector3::new(1.0, 0.0, y), Vector3::new(0.0, 1.0, -x)];
+            let q = [0, 1].map(|axis| ahead[axis][i] - self.length * set.slip[axis][i]);
+            let t = within(q, limit);
+            off.loads += u * t[0] + v * t[1];
+            off.bound += self.length * (u * u.transpose() + v * v.transpose());
+            let size = q[0].hypot(q[1]);
+            off.slope += if size > limit {
+                let around = (v * q[0] - u * q[1]) / size;
+                self.length * limit / size * (around * around.transpose())
+            } else {
+                self.length * (u * u.transpose() + v * v.transpose())
+            };
+        }
+        for k in 0..3 {
+            if let Some(load) = task.rigid.loads[k] {
+                off.loads[k] -= load;
+                continue;
+            }
+            off.loads[k] = 0.0;
+            for matrix in [&mut off.bound, &mut off.slope] {
+                matrix.row_mut(k).fill(0.0);
+                matrix.column_mut(k).fill(0.0);
+                matrix[(k, k)] = 1.0;
+            }
+        }
+        off
+    }
+
     fn slip_at(
         &self,
         set: &mut ActiveSet,
@@ -83,6 +154,26 @@ impl Descent {
         set.multiply(task.operator, products)?;
         set.slip_of_image(task);
         Ok(())
+    }
+}
+
+/// Loads less the given ones; how they answer to what moves, and a bound on that.
+#[derive(Default)]
+struct LoadsOff {
+    loads: Vector3<f64>,
+    slope: Matrix3<f64>,
+    bound: Matrix3<f64>,
+}
+
+/// Moves what has a given load; the slip follows.
+fn move_rigidly(set: &mut ActiveSet, task: &mut TangentialTask<'_>, by: &Vector3<f64>) {
+    for i in 0..task.limits.len() {
+        let went = rigid::displacement(by, set.centres[0][i], set.centres[1][i]);
+        set.slip[0][i] -= went[0];
+        set.slip[1][i] -= went[1];
+    }
+    for k in 0..3 {
+        task.rigid.moved[k] += by[k];
     }
 }
 

@@ -1,8 +1,13 @@
 //! The tangential problem at known pressures, started from coarser grids.
 
 mod active_set;
+mod course;
 mod descent;
+mod law;
+mod loads;
+mod precondition;
 mod rigid;
+mod sets;
 
 use std::sync::Arc;
 
@@ -14,7 +19,8 @@ use crate::nested;
 use crate::state::CellState;
 use active_set::{ActiveSet, Limits, Plane};
 
-pub(crate) use active_set::{TangentialTask, within};
+pub(crate) use active_set::TangentialTask;
+pub(crate) use law::within;
 pub(crate) use rigid::Rigid;
 
 /// Grids with fewer cells along a side than this are not made coarser.
@@ -40,6 +46,7 @@ struct Level {
     limits: Vec<f64>,
     offset: Plane,
     rigid: Rigid,
+    pressure: f64,
     traction: Plane,
     cells: Vec<CellState>,
 }
@@ -61,6 +68,7 @@ impl Level {
             limits: zero.clone(),
             offset: [zero.clone(), zero.clone()],
             rigid: Rigid::default(),
+            pressure: 0.0,
             traction: [zero.clone(), zero],
             cells: vec![CellState::Exterior; grid.cells()],
         }))
@@ -85,6 +93,7 @@ impl Level {
             limits: &self.limits,
             offset: [&self.offset[0], &self.offset[1]],
             rigid: self.rigid,
+            pressure: self.pressure,
             traction: [x, y],
             cells: &mut self.cells,
         };
@@ -168,6 +177,7 @@ impl TangentialScratch {
         let fine = task.operator.grid();
         let coarsest = self.coarse.len();
         for i in 0..coarsest {
+            self.coarse[i].pressure = task.pressure;
             let (above, below) = self.coarse.split_at_mut(i);
             match above.last() {
                 None => below[0].take(fine, task.limits, task.offset, &task.rigid),

@@ -1,0 +1,62 @@
+//! Signs of pressures and gaps: what breaks them, and how far.
+
+use super::active_set::{ActiveSet, NormalTask};
+use super::course::Course;
+use crate::drive::Driven;
+
+impl ActiveSet {
+    /// The norm of what breaks the signs: tension in the set, overlap outside, as pressures.
+    pub(super) fn violation(&self, task: &NormalTask<'_>) -> f64 {
+        let mut square = 0.0;
+        for ((active, pressure), gap) in self.active.iter().zip(task.pressure.iter()).zip(&self.gap)
+        {
+            let wrong = if *active { pressure.min(0.0) } else { gap.min(0.0) / self.own };
+            square += wrong * wrong;
+        }
+        square.sqrt()
+    }
+
+    /// The greatest violation over the greatest displacement; not a number if one is none.
+    pub(super) fn residual(&self, task: &NormalTask<'_>) -> f64 {
+        let (mut greatest, mut scale) = (0.0_f64, 0.0_f64);
+        for (i, gap) in self.gap.iter().enumerate() {
+            let pressure = task.pressure[i];
+            let wrong = match (self.active[i], pressure < 0.0) {
+                (true, true) => gap.abs().max(-pressure * self.own),
+                (true, false) => gap.abs(),
+                (false, _) => (-gap).max(0.0),
+            };
+            if wrong.is_nan() {
+                return wrong;
+            }
+            greatest = greatest.max(wrong);
+            if self.active[i] {
+                scale = scale.max((gap + task.approach - task.heights[i]).abs());
+            }
+        }
+        if scale > 0.0 { greatest / scale } else { greatest }
+    }
+
+    pub(super) fn is_settled(&self, task: &NormalTask<'_>, course: &Course, change: f64) -> bool {
+        if change == 0.0 {
+            return false;
+        }
+        let norm = change * task.pressure.iter().map(|p| p * p).sum::<f64>().sqrt();
+        course.step < norm && self.violation(task) < norm
+    }
+}
+
+/// What pulls within the tolerance goes; a given force is met to rounding.
+pub(super) fn finish(task: &mut NormalTask<'_>) {
+    for pressure in task.pressure.iter_mut() {
+        *pressure = pressure.max(0.0);
+    }
+    if let Driven::Load(force) = task.driven {
+        let sum = task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>();
+        if sum > 0.0 {
+            for pressure in task.pressure.iter_mut() {
+                *pressure *= force / sum;
+            }
+        }
+    }
+}

@@ -1,0 +1,95 @@
+//! Given loads: what moves rigidly is deflated, so that corrections have no load of their own.
+
+use nalgebra::Vector3;
+
+use super::active_set::{ActiveSet, TangentialTask, dot};
+use super::course::Course;
+use super::rigid;
+
+impl ActiveSet {
+    pub(super) fn excess(&self, task: &TangentialTask<'_>) -> Vector3<f64> {
+        task.rigid.excess(&self.centres, [task.traction[0], task.traction[1]])
+    }
+
+    /// K times the rigid displacements whose loads are given.
+    pub(super) fn prepare_deflation(&mut self, task: &TangentialTask<'_>, course: &mut Course) {
+        if !task.rigid.is_loaded() {
+            return;
+        }
+        for k in (0..3).filter(|&k| task.rigid.loads[k].is_some()) {
+            let mut motion = Vector3::zeros();
+            motion[k] = 1.0;
+            for i in 0..task.limits.len() {
+                let [x, y] = rigid::displacement(&motion, self.centres[0][i], self.centres[1][i]);
+                let [x, y] = self.admitted(task.cells[i], i, [x, y]);
+                (self.rest[0][i], self.rest[1][i]) = (x, y);
+            }
+            self.invert(task.cells, course);
+            for axis in 0..2 {
+                self.deflation.corrections[k][axis].copy_from_slice(&self.preconditioned[axis]);
+            }
+        }
+        let mut deflation = std::mem::take(&mut self.deflation);
+        deflation.prepare(&task.rigid, |i| {
+            let (x, y) = (self.centres[0][i], self.centres[1][i]);
+            // A correction lies in what its cell admits, so that the whole displacement will do.
+            [Vector3::new(1.0, 0.0, y), Vector3::new(0.0, 1.0, -x)]
+        });
+        self.deflation = deflation;
+    }
+
+    /// Makes `direction`, which is subtracted, lead to the given loads.
+    pub(super) fn restore_loads(&mut self, task: &TangentialTask<'_>) {
+        if !task.rigid.is_loaded() {
+            return;
+        }
+        let mut wrong = rigid::sums(&self.centres, [&self.direction[0], &self.direction[1]])
+            - self.excess(task);
+        for k in (0..3).filter(|&k| task.rigid.loads[k].is_none()) {
+            wrong[k] = 0.0;
+        }
+        let parts = self.deflation.parts(&wrong);
+        for k in (0..3).filter(|&k| task.rigid.loads[k].is_some()) {
+            for axis in 0..2 {
+                let steps = self.direction[axis].iter_mut();
+                for (step, own) in steps.zip(&self.deflation.corrections[k][axis]) {
+                    *step -= parts[k] * own;
+                }
+            }
+        }
+    }
+
+    /// Moves what has a given load so that corrections have none of their own.
+    pub(super) fn deflate(&mut self, task: &mut TangentialTask<'_>) {
+        if !task.rigid.is_loaded() {
+            return;
+        }
+        let mut loads = Vector3::zeros();
+        for k in (0..3).filter(|&k| task.rigid.loads[k].is_some()) {
+            loads[k] = dot(&self.deflation.corrections[k], &self.rest);
+        }
+        let moved = self.deflation.parts(&loads);
+        for i in 0..task.limits.len() {
+            let went = rigid::displacement(&moved, self.centres[0][i], self.centres[1][i]);
+            let [x, y] = self.admitted(task.cells[i], i, went);
+            self.rest[0][i] -= x;
+            self.rest[1][i] -= y;
+            self.slip[0][i] -= went[0];
+            self.slip[1][i] -= went[1];
+        }
+        for k in 0..3 {
+            task.rigid.moved[k] += moved[k];
+        }
+    }
+
+    /// How far the loads are from the given ones, as a mean traction.
+    pub(super) fn unbalance(&self, task: &TangentialTask<'_>, touching: usize) -> f64 {
+        if !task.rigid.is_loaded() {
+            return 0.0;
+        }
+        let (excess, touching) = (self.excess(task), touching as f64);
+        let grid = task.operator.grid();
+        let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
+        (excess[0].abs().max(excess[1].abs()).max(excess[2].abs() / arm)) / touching
+    }
+}
