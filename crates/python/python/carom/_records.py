@@ -208,6 +208,7 @@ class Rebound(Record):
     energy_before     kinetic energy before, J
     energy_after      kinetic energy after, J
     dissipated        what friction took, J
+    lost              what the bodies' material took, J
     error_estimate    of the velocity after, over that before
     method            how the impact was followed
     warnings          what limits the validity
@@ -229,11 +230,12 @@ class Rebound(Record):
     energy_before: Numbers
     energy_after: Numbers
     dissipated: Numbers
+    lost: Numbers
     error_estimate: Numbers
     method: str | list[str]
     warnings: str | list[str]
 
 
-Rebound.units = {'velocity_1': 'm/s', 'spin_1': '1/s', 'velocity_2': 'm/s', 'spin_2': '1/s', 'impulse': 'N s', 'velocity_before': 'm/s', 'velocity_after': 'm/s', 'restitution': '', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'energy_before': 'J', 'energy_after': 'J', 'dissipated': 'J', 'error_estimate': '', 'method': '', 'warnings': ''}
-Rebound.meanings = {'velocity_1': 'of the centre of body 1 afterwards', 'spin_1': 'of body 1 afterwards', 'velocity_2': 'of the centre of body 2 afterwards', 'spin_2': 'of body 2 afterwards', 'impulse': 'that body 2 gave body 1', 'velocity_before': 'of contact point 2 against 1 before', 'velocity_after': 'of contact point 2 against 1 after', 'restitution': 'R_x, the tangential velocity after over that before, reversed', 'duration': 'from touch to separation', 'maximal_force': 'greatest normal force', 'maximal_approach': 'greatest approach', 'semi_axis_a': 'of the greatest contact, smaller', 'semi_axis_b': 'of the greatest contact, larger', 'energy_before': 'kinetic energy before', 'energy_after': 'kinetic energy after', 'dissipated': 'what friction took', 'error_estimate': 'of the velocity after, over that before', 'method': 'how the impact was followed', 'warnings': 'what limits the validity'}
+Rebound.units = {'velocity_1': 'm/s', 'spin_1': '1/s', 'velocity_2': 'm/s', 'spin_2': '1/s', 'impulse': 'N s', 'velocity_before': 'm/s', 'velocity_after': 'm/s', 'restitution': '', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'energy_before': 'J', 'energy_after': 'J', 'dissipated': 'J', 'lost': 'J', 'error_estimate': '', 'method': '', 'warnings': ''}
+Rebound.meanings = {'velocity_1': 'of the centre of body 1 afterwards', 'spin_1': 'of body 1 afterwards', 'velocity_2': 'of the centre of body 2 afterwards', 'spin_2': 'of body 2 afterwards', 'impulse': 'that body 2 gave body 1', 'velocity_before': 'of contact point 2 against 1 before', 'velocity_after': 'of contact point 2 against 1 after', 'restitution': 'R_x, the tangential velocity after over that before, reversed', 'duration': 'from touch to separation', 'maximal_force': 'greatest normal force', 'maximal_approach': 'greatest approach', 'semi_axis_a': 'of the greatest contact, smaller', 'semi_axis_b': 'of the greatest contact, larger', 'energy_before': 'kinetic energy before', 'energy_after': 'kinetic energy after', 'dissipated': 'what friction took', 'lost': "what the bodies' material took", 'error_estimate': 'of the velocity after, over that before', 'method': 'how the impact was followed', 'warnings': 'what limits the validity'}
 Rebound._vectors = frozenset(['velocity_1', 'spin_1', 'velocity_2', 'spin_2', 'impulse', 'velocity_before', 'velocity_after'])
