@@ -213,11 +213,14 @@ fn layers_and_deep_joins_stay_below_their_share() {
     }
 }
 
-/// Paths on which a zone of slip ends inside a piece, with stick above: off by 2e-4 if the piece stays one.
+/// Paths on which a zone of slip ends inside a piece, with stick above: off by five to ten times as much
+/// if the piece stays one.
 #[test]
 fn zones_of_slip_inside_a_piece_are_found() {
     let scan = Scan { tolerance: 1e-3, parts: 1, rings: 1000 };
-    assert!(scan.run(Kind::Corners, 264..265).largest < 1e-4);
+    for (kind, seed) in [(Kind::Corners, 218), (Kind::Adversarial, 259), (Kind::Adversarial, 264)] {
+        assert!(scan.run(kind, seed..seed + 1).largest < 4e-5, "{kind:?}, {seed}");
+    }
     // A flat parabola that hid a curve to and fro, by 1.4e-3.
     let scan = Scan { tolerance: 1e-2, parts: 1, rings: 500 };
     assert!(scan.run(Kind::Turning, 291..292).largest < 5e-4);
