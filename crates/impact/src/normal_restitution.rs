@@ -2,7 +2,8 @@
 //!
 //! Elastic bodies without friction part as fast as they met. Real ones lose energy to plastic flow,
 //! internal friction and waves. [`NormalRestitution`] lets them, by a share of the elastic impulse:
-//! where that is J, they part with `s J`, `s = (1 + e)/2`. The pulse is taken to be weaker in all its
+//! where that is J, they part with `s J`, such that e of the elastic normal velocity is left: `s = (1 + e)/2`
+//! where normal and tangential motion are uncoupled. The pulse is taken to be weaker in all its
 //! parts alike, so that it stays below the limit of friction where it was, sliding throughout is right,
 //! and `e = 1` is the elastic impact. Of the kinetic energy friction takes `s Q`, Q its heat in the
 //! elastic impact, and the material `s (1 - s) J.D.J/2`, D the mobility: of a normal impact at v
@@ -11,7 +12,8 @@
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-/// How much of the normal velocity is left after an impact, over that before.
+/// The normal velocity after an impact over that of the elastic one, which is that before where normal and
+/// tangential motion are uncoupled.
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -65,12 +67,13 @@ impl NormalRestitution {
         self == Self::ELASTIC
     }
 
-    /// The part of the elastic impulse that is left.
-    pub(crate) fn part(self, wave_share: f64) -> f64 {
-        match self.0 {
-            Cause::Given(e) => 0.5 * (1.0 + e),
-            Cause::Waves => 0.5 * (1.0 + (1.0 - wave_share).max(0.0).sqrt()),
-        }
+    /// What is left of an impact whose elastic normal velocities are these, before and after.
+    pub(crate) fn damped(self, wave_share: f64, [before, after]: [f64; 2]) -> Damped {
+        let e = match self.0 {
+            Cause::Given(e) => e,
+            Cause::Waves => (1.0 - wave_share).max(0.0).sqrt(),
+        };
+        Damped { part: (before - e * after) / (before - after) }
     }
 }
 

@@ -74,7 +74,8 @@ pub struct Rebound {
     pub method: ImpactMethod,
     /// How often the approach grew: 2 or more if the bodies were pressed together again.
     pub compressions: u32,
-    /// Last change of the velocity under refinement over |v_A|; 0 where the solution is exact.
+    /// Last change of the velocity under refinement over |v_A|, twice that where rings slip each by
+    /// itself; 0 where the solution is exact.
     pub error_estimate: f64,
     /// The regimes in order with the times they began.
     pub log: Vec<LogEntry>,

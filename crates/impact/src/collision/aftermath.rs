@@ -11,7 +11,6 @@ use crate::body::{Body, Motion};
 use crate::closed_form::{NOTICEABLE, restitution_without_slip};
 use crate::coupled::is_coupled;
 use crate::normal::NormalImpact;
-use crate::normal_restitution::Damped;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
 use crate::outcome::{EnergyBudget, Rebound, Torsion, TorsionMode, Warning};
 use crate::wave_share::wave_share;
@@ -30,7 +29,7 @@ impl Collision {
         let (before, elastic) = (passed.before, passed.after);
         let whole = passed.impulse.unwrap_or_else(|| self.mobility.impulse(&before, &elastic));
         let share = self.wave_share(before.z)?;
-        let damped = Damped { part: self.normal_restitution.part(share) };
+        let damped = self.normal_restitution.damped(share, [before.z, elastic.z]);
         let [impulse, after] = damped.motion(whole, [&before, &elastic]);
         let mut motions = [0, 1].map(|i| {
             let push = if i == 0 { impulse } else { -impulse };
