@@ -1,5 +1,6 @@
 //! What a release needs, gone through without releasing anything.
 
+mod oldest;
 pub(crate) mod packages;
 mod wheel;
 
@@ -30,9 +31,10 @@ pub(crate) fn run(options: &flags::Release) -> anyhow::Result<()> {
     pack(&packages, if options.quick { &["--no-verify"] } else { &[] })?;
     semver(&packages)?;
     if options.quick {
-        println!("the wheel: left out (--quick)");
+        println!("the oldest Rust and the wheel: left out (--quick)");
         return Ok(());
     }
+    oldest::check()?;
     wheel::check(&packages.in_order()?[0].version)
 }
 
@@ -52,6 +54,7 @@ pub(crate) fn whole() -> anyhow::Result<Packages> {
         faults.push(format!("CITATION.cff: not of version {version}"));
     }
     faults.extend(wheel::faults()?);
+    faults.extend(oldest::faults()?);
     ensure!(
         faults.is_empty(),
         "{} faults in the packages:\n  {}",
