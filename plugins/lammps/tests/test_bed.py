@@ -64,8 +64,8 @@ def twisting(tmp_path_factory):
 
 @pytest.mark.slow
 def test_ranks_and_borders_with_torsion(twisting, tmp_path):
-    """A thousand steps are the same to 1e-12 diameters. Later a contact may choose otherwise, by round-off, between
-    the closed form of its torque and its rings: 4e-10 diameters were seen after the second thousand."""
+    """A thousand steps are the same to 1e-12 diameters. Later a step of one pair's torque comes out otherwise by
+    round-off, a choice within the law of twists, and stays so: 4e-10 diameters after the second thousand."""
     off = {}
     for steps in (1000, 2000):
         variables = {"from": twisting, "n": steps}

@@ -29,7 +29,7 @@ def test_energy_goes_where_it_is_booked(tmp_path, law):
             assert np.diff(table[heat]).min() >= 0
         missed.append(np.abs(total - total[0]).max() / gone)
     print(law, "balance over what became heat, by step:", missed)
-    assert missed[0] < (1e-3 if "torsion" not in law else 2e-2)
+    assert missed[0] < 1e-3
     for coarse, fine in zip(missed, missed[1:]):
         assert fine < 0.4 * coarse
 
