@@ -58,6 +58,15 @@
 // The contact point was found by sampling; the bodies may touch elsewhere too.
 #define CAROM_WARNING_POINT_SAMPLED 32
 
+// Nothing is lost in the bodies' material.
+#define CAROM_LOSS_NONE 0
+
+// `normal_restitution` of the elastic normal velocity is left, in [0, 1].
+#define CAROM_LOSS_GIVEN 1
+
+// What elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` says nothing.
+#define CAROM_LOSS_BY_WAVES 2
+
 // Coulomb's law in two directions, each ring of the contact by itself, to a tolerance.
 #define CAROM_LAW_COULOMB 0
 
@@ -85,7 +94,7 @@
 
 // Changes whenever a structure or a function of this header does; compare it with
 // `carom_abi_version()` of the library that is loaded.
-#define CAROM_ABI_VERSION 2
+#define CAROM_ABI_VERSION 3
 
 // How a call ended.
 enum carom_status
@@ -393,6 +402,8 @@ typedef struct carom_rebound {
   double energy_after;
   // What friction took, J.
   double dissipated;
+  // What the bodies' material took, J: 0 of elastic ones.
+  double lost;
   // How far the velocity after may be off over that before; 0 where the solution is exact.
   double error_estimate;
 } carom_rebound;
@@ -636,6 +647,22 @@ carom_status carom_collide(const struct carom_body *body_1,
                            struct carom_rebound *rebound,
                            struct carom_error *error);
 
+// The same of bodies whose material loses energy, beyond the elastic theory. `loss` is a CAROM_LOSS, and
+// `normal_restitution` the part of the elastic normal velocity that CAROM_LOSS_GIVEN leaves: 1 is elastic,
+// at 0 the bodies do not part along the normal. Impulse and heat of friction shrink with the normal pulse;
+// duration, force and approach are those of the elastic impact.
+//
+// # Safety
+// As for `carom_collide`.
+carom_status carom_collide_losing(const struct carom_body *body_1,
+                                  const struct carom_body *body_2,
+                                  double friction,
+                                  uint32_t loss,
+                                  double normal_restitution,
+                                  const double *normal,
+                                  struct carom_rebound *rebound,
+                                  struct carom_error *error);
+
 // Advances many contacts of one pair, contact i by its own shift. The strides are the bytes from one
 // entry to the next, so that the arrays may be columns of larger structures; `loads` may be null.
 //
@@ -858,6 +885,22 @@ carom_status carom_collide(const struct carom_body *body_1,
                            const double *normal,
                            struct carom_rebound *rebound,
                            struct carom_error *error);
+
+// The same of bodies whose material loses energy, beyond the elastic theory. `loss` is a CAROM_LOSS, and
+// `normal_restitution` the part of the elastic normal velocity that CAROM_LOSS_GIVEN leaves: 1 is elastic,
+// at 0 the bodies do not part along the normal. Impulse and heat of friction shrink with the normal pulse;
+// duration, force and approach are those of the elastic impact.
+//
+// # Safety
+// As for `carom_collide`.
+carom_status carom_collide_losing(const struct carom_body *body_1,
+                                  const struct carom_body *body_2,
+                                  double friction,
+                                  uint32_t loss,
+                                  double normal_restitution,
+                                  const double *normal,
+                                  struct carom_rebound *rebound,
+                                  struct carom_error *error);
 
 // The constants of two spheres, or of a sphere on a plane (an infinite radius) or in a hollow sphere
 // (a negative radius). A tolerance of 0 is that of particles, 1e-2.

@@ -277,3 +277,29 @@ fn together_each_goes_as_alone() {
     }
     assert!(sum > 1.0 && apart > 100, "{sum} {apart}");
 }
+
+/// The first step of a contact has seen the touch, wherever in it that was: on a way that rises and shifts
+/// alike, all sticks, and F_x = (2/3) c_x (xi/zeta) zeta^1.5.
+#[test]
+fn a_contact_begins_where_its_first_step_touched() {
+    let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
+    let (slope, dt) = (0.1, 0.5);
+    for (part, accounted) in [(1e-3, false), (0.3, true), (0.5, false), (1.0, true)] {
+        let by = 1e-3;
+        let zeta = part * by;
+        let velocity = [slope * by / dt, 0.0, -by / dt];
+        let place = [0.0, 0.0, 1.0 - zeta];
+        let grain = Grain { place, velocity, spin: [0.0; 3], radius: 1.0 };
+        let meeting = Meeting::on_wall(&grain, &wall, 1.0);
+        let (mut contact, mut heats) = (fresh(0.0), Heats::default());
+        let load = match accounted {
+            true => contact.advance_accounted(&meeting, dt, &mut heats),
+            false => contact.advance(&meeting, dt),
+        };
+        let [x, y, z] = load.unwrap().force;
+        let normal = 2.0 / 3.0 * zeta.powf(1.5);
+        assert!((z / normal - 1.0).abs() < 1e-10, "{part}: {z:e} for {normal:e}");
+        assert!((x / (-0.85 * slope * normal) - 1.0).abs() < 1e-10, "{part}: {x:e}");
+        assert!(y.abs() < 1e-14 * normal && heats.friction.abs() < 1e-12 * normal * by);
+    }
+}
