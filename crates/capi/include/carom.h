@@ -248,14 +248,6 @@ typedef struct carom_report {
   carom_regime regime;
 } carom_report;
 
-// An elastic material, or a rigid one.
-typedef struct carom_material {
-  // Young's modulus, Pa; infinite for a rigid body.
-  double young_modulus;
-  // Poisson's ratio, in (-1, 0.5]; of no meaning for a rigid body.
-  double poisson;
-} carom_material;
-
 // The constants of the contacts of two materials: plain data, made by `carom_grains_of` and not to be
 // changed but by it.
 typedef struct carom_grains {
@@ -303,6 +295,20 @@ typedef struct carom_grain_load {
   double torque_2[3];
 } carom_grain_load;
 
+// Two grains and their contact, of many that make their step in one call.
+typedef struct carom_encounter {
+  // The constants of their materials.
+  const struct carom_grains *grains;
+  // Their contact: of each pair its own.
+  struct carom_touch *touch;
+  // Body 1.
+  struct carom_grain one;
+  // Body 2.
+  struct carom_grain two;
+  // What body 2 exerts on body 1 at the end of the step: to be written.
+  struct carom_grain_load load;
+} carom_encounter;
+
 // What became of mechanical energy, J: sums, to which a step adds.
 typedef struct carom_heats {
   // The heat of friction, with what a receding edge releases.
@@ -310,6 +316,14 @@ typedef struct carom_heats {
   // The heat of the viscoelastic material.
   double damping;
 } carom_heats;
+
+// An elastic material, or a rigid one.
+typedef struct carom_material {
+  // Young's modulus, Pa; infinite for a rigid body.
+  double young_modulus;
+  // Poisson's ratio, in (-1, 0.5]; of no meaning for a rigid body.
+  double poisson;
+} carom_material;
 
 // A flat wall that may move along.
 typedef struct carom_wall {
@@ -527,6 +541,21 @@ carom_status carom_contact_unpack(const struct carom_pair *pair,
                                   const struct carom_state *state,
                                   struct carom_contact *contact,
                                   struct carom_error *error);
+
+// One step of the duration `dt` of many pairs of grains: `carom_touch_grains` for each, to the same bits and
+// in less time, since some go through the processor together.
+//
+// What cannot make its step ends the call, and `error->index` names it: those before it have made theirs.
+// `heats` may be null; it costs several times the force.
+//
+// # Safety
+// `encounters` is null or `count` of them may be read and written, and what each points to is as in
+// `carom_touch_grains`; no two have the same touch. `heats` and `error` are null or may be written.
+carom_status carom_touch_many(struct carom_encounter *encounters,
+                              size_t count,
+                              double dt,
+                              struct carom_heats *heats,
+                              struct carom_error *error);
 
 // A few words for each status; never null, and not to be freed.
 const char *carom_status_text(int32_t status);
@@ -751,6 +780,21 @@ carom_status carom_contact_unpack(const struct carom_pair *pair,
                                   const struct carom_state *state,
                                   struct carom_contact *contact,
                                   struct carom_error *error);
+
+// One step of the duration `dt` of many pairs of grains: `carom_touch_grains` for each, to the same bits and
+// in less time, since some go through the processor together.
+//
+// What cannot make its step ends the call, and `error->index` names it: those before it have made theirs.
+// `heats` may be null; it costs several times the force.
+//
+// # Safety
+// `encounters` is null or `count` of them may be read and written, and what each points to is as in
+// `carom_touch_grains`; no two have the same touch. `heats` and `error` are null or may be written.
+carom_status carom_touch_many(struct carom_encounter *encounters,
+                              size_t count,
+                              double dt,
+                              struct carom_heats *heats,
+                              struct carom_error *error);
 
 // A few words for each status; never null, and not to be freed.
 const char *carom_status_text(int32_t status);

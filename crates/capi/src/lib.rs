@@ -17,6 +17,7 @@
 
 mod batch;
 mod contact;
+mod encounters;
 mod error;
 mod grains;
 mod impact;
@@ -36,6 +37,7 @@ pub use contact::{
     carom_contact_heat, carom_contact_load, carom_contact_pack, carom_contact_report,
     carom_contact_turn_frame, carom_contact_unpack,
 };
+pub use encounters::{CaromEncounter, carom_touch_many};
 pub use error::{CaromError, CaromStatus, carom_status_text};
 pub use grains::{
     CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, CaromWall, carom_grains_of,
