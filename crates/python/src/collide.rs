@@ -19,7 +19,7 @@ struct Way {
     torsion: bool,
     law: VectorLaw,
     tolerance: Option<f64>,
-    normal_restitution: f64,
+    loss: NormalRestitution,
 }
 
 impl Way {
@@ -37,12 +37,16 @@ impl Way {
                 return Err(PyValueError::new_err(text));
             }
         };
-        Ok(Self { normal, torsion, law, tolerance, normal_restitution: 1.0 })
+        Ok(Self { normal, torsion, law, tolerance, loss: NormalRestitution::ELASTIC })
     }
 
-    /// Where the material takes a part.
-    fn losing(self, normal_restitution: f64) -> Self {
-        Self { normal_restitution, ..self }
+    /// Where the material takes a part: what leaves this of the normal velocity, or what waves carry away.
+    fn losing(self, normal_restitution: Option<f64>) -> Result<Self, Fault> {
+        let loss = match normal_restitution {
+            Some(left) => NormalRestitution::new(left)?,
+            None => NormalRestitution::by_waves(),
+        };
+        Ok(Self { loss, ..self })
     }
 
     fn collision(&self, one: Colliding, two: Colliding, friction: f64) -> Result<Collision, Fault> {
@@ -51,9 +55,7 @@ impl Way {
             Some(normal) => Collision::along(one, two, normal, friction)?,
             None => Collision::touching(one, two, friction)?,
         };
-        collision = collision
-            .with_law(self.law)
-            .with_normal_restitution(NormalRestitution::new(self.normal_restitution)?);
+        collision = collision.with_law(self.law).with_normal_restitution(self.loss);
         if let Some(tolerance) = self.tolerance {
             collision = collision.within(tolerance)?;
         }
@@ -73,9 +75,9 @@ pub(crate) fn collide<'py>(
     torsion: bool,
     law: &str,
     tolerance: Option<f64>,
-    normal_restitution: f64,
+    normal_restitution: Option<f64>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution);
+    let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution)?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let solve =
         || -> Result<Parted, Fault> { Ok(way.collision(one, two, friction)?.solve()?.into()) };
@@ -95,9 +97,9 @@ pub(crate) fn collide_many<'py>(
     torsion: bool,
     law: &str,
     tolerance: Option<f64>,
-    normal_restitution: f64,
+    normal_restitution: Option<f64>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution);
+    let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution)?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let friction = friction.as_slice()?;
     let mut rows: [&[[f64; 3]]; 4] = [&[]; 4];

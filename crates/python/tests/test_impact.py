@@ -177,3 +177,17 @@ def test_the_material_takes_a_part():
     assert rebound.lost >= 0.5 * 0.037 * (9 - 2.4**2) * (1 - 1e-12)
     with pytest.raises(carom.RangeError, match="normal restitution = 1.5"):
         carom.collide(ball, floor, 0.5, normal_restitution=1.5)
+
+
+def test_waves_take_their_share():
+    steel = carom.Material(208e9, 0.3)
+    ball = carom.sphere(0.01, steel, 0.033, velocity=(0, 0, -2))
+    plate = carom.plane(steel)
+    rebound = carom.collide(ball, plate, 0.2, wave_loss=True)
+    loss = rebound.lost / rebound.energy_before
+    assert 0 < loss < 0.1
+    assert rebound.velocity_1[2] == pytest.approx(2 * np.sqrt(1 - loss), rel=1e-12)
+    many = carom.collide_many(ball, plate, 0.2, velocity_1=[(0, 0, -2), (0, 0, -4)], wave_loss=True)
+    assert many.lost[0] == rebound.lost and many.lost[1] > 4 * rebound.lost
+    with pytest.raises(ValueError, match="normal_restitution"):
+        carom.collide(ball, plate, 0.2, normal_restitution=0.9, wave_loss=True)

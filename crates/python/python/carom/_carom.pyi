@@ -215,7 +215,7 @@ def collide(
     torsion: bool,
     law: str,
     tolerance: float | None,
-    normal_restitution: float,
+    normal_restitution: float | None,
 ) -> _Columns: ...
 def collide_many(
     body_1: Body,
@@ -226,7 +226,7 @@ def collide_many(
     torsion: bool,
     law: str,
     tolerance: float | None,
-    normal_restitution: float,
+    normal_restitution: float | None,
 ) -> _Columns: ...
 def history(
     body_1: Body,

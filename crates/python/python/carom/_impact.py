@@ -37,6 +37,13 @@ def plane(material: Material) -> Body:
     return Body("plane", [], material)
 
 
+def _left(normal_restitution: float, wave_loss: bool) -> float | None:
+    """What the material leaves of the normal velocity; None is what waves leave."""
+    if wave_loss and normal_restitution != 1.0:
+        raise ValueError("normal_restitution: not beside wave_loss, since it is what waves leave")
+    return None if wave_loss else normal_restitution
+
+
 def collide(
     body_1: Body,
     body_2: Body,
@@ -47,12 +54,14 @@ def collide(
     law: str = "coulomb",
     tolerance: float | None = None,
     normal_restitution: float = 1.0,
+    wave_loss: bool = False,
 ) -> Rebound:
     """Two bodies collide: body 1 is put on body 2 with this common normal, from body 2 into body 1.
 
     With `normal=None` they touch where they are. `torsion` takes the spin about the normal along. Where
     the direction of slip turns, `law` is 'coulomb' or 'chapter 8', one direction for each ring. With a
-    `normal_restitution` below 1 the material takes a part, beyond the elastic theory.
+    `normal_restitution` below 1 the material takes a part, beyond the elastic theory; with `wave_loss` as much as
+    elastic waves carry away.
 
     >>> import carom
     >>> rubber = carom.Material(5e6, 0.5)
@@ -65,7 +74,7 @@ def collide(
     True
     """
     columns = _carom.collide(
-        body_1, body_2, friction, normal, torsion, law, tolerance, normal_restitution
+        body_1, body_2, friction, normal, torsion, law, tolerance, _left(normal_restitution, wave_loss)
     )
     return Rebound._of(columns, ())
 
@@ -84,6 +93,7 @@ def collide_many(
     law: str = "coulomb",
     tolerance: float | None = None,
     normal_restitution: float = 1.0,
+    wave_loss: bool = False,
 ) -> Rebound:
     """The same two bodies collide in many motions, arrays (n, 3), and with many frictions, (n,).
 
@@ -109,7 +119,7 @@ def collide_many(
     motions = [rows(name, d if v is None else v, count) for name, v, d in told]
     frictions = line(spread("friction", friction, (count,)))
     columns = _carom.collide_many(
-        body_1, body_2, frictions, motions, normal, torsion, law, tolerance, normal_restitution
+        body_1, body_2, frictions, motions, normal, torsion, law, tolerance, _left(normal_restitution, wave_loss)
     )
     return Rebound._of(columns, (count,))
 
