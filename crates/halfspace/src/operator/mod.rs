@@ -62,6 +62,19 @@ pub trait SurfaceOperator: Send + Sync {
         None
     }
 
+    /// The same influence on fewer cells of the same widths; none unless that is one on the part of
+    /// the grid alone.
+    ///
+    /// # Errors
+    /// [`OperatorError::TooLarge`] for memory, [`OperatorError::Range`] for more cells or none.
+    fn on_fewer(
+        &self,
+        _nx: usize,
+        _ny: usize,
+    ) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
+        None
+    }
+
     /// The working memory of repeated products.
     fn workspace(&self) -> Workspace {
         Workspace::default()

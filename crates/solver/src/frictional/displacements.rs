@@ -61,9 +61,12 @@ impl Pass<'_> {
         Ok(())
     }
 
-    /// Shifts, and displacements of all cells: the slip, the last ones and the rigid shift of the
-    /// step. Cells that touch without friction slip.
-    pub(super) fn finish(&self, to: &mut ContactState, scratch: &FrictionalScratch) {
+    /// Shifts, and displacements of all cells. Cells that touch without friction slip.
+    pub(super) fn finish(
+        &mut self,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<(), FrictionalError> {
         let given = self.drive.shift_after(self.from.shift);
         let [dx, dy, turn] = self.rigid.moved;
         to.shift = Shift {
@@ -72,17 +75,15 @@ impl Pass<'_> {
             eta: given.eta + dy,
             omega: given.omega + turn,
         };
-        let slip = match &scratch.coupled {
-            Some(coupled) if self.together => coupled.slip(),
-            _ => scratch.tangential.slip(),
-        };
-        let [all_x, all_y, all_turn] = self.moved();
-        let [dx, dy, turn] = [all_x + dx, all_y + dy, all_turn + turn];
-        let before = [self.from.displacement_x.values(), self.from.displacement_y.values()];
+        let tangential = TractionField::tangential(to.traction_x.values(), to.traction_y.values());
+        let normal = self.problem.operator().is_coupled().then(|| to.pressure.values());
+        let load = TractionField { normal, ..tangential };
         let (u, v) = (to.displacement_x.values_mut(), to.displacement_y.values_mut());
-        for (i, (x, y)) in self.problem.grid().centres().enumerate() {
-            u[i] = slip[0][i] + before[0][i] + dx + y * turn; // (12.2)
-            v[i] = slip[1][i] + before[1][i] + dy - x * turn;
+        let displacement = DisplacementField::tangential(u, v);
+        self.problem.operator().apply(load, displacement, &mut scratch.workspace)?;
+        self.spent.tangential += 1.0;
+        if normal.is_some() {
+            self.spent.coupling += 1.0;
         }
         for ((cell, pressure), friction) in
             to.cells.values_mut().iter_mut().zip(to.pressure.values()).zip(&scratch.limits.friction)
@@ -91,5 +92,6 @@ impl Pass<'_> {
                 *cell = CellState::Slip;
             }
         }
+        Ok(())
     }
 }

@@ -1,10 +1,12 @@
 //! The tangential problem at known pressures, started from coarser grids.
 
 mod active_set;
+mod contact;
 mod course;
 mod descent;
 mod law;
 mod loads;
+mod packed;
 mod precondition;
 mod rigid;
 mod sets;
@@ -147,11 +149,6 @@ impl TangentialScratch {
             coarse.push(level);
         }
         Ok(Self { set: ActiveSet::new(operator), coarse })
-    }
-
-    /// The slip of the last solution.
-    pub(crate) const fn slip(&self) -> &[Vec<f64>; 2] {
-        &self.set.slip
     }
 
     /// Solves a task to the tolerance, from its own start.
