@@ -153,6 +153,10 @@ impl SurfaceOperator for HalfSpaceOperator {
         !self.pair().is_uncoupled()
     }
 
+    fn is_separate(&self) -> bool {
+        self.pair().poisson() == 0.0
+    }
+
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
         let beyond = |offset: i32, count: usize| offset.unsigned_abs() as usize >= count;
         if beyond(columns, self.grid.nx()) || beyond(rows, self.grid.ny()) {

@@ -5,7 +5,7 @@ mod displacements;
 mod pass;
 mod turns;
 
-use carom_halfspace::operator::{OperatorError, Workspace};
+use carom_halfspace::operator::OperatorError;
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
@@ -15,8 +15,9 @@ use crate::coupled::Coupled;
 use crate::drive::{Drive, Driven};
 use crate::limits::FrictionLimits;
 use crate::method::Method;
+use crate::nested;
 use crate::normal::NormalGrids;
-use crate::problem::ContactProblem;
+use crate::problem::{ContactProblem, PeriodError};
 use crate::state::ContactState;
 use crate::tangential::{Rigid, TangentialScratch};
 use pass::Pass;
@@ -76,6 +77,9 @@ pub enum FrictionalError {
     /// The operator failed.
     #[error(transparent)]
     Operator(#[from] OperatorError),
+    /// No load on a period leads to a given shift.
+    #[error(transparent)]
+    Period(#[from] PeriodError),
     /// A tangential force is given that friction cannot hold: the bodies slide.
     #[error(
         "the tangential force {force} is not below what friction can hold, {limit}: the bodies slide"
@@ -133,9 +137,9 @@ impl Frictional {
 pub struct FrictionalScratch {
     normal: NormalGrids,
     tangential: TangentialScratch,
-    workspace: Workspace,
     limits: FrictionLimits,
-    /// The tangential displacement by pressure.
+    /// The tangential displacement by pressure; empty, as the two below the next, where neither acts
+    /// on the other.
     by_pressure: [Vec<f64>; 2],
     offset: [Vec<f64>; 2],
     /// The normal displacement by tangential tractions, of this pass and the last one.
@@ -154,16 +158,18 @@ impl Method for Frictional {
 
     fn scratch(&self, problem: &ContactProblem) -> Result<FrictionalScratch, FrictionalError> {
         let operator = problem.operator();
-        let zero = vec![0.0; problem.grid().cells()];
+        let zero = || vec![0.0; problem.grid().cells()];
+        let heights = problem.gap().heights().values();
+        let coarser = nested::coarser_operators(operator)?;
+        let coupling = || if operator.is_coupled() { zero() } else { Vec::new() };
         Ok(FrictionalScratch {
-            normal: NormalGrids::new(operator, problem.gap().heights().values())?,
-            tangential: TangentialScratch::new(operator)?,
-            workspace: operator.workspace(),
-            limits: FrictionLimits::new(zero.len()),
-            by_pressure: [zero.clone(), zero.clone()],
-            offset: [zero.clone(), zero.clone()],
-            by_traction: zero.clone(),
-            last: zero,
+            normal: NormalGrids::new(operator, heights, || Ok(coarser.clone()))?,
+            tangential: TangentialScratch::new(operator, &coarser),
+            limits: FrictionLimits::new(problem.grid().cells()),
+            by_pressure: [coupling(), coupling()],
+            offset: [zero(), zero()],
+            by_traction: coupling(),
+            last: coupling(),
             mixing: Mixing::default(),
             broken: vec![false; problem.grid().cells()],
             coupled: None,
@@ -190,6 +196,7 @@ impl Method for Frictional {
             let (products, residuals) = Default::default();
             return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
         }
+        problem.check_approach(drive.normal)?;
         let area = problem.grid().cell_area();
         let load = |driven| match driven {
             Driven::Shift(_) => None,

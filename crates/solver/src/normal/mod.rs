@@ -7,15 +7,13 @@ mod signs;
 use std::sync::Arc;
 
 use carom_halfspace::Grid;
-use carom_halfspace::operator::{OperatorError, SurfaceOperator};
+use carom_halfspace::operator::{OperatorError, SurfaceOperator, Workspace};
 
 use crate::convergence::{Convergence, Observer, Products};
 use crate::drive::Driven;
 use crate::nested;
 use active_set::{ActiveSet, Limits, NormalTask};
 
-/// Grids with fewer cells along a side than this are not made coarser.
-const COARSEST: usize = 32;
 /// Coarse grids stop when a correction changes the pressure by less than this, the coarsest by
 /// less than a tenth of it.
 const COARSE_CHANGE: f64 = 1e-2;
@@ -45,13 +43,21 @@ struct Level {
 }
 
 impl NormalGrids {
+    /// With coarser grids of the operator, finest first.
     pub(crate) fn new(
         operator: &dyn SurfaceOperator,
         heights: &[f64],
+        coarser: impl FnOnce() -> Result<Vec<Arc<dyn SurfaceOperator>>, OperatorError>,
     ) -> Result<Self, OperatorError> {
         let mut levels = vec![Level::new(operator, heights.to_vec())];
-        while let Some(level) = levels[levels.len() - 1].coarser(operator)? {
-            levels.push(level);
+        // A known outline needs no coarse grids, and the peaks at its edge are lost on them.
+        if heights.iter().all(|height| !height.is_infinite()) {
+            for operator in coarser()? {
+                let above = &levels[levels.len() - 1];
+                let heights = nested::coarser(above.grid, &above.heights, operator.grid());
+                let level = Level::new(&*operator, heights);
+                levels.push(Level { operator: Some(operator), ..level });
+            }
         }
         Ok(Self { levels })
     }
@@ -69,6 +75,11 @@ impl NormalGrids {
     /// The heights of the finest grid, to be changed.
     pub(crate) fn heights_mut(&mut self) -> &mut [f64] {
         &mut self.levels[0].heights
+    }
+
+    /// The working memory of the finest grid's products.
+    pub(crate) fn workspace(&mut self) -> &mut Workspace {
+        &mut self.levels[0].set.workspace
     }
 
     /// A start from a known pressure.
@@ -124,21 +135,6 @@ impl Level {
     fn new(operator: &dyn SurfaceOperator, heights: Vec<f64>) -> Self {
         let (grid, pressure) = (operator.grid(), vec![0.0; heights.len()]);
         Self { grid, operator: None, heights, pressure, set: ActiveSet::new(operator) }
-    }
-
-    fn coarser(&self, own: &dyn SurfaceOperator) -> Result<Option<Self>, OperatorError> {
-        let small = self.grid.nx().min(self.grid.ny()) < COARSEST;
-        // A known outline needs no coarse grids, and the peaks at its edge are lost on them.
-        if small || self.heights.iter().any(|height| height.is_infinite()) {
-            return Ok(None);
-        }
-        let Some(operator) = self.operator.as_deref().unwrap_or(own).coarser() else {
-            return Ok(None);
-        };
-        let operator: Arc<dyn SurfaceOperator> = operator?.into();
-        let heights = nested::coarser(self.grid, &self.heights, operator.grid());
-        let level = Self::new(&*operator, heights);
-        Ok(Some(Self { operator: Some(operator), ..level }))
     }
 
     /// A first guess where nothing better is known: round pressures where the bodies come closest.

@@ -53,6 +53,9 @@ pub(super) struct Limits {
     pub(super) iterations: usize,
 }
 
+/// What tractions displace, over what they would cell by cell, counts as nothing below this.
+const NOTHING: f64 = 1e-8;
+
 /// Two components in each cell.
 pub(super) type Plane = [Vec<f64>; 2];
 
@@ -236,7 +239,7 @@ impl ActiveSet {
         }
         course.power = Some(power);
         self.multiply(task.operator, &mut course.products)?;
-        let (mut down, mut bend) = (0.0, 0.0);
+        let (mut down, mut bend, mut alone) = (0.0, 0.0, 0.0);
         let [along, across] = &self.direction;
         let rest = self.rest[0].iter().zip(&self.rest[1]);
         let image = self.image[0].iter().zip(&self.image[1]);
@@ -245,7 +248,10 @@ impl ActiveSet {
         {
             down += x * r_x + y * r_y;
             bend += x * u + y * v + own * (x * x + y * y);
+            alone += x * x + y * y;
         }
+        // Even tractions on all of a period displace nothing: they go on until some reach their limits.
+        let bend = bend.max(NOTHING * self.own * alone);
         let length = if bend > 0.0 { down / bend } else { 0.0 };
         Ok(self.correct(task, length, course))
     }

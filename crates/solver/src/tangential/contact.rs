@@ -121,6 +121,8 @@ pub(super) struct Within {
     workspace: Workspace,
     /// Cells of the box over all.
     part: f64,
+    /// Whether tractions along an axis displace along that axis alone.
+    separate: bool,
     /// Fields of the box, zero outside the contact, and what they lead to.
     there: [Vec<f64>; 2],
     back: [Vec<f64>; 2],
@@ -134,6 +136,7 @@ impl Within {
             inverse: None,
             workspace: Workspace::default(),
             part: 1.0,
+            separate: false,
             there: Default::default(),
             back: Default::default(),
         }
@@ -157,6 +160,7 @@ impl Within {
         }
         let own = self.fewer.as_deref().unwrap_or(operator);
         self.inverse = own.inverse();
+        self.separate = own.is_separate();
         self.part = own.grid().cells() as f64 / grid.cells() as f64;
         for field in self.there.iter_mut().chain(&mut self.back) {
             field.clear();
@@ -172,18 +176,50 @@ impl Within {
         displacement: &mut [Vec<f64>; 2],
         products: &mut Products,
     ) -> Result<(), OperatorError> {
+        let [x, y] = self.there(traction);
         let operator = self.fewer.as_deref().unwrap_or(operator);
-        for (own, field) in traction.iter().zip(&mut self.there) {
-            self.contact.fill(own, field);
-        }
-        let [u, v] = &mut self.back;
-        let tractions = TractionField::tangential(&self.there[0], &self.there[1]);
-        operator.apply(tractions, DisplacementField::tangential(u, v), &mut self.workspace)?;
-        for (own, field) in displacement.iter_mut().zip(&self.back) {
-            self.contact.take(field, own);
-        }
+        let [u, v] = self.wanted([x, y]);
+        let [along, across] = &mut self.back;
+        let [from_x, from_y] = &self.there;
+        let tractions = TractionField {
+            x: x.then_some(&from_x[..]),
+            y: y.then_some(&from_y[..]),
+            normal: None,
+        };
+        let displacements = DisplacementField {
+            u: u.then_some(&mut along[..]),
+            v: v.then_some(&mut across[..]),
+            w: None,
+        };
+        operator.apply(tractions, displacements, &mut self.workspace)?;
+        self.take([u, v], displacement);
         products.tangential += self.part;
         Ok(())
+    }
+
+    /// Puts what does not vanish into fields of the box; which components that are.
+    fn there(&mut self, fields: &[Vec<f64>; 2]) -> [bool; 2] {
+        // What is not a number is not zero, either.
+        let given = [0, 1].map(|axis| fields[axis].iter().any(|value: &f64| *value != 0.0));
+        for axis in (0..2).filter(|axis| given[*axis]) {
+            self.contact.fill(&fields[axis], &mut self.there[axis]);
+        }
+        given
+    }
+
+    /// Which components these reach.
+    const fn wanted(&self, [x, y]: [bool; 2]) -> [bool; 2] {
+        if self.separate { [x, y] } else { [x || y, x || y] }
+    }
+
+    fn take(&self, wanted: [bool; 2], fields: &mut [Vec<f64>; 2]) {
+        for axis in 0..2 {
+            if wanted[axis] {
+                self.contact.take(&self.back[axis], &mut fields[axis]);
+            } else {
+                fields[axis].fill(0.0);
+            }
+        }
     }
 
     /// Whether there is an approximate inverse.
@@ -194,15 +230,18 @@ impl Within {
     /// Replaces displacements by the tractions that an approximate inverse makes of them, if there is
     /// one.
     pub(super) fn invert(&mut self, field: &mut [Vec<f64>; 2], products: &mut Products) {
-        let Some(inverse) = &self.inverse else { return };
-        for (own, field) in field.iter().zip(&mut self.there) {
-            self.contact.fill(own, field);
-        }
-        let [x, y] = &mut self.back;
-        inverse.traction([&self.there[0], &self.there[1]], [x, y], &mut self.workspace);
-        for (own, field) in field.iter_mut().zip(&self.back) {
-            self.contact.take(field, own);
-        }
+        let Some(inverse) = self.inverse.take() else { return };
+        let [x, y] = self.there(field);
+        let [u, v] = self.wanted([x, y]);
+        let [along, across] = &mut self.back;
+        let [from_x, from_y] = &self.there;
+        inverse.traction(
+            [x.then_some(&from_x[..]), y.then_some(&from_y[..])],
+            [u.then_some(&mut along[..]), v.then_some(&mut across[..])],
+            &mut self.workspace,
+        );
+        self.take([u, v], field);
+        self.inverse = Some(inverse);
         products.preconditioner += self.part;
     }
 }
