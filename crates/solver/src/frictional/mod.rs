@@ -1,11 +1,14 @@
 //! Contact with Coulomb's friction: normal and tangential problem in turn.
 
+mod boxed;
 mod cone;
 mod displacements;
 mod pass;
 mod turns;
 
-use carom_halfspace::operator::OperatorError;
+use std::sync::Arc;
+
+use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
@@ -20,6 +23,7 @@ use crate::normal::NormalGrids;
 use crate::problem::{ContactProblem, PeriodError};
 use crate::state::ContactState;
 use crate::tangential::{Rigid, TangentialScratch};
+use boxed::Boxed;
 use pass::Pass;
 
 /// Contact with Coulomb's friction, one step at a time: pressures at the last tractions, tractions
@@ -150,6 +154,9 @@ pub struct FrictionalScratch {
     broken: Vec<bool>,
     /// Pressures and tractions together, built when it is first needed.
     coupled: Option<Box<Coupled>>,
+    /// The box of the last step that had one, and the normal displacements of all cells.
+    boxed: Option<Box<Boxed>>,
+    sunk: Vec<f64>,
 }
 
 impl Method for Frictional {
@@ -157,23 +164,7 @@ impl Method for Frictional {
     type Scratch = FrictionalScratch;
 
     fn scratch(&self, problem: &ContactProblem) -> Result<FrictionalScratch, FrictionalError> {
-        let operator = problem.operator();
-        let zero = || vec![0.0; problem.grid().cells()];
-        let heights = problem.gap().heights().values();
-        let coarser = nested::coarser_operators(operator)?;
-        let coupling = || if operator.is_coupled() { zero() } else { Vec::new() };
-        Ok(FrictionalScratch {
-            normal: NormalGrids::new(operator, heights, || Ok(coarser.clone()))?,
-            tangential: TangentialScratch::new(operator, &coarser),
-            limits: FrictionLimits::new(problem.grid().cells()),
-            by_pressure: [coupling(), coupling()],
-            offset: [zero(), zero()],
-            by_traction: coupling(),
-            last: coupling(),
-            mixing: Mixing::default(),
-            broken: vec![false; problem.grid().cells()],
-            coupled: None,
-        })
+        self.scratch_with(problem, &nested::coarser_operators(problem.operator())?)
     }
 
     fn step(
@@ -197,6 +188,47 @@ impl Method for Frictional {
             return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
         }
         problem.check_approach(drive.normal)?;
+        let boxed = self.step_in_a_box(problem, from, drive, to, scratch, observer)?;
+        boxed.map_or_else(|| self.step_on_all(problem, from, drive, to, scratch, observer), Ok)
+    }
+}
+
+impl Frictional {
+    fn scratch_with(
+        &self,
+        problem: &ContactProblem,
+        coarser: &[Arc<dyn SurfaceOperator>],
+    ) -> Result<FrictionalScratch, FrictionalError> {
+        let operator = problem.operator();
+        let zero = || vec![0.0; problem.grid().cells()];
+        let heights = problem.gap().heights().values();
+        let coupling = || if operator.is_coupled() { zero() } else { Vec::new() };
+        Ok(FrictionalScratch {
+            normal: NormalGrids::new(operator, heights, || Ok(coarser.to_vec()))?,
+            tangential: TangentialScratch::new(operator, coarser),
+            limits: FrictionLimits::new(problem.grid().cells()),
+            by_pressure: [coupling(), coupling()],
+            offset: [zero(), zero()],
+            by_traction: coupling(),
+            last: coupling(),
+            mixing: Mixing::default(),
+            broken: vec![false; problem.grid().cells()],
+            coupled: None,
+            boxed: None,
+            sunk: Vec::new(),
+        })
+    }
+
+    /// A step that touches, on all cells.
+    fn step_on_all(
+        &self,
+        problem: &ContactProblem,
+        from: &ContactState,
+        drive: &Drive,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, FrictionalError> {
         let area = problem.grid().cell_area();
         let load = |driven| match driven {
             Driven::Shift(_) => None,

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use carom_halfspace::Grid;
 use carom_halfspace::operator::{OperatorError, SurfaceOperator, Workspace};
 
-use crate::convergence::{Convergence, Observer, Products};
+use crate::convergence::{Convergence, Observer, Products, Stop};
 use crate::drive::Driven;
 use crate::nested;
 use active_set::{ActiveSet, Limits, NormalTask};
@@ -23,6 +23,9 @@ const COARSE_CHANGE: f64 = 1e-2;
 pub(crate) struct NormalGrids {
     levels: Vec<Level>,
 }
+
+/// A side of the grid that looks for the place of a contact, at most.
+const SCOUTS: usize = 64;
 
 /// How far to go on the finest grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -110,12 +113,23 @@ impl NormalGrids {
         driven: Driven,
         target: Target,
     ) -> Result<Products, OperatorError> {
+        self.climb(0, operator, driven, target)
+    }
+
+    /// A start on a grid from the coarsest one upwards.
+    fn climb(
+        &mut self,
+        to: usize,
+        operator: &dyn SurfaceOperator,
+        driven: Driven,
+        target: Target,
+    ) -> Result<Products, OperatorError> {
         let Target { tolerance, iterations } = target;
         let levels = &mut self.levels;
         let (coarsest, cells) = (levels.len() - 1, levels[0].grid.cells());
         levels[coarsest].guess(driven);
         let mut spent = Products::default();
-        for i in (1..=coarsest).rev() {
+        for i in (to + 1..=coarsest).rev() {
             let change = if i == coarsest { 0.1 * COARSE_CHANGE } else { COARSE_CHANGE };
             let limits = Limits { tolerance, change, iterations };
             let (_, coarse) = levels[i].solve(operator, driven, limits, &mut ())?;
@@ -129,12 +143,53 @@ impl NormalGrids {
         }
         Ok(spent)
     }
+
+    /// The columns and rows between which a coarse grid touches, first and last, and that grid; none
+    /// if there is none coarse enough, or if it does not say.
+    pub(crate) fn scout(
+        &mut self,
+        operator: &dyn SurfaceOperator,
+        driven: Driven,
+        target: Target,
+    ) -> Result<Option<(Grid, [[usize; 2]; 2])>, OperatorError> {
+        let few = |level: &Level| level.grid.cells() <= SCOUTS * SCOUTS;
+        let Some(at) = (1..self.levels.len()).find(|i| few(&self.levels[*i])) else {
+            return Ok(None);
+        };
+        let Some(lowest) = self.levels[at].lowest() else { return Ok(None) };
+        let grid = self.levels[at].grid;
+        let alone = [lowest % grid.nx(), lowest / grid.nx()].map(|place| [place; 2]);
+        if matches!(driven, Driven::Shift(approach) if self.levels[at].heights[lowest] >= approach)
+        {
+            return Ok(Some((grid, alone)));
+        }
+        self.climb(at, operator, driven, target)?;
+        let Target { tolerance, iterations } = target;
+        let limits = Limits { tolerance, change: COARSE_CHANGE, iterations };
+        let level = &mut self.levels[at];
+        let (_, went) = level.solve(operator, driven, limits, &mut ())?;
+        if went.stop != Stop::Converged {
+            return Ok(None);
+        }
+        let touching = level.pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0);
+        let extent = touching.fold(alone, |[columns, rows], (i, _)| {
+            let wider = |[low, high]: [usize; 2], at: usize| [low.min(at), high.max(at)];
+            [wider(columns, i % grid.nx()), wider(rows, i / grid.nx())]
+        });
+        Ok(Some((grid, extent)))
+    }
 }
 
 impl Level {
     fn new(operator: &dyn SurfaceOperator, heights: Vec<f64>) -> Self {
         let (grid, pressure) = (operator.grid(), vec![0.0; heights.len()]);
         Self { grid, operator: None, heights, pressure, set: ActiveSet::new(operator) }
+    }
+
+    /// The cell where the bodies come closest, if any has a finite height.
+    fn lowest(&self) -> Option<usize> {
+        let finite = self.heights.iter().enumerate().filter(|(_, height)| height.is_finite());
+        finite.min_by(|one, other| one.1.total_cmp(other.1)).map(|(cell, _)| cell)
     }
 
     /// A first guess where nothing better is known: round pressures where the bodies come closest.
