@@ -27,6 +27,9 @@ pub(crate) struct NormalGrids {
 /// A side of the grid that looks for the place of a contact, at most.
 const SCOUTS: usize = 64;
 
+/// A coarse grid, and the first and last column and row that touch there.
+pub(crate) type Scouted = (Grid, [[usize; 2]; 2]);
+
 /// How far to go on the finest grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Target {
@@ -144,14 +147,13 @@ impl NormalGrids {
         Ok(spent)
     }
 
-    /// The columns and rows between which a coarse grid touches, first and last, and that grid; none
-    /// if there is none coarse enough, or if it does not say.
+    /// Where a coarse grid touches; none if there is none coarse enough, or if it does not say.
     pub(crate) fn scout(
         &mut self,
         operator: &dyn SurfaceOperator,
         driven: Driven,
         target: Target,
-    ) -> Result<Option<(Grid, [[usize; 2]; 2])>, OperatorError> {
+    ) -> Result<Option<Scouted>, OperatorError> {
         let few = |level: &Level| level.grid.cells() <= SCOUTS * SCOUTS;
         let Some(at) = (1..self.levels.len()).find(|i| few(&self.levels[*i])) else {
             return Ok(None);

@@ -54,16 +54,16 @@ struct Level {
 impl Level {
     fn new(operator: &Arc<dyn SurfaceOperator>) -> Self {
         let grid = operator.grid();
-        let zero = vec![0.0; grid.cells()];
+        let zero = || vec![0.0; grid.cells()];
         Self {
             grid,
             set: ActiveSet::new(&**operator),
             operator: Arc::clone(operator),
-            limits: zero.clone(),
-            offset: [zero.clone(), zero.clone()],
+            limits: zero(),
+            offset: [zero(), zero()],
             rigid: Rigid::default(),
             pressure: 0.0,
-            traction: [zero.clone(), zero],
+            traction: [zero(), zero()],
             cells: vec![CellState::Exterior; grid.cells()],
         }
     }
