@@ -43,7 +43,13 @@ pub fn set_formulas(markdown: &str) -> Result<String, FormulaError> {
         };
         let content = &inner[..end];
         match mark {
-            "$" => set += &quiet(&checked(content, formula(content))?),
+            "$" => {
+                let markup = quiet(&checked(content, formula(content))?);
+                let after = &inner[end + count..];
+                rest = after.trim_start_matches(CLOSING);
+                append(&mut set, &markup, &after[..after.len() - rest.len()]);
+                continue;
+            }
             "$$" => {
                 let markup = checked(content, formula_of_its_own(content))?;
                 set += &format!("<div class=\"formula\">{}</div>", quiet(&markup));
@@ -73,6 +79,20 @@ pub fn set_in_chapters(book: &mut Value) -> Result<(), FormulaError> {
     }
 }
 
+/// What must not begin a line.
+const CLOSING: [char; 6] = [')', ',', '.', ';', ':', '?'];
+
+/// Appends a formula within a line. Browsers would break the line between it and the brackets and commas
+/// that touch it.
+fn append(set: &mut String, markup: &str, closing: &str) {
+    let start = set.trim_end_matches('(').len();
+    let opening = set.split_off(start);
+    *set += &match opening.is_empty() && closing.is_empty() {
+        true => markup.to_owned(),
+        false => format!("<span class=\"word\">{opening}{markup}{closing}</span>"),
+    };
+}
+
 fn checked(content: &str, markup: String) -> Result<String, FormulaError> {
     let failed = markup.contains("class=\"fail\"") || markup.contains("merror");
     match failed || content.trim().is_empty() {
@@ -99,6 +119,16 @@ mod tests {
         assert!(set.contains("echo $HOME $$") && set.contains("<div class=\"formula\">"));
         assert!(!set.split("</div>").next().unwrap().contains('*'), "{set}");
         assert_eq!(set_formulas("no formula").unwrap(), "no formula");
+    }
+
+    /// Else a line ends with the bracket that opens, or begins with the comma.
+    #[test]
+    fn brackets_and_commas_stay_with_their_formula() {
+        let set = set_formulas("on ($R_x = 1$), or $x$.\n- $y$ is").unwrap();
+        assert_eq!(set.matches("<span class=\"word\">").count(), 2, "{set}");
+        assert!(set.starts_with("on <span class=\"word\">(<math"), "{set}");
+        assert!(set.contains("</math>),</span> or <span class=\"word\"><math"), "{set}");
+        assert!(set.contains("</math>.</span>\n- <math") && set.ends_with("</math> is"), "{set}");
     }
 
     #[test]

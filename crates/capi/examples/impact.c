@@ -50,6 +50,12 @@ static void impact(void) {
   const double balance = rebound.energy_before - rebound.energy_after - rebound.dissipated;
   must(fabs(balance) < 1e-9 * rebound.energy_before, "friction takes the energy that is missing");
 
+  /* The same of steel that gives back 0.9 of the normal velocity. */
+  must(carom_collide_losing(&ball, &plate, 0.15, CAROM_LOSS_GIVEN, 0.9, up, &rebound, &error) ==
+               CAROM_STATUS_OK &&
+           fabs(rebound.velocity[0][2] - 1.8) < 1e-12 && rebound.lost > 0.0,
+       "it rises slower");
+
   ball.mass = -1.0;
   must(carom_collide(&ball, &plate, 0.15, up, &rebound, &error) == CAROM_STATUS_OUT_OF_RANGE &&
            strcmp(error.field, "mass") == 0 && error.value == -1.0,

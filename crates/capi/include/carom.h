@@ -58,6 +58,15 @@
 // The contact point was found by sampling; the bodies may touch elsewhere too.
 #define CAROM_WARNING_POINT_SAMPLED 32
 
+// Nothing is lost in the bodies' material.
+#define CAROM_LOSS_NONE 0
+
+// `normal_restitution` of the elastic normal velocity is left, in [0, 1].
+#define CAROM_LOSS_GIVEN 1
+
+// What elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` says nothing.
+#define CAROM_LOSS_BY_WAVES 2
+
 // Coulomb's law in two directions, each ring of the contact by itself, to a tolerance.
 #define CAROM_LAW_COULOMB 0
 
@@ -85,7 +94,7 @@
 
 // Changes whenever a structure or a function of this header does; compare it with
 // `carom_abi_version()` of the library that is loaded.
-#define CAROM_ABI_VERSION 2
+#define CAROM_ABI_VERSION 3
 
 // How a call ended.
 enum carom_status
@@ -239,14 +248,6 @@ typedef struct carom_report {
   carom_regime regime;
 } carom_report;
 
-// An elastic material, or a rigid one.
-typedef struct carom_material {
-  // Young's modulus, Pa; infinite for a rigid body.
-  double young_modulus;
-  // Poisson's ratio, in (-1, 0.5]; of no meaning for a rigid body.
-  double poisson;
-} carom_material;
-
 // The constants of the contacts of two materials: plain data, made by `carom_grains_of` and not to be
 // changed but by it.
 typedef struct carom_grains {
@@ -294,6 +295,20 @@ typedef struct carom_grain_load {
   double torque_2[3];
 } carom_grain_load;
 
+// Two grains and their contact, of many that make their step in one call.
+typedef struct carom_encounter {
+  // The constants of their materials.
+  const struct carom_grains *grains;
+  // Their contact: of each pair its own.
+  struct carom_touch *touch;
+  // Body 1.
+  struct carom_grain one;
+  // Body 2.
+  struct carom_grain two;
+  // What body 2 exerts on body 1 at the end of the step: to be written.
+  struct carom_grain_load load;
+} carom_encounter;
+
 // What became of mechanical energy, J: sums, to which a step adds.
 typedef struct carom_heats {
   // The heat of friction, with what a receding edge releases.
@@ -301,6 +316,14 @@ typedef struct carom_heats {
   // The heat of the viscoelastic material.
   double damping;
 } carom_heats;
+
+// An elastic material, or a rigid one.
+typedef struct carom_material {
+  // Young's modulus, Pa; infinite for a rigid body.
+  double young_modulus;
+  // Poisson's ratio, in (-1, 0.5]; of no meaning for a rigid body.
+  double poisson;
+} carom_material;
 
 // A flat wall that may move along.
 typedef struct carom_wall {
@@ -379,6 +402,8 @@ typedef struct carom_rebound {
   double energy_after;
   // What friction took, J.
   double dissipated;
+  // What the bodies' material took, J: 0 of elastic ones.
+  double lost;
   // How far the velocity after may be off over that before; 0 where the solution is exact.
   double error_estimate;
 } carom_rebound;
@@ -517,6 +542,21 @@ carom_status carom_contact_unpack(const struct carom_pair *pair,
                                   struct carom_contact *contact,
                                   struct carom_error *error);
 
+// One step of the duration `dt` of many pairs of grains: `carom_touch_grains` for each, to the same bits and
+// in less time, since some go through the processor together.
+//
+// What cannot make its step ends the call, and `error->index` names it: those before it have made theirs.
+// `heats` may be null; it costs several times the force.
+//
+// # Safety
+// `encounters` is null or `count` of them may be read and written, and what each points to is as in
+// `carom_touch_grains`; no two have the same touch. `heats` and `error` are null or may be written.
+carom_status carom_touch_many(struct carom_encounter *encounters,
+                              size_t count,
+                              double dt,
+                              struct carom_heats *heats,
+                              struct carom_error *error);
+
 // A few words for each status; never null, and not to be freed.
 const char *carom_status_text(int32_t status);
 
@@ -606,6 +646,22 @@ carom_status carom_collide(const struct carom_body *body_1,
                            const double *normal,
                            struct carom_rebound *rebound,
                            struct carom_error *error);
+
+// The same of bodies whose material loses energy, beyond the elastic theory. `loss` is a CAROM_LOSS, and
+// `normal_restitution` the part of the elastic normal velocity that CAROM_LOSS_GIVEN leaves: 1 is elastic,
+// at 0 the bodies do not part along the normal. Impulse and heat of friction shrink with the normal pulse;
+// duration, force and approach are those of the elastic impact.
+//
+// # Safety
+// As for `carom_collide`.
+carom_status carom_collide_losing(const struct carom_body *body_1,
+                                  const struct carom_body *body_2,
+                                  double friction,
+                                  uint32_t loss,
+                                  double normal_restitution,
+                                  const double *normal,
+                                  struct carom_rebound *rebound,
+                                  struct carom_error *error);
 
 // Advances many contacts of one pair, contact i by its own shift. The strides are the bytes from one
 // entry to the next, so that the arrays may be columns of larger structures; `loads` may be null.
@@ -725,6 +781,21 @@ carom_status carom_contact_unpack(const struct carom_pair *pair,
                                   struct carom_contact *contact,
                                   struct carom_error *error);
 
+// One step of the duration `dt` of many pairs of grains: `carom_touch_grains` for each, to the same bits and
+// in less time, since some go through the processor together.
+//
+// What cannot make its step ends the call, and `error->index` names it: those before it have made theirs.
+// `heats` may be null; it costs several times the force.
+//
+// # Safety
+// `encounters` is null or `count` of them may be read and written, and what each points to is as in
+// `carom_touch_grains`; no two have the same touch. `heats` and `error` are null or may be written.
+carom_status carom_touch_many(struct carom_encounter *encounters,
+                              size_t count,
+                              double dt,
+                              struct carom_heats *heats,
+                              struct carom_error *error);
+
 // A few words for each status; never null, and not to be freed.
 const char *carom_status_text(int32_t status);
 
@@ -814,6 +885,22 @@ carom_status carom_collide(const struct carom_body *body_1,
                            const double *normal,
                            struct carom_rebound *rebound,
                            struct carom_error *error);
+
+// The same of bodies whose material loses energy, beyond the elastic theory. `loss` is a CAROM_LOSS, and
+// `normal_restitution` the part of the elastic normal velocity that CAROM_LOSS_GIVEN leaves: 1 is elastic,
+// at 0 the bodies do not part along the normal. Impulse and heat of friction shrink with the normal pulse;
+// duration, force and approach are those of the elastic impact.
+//
+// # Safety
+// As for `carom_collide`.
+carom_status carom_collide_losing(const struct carom_body *body_1,
+                                  const struct carom_body *body_2,
+                                  double friction,
+                                  uint32_t loss,
+                                  double normal_restitution,
+                                  const double *normal,
+                                  struct carom_rebound *rebound,
+                                  struct carom_error *error);
 
 // The constants of two spheres, or of a sphere on a plane (an infinite radius) or in a hollow sphere
 // (a negative radius). A tolerance of 0 is that of particles, 1e-2.

@@ -99,7 +99,8 @@ impl Failure {
 
 /// As much of a text as there is room for, and zeros.
 fn copy(text: &str, to: &mut [c_char]) {
-    let len = text.floor_char_boundary(to.len() - 1);
+    let fits = |len: &usize| text.is_char_boundary(*len);
+    let len = (0..to.len()).rev().find(fits).unwrap_or(0);
     to.fill(0);
     for (to, byte) in to.iter_mut().zip(&text.as_bytes()[..len]) {
         *to = *byte as c_char;

@@ -195,7 +195,7 @@ impl Bodies for (&CaromGrain, &CaromWall) {
 /// # Safety
 /// As `carom_touch_grains`.
 #[inline(always)]
-unsafe fn advance(
+pub(crate) unsafe fn advance(
     grains: *const CaromGrains,
     touch: *mut CaromTouch,
     bodies: impl Bodies,

@@ -1,8 +1,11 @@
 //! The impact of two bodies.
 
 use carom_geometry::{Attitude, Inertia, Surface, SurfaceError};
-use carom_impact::{Body, Collision, CollisionError, Motion, Outcome, Rebound, Warning};
+use carom_impact::{
+    Body, Collision, CollisionError, Motion, NormalRestitution, Outcome, Rebound, Warning,
+};
 use carom_laws::friction::Friction;
+use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::pair::CaromMaterial;
@@ -35,6 +38,13 @@ pub const CAROM_WARNING_SPIN_LEFT_ALONE: u32 = 8;
 pub const CAROM_WARNING_NOT_SETTLED: u32 = 16;
 /// The contact point was found by sampling; the bodies may touch elsewhere too.
 pub const CAROM_WARNING_POINT_SAMPLED: u32 = 32;
+
+/// Nothing is lost in the bodies' material.
+pub const CAROM_LOSS_NONE: u32 = 0;
+/// `normal_restitution` of the elastic normal velocity is left, in [0, 1].
+pub const CAROM_LOSS_GIVEN: u32 = 1;
+/// What elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` says nothing.
+pub const CAROM_LOSS_BY_WAVES: u32 = 2;
 
 /// A body about to collide. All that is zero is what is usual: a solid, its axes along those of space,
 /// at the origin, at rest.
@@ -107,6 +117,8 @@ pub struct CaromRebound {
     pub energy_after: f64,
     /// What friction took, J.
     pub dissipated: f64,
+    /// What the bodies' material took, J: 0 of elastic ones.
+    pub lost: f64,
     /// How far the velocity after may be off over that before; 0 where the solution is exact.
     pub error_estimate: f64,
 }
@@ -128,21 +140,75 @@ pub unsafe extern "C" fn carom_collide(
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
     let call = || unsafe {
-        let one = read(body_1, "body_1")?.body().map_err(|failure| failure.at(0))?;
-        let two = read(body_2, "body_2")?.body().map_err(|failure| failure.at(1))?;
-        let friction = Friction::new(friction)?;
-        let collision = match normal.is_null() {
-            true => Collision::touching(one, two, friction)?,
-            false => {
-                let normal = *read(normal.cast::<[f64; 3]>(), "normal")?;
-                Collision::along(one, two, normal, friction)?
-            }
-        };
+        let collision = collision([body_1, body_2], friction, normal)?;
         *write(rebound, "rebound")? = solve(&collision)?;
         Ok(())
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
+}
+
+/// The same of bodies whose material loses energy, beyond the elastic theory. `loss` is a CAROM_LOSS, and
+/// `normal_restitution` the part of the elastic normal velocity that CAROM_LOSS_GIVEN leaves: 1 is elastic,
+/// at 0 the bodies do not part along the normal. Impulse and heat of friction shrink with the normal pulse;
+/// duration, force and approach are those of the elastic impact.
+///
+/// # Safety
+/// As for `carom_collide`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_collide_losing(
+    body_1: *const CaromBody,
+    body_2: *const CaromBody,
+    friction: f64,
+    loss: u32,
+    normal_restitution: f64,
+    normal: *const f64,
+    rebound: *mut CaromRebound,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let collision = collision([body_1, body_2], friction, normal)?
+            .with_normal_restitution(left(loss, normal_restitution)?);
+        *write(rebound, "rebound")? = solve(&collision)?;
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// # Safety
+/// The bodies and the three numbers of `normal` are null or may be read.
+unsafe fn collision(
+    [body_1, body_2]: [*const CaromBody; 2],
+    friction: f64,
+    normal: *const f64,
+) -> Result<Collision, Failure> {
+    // SAFETY: the caller's promise.
+    let [one, two] = unsafe { [read(body_1, "body_1")?, read(body_2, "body_2")?] };
+    let one = one.body().map_err(|failure| failure.at(0))?;
+    let two = two.body().map_err(|failure| failure.at(1))?;
+    let friction = Friction::new(friction)?;
+    if normal.is_null() {
+        return Ok(Collision::touching(one, two, friction)?);
+    }
+    // SAFETY: the caller's promise.
+    let normal = unsafe { *read(normal.cast::<[f64; 3]>(), "normal")? };
+    Ok(Collision::along(one, two, normal, friction)?)
+}
+
+/// What the material leaves of the normal velocity.
+fn left(loss: u32, normal_restitution: f64) -> Result<NormalRestitution, Failure> {
+    match loss {
+        CAROM_LOSS_NONE => Ok(NormalRestitution::ELASTIC),
+        CAROM_LOSS_GIVEN => NormalRestitution::new(normal_restitution)
+            .map_err(|error| RangeError { field: "normal_restitution", ..error }.into()),
+        CAROM_LOSS_BY_WAVES => Ok(NormalRestitution::by_waves()),
+        loss => {
+            let text = format_args!("loss = {loss} is no CAROM_LOSS: must be 0, 1 or 2");
+            Err(Failure::new(CaromStatus::OutOfRange, "loss", text))
+        }
+    }
 }
 
 impl CaromBody {
@@ -225,6 +291,7 @@ fn with_rebound(known: CaromRebound, rebound: &Rebound) -> CaromRebound {
         energy_before: rebound.energy.before,
         energy_after: rebound.energy.after,
         dissipated: rebound.energy.dissipated,
+        lost: rebound.energy.lost,
         error_estimate: rebound.error_estimate,
         ..known
     }

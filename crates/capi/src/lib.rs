@@ -17,6 +17,7 @@
 
 mod batch;
 mod contact;
+mod encounters;
 mod error;
 mod grains;
 mod impact;
@@ -36,16 +37,18 @@ pub use contact::{
     carom_contact_heat, carom_contact_load, carom_contact_pack, carom_contact_report,
     carom_contact_turn_frame, carom_contact_unpack,
 };
+pub use encounters::{CaromEncounter, carom_touch_many};
 pub use error::{CaromError, CaromStatus, carom_status_text};
 pub use grains::{
     CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, CaromWall, carom_grains_of,
     carom_touch_grains, carom_touch_grains_load, carom_touch_wall, carom_touch_wall_load,
 };
 pub use impact::{
-    CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,
-    CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE, CAROM_SHAPE_TORUS, CAROM_WARNING_COUPLING,
-    CAROM_WARNING_LARGE_CONTACT, CAROM_WARNING_NOT_SETTLED, CAROM_WARNING_POINT_SAMPLED,
-    CAROM_WARNING_SPIN_LEFT_ALONE, CAROM_WARNING_WAVE_LOSS, CaromBody, CaromRebound, carom_collide,
+    CAROM_LOSS_BY_WAVES, CAROM_LOSS_GIVEN, CAROM_LOSS_NONE, CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE,
+    CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID, CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE,
+    CAROM_SHAPE_TORUS, CAROM_WARNING_COUPLING, CAROM_WARNING_LARGE_CONTACT,
+    CAROM_WARNING_NOT_SETTLED, CAROM_WARNING_POINT_SAMPLED, CAROM_WARNING_SPIN_LEFT_ALONE,
+    CAROM_WARNING_WAVE_LOSS, CaromBody, CaromRebound, carom_collide, carom_collide_losing,
 };
 pub use law::{CaromLoad, CaromRegime, CaromReport, CaromShift};
 pub use pair::{

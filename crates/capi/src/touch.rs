@@ -52,7 +52,7 @@ impl CaromTouch {
     }
 
     #[inline]
-    fn present_mut(&mut self) -> Result<Option<&mut Contact>, Failure> {
+    pub(crate) fn present_mut(&mut self) -> Result<Option<&mut Contact>, Failure> {
         match self.mark {
             // SAFETY: a contact was written there; its size and alignment fit.
             MARK => Ok(Some(unsafe { &mut *self.words.as_mut_ptr().cast() })),

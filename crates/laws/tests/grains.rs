@@ -1,7 +1,10 @@
 //! The contact of two grains goes along with them.
 
 use carom_laws::friction::Friction;
-use carom_laws::grains::{Grain, GrainContact, GrainLoad, Heats, Meeting, Wall, grain_numbers};
+use carom_laws::grains::{
+    Grain, GrainContact, GrainLoad, Heats, Meeting, TOGETHER, Touching, Wall, advance_together,
+    grain_numbers,
+};
 use carom_laws::memory::Fixed;
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
@@ -222,4 +225,81 @@ fn swing_without_slip_keeps_its_period_and_gains_nothing() {
     assert!((period / expected - 1.0).abs() < 3e-4, "{period} for {expected}");
     let loss = -(highest[count] / highest[0]).ln() / span;
     assert!(loss > 0.0 && (loss / (y * y / 24.0) - 1.0).abs() < 0.1, "{loss}");
+}
+
+/// Pairs that meet, slide, turn fast, part and meet again: together they go as alone, to the bit, whichever
+/// begin or end in a step; where one cannot make it, none does.
+#[test]
+fn together_each_goes_as_alone() {
+    let mut alone: [Contact; TOGETHER] = std::array::from_fn(|i| fresh(0.2 * i as f64));
+    let mut together = alone;
+    let (mut sum, mut apart) = (0.0, 0);
+    let shares = [0.5, 0.25, 1.0, 0.0].map(|share| [share, 1.0 - share]);
+    for step in 0..2000 {
+        let t = 0.05 * f64::from(step);
+        let bodies: [[Grain; 2]; TOGETHER] = std::array::from_fn(|i| {
+            let (i, still) = (i as f64, [0.0; 3]);
+            let place =
+                [0.3 * (0.21 * t + i).sin(), 0.2 * (0.3 * t).cos(), 1.99 + 0.02 * (t + i).sin()];
+            let velocity =
+                [0.063 * (0.21 * t + i).cos(), -0.06 * (0.3 * t).sin(), 0.02 * (t + i).cos()];
+            let spin = [0.02 * (0.7 * t).sin(), 0.01, 0.4 * (0.5 * t * i).sin()];
+            let radius = 1.0 + 0.02 * (0.1 * t).sin();
+            [
+                Grain { place, velocity, spin, radius },
+                Grain { place: still, velocity: still, spin, radius: 1.0 },
+            ]
+        });
+        let dt = if step % 7 == 0 { 0.0 } else { 0.05 };
+        let mut pairs: Vec<_> = together
+            .iter_mut()
+            .zip(&bodies)
+            .zip(shares)
+            .map(|((contact, [one, two]), shares)| Touching { contact, bodies: [one, two], shares })
+            .collect();
+        let mut pairs: [_; TOGETHER] = std::mem::take(&mut pairs).try_into().unwrap();
+        let before = pairs.each_ref().map(|pair| *pair.contact);
+        let fast = Grain { velocity: [0.0, 1e300, 0.0], ..bodies[2][0] };
+        pairs[2].bodies[0] = &fast;
+        assert!(advance_together(&mut pairs, 1.0, |_| {}).is_err());
+        pairs[2].bodies[0] = &bodies[2][0];
+        assert!(advance_together(&mut pairs, f64::NAN, |_| {}).is_err());
+        assert_eq!(pairs.each_ref().map(|pair| *pair.contact), before);
+        let loads = advance_together(&mut pairs, dt, |_| {}).unwrap();
+        for (i, (load, arms)) in loads.into_iter().enumerate() {
+            let [one, two] = &bodies[i];
+            let meeting = Meeting::of_spheres(one, two, shares[i]).unwrap();
+            assert_eq!((load, arms), (alone[i].advance(&meeting, dt).unwrap(), meeting.arms));
+            assert_eq!(together[i], alone[i], "step {step}, pair {i}");
+            sum += load.force[0].abs();
+            apart += usize::from(meeting.zeta < 0.0);
+        }
+    }
+    assert!(sum > 1.0 && apart > 100, "{sum} {apart}");
+}
+
+/// The first step of a contact has seen the touch, wherever in it that was: on a way that rises and shifts
+/// alike, all sticks, and F_x = (2/3) c_x (xi/zeta) zeta^1.5.
+#[test]
+fn a_contact_begins_where_its_first_step_touched() {
+    let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
+    let (slope, dt) = (0.1, 0.5);
+    for (part, accounted) in [(1e-3, false), (0.3, true), (0.5, false), (1.0, true)] {
+        let by = 1e-3;
+        let zeta = part * by;
+        let velocity = [slope * by / dt, 0.0, -by / dt];
+        let place = [0.0, 0.0, 1.0 - zeta];
+        let grain = Grain { place, velocity, spin: [0.0; 3], radius: 1.0 };
+        let meeting = Meeting::on_wall(&grain, &wall, 1.0);
+        let (mut contact, mut heats) = (fresh(0.0), Heats::default());
+        let load = match accounted {
+            true => contact.advance_accounted(&meeting, dt, &mut heats),
+            false => contact.advance(&meeting, dt),
+        };
+        let [x, y, z] = load.unwrap().force;
+        let normal = 2.0 / 3.0 * zeta.powf(1.5);
+        assert!((z / normal - 1.0).abs() < 1e-10, "{part}: {z:e} for {normal:e}");
+        assert!((x / (-0.85 * slope * normal) - 1.0).abs() < 1e-10, "{part}: {x:e}");
+        assert!(y.abs() < 1e-14 * normal && heats.friction.abs() < 1e-12 * normal * by);
+    }
 }

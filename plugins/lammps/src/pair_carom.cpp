@@ -182,10 +182,15 @@ double PairCarom::init_one(int i, int j)
   return largest[i] + largest[j];
 }
 
-carom_grain PairCarom::grain(int i) const
+void PairCarom::set(carom_grain &grain, int i) const
 {
   const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i];
-  return {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, atom->radius[i]};
+  for (int k = 0; k < 3; k++) {
+    grain.place[k] = x[k];
+    grain.velocity[k] = v[k];
+    grain.spin[k] = w[k];
+  }
+  grain.radius = atom->radius[i];
 }
 
 carom_touch *PairCarom::touch_of(double *slot, int body_1, int body_2)
@@ -231,55 +236,87 @@ void PairCarom::compute(int eflag, int vflag)
       pair.slot = slots + numbers() * jj;
       pair.i = i;
       pair.j = j;
+      pair.i_is_1 = atom->tag[i] < atom->tag[j];
       pair.apart = apart;
-      if (apart && !moves) end(pair);
-      else if (++found == TOGETHER) found = step_all(found, eflag, moves);
+      if (apart && !moves) {
+        end(pair);
+      } else if (++found == TOGETHER) {
+        step_all(found, eflag, moves);
+        found = 0;
+      }
     }
   }
   step_all(found, eflag, moves);
 }
 
-// What is remembered of a contact takes long to come from memory: it is sent for some contacts ahead.
-int PairCarom::step_all(int count, int eflag, bool moves)
+// Steps the contacts that were found. Where no account is kept they go through the library in one call.
+void PairCarom::step_all(int count, int eflag, bool moves)
 {
+  // What is remembered may move to another place while more of it is unpacked.
+  bool is_new[TOGETHER];
+  for (int k = 0; k < count; k++) {
+    const Close &pair = close[k];
+    is_new[k] = *pair.flag == 0;
+    if (*pair.flag > 1) continue;
+    touch_of(pair.slot, one_of(pair), two_of(pair));
+    *pair.flag = Touches::flag_of(pair.slot);
+  }
   const double dt = moves ? update->dt : 0.0;
   for (int k = 0; k < count; k++) {
-    if (k + AHEAD < count) touches.send_for(*close[k + AHEAD].flag);
     const Close &pair = close[k];
-    const int i = pair.i, j = pair.j;
-    const bool i_is_1 = atom->tag[i] < atom->tag[j], is_new = *pair.flag == 0;
-    const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
-    const carom_grains &grains = constants[place(atom->type[one], atom->type[two])];
-    const carom_grain body_1 = grain(one), body_2 = grain(two);
-    carom_touch *touch = touches.with_flag(*pair.flag);
-    if (!touch) {
-      touch = touch_of(pair.slot, one, two);
-      *pair.flag = Touches::flag_of(pair.slot);
-    }
-    carom_grain_load load;
-    carom_heats made = {0.0, 0.0};
-    carom_status status =
-        moves || is_new ? carom_touch_grains(&grains, touch, &body_1, &body_2, dt, &load,
-                                             account ? &made : nullptr, &why)
-                        : carom_touch_grains_load(&grains, touch, &body_1, &body_2, &load, &why);
-    if (law_.torsion && status == CAROM_STATUS_OK)
-      status = carom_touch_twist_grains(&grains, Touches::twist_of(pair.slot), &body_1, &body_2, dt, &load,
-                                        account ? &made : nullptr, &why);
-    if (status != CAROM_STATUS_OK) carom::fail(lmp, "pair carom", why);
-    if (account) {
-      const double share = share_of(j);
-      heats.friction += share * made.friction;
-      heats.damping += share * made.damping;
-    }
-    add(one, load.force, 1.0, load.torque_1);
-    add(two, load.force, -1.0, load.torque_2);
+    const int one = one_of(pair), two = two_of(pair);
+    carom_encounter &met = encounters[k];
+    met.grains = &constants[place(atom->type[one], atom->type[two])];
+    met.touch = touches.with_flag(*pair.flag);
+    set(met.one, one);
+    set(met.two, two);
+  }
+  if (!moves || account) {
+    for (int k = 0; k < count; k++) step_alone(close[k], encounters[k], dt, moves || is_new[k]);
+  } else if (carom_touch_many(encounters, count, dt, nullptr, &why) != CAROM_STATUS_OK) {
+    carom::fail(lmp, "pair carom", why);
+  }
+  for (int k = 0; k < count; k++) {
+    const Close &pair = close[k];
+    const int one = one_of(pair), two = two_of(pair);
+    carom_encounter &met = encounters[k];
+    if (law_.torsion) twist(pair, met, dt);
+    add(one, met.load.force, 1.0, met.load.torque_1);
+    add(two, met.load.force, -1.0, met.load.torque_2);
     if (evflag) {
-      const double energy = eflag ? energy_of(pair.slot, touch, one, two) : 0.0;
-      tally(pair, energy, load.force, i_is_1 ? 1.0 : -1.0);
+      const double energy = eflag ? energy_of(pair.slot, met.touch, one, two) : 0.0;
+      tally(pair, energy, met.load.force, pair.i_is_1 ? 1.0 : -1.0);
     }
     if (pair.apart) end(pair);
   }
-  return 0;
+}
+
+// The step of one contact, accounted if that is wanted, or what the last step left of its load.
+void PairCarom::step_alone(const Close &pair, carom_encounter &met, double dt, bool steps)
+{
+  carom_heats made = {0.0, 0.0};
+  const carom_status status =
+      steps ? carom_touch_grains(met.grains, met.touch, &met.one, &met.two, dt, &met.load,
+                                 account ? &made : nullptr, &why)
+            : carom_touch_grains_load(met.grains, met.touch, &met.one, &met.two, &met.load, &why);
+  if (status != CAROM_STATUS_OK) carom::fail(lmp, "pair carom", why);
+  if (account) book(pair, made);
+}
+
+void PairCarom::twist(const Close &pair, carom_encounter &met, double dt)
+{
+  carom_heats made = {0.0, 0.0};
+  if (carom_touch_twist_grains(met.grains, Touches::twist_of(pair.slot), &met.one, &met.two, dt, &met.load,
+                               account ? &made : nullptr, &why) != CAROM_STATUS_OK)
+    carom::fail(lmp, "pair carom", why);
+  if (account) book(pair, made);
+}
+
+void PairCarom::book(const Close &pair, const carom_heats &made)
+{
+  const double share = share_of(pair.j);
+  heats.friction += share * made.friction;
+  heats.damping += share * made.damping;
 }
 
 // A grain of another rank gets its forces there, unless newton is on.
@@ -375,7 +412,9 @@ double PairCarom::single(int i, int j, int itype, int jtype, double rsq, double,
   const bool i_is_1 = atom->tag[i] < atom->tag[j];
   const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
   const carom_grains &grains = i_is_1 ? constants[place(itype, jtype)] : constants[place(jtype, itype)];
-  const carom_grain body_1 = grain(one), body_2 = grain(two);
+  carom_grain body_1, body_2;
+  set(body_1, one);
+  set(body_2, two);
   const carom_touch *touch = touch_of(slot, one, two);
   carom_grain_load load;
   carom_report report;

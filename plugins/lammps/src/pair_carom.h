@@ -65,7 +65,7 @@ class PairCarom : public Pair {
   double energy_of(double *slot, const carom_touch *touch, int body_1, int body_2) const;
   int place(int i, int j) const;
   void allocate();
-  carom_grain grain(int i) const;
+  void set(carom_grain &grain, int i) const;
   carom_touch *touch_of(double *slot, int body_1, int body_2);
 
   // Two grains that touch, or did so one step ago: the host's flag and its slot for them.
@@ -73,11 +73,17 @@ class PairCarom : public Pair {
     int *flag;
     double *slot;
     int i, j;
-    bool apart;
+    bool apart, i_is_1;
   };
-  static constexpr int TOGETHER = 128, AHEAD = 3;
+  static constexpr int TOGETHER = 64;
   Close close[TOGETHER];
-  int step_all(int count, int eflag, bool moves);
+  carom_encounter encounters[TOGETHER];
+  static int one_of(const Close &pair) { return pair.i_is_1 ? pair.i : pair.j; }
+  static int two_of(const Close &pair) { return pair.i_is_1 ? pair.j : pair.i; }
+  void step_alone(const Close &pair, carom_encounter &met, double dt, bool steps);
+  void twist(const Close &pair, carom_encounter &met, double dt);
+  void book(const Close &pair, const carom_heats &made);
+  void step_all(int count, int eflag, bool moves);
   void add(int i, const double *force_1, double sign, const double *torque_i);
   void tally(const Close &pair, double energy, const double *force_1, double sign);
   void end(const Close &pair);

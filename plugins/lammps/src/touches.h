@@ -33,12 +33,6 @@ class Touches {
   // is, without a look at the slot.
   static int flag_of(const double *slot) { return is_unpacked(slot) ? 2 + index(slot) : 1; }
   carom_touch *with_flag(int flag) { return flag > 1 ? &pool[flag - 2] : nullptr; }
-  void send_for(int flag) const
-  {
-    if (flag <= 1) return;
-    const char *from = reinterpret_cast<const char *>(&pool[flag - 2]);
-    for (std::size_t byte = 0; byte < sizeof(carom_touch); byte += 64) __builtin_prefetch(from + byte);
-  }
   // Ends the contact of a slot; its twist is left to the caller.
   void drop(double *slot);
   // Makes a slot hold its contact as numbers.

@@ -86,12 +86,13 @@ impl Step {
             .map_or(Self(-i32::from(digits)), |Self(power)| Self(power + 1 - i32::from(digits)))
     }
 
-    /// The place of the first digit.
+    /// The place of the first digit, once the value is rounded to three: on both sides of a power of ten, where
+    /// many a curve ends, it is the same.
     fn leading(value: f64) -> Option<Self> {
         if value == 0.0 || !value.is_finite() {
             return None;
         }
-        format!("{value:e}").split_once('e')?.1.parse().ok().map(Self)
+        format!("{value:.2e}").split_once('e')?.1.parse().ok().map(Self)
     }
 
     fn size(self) -> f64 {
@@ -304,6 +305,16 @@ pub(super) mod tests {
                 let now = Rounded { step, ..Rounded::alone(value, 6) };
                 assert!(now.agrees(text.parse().unwrap()));
             }
+        }
+    }
+
+    #[test]
+    fn a_curve_that_ends_at_a_power_of_ten_keeps_its_digits() {
+        for size in [1e-7, 1e-4, 1.0, 10.0, 1e5] {
+            let steps = [1.0 - 1e-7, 1.0 - 1e-15, 1.0, 1.0 + 1e-7]
+                .map(|part| Step::of([0.5 * size, -part * size].into_iter(), 6));
+            assert_eq!(steps, [steps[2]; 4], "{size}");
+            assert!((steps[2].size() / (1e-5 * size) - 1.0).abs() < 1e-12, "{size}");
         }
     }
 

@@ -1,6 +1,8 @@
 //! What a release needs, gone through without releasing anything.
 
+mod oldest;
 pub(crate) mod packages;
+mod packed;
 mod wheel;
 
 use crate::{cargo, flags};
@@ -19,6 +21,11 @@ pub(crate) fn root() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
+/// Where cargo builds.
+fn target() -> PathBuf {
+    std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
+}
+
 /// Goes through the list; fails at the first point that does not hold.
 pub(crate) fn run(options: &flags::Release) -> anyhow::Result<()> {
     ensure!(
@@ -27,18 +34,27 @@ pub(crate) fn run(options: &flags::Release) -> anyhow::Result<()> {
     );
     let packages = whole()?;
     say_changes()?;
-    pack(&packages, if options.quick { &["--no-verify"] } else { &[] })?;
+    match options.quick {
+        true => pack_and_check(&packages)?,
+        false => pack(&packages, &[])?,
+    }
     semver(&packages)?;
     if options.quick {
-        println!("the wheel: left out (--quick)");
+        println!("the oldest Rust and the wheel: left out (--quick)");
         return Ok(());
     }
+    oldest::check()?;
     wheel::check(&packages.in_order()?[0].version)
 }
 
-/// That all crates can be packed, in their order; without building them once more.
+/// That all crates can be packed, in their order, and checked as they are packed.
 pub(crate) fn pack_quickly() -> anyhow::Result<()> {
-    pack(&whole()?, &["--no-verify"])
+    pack_and_check(&whole()?)
+}
+
+fn pack_and_check(packages: &Packages) -> anyhow::Result<()> {
+    pack(packages, &["--no-verify"])?;
+    packed::check(&packages.in_order()?)
 }
 
 /// Whether what the crates, the wheel and the citation say of themselves is whole and of one version.
@@ -52,6 +68,7 @@ pub(crate) fn whole() -> anyhow::Result<Packages> {
         faults.push(format!("CITATION.cff: not of version {version}"));
     }
     faults.extend(wheel::faults()?);
+    faults.extend(oldest::faults()?);
     ensure!(
         faults.is_empty(),
         "{} faults in the packages:\n  {}",
@@ -96,11 +113,9 @@ fn pack(packages: &Packages, how: &[&str]) -> anyhow::Result<()> {
     }
     arguments.extend(how);
     cargo::run(&arguments)?;
-    let target =
-        std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from);
     for package in packages.in_order()? {
         let name = &package.name;
-        let packed = target.join(format!("package/{name}-{}.crate", package.version));
+        let packed = target().join("package").join(package.archive());
         let size = packed.metadata().with_context(|| format!("no {}", packed.display()))?.len();
         ensure!(size <= MOST, "{name}: {size} bytes are more than the registry takes");
         let listed = cargo::command(&["package", "--list", "--allow-dirty", "--package", name])

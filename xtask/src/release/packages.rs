@@ -29,6 +29,18 @@ pub(crate) struct Package {
     needs: Vec<String>,
 }
 
+impl Package {
+    /// The file that is packed.
+    pub(super) fn archive(&self) -> String {
+        format!("{}.crate", self.unpacked())
+    }
+
+    /// The folder in it.
+    pub(super) fn unpacked(&self) -> String {
+        format!("{}-{}", self.name, self.version)
+    }
+}
+
 /// All crates of the workspace, as cargo sees them.
 #[derive(Debug)]
 pub(crate) struct Packages {

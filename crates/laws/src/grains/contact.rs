@@ -3,6 +3,7 @@
 use carom_special::RangeError;
 
 use super::meeting::Meeting;
+use super::number::Number;
 use super::vector::{Vector, cross, dot, minus, plus, times};
 use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::{Growing, VertexStack};
@@ -41,7 +42,7 @@ pub struct GrainContact<S = Growing<[f64; 2]>> {
     /// How far the law is ahead of the shift.
     pub(super) lead: [f64; 2],
     /// The damping force over `sqrt(zeta) dzeta/dt`.
-    viscosity: f64,
+    pub(super) viscosity: f64,
 }
 
 /// What body 2 exerts on body 1.
@@ -64,12 +65,32 @@ pub struct Heats {
     pub damping: f64,
 }
 
+/// What a step sees of what was before it.
+pub(super) struct Before<T> {
+    pub(super) tangent: Vector<T>,
+    pub(super) normal: Vector<T>,
+    pub(super) velocity: [T; 2],
+    pub(super) lead: [T; 2],
+    /// The shift, as the law knows it.
+    pub(super) shift: [T; 2],
+}
+
 /// Where a step leads.
-struct Step {
-    tangent: Vector,
-    to: Shift,
-    velocity: [f64; 2],
-    lead: [f64; 2],
+pub(super) struct Step<T = f64> {
+    pub(super) tangent: Vector<T>,
+    pub(super) zeta: T,
+    /// The shift that the law is told.
+    pub(super) shift: [T; 2],
+    pub(super) velocity: [T; 2],
+    pub(super) lead: [T; 2],
+}
+
+impl Step {
+    #[inline(always)]
+    fn to(&self) -> Shift {
+        let [xi, eta] = self.shift;
+        Shift { zeta: self.zeta, xi, eta, omega: 0.0 }
+    }
 }
 
 /// Steps in which two grains come apart, from which on friction is a mean.
@@ -130,7 +151,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         if leaves(meeting, dt) {
             return self.leave(meeting, &step);
         }
-        let load = self.law.advance(step.to)?;
+        let load = self.law.advance(step.to())?;
         Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y]))
     }
 
@@ -148,9 +169,9 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let friction = if self.is_new() {
             let (mut law, before) = (self.law.clone(), one_step_before(meeting, dt));
             law.advance(before)?;
-            law.dissipation(first_step(meeting, dt).to)
+            law.dissipation(first_step(meeting, dt).to())
         } else {
-            self.law.dissipation(self.step(meeting, dt).to)
+            self.law.dissipation(self.step(meeting, dt).to())
         };
         let old = self.drag;
         let load = self.advance(meeting, dt)?;
@@ -169,10 +190,10 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
             let force = times(meeting.normal, self.elastic(meeting.zeta));
             return GrainLoad { force, couple: [0.0; 3] };
         }
-        self.load_in(self.tangent, meeting.normal, normal_force)
+        load_in([self.tangent, meeting.normal], normal_force, self.friction)
     }
 
-    fn is_new(&self) -> bool {
+    pub(super) fn is_new(&self) -> bool {
         self.tangent == [0.0; 3]
     }
 
@@ -185,43 +206,20 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
 
     #[inline(always)]
     fn step(&self, meeting: &Meeting, dt: f64) -> Step {
-        let middle = times(plus(self.normal, meeting.normal), 0.5);
-        let tangent = self.carried(meeting, dot(meeting.turning, middle) * dt);
-        let x = times(plus(self.tangent, tangent), 0.5);
-        let slip = plus(meeting.velocity, cross(meeting.rolling, middle));
-        let velocity = [dot(slip, x), dot(slip, cross(middle, x))];
-        let gain = [velocity[0] - self.velocity[0], velocity[1] - self.velocity[1]];
-        let (by, lead) = match dt > 0.0 {
-            true => (velocity.map(|v| v * dt), gain.map(|v| v * (dt * (1.0 / 12.0)))),
-            false => ([0.0; 2], self.lead),
-        };
-        let from = self.law.shift();
-        let xi = from.xi + (by[0] + (lead[0] - self.lead[0]));
-        let eta = from.eta + (by[1] + (lead[1] - self.lead[1]));
-        Step { tangent, to: Shift { zeta: meeting.zeta, xi, eta, omega: 0.0 }, velocity, lead }
-    }
-
-    /// The tangent, turned as the normal was and by an angle about it.
-    #[inline(always)]
-    fn carried(&self, meeting: &Meeting, angle: f64) -> Vector {
-        let (old, new) = (self.normal, meeting.normal);
-        let tilt = dot(self.tangent, new) * over_lean(1.0 - dot(old, new));
-        let tangent = minus(self.tangent, times(plus(old, new), tilt));
-        let (sine, cosine) = small_turn(angle);
-        let turned = plus(times(tangent, cosine), times(cross(new, tangent), sine));
-        // Round-off must not add up: one step of Newton's towards length 1, across the normal.
-        let across = minus(turned, times(new, dot(new, turned)));
-        times(across, 1.5 - 0.5 * dot(across, across))
+        let Shift { xi, eta, .. } = self.law.shift();
+        let (tangent, normal, velocity, lead) =
+            (self.tangent, self.normal, self.velocity, self.lead);
+        Before { tangent, normal, velocity, lead, shift: [xi, eta] }.step(meeting, dt)
     }
 
     #[inline(never)]
     fn begin(&mut self, meeting: &Meeting, dt: f64) -> Result<GrainLoad, RangeError> {
         let (before, step) = (one_step_before(meeting, dt), first_step(meeting, dt));
         before.check_finite()?;
-        step.to.check_finite()?;
+        step.to().check_finite()?;
         let mut law = self.law.clone();
         law.advance(before)?;
-        let load = law.advance(step.to)?;
+        let load = law.advance(step.to())?;
         self.law = law;
         Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y]))
     }
@@ -229,7 +227,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// A step with the mean of friction over half a step before its end and half a step beyond.
     #[inline(never)]
     fn leave(&mut self, meeting: &Meeting, step: &Step) -> Result<GrainLoad, RangeError> {
-        let (from, to) = (self.law.shift(), step.to);
+        let (from, to) = (self.law.shift(), step.to());
         let between = |part: f64| Shift {
             zeta: from.zeta + part * (to.zeta - from.zeta),
             xi: from.xi + part * (to.xi - from.xi),
@@ -255,29 +253,87 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         load: ContactLoad,
         friction: [f64; 2],
     ) -> GrainLoad {
-        let speed = dot(meeting.velocity, meeting.normal);
-        let root = meeting.zeta.max(0.0).sqrt();
-        self.drag = (self.viscosity * root * speed).max(-load.f_z);
+        self.drag = drag(self.viscosity, meeting, load.f_z);
         (self.tangent, self.normal) = (step.tangent, meeting.normal);
         (self.friction, self.velocity, self.lead) = (friction, step.velocity, step.lead);
-        self.load_in(step.tangent, meeting.normal, load.f_z + self.drag)
+        load_in([step.tangent, meeting.normal], load.f_z + self.drag, friction)
+    }
+}
+
+impl<T: Number> Before<T> {
+    /// Where a step of the duration `dt` leads.
+    #[inline(always)]
+    pub(super) fn step(&self, meeting: &Meeting<T>, dt: f64) -> Step<T> {
+        let half = T::of(0.5);
+        let middle = times(plus(self.normal, meeting.normal), half);
+        let tangent = self.carried(meeting, dot(meeting.turning, middle) * T::of(dt));
+        let x = times(plus(self.tangent, tangent), half);
+        let slip = plus(meeting.velocity, cross(meeting.rolling, middle));
+        let velocity = [dot(slip, x), dot(slip, cross(middle, x))];
+        let lead = match dt > 0.0 {
+            true => {
+                let by = T::of(dt * (1.0 / 12.0));
+                [0, 1].map(|k| (velocity[k] - self.velocity[k]) * by)
+            }
+            false => self.lead,
+        };
+        let by = velocity.map(|v| v * T::of(dt));
+        let shift = [0, 1].map(|k| self.shift[k] + (by[k] + (lead[k] - self.lead[k])));
+        Step { tangent, zeta: meeting.zeta, shift, velocity, lead }
     }
 
-    #[inline]
-    fn load_in(&self, tangent: Vector, normal: Vector, normal_force: f64) -> GrainLoad {
-        let along = cross(normal, tangent);
-        let [x, y] = self.friction;
-        let friction = plus(times(tangent, x), times(along, y));
-        // normal x tangent is along, normal x along is minus the tangent.
-        let couple = minus(times(along, x), times(tangent, y));
-        GrainLoad { force: plus(times(normal, normal_force), friction), couple }
+    /// The tangent, turned as the normal was and by an angle about it.
+    #[inline(always)]
+    fn carried(&self, meeting: &Meeting<T>, angle: T) -> Vector<T> {
+        let (old, new) = (self.normal, meeting.normal);
+        let tilt = dot(self.tangent, new) * over_lean(T::of(1.0) - dot(old, new));
+        let tangent = minus(self.tangent, times(plus(old, new), tilt));
+        let (sine, cosine) = turn(angle);
+        let turned = plus(times(tangent, cosine), times(cross(new, tangent), sine));
+        // Round-off must not add up: one step of Newton's towards length 1, across the normal.
+        let across = minus(turned, times(new, dot(new, turned)));
+        times(across, T::of(1.5) - T::of(0.5) * dot(across, across))
     }
+}
+
+/// The damping force; its sum with Hertz's does not pull.
+#[inline(always)]
+pub(super) fn drag<T: Number>(viscosity: T, meeting: &Meeting<T>, elastic: T) -> T {
+    let speed = dot(meeting.velocity, meeting.normal);
+    let root = meeting.zeta.larger(T::of(0.0)).sqrt();
+    (viscosity * root * speed).larger(T::of(0.0) - elastic)
+}
+
+/// The force on body 1 and `normal x force`, of tangent and normal.
+#[inline(always)]
+pub(super) fn forces<T: Number>(
+    [tangent, normal]: [Vector<T>; 2],
+    normal_force: T,
+    [x, y]: [T; 2],
+) -> [Vector<T>; 2] {
+    let along = cross(normal, tangent);
+    let friction = plus(times(tangent, x), times(along, y));
+    // normal x tangent is along, normal x along is minus the tangent.
+    let couple = minus(times(along, x), times(tangent, y));
+    [plus(times(normal, normal_force), friction), couple]
+}
+
+#[inline]
+fn load_in(axes: [Vector; 2], normal_force: f64, friction: [f64; 2]) -> GrainLoad {
+    let [force, couple] = forces(axes, normal_force, friction);
+    GrainLoad { force, couple }
 }
 
 /// Whether the two come apart within some steps.
 #[inline]
 fn leaves(meeting: &Meeting, dt: f64) -> bool {
-    LEAVES_IN * dt * dot(meeting.velocity, meeting.normal) < -meeting.zeta
+    parting(meeting, dt) < -meeting.zeta
+}
+
+/// By how much the approach grows in so many steps.
+#[inline(always)]
+pub(super) fn parting<T: Number>(meeting: &Meeting<T>, dt: f64) -> T {
+    T::of(LEAVES_IN * dt) * dot(meeting.velocity, meeting.normal)
 }
 
 /// Where the two were one step before, to find the touch.
@@ -290,24 +346,17 @@ fn first_step(meeting: &Meeting, dt: f64) -> Step {
     let tangent = across(meeting.normal);
     let slip = plus(meeting.velocity, cross(meeting.rolling, meeting.normal));
     let velocity = [dot(slip, tangent), dot(slip, cross(meeting.normal, tangent))];
-    let [xi, eta] = velocity.map(|v| v * dt);
-    Step {
-        tangent,
-        to: Shift { zeta: meeting.zeta, xi, eta, omega: 0.0 },
-        velocity,
-        lead: [0.0; 2],
-    }
+    let (zeta, shift, lead) = (meeting.zeta, velocity.map(|v| v * dt), [0.0; 2]);
+    Step { tangent, zeta, shift, velocity, lead }
 }
 
 /// 1 over (2 - e), where 1 - e is the cosine of the turn of the normal; of small turns by its series. A
 /// normal that turns right round does so about the tangent.
-#[inline]
-fn over_lean(e: f64) -> f64 {
-    match e {
-        e if e < 1e-4 => 0.5 + e * (0.25 + 0.125 * e),
-        e if e < 2.0 - 1e-12 => 1.0 / (2.0 - e),
-        _ => 0.0,
-    }
+#[inline(always)]
+fn over_lean<T: Number>(e: T) -> T {
+    let near = |e: T| T::of(0.5) + e * (T::of(0.25) + T::of(0.125) * e);
+    let each = |e: f64| if e < 2.0 - 1e-12 { 1.0 / (2.0 - e) } else { 0.0 };
+    e.by(|e| e < 1e-4, near, each)
 }
 
 /// A unit vector across another: which one does not matter, but it is always the same.
@@ -318,11 +367,14 @@ fn across(normal: Vector) -> Vector {
 }
 
 /// Sine and cosine of the turn of one step; small ones by their series.
-#[inline]
-fn small_turn(angle: f64) -> (f64, f64) {
-    if angle.abs() > 1e-3 {
-        return libm::sincos(angle);
-    }
-    let square = angle * angle;
-    (angle * (1.0 - square * (1.0 / 6.0)), 1.0 - square * (0.5 - square * (1.0 / 24.0)))
+#[inline(always)]
+fn turn<T: Number>(angle: T) -> (T, T) {
+    let is_small = |angle: f64| angle.abs() <= 1e-3;
+    let (one, sixth) = (T::of(1.0), T::of(1.0 / 6.0));
+    let sine = |angle: T| angle * (one - (angle * angle) * sixth);
+    let cosine = |angle: T| {
+        let square = angle * angle;
+        one - square * (T::of(0.5) - square * T::of(1.0 / 24.0))
+    };
+    (angle.by(is_small, sine, libm::sin), angle.by(is_small, cosine, libm::cos))
 }

@@ -1,9 +1,12 @@
 //! Where two grains, or a grain and a wall, touch, and how they move there.
 
+use std::array::from_fn;
+
 use carom_halfspace::MaterialPair;
 use carom_special::RangeError;
 
-use super::vector::{dot, minus, plus, times};
+use super::number::{LANES, Lanes, Number, lanes};
+use super::vector::{Vector, dot, minus, plus, times};
 
 /// A sphere as a particle code moves it.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,22 +37,22 @@ pub struct Wall {
 /// Two bodies at one instant: what their contact has to know. Body 1 is the one into which the normal
 /// points.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct Meeting {
+pub struct Meeting<T = f64> {
     /// The unit normal, out of body 2 into body 1.
-    pub normal: [f64; 3],
+    pub normal: [T; 3],
     /// The approach zeta; negative where a gap is left.
-    pub zeta: f64,
+    pub zeta: T,
     /// From the centres to the contact along the normal; that of a wall is zero.
-    pub arms: [f64; 2],
+    pub arms: [T; 2],
     /// The velocity of the centre of body 2 against that of body 1.
-    pub velocity: [f64; 3],
+    pub velocity: [T; 3],
     /// The sum of the spins, each times its arm: its product with the normal is what they add to the
     /// velocity where the two touch.
-    pub rolling: [f64; 3],
+    pub rolling: [T; 3],
     /// The mean of the spins, rad/s.
-    pub turning: [f64; 3],
+    pub turning: [T; 3],
     /// The spin of body 2 against body 1, rad/s; what of it is along the normal twists the contact.
-    pub twisting: [f64; 3],
+    pub twisting: [T; 3],
 }
 
 /// What share of the approach each body gives way: its (1 - nu)/G over that of both. Thus far from its
@@ -70,6 +73,91 @@ pub fn compliance_shares(materials: &MaterialPair) -> [f64; 2] {
     [one / (one + two), two / (one + two)]
 }
 
+/// A sphere, or some.
+#[derive(Clone, Copy)]
+struct Moving<T> {
+    place: Vector<T>,
+    velocity: Vector<T>,
+    spin: Vector<T>,
+    radius: T,
+}
+
+impl Moving<f64> {
+    #[inline(always)]
+    fn of(&Grain { place, velocity, spin, radius }: &Grain) -> Self {
+        Self { place, velocity, spin, radius }
+    }
+}
+
+impl Moving<Lanes> {
+    #[inline(always)]
+    fn of(grains: [&Grain; LANES]) -> Self {
+        Self {
+            place: from_fn(|k| lanes(|i| grains[i].place[k])),
+            velocity: from_fn(|k| lanes(|i| grains[i].velocity[k])),
+            spin: from_fn(|k| lanes(|i| grains[i].spin[k])),
+            radius: lanes(|i| grains[i].radius),
+        }
+    }
+}
+
+/// The centre of body 1 from that of body 2.
+struct Apart<T> {
+    way: Vector<T>,
+    square: T,
+}
+
+impl<T: Number> Moving<T> {
+    #[inline(always)]
+    fn apart(&self, two: &Self) -> Apart<T> {
+        let way = minus(self.place, two.place);
+        Apart { way, square: dot(way, way) }
+    }
+
+    #[inline(always)]
+    fn meeting(&self, two: &Self, apart: &Apart<T>, shares: [T; 2]) -> Meeting<T> {
+        let one = self;
+        let distance = apart.square.sqrt();
+        let normal = times(apart.way, T::of(1.0) / distance);
+        let zeta = one.radius + two.radius - distance;
+        let arms = [one.radius - shares[0] * zeta, two.radius - shares[1] * zeta];
+        let rolling = plus(times(one.spin, arms[0]), times(two.spin, arms[1]));
+        let velocity = minus(two.velocity, one.velocity);
+        let turning = times(plus(one.spin, two.spin), T::of(0.5));
+        let twisting = minus(two.spin, one.spin);
+        Meeting { normal, zeta, arms, velocity, rolling, turning, twisting }
+    }
+}
+
+impl Meeting<Lanes> {
+    /// Of some pairs of spheres at once.
+    #[inline(always)]
+    pub(super) fn of_pairs(
+        one: [&Grain; LANES],
+        two: [&Grain; LANES],
+        shares: [Lanes; 2],
+    ) -> Result<Self, RangeError> {
+        let [one, two] = [one, two].map(Moving::<Lanes>::of);
+        let apart = one.apart(&two);
+        apart.square.to_array().into_iter().try_for_each(Meeting::check)?;
+        Ok(one.meeting(&two, &apart, shares))
+    }
+
+    /// One of them.
+    pub(super) fn lane(&self, i: usize) -> Meeting {
+        let vector = |lanes: &[Lanes; 3]| lanes.map(|lane| lane.to_array()[i]);
+        Meeting {
+            normal: vector(&self.normal),
+            zeta: self.zeta.to_array()[i],
+            arms: self.arms.map(|lane| lane.to_array()[i]),
+            velocity: vector(&self.velocity),
+            rolling: vector(&self.rolling),
+            turning: vector(&self.turning),
+            twisting: vector(&self.twisting),
+        }
+    }
+}
+
 impl Meeting {
     /// Two spheres, of which each gives way by its share of the approach ([`compliance_shares`]).
     ///
@@ -77,20 +165,17 @@ impl Meeting {
     /// [`RangeError`] if the distance of the centres is zero or not a number.
     #[inline]
     pub fn of_spheres(one: &Grain, two: &Grain, shares: [f64; 2]) -> Result<Self, RangeError> {
-        let apart = minus(one.place, two.place);
-        let square = dot(apart, apart);
-        if !(square > 0.0 && square < f64::INFINITY) {
-            return Err(RangeError::new("distance", square.sqrt(), "positive and finite"));
+        let [one, two] = [one, two].map(Moving::<f64>::of);
+        let apart = one.apart(&two);
+        Self::check(apart.square)?;
+        Ok(one.meeting(&two, &apart, shares))
+    }
+
+    fn check(square: f64) -> Result<(), RangeError> {
+        if square > 0.0 && square < f64::INFINITY {
+            return Ok(());
         }
-        let distance = square.sqrt();
-        let normal = times(apart, 1.0 / distance);
-        let zeta = one.radius + two.radius - distance;
-        let arms = [one.radius - shares[0] * zeta, two.radius - shares[1] * zeta];
-        let rolling = plus(times(one.spin, arms[0]), times(two.spin, arms[1]));
-        let velocity = minus(two.velocity, one.velocity);
-        let turning = times(plus(one.spin, two.spin), 0.5);
-        let twisting = minus(two.spin, one.spin);
-        Ok(Self { normal, zeta, arms, velocity, rolling, turning, twisting })
+        Err(RangeError::new("distance", square.sqrt(), "positive and finite"))
     }
 
     /// A sphere, body 1, on a flat wall, body 2; the sphere gives way by its share of the approach.

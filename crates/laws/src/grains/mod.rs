@@ -25,11 +25,14 @@
 
 mod contact;
 mod meeting;
+mod number;
 mod pack;
+mod together;
 mod twist;
 mod vector;
 
 pub use contact::{GrainContact, GrainLoad, Heats};
 pub use meeting::{Grain, Meeting, Wall, compliance_shares};
 pub use pack::grain_numbers;
+pub use together::{TOGETHER, Touching, advance_together};
 pub use twist::GrainTwist;

@@ -1,28 +1,30 @@
 //! Three components.
 
-pub(super) type Vector = [f64; 3];
+use super::number::Number;
 
-#[inline]
-pub(super) fn plus(a: Vector, b: Vector) -> Vector {
+pub(super) type Vector<T = f64> = [T; 3];
+
+#[inline(always)]
+pub(super) fn plus<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     [a[0] + b[0], a[1] + b[1], a[2] + b[2]]
 }
 
-#[inline]
-pub(super) fn minus(a: Vector, b: Vector) -> Vector {
+#[inline(always)]
+pub(super) fn minus<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     [a[0] - b[0], a[1] - b[1], a[2] - b[2]]
 }
 
-#[inline]
-pub(super) fn times(a: Vector, by: f64) -> Vector {
+#[inline(always)]
+pub(super) fn times<T: Number>(a: Vector<T>, by: T) -> Vector<T> {
     [a[0] * by, a[1] * by, a[2] * by]
 }
 
-#[inline]
-pub(super) fn dot(a: Vector, b: Vector) -> f64 {
+#[inline(always)]
+pub(super) fn dot<T: Number>(a: Vector<T>, b: Vector<T>) -> T {
     a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
 }
 
-#[inline]
-pub(super) fn cross(a: Vector, b: Vector) -> Vector {
+#[inline(always)]
+pub(super) fn cross<T: Number>(a: Vector<T>, b: Vector<T>) -> Vector<T> {
     [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
 }

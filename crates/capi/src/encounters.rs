@@ -1,0 +1,123 @@
+//! Many pairs of grains in one call.
+
+use std::array::from_fn;
+
+use carom_laws::grains::{Grain, TOGETHER, Touching, advance_together};
+
+use crate::error::{CaromError, CaromStatus, Failure, border};
+use crate::grains::{CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, advance};
+use crate::pointers::{Strided, read};
+use crate::touch::CaromTouch;
+
+/// Two grains and their contact, of many that make their step in one call.
+#[derive(Debug, Clone, Copy)]
+#[repr(C)]
+pub struct CaromEncounter {
+    /// The constants of their materials.
+    pub grains: *const CaromGrains,
+    /// Their contact: of each pair its own.
+    pub touch: *mut CaromTouch,
+    /// Body 1.
+    pub one: CaromGrain,
+    /// Body 2.
+    pub two: CaromGrain,
+    /// What body 2 exerts on body 1 at the end of the step: to be written.
+    pub load: CaromGrainLoad,
+}
+
+const _: () = assert!(size_of::<CaromGrain>() == size_of::<Grain>());
+
+/// One step of the duration `dt` of many pairs of grains: `carom_touch_grains` for each, to the same bits and
+/// in less time, since some go through the processor together.
+///
+/// What cannot make its step ends the call, and `error->index` names it: those before it have made theirs.
+/// `heats` may be null; it costs several times the force.
+///
+/// # Safety
+/// `encounters` is null or `count` of them may be read and written, and what each points to is as in
+/// `carom_touch_grains`; no two have the same touch. `heats` and `error` are null or may be written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_touch_many(
+    encounters: *mut CaromEncounter,
+    count: usize,
+    dt: f64,
+    heats: *mut CaromHeats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let all = Strided::new(encounters, size_of::<CaromEncounter>(), count, "encounters")?;
+        let mut next = 0;
+        while next < count {
+            let together = heats.is_null() && count - next >= TOGETHER;
+            if together && step_together(&all, next, count, dt).is_some() {
+                next += TOGETHER;
+                continue;
+            }
+            let some = if together { TOGETHER } else { count - next };
+            for i in next..next + some {
+                let at = &mut *all.at(i);
+                let bodies = [&at.one, &at.two];
+                advance(at.grains, at.touch, bodies, dt, &raw mut at.load, heats)
+                    .map_err(|failure: Failure| failure.at(i))?;
+            }
+            next += some;
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// Some encounters from one on, together; nothing, and nothing is changed, if one of them has no contact yet
+/// or cannot make the step.
+///
+/// # Safety
+/// As `carom_touch_many`.
+#[inline(always)]
+unsafe fn step_together(
+    all: &Strided<CaromEncounter>,
+    from: usize,
+    count: usize,
+    dt: f64,
+) -> Option<()> {
+    // SAFETY: the caller's promise; the touches are apart.
+    let mut pairs: [Option<Touching<'_, _>>; TOGETHER] = from_fn(|i| unsafe {
+        let at = &*all.at(from + i);
+        let grains = read(at.grains, "grains").ok()?;
+        let contact = crate::pointers::write(at.touch, "touch").ok()?.present_mut().ok()??;
+        // The same fields in the same order.
+        let [one, two] =
+            [&at.one, &at.two].map(|grain| &*std::ptr::from_ref(grain).cast::<Grain>());
+        Some(Touching { contact, bodies: [one, two], shares: [grains.share_1, grains.share_2] })
+    });
+    let [Some(a), Some(b), Some(c), Some(d)] = pairs.each_mut().map(Option::take) else {
+        return None;
+    };
+    let send_for_next = |i: usize| {
+        let next = from + TOGETHER + i;
+        if next < count {
+            // SAFETY: the caller's promise.
+            send_for(unsafe { (*all.at(next)).touch });
+        }
+    };
+    let loads = advance_together(&mut [a, b, c, d], dt, send_for_next).ok()?;
+    for (i, (load, arms)) in loads.into_iter().enumerate() {
+        // SAFETY: the caller's promise.
+        unsafe { (*all.at(from + i)).load = CaromGrainLoad::new(load, arms) };
+    }
+    Some(())
+}
+
+/// Asks for what a place holds, to be there when it is read; of no effect otherwise, wherever it is.
+#[inline(always)]
+fn send_for<T>(place: *const T) {
+    #[cfg(target_arch = "x86_64")]
+    for line in 0..size_of::<T>().div_ceil(64) {
+        use std::arch::x86_64::{_MM_HINT_T0, _mm_prefetch};
+        // SAFETY: a prefetch reads nothing and never faults.
+        unsafe { _mm_prefetch::<_MM_HINT_T0>(place.cast::<i8>().wrapping_add(64 * line)) };
+    }
+    #[cfg(not(target_arch = "x86_64"))]
+    let _ = place;
+}

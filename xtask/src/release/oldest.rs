@@ -1,0 +1,100 @@
+//! The oldest Rust that these crates are for: `rust-version`.
+
+use super::root;
+use crate::cargo;
+use anyhow::{Context as _, ensure};
+use serde_json::Value;
+use std::process::Command;
+
+/// Packages that ask for a newer Rust than the workspace does. What the code itself asks for of the standard
+/// library, clippy tells.
+pub(super) fn faults() -> anyhow::Result<Vec<String>> {
+    let host = host()?;
+    // Of other platforms nothing need be there.
+    let metadata = ["metadata", "--format-version", "1", "--locked", "--filter-platform", &host];
+    let output = cargo::command(&metadata).output().context("cannot start cargo")?;
+    ensure!(output.status.success(), "`cargo metadata` failed");
+    let metadata: Value = serde_json::from_slice(&output.stdout)?;
+    newer(&metadata["packages"], &ours()?)
+}
+
+/// What the workspace says.
+fn ours() -> anyhow::Result<String> {
+    let manifest: toml::Table = std::fs::read_to_string(root().join("Cargo.toml"))?.parse()?;
+    let said = &manifest["workspace"]["package"]["rust-version"];
+    Ok(said.as_str().context("the workspace has no rust-version")?.to_owned())
+}
+
+fn host() -> anyhow::Result<String> {
+    let output = Command::new("rustc").arg("-vV").output().context("cannot start rustc")?;
+    let text = String::from_utf8_lossy(&output.stdout).into_owned();
+    let host = text.lines().find_map(|line| line.strip_prefix("host: "));
+    Ok(host.context("rustc does not name its host")?.to_owned())
+}
+
+fn newer(packages: &Value, ours: &str) -> anyhow::Result<Vec<String>> {
+    let oldest = parts(ours)?;
+    let mut faults = Vec::new();
+    for package in packages.as_array().context("no packages")? {
+        let Some(asks) = package["rust_version"].as_str() else { continue };
+        if parts(asks)? > oldest {
+            let [name, version] = ["name", "version"].map(|field| package[field].as_str());
+            let [name, version] = [name, version].map(Option::unwrap_or_default);
+            faults.push(format!("{name} {version} asks for Rust {asks}, the workspace for {ours}"));
+        }
+    }
+    Ok(faults)
+}
+
+/// `1.89` is `1.89.0`.
+fn parts(version: &str) -> anyhow::Result<[u32; 3]> {
+    let mut parts = [0; 3];
+    for (place, part) in parts.iter_mut().zip(version.split('.')) {
+        *place = part.parse().with_context(|| format!("{version} is no version of Rust"))?;
+    }
+    Ok(parts)
+}
+
+/// Checks all crates with that very Rust, where rustup has it.
+pub(super) fn check() -> anyhow::Result<()> {
+    let version = ours()?;
+    let there = Command::new("rustup").args(["run", &version, "cargo", "--version"]).output();
+    if !there.is_ok_and(|output| output.status.success()) {
+        println!(
+            "skipped: a check with Rust {version}; `rustup toolchain install {version}` has it"
+        );
+        return Ok(());
+    }
+    // Named by rustup, not by the cargo that runs this.
+    let mut command = Command::new("rustup");
+    command.args(["run", &version, "cargo", "check", "--workspace", "--all-targets", "--locked"]);
+    command.args(["--quiet", "--target-dir", "target/oldest"]).current_dir(root());
+    let status = command.env_remove("RUSTC").env_remove("CARGO").status()?;
+    ensure!(status.success(), "Rust {version} cannot build the workspace");
+    println!("Rust {version} builds all crates");
+    Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use serde_json::json;
+
+    #[test]
+    fn who_asks_for_more_is_named() {
+        let packages = json!([
+            { "name": "old", "version": "1.0.0", "rust_version": "1.9" },
+            { "name": "new", "version": "2.0.0", "rust_version": "1.89.1" },
+            { "name": "silent", "version": "3.0.0", "rust_version": null },
+        ]);
+        let faults = newer(&packages, "1.89").unwrap();
+        assert_eq!(faults, ["new 2.0.0 asks for Rust 1.89.1, the workspace for 1.89"]);
+        assert_eq!(newer(&packages, "1.90").unwrap(), Vec::<String>::new());
+        assert!(newer(&packages, "latest").is_err());
+    }
+
+    #[test]
+    fn no_dependency_asks_for_more() {
+        assert_eq!(faults().unwrap(), Vec::<String>::new());
+    }
+}
