@@ -34,6 +34,10 @@ use pass::Pass;
 ///
 /// Each of the four motions is driven by its shift or by its load.
 ///
+/// A step costs what its contact covers, not what the window does: on many cells it is solved on a box
+/// about the contact, found anew in each step on coarse cells, and on the whole window where bodies
+/// would overlap outside the box.
+///
 /// Where static friction is above the kinetic one, a cell sticks up to `f_s p`; once it slips its
 /// limit is `f_k p`, within the step at once and in later steps for as long as it slips. A step
 /// without slip heals it. Cells break in turn until none is at its static limit: what each of them
