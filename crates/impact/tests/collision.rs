@@ -225,3 +225,22 @@ proptest! {
         }
     }
 }
+
+/// Next to as heavy as numbers go: impulse and energy are none any more, and no NaN is told.
+#[test]
+fn what_overflows_is_refused() {
+    let steel = Material::from_young(208e9, 0.3).unwrap();
+    let solve = |mass: f64, speed: f64| {
+        let ball = Body::sphere(0.02, steel, mass).unwrap();
+        let ball = ball.moving(Motion::new([0.3 * speed, 0.0, -speed], [0.0; 3]).unwrap());
+        let friction = Friction::new(0.3).unwrap();
+        Collision::new(ball, Body::plane(steel), friction).unwrap().solve()
+    };
+    for (mass, speed, field) in [(f64::MAX, 1.0, "impulse"), (1e200, 1e60, "kinetic energy")] {
+        match solve(mass, speed) {
+            Err(CollisionError::Range(error)) => assert_eq!(error.field, field),
+            other => panic!("{mass:e}: {other:?}"),
+        }
+    }
+    assert!(solve(1e200, 1.0).is_ok());
+}

@@ -14,9 +14,10 @@ WALLS = (HERE / "box_walls.in").read_text()
 @pytest.mark.parametrize("law", ["law chapter7", "law coulomb", "law chapter7 torsion yes"])
 def test_energy_goes_where_it_is_booked(tmp_path, law):
     """Kinetic, potential and stored energy, heats and the work of the moving floor: their sum stays, to the
-    leapfrog's error, which falls with the step."""
+    leapfrog's error. This falls as the square of the step, and where grains meet as its power 3/2: there
+    damping begins as the root of the time."""
     missed = []
-    for dt in (1e-5, 5e-6):
+    for dt in (1e-5, 5e-6, 2.5e-6) if law == "law chapter7" else (1e-5, 5e-6):
         steps = round(0.02 / dt)
         script = BOX + WALLS + f"thermo {steps // 30}\nrun {steps}\n"
         table = thermo(lmp(script, tmp_path, dt=dt, law=law, shake=0.3))
@@ -28,7 +29,9 @@ def test_energy_goes_where_it_is_booked(tmp_path, law):
             assert np.diff(table[heat]).min() >= 0
         missed.append(np.abs(total - total[0]).max() / gone)
     print(law, "balance over what became heat, by step:", missed)
-    assert missed[0] < 2e-2 and missed[1] < 0.5 * missed[0]
+    assert missed[0] < 1e-3
+    for coarse, fine in zip(missed, missed[1:]):
+        assert fine < 0.4 * coarse
 
 
 def test_momentum_stays(tmp_path):

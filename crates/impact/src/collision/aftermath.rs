@@ -57,6 +57,9 @@ impl Collision {
             dissipated,
             lost,
         };
+        // Of bodies next to as heavy as numbers go.
+        RangeError::finite("impulse", impulse.abs().sum())?;
+        RangeError::finite("kinetic energy", energy.before + energy.after)?;
         let maximal_contact = self.hertz.ellipse(passed.maximal_approach)?;
         let mut warnings = self.warnings(maximal_contact.semi_axis_b(), before.z, share);
         warnings.extend(passed.warning);

@@ -2,13 +2,19 @@
 
 from __future__ import annotations
 
+import operator
 from collections.abc import Callable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from ._carom import RangeError
+
 Array = NDArray[np.float64]
 Numbers = float | Array
+
+# Of a contact or an instant, at least.
+BYTES = 256
 
 
 def line(x: ArrayLike) -> Array:
@@ -16,14 +22,54 @@ def line(x: ArrayLike) -> Array:
     return np.require(x, np.float64, ["C", "A"]).reshape(-1)
 
 
+def numbers(name: str, x: ArrayLike) -> Array:
+    """Real numbers; what is none is an error that names its argument, imaginary parts too."""
+    try:
+        given = np.asarray(x)
+        if given.dtype.kind in "cSU":
+            raise TypeError
+        return np.asarray(given, dtype=np.float64)
+    except (TypeError, ValueError, OverflowError):
+        raise ValueError(f"{name}: must be real numbers, not {str(x):.60}") from None
+
+
+def spread(name: str, x: ArrayLike, shape: tuple[int, ...]) -> Array:
+    """The numbers of an argument, one of them for many."""
+    given = numbers(name, x)
+    try:
+        return np.broadcast_to(given, shape)
+    except ValueError:
+        raise ValueError(f"{name} has the shape {given.shape}: must be a number or of the shape {shape}") from None
+
+
+def two(name: str, x: object) -> tuple[float, float]:
+    """Two numbers."""
+    pair = numbers(name, x)  # type: ignore[arg-type]
+    if pair.shape != (2,):
+        raise ValueError(f"{name}: must be two numbers, not {str(x):.60}")
+    return float(pair[0]), float(pair[1])
+
+
+def counted(name: str, x: object, each: int) -> int:
+    """A number of things of so many bytes: a whole one, for which there is room."""
+    whole = operator.index(x)  # type: ignore[arg-type]
+    allowed = "at least 0" if whole < 0 else "so many as the memory holds"
+    try:
+        np.empty(max(whole, -1) * each, np.uint8)
+    except (MemoryError, ValueError, OverflowError):
+        error = RangeError(f"{name} = {whole} is out of range: must be {allowed}")
+        error.field, error.value, error.index = name, float(whole), None
+        raise error from None
+    return whole
+
+
 def over(function: Callable[..., Array], *arguments: ArrayLike) -> Numbers:
     """The values of a native function over broadcast arguments; a number for numbers."""
-    arrays = np.broadcast_arrays(*(np.asarray(x, dtype=np.float64) for x in arguments))
+    arrays = np.broadcast_arrays(*(numbers(f"argument {i}", x) for i, x in enumerate(arguments, 1)))
     values = function(*(line(x) for x in arrays)).reshape(arrays[0].shape)
     return values if values.ndim else float(values)
 
 
-def rows(x: ArrayLike | None, count: int) -> Array:
+def rows(name: str, x: ArrayLike | None, count: int) -> Array:
     """`count` vectors of three; one vector stands for all, None for zeros."""
-    given = np.zeros(3) if x is None else np.asarray(x, dtype=np.float64)
-    return np.require(np.broadcast_to(given, (count, 3)), np.float64, ["C", "A"])
+    return np.require(spread(name, np.zeros(3) if x is None else x, (count, 3)), np.float64, ["C", "A"])

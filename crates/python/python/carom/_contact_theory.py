@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import Array, Numbers, line, over
+from ._arrays import Array, Numbers, line, numbers, over
 from ._carom import Hertz, Material, MaterialPair
 from ._records import HertzState
 
@@ -54,7 +54,7 @@ def hertz(
     if len(given) != 1:
         raise TypeError("hertz() takes one of force, approach, semi_axis_a, semi_axis_b")
     ((name, values),) = given
-    return HertzState._of(contact.state(name, line(values)), np.shape(values))
+    return HertzState._of(contact.state(name, line(numbers(name, values))), np.shape(values))
 
 
 def restitution(kappa: ArrayLike, lam: ArrayLike, *, exact: bool = False) -> Numbers:
@@ -110,7 +110,7 @@ def stress(
     >>> round(float(shear.max()), 2), int(shear.argmax())  # 0.31 of the pressure, 0.48 a deep
     (0.31, 48)
     """
-    arrays = np.broadcast_arrays(*(np.asarray(v, dtype=np.float64) for v in (x, y, z)))
+    arrays = np.broadcast_arrays(*(numbers(n, v) for n, v in zip("xyz", (x, y, z), strict=True)))
     points = [line(v) for v in arrays]
     values = _carom.stress(semi_axes, material, pressure, traction, stick_radius, *points)
     return values.reshape(arrays[0].shape + (6,))
@@ -122,7 +122,7 @@ def von_mises(stress: ArrayLike) -> Numbers:
     >>> von_mises([3.0, 0, 0, 0, 0, 0])
     3.0
     """
-    xx, yy, zz, xy, yz, zx = np.moveaxis(np.asarray(stress, dtype=np.float64), -1, 0)
+    xx, yy, zz, xy, yz, zx = np.moveaxis(numbers("stress", stress), -1, 0)
     normal = (xx - yy) ** 2 + (yy - zz) ** 2 + (zz - xx) ** 2
     value = np.sqrt(0.5 * normal + 3.0 * (xy**2 + yz**2 + zx**2))
     return value if value.ndim else float(value)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import Array, line
+from ._arrays import BYTES, Array, counted, line, numbers, spread
 from ._carom import Hertz
 
 
@@ -42,7 +42,7 @@ class Contacts:
         threads: bool = False,
     ) -> None:
         self._native = _carom.Contacts(
-            count, stiffness, friction, law, tolerance, directions, threads
+            counted("count", count, BYTES), stiffness, friction, law, tolerance, directions, threads
         )
         self._directions = directions
 
@@ -55,11 +55,11 @@ class Contacts:
         All go, or none.
         """
 
-        def column(shift: ArrayLike) -> Array:
-            return np.broadcast_to(np.asarray(shift, dtype=np.float64), len(self)).reshape(-1, 1)
+        def column(name: str, shift: ArrayLike) -> Array:
+            return spread(name, shift, (len(self),)).reshape(-1, 1)
 
-        across = None if eta is None else column(eta)
-        return self.follow(column(zeta), column(xi), across)[:, 0]
+        across = None if eta is None else column("eta", eta)
+        return self.follow(column("zeta", zeta), column("xi", xi), across)[:, 0]
 
     def follow(
         self,
@@ -73,10 +73,12 @@ class Contacts:
 
         All go, or none. `out` is where to write the loads, if given.
         """
-        given = [np.asarray(v, dtype=np.float64) for v in (zeta, xi) + (() if eta is None else (eta,))]
-        steps = np.broadcast_shapes(*(v.shape for v in given), (len(self), 1))[1]
+        told = {"zeta": zeta, "xi": xi} | ({} if eta is None else {"eta": eta})
+        given = {name: numbers(name, v) for name, v in told.items()}
+        lengths = (v.shape[-1] for v in given.values() if v.ndim)
+        steps = next((length for length in lengths if length != 1), 1)
         shape = (len(self), steps)
-        paths = [line(np.broadcast_to(v, shape)) for v in given]
+        paths = [line(spread(name, v, shape)) for name, v in given.items()]
         loads = np.empty(shape + (3,)) if out is None else out
         if loads.shape != shape + (3,) or loads.dtype != np.float64 or not loads.flags.carray:
             raise ValueError(f"out: must be a contiguous array of float64 of shape {shape + (3,)}")

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import line, rows
+from ._arrays import BYTES, counted, line, rows, spread
 from ._carom import Body, Material
 from ._records import HistoryPoint, Rebound
 
@@ -104,8 +104,10 @@ def collide_many(
         raise ValueError(f"motions and friction: must be of one length, not {sorted(set(counts))}")
     count = counts[0] if counts else 1
     default = (body_1.velocity, body_1.spin, body_2.velocity, body_2.spin)
-    motions = [rows(d if v is None else v, count) for v, d in zip(given, default, strict=True)]
-    frictions = line(np.broadcast_to(np.asarray(friction, dtype=np.float64), (count,)))
+    names = ("velocity_1", "spin_1", "velocity_2", "spin_2")
+    told = zip(names, given, default, strict=True)
+    motions = [rows(name, d if v is None else v, count) for name, v, d in told]
+    frictions = line(spread("friction", friction, (count,)))
     columns = _carom.collide_many(
         body_1, body_2, frictions, motions, normal, torsion, law, tolerance, normal_restitution
     )
@@ -131,5 +133,6 @@ def history(
     >>> course.F.shape, course.regime[0] != course.regime[25]
     ((51, 3), True)
     """
+    points = counted("points", points, BYTES)
     columns = _carom.history(body_1, body_2, friction, points, normal, law, tolerance)
     return HistoryPoint._of(columns, (len(columns["time"]),))

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from . import _carom
-from ._arrays import Array, line
+from ._arrays import Array, counted, line, numbers, two
 from ._carom import MaterialPair
 from ._records import SolverStep
 
@@ -26,9 +26,12 @@ def cells(shape: tuple[int, int], size: tuple[float, float]) -> tuple[Array, Arr
     >>> x[0]
     array([-1.5, -0.5,  0.5,  1.5])
     """
-    ny, nx = shape
-    x = (np.arange(nx) - 0.5 * (nx - 1)) * (size[0] / nx)
-    y = (np.arange(ny) - 0.5 * (ny - 1)) * (size[1] / ny)
+    if np.shape(shape) != (2,):
+        raise ValueError(f"shape: must be (ny, nx), not {str(shape):.60}")
+    ny, nx = (counted("shape", n, 8) for n in shape)
+    width, height = two("size", size)
+    x = (np.arange(nx) - 0.5 * (nx - 1)) * (width / max(nx, 1))
+    y = (np.arange(ny) - 0.5 * (ny - 1)) * (height / max(ny, 1))
     return np.meshgrid(x, y)
 
 
@@ -67,14 +70,14 @@ class Solver:
         tolerance: float = 1e-9,
         cut: bool = False,
     ) -> None:
-        heights = np.array(gap, dtype=np.float64)
+        heights = numbers("gap", gap).copy()
         if heights.ndim != 2:
             raise ValueError(f"gap has {heights.ndim} dimensions: must be an array (ny, nx)")
         ny, nx = heights.shape
-        fine = np.asarray(friction, dtype=np.float64)
+        fine = numbers("friction", friction)
         if fine.shape not in ((), (ny, nx)):
             raise ValueError(f"friction has the shape {fine.shape}: must be a number or {(ny, nx)}")
-        self._gap, self._size, self._materials = heights, (float(size[0]), float(size[1])), materials
+        self._gap, self._size, self._materials = heights, two("size", size), materials
         self._friction, self._tolerance, self._cut = fine, float(tolerance), bool(cut)
         self._given: list[tuple[bool, float]] = [(False, 0.0)] * 4
         cell = [self._size[0] / max(nx, 1), self._size[1] / max(ny, 1)]
@@ -165,7 +168,7 @@ class Solver:
 
         The sum over all cells: exact for tractions that are the same all over a cell.
         """
-        arrays = np.broadcast_arrays(*(np.asarray(a, dtype=np.float64) for a in (x, y, z)))
+        arrays = np.broadcast_arrays(*(numbers(n, a) for n, a in zip("xyz", (x, y, z), strict=True)))
         material = (self._materials.material_1, self._materials.material_2)[body == 2]
         stress = self._native.stress(material, body, *(line(a) for a in arrays))
         return stress.reshape((*arrays[0].shape, 6))

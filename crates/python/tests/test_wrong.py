@@ -1,0 +1,72 @@
+"""Arguments of wrong kind, shape or size: an error that names them, and never the end of the process."""
+
+import numpy as np
+import pytest
+
+import carom
+
+RUBBER = carom.Material(5e6, 0.5)
+BALL = carom.sphere(0.02, RUBBER, 0.037, velocity=(1, 0, -3))
+FLOOR = carom.plane(carom.RIGID)
+HERTZ = carom.hertz_of_spheres(0.01, 0.01, RUBBER)
+PAIR = carom.MaterialPair(RUBBER)
+
+
+def contacts():
+    return carom.Contacts(3, HERTZ, 0.3)
+
+
+NO_NUMBERS = ["x", b"1", np.array([1 + 2j]), np.array(["1"]), object(), {}, 10**400]
+CALLS = {
+    "zeta": lambda x: contacts().advance(x),
+    "xi": lambda x: contacts().advance(1e-6, x),
+    "eta": lambda x: contacts().follow(1e-6, 0.0, x),
+    "friction": lambda x: carom.collide_many(BALL, FLOOR, x),
+    "velocity_1": lambda x: carom.collide_many(BALL, FLOOR, 0.5, velocity_1=x),
+    "spin_2": lambda x: carom.collide_many(BALL, FLOOR, 0.5, spin_2=x),
+    "gap": lambda x: carom.Solver(x, (1.0, 1.0), PAIR, 0.3),
+    "size": lambda x: carom.Solver(np.zeros((4, 4)), x, PAIR, 0.3),
+    "force": lambda x: carom.hertz(HERTZ, force=x),
+    "stress": carom.von_mises,
+    "y": lambda x: carom.stress((1.0, 1.0), RUBBER, 1.0, 0.0, x, 1.0),
+    "argument 2": lambda x: carom.restitution(1.2, x),
+    "argument 1": carom.special.k,
+}
+
+
+@pytest.mark.parametrize("name", CALLS)
+@pytest.mark.parametrize("wrong", NO_NUMBERS, ids=lambda wrong: str(wrong)[:12])
+def test_what_is_no_number_is_named(name, wrong):
+    with pytest.raises(ValueError, match=f"^{name}: must be"):
+        CALLS[name](wrong)
+
+
+@pytest.mark.parametrize("name", ["zeta", "xi", "velocity_1", "spin_2", "size", "gap"])
+@pytest.mark.parametrize("shape", [(0,), (2,), (5,), (3, 0), (2, 2, 2)])
+def test_a_wrong_shape_is_named(name, shape):
+    if (name, shape) == ("size", (2,)):
+        return
+    with pytest.raises(ValueError, match=rf"^({name}|nx)\b"):
+        CALLS[name](np.ones(shape))
+
+
+@pytest.mark.parametrize("many", [-1, 10**15, 2**63, 10**30])
+def test_more_than_the_memory_holds_is_refused(many):
+    for name, call in {
+        "count": lambda: carom.Contacts(many, HERTZ, 0.3),
+        "points": lambda: carom.history(BALL, FLOOR, 0.5, many),
+        "shape": lambda: carom.cells((many, 1), (1.0, 1.0)),
+    }.items():
+        with pytest.raises(carom.RangeError) as told:
+            call()
+        assert (told.value.field, told.value.value) == (name, float(many))
+
+
+def test_any_layout_of_an_array_is_the_same():
+    zeta = np.linspace(1e-7, 1e-6, 6)
+    expected = carom.Contacts(3, HERTZ, 0.3).advance(zeta[::2], 1e-8)
+    for same in (zeta[::2].copy(), list(zeta[::2]), zeta[::2].astype(">f8"), np.asfortranarray(zeta.reshape(3, 2))[:, 0]):
+        assert np.array_equal(carom.Contacts(3, HERTZ, 0.3).advance(same, 1e-8), expected)
+    assert carom.Contacts(0, HERTZ, 0.3).advance([]).shape == (0, 3)
+    assert contacts().follow(np.zeros((3, 0))).shape == (3, 0, 3)
+    assert carom.restitution(1.2, []).shape == (0,)
