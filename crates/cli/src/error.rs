@@ -213,14 +213,20 @@ impl CliError {
                 _ => 1,
             },
             Self::Step { source, .. } => match **source {
-                FrictionalError::Range(_) | FrictionalError::Slides { .. } => 2,
+                FrictionalError::Range(_)
+                | FrictionalError::Period(_)
+                | FrictionalError::Slides { .. } => 2,
                 _ => 1,
             },
             Self::Fit { source, .. } => match **source {
                 FitError::Range(_)
                 | FitError::Problem(_)
                 | FitError::Endless { .. }
-                | FitError::Method(FrictionalError::Range(_) | FrictionalError::Slides { .. }) => 2,
+                | FitError::Method(
+                    FrictionalError::Range(_)
+                    | FrictionalError::Period(_)
+                    | FrictionalError::Slides { .. },
+                ) => 2,
                 _ => 1,
             },
             Self::Classic { source, .. } => match **source {

@@ -16,10 +16,22 @@ use crate::Grid;
 /// assert_eq!(field.integral(), 0.0);
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct Field<T = f64> {
     grid: Grid,
     values: Vec<T>,
+}
+
+impl<T: Clone> Clone for Field<T> {
+    fn clone(&self) -> Self {
+        Self { grid: self.grid, values: self.values.clone() }
+    }
+
+    // What is there already is used again.
+    fn clone_from(&mut self, source: &Self) {
+        self.grid = source.grid;
+        self.values.clone_from(&source.values);
+    }
 }
 
 impl<T> Field<T> {

@@ -193,6 +193,57 @@ fn threads_do_not_change_a_bit() {
     }
 }
 
+/// The part of a grid that a small load covers: the same influence, and no part larger than all.
+#[test]
+fn an_operator_on_fewer_cells_is_part_of_all() {
+    let all = Grid::new(24, 18, 0.1, 0.2).unwrap();
+    for pair in [similar(), dissimilar()] {
+        let operator = HalfSpaceOperator::new(pair, all).unwrap();
+        let fewer = operator.on_fewer(7, 10).unwrap().unwrap();
+        let part = Fields::noise(fewer.grid());
+        let mut load = Fields::zero(all);
+        for (own, field) in part.0.iter().zip(&mut load.0) {
+            for (row, values) in own.chunks_exact(7).enumerate() {
+                field[all.index(9, 5 + row)..][..7].copy_from_slice(values);
+            }
+        }
+        let (got, want) = (product(&*fewer, &part), product(&operator, &load));
+        for (got, want) in got.0.iter().zip(&want.0) {
+            for (i, got) in got.iter().enumerate() {
+                let want = want[all.index(9 + i % 7, 5 + i / 7)];
+                assert!((got - want).abs() < 1e-13, "{got} {want}");
+            }
+        }
+        assert_eq!(fewer.coefficients(6, -9), operator.coefficients(6, -9));
+        assert_eq!(fewer.coefficients(7, 0), Coefficients::default());
+        for [nx, ny] in [[25, 1], [1, 19], [0, 4]] {
+            let error = operator.on_fewer(nx, ny).unwrap().err().unwrap();
+            assert!(matches!(error, OperatorError::Range(_)), "{error}");
+        }
+    }
+}
+
+/// Rows without tractions above and below those with some, of each field its own.
+#[test]
+fn loads_on_a_few_rows_are_the_direct_sum() {
+    let grid = Grid::new(11, 9, 0.1, 0.2).unwrap();
+    let operator = HalfSpaceOperator::new(dissimilar(), grid).unwrap();
+    let mut workspace = operator.workspace();
+    let mut result = Fields::zero(grid);
+    for rows in [[0, 9, 4], [8, 3, 3], [0, 0, 8], [2, 7, 5]] {
+        let mut load = Fields::noise(grid);
+        for (field, row) in load.0.iter_mut().zip(rows) {
+            for (i, value) in field.iter_mut().enumerate() {
+                if i / 11 != row {
+                    *value = 0.0;
+                }
+            }
+        }
+        operator.apply(load.tractions(), result.displacements(), &mut workspace).unwrap();
+        assert!(worst_difference(&result, &direct_sum(&operator, &load)) < 1e-13, "{rows:?}");
+    }
+}
+
 #[test]
 fn one_workspace_serves_grids_of_different_size() {
     let mut workspace = carom_halfspace::operator::Workspace::default();

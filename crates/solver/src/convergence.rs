@@ -3,7 +3,8 @@
 use std::ops::ControlFlow;
 
 /// Products with the blocks of the influence, and applications of a preconditioner, counted on the
-/// finest grid: one on a grid with a quarter of the cells counts a quarter.
+/// finest grid: one on a grid, or on a box about the contact, with a quarter of the cells counts a
+/// quarter.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Products {
     /// Normal displacement by pressure.
@@ -81,7 +82,7 @@ pub struct Convergence {
 pub struct Progress {
     /// Its number, from 1, on this grid.
     pub iteration: usize,
-    /// Cells of this grid.
+    /// Cells of this grid, or of the box about the contact.
     pub cells: usize,
     /// Cells in contact.
     pub touching: usize,

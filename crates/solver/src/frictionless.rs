@@ -7,8 +7,9 @@ use carom_special::RangeError;
 use crate::convergence::{Convergence, Observer, Stop};
 use crate::drive::{Drive, Driven};
 use crate::method::Method;
+use crate::nested;
 use crate::normal::{NormalGrids, Target};
-use crate::problem::ContactProblem;
+use crate::problem::{ContactProblem, PeriodError};
 use crate::state::{CellState, ContactState};
 
 /// Contact without friction: preconditioned conjugate gradients on an active set, started from
@@ -49,6 +50,9 @@ pub enum NormalError {
     /// The operator failed.
     #[error(transparent)]
     Operator(#[from] OperatorError),
+    /// No load on a period leads to the approach.
+    #[error(transparent)]
+    Period(#[from] PeriodError),
     /// The problem has friction, of which this method knows nothing.
     #[error("the surfaces have friction: this method takes frictionless ones only")]
     Friction,
@@ -107,7 +111,8 @@ impl Method for Frictionless {
             return Err(NormalError::Friction);
         }
         let operator = problem.operator();
-        let grids = NormalGrids::new(operator, problem.gap().heights().values())?;
+        let heights = problem.gap().heights().values();
+        let grids = NormalGrids::new(operator, heights, || nested::coarser_operators(operator))?;
         Ok(NormalScratch { grids, workspace: operator.workspace() })
     }
 
@@ -150,6 +155,7 @@ impl Frictionless {
             let (products, residuals) = Default::default();
             return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
         }
+        problem.check_approach(driven)?;
         let (operator, grids) = (problem.operator(), &mut scratch.grids);
         let started = grids.start(operator, driven, self.target)?;
         let (approach, reached) = grids.solve(operator, driven, self.target, observer)?;

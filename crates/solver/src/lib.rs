@@ -53,7 +53,7 @@ pub use gap::{Gap, HeightMap, HeightMapError, Outline, SelfAffine, Shape};
 pub use law::{NumericalLaw, NumericalLawError};
 pub use method::Method;
 pub use nested_history::{NestedError, NestedHistory};
-pub use problem::{ContactProblem, ProblemError};
+pub use problem::{ContactProblem, PeriodError, ProblemError};
 pub use result::{StepSummary, StoredEnergy, Subsurface, dissipated, violations};
 pub use state::{CellState, ContactState};
 pub use substeps::{SubstepError, Substepped};

@@ -2,7 +2,29 @@
 //!
 //! Centres of cells lie elsewhere on each grid, so that all passes by interpolation at places.
 
+use std::sync::Arc;
+
 use carom_halfspace::Grid;
+use carom_halfspace::operator::{OperatorError, SurfaceOperator};
+
+/// Grids with fewer cells along a side than this are not made coarser.
+const COARSEST: usize = 32;
+
+/// An operator on coarser grids, finest first, as far as it can be built there.
+pub(crate) fn coarser_operators(
+    finest: &dyn SurfaceOperator,
+) -> Result<Vec<Arc<dyn SurfaceOperator>>, OperatorError> {
+    let mut all: Vec<Arc<dyn SurfaceOperator>> = Vec::new();
+    loop {
+        let last = all.last().map_or(finest, |last| &**last);
+        if last.grid().nx().min(last.grid().ny()) < COARSEST {
+            return Ok(all);
+        }
+        let Some(coarser) = last.coarser() else { return Ok(all) };
+        let coarser = coarser?;
+        all.push(coarser.into());
+    }
+}
 
 /// Bilinear interpolation between the centres of a grid's cells; beyond them the border's values
 /// count.
@@ -59,14 +81,33 @@ pub(crate) fn coarser(fine: Grid, values: &[f64], coarse: Grid) -> Vec<f64> {
     means
 }
 
+/// From the centres of coarse cells to those of fine ones.
+pub(crate) struct Passage {
+    coarse: Grid,
+    columns: Vec<(usize, f64)>,
+    rows: Vec<(usize, f64)>,
+}
+
+impl Passage {
+    pub(crate) fn new(coarse: Grid, fine: Grid) -> Self {
+        let columns = places((0..fine.nx()).map(|i| fine.centred_x(i)), coarse.dx(), coarse.nx());
+        let rows = places((0..fine.ny()).map(|j| fine.centred_y(j)), coarse.dy(), coarse.ny());
+        Self { coarse, columns, rows }
+    }
+
+    /// Between coarse values in a fine cell.
+    pub(crate) fn at(&self, values: &[f64], cell: usize) -> f64 {
+        let (column, row) = (cell % self.columns.len(), cell / self.columns.len());
+        Bilinear { grid: self.coarse, values }.at(self.columns[column], self.rows[row])
+    }
+}
+
 /// Values between the centres of coarse cells at those of fine ones.
 pub(crate) fn finer(coarse: Grid, values: &[f64], fine: Grid) -> Vec<f64> {
-    let values = Bilinear { grid: coarse, values };
-    let columns = places((0..fine.nx()).map(|i| fine.centred_x(i)), coarse.dx(), coarse.nx());
-    let rows = places((0..fine.ny()).map(|j| fine.centred_y(j)), coarse.dy(), coarse.ny());
+    let (values, passage) = (Bilinear { grid: coarse, values }, Passage::new(coarse, fine));
     let mut between = Vec::with_capacity(fine.cells());
-    for row in &rows {
-        between.extend(columns.iter().map(|column| values.at(*column, *row)));
+    for row in &passage.rows {
+        between.extend(passage.columns.iter().map(|column| values.at(*column, *row)));
     }
     between
 }

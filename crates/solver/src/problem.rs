@@ -30,6 +30,36 @@ pub enum ProblemError {
     Operator(#[from] OperatorError),
 }
 
+/// Why no load on a period leads to a given shift.
+#[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
+pub enum PeriodError {
+    /// An approach above the mean of the gap.
+    #[error(
+        "the approach {approach} is above the mean of the gap, {mean}: there all of the period touches, \
+         and no load takes the mean planes nearer"
+    )]
+    AllTouches {
+        /// The approach.
+        approach: f64,
+        /// The mean of the gap.
+        mean: f64,
+    },
+    /// A tangential shift where all cells touch and friction is infinite.
+    #[error(
+        "a shift by {shift} along {axis}: all of the period sticks, and no load moves the mean planes \
+         against each other"
+    )]
+    AllSticks {
+        /// The axis.
+        axis: &'static str,
+        /// The shift in the step.
+        shift: f64,
+    },
+}
+
+/// An approach above the mean of the gap by no more than this part of the depth is at it.
+const ROUNDING: f64 = 1e-13;
+
 /// What a method of chapters 11 to 14 solves: a gap, the influence of tractions on displacements,
 /// and friction, all on one grid. It clones in constant time but for heights and friction: the
 /// operator is shared.
@@ -106,6 +136,21 @@ impl ContactProblem {
             Driven::Shift(approach) => (approach <= lowest).then_some(approach),
             Driven::Load(force) => (force == 0.0).then_some(lowest),
         }
+    }
+
+    /// Ok unless no load leads to this approach. At the mean of the gap on a period many do.
+    pub(crate) fn check_approach(&self, normal: Driven) -> Result<(), PeriodError> {
+        let Driven::Shift(approach) = normal else { return Ok(()) };
+        if self.operator.displaces_on_average() {
+            return Ok(());
+        }
+        let heights = self.gap.heights().values();
+        let mean = heights.iter().sum::<f64>() / heights.len() as f64;
+        let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
+        if approach - mean > ROUNDING * (approach - lowest) {
+            return Err(PeriodError::AllTouches { approach, mean });
+        }
+        Ok(())
     }
 
     /// The gap.

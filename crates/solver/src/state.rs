@@ -17,7 +17,7 @@ pub enum CellState {
 }
 
 /// Tractions that body 2 exerts on body 1, and what the next step must remember.
-#[derive(Debug, Clone, PartialEq)]
+#[derive(Debug, PartialEq)]
 pub struct ContactState {
     /// The rigid shift reached.
     pub shift: Shift,
@@ -36,18 +36,43 @@ pub struct ContactState {
     pub cells: Field<CellState>,
 }
 
+impl Clone for ContactState {
+    fn clone(&self) -> Self {
+        Self {
+            shift: self.shift,
+            pressure: self.pressure.clone(),
+            traction_x: self.traction_x.clone(),
+            traction_y: self.traction_y.clone(),
+            displacement_x: self.displacement_x.clone(),
+            displacement_y: self.displacement_y.clone(),
+            cells: self.cells.clone(),
+        }
+    }
+
+    // What is there already is used again.
+    fn clone_from(&mut self, source: &Self) {
+        self.shift = source.shift;
+        self.pressure.clone_from(&source.pressure);
+        self.traction_x.clone_from(&source.traction_x);
+        self.traction_y.clone_from(&source.traction_y);
+        self.displacement_x.clone_from(&source.displacement_x);
+        self.displacement_y.clone_from(&source.displacement_y);
+        self.cells.clone_from(&source.cells);
+    }
+}
+
 impl ContactState {
     /// Bodies apart: no tractions.
     #[must_use]
     pub fn apart(grid: Grid) -> Self {
-        let zero = Field::uniform(grid, 0.0);
+        let zero = || Field::uniform(grid, 0.0);
         Self {
             shift: Shift::default(),
-            pressure: zero.clone(),
-            traction_x: zero.clone(),
-            traction_y: zero.clone(),
-            displacement_x: zero.clone(),
-            displacement_y: zero,
+            pressure: zero(),
+            traction_x: zero(),
+            traction_y: zero(),
+            displacement_x: zero(),
+            displacement_y: zero(),
             cells: Field::uniform(grid, CellState::Exterior),
         }
     }

@@ -7,8 +7,8 @@ use carom_halfspace::operator::{PeriodicOperator, Threads};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
-    CellState, ContactProblem, ContactState, Drive, Driven, Frictional, Frictionless, Gap,
-    Method as _,
+    CellState, ContactProblem, ContactState, Drive, Driven, Frictional, FrictionalError,
+    Frictionless, Gap, Method as _, NormalError, PeriodError, violations,
 };
 
 const AMPLITUDE: f64 = 0.02;
@@ -72,6 +72,102 @@ fn the_approach_counts_from_the_mean_plane() {
         let state = pressed(&problem, Driven::Load(times * full));
         assert!((state.shift.zeta - AMPLITUDE).abs() < 1e-9 * AMPLITUDE);
         assert_eq!(state.count(CellState::Slip), 64 * 8);
+    }
+}
+
+/// Westergaard beyond full contact, waves along x and y together: the mean pressure and a wave of
+/// `pi E* A/L` for each, exact on any grid.
+#[test]
+fn full_contact_has_the_pressure_of_its_waves() {
+    let grid = Grid::new(24, 18, 1.0 / 24.0, 1.0 / 18.0).unwrap();
+    let body = Material::from_shear(2.0, 0.3).unwrap();
+    let pair = MaterialPair::new(body, body).unwrap();
+    let gap = Gap::wavy(grid, [AMPLITUDE, 0.5 * AMPLITUDE], [1.0, 0.5]).unwrap();
+    let operator = PeriodicOperator::new(pair, grid, Threads::One).unwrap();
+    let problem = ContactProblem::new(gap, Arc::new(operator), Friction::NONE).unwrap();
+    let modulus = PI * 2.0 / 0.7 * AMPLITUDE;
+    let waves = [modulus, 0.5 * modulus / 0.5];
+    for mean in [waves[0] + waves[1] + 1e-3, 3.0 * modulus, 1e4 * modulus] {
+        let state = pressed(&problem, Driven::Load(mean));
+        assert_eq!(state.count(CellState::Slip), grid.cells());
+        for ((x, y), got) in grid.centres().zip(state.pressure.values()) {
+            let [along, across] = [(2.0 * PI * x).cos(), (4.0 * PI * y).cos()];
+            let want = mean + waves[0] * along + waves[1] * across;
+            assert!((got - want).abs() < 1e-9 * mean, "{mean}: {got} {want}");
+        }
+    }
+}
+
+/// Above the mean of the gap no approach can be had; at the mean, and next to it, all but touches.
+#[test]
+fn an_approach_above_the_mean_of_a_period_is_refused_with_its_reason() {
+    let problem = wavy(32, 0.3, 0.2);
+    let mean = AMPLITUDE;
+    let method = Frictional::default();
+    let mut scratch = method.scratch(&problem).unwrap();
+    let apart = ContactState::apart(problem.grid());
+    let mut last = 0.0;
+    for below in [1e-2, 1e-4, 1e-8, 0.0] {
+        let drive = Drive { normal: Driven::Shift((1.0 - below) * mean), ..Drive::default() };
+        let mut to = apart.clone();
+        method.step(&problem, &apart, &drive, &mut to, &mut scratch, &mut ()).unwrap();
+        assert!(to.load().f_z > last);
+        last = to.load().f_z;
+    }
+    for part in [1.001, 1.5, 100.0] {
+        let drive = Drive { normal: Driven::Shift(part * mean), ..Drive::default() };
+        let mut to = apart.clone();
+        let error = method.step(&problem, &apart, &drive, &mut to, &mut scratch, &mut ());
+        let error = error.unwrap_err();
+        assert!(
+            matches!(error, FrictionalError::Period(PeriodError::AllTouches { .. })),
+            "{error}"
+        );
+        let smooth = wavy(32, 0.3, 0.0);
+        let method = Frictionless::default();
+        let mut scratch = method.scratch(&smooth).unwrap();
+        let error = method.step(&smooth, &apart, &drive, &mut to, &mut scratch, &mut ());
+        let reason = error.unwrap_err();
+        assert!(matches!(reason, NormalError::Period(PeriodError::AllTouches { .. })), "{reason}");
+        assert!(reason.to_string().contains("above the mean of the gap"));
+    }
+}
+
+/// Where all of a period touches, even tractions displace nothing: a shift makes some cells slip, and
+/// a large one all of them; where friction is infinite it is refused.
+#[test]
+fn a_period_in_full_contact_is_shifted_by_slip_alone() {
+    let load = |problem: &ContactProblem| {
+        let full = PI * (2.0 / 0.7) * AMPLITUDE;
+        Driven::Load(1.5 * full * problem.grid().cell_area() * problem.grid().cells() as f64)
+    };
+    let solve = |problem: &ContactProblem, x: Driven| {
+        let method = Frictional::default();
+        let mut scratch = method.scratch(problem)?;
+        let apart = ContactState::apart(problem.grid());
+        let drive = Drive { normal: load(problem), x, ..Drive::default() };
+        let mut to = apart.clone();
+        let went = method.step(problem, &apart, &drive, &mut to, &mut scratch, &mut ())?;
+        assert!(went.products.tangential < 60.0, "{:?}", went.products);
+        assert_eq!(to.count(CellState::Exterior), 0);
+        assert!(violations(problem, &apart, &to).unwrap().tangential < 1e-8);
+        Ok::<_, FrictionalError>(to)
+    };
+    for poisson in [0.0, 0.3] {
+        let problem = wavy(32, poisson, 0.3);
+        // A force alone is carried without a shift, as far as it goes without slip.
+        let pulled = solve(&problem, Driven::Load(0.005)).unwrap();
+        assert!(pulled.shift.xi.abs() < 1e-9 * AMPLITUDE);
+        let little = solve(&problem, Driven::Shift(0.1 * AMPLITUDE)).unwrap();
+        assert!(little.count(CellState::Stick) > 0 && little.count(CellState::Slip) > 0);
+        let all = solve(&problem, Driven::Shift(2.0 * AMPLITUDE)).unwrap();
+        assert_eq!(all.count(CellState::Stick), 0);
+        assert!((all.load().f_x / (0.3 * all.load().f_z) - 1.0).abs() < 1e-9);
+        let firm = wavy(32, poisson, f64::INFINITY);
+        let error = solve(&firm, Driven::Shift(0.1 * AMPLITUDE)).unwrap_err();
+        let reason = PeriodError::AllSticks { axis: "x", shift: 0.1 * AMPLITUDE };
+        assert_eq!(error, FrictionalError::Period(reason));
+        assert!(solve(&firm, Driven::Load(0.01)).is_ok());
     }
 }
 

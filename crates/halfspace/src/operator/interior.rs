@@ -206,7 +206,11 @@ impl InteriorStress {
                 for (value, stresses) in table.iter_mut().zip(unit) {
                     *value = component.of(&stresses[axis as usize]);
                 }
-                *slot = Some(Spectrum::symmetric(&self.plan, &table, component.parity(axis)));
+                *slot = Some(Spectrum::symmetric(
+                    &self.plan,
+                    (&table, self.grid.nx()),
+                    component.parity(axis),
+                ));
             }
             row
         });

@@ -43,6 +43,18 @@ pub trait SurfaceOperator: Send + Sync {
     /// Whether normal tractions displace tangentially and the converse.
     fn is_coupled(&self) -> bool;
 
+    /// Whether tangential tractions along x displace nothing along y and the converse, as without
+    /// lateral contraction.
+    fn is_separate(&self) -> bool {
+        false
+    }
+
+    /// Whether an even traction on all cells displaces them; not on a period, where displacements are
+    /// those against the mean plane.
+    fn displaces_on_average(&self) -> bool {
+        true
+    }
+
     /// The nine coefficients of a source `columns` cells along x and `rows` cells along y from
     /// the receiver, n - k and m - j in (4.23); zero beyond the extent of the grid.
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients;
@@ -59,6 +71,19 @@ pub trait SurfaceOperator: Send + Sync {
     /// # Errors
     /// As the operator's constructor.
     fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
+        None
+    }
+
+    /// The same influence on fewer cells of the same widths; none unless that is one on the part of
+    /// the grid alone.
+    ///
+    /// # Errors
+    /// [`OperatorError::TooLarge`] for memory, [`OperatorError::Range`] for more cells or none.
+    fn on_fewer(
+        &self,
+        _nx: usize,
+        _ny: usize,
+    ) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
         None
     }
 

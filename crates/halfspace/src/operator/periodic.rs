@@ -164,6 +164,14 @@ impl SurfaceOperator for PeriodicOperator {
         !self.pair.is_uncoupled()
     }
 
+    fn is_separate(&self) -> bool {
+        self.pair.poisson() == 0.0
+    }
+
+    fn displaces_on_average(&self) -> bool {
+        false
+    }
+
     /// Those of all the images of the source together.
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
         let (nx, ny) = (self.grid.nx(), self.grid.ny());

@@ -5,6 +5,7 @@
 //! multiplied with the spectra, transformed back and left transposed; the second pass over the
 //! rows reads them there. So the full spectrum never exists, and nothing is transposed in memory.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use realfft::{ComplexToReal, RealFftPlanner, RealToComplex};
@@ -99,18 +100,35 @@ impl Plan {
         outputs: &mut [&mut [f64]],
         workspace: &mut Workspace,
     ) {
-        self.rows_forward(inputs, workspace);
-        self.columns_pass(inputs.len(), terms, outputs.len(), workspace);
+        let used = self.used_rows(inputs);
+        self.rows_forward(inputs, &used, workspace);
+        self.columns_pass((inputs.len(), &used), terms, outputs.len(), workspace);
         self.rows_inverse(outputs, workspace);
     }
 
-    /// Transforms the rows of the inputs into `workspace.rows[row][input][column]`.
-    fn rows_forward(&self, inputs: &[&[f64]], workspace: &mut Workspace) {
+    /// The rows between which the inputs do not vanish.
+    fn used_rows(&self, inputs: &[&[f64]]) -> Range<usize> {
+        // What is not a number is not zero, either.
+        let ends = inputs.iter().filter_map(|input| {
+            let first = input.iter().position(|value| *value != 0.0)?;
+            Some((first, input.iter().rposition(|value| *value != 0.0)?))
+        });
+        let row = |at: usize| at / self.sizes.nx;
+        ends.map(|(first, last)| row(first)..row(last) + 1)
+            .reduce(|one, other| one.start.min(other.start)..one.end.max(other.end))
+            .unwrap_or_default()
+    }
+
+    /// Transforms the used rows of the inputs into `workspace.rows[row][input][column]`.
+    fn rows_forward(&self, inputs: &[&[f64]], used: &Range<usize>, workspace: &mut Workspace) {
         let row_length = inputs.len() * self.sizes.columns();
         let rows = self.sizes.ny.div_ceil(workspace.lanes.len());
-        let used = &mut workspace.rows[..self.sizes.ny * row_length];
-        each(self.threads, &mut workspace.lanes, used, rows * row_length, |part, lane, spectra| {
+        let all = &mut workspace.rows[..self.sizes.ny * row_length];
+        each(self.threads, &mut workspace.lanes, all, rows * row_length, |part, lane, spectra| {
             for (row, spectra) in spectra.chunks_exact_mut(row_length).enumerate() {
+                if !used.contains(&(part * rows + row)) {
+                    continue;
+                }
                 let start = (part * rows + row) * self.sizes.nx;
                 for (input, spectrum) in
                     inputs.iter().zip(spectra.chunks_exact_mut(self.sizes.columns()))
@@ -132,7 +150,13 @@ impl Plan {
     }
 
     /// Multiplies with the terms; leaves `workspace.columns[column][output][row]`.
-    fn columns_pass(&self, inputs: usize, terms: &Terms<'_>, outputs: usize, work: &mut Workspace) {
+    fn columns_pass(
+        &self,
+        (inputs, rows_used): (usize, &Range<usize>),
+        terms: &Terms<'_>,
+        outputs: usize,
+        work: &mut Workspace,
+    ) {
         let column_length = outputs * self.sizes.ny;
         let columns = self.sizes.columns().div_ceil(work.lanes.len()).next_multiple_of(BLOCK);
         let used = &mut work.columns[..self.sizes.columns() * column_length];
@@ -142,7 +166,7 @@ impl Plan {
                 let first = part * columns + block * BLOCK;
                 let width = results.len() / column_length;
                 for input in 0..inputs {
-                    self.gather(rows, (inputs, input), (first, width), lane);
+                    self.gather((rows, rows_used), (inputs, input), (first, width), lane);
                 }
                 for (output, row) in terms.iter().enumerate().take(outputs) {
                     self.multiply(row, inputs, (first, width), lane);
@@ -164,21 +188,22 @@ impl Plan {
     /// Gathers `width` columns of one input from the row spectra and transforms them.
     fn gather(
         &self,
-        rows: &[Complex64],
+        (rows, used): (&[Complex64], &Range<usize>),
         (inputs, input): (usize, usize),
         (first, width): (usize, usize),
         lane: &mut Lane,
     ) {
         let py = self.sizes.py;
         let block = &mut lane.blocks[input * BLOCK * py..][..width * py];
-        for row in 0..self.sizes.ny {
+        for row in used.clone() {
             let at = (row * inputs + input) * self.sizes.columns() + first;
             for (column, value) in rows[at..at + width].iter().enumerate() {
                 block[column * py + row] = *value;
             }
         }
         for column in block.chunks_exact_mut(py) {
-            column[self.sizes.ny..].fill(Complex64::ZERO);
+            column[..used.start].fill(Complex64::ZERO);
+            column[used.end..].fill(Complex64::ZERO);
         }
         self.column_forward.process_with_scratch(block, &mut lane.scratch);
     }

@@ -224,7 +224,8 @@ mod tests {
                 let mut fields = [(); 3].map(|()| vec![f64::NAN; grid().cells()]);
                 let [x, y, normal] = &mut fields;
                 normal.fill(0.0);
-                inverse.traction([&load[0], &load[1]], [x, y], &mut workspace);
+                let displacement = [Some(&load[0][..]), Some(&load[1][..])];
+                inverse.traction(displacement, [Some(x), Some(y)], &mut workspace);
                 (fields, counts(&workspace, Sizes::of_torus(grid())))
             };
             check(product, &[], &[]);

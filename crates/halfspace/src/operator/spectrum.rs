@@ -36,8 +36,9 @@ pub(crate) enum Spectrum {
 }
 
 impl Spectrum {
-    /// From the values at offsets `0..nx` by `0..ny` (source minus receiver) and the parities.
-    pub(crate) fn symmetric(plan: &Plan, table: &[f64], parity: [Parity; 2]) -> Self {
+    /// From the values at offsets (source minus receiver) of at least `0..nx` by `0..ny`, in rows of
+    /// a given length, and the parities.
+    pub(crate) fn symmetric(plan: &Plan, table: (&[f64], usize), parity: [Parity; 2]) -> Self {
         let [x, y] = parity;
         let mut lanes = vec![Lane::default(); plan.threads.count()];
         for lane in &mut lanes {
@@ -144,14 +145,19 @@ fn mirrored(
 }
 
 /// Transforms the rows: real (even) or imaginary (odd) parts, by row.
-fn symmetric_rows(plan: &Plan, table: &[f64], parity: Parity, lanes: &mut [Lane]) -> Vec<f64> {
+fn symmetric_rows(
+    plan: &Plan,
+    (table, length): (&[f64], usize),
+    parity: Parity,
+    lanes: &mut [Lane],
+) -> Vec<f64> {
     let columns = plan.sizes.columns();
     let mut rows = vec![0.0; plan.sizes.ny * columns];
     let share = plan.sizes.ny.div_ceil(lanes.len());
     each(plan.threads, lanes, &mut rows, share * columns, |part, lane, share_rows| {
         let mut spectrum = std::mem::take(&mut lane.spectra);
         for (row, result) in share_rows.chunks_exact_mut(columns).enumerate() {
-            let values = &table[(part * share + row) * plan.sizes.nx..][..plan.sizes.nx];
+            let values = &table[(part * share + row) * length..][..plan.sizes.nx];
             lane.row.fill(0.0);
             lane.row[..plan.sizes.nx].copy_from_slice(values);
             if parity == Parity::Odd {

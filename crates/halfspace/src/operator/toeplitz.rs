@@ -1,5 +1,7 @@
 //! The operator of two elastic half-spaces (4.13), (4.14).
 
+use std::sync::{Arc, OnceLock};
+
 use super::length::Sizes;
 use super::memory;
 use super::plan::Plan;
@@ -11,6 +13,7 @@ use super::{
     TorusInverse, TractionField, Workspace,
 };
 use crate::{Coefficients, Grid, MaterialPair};
+use carom_special::RangeError;
 
 /// The operator (4.13) of two elastic half-spaces on a grid.
 ///
@@ -30,12 +33,16 @@ use crate::{Coefficients, Grid, MaterialPair};
 /// assert!(w[16 * 33] > w[0]);
 /// # Ok::<(), carom_halfspace::operator::OperatorError>(())
 /// ```
+///
+/// It clones in constant time; each transform of the influence is computed when it is first needed.
 #[derive(Clone)]
 pub struct HalfSpaceOperator {
     blocks: Blocks,
-    table: CoefficientTable,
+    /// Of this grid or of a larger one.
+    table: Arc<CoefficientTable>,
+    grid: Grid,
     plan: Plan,
-    spectra: [Option<Spectrum>; 6],
+    spectra: Arc<[OnceLock<Spectrum>; 6]>,
     inverse: TorusInverse,
 }
 
@@ -58,18 +65,24 @@ impl HalfSpaceOperator {
         blocks: Blocks,
         threads: Threads,
     ) -> Result<Self, OperatorError> {
-        memory::check(Self::bytes(&pair, grid, blocks, threads))?;
-        let plan = Plan::new(grid, threads);
-        let table = CoefficientTable::build(pair, grid, blocks, threads);
-        let spectra = Entry::ALL.map(|entry| {
-            let held = blocks.holds(entry, &pair);
-            held.then(|| Spectrum::symmetric(&plan, table.block(entry), entry.parity()))
-        });
-        let inverse = TorusInverse::new(&pair, grid, threads);
-        Ok(Self { blocks, table, plan, spectra, inverse })
+        let table = CoefficientTable::bytes(&pair, grid, blocks);
+        memory::check(table + Self::bytes(&pair, grid, blocks, threads))?;
+        let table = Arc::new(CoefficientTable::build(pair, grid, blocks, threads));
+        Ok(Self::of_table(table, grid, blocks, threads))
     }
 
-    /// Bytes of the operator and one workspace.
+    fn of_table(
+        table: Arc<CoefficientTable>,
+        grid: Grid,
+        blocks: Blocks,
+        threads: Threads,
+    ) -> Self {
+        let (plan, spectra) = (Plan::new(grid, threads), Arc::default());
+        let inverse = TorusInverse::new(&table.pair(), grid, threads);
+        Self { blocks, table, grid, plan, spectra, inverse }
+    }
+
+    /// Bytes of all transforms and one workspace.
     fn bytes(pair: &MaterialPair, grid: Grid, blocks: Blocks, threads: Threads) -> u128 {
         let held = Entry::ALL.iter().filter(|&&entry| blocks.holds(entry, pair)).count() as u128;
         let fields = match blocks {
@@ -78,20 +91,18 @@ impl HalfSpaceOperator {
             Blocks::Tangential => 2,
         };
         let sizes = Sizes::of(grid);
-        CoefficientTable::bytes(pair, grid, blocks)
-            + held * sizes.symmetric_spectrum()
-            + sizes.workspace(fields, threads)
+        held * sizes.symmetric_spectrum() + sizes.workspace(fields, threads)
     }
 
     /// The materials.
     #[must_use]
-    pub const fn pair(&self) -> MaterialPair {
+    pub fn pair(&self) -> MaterialPair {
         self.table.pair()
     }
 
-    /// The table of coefficients.
+    /// The table of coefficients, of this grid or of a larger one.
     #[must_use]
-    pub const fn table(&self) -> &CoefficientTable {
+    pub fn table(&self) -> &CoefficientTable {
         &self.table
     }
 
@@ -103,7 +114,19 @@ impl HalfSpaceOperator {
             let (of, by) = (of.displacement_name(), by.traction_name());
             return Err(OperatorError::Missing { of, by });
         }
-        Ok(self.spectra[entry as usize].as_ref().map(|spectrum| Term { spectrum, sign }))
+        let held = self.blocks.holds(entry, &pair);
+        Ok(held.then(|| Term { spectrum: self.spectrum(entry), sign }))
+    }
+
+    fn spectrum(&self, entry: Entry) -> &Spectrum {
+        let place = &self.spectra[entry as usize];
+        if let Some(known) = place.get() {
+            return known;
+        }
+        // Not under the lock: threads of the pool that wait may take up other products.
+        let table = (self.table.block(entry), self.table.grid().nx());
+        let new = Spectrum::symmetric(&self.plan, table, entry.parity());
+        place.get_or_init(|| new)
     }
 }
 
@@ -123,14 +146,22 @@ const fn entry(of: Axis, by: Axis) -> (Entry, f64) {
 
 impl SurfaceOperator for HalfSpaceOperator {
     fn grid(&self) -> Grid {
-        self.table.grid()
+        self.grid
     }
 
     fn is_coupled(&self) -> bool {
         !self.pair().is_uncoupled()
     }
 
+    fn is_separate(&self) -> bool {
+        self.pair().poisson() == 0.0
+    }
+
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
+        let beyond = |offset: i32, count: usize| offset.unsigned_abs() as usize >= count;
+        if beyond(columns, self.grid.nx()) || beyond(rows, self.grid.ny()) {
+            return Coefficients::default();
+        }
         self.table.coefficients(columns, rows)
     }
 
@@ -143,6 +174,25 @@ impl SurfaceOperator for HalfSpaceOperator {
             let grid = self.grid().coarser()?;
             let coarse = Self::with_blocks(self.pair(), grid, self.blocks, self.plan.threads)?;
             Ok(Box::new(coarse) as Box<dyn SurfaceOperator>)
+        };
+        Some(build())
+    }
+
+    fn on_fewer(
+        &self,
+        nx: usize,
+        ny: usize,
+    ) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
+        let build = || {
+            let (pair, all) = (self.pair(), self.grid);
+            for (field, cells, most) in [("nx", nx, all.nx()), ("ny", ny, all.ny())] {
+                let holds = (1..=most).contains(&cells);
+                RangeError::check(field, cells as f64, holds, "from 1 to that of the operator")?;
+            }
+            let (grid, threads) = (Grid::new(nx, ny, all.dx(), all.dy())?, self.plan.threads);
+            memory::check(Self::bytes(&pair, grid, self.blocks, threads))?;
+            let fewer = Self::of_table(Arc::clone(&self.table), grid, self.blocks, threads);
+            Ok(Box::new(fewer) as Box<dyn SurfaceOperator>)
         };
         Some(build())
     }
@@ -161,7 +211,7 @@ impl std::fmt::Debug for HalfSpaceOperator {
     fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
         f.debug_struct("HalfSpaceOperator")
             .field("pair", &self.pair())
-            .field("grid", &self.table.grid())
+            .field("grid", &self.grid)
             .field("padded", &(self.plan.sizes.px, self.plan.sizes.py))
             .finish_non_exhaustive()
     }

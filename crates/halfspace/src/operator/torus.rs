@@ -1,6 +1,7 @@
 //! The inverse influence on a torus of the grid's own size, which preconditions iterations.
 
 use std::f64::consts::PI;
+use std::ops::RangeInclusive;
 use std::sync::{Arc, OnceLock};
 
 use super::length::Sizes;
@@ -36,15 +37,15 @@ struct TorusBlocks {
 }
 
 /// Waves that add up: as many periods of the grid to each side.
-const ALIASES: i32 = 2;
+const ALIASES: RangeInclusive<i32> = -2..=2;
 
-/// Sums over waves that look alike: of 1/|k|, and of k_x^2, k_x k_y, k_y^2 over |k|^3.
-#[derive(Debug, Clone, Copy, Default)]
+/// Sums over waves that look alike, of one column of the torus: of 1/|k|, and of k_x^2, k_x k_y, k_y^2
+/// over |k|^3.
 struct Waves {
-    all: f64,
-    xx: f64,
-    xy: f64,
-    yy: f64,
+    all: Vec<f64>,
+    xx: Vec<f64>,
+    xy: Vec<f64>,
+    yy: Vec<f64>,
 }
 
 impl TorusInverse {
@@ -64,23 +65,38 @@ impl TorusInverse {
         self.plan.product(&[displacement], &terms, &mut [pressure], workspace);
     }
 
-    /// Tangential tractions that would displace the surface so, along x and y.
+    /// Tangential tractions that would displace the surface so, along x and y; displacements that are
+    /// `None` are zero, and tractions that are `None` are not computed.
     ///
     /// # Panics
     /// As [`TorusInverse::pressure`].
     pub fn traction(
         &self,
-        displacement: [&[f64]; 2],
-        traction: [&mut [f64]; 2],
+        displacement: [Option<&[f64]>; 2],
+        traction: [Option<&mut [f64]>; 2],
         workspace: &mut Workspace,
     ) {
         let tangential = self.blocks.tangential(&self.plan.sizes);
         let [xx, xy, yy] = tangential.each_ref().map(|spectrum| Some(term(spectrum)));
         // Without lateral contraction each component stands by itself.
         let xy = xy.filter(|_| self.blocks.pair.poisson() != 0.0);
-        let terms = [[xx, xy, None], [xy, yy, None], [None; 3]];
-        let mut outputs = traction;
-        product::reduced(&self.plan, &displacement, &terms, &mut outputs, workspace);
+        let (mut inputs, mut outputs): ([&[f64]; 2], [&mut [f64]; 2]) = Default::default();
+        let (mut given, mut wanted, mut terms) = (0, 0, [[None; 3]; 3]);
+        let mut columns = [0; 2];
+        for (axis, values) in displacement.into_iter().enumerate() {
+            let Some(values) = values else { continue };
+            (inputs[given], columns[given]) = (values, axis);
+            given += 1;
+        }
+        for (row, field) in [[xx, xy], [xy, yy]].into_iter().zip(traction) {
+            let Some(field) = field else { continue };
+            for (term, column) in terms[wanted].iter_mut().zip(&columns[..given]) {
+                *term = row[*column];
+            }
+            outputs[wanted] = field;
+            wanted += 1;
+        }
+        product::reduced(&self.plan, &inputs[..given], &terms, &mut outputs[..wanted], workspace);
     }
 }
 
@@ -89,7 +105,11 @@ impl TorusBlocks {
         self.normal.get_or_init(|| {
             let compliance = (1.0 - self.pair.poisson()) / self.pair.shear_modulus();
             let scale = 1.0 / (compliance * sizes.px as f64 * sizes.py as f64);
-            spectrum(symbols(sizes, self.grid).map(|waves| scale / waves.all).collect(), sizes)
+            let mut values = Vec::with_capacity(sizes.columns() * (sizes.py / 2 + 1));
+            symbols(sizes, self.grid, Waves::add_lengths, |waves| {
+                values.extend(waves.all.iter().map(|all| scale / all));
+            });
+            spectrum(values, sizes)
         })
     }
 
@@ -97,18 +117,21 @@ impl TorusBlocks {
         self.tangential.get_or_init(|| {
             let (nu, compliance) = (self.pair.poisson(), 1.0 / self.pair.shear_modulus());
             let scale = 1.0 / (sizes.px as f64 * sizes.py as f64);
-            let [mut xx, mut xy, mut yy] = [(); 3].map(|()| Vec::new());
-            for waves in symbols(sizes, self.grid) {
-                let [a, b, c] = [
-                    compliance * (waves.all - nu * waves.xx),
-                    -compliance * nu * waves.xy,
-                    compliance * (waves.all - nu * waves.yy),
-                ];
-                let over = scale / (a * c - b * b);
-                xx.push(c * over);
-                xy.push(-b * over);
-                yy.push(a * over);
-            }
+            let length = sizes.columns() * (sizes.py / 2 + 1);
+            let [mut xx, mut xy, mut yy] = [(); 3].map(|()| Vec::with_capacity(length));
+            symbols(sizes, self.grid, Waves::add_directions, |waves| {
+                for (i, all) in waves.all.iter().enumerate() {
+                    let [a, b, c] = [
+                        compliance * (all - nu * waves.xx[i]),
+                        -compliance * nu * waves.xy[i],
+                        compliance * (all - nu * waves.yy[i]),
+                    ];
+                    let over = scale / (a * c - b * b);
+                    xx.push(c * over);
+                    xy.push(-b * over);
+                    yy.push(a * over);
+                }
+            });
             let odd = match spectrum(xy, sizes) {
                 Spectrum::Symmetric { values, half, imaginary, .. } => {
                     Spectrum::Symmetric { values, half, imaginary, row_parity: Parity::Odd }
@@ -131,52 +154,78 @@ const fn term(spectrum: &Spectrum) -> Term<'_> {
 }
 
 /// The sums of all waves of the torus, column by column.
-fn symbols(sizes: &Sizes, grid: Grid) -> impl Iterator<Item = Waves> {
+fn symbols(
+    sizes: &Sizes,
+    grid: Grid,
+    add: impl Fn(&mut Waves, (f64, f64), (&[f64], &[f64])),
+    mut take: impl FnMut(&Waves),
+) {
     let (px, py) = (sizes.px, sizes.py);
     let (lx, ly) = (px as f64 * grid.dx(), py as f64 * grid.dy());
-    let along_x: Vec<Alike> = (0..sizes.columns()).map(|i| alike(i, px, grid.dx())).collect();
-    let along_y: Vec<Alike> = (0..=py / 2).map(|i| alike(i, py, grid.dy())).collect();
-    along_x.into_iter().enumerate().flat_map(move |(column, x)| {
-        let sum = move |(row, y): (usize, &Alike)| {
-            if column == 0 && row == 0 {
-                // No direction: half along each axis.
-                let all = lx.max(ly) / PI;
-                return Waves { all, xx: 0.5 * all, xy: 0.0, yy: 0.5 * all };
+    let zero = || vec![0.0; py / 2 + 1];
+    let mut waves = Waves { all: zero(), xx: zero(), xy: zero(), yy: zero() };
+    let along_y: Vec<[Vec<f64>; 2]> = ALIASES
+        .map(|alias| {
+            let (y, mean) = (0..=py / 2).map(|row| wave(row, alias, py, grid.dy())).unzip();
+            [y, mean]
+        })
+        .collect();
+    for column in 0..sizes.columns() {
+        waves.clear();
+        for alias in ALIASES {
+            let x = wave(column, alias, px, grid.dx());
+            for [y, mean] in &along_y {
+                add(&mut waves, x, (y, mean));
             }
-            let waves = Waves::of(&x, y);
-            // The shortest waves have no sign.
-            let signless = 2 * column == px || 2 * row == py;
-            Waves { xy: if signless { 0.0 } else { waves.xy }, ..waves }
-        };
-        along_y.iter().enumerate().map(sum).collect::<Vec<_>>()
-    })
+        }
+        // The shortest waves have no sign.
+        if 2 * column == px {
+            waves.xy.fill(0.0);
+        }
+        if py.is_multiple_of(2) {
+            waves.xy[py / 2] = 0.0;
+        }
+        if column == 0 {
+            // No direction: half along each axis.
+            let all = lx.max(ly) / PI;
+            (waves.all[0], waves.xx[0], waves.xy[0], waves.yy[0]) =
+                (all, 0.5 * all, 0.0, 0.5 * all);
+        }
+        take(&waves);
+    }
 }
 
-/// Wave numbers along one axis that look alike, each with its mean over a cell.
-type Alike = [(f64, f64); 2 * ALIASES as usize + 1];
-
-fn alike(index: usize, count: usize, width: f64) -> Alike {
-    std::array::from_fn(|alias| {
-        let turns = index as f64 / count as f64 + (alias as f64 - f64::from(ALIASES));
-        (2.0 * PI * turns / width, sinc(PI * turns))
-    })
+/// The number of a wave along one axis, so many periods of the grid away, and its mean over a cell.
+fn wave(index: usize, alias: i32, count: usize, width: f64) -> (f64, f64) {
+    let turns = index as f64 / count as f64 + f64::from(alias);
+    (2.0 * PI * turns / width, sinc(PI * turns))
 }
 
 impl Waves {
-    fn of(along_x: &Alike, along_y: &Alike) -> Self {
-        let mut sum = Self::default();
-        for (x, mean_x) in along_x {
-            for (y, mean_y) in along_y {
-                let square = x * x + y * y;
-                let part = mean_x * mean_y / square.sqrt();
-                let over = part / square;
-                sum.all += part;
-                sum.xx += over * x * x;
-                sum.xy += over * x * y;
-                sum.yy += over * y * y;
-            }
+    fn clear(&mut self) {
+        for values in [&mut self.all, &mut self.xx, &mut self.xy, &mut self.yy] {
+            values.fill(0.0);
         }
-        sum
+    }
+
+    /// 1/|k| alone.
+    fn add_lengths(&mut self, (x, mean_x): (f64, f64), (y, mean_y): (&[f64], &[f64])) {
+        for ((y, mean_y), all) in y.iter().zip(mean_y).zip(&mut self.all) {
+            *all += mean_x * mean_y / (x * x + y * y).sqrt();
+        }
+    }
+
+    fn add_directions(&mut self, (x, mean_x): (f64, f64), (y, mean_y): (&[f64], &[f64])) {
+        let sums = self.all.iter_mut().zip(&mut self.xx).zip(self.xy.iter_mut().zip(&mut self.yy));
+        for ((y, mean_y), ((all, xx), (xy, yy))) in y.iter().zip(mean_y).zip(sums) {
+            let square = x * x + y * y;
+            let part = mean_x * mean_y / square.sqrt();
+            let over = part / square;
+            *all += part;
+            *xx += over * x * x;
+            *xy += over * x * y;
+            *yy += over * y * y;
+        }
     }
 }
 
@@ -220,7 +269,7 @@ mod tests {
         operator.apply(tractions, displacements, &mut workspace).unwrap();
         let (mut x, mut y, mut z) = (zero(), zero(), zero());
         inverse.pressure(&w, &mut z, &mut workspace);
-        inverse.traction([&u, &v], [&mut x, &mut y], &mut workspace);
+        inverse.traction([Some(&u), Some(&v)], [Some(&mut x), Some(&mut y)], &mut workspace);
         let error = |got: &[f64], want: &[f64]| {
             let within = grid.centres().zip(got.iter().zip(want));
             let near = within.filter(|((x, y), _)| x.abs() < 2.0 && y.abs() < 2.0);

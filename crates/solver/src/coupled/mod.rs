@@ -65,11 +65,6 @@ impl Coupled {
         Self { system, cells, products: Products::default() }
     }
 
-    /// The slip of the last solution.
-    pub(crate) const fn slip(&self) -> &[Vec<f64>; 2] {
-        &self.system.slip
-    }
-
     /// Solves a task from its own start.
     ///
     /// # Errors

@@ -289,7 +289,11 @@ impl Newton<'_> {
         let [x_in, y_in, p_in] = &system.traction;
         if let Some(inverse) = &system.inverse {
             inverse.pressure(p_in, p_out, &mut system.workspace);
-            inverse.traction([x_in, y_in], [x_out, y_out], &mut system.workspace);
+            inverse.traction(
+                [Some(x_in), Some(y_in)],
+                [Some(x_out), Some(y_out)],
+                &mut system.workspace,
+            );
             self.products.preconditioner += 2.0;
         } else {
             for (out, values) in [(x_out, x_in), (y_out, y_in), (p_out, p_in)] {

@@ -11,12 +11,22 @@ impl Pass<'_> {
     /// c: displacements by the pressure, less the last ones and the rigid shift of the step.
     pub(super) fn offsets(&self, scratch: &mut FrictionalScratch) {
         let [dx, dy, turn] = self.moved();
+        let grid = self.problem.grid();
         let before = [self.from.displacement_x.values(), self.from.displacement_y.values()];
-        for (i, (x, y)) in self.problem.grid().centres().enumerate() {
-            let rigid = [dx + y * turn, dy - x * turn]; // (12.2)
-            for axis in 0..2 {
-                scratch.offset[axis][i] =
-                    scratch.by_pressure[axis][i] - before[axis][i] - rigid[axis];
+        for row in 0..grid.ny() {
+            let (cells, y) = (grid.index(0, row)..grid.index(0, row + 1), grid.centred_y(row));
+            let [along, across] = &mut scratch.offset;
+            let (along, across) = (&mut along[cells.clone()], &mut across[cells.clone()]);
+            let before = before.map(|values| &values[cells.clone()]);
+            for (column, (u, v)) in along.iter_mut().zip(across.iter_mut()).enumerate() {
+                *u = -before[0][column] - (dx + y * turn); // (12.2)
+                *v = -before[1][column] - (dy - grid.centred_x(column) * turn);
+            }
+            if self.problem.operator().is_coupled() {
+                for (own, pressed) in [along, across].into_iter().zip(&scratch.by_pressure) {
+                    let pressed = &pressed[cells.clone()];
+                    own.iter_mut().zip(pressed).for_each(|(own, pressed)| *own += pressed);
+                }
             }
         }
     }
@@ -56,14 +66,17 @@ impl Pass<'_> {
     ) -> Result<(), FrictionalError> {
         let load = TractionField::tangential(to.traction_x.values(), to.traction_y.values());
         let displacement = DisplacementField::normal(&mut scratch.by_traction);
-        self.problem.operator().apply(load, displacement, &mut scratch.workspace)?;
+        self.problem.operator().apply(load, displacement, scratch.normal.workspace())?;
         self.spent.coupling += 1.0;
         Ok(())
     }
 
-    /// Shifts, and displacements of all cells: the slip, the last ones and the rigid shift of the
-    /// step. Cells that touch without friction slip.
-    pub(super) fn finish(&self, to: &mut ContactState, scratch: &FrictionalScratch) {
+    /// Shifts, and displacements of all cells. Cells that touch without friction slip.
+    pub(super) fn finish(
+        &mut self,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<(), FrictionalError> {
         let given = self.drive.shift_after(self.from.shift);
         let [dx, dy, turn] = self.rigid.moved;
         to.shift = Shift {
@@ -72,17 +85,15 @@ impl Pass<'_> {
             eta: given.eta + dy,
             omega: given.omega + turn,
         };
-        let slip = match &scratch.coupled {
-            Some(coupled) if self.together => coupled.slip(),
-            _ => scratch.tangential.slip(),
-        };
-        let [all_x, all_y, all_turn] = self.moved();
-        let [dx, dy, turn] = [all_x + dx, all_y + dy, all_turn + turn];
-        let before = [self.from.displacement_x.values(), self.from.displacement_y.values()];
+        let tangential = TractionField::tangential(to.traction_x.values(), to.traction_y.values());
+        let normal = self.problem.operator().is_coupled().then(|| to.pressure.values());
+        let load = TractionField { normal, ..tangential };
         let (u, v) = (to.displacement_x.values_mut(), to.displacement_y.values_mut());
-        for (i, (x, y)) in self.problem.grid().centres().enumerate() {
-            u[i] = slip[0][i] + before[0][i] + dx + y * turn; // (12.2)
-            v[i] = slip[1][i] + before[1][i] + dy - x * turn;
+        let displacement = DisplacementField::tangential(u, v);
+        self.problem.operator().apply(load, displacement, scratch.normal.workspace())?;
+        self.spent.tangential += 1.0;
+        if normal.is_some() {
+            self.spent.coupling += 1.0;
         }
         for ((cell, pressure), friction) in
             to.cells.values_mut().iter_mut().zip(to.pressure.values()).zip(&scratch.limits.friction)
@@ -91,5 +102,6 @@ impl Pass<'_> {
                 *cell = CellState::Slip;
             }
         }
+        Ok(())
     }
 }

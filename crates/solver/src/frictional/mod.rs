@@ -1,11 +1,14 @@
 //! Contact with Coulomb's friction: normal and tangential problem in turn.
 
+mod boxed;
 mod cone;
 mod displacements;
 mod pass;
 mod turns;
 
-use carom_halfspace::operator::{OperatorError, Workspace};
+use std::sync::Arc;
+
+use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
@@ -15,10 +18,12 @@ use crate::coupled::Coupled;
 use crate::drive::{Drive, Driven};
 use crate::limits::FrictionLimits;
 use crate::method::Method;
+use crate::nested;
 use crate::normal::NormalGrids;
-use crate::problem::ContactProblem;
+use crate::problem::{ContactProblem, PeriodError};
 use crate::state::ContactState;
 use crate::tangential::{Rigid, TangentialScratch};
+use boxed::Boxed;
 use pass::Pass;
 
 /// Contact with Coulomb's friction, one step at a time: pressures at the last tractions, tractions
@@ -28,6 +33,10 @@ use pass::Pass;
 /// coarser grids where nothing better is known.
 ///
 /// Each of the four motions is driven by its shift or by its load.
+///
+/// A step costs what its contact covers, not what the window does: on many cells it is solved on a box
+/// about the contact, found anew in each step on coarse cells, and on the whole window where bodies
+/// would overlap outside the box.
 ///
 /// Where static friction is above the kinetic one, a cell sticks up to `f_s p`; once it slips its
 /// limit is `f_k p`, within the step at once and in later steps for as long as it slips. A step
@@ -76,6 +85,9 @@ pub enum FrictionalError {
     /// The operator failed.
     #[error(transparent)]
     Operator(#[from] OperatorError),
+    /// No load on a period leads to a given shift.
+    #[error(transparent)]
+    Period(#[from] PeriodError),
     /// A tangential force is given that friction cannot hold: the bodies slide.
     #[error(
         "the tangential force {force} is not below what friction can hold, {limit}: the bodies slide"
@@ -133,9 +145,9 @@ impl Frictional {
 pub struct FrictionalScratch {
     normal: NormalGrids,
     tangential: TangentialScratch,
-    workspace: Workspace,
     limits: FrictionLimits,
-    /// The tangential displacement by pressure.
+    /// The tangential displacement by pressure; empty, as the two below the next, where neither acts
+    /// on the other.
     by_pressure: [Vec<f64>; 2],
     offset: [Vec<f64>; 2],
     /// The normal displacement by tangential tractions, of this pass and the last one.
@@ -146,6 +158,9 @@ pub struct FrictionalScratch {
     broken: Vec<bool>,
     /// Pressures and tractions together, built when it is first needed.
     coupled: Option<Box<Coupled>>,
+    /// The box of the last step that had one, and the normal displacements of all cells.
+    boxed: Option<Box<Boxed>>,
+    sunk: Vec<f64>,
 }
 
 impl Method for Frictional {
@@ -153,21 +168,7 @@ impl Method for Frictional {
     type Scratch = FrictionalScratch;
 
     fn scratch(&self, problem: &ContactProblem) -> Result<FrictionalScratch, FrictionalError> {
-        let operator = problem.operator();
-        let zero = vec![0.0; problem.grid().cells()];
-        Ok(FrictionalScratch {
-            normal: NormalGrids::new(operator, problem.gap().heights().values())?,
-            tangential: TangentialScratch::new(operator)?,
-            workspace: operator.workspace(),
-            limits: FrictionLimits::new(zero.len()),
-            by_pressure: [zero.clone(), zero.clone()],
-            offset: [zero.clone(), zero.clone()],
-            by_traction: zero.clone(),
-            last: zero,
-            mixing: Mixing::default(),
-            broken: vec![false; problem.grid().cells()],
-            coupled: None,
-        })
+        self.scratch_with(problem, &nested::coarser_operators(problem.operator())?)
     }
 
     fn step(
@@ -190,6 +191,48 @@ impl Method for Frictional {
             let (products, residuals) = Default::default();
             return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
         }
+        problem.check_approach(drive.normal)?;
+        let boxed = self.step_in_a_box(problem, from, drive, to, scratch, observer)?;
+        boxed.map_or_else(|| self.step_on_all(problem, from, drive, to, scratch, observer), Ok)
+    }
+}
+
+impl Frictional {
+    fn scratch_with(
+        &self,
+        problem: &ContactProblem,
+        coarser: &[Arc<dyn SurfaceOperator>],
+    ) -> Result<FrictionalScratch, FrictionalError> {
+        let operator = problem.operator();
+        let zero = || vec![0.0; problem.grid().cells()];
+        let heights = problem.gap().heights().values();
+        let coupling = || if operator.is_coupled() { zero() } else { Vec::new() };
+        Ok(FrictionalScratch {
+            normal: NormalGrids::new(operator, heights, || Ok(coarser.to_vec()))?,
+            tangential: TangentialScratch::new(operator, coarser),
+            limits: FrictionLimits::new(problem.grid().cells()),
+            by_pressure: [coupling(), coupling()],
+            offset: [zero(), zero()],
+            by_traction: coupling(),
+            last: coupling(),
+            mixing: Mixing::default(),
+            broken: vec![false; problem.grid().cells()],
+            coupled: None,
+            boxed: None,
+            sunk: Vec::new(),
+        })
+    }
+
+    /// A step that touches, on all cells.
+    fn step_on_all(
+        &self,
+        problem: &ContactProblem,
+        from: &ContactState,
+        drive: &Drive,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, FrictionalError> {
         let area = problem.grid().cell_area();
         let load = |driven| match driven {
             Driven::Shift(_) => None,

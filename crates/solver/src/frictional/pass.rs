@@ -47,8 +47,8 @@ impl Pass<'_> {
             let more = self.settle(false, to, scratch)?;
             went = Convergence { iterations: went.iterations + more.iterations, ..more };
         }
-        self.finish(to, scratch);
-        Ok(went)
+        self.finish(to, scratch)?;
+        Ok(Convergence { products: self.spent, ..went })
     }
 
     /// Whether any cell slips that did not before, where that lessens its friction.

@@ -8,6 +8,7 @@ use super::{FrictionalError, FrictionalScratch, converged};
 use crate::convergence::{Convergence, Residuals, Stop};
 use crate::drive::Driven;
 use crate::normal::Target;
+use crate::problem::PeriodError;
 use crate::state::ContactState;
 use crate::tangential::TangentialTask;
 
@@ -94,6 +95,7 @@ impl Pass<'_> {
     ) -> Result<Convergence, FrictionalError> {
         let (operator, driven) = (self.problem.operator(), self.drive.normal);
         let heights = self.problem.gap().heights().values();
+        // None without coupling: heights are as they were.
         for ((own, height), w) in
             scratch.normal.heights_mut().iter_mut().zip(heights).zip(&scratch.by_traction)
         {
@@ -123,12 +125,17 @@ impl Pass<'_> {
         if operator.is_coupled() {
             let [u, v] = &mut scratch.by_pressure;
             let load = TractionField::normal(to.pressure.values());
-            operator.apply(load, DisplacementField::tangential(u, v), &mut scratch.workspace)?;
+            operator.apply(
+                load,
+                DisplacementField::tangential(u, v),
+                scratch.normal.workspace(),
+            )?;
             self.spent.coupling += 1.0;
         }
         let own = operator.coefficients(0, 0).rows[2][2];
         scratch.limits.follow(&to.pressure, scratch.normal.gap(), own);
         self.refuse_sliding(to.pressure.values(), scratch)?;
+        self.refuse_sticking(&scratch.limits.values)?;
         self.offsets(scratch);
         let [x, y] = &scratch.offset;
         let mut task = TangentialTask {
@@ -171,6 +178,22 @@ impl Pass<'_> {
             return Err(FrictionalError::Slides { force: area * force, limit: area * limit });
         }
         scratch.limits.hold(pressure, force);
+        Ok(())
+    }
+
+    /// Where all of a period sticks at any traction, it cannot be shifted.
+    fn refuse_sticking(&self, limits: &[f64]) -> Result<(), FrictionalError> {
+        if self.problem.operator().displaces_on_average()
+            || limits.iter().any(|limit| limit.is_finite())
+        {
+            return Ok(());
+        }
+        let shifts = self.moved().into_iter().zip(["x", "y"]).zip(self.rigid.loads);
+        for ((shift, axis), load) in shifts {
+            if load.is_none() && shift != 0.0 {
+                return Err(PeriodError::AllSticks { axis, shift }.into());
+            }
+        }
         Ok(())
     }
 }

@@ -65,17 +65,19 @@ pub(super) struct ActiveSet {
 
 impl ActiveSet {
     pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
-        let zero = vec![0.0; operator.grid().cells()];
+        let cells = operator.grid().cells();
+        // Fresh memory costs nothing until it is used; a copy of zeros does.
+        let zero = || vec![0.0; cells];
         Self {
             inverse: operator.inverse(),
             workspace: operator.workspace(),
             own: operator.coefficients(0, 0).rows[2][2],
-            gap: zero.clone(),
-            preconditioned: zero.clone(),
-            direction: zero.clone(),
-            image: zero.clone(),
-            ones: zero.clone(),
-            active: vec![false; zero.len()],
+            gap: zero(),
+            preconditioned: zero(),
+            direction: zero(),
+            image: zero(),
+            ones: zero(),
+            active: vec![false; cells],
         }
     }
 

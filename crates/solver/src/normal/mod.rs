@@ -7,15 +7,13 @@ mod signs;
 use std::sync::Arc;
 
 use carom_halfspace::Grid;
-use carom_halfspace::operator::{OperatorError, SurfaceOperator};
+use carom_halfspace::operator::{OperatorError, SurfaceOperator, Workspace};
 
-use crate::convergence::{Convergence, Observer, Products};
+use crate::convergence::{Convergence, Observer, Products, Stop};
 use crate::drive::Driven;
 use crate::nested;
 use active_set::{ActiveSet, Limits, NormalTask};
 
-/// Grids with fewer cells along a side than this are not made coarser.
-const COARSEST: usize = 32;
 /// Coarse grids stop when a correction changes the pressure by less than this, the coarsest by
 /// less than a tenth of it.
 const COARSE_CHANGE: f64 = 1e-2;
@@ -25,6 +23,12 @@ const COARSE_CHANGE: f64 = 1e-2;
 pub(crate) struct NormalGrids {
     levels: Vec<Level>,
 }
+
+/// A side of the grid that looks for the place of a contact, at most.
+const SCOUTS: usize = 64;
+
+/// A coarse grid, and the first and last column and row that touch there.
+pub(crate) type Scouted = (Grid, [[usize; 2]; 2]);
 
 /// How far to go on the finest grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -45,13 +49,21 @@ struct Level {
 }
 
 impl NormalGrids {
+    /// With coarser grids of the operator, finest first.
     pub(crate) fn new(
         operator: &dyn SurfaceOperator,
         heights: &[f64],
+        coarser: impl FnOnce() -> Result<Vec<Arc<dyn SurfaceOperator>>, OperatorError>,
     ) -> Result<Self, OperatorError> {
         let mut levels = vec![Level::new(operator, heights.to_vec())];
-        while let Some(level) = levels[levels.len() - 1].coarser(operator)? {
-            levels.push(level);
+        // A known outline needs no coarse grids, and the peaks at its edge are lost on them.
+        if heights.iter().all(|height| !height.is_infinite()) {
+            for operator in coarser()? {
+                let above = &levels[levels.len() - 1];
+                let heights = nested::coarser(above.grid, &above.heights, operator.grid());
+                let level = Level::new(&*operator, heights);
+                levels.push(Level { operator: Some(operator), ..level });
+            }
         }
         Ok(Self { levels })
     }
@@ -69,6 +81,11 @@ impl NormalGrids {
     /// The heights of the finest grid, to be changed.
     pub(crate) fn heights_mut(&mut self) -> &mut [f64] {
         &mut self.levels[0].heights
+    }
+
+    /// The working memory of the finest grid's products.
+    pub(crate) fn workspace(&mut self) -> &mut Workspace {
+        &mut self.levels[0].set.workspace
     }
 
     /// A start from a known pressure.
@@ -99,12 +116,23 @@ impl NormalGrids {
         driven: Driven,
         target: Target,
     ) -> Result<Products, OperatorError> {
+        self.climb(0, operator, driven, target)
+    }
+
+    /// A start on a grid from the coarsest one upwards.
+    fn climb(
+        &mut self,
+        to: usize,
+        operator: &dyn SurfaceOperator,
+        driven: Driven,
+        target: Target,
+    ) -> Result<Products, OperatorError> {
         let Target { tolerance, iterations } = target;
         let levels = &mut self.levels;
         let (coarsest, cells) = (levels.len() - 1, levels[0].grid.cells());
         levels[coarsest].guess(driven);
         let mut spent = Products::default();
-        for i in (1..=coarsest).rev() {
+        for i in (to + 1..=coarsest).rev() {
             let change = if i == coarsest { 0.1 * COARSE_CHANGE } else { COARSE_CHANGE };
             let limits = Limits { tolerance, change, iterations };
             let (_, coarse) = levels[i].solve(operator, driven, limits, &mut ())?;
@@ -118,6 +146,40 @@ impl NormalGrids {
         }
         Ok(spent)
     }
+
+    /// Where a coarse grid touches; none if there is none coarse enough, or if it does not say.
+    pub(crate) fn scout(
+        &mut self,
+        operator: &dyn SurfaceOperator,
+        driven: Driven,
+        target: Target,
+    ) -> Result<Option<Scouted>, OperatorError> {
+        let few = |level: &Level| level.grid.cells() <= SCOUTS * SCOUTS;
+        let Some(at) = (1..self.levels.len()).find(|i| few(&self.levels[*i])) else {
+            return Ok(None);
+        };
+        let Some(lowest) = self.levels[at].lowest() else { return Ok(None) };
+        let grid = self.levels[at].grid;
+        let alone = [lowest % grid.nx(), lowest / grid.nx()].map(|place| [place; 2]);
+        if matches!(driven, Driven::Shift(approach) if self.levels[at].heights[lowest] >= approach)
+        {
+            return Ok(Some((grid, alone)));
+        }
+        self.climb(at, operator, driven, target)?;
+        let Target { tolerance, iterations } = target;
+        let limits = Limits { tolerance, change: COARSE_CHANGE, iterations };
+        let level = &mut self.levels[at];
+        let (_, went) = level.solve(operator, driven, limits, &mut ())?;
+        if went.stop != Stop::Converged {
+            return Ok(None);
+        }
+        let touching = level.pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0);
+        let extent = touching.fold(alone, |[columns, rows], (i, _)| {
+            let wider = |[low, high]: [usize; 2], at: usize| [low.min(at), high.max(at)];
+            [wider(columns, i % grid.nx()), wider(rows, i / grid.nx())]
+        });
+        Ok(Some((grid, extent)))
+    }
 }
 
 impl Level {
@@ -126,19 +188,10 @@ impl Level {
         Self { grid, operator: None, heights, pressure, set: ActiveSet::new(operator) }
     }
 
-    fn coarser(&self, own: &dyn SurfaceOperator) -> Result<Option<Self>, OperatorError> {
-        let small = self.grid.nx().min(self.grid.ny()) < COARSEST;
-        // A known outline needs no coarse grids, and the peaks at its edge are lost on them.
-        if small || self.heights.iter().any(|height| height.is_infinite()) {
-            return Ok(None);
-        }
-        let Some(operator) = self.operator.as_deref().unwrap_or(own).coarser() else {
-            return Ok(None);
-        };
-        let operator: Arc<dyn SurfaceOperator> = operator?.into();
-        let heights = nested::coarser(self.grid, &self.heights, operator.grid());
-        let level = Self::new(&*operator, heights);
-        Ok(Some(Self { operator: Some(operator), ..level }))
+    /// The cell where the bodies come closest, if any has a finite height.
+    fn lowest(&self) -> Option<usize> {
+        let finite = self.heights.iter().enumerate().filter(|(_, height)| height.is_finite());
+        finite.min_by(|one, other| one.1.total_cmp(other.1)).map(|(cell, _)| cell)
     }
 
     /// A first guess where nothing better is known: round pressures where the bodies come closest.

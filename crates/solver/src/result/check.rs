@@ -5,15 +5,16 @@ use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField}
 use crate::convergence::Residuals;
 use crate::friction::firm;
 use crate::problem::ContactProblem;
-use crate::state::ContactState;
+use crate::state::{CellState, ContactState};
 
 /// The greatest violation of the conditions in the step between two states, as in
 /// [`crate::Convergence`] but computed anew from the tractions.
 ///
 /// Normal: a gap in the contact, an overlap outside or tension (in displacement by its own cell),
 /// over the approach. Tangential: the distance of a traction from where its own slip would pull it
-/// within the disc of its limit, over the greatest limit, or over the greatest pressure or traction
-/// if friction could hold more than these.
+/// within the disc of its limit (of static friction where a cell neither slipped before nor slips
+/// after, of kinetic friction elsewhere), over the greatest limit, or over the greatest pressure or
+/// traction if friction could hold more than these.
 ///
 /// # Errors
 /// [`OperatorError`] for states of another grid.
@@ -40,7 +41,10 @@ pub fn violations(
         depth = depth.max(after.shift.zeta - height);
         let off = if pressure[i] > 0.0 { gap.abs() } else { (-gap).max(-own[2][2] * pressure[i]) };
         normal = normal.max(off);
-        let limit = firm(problem.friction().at(i).motion().get()) * pressure[i].max(0.0);
+        let slips = [before, after].map(|state| state.cells.values()[i] == CellState::Slip);
+        let friction = problem.friction().at(i);
+        let friction = if slips.contains(&true) { friction.motion() } else { friction.rest() };
+        let limit = firm(friction.get()) * pressure[i].max(0.0);
         most = most.max(limit);
         reached = reached.max(pressure[i]).max(x[i].hypot(y[i]));
         // One compliance for both: a slip against the traction pulls along it.

@@ -6,22 +6,27 @@
 //! whose bend adds `D = -s.e/R` to the diagonal (12.20)-(12.24). Preconditioned conjugate gradients
 //! solve for them together; the sets change when what violates the discs or the direction of slip
 //! outweighs the last step. Projections to the discs are made in one product with a damped step.
+//!
+//! All of it runs on the cells of the contact alone, one after the other, and products on the box
+//! that holds them.
 
 use std::ops::ControlFlow;
 
-use carom_halfspace::operator::{
-    DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
-};
+use carom_halfspace::Grid;
+use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use nalgebra::Vector3;
 
+use super::contact::Within;
 use super::course::Course;
 use super::descent::Descent;
-use super::law::{force_scale, is_lost};
+use super::law::{Off, Sums, force_scale, is_lost};
+use super::packed::Packed;
 use super::rigid::{self, Deflation, Rigid};
 use crate::convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
 use crate::state::CellState;
 
-/// What is to be solved and what is found. All fields lie on the operator's grid.
+/// What is to be solved and what is found. All fields lie on the operator's grid, or, once it is
+/// packed, on the cells of the contact.
 pub(crate) struct TangentialTask<'a> {
     pub(crate) operator: &'a dyn SurfaceOperator,
     /// Greatest tractions, zero outside the contact, infinite where nothing slips.
@@ -48,14 +53,17 @@ pub(super) struct Limits {
     pub(super) iterations: usize,
 }
 
+/// What tractions displace, over what they would cell by cell, counts as nothing below this.
+const NOTHING: f64 = 1e-8;
+
 /// Two components in each cell.
 pub(super) type Plane = [Vec<f64>; 2];
 
-/// One grid of the tangential problem, with its working memory.
+/// One grid of the tangential problem, with its working memory: fields of the cells of the contact.
 #[derive(Clone)]
 pub(super) struct ActiveSet {
-    pub(super) inverse: Option<TorusInverse>,
-    pub(super) workspace: Workspace,
+    pub(super) within: Within,
+    packed: Packed,
     pub(super) centres: Plane,
     pub(super) deflation: Deflation,
     /// The influence of a cell's traction on itself, the mean of both directions.
@@ -66,6 +74,10 @@ pub(super) struct ActiveSet {
     pub(super) rim: Plane,
     /// The bend D of the rim in slipping cells.
     pub(super) bend: Vec<f64>,
+    /// What stands beside bends in the preconditioner: the square root of a slipping cell's weight
+    /// against the influence, and what it takes by itself.
+    pub(super) root: Vec<f64>,
+    pub(super) alone: Vec<f64>,
     /// What is left of the linearised problem, then the preconditioned step.
     pub(super) rest: Plane,
     pub(super) preconditioned: Plane,
@@ -75,22 +87,22 @@ pub(super) struct ActiveSet {
 
 impl ActiveSet {
     pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
-        let zero = vec![0.0; operator.grid().cells()];
-        let plane = || [zero.clone(), zero.clone()];
         let own = operator.coefficients(0, 0).rows;
         Self {
-            inverse: operator.inverse(),
-            workspace: operator.workspace(),
-            centres: rigid::centres(operator.grid()),
-            deflation: Deflation::new(zero.len()),
+            within: Within::new(),
+            packed: Packed::default(),
+            centres: Plane::default(),
+            deflation: Deflation::default(),
             own: 0.5 * (own[0][0] + own[1][1]),
-            slip: plane(),
-            rim: plane(),
-            bend: zero.clone(),
-            rest: plane(),
-            preconditioned: plane(),
-            direction: plane(),
-            image: plane(),
+            slip: Plane::default(),
+            rim: Plane::default(),
+            bend: Vec::new(),
+            root: Vec::new(),
+            alone: Vec::new(),
+            rest: Plane::default(),
+            preconditioned: Plane::default(),
+            direction: Plane::default(),
+            image: Plane::default(),
         }
     }
 
@@ -104,33 +116,69 @@ impl ActiveSet {
         limits: Limits,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
+        self.within.enter(task.operator, task.limits);
+        let mut packed = std::mem::take(&mut self.packed);
+        packed.take(task, &self.within.contact);
+        self.make_room(task.operator.grid());
+        let mut own = packed.task(task);
+        let went = self.iterate(&mut own, limits, task.limits.len(), observer);
+        task.rigid = own.rigid;
+        packed.give(task, &self.within.contact);
+        self.packed = packed;
+        went
+    }
+
+    fn make_room(&mut self, grid: Grid) {
+        self.within.contact.centres(grid, &mut self.centres);
+        let cells = self.within.contact.cells();
+        let planes = [
+            &mut self.slip,
+            &mut self.rim,
+            &mut self.rest,
+            &mut self.preconditioned,
+            &mut self.direction,
+            &mut self.image,
+        ];
+        let all = [&mut self.bend, &mut self.root, &mut self.alone];
+        for values in planes.into_iter().flatten().chain(all) {
+            values.resize(cells, 0.0);
+        }
+    }
+
+    fn iterate(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        limits: Limits,
+        cells: usize,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, OperatorError> {
         let mut course = Course::default();
-        let (scale, cells) = (force_scale(task), task.limits.len());
-        let touching = task.limits.iter().filter(|limit| **limit > 0.0).count();
+        let (scale, touching) = (force_scale(task), task.limits.len());
         self.begin(task, &mut course)?;
         let mut iteration = 0;
+        let mut off = self.look(task);
         loop {
             iteration += 1;
-            let violation = self.violation(task);
-            if course.slow_changes >= 4 || is_lost(task, violation) {
+            if course.slow_changes >= 4 || is_lost(task, off.violation) {
                 Descent::new(task.operator).run(self, task, &mut course.products)?;
                 course = Course { products: course.products, slow_changes: 2, ..Course::default() };
-                let violation = self.violation(task);
-                self.change_sets(task, violation, &mut course)?;
-            } else if iteration == 1 || course.asks_for_change(violation) {
-                self.change_sets(task, violation, &mut course)?;
+                off = self.look(task);
+                off = self.change_sets(task, off.violation, &mut course)?;
+            } else if iteration == 1 || course.asks_for_change(off.violation) {
+                off = self.change_sets(task, off.violation, &mut course)?;
             } else {
                 course.held = course.held.saturating_sub(1);
-                self.precondition(task, &mut course);
-                self.gradient_step(task, &mut course)?;
+                let power = self.precondition(task, &mut course);
+                off = self.gradient_step(task, power, &mut course)?;
             }
-            let tangential = self.residual(task).max(self.unbalance(task, touching)) / scale;
+            let tangential = off.distance.max(self.unbalance(task, touching)) / scale;
+            let tangential = if off.distance.is_nan() { off.distance } else { tangential };
             let residuals = Residuals { normal: 0.0, tangential };
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
             let stop = if tangential.is_nan() {
                 Some(Stop::Stalled)
             } else if tangential <= limits.tolerance
-                || self.is_settled(task, &course, limits.change)
+                || is_settled(task, course.step.max(off.violation), limits.change)
             {
                 Some(Stop::Converged)
             } else if matches!(seen, ControlFlow::Break(())) {
@@ -177,13 +225,13 @@ impl ActiveSet {
         }
     }
 
-    /// A step of conjugate gradients along `preconditioned`.
+    /// A step of conjugate gradients along `preconditioned`, whose product with `rest` is `power`.
     pub(super) fn gradient_step(
         &mut self,
         task: &mut TangentialTask<'_>,
+        power: f64,
         course: &mut Course,
-    ) -> Result<(), OperatorError> {
-        let power = dot(&self.preconditioned, &self.rest);
+    ) -> Result<Off, OperatorError> {
         let share = course.power.map_or(0.0, |last| power / last);
         for axis in 0..2 {
             let steps = self.direction[axis].iter_mut().zip(&self.preconditioned[axis]);
@@ -191,44 +239,52 @@ impl ActiveSet {
         }
         course.power = Some(power);
         self.multiply(task.operator, &mut course.products)?;
-        let down = dot(&self.direction, &self.rest);
-        let mut bend = dot(&self.direction, &self.image);
-        for (i, own) in self.bend.iter().enumerate() {
-            let (x, y) = (self.direction[0][i], self.direction[1][i]);
-            bend += own * (x * x + y * y);
+        let (mut down, mut bend, mut alone) = (0.0, 0.0, 0.0);
+        let [along, across] = &self.direction;
+        let rest = self.rest[0].iter().zip(&self.rest[1]);
+        let image = self.image[0].iter().zip(&self.image[1]);
+        for (((x, y), own), ((r_x, r_y), (u, v))) in
+            along.iter().zip(across).zip(&self.bend).zip(rest.zip(image))
+        {
+            down += x * r_x + y * r_y;
+            bend += x * u + y * v + own * (x * x + y * y);
+            alone += x * x + y * y;
         }
+        // Even tractions on all of a period displace nothing: they go on until some reach their limits.
+        let bend = bend.max(NOTHING * self.own * alone);
         let length = if bend > 0.0 { down / bend } else { 0.0 };
-        self.correct(task, length, course);
-        Ok(())
+        Ok(self.correct(task, length, course))
     }
 
+    /// Takes `length` times `direction` from the tractions; what breaks the law then.
     pub(super) fn correct(
         &mut self,
         task: &mut TangentialTask<'_>,
         length: f64,
         course: &mut Course,
-    ) {
-        let mut square = 0.0;
-        for axis in 0..2 {
-            for (traction, step) in task.traction[axis].iter_mut().zip(&self.direction[axis]) {
-                *traction -= length * step;
-                square += step * step;
-            }
-            for (slip, image) in self.slip[axis].iter_mut().zip(&self.image[axis]) {
-                *slip -= length * image;
-            }
+    ) -> Off {
+        let (mut square, mut off) = (0.0, Sums::default());
+        let [tractions_x, tractions_y] = &mut task.traction;
+        let [slips_x, slips_y] = &mut self.slip;
+        let steps = self.direction[0].iter().zip(&self.direction[1]);
+        let images = self.image[0].iter().zip(&self.image[1]);
+        let rims = self.rim[0].iter().zip(&self.rim[1]);
+        let tractions = tractions_x.iter_mut().zip(tractions_y.iter_mut());
+        let slips = slips_x.iter_mut().zip(slips_y);
+        let given = task.limits.iter().zip(task.cells.iter());
+        let per_own = 1.0 / self.own;
+        for ((((x, y), (u, v)), ((d_x, d_y), (a_x, a_y))), ((limit, state), (e_x, e_y))) in
+            tractions.zip(slips).zip(steps.zip(images)).zip(given.zip(rims))
+        {
+            *x -= length * d_x;
+            *y -= length * d_y;
+            square += d_x * d_x + d_y * d_y;
+            *u -= length * a_x;
+            *v -= length * a_y;
+            off.add(*state, *limit, [*x, *y], [*u * per_own, *v * per_own], [*e_x, *e_y]);
         }
-        course.step = length.abs() * square.sqrt();
-    }
-
-    fn is_settled(&self, task: &TangentialTask<'_>, course: &Course, change: f64) -> bool {
-        if change == 0.0 {
-            return false;
-        }
-        let square: f64 =
-            task.traction.iter().flat_map(|values| values.iter()).map(|t| t * t).sum();
-        let norm = change * square.sqrt();
-        course.step < norm && self.violation(task) < norm
+        course.step = length.abs() * f64::sqrt(square);
+        off.all()
     }
 
     /// Puts A times `direction` into `image`.
@@ -237,13 +293,17 @@ impl ActiveSet {
         operator: &dyn SurfaceOperator,
         products: &mut Products,
     ) -> Result<(), OperatorError> {
-        let tractions = TractionField::tangential(&self.direction[0], &self.direction[1]);
-        let [u, v] = &mut self.image;
-        let displacements = DisplacementField::tangential(u, v);
-        operator.apply(tractions, displacements, &mut self.workspace)?;
-        products.tangential += 1.0;
-        Ok(())
+        self.within.displace(operator, &self.direction, &mut self.image, products)
     }
+}
+
+/// Whether what is off, or the last step, is small beside the tractions.
+fn is_settled(task: &TangentialTask<'_>, off: f64, change: f64) -> bool {
+    if change == 0.0 {
+        return false;
+    }
+    let square: f64 = task.traction.iter().flat_map(|values| values.iter()).map(|t| t * t).sum();
+    off < change * square.sqrt()
 }
 
 pub(super) fn dot(a: &Plane, b: &Plane) -> f64 {

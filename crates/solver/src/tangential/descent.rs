@@ -73,7 +73,6 @@ impl Descent {
             let (x, y) = (task.traction[0][i], task.traction[1][i]);
             let along = set.slip[0][i] * x + set.slip[1][i] * y;
             task.cells[i] = match *limit {
-                0.0 => CellState::Exterior,
                 limit if x.hypot(y) >= (1.0 - 1e-9) * limit && along < 0.0 => CellState::Slip,
                 _ => CellState::Stick,
             };
@@ -111,7 +110,7 @@ impl Descent {
     /// How far the loads of the next step are off.
     fn loads_off(&self, set: &ActiveSet, task: &TangentialTask<'_>, ahead: &Plane) -> LoadsOff {
         let mut off = LoadsOff::default();
-        for (i, &limit) in task.limits.iter().enumerate().filter(|(_, limit)| **limit > 0.0) {
+        for (i, &limit) in task.limits.iter().enumerate() {
             let (x, y) = (set.centres[0][i], set.centres[1][i]);
             let [u, v] = [Vector3::new(1.0, 0.0, y), Vector3::new(0.0, 1.0, -x)];
             let q = [0, 1].map(|axis| ahead[axis][i] - self.length * set.slip[axis][i]);

@@ -6,48 +6,70 @@ use crate::state::CellState;
 /// A cell whose traction is within this part of its limit has reached it.
 pub(super) const REACHED: f64 = 1.0 - 1e-9;
 
-impl ActiveSet {
+/// How far tractions are from the law.
+#[derive(Clone, Copy)]
+pub(super) struct Off {
     /// The norm of what breaks the law: tractions beyond their discs, or in them where the cell is
     /// said to slip, and slip along the traction, as tractions.
-    pub(super) fn violation(&self, task: &TangentialTask<'_>) -> f64 {
-        let mut square = 0.0;
-        for (i, limit) in task.limits.iter().enumerate() {
-            if task.cells[i] == CellState::Exterior {
-                continue;
-            }
-            let [x, y] = [task.traction[0][i], task.traction[1][i]];
-            let norm = (x * x + y * y).sqrt();
-            let beyond = match task.cells[i] {
-                CellState::Slip => (norm - limit).abs(),
-                _ => (norm - limit).max(0.0),
-            };
-            square += beyond * beyond;
-            if task.cells[i] == CellState::Slip {
-                let along = self.slip[0][i] * self.rim[0][i] + self.slip[1][i] * self.rim[1][i];
-                let wrong = along.max(0.0) / self.own;
-                square += wrong * wrong;
-            }
+    pub(super) violation: f64,
+    /// The greatest distance of a traction from where the slip would take it and its disc hold it; not
+    /// a number if one is none.
+    pub(super) distance: f64,
+}
+
+/// The sums that lead there, cell by cell.
+#[derive(Default)]
+pub(super) struct Sums {
+    violations: f64,
+    farthest: f64,
+    all: f64,
+}
+
+impl Sums {
+    /// A cell with its traction, its slip over its own influence, and its rim.
+    #[inline]
+    pub(super) fn add(
+        &mut self,
+        state: CellState,
+        limit: f64,
+        [x, y]: [f64; 2],
+        [u, v]: [f64; 2],
+        [e_x, e_y]: [f64; 2],
+    ) {
+        let (norm, most) = (x * x + y * y, limit * limit);
+        if state == CellState::Slip {
+            let (beyond, along) = (norm.sqrt() - limit, (u * e_x + v * e_y).max(0.0));
+            self.violations += beyond * beyond + along * along;
+        } else if norm > most {
+            let beyond = norm.sqrt() - limit;
+            self.violations += beyond * beyond;
         }
-        square.sqrt()
+        let (x_pulled, y_pulled) = (x - u, y - v);
+        let pulled = x_pulled * x_pulled + y_pulled * y_pulled;
+        let part = if pulled > most { limit / pulled.sqrt() } else { 1.0 };
+        let (dx, dy) = (x - part * x_pulled, y - part * y_pulled);
+        let distance = dx * dx + dy * dy;
+        self.farthest = self.farthest.max(distance);
+        // The maximum would leave out what is not a number.
+        self.all += distance;
     }
 
-    /// The greatest distance of a traction from where the slip would take it and its disc hold it.
-    pub(super) fn residual(&self, task: &TangentialTask<'_>) -> f64 {
-        let mut greatest = 0.0_f64;
-        for (i, &limit) in task.limits.iter().enumerate() {
-            if task.cells[i] == CellState::Exterior {
-                continue;
-            }
-            let at = [0, 1].map(|axis| task.traction[axis][i]);
-            let pulled = [0, 1].map(|axis| at[axis] - self.slip[axis][i] / self.own);
-            let [x, y] = within(pulled, limit);
-            let distance = ((at[0] - x) * (at[0] - x) + (at[1] - y) * (at[1] - y)).sqrt();
-            if distance.is_nan() {
-                return distance;
-            }
-            greatest = greatest.max(distance);
+    pub(super) fn all(&self) -> Off {
+        let distance = if self.all.is_nan() { self.all } else { self.farthest.sqrt() };
+        Off { violation: self.violations.sqrt(), distance }
+    }
+}
+
+impl ActiveSet {
+    /// What breaks the law.
+    pub(super) fn look(&self, task: &TangentialTask<'_>) -> Off {
+        let (mut off, per_own) = (Sums::default(), 1.0 / self.own);
+        for (i, limit) in task.limits.iter().enumerate() {
+            let traction = [task.traction[0][i], task.traction[1][i]];
+            let slip = [self.slip[0][i] * per_own, self.slip[1][i] * per_own];
+            off.add(task.cells[i], *limit, traction, slip, [self.rim[0][i], self.rim[1][i]]);
         }
-        greatest
+        off.all()
     }
 
     /// Tractions in their discs, and what the cells do.
@@ -63,13 +85,8 @@ impl ActiveSet {
             };
             (task.traction[0][i], task.traction[1][i]) = (x, y);
             let along = self.slip[0][i] * x + self.slip[1][i] * y;
-            task.cells[i] = if limit == 0.0 {
-                CellState::Exterior
-            } else if x.hypot(y) >= limit * REACHED && along < 0.0 {
-                CellState::Slip
-            } else {
-                CellState::Stick
-            };
+            let slips = (x * x + y * y).sqrt() >= limit * REACHED && along < 0.0;
+            task.cells[i] = if slips { CellState::Slip } else { CellState::Stick };
         }
     }
 }

@@ -26,7 +26,7 @@ impl ActiveSet {
             }
             self.invert(task.cells, course);
             for axis in 0..2 {
-                self.deflation.corrections[k][axis].copy_from_slice(&self.preconditioned[axis]);
+                self.deflation.corrections[k][axis].clone_from(&self.preconditioned[axis]);
             }
         }
         let mut deflation = std::mem::take(&mut self.deflation);

@@ -1,10 +1,12 @@
 //! The tangential problem at known pressures, started from coarser grids.
 
 mod active_set;
+mod contact;
 mod course;
 mod descent;
 mod law;
 mod loads;
+mod packed;
 mod precondition;
 mod rigid;
 mod sets;
@@ -23,8 +25,6 @@ pub(crate) use active_set::TangentialTask;
 pub(crate) use law::within;
 pub(crate) use rigid::Rigid;
 
-/// Grids with fewer cells along a side than this are not made coarser.
-const COARSEST: usize = 32;
 /// Coarse grids stop when a correction changes the tractions by less than this, the coarsest by
 /// less than a tenth of it.
 const COARSE_CHANGE: f64 = 1e-2;
@@ -52,26 +52,20 @@ struct Level {
 }
 
 impl Level {
-    fn below(fine: &dyn SurfaceOperator) -> Result<Option<Self>, OperatorError> {
-        let grid = fine.grid();
-        if grid.nx().min(grid.ny()) < COARSEST {
-            return Ok(None);
-        }
-        let Some(operator) = fine.coarser() else { return Ok(None) };
-        let operator: Arc<dyn SurfaceOperator> = operator?.into();
+    fn new(operator: &Arc<dyn SurfaceOperator>) -> Self {
         let grid = operator.grid();
-        let zero = vec![0.0; grid.cells()];
-        Ok(Some(Self {
+        let zero = || vec![0.0; grid.cells()];
+        Self {
             grid,
-            set: ActiveSet::new(&*operator),
-            operator,
-            limits: zero.clone(),
-            offset: [zero.clone(), zero.clone()],
+            set: ActiveSet::new(&**operator),
+            operator: Arc::clone(operator),
+            limits: zero(),
+            offset: [zero(), zero()],
             rigid: Rigid::default(),
             pressure: 0.0,
-            traction: [zero.clone(), zero],
+            traction: [zero(), zero()],
             cells: vec![CellState::Exterior; grid.cells()],
-        }))
+        }
     }
 
     fn take(&mut self, fine: Grid, limits: &[f64], offset: [&[f64]; 2], rigid: &Rigid) {
@@ -117,41 +111,36 @@ impl Level {
             let value = |i: usize| if known[i] { value(i) } else { 0.0 };
             let mut values: Vec<f64> = (0..known.len()).map(value).collect();
             nested::extended(self.grid, &mut values, &known, RINGS);
-            nested::finer(self.grid, &values, fine)
+            values
         };
         let ratio = |axis: usize| spread(&|i| self.traction[axis][i] / unit(self.limits[i]));
         let slipping = spread(&|i| f64::from(u8::from(self.cells[i] == CellState::Slip)));
         let (along, across) = (ratio(0), ratio(1));
+        let passage = nested::Passage::new(self.grid, fine);
         let [x, y] = traction;
         for (i, limit) in limits.iter().enumerate() {
-            let norm = along[i].hypot(across[i]);
-            let slips = slipping[i] >= 0.5 && norm > 0.0;
+            if *limit <= 0.0 {
+                (x[i], y[i], cells[i]) = (0.0, 0.0, CellState::Exterior);
+                continue;
+            }
+            let (along, across) = (passage.at(&along, i), passage.at(&across, i));
+            let norm = along.hypot(across);
+            let slips = norm > 0.0 && passage.at(&slipping, i) >= 0.5;
             let part = if slips || norm > 1.0 { unit(*limit) / norm } else { unit(*limit) };
-            (x[i], y[i]) =
-                if *limit > 0.0 { (part * along[i], part * across[i]) } else { (0.0, 0.0) };
-            cells[i] = match (*limit > 0.0, slips) {
-                (false, _) => CellState::Exterior,
-                (true, true) => CellState::Slip,
-                (true, false) => CellState::Stick,
-            };
+            (x[i], y[i]) = (part * along, part * across);
+            cells[i] = if slips { CellState::Slip } else { CellState::Stick };
         }
     }
 }
 
 impl TangentialScratch {
-    pub(crate) fn new(operator: &dyn SurfaceOperator) -> Result<Self, OperatorError> {
-        let mut coarse: Vec<Level> = Vec::new();
-        while let Some(level) =
-            Level::below(coarse.last().map_or(operator, |level| &*level.operator))?
-        {
-            coarse.push(level);
-        }
-        Ok(Self { set: ActiveSet::new(operator), coarse })
-    }
-
-    /// The slip of the last solution.
-    pub(crate) const fn slip(&self) -> &[Vec<f64>; 2] {
-        &self.set.slip
+    /// With coarser grids of the operator, finest first.
+    pub(crate) fn new(
+        operator: &dyn SurfaceOperator,
+        coarser: &[Arc<dyn SurfaceOperator>],
+    ) -> Self {
+        let coarse = coarser.iter().map(Level::new).collect();
+        Self { set: ActiveSet::new(operator), coarse }
     }
 
     /// Solves a task to the tolerance, from its own start.

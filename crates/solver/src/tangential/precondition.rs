@@ -15,14 +15,20 @@ use crate::state::CellState;
 const ALONE: f64 = 10.0;
 
 impl ActiveSet {
-    /// What is left of the linearised problem, and the preconditioned step.
-    pub(super) fn precondition(&mut self, task: &mut TangentialTask<'_>, course: &mut Course) {
+    /// What is left of the linearised problem, and the preconditioned step; the product of both.
+    pub(super) fn precondition(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        course: &mut Course,
+    ) -> f64 {
         for i in 0..task.limits.len() {
-            let [x, y] = self.rest_at(task, i);
+            let bend = self.bend[i];
+            let whole = [0, 1].map(|axis| self.slip[axis][i] + bend * task.traction[axis][i]);
+            let [x, y] = self.admitted(task.cells[i], i, whole);
             (self.rest[0][i], self.rest[1][i]) = (x, y);
         }
         self.deflate(task);
-        self.invert(task.cells, course);
+        self.invert(task.cells, course)
     }
 
     /// The same for tractions that have been taken to their rims: what they were around a rim of
@@ -31,75 +37,62 @@ impl ActiveSet {
         &mut self,
         task: &mut TangentialTask<'_>,
         course: &mut Course,
-    ) {
+    ) -> f64 {
         for i in 0..task.limits.len() {
             let [x, y] = self.admitted(task.cells[i], i, [self.slip[0][i], self.slip[1][i]]);
             (self.rest[0][i], self.rest[1][i]) = (x, y);
         }
         self.deflate(task);
-        self.invert(task.cells, course);
+        self.invert(task.cells, course)
+    }
+
+    /// The weights of the preconditioner beside the bends.
+    pub(super) fn weigh(&mut self) {
+        let takes_alone = self.within.has_inverse();
+        for ((bend, root), alone) in self.bend.iter().zip(&mut self.root).zip(&mut self.alone) {
+            (*root, *alone) = (1.0, 0.0);
+            if *bend > 0.0 {
+                let sigma = 1.0 / (1.0 + bend / self.own);
+                *root = sigma.sqrt();
+                if takes_alone {
+                    *alone = (1.0 - sigma) / (bend + ALONE * self.own);
+                }
+            }
+        }
     }
 
     /// The preconditioner on `rest`: `S K S` with the weight 1 where the surfaces stick and
-    /// sqrt(sigma) along the rim where they slip, where the rest of the diagonal is added.
-    pub(super) fn invert(&mut self, cells: &[CellState], course: &mut Course) {
-        for (i, state) in cells.iter().enumerate() {
-            let rest = [self.rest[0][i], self.rest[1][i]];
-            let [x, y] = match state {
-                CellState::Exterior => [0.0; 2],
-                CellState::Stick => rest,
-                CellState::Slip => {
-                    let weight = (1.0 + self.bend[i] / self.own).sqrt();
-                    rest.map(|rest| rest / weight)
-                }
-            };
-            (self.image[0][i], self.image[1][i]) = (x, y);
-        }
-        if let Some(inverse) = &self.inverse {
-            let [x, y] = &mut self.preconditioned;
-            let image = [&self.image[0][..], &self.image[1][..]];
-            inverse.traction(image, [x, y], &mut self.workspace);
-            course.products.preconditioner += 1.0;
-        } else {
-            for axis in 0..2 {
-                self.preconditioned[axis].copy_from_slice(&self.image[axis]);
+    /// sqrt(sigma) along the rim where they slip, where the rest of the diagonal is added. The product
+    /// with `rest`.
+    pub(super) fn invert(&mut self, cells: &[CellState], course: &mut Course) -> f64 {
+        for (step, rest) in self.preconditioned.iter_mut().zip(&self.rest) {
+            for ((step, rest), root) in step.iter_mut().zip(rest).zip(&self.root) {
+                *step = root * rest;
             }
         }
+        self.within.invert(&mut self.preconditioned, &mut course.products);
+        let mut power = 0.0;
         for (i, state) in cells.iter().enumerate() {
-            if *state == CellState::Exterior {
-                (self.preconditioned[0][i], self.preconditioned[1][i]) = (0.0, 0.0);
-                continue;
-            }
-            let sigma = 1.0 / (1.0 + self.bend[i] / self.own);
             let step = [self.preconditioned[0][i], self.preconditioned[1][i]];
-            let step = self.admitted(*state, i, step).map(|step| sigma.sqrt() * step);
-            let own = if self.inverse.is_some() && self.bend[i] > 0.0 {
-                (1.0 - sigma) / (self.bend[i] + ALONE * self.own)
-            } else {
-                0.0
-            };
-            self.preconditioned[0][i] = step[0] + own * self.rest[0][i];
-            self.preconditioned[1][i] = step[1] + own * self.rest[1][i];
+            let (root, alone) = (self.root[i], self.alone[i]);
+            let rest = [self.rest[0][i], self.rest[1][i]];
+            let [x, y] = self.admitted(*state, i, step);
+            let [x, y] = [root * x + alone * rest[0], root * y + alone * rest[1]];
+            (self.preconditioned[0][i], self.preconditioned[1][i]) = (x, y);
+            power += x * rest[0] + y * rest[1];
         }
+        power
     }
 
-    /// The gradient of the linearised problem in the cell.
-    fn rest_at(&self, task: &TangentialTask<'_>, i: usize) -> [f64; 2] {
-        let bend = self.bend[i];
-        let whole = [0, 1].map(|axis| self.slip[axis][i] + bend * task.traction[axis][i]);
-        self.admitted(task.cells[i], i, whole)
-    }
-
-    /// The part of a change that a cell admits: all, along the rim, none.
+    /// The part of a change that a cell admits: all, or along the rim.
+    #[inline]
     pub(super) fn admitted(&self, state: CellState, i: usize, [x, y]: [f64; 2]) -> [f64; 2] {
-        match state {
-            CellState::Exterior => [0.0; 2],
-            CellState::Stick => [x, y],
-            CellState::Slip => {
-                let (e_x, e_y) = (self.rim[0][i], self.rim[1][i]);
-                let across = e_x * y - e_y * x;
-                [-e_y * across, e_x * across]
-            }
+        if state == CellState::Slip {
+            let (e_x, e_y) = (self.rim[0][i], self.rim[1][i]);
+            let across = e_x * y - e_y * x;
+            [-e_y * across, e_x * across]
+        } else {
+            [x, y]
         }
     }
 }

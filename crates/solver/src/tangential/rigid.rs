@@ -1,6 +1,5 @@
 //! Rigid shifts and twist of which the load is given.
 
-use carom_halfspace::Grid;
 use nalgebra::{Matrix3, Vector3};
 
 use super::active_set::Plane;
@@ -38,12 +37,6 @@ impl Rigid {
     }
 }
 
-/// Centres of the cells.
-pub(super) fn centres(grid: Grid) -> Plane {
-    let (x, y) = grid.centres().unzip();
-    [x, y]
-}
-
 /// Displacement of a rigid motion.
 pub(super) fn displacement(motion: &Vector3<f64>, x: f64, y: f64) -> [f64; 2] {
     [motion[0] + y * motion[2], motion[1] - x * motion[2]]
@@ -69,11 +62,6 @@ pub(super) struct Deflation {
 }
 
 impl Deflation {
-    pub(super) fn new(cells: usize) -> Self {
-        let corrections = [(); 3].map(|()| [vec![0.0; cells], vec![0.0; cells]]);
-        Self { corrections, inverse: Matrix3::identity() }
-    }
-
     /// `corrections` holds those of the given loads; `admitted` the displacements themselves as far
     /// as the cells admit them.
     pub(super) fn prepare(&mut self, rigid: &Rigid, admitted: impl Fn(usize) -> [Vector3<f64>; 2]) {

@@ -4,7 +4,7 @@ use carom_halfspace::operator::OperatorError;
 
 use super::active_set::{ActiveSet, TangentialTask};
 use super::course::Course;
-use super::law::REACHED;
+use super::law::{Off, REACHED};
 use crate::state::CellState;
 
 /// Part of a preconditioned step beside projections.
@@ -19,12 +19,13 @@ impl ActiveSet {
         task: &mut TangentialTask<'_>,
         violation: f64,
         course: &mut Course,
-    ) -> Result<(), OperatorError> {
+    ) -> Result<Off, OperatorError> {
         let damping = if course.careful(violation) { 0.0 } else { DAMPING };
         course.changes(violation);
         let projected = self.project(task);
+        self.weigh();
         self.prepare_deflation(task, course);
-        self.precondition_projected(task, course);
+        let power = self.precondition_projected(task, course);
         course.power = None;
         if projected || self.excess(task).norm() > 0.0 {
             for axis in 0..2 {
@@ -33,10 +34,9 @@ impl ActiveSet {
             }
             self.restore_loads(task);
             self.multiply(task.operator, &mut course.products)?;
-            self.correct(task, 1.0, course);
-            Ok(())
+            Ok(self.correct(task, 1.0, course))
         } else {
-            self.gradient_step(task, course)
+            self.gradient_step(task, power, course)
         }
     }
 
@@ -49,35 +49,27 @@ impl ActiveSet {
             let [x, y] = [task.traction[0][i], task.traction[1][i]];
             let norm = (x * x + y * y).sqrt();
             self.bend[i] = 0.0;
-            let target = if limit == 0.0 {
-                task.cells[i] = CellState::Exterior;
-                [0.0; 2]
+            let at_rim = norm >= limit * REACHED;
+            let slipped = task.cells[i] == CellState::Slip;
+            let along =
+                if norm > 0.0 { (self.slip[0][i] * x + self.slip[1][i] * y) / norm } else { 0.0 };
+            let pulled = [x - self.slip[0][i] / self.own, y - self.slip[1][i] / self.own];
+            let pull = (pulled[0] * pulled[0] + pulled[1] * pulled[1]).sqrt();
+            // Slip opposes the traction; a cell that is pushed out begins to slip, and one whose disc
+            // is tiny beside what it would take to stick does.
+            let tiny = limit < TINY * pull;
+            let slips = (norm > limit && !slipped) || ((at_rim || slipped) && along < 0.0);
+            let target = if tiny || (slips && norm > 0.0) {
+                task.cells[i] = CellState::Slip;
+                let e = if tiny { pulled.map(|t| t / pull) } else { [x / norm, y / norm] };
+                (self.rim[0][i], self.rim[1][i]) = (e[0], e[1]);
+                let along = self.slip[0][i] * e[0] + self.slip[1][i] * e[1];
+                self.bend[i] = (-along).max(0.0) / limit;
+                [limit * e[0], limit * e[1]]
             } else {
-                let at_rim = norm >= limit * REACHED;
-                let slipped = task.cells[i] == CellState::Slip;
-                let along = if norm > 0.0 {
-                    (self.slip[0][i] * x + self.slip[1][i] * y) / norm
-                } else {
-                    0.0
-                };
-                let pulled = [x - self.slip[0][i] / self.own, y - self.slip[1][i] / self.own];
-                let pull = (pulled[0] * pulled[0] + pulled[1] * pulled[1]).sqrt();
-                // Slip opposes the traction; a cell that is pushed out begins to slip, and one
-                // whose disc is tiny beside what it would take to stick does.
-                let tiny = limit < TINY * pull;
-                let slips = (norm > limit && !slipped) || ((at_rim || slipped) && along < 0.0);
-                if tiny || (slips && norm > 0.0) {
-                    task.cells[i] = CellState::Slip;
-                    let e = if tiny { pulled.map(|t| t / pull) } else { [x / norm, y / norm] };
-                    (self.rim[0][i], self.rim[1][i]) = (e[0], e[1]);
-                    let along = self.slip[0][i] * e[0] + self.slip[1][i] * e[1];
-                    self.bend[i] = (-along).max(0.0) / limit;
-                    [limit * e[0], limit * e[1]]
-                } else {
-                    task.cells[i] = CellState::Stick;
-                    let part = if norm > limit { limit / norm } else { 1.0 };
-                    [part * x, part * y]
-                }
+                task.cells[i] = CellState::Stick;
+                let part = if norm > limit { limit / norm } else { 1.0 };
+                [part * x, part * y]
             };
             (self.direction[0][i], self.direction[1][i]) = (x - target[0], y - target[1]);
             any |= self.direction[0][i] != 0.0 || self.direction[1][i] != 0.0;

@@ -1,0 +1,302 @@
+//! A step on a box about the contact: the same solution for the cost of the box.
+//!
+//! What lies outside carries nothing, so that it need not take part; whether it may touch is seen once
+//! all displacements are known. Where the contact will be is found on coarse cells, from the problem
+//! and the drive alone: a step remembers nothing but the state before it.
+
+use std::sync::Arc;
+
+use carom_halfspace::operator::{DisplacementField, SurfaceOperator, TractionField};
+use carom_halfspace::{Field, Grid};
+
+use super::{Frictional, FrictionalError, FrictionalScratch};
+use crate::convergence::{Convergence, Observer, Products, Stop};
+use crate::drive::{Drive, Driven};
+use crate::friction::SurfaceFriction;
+use crate::gap::Gap;
+use crate::normal::Target;
+use crate::problem::ContactProblem;
+use crate::state::ContactState;
+
+/// Grids of fewer cells are solved as they are.
+const MANY: usize = 96 * 96;
+/// A box with more than this part of the cells does not pay.
+const PAYS: f64 = 0.7;
+/// Coarse cells left free on each side of the contact.
+const FREE: usize = 2;
+/// The least side of a box.
+const LEAST: usize = 32;
+
+/// Some columns and rows of a grid.
+#[derive(Debug, Clone, Copy, PartialEq)]
+struct Cut {
+    all: Grid,
+    own: Grid,
+    corner: [usize; 2],
+}
+
+impl Cut {
+    /// A box, its sides from a few lengths so that many steps share one, about columns and rows; none
+    /// where that does not pay. A twist keeps its middle.
+    fn about(all: Grid, cells: [[usize; 2]; 2], twists: bool) -> Option<Self> {
+        let counts = [all.nx(), all.ny()];
+        let side = |axis: usize| {
+            let ([low, high], count) = (cells[axis], counts[axis]);
+            let least = if twists { count - 2 * low.min(count - high) } else { high - low };
+            let length = ladder(least);
+            // The middle stays in the middle.
+            (!twists || count.is_multiple_of(2)).then_some(length.min(count))
+        };
+        let sides = [side(0)?, side(1)?];
+        let corner = [0, 1].map(|axis| {
+            let ([low, high], room) = (cells[axis], counts[axis] - sides[axis]);
+            if twists {
+                room / 2
+            } else {
+                ((low + high) / 2).saturating_sub(sides[axis] / 2).min(room)
+            }
+        });
+        if (sides[0] * sides[1]) as f64 > PAYS * all.cells() as f64 {
+            return None;
+        }
+        let own = Grid::new(sides[0], sides[1], all.dx(), all.dy()).ok()?;
+        Some(Self { all, own, corner })
+    }
+
+    /// Where the rows of the box begin in the grid.
+    fn rows(&self) -> impl Iterator<Item = usize> + use<> {
+        let Self { all, own, corner } = *self;
+        (0..own.ny()).map(move |row| all.index(corner[0], corner[1] + row))
+    }
+
+    fn take<T: Clone>(&self, field: &Field<T>) -> Option<Field<T>> {
+        let rows =
+            self.rows().flat_map(|at| field.values()[at..at + self.own.nx()].iter().cloned());
+        Field::new(self.own, rows.collect()).ok()
+    }
+
+    fn give<T: Clone>(&self, own: &Field<T>, field: &mut Field<T>) {
+        for (at, row) in self.rows().zip(own.values().chunks_exact(self.own.nx())) {
+            field.values_mut()[at..at + row.len()].clone_from_slice(row);
+        }
+    }
+
+    fn state(&self, all: &ContactState) -> Option<ContactState> {
+        Some(ContactState {
+            shift: all.shift,
+            pressure: self.take(&all.pressure)?,
+            traction_x: self.take(&all.traction_x)?,
+            traction_y: self.take(&all.traction_y)?,
+            displacement_x: self.take(&all.displacement_x)?,
+            displacement_y: self.take(&all.displacement_y)?,
+            cells: self.take(&all.cells)?,
+        })
+    }
+
+    fn holds(&self, cell: usize) -> bool {
+        let (column, row) = (cell % self.all.nx(), cell / self.all.nx());
+        let inside = |at: usize, corner: usize, side: usize| (corner..corner + side).contains(&at);
+        inside(column, self.corner[0], self.own.nx()) && inside(row, self.corner[1], self.own.ny())
+    }
+}
+
+/// The next of the lengths 4, 5, 6, 7 times a power of two.
+fn ladder(least: usize) -> usize {
+    let least = least.max(LEAST);
+    let step = (least.next_power_of_two() / 8).max(1);
+    least.next_multiple_of(step)
+}
+
+/// The problem on a box.
+#[derive(Clone)]
+pub(super) struct Boxed {
+    cut: Cut,
+    problem: ContactProblem,
+    operator: Arc<dyn SurfaceOperator>,
+    coarser: Vec<Arc<dyn SurfaceOperator>>,
+    scratch: FrictionalScratch,
+}
+
+impl Boxed {
+    /// The last one, if it will do, or its operator; none where the operator knows no part of itself.
+    fn new(
+        method: &Frictional,
+        problem: &ContactProblem,
+        cut: Cut,
+        last: Option<Box<Self>>,
+    ) -> Result<Option<Box<Self>>, FrictionalError> {
+        if last.as_ref().is_some_and(|last| last.cut == cut) {
+            return Ok(last);
+        }
+        let known = last.filter(|last| last.cut.own == cut.own);
+        let (operator, coarser) = if let Some(known) = known {
+            (known.operator, known.coarser)
+        } else {
+            let Some(fewer) = problem.operator().on_fewer(cut.own.nx(), cut.own.ny()) else {
+                return Ok(None);
+            };
+            let operator: Arc<dyn SurfaceOperator> = fewer?.into();
+            let coarser = crate::nested::coarser_operators(&*operator)?;
+            (operator, coarser)
+        };
+        let Some(heights) = cut.take(problem.gap().heights()) else { return Ok(None) };
+        let friction = match problem.friction() {
+            SurfaceFriction::ByCell(field) => cut.take(field).map(SurfaceFriction::from),
+            uniform @ SurfaceFriction::Uniform(_) => Some(uniform.clone()),
+        };
+        let (Ok(gap), Some(friction)) = (Gap::new(heights), friction) else { return Ok(None) };
+        let Ok(problem) = ContactProblem::new(gap, Arc::clone(&operator), friction) else {
+            return Ok(None);
+        };
+        let scratch = method.scratch_with(&problem, &coarser)?;
+        Ok(Some(Box::new(Self { cut, problem, operator, coarser, scratch })))
+    }
+}
+
+impl Frictional {
+    /// A step on a box; none where there is none that pays, or that holds the contact.
+    pub(super) fn step_in_a_box(
+        &self,
+        problem: &ContactProblem,
+        from: &ContactState,
+        drive: &Drive,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+        observer: &mut dyn Observer,
+    ) -> Result<Option<Convergence>, FrictionalError> {
+        let Some(cut) = self.cut(problem, from, drive, scratch)? else { return Ok(None) };
+        let last = scratch.boxed.take();
+        let Some(boxed) = Boxed::new(self, problem, cut, last)? else { return Ok(None) };
+        let boxed = scratch.boxed.insert(boxed);
+        let Some(own_from) = cut.state(from) else { return Ok(None) };
+        if boxed.problem.apart(drive.normal).is_some() {
+            return Ok(None);
+        }
+        let mut own = ContactState::apart(cut.own);
+        let went = self.step_on_all(
+            &boxed.problem,
+            &own_from,
+            drive,
+            &mut own,
+            &mut boxed.scratch,
+            observer,
+        );
+        let went = match went {
+            Ok(went) => went,
+            Err(FrictionalError::NotConverged { what, tolerance, reached })
+                if reached.stop == Stop::Observer =>
+            {
+                return Err(FrictionalError::NotConverged { what, tolerance, reached });
+            }
+            // All cells may know better.
+            Err(_) => return Ok(None),
+        };
+        *to = ContactState::apart(cut.all);
+        to.shift = own.shift;
+        cut.give(&own.pressure, &mut to.pressure);
+        cut.give(&own.traction_x, &mut to.traction_x);
+        cut.give(&own.traction_y, &mut to.traction_y);
+        cut.give(&own.cells, &mut to.cells);
+        let part = cut.own.cells() as f64 / cut.all.cells() as f64;
+        let products = went.products.times(part).plus(self.displace(problem, to, scratch)?);
+        if self.overlaps_outside(problem, cut, to, scratch) {
+            return Ok(None);
+        }
+        Ok(Some(Convergence { products, ..went }))
+    }
+
+    /// Where the contact of a drive is, by coarse cells.
+    fn cut(
+        &self,
+        problem: &ContactProblem,
+        from: &ContactState,
+        drive: &Drive,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Option<Cut>, FrictionalError> {
+        let grid = problem.grid();
+        if grid.cells() < MANY || !problem.operator().displaces_on_average() {
+            return Ok(None);
+        }
+        let target = Target { tolerance: self.tolerance, iterations: self.iterations };
+        let Some((coarse, cells)) =
+            scratch.normal.scout(problem.operator(), drive.normal, target)?
+        else {
+            return Ok(None);
+        };
+        // Both grids have the same middle.
+        let fine = |[low, high]: [usize; 2], coarse: usize, count: usize, times: f64| {
+            let place = |edge: f64| times * (edge - 0.5 * coarse as f64) + 0.5 * count as f64;
+            let low = place(low as f64 - FREE as f64).floor().max(0.0) as usize;
+            let high = place((high + 1 + FREE) as f64).ceil().max(0.0) as usize;
+            [low.min(count - 1), high.min(count)]
+        };
+        let times = [coarse.dx() / grid.dx(), coarse.dy() / grid.dy()];
+        let cells = [
+            fine(cells[0], coarse.nx(), grid.nx(), times[0]),
+            fine(cells[1], coarse.ny(), grid.ny(), times[1]),
+        ];
+        let twists = drive.twist != Driven::Shift(from.shift.omega);
+        Ok(Cut::about(grid, cells, twists))
+    }
+
+    /// The displacements of all cells: along the surface into the state, normal ones beside it.
+    fn displace(
+        &self,
+        problem: &ContactProblem,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> Result<Products, FrictionalError> {
+        let (operator, mut products) = (problem.operator(), Products::default());
+        let (x, y, normal) = (to.traction_x.values(), to.traction_y.values(), to.pressure.values());
+        let (u, v) = (to.displacement_x.values_mut(), to.displacement_y.values_mut());
+        scratch.sunk.resize(normal.len(), 0.0);
+        let tractions = TractionField::full(x, y, normal);
+        let displacements = DisplacementField::full(u, v, &mut scratch.sunk);
+        operator.apply(tractions, displacements, scratch.normal.workspace())?;
+        (products.normal, products.tangential) = (1.0, 1.0);
+        if operator.is_coupled() {
+            products.coupling = 2.0;
+        }
+        Ok(products)
+    }
+
+    /// Whether bodies overlap outside the box, within the tolerance.
+    fn overlaps_outside(
+        &self,
+        problem: &ContactProblem,
+        cut: Cut,
+        to: &ContactState,
+        scratch: &FrictionalScratch,
+    ) -> bool {
+        let (heights, zeta) = (problem.gap().heights().values(), to.shift.zeta);
+        let touching = to.pressure.values().iter().zip(heights).filter(|(p, _)| **p > 0.0);
+        let scale = touching.map(|(_, height)| (zeta - height).abs()).fold(0.0, f64::max);
+        let least = -self.tolerance * scale;
+        let gaps = scratch.sunk.iter().zip(heights).map(|(w, height)| w + height - zeta);
+        gaps.enumerate().any(|(cell, gap)| gap < least && !cut.holds(cell))
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn boxes_hold_their_cells_and_keep_the_middle_of_a_twist() {
+        let all = Grid::new(200, 160, 0.1, 0.2).unwrap();
+        for cells in [[[3, 40], [100, 160]], [[0, 20], [0, 30]], [[90, 120], [70, 80]]] {
+            let cut = Cut::about(all, cells, false).unwrap();
+            let [columns, rows] = cells;
+            assert!(cut.holds(all.index(columns[0], rows[0])));
+            assert!(cut.holds(all.index(columns[1] - 1, rows[1] - 1)));
+            assert!(cut.corner[0] + cut.own.nx() <= 200 && cut.corner[1] + cut.own.ny() <= 160);
+            if let Some(cut) = Cut::about(all, cells, true) {
+                assert!(cut.holds(all.index(columns[0], rows[0])));
+                assert_eq!(2 * cut.corner[0] + cut.own.nx(), 200);
+                assert_eq!(2 * cut.corner[1] + cut.own.ny(), 160);
+            }
+        }
+        assert!(Cut::about(all, [[0, 199], [0, 159]], false).is_none());
+        assert_eq!([30, 33, 65, 100, 129].map(ladder), [32, 40, 80, 112, 160]);
+    }
+}

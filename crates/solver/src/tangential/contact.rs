@@ -1,0 +1,247 @@
+//! The cells of a contact: what lies outside carries nothing and costs nothing.
+
+use std::sync::Arc;
+
+use carom_halfspace::Grid;
+use carom_halfspace::operator::{
+    DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
+    transform_length,
+};
+
+use crate::convergence::Products;
+
+/// A box with more than this part of the cells does not pay.
+const PAYS: f64 = 0.85;
+
+/// The cells with a positive limit, in the order of the grid, and a box of whole cells about them.
+#[derive(Clone, Default)]
+pub(super) struct Contact {
+    /// Where runs of them begin in the grid and in the box, and their lengths.
+    runs: Vec<[usize; 3]>,
+    cells: usize,
+}
+
+impl Contact {
+    /// The cells of the contact and the box, columns and rows, that holds them: as many cells as the
+    /// transform of the contact has room for; none where that is hardly less than all.
+    pub(super) fn find(&mut self, grid: Grid, limits: &[f64]) -> Option<[usize; 2]> {
+        self.runs.clear();
+        self.cells = 0;
+        let [mut columns, mut rows] = [[usize::MAX, 0]; 2];
+        for (row, values) in limits.chunks_exact(grid.nx()).enumerate() {
+            let mut column = 0;
+            while let Some(free) = values[column..].iter().position(|limit| *limit > 0.0) {
+                let begin = column + free;
+                let length = values[begin..].iter().take_while(|limit| **limit > 0.0).count();
+                column = begin + length;
+                self.runs.push([grid.index(begin, row), 0, length]);
+                self.cells += length;
+                columns = [columns[0].min(begin), columns[1].max(column)];
+                rows = [rows[0].min(row), row + 1];
+            }
+        }
+        let sides = if self.cells == 0 {
+            [1, 1]
+        } else {
+            [columns[1] - columns[0], rows[1] - rows[0]].map(|side| transform_length(side) / 2)
+        };
+        let sides = [sides[0].min(grid.nx()), sides[1].min(grid.ny())];
+        for [at, boxed, _] in &mut self.runs {
+            *boxed = *at % grid.nx() - columns[0] + sides[0] * (*at / grid.nx() - rows[0]);
+        }
+        ((sides[0] * sides[1]) as f64 <= PAYS * grid.cells() as f64).then_some(sides)
+    }
+
+    /// All of the grid in the place of a box.
+    fn unbox(&mut self) {
+        for [at, boxed, _] in &mut self.runs {
+            *boxed = *at;
+        }
+    }
+
+    /// The centres of the cells.
+    pub(super) fn centres(&self, grid: Grid, [x, y]: &mut [Vec<f64>; 2]) {
+        x.clear();
+        y.clear();
+        for [at, _, length] in &self.runs {
+            let (column, row) = (*at % grid.nx(), *at / grid.nx());
+            x.extend((column..column + length).map(|column| grid.centred_x(column)));
+            y.resize(x.len(), grid.centred_y(row));
+        }
+    }
+
+    /// How many there are.
+    pub(super) const fn cells(&self) -> usize {
+        self.cells
+    }
+
+    /// Their values out of a field of the grid.
+    pub(super) fn gather<T: Copy>(&self, field: &[T], own: &mut Vec<T>) {
+        own.clear();
+        for [at, _, length] in &self.runs {
+            own.extend_from_slice(&field[*at..*at + length]);
+        }
+    }
+
+    /// Their values into a field of the grid.
+    pub(super) fn scatter<T: Copy>(&self, own: &[T], field: &mut [T]) {
+        let mut from = 0;
+        for [at, _, length] in &self.runs {
+            field[*at..*at + length].copy_from_slice(&own[from..from + length]);
+            from += length;
+        }
+    }
+
+    /// Their values into a field of the box.
+    fn fill(&self, own: &[f64], field: &mut [f64]) {
+        let mut from = 0;
+        for [_, at, length] in &self.runs {
+            field[*at..*at + length].copy_from_slice(&own[from..from + length]);
+            from += length;
+        }
+    }
+
+    /// Their values out of a field of the box.
+    fn take(&self, field: &[f64], own: &mut [f64]) {
+        let mut from = 0;
+        for [_, at, length] in &self.runs {
+            own[from..from + length].copy_from_slice(&field[*at..*at + length]);
+            from += length;
+        }
+    }
+}
+
+/// Influences within a contact, with their working memory.
+#[derive(Clone)]
+pub(super) struct Within {
+    pub(super) contact: Contact,
+    /// On a box about the contact; none where that is all of the grid.
+    fewer: Option<Arc<dyn SurfaceOperator>>,
+    inverse: Option<TorusInverse>,
+    workspace: Workspace,
+    /// Cells of the box over all.
+    part: f64,
+    /// Whether tractions along an axis displace along that axis alone.
+    separate: bool,
+    /// Fields of the box, zero outside the contact, and what they lead to.
+    there: [Vec<f64>; 2],
+    back: [Vec<f64>; 2],
+}
+
+impl Within {
+    pub(super) fn new() -> Self {
+        Self {
+            contact: Contact::default(),
+            fewer: None,
+            inverse: None,
+            workspace: Workspace::default(),
+            part: 1.0,
+            separate: false,
+            there: Default::default(),
+            back: Default::default(),
+        }
+    }
+
+    /// Takes up the contact of these limits.
+    pub(super) fn enter(&mut self, operator: &dyn SurfaceOperator, limits: &[f64]) {
+        let grid = operator.grid();
+        let last = self.fewer.take();
+        if let Some([nx, ny]) = self.contact.find(grid, limits) {
+            let fits = |own: &Arc<dyn SurfaceOperator>| {
+                let own = own.grid();
+                (own.nx(), own.ny(), own.cell()) == (nx, ny, grid.cell())
+            };
+            // Where memory is short all of the grid has to do.
+            let new = || operator.on_fewer(nx, ny).and_then(Result::ok).map(Arc::from);
+            self.fewer = last.filter(fits).or_else(new);
+        }
+        if self.fewer.is_none() {
+            self.contact.unbox();
+        }
+        let own = self.fewer.as_deref().unwrap_or(operator);
+        self.inverse = own.inverse();
+        self.separate = own.is_separate();
+        self.part = own.grid().cells() as f64 / grid.cells() as f64;
+        for field in self.there.iter_mut().chain(&mut self.back) {
+            field.clear();
+            field.resize(own.grid().cells(), 0.0);
+        }
+    }
+
+    /// The displacements of the contact by tractions on it.
+    pub(super) fn displace(
+        &mut self,
+        operator: &dyn SurfaceOperator,
+        traction: &[Vec<f64>; 2],
+        displacement: &mut [Vec<f64>; 2],
+        products: &mut Products,
+    ) -> Result<(), OperatorError> {
+        let [x, y] = self.there(traction);
+        let operator = self.fewer.as_deref().unwrap_or(operator);
+        let [u, v] = self.wanted([x, y]);
+        let [along, across] = &mut self.back;
+        let [from_x, from_y] = &self.there;
+        let tractions = TractionField {
+            x: x.then_some(&from_x[..]),
+            y: y.then_some(&from_y[..]),
+            normal: None,
+        };
+        let displacements = DisplacementField {
+            u: u.then_some(&mut along[..]),
+            v: v.then_some(&mut across[..]),
+            w: None,
+        };
+        operator.apply(tractions, displacements, &mut self.workspace)?;
+        self.take([u, v], displacement);
+        products.tangential += self.part;
+        Ok(())
+    }
+
+    /// Puts what does not vanish into fields of the box; which components that are.
+    fn there(&mut self, fields: &[Vec<f64>; 2]) -> [bool; 2] {
+        // What is not a number is not zero, either.
+        let given = [0, 1].map(|axis| fields[axis].iter().any(|value: &f64| *value != 0.0));
+        for axis in (0..2).filter(|axis| given[*axis]) {
+            self.contact.fill(&fields[axis], &mut self.there[axis]);
+        }
+        given
+    }
+
+    /// Which components these reach.
+    const fn wanted(&self, [x, y]: [bool; 2]) -> [bool; 2] {
+        if self.separate { [x, y] } else { [x || y, x || y] }
+    }
+
+    fn take(&self, wanted: [bool; 2], fields: &mut [Vec<f64>; 2]) {
+        for axis in 0..2 {
+            if wanted[axis] {
+                self.contact.take(&self.back[axis], &mut fields[axis]);
+            } else {
+                fields[axis].fill(0.0);
+            }
+        }
+    }
+
+    /// Whether there is an approximate inverse.
+    pub(super) const fn has_inverse(&self) -> bool {
+        self.inverse.is_some()
+    }
+
+    /// Replaces displacements by the tractions that an approximate inverse makes of them, if there is
+    /// one.
+    pub(super) fn invert(&mut self, field: &mut [Vec<f64>; 2], products: &mut Products) {
+        let Some(inverse) = self.inverse.take() else { return };
+        let [x, y] = self.there(field);
+        let [u, v] = self.wanted([x, y]);
+        let [along, across] = &mut self.back;
+        let [from_x, from_y] = &self.there;
+        inverse.traction(
+            [x.then_some(&from_x[..]), y.then_some(&from_y[..])],
+            [u.then_some(&mut along[..]), v.then_some(&mut across[..])],
+            &mut self.workspace,
+        );
+        self.take([u, v], field);
+        self.inverse = Some(inverse);
+        products.preconditioner += self.part;
+    }
+}
