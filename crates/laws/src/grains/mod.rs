@@ -4,7 +4,7 @@
 //! of one and a flat wall) in each step; a [`GrainContact`] turns it into the force and the torques. It
 //! carries the axes of the contact along with the two bodies and a [`crate::shift_law::ShiftLaw`] in
 //! them, so that a pair that turns as a whole does not slip. A [`GrainTwist`] stands beside it where the twist
-//! about the normal counts.
+//! about the normal counts. Contacts of spheres may make their steps in fours ([`advance_together`]).
 //!
 //! ```
 //! use carom_laws::friction::Friction;
