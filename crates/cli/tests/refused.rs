@@ -195,8 +195,5 @@ fn numbers_too_large_together_are_refused() {
     assert!(message.contains("c_x = 2.6") && message.contains("at most 1e150"), "{message}");
     let huge = text.replace("density = 1000 ", "density = 1e250 ");
     let message = refused("huge", &huge.replace("speed = 1.414213562373095 ", "speed = 1e99 "));
-    assert!(
-        message.contains("no finite number: some values of the case are too large"),
-        "{message}"
-    );
+    assert!(message.contains("impulse") && message.contains("must be finite"), "{message}");
 }
