@@ -166,18 +166,23 @@ fn a_second_contact_far_away_is_found() {
 /// elsewhere, and all cells are solved.
 #[test]
 fn a_spike_that_coarse_cells_miss_is_found() {
+    let is_spike = |x: f64, y: f64| (x + 1.5).abs().max((y - 1.0).abs()) < 0.013;
     let spiked = |x: f64, y: f64| {
-        let spike = (x + 1.5).abs().max((y - 1.0).abs()) < 0.013;
-        0.5 * ((x - 1.0).powi(2) + y * y) - if spike { 2.0 } else { 0.0 } + 0.1
+        if is_spike(x, y) { 0.01 } else { 0.5 * ((x - 1.0).powi(2) + y * y) }
     };
     let problems = both([0.3, 0.3], spiked);
     let method = Frictional::default();
     let [one, other] = problems.each_ref().map(|problem| {
         let mut scratch = method.scratch(problem).unwrap();
         let start = ContactState::apart(problem.grid());
-        step(problem, &mut scratch, &start, &by(2.0, 0.0, 0.0, 0.0)).unwrap().0
+        step(problem, &mut scratch, &start, &by(0.05, 0.0, 0.0, 0.0)).unwrap().0
     });
     assert!(apart(&other, &one)[0] < 1e-6);
+    let grid = problems[0].grid();
+    let pressed = (0..grid.cells())
+        .filter(|cell| is_spike(grid.centred_x(cell % grid.nx()), grid.centred_y(cell / grid.nx())))
+        .filter(|cell| one.pressure.values()[*cell] > 0.0);
+    assert!(pressed.count() > 0, "the spike carries");
 }
 
 /// A run that is taken up again in mid-history goes on with the same bits.
