@@ -6,7 +6,7 @@ use carom_laws::grains::{Grain, TOGETHER, Touching, advance_together};
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::grains::{CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, advance};
-use crate::pointers::{Strided, read};
+use crate::pointers::{Strided, read, write};
 use crate::touch::CaromTouch;
 
 /// Two grains and their contact, of many that make their step in one call.
@@ -85,7 +85,7 @@ unsafe fn step_together(
     let mut pairs: [Option<Touching<'_, _>>; TOGETHER] = from_fn(|i| unsafe {
         let at = &*all.at(from + i);
         let grains = read(at.grains, "grains").ok()?;
-        let contact = crate::pointers::write(at.touch, "touch").ok()?.present_mut().ok()??;
+        let contact = write(at.touch, "touch").ok()?.present_mut().ok()??;
         // The same fields in the same order.
         let [one, two] =
             [&at.one, &at.two].map(|grain| &*std::ptr::from_ref(grain).cast::<Grain>());

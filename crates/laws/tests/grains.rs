@@ -303,3 +303,23 @@ fn a_contact_begins_where_its_first_step_touched() {
         assert!(y.abs() < 1e-14 * normal && heats.friction.abs() < 1e-12 * normal * by);
     }
 }
+
+/// A viscoelastic contact pushes as an elastic one that is ahead by what the approach grows in the relaxation
+/// time, to first order; it does so when pulled apart, too.
+#[test]
+fn damping_is_ahead_by_the_relaxation_time() {
+    let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: [0.0; 3] };
+    let pushed = |zeta: f64, speed: f64, relaxation: f64| {
+        let (place, velocity) = ([0.0, 0.0, 1.0 - zeta], [0.0, 0.0, -speed]);
+        let grain = Grain { place, velocity, spin: [0.0; 3], radius: 1.0 };
+        let meeting = Meeting::on_wall(&grain, &wall, 1.0);
+        fresh(relaxation).advance(&meeting, 1e-3).unwrap().force[2]
+    };
+    let (zeta, relaxation) = (1e-2, 0.3);
+    for speed in [1e-5, -1e-5, 1e-4] {
+        let ahead = relaxation * speed;
+        let elastic = 0.5 * (pushed(zeta + ahead, 0.0, 0.0) - pushed(zeta - ahead, 0.0, 0.0));
+        let drag = pushed(zeta, speed, relaxation) - pushed(zeta, speed, 0.0);
+        assert!((drag / elastic - 1.0).abs() < 1e-5, "{speed}: {drag:e} for {elastic:e}");
+    }
+}
