@@ -66,23 +66,26 @@ fn a_million_coupled_cells_fit() {
     println!("1024 coupled: {:?} {:?} MB", went.products, most_memory());
 }
 
-/// One thread and two: the same solution to the bit.
+/// One thread and two: the same solution to the bit, on the window and on a box about a small contact.
 #[test]
 fn threads_do_not_change_a_bit() {
     let pool = |count| rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap();
-    let solve = |threads: Threads| {
-        let problem = problem(72, Blocks::All, threads, Material::RIGID, 0.4);
+    let solve = |threads: Threads, cells: usize, zeta: f64| {
+        let problem = problem(cells, Blocks::All, threads, Material::RIGID, 0.4);
         let method = Frictional::default();
         let mut scratch = method.scratch(&problem).unwrap();
         let apart = ContactState::apart(problem.grid());
         let mut state = apart.clone();
-        let shift = Shift { zeta: 1.0, xi: 0.2, eta: 0.05, omega: 0.1 };
+        let shift = Shift { zeta, xi: 0.2 * zeta, eta: 0.05 * zeta, omega: 0.1 * zeta };
         let drive = Drive::by_shift(shift);
         method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
         state
     };
-    let one = solve(Threads::One);
-    for count in [1, 2, 3] {
-        assert_eq!(pool(count).install(|| solve(Threads::Pool)), one);
+    for (cells, zeta) in [(72, 1.0), (128, 0.05)] {
+        let one = solve(Threads::One, cells, zeta);
+        assert!(one.load().f_z > 0.0);
+        for count in [1, 2, 3] {
+            assert_eq!(pool(count).install(|| solve(Threads::Pool, cells, zeta)), one);
+        }
     }
 }
