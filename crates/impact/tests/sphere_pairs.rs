@@ -220,3 +220,24 @@ proptest! {
         prop_assert!((own - limit).abs() <= 2.0 * psi + 1e-11, "{own} {limit} {psi:e}");
     }
 }
+
+/// An impact that slides throughout is at Coulomb's limit to the last digits, however little of the motion it
+/// changes: where 1 + R_x is 1e-12, too.
+#[test]
+fn what_grazes_is_at_coulombs_limit() {
+    let steel = Material::from_young(208e9, 0.3).unwrap();
+    for exponent in 1..13 {
+        for f in [1e-4, 0.01, 0.3] {
+            let normal = libm::pow(10.0, -f64::from(exponent));
+            let motion = Motion::new([1.0, 0.2, -normal], [0.0; 3]).unwrap();
+            let ball = Body::sphere(0.01, steel, 0.03).unwrap().moving(motion);
+            let other = Body::sphere(0.02, steel, 0.5).unwrap();
+            let rebound = collided(&Collision::new(ball, other, friction(f)).unwrap());
+            let impulse = rebound.impulse;
+            let (drag, limit) = (impulse.xy().norm(), f * impulse.z);
+            assert!((drag / limit - 1.0).abs() < 1e-15, "{normal} {f}: {drag} of {limit}");
+            let heat = drag * 1.04_f64.sqrt();
+            assert!((rebound.energy.dissipated / heat - 1.0).abs() < 4.0 * f * normal + 1e-14);
+        }
+    }
+}

@@ -1,12 +1,13 @@
 //! How a collision is followed, by its shapes.
 
+use carom_laws::friction::Friction;
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::Vector3;
 
 use super::{Collision, CollisionError};
 use crate::coupled::{CoupledImpact, CoupledOutcome, ImpactMethod, VectorLaw};
 use crate::normal::{self, NormalImpact};
-use crate::oblique::{Groups, ObliqueImpact};
+use crate::oblique::{Groups, ObliqueImpact, Phase, Regime};
 use crate::outcome::{LogEntry, Warning};
 
 /// Differences of D between tangents below this part of it are round-off.
@@ -29,6 +30,7 @@ pub(super) struct Symmetric {
     pub(super) direction: Vector3<f64>,
     /// D_xx.
     mobility: f64,
+    friction: Friction,
     pub(super) normal: NormalImpact,
     pub(super) groups: Groups,
     method: ImpactMethod,
@@ -81,7 +83,17 @@ impl Collision {
             Some(f) => (c_x / c_z * slip / velocity.z / f, ImpactMethod::Uncoupled { direction }),
         };
         let groups = Groups::new(d.m11 * c_x / (d.m33 * c_z), psi)?;
-        Ok(Symmetric { velocity, slip, direction, mobility: d.m11, normal, groups, method })
+        let friction = self.friction;
+        Ok(Symmetric {
+            velocity,
+            slip,
+            direction,
+            mobility: d.m11,
+            friction,
+            normal,
+            groups,
+            method,
+        })
     }
 }
 
@@ -124,14 +136,15 @@ impl Passed {
 
 impl Symmetric {
     fn follow(&self) -> Result<Passed, CollisionError> {
-        let Self { slip, direction, mobility, normal, .. } = self;
+        let Self { slip, direction, normal, .. } = self;
         let oblique = ObliqueImpact::new(self.groups)?;
         let restitution = oblique.restitution();
         let mut after = direction * (-restitution * slip);
         after.z = -self.velocity.z;
-        let mut impulse = direction * ((1.0 + restitution) * slip / mobility);
+        let drag = self.drag(&oblique);
+        let mut impulse = direction * drag;
         impulse.z = normal.impulse();
-        let lost = 0.5 * slip * slip * (1.0 - restitution) * (1.0 + restitution) / mobility;
+        let lost = 0.5 * slip * (1.0 - restitution) * drag;
         Ok(Passed {
             before: self.velocity,
             after,
@@ -147,6 +160,16 @@ impl Symmetric {
             log: log(normal, &oblique),
             warning: None,
         })
+    }
+
+    // The tangential impulse. One that slides throughout is at Coulomb's limit; 1 + R_x, next to nothing when
+    // it grazes, would have lost its digits.
+    fn drag(&self, oblique: &ObliqueImpact) -> f64 {
+        let limit = self.friction.get() * self.normal.impulse();
+        match oblique.phases() {
+            [Phase { regime: Regime::SlideForward, .. }] => limit,
+            _ => ((1.0 + oblique.restitution()) * self.slip / self.mobility).min(limit),
+        }
     }
 }
 
