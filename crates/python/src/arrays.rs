@@ -6,11 +6,12 @@ use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::error::Fault;
+use crate::threads::without_python;
 
-/// Entries from which on all threads help.
-const MANY: usize = 8192;
-/// Entries that a thread takes at least.
+/// Entries that a thread takes at least, of functions that take a microsecond.
 const SHARE: usize = 1024;
+/// Shares from which on all threads help.
+const MANY: usize = 8;
 
 pub(crate) type Numbers<'py> = PyReadonlyArray1<'py, f64>;
 pub(crate) type Rows<'py> = PyReadonlyArray2<'py, f64>;
@@ -22,14 +23,25 @@ pub(crate) fn map<T: Send>(
     count: usize,
     f: impl Fn(usize) -> Result<T, Fault> + Sync + Send,
 ) -> PyResult<Vec<T>> {
+    map_by(SHARE, py, count, f)
+}
+
+/// The same where a thread takes at least so many.
+pub(crate) fn map_by<T: Send>(
+    share: usize,
+    py: Python<'_>,
+    count: usize,
+    f: impl Fn(usize) -> Result<T, Fault> + Sync + Send,
+) -> PyResult<Vec<T>> {
     let at = |i: usize| f(i).map_err(|fault| fault.at(i));
-    let result = py.detach(|| {
-        if count < MANY {
+    let result = without_python(py, || {
+        if count < MANY * share {
             return (0..count).map(at).collect();
         }
-        let places = (0..count).into_par_iter().with_min_len(SHARE);
+        let places = (0..count).into_par_iter().with_min_len(share);
         let all: Result<Vec<T>, Fault> = places.map(at).collect();
-        all.map_err(|any| (0..count).find_map(|i| at(i).err()).unwrap_or(any))
+        let first = || (0..count).into_par_iter().find_map_first(|i| at(i).err());
+        all.map_err(|any| first().unwrap_or(any))
     });
     Ok(result?)
 }

@@ -2,6 +2,7 @@
 
 use carom::geometry::{Attitude, Inertia, Surface, SurfaceError};
 use carom::impact::{Body as Colliding, Motion};
+use carom::prelude::RangeError;
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
@@ -13,7 +14,7 @@ use crate::materials::Material;
 ///
 /// Body(shape, sizes, material, mass): 'sphere' (radius), 'plane' (no size, held fast), 'ellipsoid' (three
 /// semi-axes), 'cylinder' or 'capsule' (radius, length), 'torus' (radius of the circle, of the
-/// tube) or 'box' (three edges), m and kg. Solid, at the origin, its axes along those of space and at
+/// tube) or 'box' (three edges), m and kg. Without a mass it is held fast. Solid, at the origin, its axes along those of space and at
 /// rest, if hollow, moments, centre, attitude, velocity or spin do not say otherwise.
 #[pyclass(frozen, eq, from_py_object, module = "carom", subclass)]
 #[derive(Debug, Clone, PartialEq)]
@@ -94,7 +95,7 @@ impl Body {
     }
 
     fn __repr__(&self) -> String {
-        format!("Body({:?}, {:?}, mass={})", self.shape, self.sizes, self.mass)
+        format!("Body({:?}, {:?}, mass={:?})", self.shape, self.sizes, self.mass)
     }
 
     #[allow(clippy::type_complexity)] // the arguments of `__new__`
@@ -147,8 +148,12 @@ impl Body {
     }
 
     fn inertia(&self, surface: &Surface) -> PyResult<Inertia> {
-        if surface.is_plane() || self.mass == f64::INFINITY {
-            return Ok(Inertia::FIXED);
+        if surface.is_plane() {
+            RangeError::check("mass", self.mass, self.mass == f64::INFINITY, "inf of a plane")
+                .map_err(Fault::from)?;
+        }
+        if self.mass == f64::INFINITY {
+            return self.held();
         }
         let inertia = match self.moments {
             Some(moments) => Inertia::new(self.mass, moments).map_err(SurfaceError::from),
@@ -156,6 +161,15 @@ impl Body {
             None => surface.solid(self.mass),
         };
         Ok(inertia.map_err(Fault::from)?)
+    }
+
+    fn held(&self) -> PyResult<Inertia> {
+        match self.moments {
+            Some(_) => {
+                Err(PyValueError::new_err("moments: not of a body held fast, without a mass"))
+            }
+            None => Ok(Inertia::FIXED),
+        }
     }
 }
 

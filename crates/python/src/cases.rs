@@ -13,6 +13,7 @@ use std::path::PathBuf;
 
 use crate::error::{CaromError, Fault};
 use crate::records::{Parted, arrays};
+use crate::threads::without_python;
 
 /// Name, unit and values of the number that a case sweeps over.
 type Swept<'py> = (&'static str, &'static str, Bound<'py, PyArray1<f64>>);
@@ -23,7 +24,7 @@ pub(crate) fn case_impact<'py>(
     py: Python<'py>,
     path: PathBuf,
 ) -> PyResult<(Option<Swept<'py>>, Bound<'py, PyDict>)> {
-    let followed = py.detach(|| cases::impact(&CaseFile::read(&path)?));
+    let followed = without_python(py, || cases::impact(&CaseFile::read(&path)?));
     let Impacts { swept, outcomes } = followed.map_err(raised)?;
     let outcomes: Vec<Parted> = outcomes.into_iter().map(Parted::from).collect();
     let swept = swept.map(|(name, unit, values)| (name, unit, PyArray1::from_vec(py, values)));
@@ -33,7 +34,7 @@ pub(crate) fn case_impact<'py>(
 /// The contact after each step of a history.
 #[pyfunction]
 pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
-    let steps = py.detach(|| cases::history(&CaseFile::read(&path)?));
+    let steps = without_python(py, || cases::history(&CaseFile::read(&path)?));
     let steps: Vec<HistoryStep> = steps.map_err(raised)?;
     arrays(py, &history_columns(), &steps)
 }
@@ -52,7 +53,7 @@ pub(crate) fn case_solve<'py>(
     [Bound<'py, PyArray1<f64>>; 5],
     Bound<'py, PyArray1<i8>>,
 )> {
-    let solved = py.detach(|| cases::solve(&CaseFile::read(&path)?, accuracy));
+    let solved = without_python(py, || cases::solve(&CaseFile::read(&path)?, accuracy));
     let Solved { steps, state, window } = solved.map_err(raised)?;
     let (grid, [x, y]) = (window.grid(), window.middle());
     let axes = [

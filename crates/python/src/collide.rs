@@ -7,10 +7,13 @@ use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
-use crate::arrays::{Numbers, Rows, map, same_length};
+use crate::arrays::{Numbers, Rows, map_by, same_length};
 use crate::bodies::{Body, motion};
 use crate::error::Fault;
 use crate::records::{Parted, arrays};
+
+/// Impacts that a thread takes at least: an exact one takes some microseconds, one in steps many more.
+const SHARE: usize = 8;
 
 /// How a collision is set up and followed.
 #[derive(Clone, Copy)]
@@ -108,7 +111,7 @@ pub(crate) fn collide_many<'py>(
         same_length("motion", rows.len(), friction.len())?;
     }
     let [v_1, w_1, v_2, w_2] = rows;
-    let parted = map(py, friction.len(), |i| {
+    let parted = map_by(SHARE, py, friction.len(), |i| {
         let one = one.clone().moving(motion(v_1[i], w_1[i])?);
         let two = two.clone().moving(motion(v_2[i], w_2[i])?);
         Ok(Parted::from(way.collision(one, two, friction[i])?.solve()?))

@@ -6,19 +6,17 @@ use carom::laws::law::{Checked as _, ContactLaw as _, Dissipative as _, Shift};
 use carom::laws::memory::{Fixed, Lateral, VertexStack};
 use carom::laws::shift_law::ShiftLaw;
 use carom::prelude::{ContactLoad, ContactStiffness, Friction, RangeError};
-use numpy::{AllowTypeChange, PyArray1, PyArray2, PyArrayLike1, PyArrayMethods as _};
+use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 
-use crate::arrays::same_length;
+use crate::arrays::{Numbers, same_length};
 use crate::error::Fault;
 
 /// Vertices of the memory.
 const VERTICES: usize = 64;
 
 type Law = ShiftLaw<[f64; 2], Fixed<[f64; 2], VERTICES>>;
-/// Numbers in a line, of any kind.
-type Line<'py> = PyArrayLike1<'py, f64, AllowTypeChange>;
 
 /// What a contact was made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -108,24 +106,23 @@ impl Contact {
     fn follow<'py>(
         &mut self,
         py: Python<'py>,
-        zeta: Line<'py>,
-        xi: Option<Line<'py>>,
-        eta: Option<Line<'py>>,
+        zeta: &Bound<'py, PyAny>,
+        xi: Option<&Bound<'py, PyAny>>,
+        eta: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let path = [Some(&zeta), xi.as_ref(), eta.as_ref()];
-        let [zeta, xi, eta] =
-            path.map(|line| line.map_or_else(Vec::new, |line| line.as_array().to_vec()));
-        for (name, line) in [("xi", &xi), ("eta", &eta)] {
-            if !line.is_empty() {
-                same_length(name, line.len(), zeta.len())?;
-            }
-        }
+        let zeta = line("zeta", zeta)?;
+        let across = |name, given: Option<&Bound<'py, PyAny>>| {
+            let Some(given) = given else { return Ok(vec![0.0; zeta.len()]) };
+            let line = line(name, given)?;
+            same_length(name, line.len(), zeta.len())?;
+            PyResult::Ok(line)
+        };
+        let (xi, eta) = (across("xi", xi)?, across("eta", eta)?);
         let mut law = self.law;
         let walk = || -> Result<(Accounted<Law>, Vec<f64>), Fault> {
             let mut loads = Vec::with_capacity(3 * zeta.len());
-            let at = |line: &[f64], i: usize| line.get(i).copied().unwrap_or(0.0);
-            for (i, zeta) in zeta.iter().enumerate() {
-                let shift = Shift { zeta: *zeta, xi: at(&xi, i), eta: at(&eta, i), omega: 0.0 };
+            for (i, ((zeta, xi), eta)) in zeta.iter().zip(&xi).zip(&eta).enumerate() {
+                let shift = Shift { zeta: *zeta, xi: *xi, eta: *eta, omega: 0.0 };
                 let load = law.advance(shift).map_err(|error| Fault::from(error).at(i))?;
                 loads.extend([load.f_x, load.f_y, load.f_z]);
             }
@@ -225,6 +222,13 @@ impl Contact {
         let (f_x, f_y, f_z) = self.load();
         format!("Contact({}, F = ({f_x:e}, {f_y:e}, {f_z:e}) N)", self.regime())
     }
+}
+
+/// Real numbers in a line, of any kind.
+fn line(name: &str, given: &Bound<'_, PyAny>) -> PyResult<Vec<f64>> {
+    let read = given.py().import("carom._arrays")?.call_method1("path", (name, given))?;
+    let numbers: Numbers<'_> = read.extract()?;
+    Ok(numbers.as_slice()?.to_vec())
 }
 
 fn triple(ContactLoad { f_x, f_y, f_z, .. }: ContactLoad) -> (f64, f64, f64) {

@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use crate::arrays::{Numbers, Rows, same_length};
 use crate::contact::{Constants, check};
 use crate::error::Fault;
+use crate::threads::without_python;
 
 /// Vertices of each memory.
 const VERTICES: usize = 16;
@@ -47,7 +48,7 @@ impl Contacts {
         friction: f64,
         law: String,
         tolerance: f64,
-        directions: usize,
+        directions: i64,
         threads: bool,
     ) -> PyResult<Self> {
         let constants = Constants { stiffness, friction, law, tolerance };
@@ -91,7 +92,7 @@ impl Contacts {
         same_length("loads", loads.len(), 3 * count)?;
         let threads = self.threads;
         let laws = &mut self.laws;
-        py.detach(|| match laws {
+        without_python(py, || match laws {
             Laws::Line(laws) => path.follow(laws, loads, threads),
             Laws::Plane(laws) => path.follow(laws, loads, threads),
         })?;

@@ -15,11 +15,14 @@ mod restitution;
 mod solver;
 mod special;
 mod stress;
+mod threads;
 mod twist;
 
 /// The native part of carom.
 #[pyo3::pymodule]
 mod _carom {
+    use pyo3::prelude::*;
+
     #[pymodule_export]
     use super::bodies::Body;
     #[pymodule_export]
@@ -48,6 +51,12 @@ mod _carom {
     use super::stress::stress;
     #[pymodule_export]
     use super::twist::{ShiftTwist, Twist, lubkin};
+
+    #[pymodule_init]
+    fn load(_module: &Bound<'_, PyModule>) -> PyResult<()> {
+        super::threads::settle();
+        Ok(())
+    }
 
     /// The version of the library.
     #[pymodule_export]

@@ -16,6 +16,7 @@ use crate::cases::lines;
 use crate::error::Fault;
 use crate::materials::MaterialPair;
 use crate::records::arrays;
+use crate::threads::without_python;
 
 /// A motion: whether its load is given, not its shift, and the value.
 type Given = (bool, f64);
@@ -36,7 +37,9 @@ pub(crate) struct Solver {
 #[pymethods]
 impl Solver {
     #[new]
+    #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn new(
+        py: Python<'_>,
         cells: [usize; 2],
         cell: [f64; 2],
         heights: Numbers<'_>,
@@ -52,7 +55,7 @@ impl Solver {
         let problem =
             ContactProblem::of_half_spaces(gap, materials.0, friction).map_err(Fault::other)?;
         let method = Frictional::default().within(tolerance).map_err(Fault::from)?;
-        let scratch = method.scratch(&problem).map_err(Fault::other)?;
+        let scratch = without_python(py, || method.scratch(&problem)).map_err(Fault::other)?;
         let state = ContactState::apart(grid);
         Ok(Self {
             problem,
@@ -73,7 +76,7 @@ impl Solver {
         });
         let drive = Drive { normal, x, y, twist };
         let Self { problem, method, scratch, cut, state, next, last } = self;
-        let stepped = py.detach(|| {
+        let stepped = without_python(py, || {
             let went = method.step(problem, state, &drive, next, scratch, &mut ())?;
             if !*cut && reaches_border(next) {
                 return Err(Fault::other("the contact reaches the border of the grid"));

@@ -26,7 +26,8 @@ def test_materials():
     assert pair.kappa == pytest.approx(1.7 / 1.4)
     assert carom.MaterialPair(STEEL, carom.RIGID).gamma == pytest.approx(0.5 * 0.4 / 0.7)
     assert carom.Material(shear_modulus=80e9, poisson=0.3) == STEEL
-    for thing in (STEEL, pair, carom.RIGID, HERTZ):
+    turned = carom.Hertz.of_radii(pair, (0.01, 0.03), (0.02, -0.5), 0.4)
+    for thing in (STEEL, pair, carom.RIGID, HERTZ, turned):
         assert pickle.loads(pickle.dumps(thing)) == thing
         assert copy.deepcopy(thing) == thing
     with pytest.raises(ValueError, match="poisson"):
@@ -228,6 +229,11 @@ def test_twist():
     assert both.stored_energy > 0
     with pytest.raises(ValueError, match="omega"):
         both.advance(1e-6, omega=math.nan)
+    third = carom.Twist(HERTZ, F)
+    third.advance(1e-6)
+    m_z, f_z = third.advance(1e-6, 1e-3)
+    twist = carom.MaterialPair(STEEL).shear_modulus * a**2 * 1e-3 / (F * f_z)
+    assert m_z / (F * f_z * a) == pytest.approx(carom.lubkin_torque(twist), rel=1e-12)
     np.testing.assert_allclose(carom.lubkin_stick_radius([0.0, 100.0]), [1.0, 0.0], atol=1e-6)
 
 

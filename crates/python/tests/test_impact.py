@@ -2,6 +2,7 @@
 
 import copy
 import math
+import os
 import pickle
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
@@ -97,6 +98,19 @@ def test_a_sweep_over_processes_has_the_same_bits():
     whole = sweep.rebounds(velocities)
     with ProcessPoolExecutor(2, mp_context=get_context("spawn")) as pool:
         parts = list(pool.map(sweep.rebounds, np.array_split(velocities, 4)))
+    np.testing.assert_array_equal(np.concatenate(parts), whole)
+
+
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork")
+def test_a_forked_process_has_threads_of_its_own():
+    sweep = example("sweep")
+    velocities = sweep.motions(20_000)
+    whole = sweep.rebounds(velocities)  # the threads of this process are there now
+    pool = get_context("fork").Pool(2)
+    try:
+        parts = pool.map_async(sweep.rebounds, np.array_split(velocities, 2)).get(timeout=60)
+    finally:
+        pool.terminate()
     np.testing.assert_array_equal(np.concatenate(parts), whole)
 
 

@@ -16,7 +16,18 @@ def contacts():
     return carom.Contacts(3, HERTZ, 0.3)
 
 
-NO_NUMBERS = ["x", b"1", np.array([1 + 2j]), np.array(["1"]), object(), {}, 10**400]
+NO_NUMBERS = [
+    "x",
+    b"1",
+    np.array([1 + 2j]),
+    np.array(["1"]),
+    object(),
+    {},
+    10**400,
+    [[1.0], [1.0, 2.0]],
+    np.array([3], "m8[s]"),
+    np.ma.masked_array([1.0, 2.0, 3.0], mask=[0, 1, 0]),
+]
 CALLS = {
     "zeta": lambda x: contacts().advance(x),
     "xi": lambda x: contacts().advance(1e-6, x),
@@ -31,20 +42,21 @@ CALLS = {
     "y": lambda x: carom.stress((1.0, 1.0), RUBBER, 1.0, 0.0, x, 1.0),
     "argument 2": lambda x: carom.restitution(1.2, x),
     "argument 1": carom.special.k,
+    "path": lambda x: carom.Contact(HERTZ, 0.3).follow([1e-6], x),
 }
 
 
 @pytest.mark.parametrize("name", CALLS)
 @pytest.mark.parametrize("wrong", NO_NUMBERS, ids=lambda wrong: str(wrong)[:12])
 def test_what_is_no_number_is_named(name, wrong):
-    with pytest.raises(ValueError, match=f"^{name}: must be"):
+    with pytest.raises(ValueError, match=f"^{'xi' if name == 'path' else name}: must be"):
         CALLS[name](wrong)
 
 
 @pytest.mark.parametrize("name", ["zeta", "xi", "velocity_1", "spin_2", "size", "gap"])
-@pytest.mark.parametrize("shape", [(0,), (2,), (5,), (3, 0), (2, 2, 2)])
+@pytest.mark.parametrize("shape", [(0,), (2,), (5,), (3, 0), (3, 1), (2, 2, 2)])
 def test_a_wrong_shape_is_named(name, shape):
-    if (name, shape) == ("size", (2,)):
+    if (name, shape) in (("size", (2,)), ("gap", (3, 1))):
         return
     with pytest.raises(ValueError, match=rf"^({name}|nx)\b"):
         CALLS[name](np.ones(shape))
@@ -70,3 +82,48 @@ def test_any_layout_of_an_array_is_the_same():
     assert carom.Contacts(0, HERTZ, 0.3).advance([]).shape == (0, 3)
     assert contacts().follow(np.zeros((3, 0))).shape == (3, 0, 3)
     assert carom.restitution(1.2, []).shape == (0,)
+
+
+def test_a_motion_is_no_number():
+    with pytest.raises(ValueError, match=r"velocity_1 has the shape \(\)"):
+        carom.collide_many(BALL, FLOOR, 0.5, velocity_1=-1.0)
+
+
+def test_a_path_is_as_long_as_it_is():
+    with pytest.raises(ValueError, match="xi has 0 entries"):
+        carom.Contact(HERTZ, 0.3).follow([1e-6], [])
+    with pytest.raises(ValueError, match=r"zeta has the shape \(\)"):
+        carom.Contact(HERTZ, 0.3).follow(1e-6)
+
+
+def test_a_body_held_fast_has_neither_mass_nor_moments():
+    for mass in (3.0, -3.0, np.nan):
+        with pytest.raises(carom.RangeError, match="^mass = .* inf of a plane"):
+            carom.Body("plane", [], RUBBER, mass)
+    with pytest.raises(ValueError, match="moments"):
+        carom.Body("sphere", [0.1], RUBBER, moments=(1.0, 1.0, 1.0))
+
+
+def test_loads_are_not_written_into_the_path():
+    out = np.full((3, 1, 3), 1e-6)
+    for wrong in ([0.0], np.empty((3, 1, 2))):
+        with pytest.raises(ValueError, match="^out: must be"):
+            contacts().follow(1e-6, out=wrong)
+    with pytest.raises(ValueError, match="^out: must not be the memory"):
+        contacts().follow(out.reshape(-1)[:3].reshape(3, 1), out=out)
+
+
+@pytest.mark.parametrize("size", [(np.nan, 1.0), (-1.0, 1.0), (1.0, np.inf), (0.0, 1.0)])
+def test_cells_have_a_size(size):
+    with pytest.raises(ValueError, match="^size: must be"):
+        carom.cells((2, 2), size)
+
+
+def test_other_words():
+    with pytest.raises(ValueError, match="directions = -1"):
+        carom.Contacts(3, HERTZ, 0.3, directions=-1)
+    with pytest.raises(TypeError, match="wave_loss"):
+        carom.collide(BALL, FLOOR, 0.3, normal_restitution=None)
+    for parts in ([1.0] * 5, 1.0):
+        with pytest.raises(ValueError, match="^stress has the shape"):
+            carom.von_mises(parts)

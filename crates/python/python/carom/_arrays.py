@@ -23,14 +23,22 @@ def line(x: ArrayLike) -> Array:
 
 
 def numbers(name: str, x: ArrayLike) -> Array:
-    """Real numbers; what is none is an error that names its argument, imaginary parts too."""
+    """Real numbers; what is none is an error that names its argument: imaginary parts, times, what is masked."""
     try:
         given = np.asarray(x)
-        if given.dtype.kind in "cSU":
+        if given.dtype.kind in "cSUmM" or np.ma.is_masked(x):
             raise TypeError
         return np.asarray(given, dtype=np.float64)
     except (TypeError, ValueError, OverflowError):
         raise ValueError(f"{name}: must be real numbers, not {str(x):.60}") from None
+
+
+def path(name: str, x: ArrayLike) -> Array:
+    """Numbers in one line."""
+    given = numbers(name, x)
+    if given.ndim != 1:
+        raise ValueError(f"{name} has the shape {given.shape}: must be one line of numbers")
+    return line(given)
 
 
 def spread(name: str, x: ArrayLike, shape: tuple[int, ...]) -> Array:
@@ -70,6 +78,9 @@ def over(function: Callable[..., Array], *arguments: ArrayLike) -> Numbers:
     return values if values.ndim else float(values)
 
 
-def rows(name: str, x: ArrayLike | None, count: int) -> Array:
-    """`count` vectors of three; one vector stands for all, None for zeros."""
-    return np.require(spread(name, np.zeros(3) if x is None else x, (count, 3)), np.float64, ["C", "A"])
+def rows(name: str, x: ArrayLike, count: int) -> Array:
+    """`count` vectors of three; one vector stands for all."""
+    given = numbers(name, x)
+    if given.shape not in ((3,), (count, 3)):
+        raise ValueError(f"{name} has the shape {given.shape}: must be (3,) or {(count, 3)}")
+    return np.require(np.broadcast_to(given, (count, 3)), np.float64, ["C", "A"])

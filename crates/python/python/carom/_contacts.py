@@ -80,8 +80,11 @@ class Contacts:
         shape = (len(self), steps)
         paths = [line(spread(name, v, shape)) for name, v in given.items()]
         loads = np.empty(shape + (3,)) if out is None else out
-        if loads.shape != shape + (3,) or loads.dtype != np.float64 or not loads.flags.carray:
+        fits = isinstance(loads, np.ndarray) and loads.shape == shape + (3,) and loads.dtype == np.float64
+        if not fits or not loads.flags.carray:
             raise ValueError(f"out: must be a contiguous array of float64 of shape {shape + (3,)}")
+        if any(np.may_share_memory(loads, way) for way in paths):
+            raise ValueError("out: must not be the memory of the paths")
         self._native.follow(steps, paths[0], paths[1], paths[2] if eta is not None else None, loads.reshape(-1))
         return loads
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import BYTES, counted, line, rows, spread
+from ._arrays import BYTES, counted, line, numbers, rows, spread
 from ._carom import Body, Material
 from ._records import HistoryPoint, Rebound
 
@@ -39,6 +39,8 @@ def plane(material: Material) -> Body:
 
 def _left(normal_restitution: float, wave_loss: bool) -> float | None:
     """What the material leaves of the normal velocity; None is what waves leave."""
+    if normal_restitution is None:
+        raise TypeError("normal_restitution: must be a number; wave_loss=True is what waves leave")
     if wave_loss and normal_restitution != 1.0:
         raise ValueError("normal_restitution: not beside wave_loss, since it is what waves leave")
     return None if wave_loss else normal_restitution
@@ -107,16 +109,17 @@ def collide_many(
     >>> rebound.velocity_1.shape, rebound.restitution.shape
     ((7, 3), (7,))
     """
-    given = (velocity_1, spin_1, velocity_2, spin_2)
-    counts = [np.shape(v)[0] for v in given if v is not None and np.ndim(v) == 2]
-    counts += [len(f) for f in [np.asarray(friction)] if f.ndim == 1]
+    default = (body_1.velocity, body_1.spin, body_2.velocity, body_2.spin)
+    names = ("velocity_1", "spin_1", "velocity_2", "spin_2")
+    told = zip(names, (velocity_1, spin_1, velocity_2, spin_2), default, strict=True)
+    given = {name: numbers(name, d if v is None else v) for name, v, d in told}
+    friction = numbers("friction", friction)
+    counts = [len(v) for v in given.values() if v.ndim == 2]
+    counts += [len(friction)] if friction.ndim == 1 else []
     if len(set(counts)) > 1:
         raise ValueError(f"motions and friction: must be of one length, not {sorted(set(counts))}")
     count = counts[0] if counts else 1
-    default = (body_1.velocity, body_1.spin, body_2.velocity, body_2.spin)
-    names = ("velocity_1", "spin_1", "velocity_2", "spin_2")
-    told = zip(names, given, default, strict=True)
-    motions = [rows(name, d if v is None else v, count) for name, v, d in told]
+    motions = [rows(name, v, count) for name, v in given.items()]
     frictions = line(spread("friction", friction, (count,)))
     columns = _carom.collide_many(
         body_1, body_2, frictions, motions, normal, torsion, law, tolerance, _left(normal_restitution, wave_loss)

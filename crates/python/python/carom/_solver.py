@@ -30,6 +30,8 @@ def cells(shape: tuple[int, int], size: tuple[float, float]) -> tuple[Array, Arr
         raise ValueError(f"shape: must be (ny, nx), not {str(shape):.60}")
     ny, nx = (counted("shape", n, 8) for n in shape)
     width, height = two("size", size)
+    if not (0 < width < np.inf and 0 < height < np.inf):
+        raise ValueError(f"size: must be finite and > 0, not {(width, height)}")
     x = (np.arange(nx) - 0.5 * (nx - 1)) * (width / max(nx, 1))
     y = (np.arange(ny) - 0.5 * (ny - 1)) * (height / max(ny, 1))
     return np.meshgrid(x, y)

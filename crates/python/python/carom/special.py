@@ -82,7 +82,7 @@ def ln_gamma(x: ArrayLike) -> Numbers:
 
 
 def hyp2f1(a: float, b: float, c: float, x: ArrayLike) -> Numbers:
-    """Gauss's hypergeometric function 2F1(a, b; c; x), x from 0 to 1."""
+    """Gauss's hypergeometric function 2F1(a, b; c; x), x from 0 to 1; a, b and c from -5 to 5, c no pole."""
     return over(partial(_carom.hyp2f1, a, b, c), x)
 
 
