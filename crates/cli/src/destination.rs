@@ -52,20 +52,7 @@ impl Destination {
             };
         }
         let kind = kind(path).ok_or_else(|| refused(KINDS))?;
-        let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
-        if let Ok(metadata) = std::fs::metadata(&place) {
-            check_replaceable(&metadata).map_err(refused)?;
-            if inputs.iter().any(|input| is_same(input, &place)) {
-                return Err(refused("this is an input of the same run; name another file"));
-            }
-            if identity_of_output().is_some_and(|output| Some(output) == identity(&place)) {
-                return Err(refused("standard output goes to the same file; name another one"));
-            }
-        } else {
-            let folder = folder(&place);
-            std::fs::read_dir(folder).map_err(|error| CliError::io("write", path, error))?;
-        }
-        Ok(Self::File { path: place, kind })
+        Ok(Self::File { path: place(option, path, inputs)?, kind })
     }
 
     /// The kind of picture that goes there.
@@ -76,6 +63,29 @@ impl Destination {
             Self::File { kind, .. } => *kind,
         }
     }
+}
+
+/// The file that `option` asks for, past all links; nothing is written yet.
+///
+/// # Errors
+/// [`CliError::Destination`] if it is one of `inputs` by any way, or standard output, or no file;
+/// [`CliError::Io`] if its folder cannot be read.
+pub fn place(option: &'static str, path: &Path, inputs: &[&Path]) -> Result<PathBuf, CliError> {
+    let refused = |reason| CliError::Destination { option, path: path.to_owned(), reason };
+    let place = path.canonicalize().unwrap_or_else(|_| path.to_owned());
+    if let Ok(metadata) = std::fs::metadata(&place) {
+        check_replaceable(&metadata).map_err(refused)?;
+        if inputs.iter().any(|input| is_same(input, &place)) {
+            return Err(refused("this is an input of the same run; name another file"));
+        }
+        if identity_of_output().is_some_and(|output| Some(output) == identity(&place)) {
+            return Err(refused("standard output goes to the same file; name another one"));
+        }
+    } else {
+        let folder = folder(&place);
+        std::fs::read_dir(folder).map_err(|error| CliError::io("write", path, error))?;
+    }
+    Ok(place)
 }
 
 const KINDS: &str = "a picture's name must end in .svg or .png, or be - for SVG on standard output";

@@ -10,7 +10,7 @@ use carom_plot::{Panel, PlotError, render, render_png};
 use comfy_table::{CellAlignment, Table, presets::UTF8_FULL_CONDENSED};
 use serde::Serialize;
 use std::io::{BufWriter, ErrorKind, Stdout, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 /// Format of the results.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -37,6 +37,8 @@ pub struct Answer {
     pub warnings: Vec<String>,
     /// A picture and where it goes.
     pub picture: Option<(Destination, Picture)>,
+    /// Another file, and what goes there.
+    pub file: Option<(PathBuf, Vec<u8>)>,
 }
 
 /// A line that must not be missed.
@@ -78,8 +80,8 @@ impl Answer {
         self
     }
 
-    /// Writes the picture aside, the warnings and the results; when all that has gone well, puts
-    /// the picture in its place.
+    /// Writes picture and file aside, the warnings and the results; when all that has gone well, puts
+    /// them in their places.
     ///
     /// # Errors
     /// If the picture cannot be drawn, or a file or standard output cannot be written.
@@ -88,13 +90,16 @@ impl Answer {
             Some((to, picture)) => Some((to, picture.encode(to.kind())?)),
             None => None,
         };
-        let mut aside = None;
+        let mut asides = Vec::new();
         match &encoded {
             Some((Destination::File { path, .. }, bytes)) => {
-                aside = Some(Aside::write(path, bytes)?);
+                asides.push(Aside::write(path, bytes)?);
             }
             Some((Destination::StandardOutput, bytes)) => results.put(bytes)?,
             None => {}
+        }
+        if let Some((path, bytes)) = &self.file {
+            asides.push(Aside::write(path, bytes)?);
         }
         match &self.caution {
             Some(Caution { line, is_read_first: true }) => {
@@ -109,7 +114,7 @@ impl Answer {
         }
         results.put(self.text.as_bytes())?;
         results.finish()?;
-        aside.map_or(Ok(()), Aside::put_in_place)
+        asides.into_iter().try_for_each(Aside::put_in_place)
     }
 }
 

@@ -2,7 +2,9 @@
 
 mod common;
 
-use common::{carom, case, example, json};
+use std::path::Path;
+
+use common::{carom, case, example, json, stdout};
 use serde_json::Value;
 
 fn with(name: &str, force: [f64; 2], points: &str) -> String {
@@ -88,4 +90,55 @@ fn more_than_friction_can_hold_is_refused() {
     let rigid = rigid.replacen("{ young_modulus = 208e9, poisson = 0.3 }", "{ rigid = true }", 1);
     let output = carom(&["stress", &case("stress_rigid.toml", &rigid)]);
     assert!(!output.status.success());
+}
+
+/// A block of a VTK file: `count` numbers, the high byte first, behind a line.
+fn block(file: &[u8], head: &str, count: usize) -> Vec<f64> {
+    let at =
+        file.windows(head.len()).position(|bytes| bytes == head.as_bytes()).unwrap() + head.len();
+    let numbers = file[at..at + 8 * count].chunks_exact(8);
+    assert_eq!(file[at + 8 * count], b'\n');
+    numbers.map(|bytes| f64::from_be_bytes(bytes.try_into().unwrap())).collect()
+}
+
+#[test]
+fn a_field_goes_to_other_programs() {
+    let points = "inside = \"body 2\"\nx = [-4e-5, 0, 6e-5]\ny = [1e-5, 3e-5]\ndepth = [0, 2e-5, 5e-5, 9e-5]";
+    let case = with("stress_field.toml", [9.0, -12.0], points);
+    let folder = Path::new(&case).parent().unwrap();
+    let [vtk, npz] = ["field.vtk", "field.NPZ"].map(|name| folder.join(name));
+    let csv = stdout(&["stress", &case, "--format", "csv", "--field", vtk.to_str().unwrap()]);
+    let numbers = |column: &str| -> Vec<f64> {
+        let (heads, rows) = csv.split_once('\n').unwrap();
+        let place = heads.split(',').position(|head| head == column).unwrap();
+        rows.lines().map(|row| row.split(',').nth(place).unwrap().parse().unwrap()).collect()
+    };
+    let (count, file) = (24, std::fs::read(&vtk).unwrap());
+    let places = block(&file, "DIMENSIONS 3 2 4\nPOINTS 24 double\n", 3 * count);
+    let tensors = block(&file, "TENSORS stress double\n", 9 * count);
+    let worst = block(&file, "SCALARS von_mises double 1\nLOOKUP_TABLE default\n", count);
+    assert_eq!(worst, numbers("von_mises"));
+    for (i, at) in [("x", 0), ("y", 1)] {
+        let along: Vec<f64> = places.iter().skip(at).step_by(3).copied().collect();
+        assert_eq!(along, numbers(i));
+    }
+    // Body 2 lies below.
+    assert!(numbers("depth").iter().zip(places.chunks(3)).all(|(z, at)| at[2] == -z));
+    for (name, [one, other]) in
+        [("s_xx", [0, 0]), ("s_xy", [1, 3]), ("s_yz", [5, 7]), ("s_zx", [2, 6])]
+    {
+        let part = |at| tensors.iter().skip(at).step_by(9).copied().collect::<Vec<_>>();
+        assert_eq!(part(one), numbers(name));
+        assert_eq!(part(other), numbers(name));
+    }
+    assert!(carom(&["stress", &case, "--field", npz.to_str().unwrap()]).status.success());
+    let file = std::fs::read(&npz).unwrap();
+    let bytes: Vec<u8> = numbers("s_yz").iter().flat_map(|s| s.to_le_bytes()).collect();
+    let at = file.windows(bytes.len()).position(|there| there == bytes).unwrap();
+    let head = String::from_utf8_lossy(&file[at - 140..at]);
+    assert!(head.contains("s_yz.npy") && head.contains("'shape': (4, 2, 3,)"), "{head}");
+    for (name, code) in [("field.vtu", 2), ("nowhere/field.vtk", 1)] {
+        let output = carom(&["stress", &case, "--field", folder.join(name).to_str().unwrap()]);
+        assert_eq!((output.status.code(), output.stdout.len()), (Some(code), 0));
+    }
 }

@@ -9,6 +9,7 @@ mod hertz;
 mod history;
 mod impact;
 mod man;
+mod npz;
 mod plot;
 mod restitution;
 mod roll;

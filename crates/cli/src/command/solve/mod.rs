@@ -7,7 +7,6 @@ pub(super) mod compare;
 mod follow;
 mod heights;
 mod npy;
-mod npz;
 pub(super) mod plot;
 mod store;
 mod view;

@@ -2,8 +2,8 @@
 //! which the run goes on bit for bit.
 
 use super::classic::Chosen;
-use super::npz::{self, Array};
 use crate::columns;
+use crate::command::npz::{self, Array};
 use crate::destination::Aside;
 use crate::error::CliError;
 use crate::output::Format;

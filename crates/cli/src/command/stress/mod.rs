@@ -1,5 +1,7 @@
 //! `carom stress`: stresses in a body below a contact that is pressed and pushed.
 
+mod field;
+
 use crate::case::StressCase;
 use crate::columns::{self, Record};
 use crate::command::hertz::smallest_radius;
@@ -15,6 +17,9 @@ use carom_special::RangeError;
 use carom_table::{Column, Value, row};
 use rayon::prelude::*;
 use serde::Serialize;
+use std::path::PathBuf;
+
+use field::FieldFile;
 
 /// Stresses below a contact, pressed by Hertz's theory and pushed by Cattaneo and Mindlin's.
 ///
@@ -28,6 +33,11 @@ use serde::Serialize;
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
+
+    /// Write the stresses at all points into this file: arrays for NumPy over depth, y and x, named as the
+    /// columns below, if it ends in .npz, a grid for ParaView and its like if it ends in .vtk.
+    #[arg(long, value_name = "FILE")]
+    field: Option<PathBuf>,
 }
 
 /// The stress at a point, in the axes of the contact.
@@ -69,6 +79,7 @@ struct Report<'a> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
+    let to = arguments.field.as_ref().map(|path| FieldFile::new(path, &file.path)).transpose()?;
     let case = file.parse(StressCase::parse)?;
     let failed = |source| CliError::Law { path: file.path.clone(), source };
     let state = case.hertz.at_force(case.force[2]).map_err(failed)?;
@@ -96,7 +107,8 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         None => None,
     };
     let excess = Excess::of_contact(state.approach, smallest_radius(&case.hertz));
-    let answer = Answer { text, picture, ..Answer::default() };
+    let file = to.map(|to| to.encoded(&case, &points));
+    let answer = Answer { text, picture, file, ..Answer::default() };
     Ok(answer.cautioned(caution(&[excess], "loads"), format))
 }
 

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 /// Numbers with their shape, the last index running fastest.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Array {
+pub(crate) enum Array {
     /// `<f8`.
     Numbers(Vec<usize>, Vec<f64>),
     /// `|u1`.
@@ -12,7 +12,7 @@ pub(super) enum Array {
 }
 
 /// The archive of these arrays.
-pub(super) fn encode(arrays: &BTreeMap<String, Array>) -> Vec<u8> {
+pub(crate) fn encode(arrays: &BTreeMap<String, Array>) -> Vec<u8> {
     let (mut archive, mut directory) = (Vec::new(), Vec::new());
     for (name, array) in arrays {
         let (name, data) = (format!("{name}.npy"), npy(array));
@@ -71,7 +71,7 @@ fn npy(array: &Array) -> Vec<u8> {
 }
 
 /// The arrays of an archive that [`encode`] wrote; none if it is no such archive or damaged.
-pub(super) fn decode(mut archive: &[u8]) -> Option<BTreeMap<String, Array>> {
+pub(crate) fn decode(mut archive: &[u8]) -> Option<BTreeMap<String, Array>> {
     let mut arrays = BTreeMap::new();
     while let Some(rest) = archive.strip_prefix(b"PK\x03\x04") {
         let word = |at: usize| Some(u32::from_le_bytes(rest.get(at..at + 4)?.try_into().ok()?));

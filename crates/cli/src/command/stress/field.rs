@@ -1,0 +1,109 @@
+//! The stresses at every point as a file for other programs: arrays of NumPy, or a grid of VTK.
+
+use super::StressPoint;
+use crate::case::StressCase;
+use crate::command::npz::{self, Array};
+use crate::destination;
+use crate::error::CliError;
+use carom_table::{Column, Value};
+use std::collections::BTreeMap;
+use std::path::{Path, PathBuf};
+
+/// A file for the stresses.
+pub(super) struct FieldFile {
+    path: PathBuf,
+    kind: Kind,
+}
+
+enum Kind {
+    Npz,
+    Vtk,
+}
+
+impl FieldFile {
+    /// That which `--field` names; nothing is written yet.
+    ///
+    /// # Errors
+    /// [`CliError::Destination`] unless its name ends in `.npz` or `.vtk` and it may be written.
+    pub(super) fn new(path: &Path, case: &Path) -> Result<Self, CliError> {
+        const OPTION: &str = "field";
+        let is =
+            |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+        let kind = match () {
+            () if is("npz") => Kind::Npz,
+            () if is("vtk") => Kind::Vtk,
+            () => {
+                let reason = "a field's name must end in .npz or .vtk";
+                return Err(CliError::Destination {
+                    option: OPTION,
+                    path: path.to_owned(),
+                    reason,
+                });
+            }
+        };
+        Ok(Self { path: destination::place(OPTION, path, &[case])?, kind })
+    }
+
+    /// Its place, and what goes there.
+    pub(super) fn encoded(self, case: &StressCase, points: &[StressPoint]) -> (PathBuf, Vec<u8>) {
+        let bytes = match self.kind {
+            Kind::Npz => npz::encode(&arrays(case, points)),
+            Kind::Vtk => grid(case, points),
+        };
+        (self.path, bytes)
+    }
+}
+
+fn number(column: &Column<StressPoint>, point: &StressPoint) -> f64 {
+    match column.value(point) {
+        Value::Number(number) => number,
+        _ => f64::NAN,
+    }
+}
+
+/// x, y and depth, and each column over depth, y and x.
+fn arrays(case: &StressCase, points: &[StressPoint]) -> BTreeMap<String, Array> {
+    let (axes, stresses) = StressPoint::COLUMNS.split_at(3);
+    let shape: Vec<usize> = case.places.iter().rev().map(Vec::len).collect();
+    let along = axes.iter().zip(&case.places).map(|(column, places)| {
+        (column.name().to_owned(), Array::Numbers(vec![places.len()], places.clone()))
+    });
+    let over = stresses.iter().map(|column| {
+        let values = points.iter().map(|point| number(column, point)).collect();
+        (column.name().to_owned(), Array::Numbers(shape.clone(), values))
+    });
+    along.chain(over).collect()
+}
+
+/// A structured grid in VTK's legacy form, numbers with the high byte first. z is that of space: body 2
+/// lies below.
+fn grid(case: &StressCase, points: &[StressPoint]) -> Vec<u8> {
+    let (body, side) = if case.is_in_body_1 { ("body 1", 1.0) } else { ("body 2", -1.0) };
+    let [nx, ny, nz] = case.places.each_ref().map(Vec::len);
+    let count = points.len();
+    let mut file = format!(
+        "# vtk DataFile Version 3.0\ncarom: stresses in {body}, SI units\nBINARY\n\
+         DATASET STRUCTURED_GRID\nDIMENSIONS {nx} {ny} {nz}\nPOINTS {count} double\n"
+    )
+    .into_bytes();
+    let mut put = |head: &str, numbers: &mut dyn Iterator<Item = f64>| {
+        file.extend(head.as_bytes());
+        file.extend(numbers.flat_map(f64::to_be_bytes));
+        file.push(b'\n');
+    };
+    put("", &mut points.iter().flat_map(|p| [p.at[0], p.at[1], side * p.at[2]]));
+    let mut head = format!("POINT_DATA {count}\n");
+    for name in ["von_mises", "maximum_shear"] {
+        head += &format!("SCALARS {name} double 1\nLOOKUP_TABLE default\n");
+        let columns = StressPoint::COLUMNS.iter().filter(|column| column.name() == name);
+        put(&head, &mut columns.flat_map(|c| points.iter().map(move |point| number(c, point))));
+        head.clear();
+    }
+    put(
+        "TENSORS stress double\n",
+        &mut points.iter().flat_map(|StressPoint { stress: s, .. }| {
+            [s.xx, s.xy, s.zx, s.xy, s.yy, s.yz, s.zx, s.yz, s.zz]
+        }),
+    );
+    file
+}
