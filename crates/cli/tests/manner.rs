@@ -236,3 +236,20 @@ fn every_command_has_a_manual_page() {
         }
     }
 }
+
+#[test]
+fn the_course_of_an_impact_with_loss_says_that_it_is_elastic() {
+    let rubber = std::fs::read_to_string(example("rubber_on_table.toml")).unwrap();
+    let losing = rubber.replacen("friction = 0.3", "friction = 0.3\nnormal_restitution = 0.5", 1);
+    assert_ne!(rubber, losing);
+    for (name, text, is_told) in [("losing.toml", losing, true), ("elastic.toml", rubber, false)] {
+        let case = case(name, &text);
+        for asked in [&["--history", "5"][..], &["--plot", "-", "--format", "none"]] {
+            let output = carom(&[&["impact", &case], asked].concat());
+            let told = stderr(&output);
+            assert_eq!(told.contains("are those of elastic bodies"), is_told, "{told}");
+        }
+        let output = carom(&["impact", &case]);
+        assert!(!stderr(&output).contains("elastic bodies"));
+    }
+}

@@ -149,7 +149,8 @@ impl LogEntry {
     ];
 }
 
-/// Kinetic energy of both bodies (translation and rotation), bodies held fast left out.
+/// Kinetic energy of both bodies (translation and rotation), bodies held fast left out. One of them that
+/// moves, as a racket does, works on the other: `before` is then not `after + dissipated + lost`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EnergyBudget {
     /// Before the impact.

@@ -71,8 +71,15 @@ impl Parted {
         Column::new("semi_axis_b", "m", "of the greatest contact, larger", |p| {
             p.of(|r| r.maximal_contact.semi_axis_b())
         }),
-        Column::new("energy_before", "J", "kinetic energy before", |p| p.energy(|e| e.before)),
-        Column::new("energy_after", "J", "kinetic energy after", |p| p.energy(|e| e.after)),
+        Column::new(
+            "energy_before",
+            "J",
+            "kinetic energy before, bodies held fast left out",
+            |p| p.energy(|e| e.before),
+        ),
+        Column::new("energy_after", "J", "kinetic energy after, the same", |p| {
+            p.energy(|e| e.after)
+        }),
         Column::new("dissipated", "J", "what friction took", |p| p.energy(|e| e.dissipated)),
         Column::new("lost", "J", "what the bodies' material took", |p| p.energy(|e| e.lost)),
         Column::new("error_estimate", "", "of the velocity after, over that before", |p| {

@@ -63,7 +63,8 @@ def collide(
     With `normal=None` they touch where they are. `torsion` takes the spin about the normal along. Where
     the direction of slip turns, `law` is 'coulomb' or 'chapter 8', one direction for each ring. With a
     `normal_restitution` below 1 the material takes a part, beyond the elastic theory; with `wave_loss` as much as
-    elastic waves carry away.
+    elastic waves carry away; duration and greatest force are those of the elastic impact. A body held fast that
+    moves, as a racket does, works on the other: the energies do not add up then.
 
     >>> import carom
     >>> rubber = carom.Material(5e6, 0.5)
@@ -137,7 +138,7 @@ def history(
     law: str = "coulomb",
     tolerance: float | None = None,
 ) -> HistoryPoint:
-    """The course of a collision at instants equally spaced in time, from touch to separation.
+    """The course of a collision of elastic bodies at instants equally spaced in time, from touch to separation.
 
     >>> import carom
     >>> steel = carom.Material(208e9, 0.3)

@@ -205,8 +205,8 @@ class Rebound(Record):
     maximal_approach  greatest approach, m
     semi_axis_a       of the greatest contact, smaller, m
     semi_axis_b       of the greatest contact, larger, m
-    energy_before     kinetic energy before, J
-    energy_after      kinetic energy after, J
+    energy_before     kinetic energy before, bodies held fast left out, J
+    energy_after      kinetic energy after, the same, J
     dissipated        what friction took, J
     lost              what the bodies' material took, J
     error_estimate    of the velocity after, over that before
@@ -237,5 +237,5 @@ class Rebound(Record):
 
 
 Rebound.units = {'velocity_1': 'm/s', 'spin_1': '1/s', 'velocity_2': 'm/s', 'spin_2': '1/s', 'impulse': 'N s', 'velocity_before': 'm/s', 'velocity_after': 'm/s', 'restitution': '', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'energy_before': 'J', 'energy_after': 'J', 'dissipated': 'J', 'lost': 'J', 'error_estimate': '', 'method': '', 'warnings': ''}
-Rebound.meanings = {'velocity_1': 'of the centre of body 1 afterwards', 'spin_1': 'of body 1 afterwards', 'velocity_2': 'of the centre of body 2 afterwards', 'spin_2': 'of body 2 afterwards', 'impulse': 'that body 2 gave body 1', 'velocity_before': 'of contact point 2 against 1 before', 'velocity_after': 'of contact point 2 against 1 after', 'restitution': 'R_x, the tangential velocity after over that before, reversed', 'duration': 'from touch to separation', 'maximal_force': 'greatest normal force', 'maximal_approach': 'greatest approach', 'semi_axis_a': 'of the greatest contact, smaller', 'semi_axis_b': 'of the greatest contact, larger', 'energy_before': 'kinetic energy before', 'energy_after': 'kinetic energy after', 'dissipated': 'what friction took', 'lost': "what the bodies' material took", 'error_estimate': 'of the velocity after, over that before', 'method': 'how the impact was followed', 'warnings': 'what limits the validity'}
+Rebound.meanings = {'velocity_1': 'of the centre of body 1 afterwards', 'spin_1': 'of body 1 afterwards', 'velocity_2': 'of the centre of body 2 afterwards', 'spin_2': 'of body 2 afterwards', 'impulse': 'that body 2 gave body 1', 'velocity_before': 'of contact point 2 against 1 before', 'velocity_after': 'of contact point 2 against 1 after', 'restitution': 'R_x, the tangential velocity after over that before, reversed', 'duration': 'from touch to separation', 'maximal_force': 'greatest normal force', 'maximal_approach': 'greatest approach', 'semi_axis_a': 'of the greatest contact, smaller', 'semi_axis_b': 'of the greatest contact, larger', 'energy_before': 'kinetic energy before, bodies held fast left out', 'energy_after': 'kinetic energy after, the same', 'dissipated': 'what friction took', 'lost': "what the bodies' material took", 'error_estimate': 'of the velocity after, over that before', 'method': 'how the impact was followed', 'warnings': 'what limits the validity'}
 Rebound._vectors = frozenset(['velocity_1', 'spin_1', 'velocity_2', 'spin_2', 'impulse', 'velocity_before', 'velocity_after'])

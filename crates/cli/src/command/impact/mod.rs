@@ -42,6 +42,7 @@ pub(super) struct Arguments {
     animate: Option<PathBuf>,
 }
 
+const ELASTIC_COURSE: &str = "the course, duration and greatest force are those of elastic bodies: the material takes its part at the end";
 const NOTHING_TO_DRAW: &str = "no impact: there is nothing to draw";
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
@@ -92,6 +93,12 @@ fn impacts(
         (Format::None, _) => String::new(),
     };
     let mut warnings = warnings(&outcomes);
+    if let (None, [record]) = (sweep, outcomes.as_slice())
+        && (arguments.history.is_some() || plot.is_some())
+        && record.rebound().is_some_and(|rebound| rebound.energy.lost > 0.0)
+    {
+        warnings.push(ELASTIC_COURSE.to_owned());
+    }
     let mut picture = None;
     if let Some(to) = plot {
         match draw(arguments, file, &outcomes)? {
