@@ -2,7 +2,7 @@
 
 use carom::laws::accounted::Accounted;
 use carom::laws::coulomb::{Tolerance, packed_numbers};
-use carom::laws::law::{Checked as _, ContactLaw as _, Dissipative as _, Shift};
+use carom::laws::law::{Checked as _, ContactLaw as _, Dissipative as _, Energies as _, Shift};
 use carom::laws::memory::{Fixed, Lateral, VertexStack};
 use carom::laws::shift_law::ShiftLaw;
 use carom::prelude::{ContactLoad, ContactStiffness, Friction, RangeError};
@@ -58,32 +58,78 @@ impl Constants {
     }
 }
 
+/// The law, with an account of the heat where it is asked for.
+#[derive(Debug, Clone, Copy)]
+enum Walked {
+    Bare(Law),
+    Accounted(Accounted<Law>),
+}
+
+impl Walked {
+    fn new(law: Law, dissipated: Option<f64>) -> Self {
+        match dissipated {
+            Some(dissipated) => Self::Accounted(Accounted::going_on(law, dissipated)),
+            None => Self::Bare(law),
+        }
+    }
+
+    fn law(&self) -> &Law {
+        match self {
+            Self::Bare(law) => law,
+            Self::Accounted(accounted) => accounted.law(),
+        }
+    }
+
+    fn dissipated(&self) -> Option<f64> {
+        match self {
+            Self::Bare(_) => None,
+            Self::Accounted(accounted) => Some(accounted.dissipated()),
+        }
+    }
+
+    fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
+        match self {
+            Self::Bare(law) => law.advance(shift),
+            Self::Accounted(accounted) => accounted.advance(shift),
+        }
+    }
+
+    fn turn_frame(&mut self, angle: f64) {
+        match self {
+            Self::Bare(law) => law.turn_frame(angle),
+            Self::Accounted(accounted) => accounted.turn_frame(angle),
+        }
+    }
+}
+
 /// A contact with memory: rigid shifts in, loads out.
 ///
-/// Contact(stiffness, friction, law='coulomb', tolerance=1e-3): `stiffness` is a Hertz contact or
+/// Contact(stiffness, friction, law='coulomb', tolerance=1e-3, heat=True): `stiffness` is a Hertz contact or
 /// (c_x, c_y, c_z), N/m^1.5; `friction` is from 0 to infinity (no slip). `law` is 'coulomb', where each ring of
 /// the contact slips by itself, to a `tolerance` of the friction limit, or 'chapter 7', one direction
 /// of traction in a slip ring. On straight paths both are exact. At most 64 vertices are remembered.
-/// Contacts pickle and copy.
+/// The heat of a step costs up to a thousand times the step itself where the path turns: without `heat` there
+/// is no `dissipated`. Contacts pickle and copy.
 #[pyclass(module = "carom", subclass)]
 #[derive(Debug, Clone)]
 pub(crate) struct Contact {
     constants: Constants,
-    law: Accounted<Law>,
+    law: Walked,
 }
 
 #[pymethods]
 impl Contact {
     #[new]
-    #[pyo3(signature = (stiffness, friction, law="coulomb".to_owned(), tolerance=1e-3))]
+    #[pyo3(signature = (stiffness, friction, law="coulomb".to_owned(), tolerance=1e-3, *, heat=true))]
     fn new(
         #[pyo3(from_py_with = crate::hertz::stiffness)] stiffness: ContactStiffness,
         friction: f64,
         law: String,
         tolerance: f64,
+        heat: bool,
     ) -> PyResult<Self> {
         let constants = Constants { stiffness, friction, law, tolerance };
-        let law = Accounted::new(constants.law()?);
+        let law = Walked::new(constants.law()?, heat.then_some(0.0));
         Ok(Self { constants, law })
     }
 
@@ -119,7 +165,7 @@ impl Contact {
         };
         let (xi, eta) = (across("xi", xi)?, across("eta", eta)?);
         let mut law = self.law;
-        let walk = || -> Result<(Accounted<Law>, Vec<f64>), Fault> {
+        let walk = || -> Result<(Walked, Vec<f64>), Fault> {
             let mut loads = Vec::with_capacity(3 * zeta.len());
             for (i, ((zeta, xi), eta)) in zeta.iter().zip(&xi).zip(&eta).enumerate() {
                 let shift = Shift { zeta: *zeta, xi: *xi, eta: *eta, omega: 0.0 };
@@ -136,13 +182,13 @@ impl Contact {
     /// The present load (F_x, F_y, F_z), N.
     #[getter]
     fn load(&self) -> (f64, f64, f64) {
-        triple(self.law.load())
+        triple(self.law.law().load())
     }
 
     /// The present shift (zeta, xi, eta), m.
     #[getter]
     fn shift(&self) -> (f64, f64, f64) {
-        let Shift { zeta, xi, eta, .. } = self.law.shift();
+        let Shift { zeta, xi, eta, .. } = self.law.law().shift();
         (zeta, xi, eta)
     }
 
@@ -152,10 +198,10 @@ impl Contact {
         self.law.law().stored_energy()
     }
 
-    /// The energy turned into heat, or released by a receding edge, since the beginning, J.
+    /// The energy turned into heat, or released by a receding edge, since the beginning, J; None without
+    /// `heat`.
     #[getter]
-    fn dissipated(&self) -> f64 {
-        use carom::laws::law::Energies as _;
+    fn dissipated(&self) -> Option<f64> {
         self.law.dissipated()
     }
 
@@ -204,17 +250,17 @@ impl Contact {
         self.constants.arguments()
     }
 
-    fn __getstate__(&self) -> PyResult<(Vec<f64>, f64)> {
+    fn __getstate__(&self) -> PyResult<(Vec<f64>, Option<f64>)> {
         let mut numbers = vec![0.0; self.constants.numbers(VERTICES)];
         self.law.law().pack(&mut numbers).map_err(Fault::from)?;
         Ok((numbers, self.dissipated()))
     }
 
-    fn __setstate__(&mut self, state: (Vec<f64>, f64)) -> PyResult<()> {
+    fn __setstate__(&mut self, state: (Vec<f64>, Option<f64>)) -> PyResult<()> {
         let (numbers, dissipated) = state;
         let mut law: Law = self.constants.law()?;
         law.unpack(&numbers).map_err(Fault::from)?;
-        self.law = Accounted::going_on(law, dissipated);
+        self.law = Walked::new(law, dissipated);
         Ok(())
     }
 

@@ -125,6 +125,22 @@ def test_work_is_stored_or_heat():
     assert contact.stored_energy + contact.dissipated == pytest.approx(work, rel=1e-3)
 
 
+@pytest.mark.parametrize("law", ["coulomb", "chapter 7"])
+def test_without_heat_a_contact_goes_the_same_way(law):
+    zeta, xi, eta = walk(40)
+    told, bare = carom.Contact(HERTZ, F, law), carom.Contact(HERTZ, F, law, heat=False)
+    np.testing.assert_array_equal(told.follow(zeta, xi, eta), bare.follow(zeta, xi, eta))
+    again = pickle.loads(pickle.dumps(bare))
+    # Its forces are summed anew.
+    np.testing.assert_allclose(bare.follow(zeta, eta), again.follow(zeta, eta), rtol=1e-12)
+    assert told.dissipated > 0
+    assert bare.dissipated is None and again.dissipated is None
+    told.follow(zeta, eta)
+    for contact in (told, bare):
+        contact.turn_frame(0.3)
+    assert told.advance(2e-6) == bare.advance(2e-6)
+
+
 def test_turned_axes():
     contact = carom.Contact(HERTZ, F)
     contact.advance(1e-6)

@@ -86,6 +86,8 @@ class Contact:
         friction: float,
         law: _Law = "coulomb",
         tolerance: float = 1e-3,
+        *,
+        heat: bool = True,
     ) -> Contact: ...
     def advance(
         self, zeta: float, xi: float = 0.0, eta: float = 0.0
@@ -100,7 +102,7 @@ class Contact:
     @property
     def stored_energy(self) -> float: ...
     @property
-    def dissipated(self) -> float: ...
+    def dissipated(self) -> float | None: ...
     @property
     def regime(self) -> str: ...
     @property
