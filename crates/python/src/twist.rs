@@ -41,6 +41,20 @@ impl Twist {
         Ok((load.m_z, load.f_z))
     }
 
+    /// The present load (M_z, F_z), N m and N.
+    #[getter]
+    fn load(&self) -> (f64, f64) {
+        let load = self.law.load();
+        (load.m_z, load.f_z)
+    }
+
+    /// The present approach and twist (zeta, omega), m and radians.
+    #[getter]
+    fn shift(&self) -> (f64, f64) {
+        let Shift { zeta, omega, .. } = self.law.shift();
+        (zeta, omega)
+    }
+
     /// The radius of the stick area over that of the contact.
     #[getter]
     fn stick_radius(&self) -> f64 {
@@ -130,6 +144,20 @@ impl ShiftTwist {
     ) -> PyResult<(f64, f64, f64, f64)> {
         let load = self.law.advance(Shift { zeta, xi, eta, omega }).map_err(Fault::from)?;
         Ok((load.f_x, load.f_y, load.f_z, load.m_z))
+    }
+
+    /// The present load (F_x, F_y, F_z, M_z), N and N m.
+    #[getter]
+    fn load(&self) -> (f64, f64, f64, f64) {
+        let load = self.law.load();
+        (load.f_x, load.f_y, load.f_z, load.m_z)
+    }
+
+    /// The present shift (zeta, xi, eta, omega), m and radians.
+    #[getter]
+    fn shift(&self) -> (f64, f64, f64, f64) {
+        let Shift { zeta, xi, eta, omega } = self.law.shift();
+        (zeta, xi, eta, omega)
     }
 
     /// The elastic energy, compression included, J.

@@ -243,6 +243,8 @@ def test_twist():
     assert 0 < f_x < F * f_z
     assert m_z > 0
     assert both.stored_energy > 0
+    assert both.load == (f_x, f_y, f_z, m_z) and both.shift == (1e-6, 1e-8, 0.0, 1e-5)
+    assert twist.load[1] == both.load[2] and twist.shift == (1e-6, 9.0)
     with pytest.raises(ValueError, match="omega"):
         both.advance(1e-6, omega=math.nan)
     third = carom.Twist(HERTZ, F)
