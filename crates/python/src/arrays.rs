@@ -4,6 +4,7 @@ use numpy::{PyArray1, PyReadonlyArray1, PyReadonlyArray2};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
+use std::ops::Range;
 
 use crate::error::Fault;
 use crate::threads::without_python;
@@ -12,12 +13,15 @@ use crate::threads::without_python;
 const SHARE: usize = 1024;
 /// Shares from which on all threads help.
 const MANY: usize = 8;
+/// Shares between two looks whether the program is interrupted.
+const BLOCK: usize = 128;
 
 pub(crate) type Numbers<'py> = PyReadonlyArray1<'py, f64>;
 pub(crate) type Rows<'py> = PyReadonlyArray2<'py, f64>;
 
 /// The value of `f` at each of `count` places, without the interpreter, on all threads if they are
-/// many; the fault is that of the first place that has one.
+/// many; the fault is that of the first place that has one. Whoever interrupts the program need not wait for
+/// the end.
 pub(crate) fn map<T: Send>(
     py: Python<'_>,
     count: usize,
@@ -34,16 +38,27 @@ pub(crate) fn map_by<T: Send>(
     f: impl Fn(usize) -> Result<T, Fault> + Sync + Send,
 ) -> PyResult<Vec<T>> {
     let at = |i: usize| f(i).map_err(|fault| fault.at(i));
-    let result = without_python(py, || {
-        if count < MANY * share {
-            return (0..count).map(at).collect();
-        }
-        let places = (0..count).into_par_iter().with_min_len(share);
-        let all: Result<Vec<T>, Fault> = places.map(at).collect();
-        let first = || (0..count).into_par_iter().find_map_first(|i| at(i).err());
-        all.map_err(|any| first().unwrap_or(any))
-    });
-    Ok(result?)
+    let mut values = Vec::with_capacity(count);
+    while values.len() < count {
+        let block = values.len()..count.min(values.len() + BLOCK * share);
+        values.extend(without_python(py, || over(block, share, &at))?);
+        py.check_signals()?;
+    }
+    Ok(values)
+}
+
+fn over<T: Send>(
+    block: Range<usize>,
+    share: usize,
+    at: &(impl Fn(usize) -> Result<T, Fault> + Sync + Send),
+) -> Result<Vec<T>, Fault> {
+    if block.len() < MANY * share {
+        return block.map(at).collect();
+    }
+    let places = block.clone().into_par_iter().with_min_len(share);
+    let all: Result<Vec<T>, Fault> = places.map(at).collect();
+    let first = || block.into_par_iter().find_map_first(|i| at(i).err());
+    all.map_err(|any| first().unwrap_or(any))
 }
 
 /// The same for numbers, as an array.

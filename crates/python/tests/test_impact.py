@@ -1,9 +1,11 @@
 """Impacts and restitution."""
 
+import _thread
 import copy
 import math
 import os
 import pickle
+import threading
 from concurrent.futures import ProcessPoolExecutor
 from multiprocessing import get_context
 
@@ -112,6 +114,14 @@ def test_a_forked_process_has_threads_of_its_own():
     finally:
         pool.terminate()
     np.testing.assert_array_equal(np.concatenate(parts), whole)
+
+
+def test_an_interrupt_does_not_wait_for_the_end():
+    velocities = np.tile([1.0, 0.0, -2.0], (3_000_000, 1))
+    timer = threading.Timer(0.3, _thread.interrupt_main)
+    timer.start()
+    with pytest.raises(KeyboardInterrupt):
+        carom.collide_many(BALL, PLATE, 0.15, velocity_1=velocities)
 
 
 def test_a_sweep_on_dask_has_the_same_bits():
