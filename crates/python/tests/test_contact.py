@@ -68,6 +68,12 @@ def test_results_go_to_pandas_and_xarray():
     assert frame.attrs["units"]["force"] == "N"
     pytest.importorskip("xarray")
     assert state.to_xarray()["force"].attrs["units"] == "N"
+    ball = carom.sphere(0.01, STEEL, 0.033, velocity=(1, 0, -2))
+    rebound = carom.collide(ball, carom.plane(STEEL), F)
+    frame = rebound.to_pandas()
+    assert set(frame.attrs["units"]) == set(frame.columns)
+    assert frame.attrs["units"]["velocity_1_x"] == "m/s"
+    assert float(rebound.to_xarray()["velocity_1"].sel(axis="z")) == frame["velocity_1_z"][0]
 
 
 @pytest.mark.parametrize("law", ["coulomb", "chapter 7"])

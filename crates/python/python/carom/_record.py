@@ -70,7 +70,8 @@ class Record:
         frame = pandas.DataFrame(self._cells())
         if self.swept is not None:
             frame.index = pandas.Index(self.swept[2], name=self.swept[0])
-        frame.attrs["units"] = dict(self.units)
+        units = self.units | {f"{name}_{axis}": self.units[name] for name in self._vectors for axis in "xyz"}
+        frame.attrs["units"] = {name: units[name] for name in frame.columns}
         return frame
 
     def to_xarray(self) -> xarray.Dataset:
@@ -90,4 +91,7 @@ class Record:
         if self.swept is not None:
             name, unit, values = self.swept
             coordinates[name] = xarray.Variable([name], values, {"units": unit})
-        return xarray.Dataset({name: variable(name, x) for name, x in self.to_dict().items()}, coordinates)
+        variables = {name: variable(name, x) for name, x in self.to_dict().items()}
+        if any("axis" in variable.dims for variable in variables.values()):
+            coordinates["axis"] = xarray.Variable(["axis"], list("xyz"))
+        return xarray.Dataset(variables, coordinates)
