@@ -76,6 +76,17 @@ def test_many_are_single_ones():
     assert (caught.value.field, caught.value.index) == ("velocity", 7)
 
 
+def test_bodies_are_not_moved_unasked():
+    one = carom.sphere(0.01, STEEL, 0.033, centre=(0.02, 0, 0), velocity=(-1, 0, 0))
+    two = carom.sphere(0.01, STEEL, 0.033)
+    assert carom.collide(one, two, 0.3, normal=None).velocity_1[0] == pytest.approx(0.0, abs=1e-15)
+    assert carom.collide(one, two, 0.3, normal=(1, 0, 0)).velocity_2[0] == pytest.approx(-1.0)
+    assert math.isnan(carom.collide(one, two, 0.3, normal=(0, 0, 1)).duration)
+    for call in (carom.collide, carom.collide_many, carom.history):
+        with pytest.raises(ValueError, match="normal: must be given"):
+            call(one, two, 0.3)
+
+
 def test_bodies_that_part_are_left_alone():
     rebound = carom.collide(BALL.moving((0, 0, 1)), PLATE, 0.3)
     np.testing.assert_array_equal(rebound.velocity_1, [0, 0, 1])

@@ -37,6 +37,13 @@ def plane(material: Material) -> Body:
     return Body("plane", [], material)
 
 
+def _along(body_1: Body, body_2: Body, normal: Vector | None) -> Vector | None:
+    """The common normal. Bodies that were put somewhere are not moved elsewhere unasked."""
+    if normal is UP and (any(body_1.centre) or any(body_2.centre)):
+        raise ValueError("normal: must be given of bodies with a centre; None if they touch where they are")
+    return normal
+
+
 def _left(normal_restitution: float, wave_loss: bool) -> float | None:
     """What the material leaves of the normal velocity; None is what waves leave."""
     if normal_restitution is None:
@@ -60,11 +67,12 @@ def collide(
 ) -> Rebound:
     """Two bodies collide: body 1 is put on body 2 with this common normal, from body 2 into body 1.
 
-    With `normal=None` they touch where they are. `torsion` takes the spin about the normal along. Where
-    the direction of slip turns, `law` is 'coulomb' or 'chapter 8', one direction for each ring. With a
-    `normal_restitution` below 1 the material takes a part, beyond the elastic theory; with `wave_loss` as much as
-    elastic waves carry away; duration and greatest force are those of the elastic impact. A body held fast that
-    moves, as a racket does, works on the other: the energies do not add up then.
+    With `normal=None` they touch where they are; of bodies with a centre one or the other must be said. `torsion`
+    takes the spin about the normal along. Where the direction of slip turns, `law` is 'coulomb' or 'chapter 8',
+    one direction for each ring. With a `normal_restitution` below 1 the material takes a part, beyond the elastic
+    theory; with `wave_loss` as much as elastic waves carry away; duration and greatest force are those of the
+    elastic impact. A body held fast that moves, as a racket does, works on the other: the energies do not add up
+    then.
 
     >>> import carom
     >>> rubber = carom.Material(5e6, 0.5)
@@ -76,9 +84,8 @@ def collide(
     >>> bool(abs(lost - rebound.dissipated) < 1e-9 * rebound.energy_before)
     True
     """
-    columns = _carom.collide(
-        body_1, body_2, friction, normal, torsion, law, tolerance, _left(normal_restitution, wave_loss)
-    )
+    along, left = _along(body_1, body_2, normal), _left(normal_restitution, wave_loss)
+    columns = _carom.collide(body_1, body_2, friction, along, torsion, law, tolerance, left)
     return Rebound._of(columns, ())
 
 
@@ -122,9 +129,8 @@ def collide_many(
     count = counts[0] if counts else 1
     motions = [rows(name, v, count) for name, v in given.items()]
     frictions = line(spread("friction", friction, (count,)))
-    columns = _carom.collide_many(
-        body_1, body_2, frictions, motions, normal, torsion, law, tolerance, _left(normal_restitution, wave_loss)
-    )
+    along, left = _along(body_1, body_2, normal), _left(normal_restitution, wave_loss)
+    columns = _carom.collide_many(body_1, body_2, frictions, motions, along, torsion, law, tolerance, left)
     return Rebound._of(columns, (count,))
 
 
@@ -148,5 +154,6 @@ def history(
     ((51, 3), True)
     """
     points = counted("points", points, BYTES)
-    columns = _carom.history(body_1, body_2, friction, points, normal, law, tolerance)
+    along = _along(body_1, body_2, normal)
+    columns = _carom.history(body_1, body_2, friction, points, along, law, tolerance)
     return HistoryPoint._of(columns, (len(columns["time"]),))
