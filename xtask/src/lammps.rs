@@ -4,7 +4,6 @@ use anyhow::Context as _;
 use std::path::Path;
 use std::process::Command;
 
-use crate::cargo;
 use crate::python::{call, interpreter};
 
 /// The release that the plugin is built for, and what runs it on several ranks.
@@ -34,7 +33,6 @@ pub(crate) fn run(short: bool) -> anyhow::Result<()> {
         println!("skipped: {} cannot be installed here", HOST.join(" and "));
         return Ok(());
     }
-    cargo::run(&["build", "--release", "--package", "carom-capi"])?;
     let plugin = place.join("caromplugin.so");
     let plugins = root.join("plugins/lammps");
     call(Command::new(plugins.join("build.sh")).arg(&venv).arg(&plugin))?;

@@ -2,11 +2,11 @@
 
 use std::array::from_fn;
 
-use carom_laws::grains::{Grain, TOGETHER, Touching, advance_together};
+use carom_laws::grains::{Grain, GrainLoad, TOGETHER, Touching, advance_together};
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::grains::{CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, advance};
-use crate::pointers::{Strided, read, write};
+use crate::pointers::{Strided, is_place};
 use crate::touch::CaromTouch;
 
 /// Two grains and their contact, of many that make their step in one call.
@@ -26,6 +26,7 @@ pub struct CaromEncounter {
 }
 
 const _: () = assert!(size_of::<CaromGrain>() == size_of::<Grain>());
+const _: () = assert!(size_of::<CaromGrainLoad>() == size_of::<GrainLoad>());
 
 /// One step of the duration `dt` of many pairs of grains: `carom_touch_grains` for each, to the same bits and
 /// in less time, since some go through the processor together.
@@ -81,19 +82,22 @@ unsafe fn step_together(
     count: usize,
     dt: f64,
 ) -> Option<()> {
-    // SAFETY: the caller's promise; the touches are apart.
-    let mut pairs: [Option<Touching<'_, _>>; TOGETHER] = from_fn(|i| unsafe {
-        let at = &*all.at(from + i);
-        let grains = read(at.grains, "grains").ok()?;
-        let contact = write(at.touch, "touch").ok()?.present_mut().ok()??;
-        // The same fields in the same order.
-        let [one, two] =
-            [&at.one, &at.two].map(|grain| &*std::ptr::from_ref(grain).cast::<Grain>());
-        Some(Touching { contact, bodies: [one, two], shares: [grains.share_1, grains.share_2] })
-    });
-    let [Some(a), Some(b), Some(c), Some(d)] = pairs.each_mut().map(Option::take) else {
-        return None;
+    // SAFETY: the caller's promise.
+    let is_ready = |i: usize| unsafe {
+        let at = &*all.at(i);
+        is_place(at.grains) && is_place(at.touch) && (*at.touch).holds_one()
     };
+    if !(from..from + TOGETHER).all(is_ready) {
+        return None;
+    }
+    // SAFETY: looked at just now; the touches are apart, and the casts keep fields and their order.
+    let mut pairs = from_fn(|i| unsafe {
+        let at = &mut *all.at(from + i);
+        let shares = [(*at.grains).share_1, (*at.grains).share_2];
+        let bodies = [&at.one, &at.two].map(|grain| &*std::ptr::from_ref(grain).cast::<Grain>());
+        let load = &mut *(&raw mut at.load).cast::<GrainLoad>();
+        Touching { contact: (*at.touch).present_unchecked(), bodies, shares, load }
+    });
     let send_for_next = |i: usize| {
         let next = from + TOGETHER + i;
         if next < count {
@@ -101,12 +105,7 @@ unsafe fn step_together(
             send_for(unsafe { (*all.at(next)).touch });
         }
     };
-    let loads = advance_together(&mut [a, b, c, d], dt, send_for_next).ok()?;
-    for (i, (load, arms)) in loads.into_iter().enumerate() {
-        // SAFETY: the caller's promise.
-        unsafe { (*all.at(from + i)).load = CaromGrainLoad::new(load, arms) };
-    }
-    Some(())
+    advance_together(&mut pairs, dt, send_for_next).ok()
 }
 
 /// Asks for what a place holds, to be there when it is read; of no effect otherwise, wherever it is.

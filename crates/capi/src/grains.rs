@@ -82,12 +82,10 @@ impl From<CaromGrain> for Grain {
     }
 }
 
-impl CaromGrainLoad {
+impl From<GrainLoad> for CaromGrainLoad {
     #[inline]
-    pub(crate) fn new(GrainLoad { force, couple }: GrainLoad, arms: [f64; 2]) -> Self {
-        let [x, y, z] = couple;
-        let torque = |arm: f64| [-arm * x, -arm * y, -arm * z];
-        Self { force, torque_1: torque(arms[0]), torque_2: torque(arms[1]) }
+    fn from(GrainLoad { force, torques: [torque_1, torque_2] }: GrainLoad) -> Self {
+        Self { force, torque_1, torque_2 }
     }
 }
 

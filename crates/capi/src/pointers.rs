@@ -28,6 +28,12 @@ pub(crate) unsafe fn write<'a, T>(
     Ok(unsafe { &mut *pointer })
 }
 
+/// Whether a pointer is neither null nor misaligned.
+#[inline]
+pub(crate) fn is_place<T>(pointer: *const T) -> bool {
+    !pointer.is_null() && pointer.is_aligned()
+}
+
 #[inline]
 fn check<T>(pointer: *const T, name: &'static str) -> Result<(), Failure> {
     if pointer.is_null() {

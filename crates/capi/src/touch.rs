@@ -61,6 +61,22 @@ impl CaromTouch {
         }
     }
 
+    /// Whether it holds a contact, written by this build.
+    #[inline]
+    pub(crate) fn holds_one(&self) -> bool {
+        self.mark == MARK
+    }
+
+    /// The contact.
+    ///
+    /// # Safety
+    /// [`CaromTouch::holds_one`].
+    #[inline]
+    pub(crate) unsafe fn present_unchecked(&mut self) -> &mut Contact {
+        // SAFETY: the caller's promise.
+        unsafe { &mut *self.words.as_mut_ptr().cast() }
+    }
+
     fn keep(&mut self, contact: &Contact) {
         // SAFETY: size and alignment fit; what stood there needs no drop.
         unsafe { self.words.as_mut_ptr().cast::<Contact>().write(*contact) };
@@ -78,11 +94,11 @@ impl CaromTouch {
     ) -> Result<(), Failure> {
         let Some(contact) = self.present_mut()? else {
             let mut contact = fresh()?;
-            *load = CaromGrainLoad::new(step(&mut contact, meeting, dt, heats)?, meeting.arms);
+            *load = step(&mut contact, meeting, dt, heats)?.into();
             self.keep(&contact);
             return Ok(());
         };
-        *load = CaromGrainLoad::new(step(contact, meeting, dt, heats)?, meeting.arms);
+        *load = step(contact, meeting, dt, heats)?.into();
         Ok(())
     }
 
@@ -96,7 +112,7 @@ impl CaromTouch {
             Some(contact) => contact.load(meeting),
             None => fresh()?.load(meeting),
         };
-        Ok(CaromGrainLoad::new(load, meeting.arms))
+        Ok(load.into())
     }
 }
 

@@ -4,8 +4,11 @@ use carom_special::RangeError;
 
 /// Approaches and shifts of a memory: energies go as their power 5/2 together.
 pub(crate) fn in_memory(field: &'static str, value: f64) -> Result<f64, RangeError> {
-    RangeError::check(field, value, value.abs() <= 1e100, "of size up to 1e100")
+    RangeError::check(field, value, value.abs() <= LARGEST_IN_MEMORY, "of size up to 1e100")
 }
+
+/// The largest of a memory's.
+pub(crate) const LARGEST_IN_MEMORY: f64 = 1e100;
 
 /// The largest of the user's own units.
 pub(crate) const LARGEST: f64 = 1e60;

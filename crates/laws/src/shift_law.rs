@@ -206,6 +206,19 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         [row(0), row(1), [0.0, 0.0, normal]]
     }
 
+    /// Normalised shifts over shifts.
+    #[inline]
+    pub(crate) fn scale_of_shifts(&self) -> V {
+        self.scale.shift
+    }
+
+    /// (5.27).
+    #[inline]
+    fn normal_force(&self) -> f64 {
+        let zeta = self.shift.zeta.max(0.0);
+        2.0 / 3.0 * self.stiffness.c_z * (zeta * zeta.sqrt())
+    }
+
     #[inline]
     fn normalised(&self, shift: Shift) -> V {
         V::from_components([shift.xi, shift.eta]).by_component(self.scale.shift)
@@ -213,7 +226,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
 
     /// The normalised shift, if the law can go there.
     #[inline]
-    fn reachable(&self, shift: Shift) -> Result<V, RangeError> {
+    pub(crate) fn reachable(&self, shift: Shift) -> Result<V, RangeError> {
         shift.check_finite()?;
         if V::DIMENSION == 1 && shift.eta != 0.0 {
             return Err(RangeError::new("eta", shift.eta, "0 in a law of one direction"));
@@ -223,6 +236,28 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         in_memory("shift", x)?;
         in_memory("shift", y)?;
         Ok(to)
+    }
+
+    /// Goes to a shift that was found reachable, `to` in normalised shifts: the tangential force there.
+    #[inline(always)]
+    pub(crate) fn go(&mut self, shift: Shift, to: V) -> [f64; 2] {
+        self.shift = shift;
+        let phi = match &mut self.state {
+            State::Free => V::default(),
+            State::Rubbing(memory) => {
+                memory.step(shift.zeta, to);
+                memory.force()
+            }
+            State::Turning(memory) => {
+                memory.step(shift.zeta, to);
+                memory.force()
+            }
+            State::Stuck(memory) => {
+                memory.step(shift.zeta, to);
+                memory.force()
+            }
+        };
+        phi.times(self.scale.force).components()
     }
 
     #[inline]
@@ -243,14 +278,8 @@ impl<V: Lateral, S: VertexStack<V>> ContactLaw for ShiftLaw<V, S> {
     #[inline]
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
         let to = self.reachable(shift)?;
-        match &mut self.state {
-            State::Free => {}
-            State::Rubbing(memory) => memory.step(shift.zeta, to),
-            State::Turning(memory) => memory.step(shift.zeta, to),
-            State::Stuck(memory) => memory.step(shift.zeta, to),
-        }
-        self.shift = shift;
-        Ok(self.load())
+        let [f_x, f_y] = self.go(shift, to);
+        Ok(ContactLoad { f_x, f_y, f_z: self.normal_force(), m_z: 0.0 })
     }
 
     fn shift(&self) -> Shift {
@@ -259,10 +288,8 @@ impl<V: Lateral, S: VertexStack<V>> ContactLaw for ShiftLaw<V, S> {
 
     #[inline]
     fn load(&self) -> ContactLoad {
-        let zeta = self.shift.zeta.max(0.0);
         let [f_x, f_y] = self.force();
-        let f_z = 2.0 / 3.0 * self.stiffness.c_z * (zeta * zeta.sqrt());
-        ContactLoad { f_x, f_y, f_z, m_z: 0.0 }
+        ContactLoad { f_x, f_y, f_z: self.normal_force(), m_z: 0.0 }
     }
 }
 

@@ -182,15 +182,30 @@ double PairCarom::init_one(int i, int j)
   return largest[i] + largest[j];
 }
 
-void PairCarom::set(carom_grain &grain, int i) const
+PairCarom::Bodies PairCarom::bodies() const
 {
-  const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i];
+  return {atom->x[0],  atom->v[0],      atom->omega[0], atom->radius,
+          atom->f[0],  atom->torque[0], atom->type,     atom->ntypes + 1,
+          static_cast<std::size_t>(atom->nlocal + (force->newton_pair ? atom->nghost : 0))};
+}
+
+inline void PairCarom::Bodies::set(carom_grain &grain, std::size_t i) const
+{
+  memcpy(grain.place, x + 3 * i, sizeof grain.place);
+  memcpy(grain.velocity, v + 3 * i, sizeof grain.velocity);
+  memcpy(grain.spin, w + 3 * i, sizeof grain.spin);
+  grain.radius = radius[i];
+}
+
+// A grain of another rank gets its forces there, unless newton is on.
+inline void PairCarom::Bodies::add(std::size_t i, const double *force_i, const double *torque_i) const
+{
+  if (i >= moved) return;
+  double *__restrict f_i = f + 3 * i, *__restrict torque_of_i = torque + 3 * i;
   for (int k = 0; k < 3; k++) {
-    grain.place[k] = x[k];
-    grain.velocity[k] = v[k];
-    grain.spin[k] = w[k];
+    f_i[k] += force_i[k];
+    torque_of_i[k] += torque_i[k];
   }
-  grain.radius = atom->radius[i];
 }
 
 carom_touch *PairCarom::touch_of(double *slot, int body_1, int body_2)
@@ -217,18 +232,20 @@ void PairCarom::compute(int eflag, int vflag)
   // A setup only looks at what the last step left; a contact that is new to it begins with a step of no
   // duration. Two grains that touched make one more step apart, in which the contact ends.
   const bool moves = !update->setupflag;
-  double **x = atom->x;
-  const double *radius = atom->radius;
+  const double *x = atom->nlocal ? atom->x[0] : nullptr, *radius = atom->radius;
+  const tagint *tag = atom->tag;
   int found = 0;
   for (int ii = 0; ii < list->inum; ii++) {
-    const int i = list->ilist[ii];
+    const int i = list->ilist[ii], count = list->numneigh[i];
     int *flags = history->firstflag[i];
     double *slots = history->firstvalue[i];
     const int *neighbors = list->firstneigh[i];
-    for (int jj = 0; jj < list->numneigh[i]; jj++) {
+    const double *here = x + 3 * i, radius_i = radius[i];
+    for (int jj = 0; jj < count; jj++) {
       const int j = neighbors[jj] & NEIGHMASK;
-      const double dx = x[i][0] - x[j][0], dy = x[i][1] - x[j][1], dz = x[i][2] - x[j][2];
-      const double reach = radius[i] + radius[j];
+      const double *there = x + 3 * j;
+      const double dx = here[0] - there[0], dy = here[1] - there[1], dz = here[2] - there[2];
+      const double reach = radius_i + radius[j];
       const bool apart = dx * dx + dy * dy + dz * dz >= reach * reach;
       if (apart && !flags[jj]) continue;
       Close &pair = close[found];
@@ -236,7 +253,7 @@ void PairCarom::compute(int eflag, int vflag)
       pair.slot = slots + numbers() * jj;
       pair.i = i;
       pair.j = j;
-      pair.i_is_1 = atom->tag[i] < atom->tag[j];
+      pair.i_is_1 = tag[i] < tag[j];
       pair.apart = apart;
       if (apart && !moves) {
         end(pair);
@@ -262,14 +279,15 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     *pair.flag = Touches::flag_of(pair.slot);
   }
   const double dt = moves ? update->dt : 0.0;
+  const Bodies all = bodies();
   for (int k = 0; k < count; k++) {
     const Close &pair = close[k];
     const int one = one_of(pair), two = two_of(pair);
     carom_encounter &met = encounters[k];
-    met.grains = &constants[place(atom->type[one], atom->type[two])];
+    met.grains = &constants[all.type[one] * all.types + all.type[two]];
     met.touch = touches.with_flag(*pair.flag);
-    set(met.one, one);
-    set(met.two, two);
+    all.set(met.one, one);
+    all.set(met.two, two);
   }
   if (!moves || account) {
     for (int k = 0; k < count; k++) step_alone(close[k], encounters[k], dt, moves || is_new[k]);
@@ -281,11 +299,13 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     const int one = one_of(pair), two = two_of(pair);
     carom_encounter &met = encounters[k];
     if (law_.torsion) twist(pair, met, dt);
-    add(one, met.load.force, 1.0, met.load.torque_1);
-    add(two, met.load.force, -1.0, met.load.torque_2);
+    const double *force_1 = met.load.force;
+    const double force_2[3] = {-force_1[0], -force_1[1], -force_1[2]};
+    all.add(one, force_1, met.load.torque_1);
+    all.add(two, force_2, met.load.torque_2);
     if (evflag) {
       const double energy = eflag ? energy_of(pair.slot, met.touch, one, two) : 0.0;
-      tally(pair, energy, met.load.force, pair.i_is_1 ? 1.0 : -1.0);
+      tally(pair, energy, force_1, pair.i_is_1 ? 1.0 : -1.0);
     }
     if (pair.apart) end(pair);
   }
@@ -317,17 +337,6 @@ void PairCarom::book(const Close &pair, const carom_heats &made)
   const double share = share_of(pair.j);
   heats.friction += share * made.friction;
   heats.damping += share * made.damping;
-}
-
-// A grain of another rank gets its forces there, unless newton is on.
-void PairCarom::add(int i, const double *force_1, double sign, const double *torque_i)
-{
-  if (i >= atom->nlocal && !force->newton_pair) return;
-  double *f = atom->f[i], *torque = atom->torque[i];
-  for (int k = 0; k < 3; k++) {
-    f[k] += sign * force_1[k];
-    torque[k] += torque_i[k];
-  }
 }
 
 // The elastic energy of a contact, its twist included.
@@ -413,8 +422,9 @@ double PairCarom::single(int i, int j, int itype, int jtype, double rsq, double,
   const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
   const carom_grains &grains = i_is_1 ? constants[place(itype, jtype)] : constants[place(jtype, itype)];
   carom_grain body_1, body_2;
-  set(body_1, one);
-  set(body_2, two);
+  const Bodies all = bodies();
+  all.set(body_1, one);
+  all.set(body_2, two);
   const carom_touch *touch = touch_of(slot, one, two);
   carom_grain_load load;
   carom_report report;

@@ -65,7 +65,17 @@ class PairCarom : public Pair {
   double energy_of(double *slot, const carom_touch *touch, int body_1, int body_2) const;
   int place(int i, int j) const;
   void allocate();
-  void set(carom_grain &grain, int i) const;
+  // The host's grains: of each what it keeps in one piece.
+  struct Bodies {
+    const double *x, *v, *w, *radius;
+    double *f, *torque;
+    const int *type;
+    int types;    // and one more
+    std::size_t moved;    // those that get forces from here
+    void set(carom_grain &grain, std::size_t i) const;
+    void add(std::size_t i, const double *force_i, const double *torque_i) const;
+  };
+  Bodies bodies() const;
   carom_touch *touch_of(double *slot, int body_1, int body_2);
 
   // Two grains that touch, or did so one step ago: the host's flag and its slot for them.
@@ -84,7 +94,6 @@ class PairCarom : public Pair {
   void twist(const Close &pair, carom_encounter &met, double dt);
   void book(const Close &pair, const carom_heats &made);
   void step_all(int count, int eflag, bool moves);
-  void add(int i, const double *force_1, double sign, const double *torque_i);
   void tally(const Close &pair, double energy, const double *force_1, double sign);
   void end(const Close &pair);
   double *find_slot(int i, int j) const;

@@ -14,8 +14,21 @@
 #ifndef CAROM_HOST_GIT
 #error "CAROM_HOST_GIT and CAROM_HOST_VERSION tell for which LAMMPS this is built: see build.sh"
 #endif
+#ifndef CAROM_CPU
+#error "CAROM_CPU tells for which processors the library was built: see build.sh"
+#endif
 
 using namespace LAMMPS_NS;
+
+// Whether this processor has what the library was built for.
+static bool runs_here()
+{
+#ifdef __x86_64__
+  if (strcmp(CAROM_CPU, "x86-64-v3") == 0)
+    return __builtin_cpu_supports("avx2") && __builtin_cpu_supports("fma") && __builtin_cpu_supports("bmi2");
+#endif
+  return true;
+}
 
 template <class Style> static void *of_one(void *lmp)
 {
@@ -34,6 +47,11 @@ extern "C" __attribute__((visibility("default"))) void lammpsplugin_init(void *l
   if (strcmp(LAMMPS::git_descriptor(), CAROM_HOST_GIT) != 0) {
     fprintf(stderr, "carom: not loaded: built for LAMMPS %s, this is %s\n", CAROM_HOST_GIT,
             LAMMPS::git_descriptor());
+    return;
+  }
+  if (!runs_here()) {
+    fprintf(stderr, "carom: not loaded: built for processors with AVX2, and this has none: build it with "
+                    "CAROM_CPU=generic\n");
     return;
   }
   if (carom_abi_version() != CAROM_ABI_VERSION) {

@@ -51,8 +51,8 @@ pub struct GrainContact<S = Growing<[f64; 2]>> {
 pub struct GrainLoad {
     /// The force on body 1, N; that on body 2 is the opposite one.
     pub force: [f64; 3],
-    /// `normal x force`, N: the torque on each body about its centre is minus its arm times this.
-    pub couple: [f64; 3],
+    /// The torque on each body about its centre, `-arm normal x force`, N m; that on a wall is zero.
+    pub torques: [[f64; 3]; 2],
 }
 
 /// What became of mechanical energy, J.
@@ -188,20 +188,18 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let normal_force = self.elastic(meeting.zeta) + self.drag;
         if self.is_new() {
             let force = times(meeting.normal, self.elastic(meeting.zeta));
-            return GrainLoad { force, couple: [0.0; 3] };
+            return GrainLoad { force, ..GrainLoad::default() };
         }
-        load_in([self.tangent, meeting.normal], normal_force, self.friction)
+        load_in([self.tangent, meeting.normal], meeting.arms, normal_force, self.friction)
     }
 
     pub(super) fn is_new(&self) -> bool {
         self.tangent == [0.0; 3]
     }
 
-    /// Hertz's force (5.27).
     #[inline]
     fn elastic(&self, zeta: f64) -> f64 {
-        let zeta = zeta.max(0.0);
-        2.0 / 3.0 * self.law.stiffness().c_z * (zeta * zeta.sqrt())
+        elastic(self.law.stiffness().c_z, zeta)
     }
 
     #[inline(always)]
@@ -256,7 +254,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         self.drag = drag(self.viscosity, meeting, load.f_z);
         (self.tangent, self.normal) = (step.tangent, meeting.normal);
         (self.friction, self.velocity, self.lead) = (friction, step.velocity, step.lead);
-        load_in([step.tangent, meeting.normal], load.f_z + self.drag, friction)
+        load_in([step.tangent, meeting.normal], meeting.arms, load.f_z + self.drag, friction)
     }
 }
 
@@ -290,10 +288,17 @@ impl<T: Number> Before<T> {
         let tangent = minus(self.tangent, times(plus(old, new), tilt));
         let (sine, cosine) = turn(angle);
         let turned = plus(times(tangent, cosine), times(cross(new, tangent), sine));
-        // Round-off must not add up: one step of Newton's towards length 1, across the normal.
-        let across = minus(turned, times(new, dot(new, turned)));
-        times(across, T::of(1.5) - T::of(0.5) * dot(across, across))
+        // Round-off must not add up: the tilt leaves nothing along the normal, whatever was there, and
+        // one step of Newton's leads towards length 1.
+        times(turned, T::of(1.5) - T::of(0.5) * dot(turned, turned))
     }
+}
+
+/// Hertz's force (5.27).
+#[inline(always)]
+pub(super) fn elastic<T: Number>(c_z: T, zeta: T) -> T {
+    let zeta = zeta.larger(T::of(0.0));
+    T::of(2.0 / 3.0) * c_z * (zeta * zeta.sqrt())
 }
 
 /// The damping force; its sum with Hertz's does not pull.
@@ -304,24 +309,26 @@ pub(super) fn drag<T: Number>(viscosity: T, meeting: &Meeting<T>, elastic: T) ->
     (viscosity * root * speed).larger(T::of(0.0) - elastic)
 }
 
-/// The force on body 1 and `normal x force`, of tangent and normal.
+/// The force on body 1 and the torques on both, of tangent and normal.
 #[inline(always)]
 pub(super) fn forces<T: Number>(
     [tangent, normal]: [Vector<T>; 2],
+    arms: [T; 2],
     normal_force: T,
     [x, y]: [T; 2],
-) -> [Vector<T>; 2] {
+) -> [Vector<T>; 3] {
     let along = cross(normal, tangent);
     let friction = plus(times(tangent, x), times(along, y));
-    // normal x tangent is along, normal x along is minus the tangent.
-    let couple = minus(times(along, x), times(tangent, y));
-    [plus(times(normal, normal_force), friction), couple]
+    // normal x tangent is along, normal x along is minus the tangent: of body 1 - arm normal x force.
+    let couple = minus(times(tangent, y), times(along, x));
+    let [torque_1, torque_2] = arms.map(|arm| times(couple, arm));
+    [plus(times(normal, normal_force), friction), torque_1, torque_2]
 }
 
 #[inline]
-fn load_in(axes: [Vector; 2], normal_force: f64, friction: [f64; 2]) -> GrainLoad {
-    let [force, couple] = forces(axes, normal_force, friction);
-    GrainLoad { force, couple }
+fn load_in(axes: [Vector; 2], arms: [f64; 2], normal_force: f64, friction: [f64; 2]) -> GrainLoad {
+    let [force, torque_1, torque_2] = forces(axes, arms, normal_force, friction);
+    GrainLoad { force, torques: [torque_1, torque_2] }
 }
 
 /// Whether the two come apart within some steps.
@@ -356,7 +363,7 @@ fn first_step(meeting: &Meeting, dt: f64) -> Step {
 fn over_lean<T: Number>(e: T) -> T {
     let near = |e: T| T::of(0.5) + e * (T::of(0.25) + T::of(0.125) * e);
     let each = |e: f64| if e < 2.0 - 1e-12 { 1.0 / (2.0 - e) } else { 0.0 };
-    e.by(|e| e < 1e-4, near, each)
+    e.where_small(1e-4, near, each)
 }
 
 /// A unit vector across another: which one does not matter, but it is always the same.
@@ -369,12 +376,11 @@ fn across(normal: Vector) -> Vector {
 /// Sine and cosine of the turn of one step; small ones by their series.
 #[inline(always)]
 fn turn<T: Number>(angle: T) -> (T, T) {
-    let is_small = |angle: f64| angle.abs() <= 1e-3;
     let (one, sixth) = (T::of(1.0), T::of(1.0 / 6.0));
     let sine = |angle: T| angle * (one - (angle * angle) * sixth);
     let cosine = |angle: T| {
         let square = angle * angle;
         one - square * (T::of(0.5) - square * T::of(1.0 / 24.0))
     };
-    (angle.by(is_small, sine, libm::sin), angle.by(is_small, cosine, libm::cos))
+    (angle.where_small(1e-3, sine, libm::sin), angle.where_small(1e-3, cosine, libm::cos))
 }

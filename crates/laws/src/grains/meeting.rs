@@ -133,13 +133,15 @@ impl Meeting<Lanes> {
     /// Of some pairs of spheres at once.
     #[inline(always)]
     pub(super) fn of_pairs(
-        one: [&Grain; LANES],
-        two: [&Grain; LANES],
+        bodies: [[&Grain; LANES]; 2],
         shares: [Lanes; 2],
     ) -> Result<Self, RangeError> {
-        let [one, two] = [one, two].map(Moving::<Lanes>::of);
+        let [one, two] = bodies.map(Moving::<Lanes>::of);
         let apart = one.apart(&two);
-        apart.square.to_array().into_iter().try_for_each(Meeting::check)?;
+        let positive = apart.square.simd_gt(Lanes::splat(0.0));
+        if !(positive & apart.square.simd_lt(Lanes::splat(f64::INFINITY))).all() {
+            apart.square.to_array().into_iter().try_for_each(Meeting::<f64>::check)?;
+        }
         Ok(one.meeting(&two, &apart, shares))
     }
 

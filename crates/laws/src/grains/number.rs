@@ -18,10 +18,10 @@ pub(super) trait Number:
 
     fn larger(self, other: Self) -> Self;
 
-    /// Of each by itself, unless a condition holds for all: then by what is right there.
-    fn by(
+    /// By what is right for numbers of a size up to this, if all are; else of each by itself.
+    fn where_small(
         self,
-        holds: impl Fn(f64) -> bool,
+        up_to: f64,
         then: impl Fn(Self) -> Self,
         else_each: impl Fn(f64) -> f64,
     ) -> Self;
@@ -44,13 +44,13 @@ impl Number for f64 {
     }
 
     #[inline(always)]
-    fn by(
+    fn where_small(
         self,
-        holds: impl Fn(f64) -> bool,
+        up_to: f64,
         then: impl Fn(Self) -> Self,
         else_each: impl Fn(f64) -> f64,
     ) -> Self {
-        if holds(self) { then(self) } else { else_each(self) }
+        if self.abs() <= up_to { then(self) } else { else_each(self) }
     }
 }
 
@@ -80,21 +80,20 @@ impl Number for Lanes {
     }
 
     #[inline(always)]
-    fn by(
+    fn where_small(
         self,
-        holds: impl Fn(f64) -> bool,
+        up_to: f64,
         then: impl Fn(Self) -> Self,
         else_each: impl Fn(f64) -> f64,
     ) -> Self {
-        let each = self.to_array();
-        if each.iter().all(|value| holds(*value)) {
+        if self.abs().simd_le(Self::splat(up_to)).all() {
             return then(self);
         }
         // Each as it would be alone.
-        let one = |value| match holds(value) {
+        let one = |value: f64| match value.abs() <= up_to {
             true => then(Self::splat(value)).to_array()[0],
             false => else_each(value),
         };
-        Self::new(each.map(one))
+        Self::new(self.to_array().map(one))
     }
 }

@@ -4,10 +4,11 @@ use std::array::from_fn;
 
 use carom_special::RangeError;
 
-use super::contact::{Before, GrainContact, GrainLoad, Step, drag, forces, parting};
+use super::contact::{Before, GrainContact, GrainLoad, Step, drag, elastic, forces, parting};
 use super::meeting::{Grain, Meeting};
 use super::number::{LANES, Lanes, lanes};
-use crate::law::{Checked as _, ContactLaw as _, ContactLoad, Shift};
+use crate::bounds::{LARGEST, LARGEST_IN_MEMORY};
+use crate::law::{ContactLaw as _, Shift};
 use crate::memory::VertexStack;
 
 /// How many contacts make a step together.
@@ -22,29 +23,32 @@ pub struct Touching<'a, S> {
     pub bodies: [&'a Grain; 2],
     /// As in [`Meeting::of_spheres`].
     pub shares: [f64; 2],
+    /// What body 2 exerts on body 1 at the end of the step: to be written.
+    pub load: &'a mut GrainLoad,
 }
 
-/// One step of the duration `dt` of some pairs of spheres, and the load of each, with its arms
-/// ([`Meeting::arms`]): the same bits as by [`GrainContact::advance`], in less time.
+/// One step of the duration `dt` of some pairs of spheres, which writes the load of each: the same bits as
+/// by [`GrainContact::advance`], in less time.
 ///
-/// `meanwhile` is called between the steps of the laws, with 0 to TOGETHER - 1, unless one of the contacts begins or
-/// ends: what then goes to memory for the contacts to come costs no time.
+/// `meanwhile` is called between the steps of the laws, with 0 to TOGETHER - 1, unless one of the contacts
+/// begins or ends: what then goes to memory for the contacts to come costs no time.
 ///
 /// ```
 /// use carom_laws::friction::Friction;
-/// use carom_laws::grains::{Grain, GrainContact, TOGETHER, Touching, advance_together};
+/// use carom_laws::grains::{Grain, GrainContact, GrainLoad, Touching, advance_together};
 /// use carom_laws::memory::Fixed;
 /// use carom_laws::shift_law::ShiftLaw;
 /// use carom_laws::stiffness::ContactStiffness;
 /// let law = ShiftLaw::new(ContactStiffness::new(1.0, 1.0, 1.2)?, Friction::new(0.3)?);
-/// let mut contacts = [GrainContact::<Fixed<_, 12>>::new(law, 0.0)?; TOGETHER];
+/// let new = GrainContact::<Fixed<_, 12>>::new(law, 0.0)?;
+/// let mut four = [(new, GrainLoad::default()); 4];
 /// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
 /// let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], ..below };
-/// let mut pairs = contacts.each_mut().map(|contact| {
-///     Touching { contact, bodies: [&above, &below], shares: [0.5; 2] }
+/// let mut pairs = four.each_mut().map(|(contact, load)| {
+///     Touching { contact, bodies: [&above, &below], shares: [0.5; 2], load }
 /// });
-/// let loads = advance_together(&mut pairs, 1e-3, |_| {})?;
-/// assert!(loads.iter().all(|(load, _)| load.force[0] < 0.0));
+/// advance_together(&mut pairs, 1e-3, |_| {})?;
+/// assert!(four.iter().all(|(_, load)| load.force[0] < 0.0));
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
 ///
@@ -55,13 +59,12 @@ pub fn advance_together<S: VertexStack<[f64; 2]>>(
     pairs: &mut [Touching<'_, S>; TOGETHER],
     dt: f64,
     meanwhile: impl FnMut(usize),
-) -> Result<[(GrainLoad, [f64; 2]); TOGETHER], RangeError> {
-    let shares = from_fn(|k| lanes(|i| pairs[i].shares[k]));
-    let [one, two] = from_fn(|k| from_fn(|i| pairs[i].bodies[k]));
-    let meeting = Meeting::of_pairs(one, two, shares)?;
-    let part = parting(&meeting, dt);
-    let goes_on =
-        |i: usize| part.to_array()[i] >= -meeting.zeta.to_array()[i] && !pairs[i].contact.is_new();
+) -> Result<(), RangeError> {
+    let shares = from_fn(|k| each(pairs, |pair| pair.shares[k]));
+    let bodies = from_fn(|k| from_fn(|i| pairs[i].bodies[k]));
+    let meeting = Meeting::of_pairs(bodies, shares)?;
+    let [part, zeta] = [parting(&meeting, dt), meeting.zeta].map(Lanes::to_array);
+    let goes_on = |i: usize| part[i] >= -zeta[i] && !pairs[i].contact.is_new();
     if (0..TOGETHER).all(goes_on) {
         go_on(pairs, &meeting, dt, meanwhile)
     } else {
@@ -69,56 +72,96 @@ pub fn advance_together<S: VertexStack<[f64; 2]>>(
     }
 }
 
+type Pairs<'a, S> = [Touching<'a, S>; TOGETHER];
+
+#[inline(always)]
+fn each<S>(pairs: &Pairs<'_, S>, of: impl Fn(&Touching<'_, S>) -> f64) -> Lanes {
+    lanes(|i| of(&pairs[i]))
+}
+
 #[inline(always)]
 fn go_on<S: VertexStack<[f64; 2]>>(
-    pairs: &mut [Touching<'_, S>; TOGETHER],
+    pairs: &mut Pairs<'_, S>,
     meeting: &Meeting<Lanes>,
     dt: f64,
     mut meanwhile: impl FnMut(usize),
-) -> Result<[(GrainLoad, [f64; 2]); TOGETHER], RangeError> {
+) -> Result<(), RangeError> {
     let step = before(pairs).step(meeting, dt);
-    let shifts: [Shift; TOGETHER] = from_fn(|i| lane(&step, i));
-    for (pair, shift) in pairs.iter().zip(shifts) {
-        pair.contact.law.check(shift)?;
-    }
-    let mut loads = [ContactLoad::default(); TOGETHER];
-    for (i, ((pair, shift), load)) in pairs.iter_mut().zip(shifts).zip(&mut loads).enumerate() {
+    let to = normalised(pairs, &step)?;
+    let mut frictions = [[0.0; 2]; TOGETHER];
+    for (i, pair) in pairs.iter_mut().enumerate() {
         meanwhile(i);
-        *load = pair.contact.law.advance(shift)?;
+        let to = to.map(|lane| lane.to_array()[i]);
+        frictions[i] = pair.contact.law.go(lane(&step, i), to);
     }
-    let elastic = lanes(|i| loads[i].f_z);
-    let friction = [lanes(|i| loads[i].f_x), lanes(|i| loads[i].f_y)];
-    let drag = drag(lanes(|i| pairs[i].contact.viscosity), meeting, elastic);
-    let [force, couple] = forces([step.tangent, meeting.normal], elastic + drag, friction);
+    let elastic = elastic(each(pairs, |pair| pair.contact.law.stiffness().c_z), meeting.zeta);
+    let friction = from_fn(|k| lanes(|i| frictions[i][k]));
+    let drag = drag(each(pairs, |pair| pair.contact.viscosity), meeting, elastic);
+    let axes = [step.tangent, meeting.normal];
+    let loads = forces(axes, meeting.arms, elastic + drag, friction);
     for (i, pair) in pairs.iter_mut().enumerate() {
         let contact = &mut *pair.contact;
         contact.tangent = step.tangent.map(|lane| lane.to_array()[i]);
         contact.normal = meeting.normal.map(|lane| lane.to_array()[i]);
-        contact.friction = [loads[i].f_x, loads[i].f_y];
+        contact.friction = frictions[i];
         contact.drag = drag.to_array()[i];
         contact.velocity = step.velocity.map(|lane| lane.to_array()[i]);
         contact.lead = step.lead.map(|lane| lane.to_array()[i]);
     }
-    Ok(from_fn(|i| {
-        let [force, couple] = [force, couple].map(|vector| vector.map(|lane| lane.to_array()[i]));
-        (GrainLoad { force, couple }, meeting.arms.map(|lane| lane.to_array()[i]))
-    }))
+    for (i, pair) in pairs.iter_mut().enumerate() {
+        let [force, torque_1, torque_2] = loads.map(|v| v.map(|lane| lane.to_array()[i]));
+        *pair.load = GrainLoad { force, torques: [torque_1, torque_2] };
+    }
+    Ok(())
+}
+
+#[inline(always)]
+fn before<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>) -> Before<Lanes> {
+    Before {
+        tangent: from_fn(|k| each(pairs, |pair| pair.contact.tangent[k])),
+        normal: from_fn(|k| each(pairs, |pair| pair.contact.normal[k])),
+        velocity: from_fn(|k| each(pairs, |pair| pair.contact.velocity[k])),
+        lead: from_fn(|k| each(pairs, |pair| pair.contact.lead[k])),
+        shift: [
+            each(pairs, |pair| pair.contact.law.shift().xi),
+            each(pairs, |pair| pair.contact.law.shift().eta),
+        ],
+    }
+}
+
+/// The normalised shifts, if the laws can go there.
+#[inline(always)]
+fn normalised<S: VertexStack<[f64; 2]>>(
+    pairs: &Pairs<'_, S>,
+    step: &Step<Lanes>,
+) -> Result<[Lanes; 2], RangeError> {
+    let scale = |k: usize| each(pairs, |pair| pair.contact.law.scale_of_shifts()[k]);
+    let [xi, eta] = step.shift;
+    let to = [xi * scale(0), eta * scale(1)];
+    let up_to = |lane: Lanes, most: f64| lane.abs().simd_le(Lanes::splat(most));
+    let told = up_to(step.zeta, LARGEST) & up_to(xi, LARGEST) & up_to(eta, LARGEST);
+    let kept = up_to(to[0], LARGEST_IN_MEMORY) & up_to(to[1], LARGEST_IN_MEMORY);
+    if !(told & kept).all() {
+        for (i, pair) in pairs.iter().enumerate() {
+            pair.contact.law.reachable(lane(step, i))?;
+        }
+    }
+    Ok(to)
 }
 
 /// Where one of them begins or ends.
 #[cold]
 #[inline(never)]
 fn one_by_one<S: VertexStack<[f64; 2]>>(
-    pairs: &mut [Touching<'_, S>; TOGETHER],
+    pairs: &mut Pairs<'_, S>,
     meeting: &Meeting<Lanes>,
     dt: f64,
-) -> Result<[(GrainLoad, [f64; 2]); TOGETHER], RangeError> {
+) -> Result<(), RangeError> {
     let before: [_; TOGETHER] = from_fn(|i| pairs[i].contact.clone());
-    let mut loads = [(GrainLoad::default(), [0.0; 2]); TOGETHER];
-    for i in 0..TOGETHER {
-        let meeting = meeting.lane(i);
-        match pairs[i].contact.advance(&meeting, dt) {
-            Ok(load) => loads[i] = (load, meeting.arms),
+    let mut loads = [GrainLoad::default(); TOGETHER];
+    for (i, load) in loads.iter_mut().enumerate() {
+        match pairs[i].contact.advance(&meeting.lane(i), dt) {
+            Ok(exerted) => *load = exerted,
             Err(error) => {
                 for (pair, before) in pairs.iter_mut().zip(before) {
                     *pair.contact = before;
@@ -127,19 +170,10 @@ fn one_by_one<S: VertexStack<[f64; 2]>>(
             }
         }
     }
-    Ok(loads)
-}
-
-#[inline(always)]
-fn before<S: VertexStack<[f64; 2]>>(pairs: &[Touching<'_, S>; TOGETHER]) -> Before<Lanes> {
-    let contact = |i: usize| &*pairs[i].contact;
-    Before {
-        tangent: from_fn(|k| lanes(|i| contact(i).tangent[k])),
-        normal: from_fn(|k| lanes(|i| contact(i).normal[k])),
-        velocity: from_fn(|k| lanes(|i| contact(i).velocity[k])),
-        lead: from_fn(|k| lanes(|i| contact(i).lead[k])),
-        shift: [lanes(|i| contact(i).law.shift().xi), lanes(|i| contact(i).law.shift().eta)],
+    for (pair, load) in pairs.iter_mut().zip(loads) {
+        *pair.load = load;
     }
+    Ok(())
 }
 
 #[inline(always)]

@@ -225,13 +225,7 @@ impl Lateral for [f64; 2] {
         }
         // tan(phi/2), from the half that does not cancel; the tractrix shrinks it (8.56).
         let half = if cos > 0.0 { sin / (1.0 + cos) } else { (1.0 - cos) / sin };
-        let growth = (to - from) / from;
-        let pull = if growth == 0.0 {
-            length / from
-        } else {
-            length / from * (libm::log1p(growth) / growth)
-        };
-        let half = half * libm::exp(-pull);
+        let half = half * left_after(length / from, (to - from) / from);
         let scale = 1.0 / (1.0 + half * half);
         let (cos, sin) = ((1.0 - half) * (1.0 + half) * scale, 2.0 * half * scale);
         [ahead[0] * cos - ahead[1] * sin, ahead[1] * cos + ahead[0] * sin]
@@ -239,6 +233,19 @@ impl Lateral for [f64; 2] {
 
     fn sliding_onset(offset: Self, dx: Self, zeta: f64, dz: f64) -> f64 {
         cone_exit(offset, dx, zeta, dz)
+    }
+}
+
+/// `exp(-pull ln(1 + growth)/growth)`; of small steps by series, whose next terms are below rounding.
+fn left_after(pull: f64, growth: f64) -> f64 {
+    let mean = match growth.abs() <= 1e-4 {
+        true => 1.0 - growth * (1.0 / 2.0 - growth * (1.0 / 3.0 - growth * (1.0 / 4.0))),
+        false => libm::log1p(growth) / growth,
+    };
+    let p = pull * mean;
+    match p <= 1e-3 {
+        true => 1.0 - p * (1.0 - p * (1.0 / 2.0 - p * (1.0 / 6.0 - p * (1.0 / 24.0)))),
+        false => libm::exp(-p),
     }
 }
 

@@ -16,7 +16,8 @@ pub(super) fn push<V: Lateral, S: VertexStack<V>, P: NormalProfile>(
     stack.push(vertex);
 }
 
-/// Takes out the vertex between the two segments that are most nearly one. The slope of the force
+/// Takes out the vertex between the two segments that are most nearly one: where a load to come may change
+/// least, by the anchor's move times the stiffness of the springs that it moves. The slope of the force
 /// over both takes the place of theirs, so that no force changes.
 #[cold]
 fn merge<V: Lateral, S: VertexStack<V>, P: NormalProfile>(
@@ -27,11 +28,16 @@ fn merge<V: Lateral, S: VertexStack<V>, P: NormalProfile>(
     let len = stack.len();
     let end = |i: usize| if i + 1 < len { stack.get(i + 1).depth } else { next_depth };
     let mut best = (f64::INFINITY, 1);
+    let stiffness = |depth: f64| profile.stiffness(depth);
+    let mut springs = [stiffness(stack.get(0).depth), stiffness(stack.get(1).depth)];
     for i in 1..len {
-        let cost = effect(stack.get(i - 1), stack.get(i), end(i), profile);
+        let above = stiffness(end(i));
+        let growth = above - springs[0];
+        let cost = gap(stack.get(i - 1), stack.get(i), end(i)) * (growth * growth);
         if cost < best.0 {
             best = (cost, i);
         }
+        springs = [springs[1], above];
     }
     let i = best.1;
     let end = end(i);
@@ -53,17 +59,10 @@ fn chord<V: Lateral>(below: &Vertex<V>, here: &Vertex<V>, end: f64) -> V {
     here.anchor_at(end).minus(below.anchor).times(1.0 / (end - below.depth))
 }
 
-/// How much a load to come may change at most: the anchor's move times the stiffness of the springs
-/// that it moves. In adhesion it may jump at the vertex.
-fn effect<V: Lateral, P: NormalProfile>(
-    below: &Vertex<V>,
-    here: &Vertex<V>,
-    end: f64,
-    profile: &P,
-) -> f64 {
+/// The square of the anchor's move. In adhesion it may jump at the vertex.
+fn gap<V: Lateral>(below: &Vertex<V>, here: &Vertex<V>, end: f64) -> f64 {
     let line = below.anchor.plus(chord(below, here, end).times(here.depth - below.depth));
-    let inner = below.anchor_at(here.depth).minus(line).length();
-    let outer = here.anchor.minus(line).length();
-    let springs = profile.stiffness(end) - profile.stiffness(below.depth);
-    inner.max(outer) * springs
+    let inner = below.anchor_at(here.depth).minus(line);
+    let outer = here.anchor.minus(line);
+    inner.dot(inner).max(outer.dot(outer))
 }

@@ -175,9 +175,10 @@ impl<V: Lateral> VertexStack<V> for Growing<V> {
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct Fixed<V, const N: usize> {
-    vertices: [Vertex<V>; N],
+    // In front, where what every step reads is.
     len: u32,
     merges: u32,
+    vertices: [Vertex<V>; N],
 }
 
 impl<V: Lateral, const N: usize> Default for Fixed<V, N> {
