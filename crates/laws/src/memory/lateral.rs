@@ -287,3 +287,21 @@ pub(crate) fn outgrown(curve: f64, slope: f64, inside: f64) -> f64 {
     };
     exit.clamp(0.0, 1.0)
 }
+
+#[cfg(test)]
+mod tests {
+    use super::left_after;
+
+    #[test]
+    fn series_of_small_steps_are_what_they_stand_for() {
+        let parts = [0.0, 1e-12, 3e-5, 0.999e-4, 1.001e-4, 0.03, 2.0];
+        for growth in parts.into_iter().flat_map(|part| [part, -0.4 * part]) {
+            for pull in [0.0, 1e-9, 4e-4, 0.999e-3, 1.001e-3, 0.3, 7.0] {
+                let mean = if growth == 0.0 { 1.0 } else { libm::log1p(growth) / growth };
+                let want = libm::exp(-pull * mean);
+                let got = left_after(pull, growth);
+                assert!((got / want - 1.0).abs() < 4e-16 * (1.0 + pull), "{pull} {growth}: {got}");
+            }
+        }
+    }
+}
