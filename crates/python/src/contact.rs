@@ -109,7 +109,7 @@ impl Walked {
 /// the contact slips by itself, to a `tolerance` of the friction limit, or 'chapter 7', one direction
 /// of traction in a slip ring. On straight paths both are exact. At most 64 vertices are remembered.
 /// The heat of a step costs up to a thousand times the step itself where the path turns: without `heat` there
-/// is no `dissipated`. Contacts pickle and copy.
+/// is no `dissipated`. Contacts copy, and pickle: one from a pickle sums its forces anew, which is round-off.
 #[pyclass(module = "carom", subclass)]
 #[derive(Debug, Clone)]
 pub(crate) struct Contact {

@@ -106,3 +106,10 @@ def test_shear_example_runs(tmp_path):
     rows = dump(tmp_path / "sheared.dump")
     assert len(rows) == 400
     assert rows[:, 4].min() > 0.002
+
+
+def test_an_unknown_kind_of_processor_is_refused(tmp_path):
+    build = ROOT / "plugins/lammps/build.sh"
+    env = {**os.environ, "CAROM_CPU": "i386"}
+    run = subprocess.run([build, VENV, tmp_path / "plugin.so"], env=env, capture_output=True, text=True)
+    assert run.returncode == 2 and "CAROM_CPU is 'i386', and may be generic or x86-64-v3" in run.stderr
