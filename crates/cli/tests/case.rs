@@ -121,7 +121,12 @@ fn every_bad_value_is_named_with_its_range() {
         ("body_1.velocity.z", "-3.9", &["nan", "inf", "-inf"], "finite, within +-1e100"),
         ("body_1.spin.y", "10.0", &["nan", "inf", "-inf"], "finite, within +-1e100"),
         ("body_2.mass", "2.5", &["nan", "-1", "0", "-inf"], "> 0 (inf is allowed)"),
-        ("contact.friction", "0.092", &["nan", "-1", "-inf"], ">= 0 (inf is allowed)"),
+        (
+            "contact.friction",
+            "0.092",
+            &["nan", "-1", "-inf"],
+            ">= 0 (0, 1e-30 to 1e30, or inf: no slip)",
+        ),
     ] {
         for value in bad {
             let message = error(&changed(old, value));
@@ -130,6 +135,8 @@ fn every_bad_value_is_named_with_its_range() {
             assert!(message.starts_with("line ") && message.ends_with(&expected), "{message}");
         }
     }
+    let message = error(&changed("0.092", "1e-40"));
+    assert!(message.starts_with("line 17: `contact.friction` = 1e-40 is"), "{message}");
 }
 
 #[test]

@@ -135,7 +135,7 @@ fn wrong_units_name_the_allowed_ones() {
         (
             "friction = 0.2",
             "friction = \"20 %\"",
-            "line 18: `contact.friction` = \"20 %\" is out of range: must be a number, >= 0 (inf is allowed)",
+            "line 18: `contact.friction` = \"20 %\" is out of range: must be a number, >= 0 (0, 1e-30 to 1e30, or inf: no slip)",
         ),
         (
             "poisson = 0.22 }\nmass",

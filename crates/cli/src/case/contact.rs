@@ -16,12 +16,9 @@ const ONE_DIRECTION: Word =
 /// The laws of a history of shifts, where these turn.
 pub(super) const LAWS_OF_SHIFTS: &[Word] = &[RINGS, ONE_DIRECTION];
 
-pub(super) const FRICTION: Field = Field::number(
-    "friction",
-    Range::NonNegativeOrInfinite.pure(),
-    "coefficient of friction f; inf: no slip",
-)
-.such_as("0.2");
+pub(super) const FRICTION: Field =
+    Field::number("friction", Range::Friction.pure(), "coefficient of friction f; inf: no slip")
+        .such_as("0.2");
 pub(super) const LAW: Field = Field::new(
     "law",
     Form::Word(&[

@@ -1,5 +1,7 @@
 //! Ranges of the numbers in case files.
 
+use carom_laws::friction::Friction;
+
 /// The range of a number, with its words.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Range {
@@ -15,8 +17,8 @@ pub enum Range {
     PositiveOrInfinite,
     /// Finite and >= 0.
     NonNegative,
-    /// >= 0; infinity is allowed.
-    NonNegativeOrInfinite,
+    /// A coefficient of friction: 0, of a size that displacements over it do not overflow, or infinite.
+    Friction,
     /// A Poisson's ratio.
     Poisson,
     /// A principal radius.
@@ -82,7 +84,7 @@ impl Range {
             Self::Positive => [Out(zero), infinite],
             Self::PositiveOrInfinite => [Out(zero), In(f64::INFINITY)],
             Self::NonNegative => [In(zero), infinite],
-            Self::NonNegativeOrInfinite => [In(zero), In(f64::INFINITY)],
+            Self::Friction => [In(zero), In(f64::INFINITY)],
             Self::Poisson => [Out(-1.0), In(0.5)],
             Self::Radius => [In(f64::NEG_INFINITY), In(f64::INFINITY)],
             Self::Incidence => [In(zero), In(90.0)],
@@ -117,7 +119,12 @@ impl Range {
             End::Out(end) => value < end,
         };
         let is_fit = !self.is_whole() || value.fract() == 0.0;
-        is_above && is_below && is_fit && (self != Self::Radius || value != 0.0)
+        let is_between = match self {
+            Self::Radius => value != 0.0,
+            Self::Friction => Friction::new(value).is_ok(),
+            _ => true,
+        };
+        is_above && is_below && is_fit && is_between
     }
 
     /// What is allowed, in words.
@@ -130,7 +137,7 @@ impl Range {
             Self::Positive => "finite and > 0",
             Self::PositiveOrInfinite => "> 0 (inf is allowed)",
             Self::NonNegative => "finite and >= 0",
-            Self::NonNegativeOrInfinite => ">= 0 (inf is allowed)",
+            Self::Friction => ">= 0 (0, 1e-30 to 1e30, or inf: no slip)",
             Self::Poisson => "in (-1, 0.5]",
             Self::Radius => "nonzero (inf: straight, negative: hollow)",
             Self::Incidence => "in [0, 90], degrees from the normal",
@@ -158,7 +165,11 @@ mod tests {
             (Range::Speed, &[1e100, -1e100], &[1.1e100, f64::NAN, f64::NEG_INFINITY]),
             (Range::Positive, &[f64::MIN_POSITIVE], &[0.0, f64::INFINITY]),
             (Range::PositiveOrInfinite, &[f64::INFINITY], &[0.0, -0.0, f64::NAN]),
-            (Range::NonNegativeOrInfinite, &[0.0, -0.0, f64::INFINITY], &[-1e-300]),
+            (
+                Range::Friction,
+                &[0.0, -0.0, 1e-30, f64::INFINITY],
+                &[-1e-300, 1e-31, 1e31, f64::NAN],
+            ),
             (Range::Poisson, &[0.5, 0.0, -0.999], &[-1.0, 0.51]),
             (Range::Radius, &[-1.0, f64::NEG_INFINITY, f64::INFINITY], &[0.0, -0.0, f64::NAN]),
             (Range::Count, &[2.0, 1e6], &[1.0, 2.5, 1_000_001.0]),
