@@ -22,7 +22,7 @@ const _: () =
 const _: () = assert!(!std::mem::needs_drop::<Law<Stack>>());
 
 /// Tells a contact that was made by a build of this size from other bytes.
-const MARK: u64 = 0x6361_726f_6d00_0001 + ((size_of::<Law<Stack>>() as u64) << 8);
+const MARK: u64 = 0x6361_726f_6d00_0002 + ((size_of::<Law<Stack>>() as u64) << 8);
 
 /// The memory of a contact, the caller's: 1160 bytes, aligned to 8, that may be copied as bytes. Zero bytes
 /// are two bodies that just touch, unshifted. It is the law itself, constants and all, so that a

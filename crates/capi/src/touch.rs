@@ -24,7 +24,7 @@ const _: () = assert!(size_of::<Contact>() <= 8 * CAROM_TOUCH_WORDS && align_of:
 const _: () = assert!(!std::mem::needs_drop::<Contact>());
 
 /// Tells a touch that was made by a build of this size from other bytes.
-const MARK: u64 = 0x6361_726f_6d01_0001 + ((size_of::<Contact>() as u64) << 8);
+const MARK: u64 = 0x6361_726f_6d01_0002 + ((size_of::<Contact>() as u64) << 8);
 
 /// The memory of the contact of two grains, the caller's: 1280 bytes, aligned to 8, that may be copied as
 /// bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
