@@ -4,8 +4,11 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "modify.h"
 #include "neigh_list.h"
 #include "update.h"
+
+#include <algorithm>
 
 using namespace LAMMPS_NS;
 
@@ -80,9 +83,34 @@ void FixCaromKeep::restore()
   known.clear();
 }
 
+int FixCaromKeep::most_numbers() const
+{
+  int most = 0;
+  for (int i = 0; i < atom->nlocal; i++) most = std::max(most, history->size_restart(i));
+  return most;
+}
+
 FixCaromRestore::FixCaromRestore(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, arg)
 {
   restart_global = 1;
+  maxexchange_dynamic = 1;
+}
+
+int FixCaromRestore::setmask()
+{
+  return FixConst::PRE_EXCHANGE | FixConst::MIN_PRE_EXCHANGE;
+}
+
+void FixCaromRestore::make_room()
+{
+  if (!keep) return;
+  const int mine = keep->most_numbers();
+  int most = 0;
+  MPI_Allreduce(&mine, &most, 1, MPI_INT, MPI_MAX, world);
+  // Where the host moves grains to anywhere it asks for the largest of all fixes, not for their sum.
+  for (const Fix *fix : modify->get_fix_list())
+    if (fix != this) most += fix->maxexchange;
+  maxexchange = most;
 }
 
 void FixCaromRestore::write_restart(FILE *fp)

@@ -1,5 +1,7 @@
 // The pair style's own fixes, one before and one after the host's NEIGH_HISTORY. Contacts become numbers
-// before the host moves grains or writes a restart file, and the account of heat goes into it.
+// before the host moves grains or writes a restart file, and the account of heat goes into it. The host then
+// has room for the grain with most contacts on any rank, which it would look for on each rank alone, and
+// not at all before the first step.
 #ifndef CAROM_FIX_KEEP_H
 #define CAROM_FIX_KEEP_H
 
@@ -26,6 +28,8 @@ class FixCaromKeep : public Fix {
   void serve(PairCarom *its, NeighHistory *history);
   // What the host's fix knew of each grain, back into it.
   void restore();
+  // The most numbers that the host's fix keeps of a grain of this rank.
+  int most_numbers() const;
 
  private:
   friend class PairCarom;
@@ -39,8 +43,15 @@ class FixCaromKeep : public Fix {
 class FixCaromRestore : public Fix {
  public:
   FixCaromRestore(LAMMPS *lmp, int narg, char **arg);
-  int setmask() override { return 0; }
+  int setmask() override;
+  void setup_pre_exchange() override { make_room(); }
+  void pre_exchange() override { make_room(); }
+  void min_pre_exchange() override { make_room(); }
+  void post_run() override { make_room(); }
   void write_restart(FILE *fp) override;
+
+  // Room in the host's buffers for any grain with all its contacts, on all ranks the same.
+  void make_room();
 
   FixCaromKeep *keep = nullptr;
 };

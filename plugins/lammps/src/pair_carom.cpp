@@ -23,6 +23,9 @@ using namespace LAMMPS_NS;
 // What single() tells of a contact, in the order of compute pair/local's p1, p2, ...
 enum { F_X, F_Y, F_Z, F_NORMAL, F_FRICTION, OVERLAP, AREA_RADIUS, STICKING, REGIME, ENERGY, EXTRAS };
 
+// Contacts of a grain for which there is room while restart files are read.
+static constexpr int FORESEEN = 64;
+
 static std::string free_id(const Modify *modify, const std::string &stem)
 {
   std::string id = stem;
@@ -49,7 +52,11 @@ PairCarom::PairCarom(LAMMPS *lmp) : Pair(lmp)
   keep_id = free_id(modify, "CAROM_KEEP");
   history_id = free_id(modify, "NEIGH_HISTORY_CAROM");
   restore_id = free_id(modify, "CAROM_RESTORE");
-  for (const std::string &id : {keep_id, history_id, restore_id}) modify->add_fix(id + "_DUMMY all DUMMY", 0);
+  for (const std::string &id : {keep_id, history_id, restore_id}) {
+    Fix *place = modify->add_fix(id + "_DUMMY all DUMMY", 0);
+    // Grains that come from several restart files are moved before anything else is made.
+    place->maxexchange = FORESEEN * (1 + Touches::WITH_TWIST);
+  }
 }
 
 PairCarom::~PairCarom()
@@ -144,11 +151,13 @@ void PairCarom::init_style()
     keep = static_cast<FixCaromKeep *>(make(keep_id, "CAROM_KEEP"));
     history = static_cast<NeighHistory *>(make(history_id, "NEIGH_HISTORY " + std::to_string(numbers())));
     keep->serve(this, history);
-    static_cast<FixCaromRestore *>(make(restore_id, "CAROM_RESTORE"))->keep = keep;
+    restore = static_cast<FixCaromRestore *>(make(restore_id, "CAROM_RESTORE"));
+    restore->keep = keep;
     if (history->pair != nullptr)
       error->all(FLERR, "pair carom: the fields of fix NEIGH_HISTORY are not where they were expected");
     history->pair = this;
   }
+  restore->make_room();
   // The largest radius of each type, grains to come included.
   std::vector<double> mine(largest.size(), 0.0);
   for (const char *style : {"^pour", "^deposit"}) {

@@ -56,6 +56,7 @@ class PairCarom : public Pair {
   std::vector<carom_grains> constants;          // by the types of body 1 and 2
   std::vector<double> largest;                  // radius of a type
   NeighHistory *history = nullptr;
+  class FixCaromRestore *restore = nullptr;
   std::string keep_id, history_id, restore_id;
   Touches touches;
   carom_error why;

@@ -91,6 +91,53 @@ def test_ranks_and_borders_with_torsion(twisting, tmp_path):
     assert max(off[2000, 2], off[2000, 4]) < 1e-8
 
 
+CLUSTER = """newton off
+plugin load ${plugin}
+units si
+atom_style sphere
+atom_modify map array sort 0 0
+comm_modify vel yes
+"""
+GRAINS = "pair_style carom torsion yes\npair_coeff * * young 1e7 poisson 0.3 friction 0.5\n"
+MOVE = "neighbor 0.001 bin\nfix move all nve/sphere\ntimestep 1e-6\n"
+
+
+@pytest.fixture(scope="module")
+def cluster(tmp_path_factory):
+    """A large grain that touches sixty small ones on one side of it, after a few steps: in one.bin, and by
+    four ranks in many.%."""
+    folder = tmp_path_factory.mktemp("cluster")
+    k = np.arange(60)
+    x, turn = -(k + 0.5) / 60, k * np.pi * (3 - 5**0.5)
+    sides = np.sqrt(1 - x * x)
+    at = np.array([0.2, 0.5, 0.5]) + 0.02199 * np.stack([x, sides * np.cos(turn), sides * np.sin(turn)], 1)
+    rows = ["1 1 0.04 2500 0.2 0.5 0.5"]
+    rows += [f"{i + 2} 1 0.004 2500 {a} {b} {c}" for i, (a, b, c) in enumerate(at)]
+    box = "61 atoms\n1 atom types\n0 1 xlo xhi\n0 1 ylo yhi\n0 1 zlo zhi\n\nAtoms # sphere\n\n"
+    (folder / "cluster.data").write_text("a cluster\n\n" + box + "\n".join(rows) + "\n")
+    lmp(CLUSTER + "read_data cluster.data\n" + GRAINS + MOVE + "run 3\nwrite_restart one.bin\n", folder)
+    lmp(CLUSTER + "read_restart one.bin\n" + MOVE + "run 0\nwrite_restart many.%\n", folder, ranks=4)
+    return folder
+
+
+@pytest.mark.parametrize(
+    "ranks, file, balance",
+    [
+        (4, "one.bin", "comm_style tiled\nfix balance all balance 10 1.0 rcb\n"),
+        (4, "one.bin", "comm_style tiled\nbalance 1.0 rcb\n"),
+        (3, "many.%", ""),
+    ],
+)
+def test_a_grain_with_sixty_contacts_changes_its_rank_before_the_first_step(cluster, ranks, file, balance):
+    """Unasked, the host has room for 1024 numbers of a grain beside what each rank's own grains need."""
+    end = "run 20\nwrite_dump all custom dump.{} id x y z vx vy vz modify sort id format float %.17g\n"
+    for name, of, cut, on in (("one", "one.bin", "", 1), ("other", file, balance, ranks)):
+        lmp(CLUSTER + f"read_restart {of}\n" + MOVE + cut + end.format(name), cluster, ranks=on)
+    one, other = dump(cluster / "dump.one"), dump(cluster / "dump.other")
+    assert np.abs(one[:, 4:]).max() > 1e-6, "in motion"
+    assert np.abs(other[:, 1:4] - one[:, 1:4]).max() < 1e-14
+
+
 @pytest.mark.parametrize(
     "law, ranks, newton",
     [("law chapter7", 1, "off"), ("law coulomb", 1, "on"), ("law chapter7", 2, "on"), ("law chapter7 torsion yes", 2, "on")],
