@@ -71,10 +71,10 @@ fn compiles_as_written(page: &str, compiler: &str) {
     if !is_installed(compiler) {
         return;
     }
-    let page = std::fs::read_to_string(root().join(page)).unwrap();
-    let lines = page.lines().map(|line| line.strip_prefix("$ ").unwrap_or(line));
+    let page = std::fs::read_to_string(root().join(page)).unwrap().replace("\\\n", " ");
+    let mut lines = page.lines().map(|line| line.strip_prefix("$ ").unwrap_or(line));
     let command = format!("{compiler} ");
-    let line = lines.into_iter().find_map(|line| line.strip_prefix(&command)).unwrap();
+    let line = lines.find_map(|line| line.strip_prefix(&command)).expect(compiler);
     let folder = std::env::temp_dir().join(format!("carom-{}-page-{compiler}", std::process::id()));
     std::fs::create_dir_all(&folder).unwrap();
     let (library, program) = (library(), folder.join("program"));
