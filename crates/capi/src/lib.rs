@@ -6,7 +6,7 @@
 //! - The memory of a contact is the caller's: [`CaromState`] is 66 numbers that mean the same to any
 //!   build of this version of the format, to be kept in files and sent to other processes;
 //!   [`CaromContact`] is larger and faster, and is understood by the build that wrote it alone.
-//!   Zero bytes are two bodies apart in both. [`CaromTwist`] is the memory of a twist, 83 numbers.
+//!   Zero bytes are two bodies that just touch in both. [`CaromTwist`] is the memory of a twist, 83 numbers.
 //! - [`CaromTouch`] is the contact of two grains, or of a grain and a wall, as a particle code moves them:
 //!   places, velocities and spins in, force and torques out.
 //! - Every function returns a [`CaromStatus`]; what is wrong it writes into the caller's [`CaromError`],

@@ -65,24 +65,36 @@ fn example_in_c() {
     std::fs::remove_dir_all(program.parent().unwrap()).unwrap();
 }
 
-/// The line of the README, as it stands but for where the library is.
-#[test]
-fn readme_compiles_the_example() {
-    if !is_installed("cc") {
+/// Runs the line of a page that compiles with `compiler`, as it stands but for where the files are, and what
+/// comes of it.
+fn compiles_as_written(page: &str, compiler: &str) {
+    if !is_installed(compiler) {
         return;
     }
-    let readme = std::fs::read_to_string(root().join("README.md")).unwrap();
-    let line = readme.lines().find(|line| line.starts_with("cc ")).unwrap();
-    let program = std::env::temp_dir().join(format!("carom-{}-readme", std::process::id()));
-    let library = library();
-    let words = line.split_whitespace().skip(1).map(|word| match word {
+    let page = std::fs::read_to_string(root().join(page)).unwrap().replace("\\\n", " ");
+    let mut lines = page.lines().map(|line| line.strip_prefix("$ ").unwrap_or(line));
+    let command = format!("{compiler} ");
+    let line = lines.find_map(|line| line.strip_prefix(&command)).expect(compiler);
+    let folder = std::env::temp_dir().join(format!("carom-{}-page-{compiler}", std::process::id()));
+    std::fs::create_dir_all(&folder).unwrap();
+    let (library, program) = (library(), folder.join("program"));
+    let modules = format!("-J{}", folder.display());
+    let words = line.split_whitespace().map(|word| match word {
         "target/release/libcarom_capi.a" => library.as_os_str(),
-        "target/impact" => program.as_os_str(),
+        "target/impact" | "target/contact" => program.as_os_str(),
+        "-Jtarget" => modules.as_ref(),
         word => word.as_ref(),
     });
-    run(Command::new("cc").current_dir(root().join("../..")).args(words));
+    run(Command::new(compiler).current_dir(root().join("../..")).args(words));
     run(&mut Command::new(&program));
-    std::fs::remove_file(program).unwrap();
+    std::fs::remove_dir_all(folder).unwrap();
+}
+
+#[test]
+fn pages_compile_the_examples() {
+    compiles_as_written("README.md", "cc");
+    compiles_as_written("../../docs/book/src/start/c.md", "cc");
+    compiles_as_written("../../docs/book/src/start/c.md", "gfortran");
 }
 
 /// Installed as a system has it: the shared library, found by pkg-config.

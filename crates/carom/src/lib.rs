@@ -8,7 +8,7 @@
 //! |---|---|---|
 //! | motion | [`impact`] | ch. 8, 9, 10, 15 |
 //! | numbers | [`solver`] | ch. 11-14 |
-//! | laws | [`laws`] | ch. 5-7, 10.5 |
+//! | laws | [`laws`] | ch. 5-7, 10.5, 14.4 |
 //! | geometry | [`geometry`] | 5.1, 8.1 |
 //! | half-space | [`halfspace`] | ch. 4 |
 //! | special functions | [`special`] | |

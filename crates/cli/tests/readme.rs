@@ -1,4 +1,6 @@
-//! The commands of the README run.
+//! The commands of the README, and those that `carom --help` begins with, run.
+
+mod common;
 
 use std::path::Path;
 use std::process::Command;
@@ -28,4 +30,30 @@ fn the_commands_of_the_readme_run() {
         let stderr = String::from_utf8_lossy(&output.stderr);
         assert!(output.status.success() && !output.stdout.is_empty(), "{command}: {stderr}");
     }
+}
+
+#[test]
+#[cfg(unix)]
+fn the_first_steps_of_the_help_run() {
+    let help = common::stdout(&["--help"]);
+    let (_, steps) = help.split_once("First steps:").unwrap();
+    let commands: Vec<&str> = steps
+        .lines()
+        .filter_map(|line| line.strip_prefix("  carom "))
+        .filter_map(|line| line.split("  ").next())
+        .collect();
+    assert!(commands.len() >= 5, "{help}");
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("first_steps");
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    for command in commands {
+        let output = Command::new("sh")
+            .args(["-c", &format!("'{}' {command}", env!("CARGO_BIN_EXE_carom"))])
+            .current_dir(&folder)
+            .output()
+            .unwrap();
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert!(output.status.success(), "carom {command}: {stderr}");
+    }
+    assert!(folder.join("ball.svg").exists() && folder.join("rebound.svg").exists());
 }

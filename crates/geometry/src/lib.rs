@@ -10,6 +10,15 @@
 //! | [`ContactPoint`] | where two of them touch, with its axes [`ContactFrame`] |
 //! | [`curvature`] | the gap A x^2 + B y^2 from the principal radii of both |
 //! | [`Inertia`] | mass and moments, of solids and shells of the known shapes |
+//!
+//! ```
+//! use carom_geometry::curvature::{PrincipalRadii, RelativeCurvature};
+//! // Two equal crossed cylinders touch like a sphere of their radius on a plane.
+//! let cylinder = PrincipalRadii::cylinder(0.01)?;
+//! let crossed = RelativeCurvature::new(cylinder, cylinder, std::f64::consts::FRAC_PI_2)?;
+//! assert!((crossed.a() - 50.0).abs() < 1e-12 && (crossed.b() - 50.0).abs() < 1e-12);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 #![forbid(unsafe_code)]
 
 /// The vectors and matrices of the signatures, for users without a dependency of their own.

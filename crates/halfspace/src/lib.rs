@@ -11,6 +11,15 @@
 //!
 //! z points into the body; tractions are those that act on it, pressures are positive in
 //! compression; lengths, forces and moduli are in any consistent units.
+//!
+//! ```
+//! use carom_halfspace::{Force, Material, Point, PointLoad};
+//! // A force of 1 presses a body with G = 1, nu = 1/2: (1 - nu)/(2 pi G r) at the distance r.
+//! let load = PointLoad::new(Material::from_shear(1.0, 0.5)?, Force { z: 1.0, ..Force::default() })?;
+//! let surface = load.displacement(Point::on_surface(0.5, 0.0))?;
+//! assert!((surface.w - 0.5 / std::f64::consts::PI).abs() < 1e-15);
+//! # Ok::<(), carom_special::RangeError>(())
+//! ```
 #![forbid(unsafe_code)]
 
 mod difference;

@@ -1,8 +1,31 @@
 //! Floor 5 of carom: impact of elastic bodies with friction (chapters 8, 9, 10 and 15).
 //!
-//! [`Collision`] takes two bodies of any smooth shape and gives an [`Outcome`]; [`coupled`] is the
-//! same by its matrices, [`oblique`] that of spheres and planes in two dimensionless groups,
-//! [`restitution`] its one number, [`closed_form`] its limits.
+//! [`Collision`] takes two bodies of any smooth shape and gives an [`Outcome`]: how they part, in which
+//! regimes, and what friction took. z points into body 1; any consistent units.
+//!
+//! | item | what |
+//! |---|---|
+//! | [`Body`], [`Motion`], [`Collision`] | what meets, how it moves, and the impact of both |
+//! | [`Rebound`], [`HistoryPoint`], [`Warning`] | motions afterwards, the course of the impact, what lies outside the theory |
+//! | [`coupled`] | the same by its matrices: mobility and stiffness |
+//! | [`oblique`] | the exact impact of spheres and planes, in two dimensionless groups |
+//! | [`restitution`], [`closed_form`] | R_x as one number, as a table and as a tensor; its limits |
+//! | [`torsional`] | the impact of a spin about the normal |
+//! | [`NumericalImpact`] | an impact of unlike materials, on a grid |
+//! | [`scene`], [`uncertain`] | repeated bounces between walls; inputs that are not known exactly |
+//!
+//! ```
+//! use carom_halfspace::Material;
+//! use carom_impact::{Body, Collision, Motion};
+//! use carom_laws::friction::Friction;
+//! let steel = Material::from_young(208e9, 0.3)?;
+//! let ball = Body::sphere(0.01, steel, 0.033)?.moving(Motion::new([1.0, 0.0, -2.0], [0.0; 3])?);
+//! let outcome = Collision::new(ball, Body::plane(steel), Friction::new(0.15)?)?.solve()?;
+//! let rebound = outcome.rebound().ok_or("they meet")?;
+//! assert!((rebound.motions[0].velocity.z - 2.0).abs() < 1e-12);
+//! assert!(rebound.motions[0].spin.y > 0.0 && rebound.energy.after < rebound.energy.before);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 #![forbid(unsafe_code)]
 
 mod body;

@@ -4,9 +4,9 @@
 //! shifts into loads. The code is unit-free: any consistent set of units will do.
 //!
 //! - Statics: [`curvature`], [`ellipse`], [`stiffness`], [`hertz`], [`shift`], [`field`].
-//! - Memory: [`memory`] is the law of load histories, exact and of fixed capacity, [`coulomb`]
-//!   the same where the direction turns; [`history`] holds the thesis's own formulas beside it, [`sliders`] the incremental
-//!   law for turning directions, [`profile`] other indenters.
+//! - Memory: [`memory`] is the law of load histories, exact in one direction, growing or of fixed
+//!   capacity; [`coulomb`] is the law where the direction turns. Beside them stand [`history`], the
+//!   thesis's own formulas, [`sliders`], springs that slip, and [`profile`], other indenters.
 //! - Twist: [`torsion`] and, for sliding as a whole, [`rigid_slip`].
 //! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
 //!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`]. [`accounted`] adds up the heat,

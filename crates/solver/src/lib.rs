@@ -3,6 +3,32 @@
 //! A [`ContactProblem`] is a [`Gap`], an operator (that of the half-space or the user's own) and
 //! [`SurfaceFriction`], all on one grid. A [`Method`] takes a [`ContactState`] through the steps of
 //! a history, each given by a [`Drive`], and says with a [`Convergence`] how it went.
+//!
+//! | item | what |
+//! |---|---|
+//! | [`Frictional`], [`Frictionless`] | the methods of today |
+//! | [`kalker`], [`jaeger`] | those of chapters 11 and 12, as charts that run ([`Block`]) |
+//! | [`NestedHistory`], [`Accuracy`] | errors by the mesh, and a grid for a wanted accuracy |
+//! | [`rolling`] | rolling step by step and steady, creep coefficients |
+//! | [`NumericalLaw`] | the contact on a grid as a contact law, for impacts |
+//! | [`violations`], [`known`] | how well a state satisfies the conditions; contacts with known solutions |
+//!
+//! ```
+//! use carom_halfspace::{Grid, Material, MaterialPair};
+//! use carom_laws::friction::Friction;
+//! use carom_solver::{ContactProblem, ContactState, Drive, Driven, Frictional, Gap, Method};
+//! let grid = Grid::new(24, 24, 0.07, 0.07)?;
+//! let ball = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y))?;
+//! let pair = MaterialPair::new(Material::from_shear(1.0, 0.5)?, Material::RIGID)?;
+//! let problem = ContactProblem::of_half_spaces(ball, pair, Friction::new(0.4)?)?;
+//! let (method, apart) = (Frictional::default(), ContactState::apart(grid));
+//! let (mut scratch, mut state) = (method.scratch(&problem)?, apart.clone());
+//! // Pressed by an approach of 0.5 and pulled along x by a force.
+//! let drive = Drive { normal: Driven::Shift(0.5), x: Driven::Load(0.3), ..Drive::default() };
+//! method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+//! assert!((state.load().f_x - 0.3).abs() < 1e-7 && state.load().f_z > 1.0);
+//! # Ok::<(), Box<dyn std::error::Error>>(())
+//! ```
 #![forbid(unsafe_code)]
 
 mod anderson;

@@ -12,6 +12,14 @@
 //! Arguments are types that keep full accuracy at both ends of their range: [`AxisRatio`] instead of
 //! the modulus, [`elliptic::Amplitude`] instead of the angle, [`hypergeometric::UnitArgument`], which
 //! knows x and 1 - x. Transcendental functions come from `libm`: the same digits on every machine.
+//!
+//! ```
+//! use carom_special::{AxisRatio, elliptic::complete};
+//! // An ellipse 1e200 times as long as wide: K = ln(4/k') to the last digit.
+//! let slender = AxisRatio::new(1e-200)?;
+//! assert!((complete::k(slender) - (4e200_f64).ln()).abs() < 1e-12);
+//! # Ok::<(), carom_special::RangeError>(())
+//! ```
 #![forbid(unsafe_code)]
 
 pub mod elliptic;

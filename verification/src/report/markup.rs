@@ -38,7 +38,8 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> String {
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
     let mut markup = String::new();
     match push_mathml(&mut markup, Parser::new(latex, &storage), config) {
-        Ok(()) => markup,
+        // The one sign that is written as it is read.
+        Ok(()) => markup.replace("<mo><</mo>", "<mo>&lt;</mo>"),
         Err(error) => format!("<code class=\"fail\">{}</code>", escape(&error.to_string())),
     }
 }
@@ -96,6 +97,7 @@ mod tests {
         let html = prose(r"the radius $a=\sqrt{R\zeta}$ grows");
         assert!(html.starts_with("the radius <math") && html.ends_with("</math> grows"), "{html}");
         assert!(html.contains("<msqrt>") && html.contains('ζ'), "{html}");
+        assert!(formula("a<b").contains("<mo>&lt;</mo>") && !formula("a<b").contains("<<"));
         assert!(
             formula(r"\frac{1").contains("class=\"fail\"")
                 || formula(r"\frac{1").contains("merror")

@@ -72,10 +72,16 @@ pub(crate) fn chapters(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
 
 /// The pages that stand beside the sources.
 fn beside(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
-    let mut pages =
-        ["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md", "benches/README.md"]
-            .map(|name| root.join(name))
-            .to_vec();
+    let mut pages = [
+        "README.md",
+        "ARCHITECTURE.md",
+        "CONTRIBUTING.md",
+        "CHANGELOG.md",
+        "benches/README.md",
+        "plugins/lammps/README.md",
+    ]
+    .map(|name| root.join(name))
+    .to_vec();
     for entry in std::fs::read_dir(root.join("crates"))? {
         pages.push(entry?.path().join("README.md"));
     }

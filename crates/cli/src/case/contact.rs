@@ -26,7 +26,7 @@ pub(super) const LAW: Field = Field::new(
         ONE_DIRECTION,
         (NUMERICAL, "the contact on a grid, also of unlike materials"),
     ]),
-    "the law of the contact where the tangential motion turns",
+    "how friction follows a tangential motion that turns",
 )
 .default(Default::Word(COULOMB));
 pub(super) const TORSION: Field =

@@ -13,8 +13,10 @@ const OTHERS: &str = "one of `force`, `approach`, `semi_axis_a`, `semi_axis_b`";
 const FORCE: Field =
     load("force", Range::Positive.of(Dimension::Force), "normal force").such_as("[1, 10, 100]");
 const APPROACH: Field = load("approach", LENGTH, "approach of distant points").such_as("1e-6");
-const SEMI_AXIS_A: Field = load("semi_axis_a", LENGTH, "of the contact, along x").such_as("1e-4");
-const SEMI_AXIS_B: Field = load("semi_axis_b", LENGTH, "of the contact, along y").such_as("1e-4");
+const SEMI_AXIS_A: Field =
+    load("semi_axis_a", LENGTH, "semi-axis of the contact along x").such_as("1e-4");
+const SEMI_AXIS_B: Field =
+    load("semi_axis_b", LENGTH, "semi-axis of the contact along y").such_as("1e-4");
 const CONTACT: Field =
     Field::new("contact", Form::Table(&[ANGLE]), "how the bodies lie on each other");
 const LOAD: Field = Field::new(

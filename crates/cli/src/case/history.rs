@@ -12,13 +12,16 @@ use carom_laws::hertz::Hertz;
 use carom_laws::law::Shift;
 use std::path::PathBuf;
 
-const LAW: Field =
-    Field::new("law", Form::Word(LAWS_OF_SHIFTS), "the law of a shift whose direction turns")
-        .default(Default::Word(COULOMB));
+const LAW: Field = Field::new(
+    "law",
+    Form::Word(LAWS_OF_SHIFTS),
+    "how friction follows a shift whose direction turns",
+)
+.default(Default::Word(COULOMB));
 const TOLERANCE: Field = Field::number(
     "tolerance",
     Range::LawTolerance.pure(),
-    "of the law \"coulomb\", over the largest shift",
+    "tolerance of the law \"coulomb\", over the largest shift",
 )
 .default(Default::Number(1e-3));
 const CONTACT: Field = Field::new(

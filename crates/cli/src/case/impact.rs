@@ -22,13 +22,16 @@ use nalgebra::Vector3;
 use toml::Spanned;
 use toml::de::DeTable;
 
-const SPEED: Field =
-    Field::number("speed", Range::NonNegativeSpeed.of(Dimension::Speed), "of body 1 in space")
-        .such_as("1");
+const SPEED: Field = Field::number(
+    "speed",
+    Range::NonNegativeSpeed.of(Dimension::Speed),
+    "how fast body 1 moves in space",
+)
+.such_as("1");
 const ANGLE: Field = Field::number(
     "angle",
     Range::Incidence.of(Dimension::Degrees),
-    "of the velocity, from the normal; along +x, as far as that is tangential",
+    "between the velocity and the normal; the tangential part of the velocity is along +x, as far as that is tangential",
 )
 .such_as("45");
 const APPROACH: Field = Field::new(

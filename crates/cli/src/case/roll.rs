@@ -21,7 +21,7 @@ const LENGTH: Measure = Range::Positive.of(Dimension::Length);
 const SEMI_AXES: Field = Field::new(
     "semi_axes",
     Form::Vector(&["x", "y"], LENGTH, PAIR),
-    "of the contact ellipse, a and b",
+    "semi-axes of the contact ellipse",
 )
 .or("`radii`")
 .such_as("[0.006, 0.004]");
@@ -43,7 +43,7 @@ const CONTACT: Field = Field::new(
 const SPEED: Field = Field::number(
     "speed",
     Range::Positive.of(Dimension::Speed),
-    "at which the contact rolls along x",
+    "speed at which the contact rolls along x",
 )
 .such_as("20");
 const ALONG: Field = creepage(
@@ -74,7 +74,7 @@ const ROLLING: Field = Field::new(
 
 const ELEMENTS_ACROSS: f64 = 20.0;
 const ELEMENTS: Field =
-    Field::number("elements", Range::Elements.pure(), "across the contact, along both axes")
+    Field::number("elements", Range::Elements.pure(), "cells across the contact, along both axes")
         .default(Default::Number(ELEMENTS_ACROSS));
 const GRID: Field = Field::new("grid", Form::Table(&[ELEMENTS]), "the cells").may("its defaults");
 

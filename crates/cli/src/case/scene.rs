@@ -13,19 +13,19 @@ use carom_laws::friction::Friction;
 use carom_special::RangeError;
 
 const LENGTH_ABOVE_0: Measure = Range::Positive.of(Dimension::Length);
-const NAME: Field = Field::new("name", Form::Text("a text"), "for the results")
+const NAME: Field = Field::new("name", Form::Text("a text"), "how the results call the wall")
     .may("its number")
     .such_as("\"floor\"");
 const POINT: Field = Field::vector(
     "point",
     Range::Finite.of(Dimension::Length),
-    "of the wall; of a rectangle its centre",
+    "a point of the wall; of a rectangle its centre",
 )
 .such_as("[0, 0, 0]");
 const NORMAL: Field = Field::vector(
     "normal",
     Range::Finite.pure(),
-    "into the free side, of any length; a rectangle is hit from both",
+    "normal of the wall into the free side, of any length; a rectangle is hit from both sides",
 )
 .such_as("[0, 0, 1]");
 const WHOLE_PLANE: &str =
@@ -34,9 +34,12 @@ const ALONG: Field = Field::vector("along", Range::Finite.pure(), "direction of 
     .may(WHOLE_PLANE)
     .such_as("[1, 0, 0]");
 const LENGTH: Field =
-    Field::number("length", LENGTH_ABOVE_0, "of a rectangle").may(WHOLE_PLANE).such_as("1");
-const WIDTH: Field =
-    Field::number("width", LENGTH_ABOVE_0, "of a rectangle").may(WHOLE_PLANE).such_as("0.5");
+    Field::number("length", LENGTH_ABOVE_0, "length of a rectangle, along `along`")
+        .may(WHOLE_PLANE)
+        .such_as("1");
+const WIDTH: Field = Field::number("width", LENGTH_ABOVE_0, "width of a rectangle, across `along`")
+    .may(WHOLE_PLANE)
+    .such_as("0.5");
 const WALL: Field = Field::new(
     "wall",
     Form::Tables(&[
@@ -64,9 +67,11 @@ const GRAVITY: Field = Field::vector(
 )
 .such_as("[0, 0, -9.81]");
 const TIME: Field =
-    Field::number("time", Range::Positive.of(Dimension::Time), "when to stop").such_as("2");
-const BOUNCES: Field = Field::number("bounces", Range::Whole.pure(), "after how many to stop")
-    .default(Default::Number(1000.0));
+    Field::number("time", Range::Positive.of(Dimension::Time), "time after which to stop")
+        .such_as("2");
+const BOUNCES: Field =
+    Field::number("bounces", Range::Whole.pure(), "after how many bounces to stop")
+        .default(Default::Number(1000.0));
 const REBOUND_HEIGHT: Field = Field::number(
     "rebound_height",
     Range::NonNegative.of(Dimension::Length),

@@ -24,7 +24,7 @@ const FORCE: Field =
 const FORCE_X: Field = Field::number(
     "force_x",
     Range::Finite.of(Dimension::Force),
-    "on body 1 along x, the direction of the larger relative curvature",
+    "force on body 1 along x, the direction of the larger relative curvature",
 )
 .such_as("2");
 const FORCE_Y: Field =
@@ -38,7 +38,7 @@ const INSIDE: Field = Field::new("inside", Form::Word(BODIES), "the body whose s
     .such_as("\"body 1\"");
 const X: Field = along("x", Range::Finite, "along the larger relative curvature")
     .such_as("{ start = -2e-4, stop = 2e-4, count = 41 }");
-const Y: Field = along("y", Range::Finite, "across it").such_as("0");
+const Y: Field = along("y", Range::Finite, "at right angles to x").such_as("0");
 const DEPTH: Field = along("depth", Range::NonNegative, "below the surface")
     .such_as("{ start = 0, stop = 2e-4, count = 21 }");
 const POINTS: Field = Field::new(

@@ -10,12 +10,18 @@ use super::varied::Input;
 use carom_impact::uncertain::Sampling;
 
 const SAMPLES: Field =
-    Field::number("samples", Range::Count.pure(), "impacts to follow").such_as("10000");
-const SEED: Field = Field::number("seed", Range::Seed.pure(), "of the random numbers").such_as("1");
-const BINS: Field =
-    Field::number("bins", Range::Whole.pure(), "of the histograms").default(Default::Number(40.0));
-const QUANTILES: Field = Field::new("quantiles", Form::List(Range::Part.pure()), "to give")
-    .default(Default::List(&[0.05, 0.25, 0.5, 0.75, 0.95]));
+    Field::number("samples", Range::Count.pure(), "how many impacts are computed").such_as("10000");
+const SEED: Field = Field::number(
+    "seed",
+    Range::Seed.pure(),
+    "start of the random numbers: the same seed gives the same results",
+)
+.such_as("1");
+const BINS: Field = Field::number("bins", Range::Whole.pure(), "bins of the histograms")
+    .default(Default::Number(40.0));
+const QUANTILES: Field =
+    Field::new("quantiles", Form::List(Range::Part.pure()), "quantiles that are printed")
+        .default(Default::List(&[0.05, 0.25, 0.5, 0.75, 0.95]));
 /// The field of a case.
 pub(super) const UNCERTAINTY: Field = Field::new(
     "uncertainty",

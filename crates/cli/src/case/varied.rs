@@ -24,8 +24,8 @@ const fn distribution(
 
 const START: Field = number("start", "first value of a sweep");
 const STOP: Field = number("stop", "last value");
-const COUNT: Field = Field::number("count", Range::Count.pure(), "of the values, equally spaced");
-const MEAN: Field = number("mean", "of the number itself");
+const COUNT: Field = Field::number("count", Range::Count.pure(), "how many values, equally spaced");
+const MEAN: Field = number("mean", "mean of the number itself");
 const DEVIATION: Field = number("sd", "standard deviation of the number itself");
 const LOW: Field = number("low", "least value");
 const MODE: Field = number("mode", "most likely value");
@@ -33,7 +33,7 @@ const HIGH: Field = number("high", "greatest value");
 const NORMAL: Field = distribution("normal", &[MEAN, DEVIATION], "a normal distribution");
 const LOG_NORMAL: Field =
     distribution("log_normal", &[MEAN, DEVIATION], "one whose logarithm is normal");
-const UNIFORM: Field = distribution("uniform", &[LOW, HIGH], "alike between two ends");
+const UNIFORM: Field = distribution("uniform", &[LOW, HIGH], "all values between two ends alike");
 const TRIANGULAR: Field =
     distribution("triangular", &[LOW, MODE, HIGH], "rising and falling between two ends");
 const KINDS: &str = "{ normal = { mean, sd } }, { log_normal = { mean, sd } }, \

@@ -28,19 +28,33 @@ use crate::manner::{Manner, Messages};
 use crate::output::{Answer, Format, Results};
 use std::path::PathBuf;
 
-/// Elastic impact with friction.
+/// Elastic impact with friction: how two bodies touch, slip, stick, twist and rebound.
 ///
-/// Results go to standard output, everything else to standard error. No input is ever overwritten;
-/// a picture is put in its place when all has succeeded. Exit code 2 means bad input, 1 a file that
-/// cannot be read or written.
+/// A case file says what is to be computed: bodies, materials, friction, motions. Results go to
+/// standard output, everything else to standard error. No input is ever overwritten; a picture is put
+/// in its place when all has succeeded. Exit code 2 means bad input, 1 a file that cannot be read or
+/// written.
 #[derive(Debug, clap::Parser)]
-#[command(name = "carom", version)]
+#[command(name = "carom", version, after_long_help = FIRST_STEPS)]
 pub struct Carom {
     #[command(subcommand)]
     command: Command,
     #[command(flatten)]
     manner: Manner,
 }
+
+const FIRST_STEPS: &str = "\
+First steps:
+  carom new impact > ball.toml                 a commented case: a steel ball meets a plate
+  carom impact ball.toml                       how both move afterwards, and what friction took
+  carom impact ball.toml --plot ball.svg       velocities and forces in the meantime
+  carom impact ball.toml --format csv          the same as numbers, or json, for other programs
+  carom schema impact                          what else a case may say
+  carom check ball.toml                        how a case is understood
+
+R_x of any ball, with no case, kappa = 1.21 for Poisson's ratio 0.3:
+  carom restitution --kappa 1.2143 --lambda 0.1:8:80 --plot rebound.svg
+";
 
 impl Carom {
     /// Messages in the manner that was asked for.

@@ -49,7 +49,7 @@ pub(super) const TUBE: Field =
         .of(&[TORUS])
         .such_as("0.004");
 pub(super) const SEMI_AXES: Field =
-    Field::vector("semi_axes", LENGTH_ABOVE_0, "along the body's axes a, b, c")
+    Field::vector("semi_axes", LENGTH_ABOVE_0, "semi-axes along the body's axes a, b, c")
         .of(&[ELLIPSOID])
         .such_as("[0.02, 0.015, 0.01]");
 pub(super) const EDGES: Field =
@@ -136,7 +136,7 @@ pub(super) const ANGLES: Field = Field::new(
 .may("as the axes of space, or by `quaternion`")
 .such_as("[0, 0, 0]");
 pub(super) const VELOCITY: Field =
-    Field::vector("velocity", Range::Speed.of(Dimension::Speed), "of the centre of mass")
+    Field::vector("velocity", Range::Speed.of(Dimension::Speed), "velocity of the centre of mass")
         .or("`[approach]`, or `fixed = true`")
         .such_as("[0.5, 0, -1]");
 pub(super) const SPIN: Field = Field::vector(

@@ -51,15 +51,18 @@ const SLOPE: Field = Field::number("slope", Range::Positive.pure(), "rise over d
     .of(&[CONE, WEDGE])
     .such_as("0.01");
 const AMPLITUDE: Field =
-    Field::number("amplitude", LENGTH, "from crest to trough").of(&[WAVY]).such_as("2e-6");
+    Field::number("amplitude", LENGTH, "height of each wave from crest to trough")
+        .of(&[WAVY])
+        .such_as("2e-6");
 const WAVELENGTHS: Field =
-    pair("wavelengths", "two wavelengths [along x, along y]", "of the waves")
+    pair("wavelengths", "two wavelengths [along x, along y]", "wavelengths of the waves")
         .of(&[WAVY])
         .such_as("[1e-4, 1e-4]");
-const SEMI_AXES: Field = pair("semi_axes", "two semi-axes [along x, along y]", "of the punch")
-    .of(&[ELLIPSE])
-    .such_as("[1e-4, 1e-4]");
-const SIDES: Field = pair("sides", "two sides [along x, along y]", "of the punch")
+const SEMI_AXES: Field =
+    pair("semi_axes", "two semi-axes [along x, along y]", "semi-axes of the punch")
+        .of(&[ELLIPSE])
+        .such_as("[1e-4, 1e-4]");
+const SIDES: Field = pair("sides", "two sides [along x, along y]", "sides of the punch")
     .of(&[RECTANGLE])
     .such_as("[2e-4, 1e-4]");
 const CORNERS: Field = Field::new(
@@ -71,7 +74,7 @@ const CORNERS: Field = Field::new(
         least: 3,
         words: "a list of corners [x, y], at least three",
     }),
-    "of the punch, in order",
+    "corners of the punch, in order",
 )
 .of(&[POLYGON])
 .such_as("[[-1e-4, -1e-4], [1e-4, -1e-4], [0, 1e-4]]");
@@ -83,13 +86,13 @@ const FILE: Field = Field::new(
 )
 .of(&[HEIGHTS])
 .such_as("\"heights.csv\"");
-const SCALE: Field = Field::number("scale", LENGTH, "of the numbers in the file")
+const SCALE: Field = Field::number("scale", LENGTH, "what a 1 in the file stands for")
     .of(&[HEIGHTS])
     .default(Default::Number(1.0));
 const BASE: Field = Field::number(
     "radius",
     Range::PositiveOrInfinite.of(Dimension::Length),
-    "of the paraboloid that the heights stand on",
+    "radius of the paraboloid that the heights stand on",
 )
 .of(&[HEIGHTS, ROUGH])
 .default(Default::Number(f64::INFINITY));
@@ -97,15 +100,21 @@ const HURST: Field =
     Field::number("hurst", Range::Part.pure(), "Hurst's exponent").of(&[ROUGH]).such_as("0.8");
 const RMS: Field =
     Field::number("rms", LENGTH, "root mean square of the heights").of(&[ROUGH]).such_as("1e-7");
-const LONGEST: Field = Field::number("longest", LENGTH, "wavelength, at most a side of the grid")
-    .of(&[ROUGH])
-    .such_as("1e-4");
-const SHORTEST: Field = Field::number("shortest", LENGTH, "wavelength, at least two cells")
-    .of(&[ROUGH])
-    .such_as("2e-5");
-const SEED: Field = Field::number("seed", Range::Seed.pure(), "another one, another surface")
-    .of(&[ROUGH])
-    .default(Default::Number(1.0));
+const LONGEST: Field =
+    Field::number("longest", LENGTH, "the longest wavelength, at most a side of the grid")
+        .of(&[ROUGH])
+        .such_as("1e-4");
+const SHORTEST: Field =
+    Field::number("shortest", LENGTH, "the shortest wavelength, at least two cells")
+        .of(&[ROUGH])
+        .such_as("2e-5");
+const SEED: Field = Field::number(
+    "seed",
+    Range::Seed.pure(),
+    "start of the random numbers: another seed gives another surface",
+)
+.of(&[ROUGH])
+.default(Default::Number(1.0));
 /// The field of a case.
 pub(super) const GAP: Field = Field::new(
     "gap",

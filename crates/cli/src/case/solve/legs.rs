@@ -38,8 +38,9 @@ const M_Z: Field = Field::number(
 )
 .may(KEPT)
 .such_as("1e-6");
-const COUNT: Field = Field::number("count", Range::Whole.pure(), "in so many equal parts")
-    .default(Default::Number(1.0));
+const COUNT: Field =
+    Field::number("count", Range::Whole.pure(), "in how many equal steps it goes there")
+        .default(Default::Number(1.0));
 /// The field of a case.
 pub(super) const STEP: Field = Field::new(
     "step",

@@ -36,7 +36,7 @@ const SIZE: Field = Field::new(
         Range::Positive.of(Dimension::Length),
         "two lengths [along x, along y]",
     ),
-    "of the whole grid; the contact must not reach its border",
+    "sides of the whole grid; the contact must not reach its border",
 )
 .or("`accuracy`")
 .such_as("[2.6e-4, 2.6e-4]");
@@ -49,7 +49,7 @@ const CUT: Field = Field::new(
 const PERIODIC: Field = Field::new(
     "periodic",
     Form::Switch,
-    "whether all repeats itself beyond the border; the approach counts from the mean plane",
+    "whether the surfaces repeat themselves beyond the border; the approach then counts from the mean plane",
 )
 .default(Default::False);
 const ACCURACY: Field = Field::number(
@@ -69,14 +69,14 @@ const FRICTION: Field =
 const STATIC: Field = Field::number(
     "static_friction",
     Range::NonNegative.pure(),
-    "up to which cells stick; they slip at `friction`",
+    "coefficient of friction up to which cells stick; those that slip have `friction`",
 )
-.may("that of motion")
+.may("the same as `friction`")
 .such_as("0.4");
 const TOLERANCE: Field = Field::number(
     "tolerance",
     Range::SolveTolerance.pure(),
-    "to which each step is solved, over the greatest pressure",
+    "residual to which each step is solved, over the greatest pressure",
 )
 .may("that of the method")
 .such_as("1e-9");
