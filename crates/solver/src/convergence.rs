@@ -51,6 +51,18 @@ pub struct Residuals {
     pub tangential: f64,
 }
 
+impl Residuals {
+    /// The greater of both; not a number if one is not.
+    #[must_use]
+    pub const fn worst(&self) -> f64 {
+        if self.normal.is_nan() || self.tangential.is_nan() {
+            f64::NAN
+        } else {
+            self.normal.max(self.tangential)
+        }
+    }
+}
+
 /// Why an iteration stopped.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Stop {

@@ -171,6 +171,27 @@ fn a_period_in_full_contact_is_shifted_by_slip_alone() {
     }
 }
 
+/// Next to the mean of the gap pressures and tractions of unlike bodies are found together, on the way to
+/// which nothing may touch: that is no solution.
+#[test]
+fn unlike_bodies_next_to_full_contact_touch() {
+    let grid = Grid::new(32, 8, 1.0 / 32.0, 1.0 / 8.0).unwrap();
+    let pair = MaterialPair::new(Material::from_shear(2.0, 0.0).unwrap(), Material::RIGID).unwrap();
+    let method = Frictional::default();
+    let apart = ContactState::apart(grid);
+    for (friction, below) in [(0.3, 1e-8), (0.3, 1e-5), (1.0, 1e-8), (1.0, 1e-3)] {
+        let gap = Gap::wavy(grid, [AMPLITUDE, 0.0], [1.0, 1.0]).unwrap();
+        let operator = Arc::new(PeriodicOperator::new(pair, grid, Threads::One).unwrap());
+        let problem = ContactProblem::new(gap, operator, Friction::new(friction).unwrap()).unwrap();
+        let mut scratch = method.scratch(&problem).unwrap();
+        let drive = Drive { normal: Driven::Shift((1.0 - below) * AMPLITUDE), ..Drive::default() };
+        let mut to = apart.clone();
+        method.step(&problem, &apart, &drive, &mut to, &mut scratch, &mut ()).unwrap();
+        let left = violations(&problem, &apart, &to).unwrap();
+        assert!(left.normal < 1e-8 && left.tangential < 1e-8, "{friction} {below}: {left:?}");
+    }
+}
+
 /// For nu = 0 both compliances are alike, and tractions are f times the pressure less that of a
 /// lower approach, cell by cell.
 #[test]

@@ -56,7 +56,8 @@ impl Cells {
     }
 
     /// What is left of the conditions: normal over the greatest displacement, tangential over the
-    /// greatest limit, but over no more than the greatest pressure or traction.
+    /// greatest limit, but over no more than the greatest pressure or traction. Where nothing touches
+    /// the normal one is infinite.
     pub(super) fn residuals(&self, task: &CoupledTask<'_>, system: &System) -> Residuals {
         let (mut normal, mut tangential) = (system.unbalance(task)[0], system.unbalance(task)[1]);
         let (mut depth, mut most, mut reached) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -85,7 +86,7 @@ impl Cells {
         let over = |value: f64, scale: f64| if scale > 0.0 { value / scale } else { value };
         let nothing = depth == 0.0;
         Residuals {
-            normal: if nothing { f64::NAN } else { over(normal, depth) },
+            normal: if nothing { f64::INFINITY } else { over(normal, depth) },
             tangential: over(tangential, most.min(reached)),
         }
     }

@@ -83,11 +83,13 @@ impl Coupled {
         loop {
             self.system.displace(task, &mut self.products)?;
             let residuals = self.cells.residuals(task, &self.system);
-            let worst = residuals.normal.max(residuals.tangential);
             let touching = task.pressure.iter().filter(|pressure| **pressure > 0.0).count();
+            let worst = residuals.worst();
+            // Where nothing touches any more, the next step may press again.
+            let lost = touching > 0 && residuals.normal > LOST;
             let cells = task.pressure.len();
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let stop = if worst.is_nan() || since > HOPELESS || residuals.normal > LOST {
+            let stop = if worst.is_nan() || since > HOPELESS || lost {
                 Some(Stop::Stalled)
             } else if worst <= tolerance && iteration > 0 {
                 Some(Stop::Converged)

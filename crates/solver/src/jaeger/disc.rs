@@ -185,7 +185,7 @@ impl Method for DiscGaussSeidel {
                 stop = Stop::Observer;
                 break;
             }
-            if residuals.normal.max(residuals.tangential) <= self.tolerance {
+            if residuals.worst() <= self.tolerance {
                 break;
             }
         }

@@ -254,7 +254,7 @@ impl Machine for Program<'_> {
             }
             ProgramStep::TestAll => {
                 self.test_all();
-                self.residuals.normal.max(self.residuals.tangential)
+                self.residuals.worst()
             }
             _ => 0.0,
         };
