@@ -60,7 +60,12 @@ fn a_golf_ball_comes_to_rest_and_its_energy_is_booked() {
 fn bad_scenes_end_with_code_2_and_write_nothing() {
     let book = std::fs::read_to_string(example("scene_book.toml")).unwrap();
     for (old, new, expected) in [
-        ("0.09]", "0.02]", "the ball starts inside wall 0"),
+        (
+            "start = [-0.06, 0, 0.09]",
+            "start = [-0.06, 0, 0.02]",
+            "`scene.start` = [-0.06, 0, 0.02] is out of range: must be at least the radius 0.022 from \
+             every wall: the ball starts inside table, by 2.000e-3 m",
+        ),
         ("gravity = [0, 0, 0]", "gravity = [0, 0, nan]", "`scene.gravity.z` = NaN is out of range"),
         ("gravity = ", "gravty = ", "did you mean `gravity`?"),
         ("friction = 0.3", "friction = -1", "`wall[0].friction` = -1 is out of range"),

@@ -103,6 +103,7 @@ impl<'a> NumericalImpact<'a> {
         let change = (fine.end.velocity - coarse.end.velocity).norm();
         let outcome = CoupledOutcome {
             velocity: fine.end.velocity,
+            impulse: fine.end.impulse,
             duration: fine.end.time,
             maximal_approach: fine.peak,
             maximal_force: fine.force,
@@ -165,6 +166,6 @@ impl Staged for NumericalLaw {
 }
 
 fn sample(point: &Point, law: &NumericalLaw) -> Sample {
-    let Point { time, shift, velocity, force } = *point;
+    let Point { time, shift, velocity, force, .. } = *point;
     Sample { time, shift, velocity, force, stage: law.stage() }
 }

@@ -1,9 +1,10 @@
 //! Scenes: known kinematics, invariants and typed errors.
 
 use approx::assert_relative_eq;
+use carom_geometry::Attitude;
 use carom_halfspace::Material;
 use carom_impact::scene::{Ball, Ending, Limits, Path, Scene, SceneError, Wall};
-use carom_impact::{Body, Motion};
+use carom_impact::{Body, Motion, NormalRestitution};
 use carom_laws::friction::Friction;
 use proptest::prelude::*;
 
@@ -150,6 +151,45 @@ fn impossible_scenes_are_refused() {
     assert_eq!(plane, SceneError::NotASphere { shape: "plane" });
     let heavy = Body::sphere(RADIUS, rubber(), f64::INFINITY).unwrap();
     assert!(matches!(Ball::new(heavy), Err(SceneError::Range(_))));
+}
+
+/// What rounding makes of a velocity or of gravity along a wall is none, in whatever frame: a ball that slides
+/// down a slope rests on it at once, without gravity it glides on, and beside a wall along gravity it falls.
+#[test]
+fn nothing_bounces_or_rests_by_rounding() {
+    for i in 0..60 {
+        let turn = Attitude::about([0.4, -0.7, 0.2], 0.1 * f64::from(i)).unwrap();
+        let seen = |v: [f64; 3]| -> [f64; 3] { turn.to_space(&v.into()).into() };
+        for e in [1.0, 0.5, 0.0] {
+            let restitution = NormalRestitution::new(e).unwrap();
+            let wall = |normal: [f64; 3]| {
+                rigid_wall([0.0; 3], seen(normal), 0.3).with_normal_restitution(restitution)
+            };
+            let run = |gravity: [f64; 3], walls: &[Wall], place: [f64; 3], velocity: [f64; 3]| {
+                let scene = Scene::new(seen(gravity)).unwrap();
+                let scene = walls.iter().fold(scene, |scene, wall| scene.with(*wall));
+                scene.run(&ball(seen(place), seen(velocity), [0.0; 3]), limits(1.0, 50)).unwrap()
+            };
+            let weight = [0.0, 0.0, -9.81];
+            let slope = run(
+                weight,
+                &[wall([0.6, 0.0, 0.8])],
+                [0.6 * RADIUS, 0.0, 0.8 * RADIUS],
+                [0.8, 0.0, -0.6],
+            );
+            assert_eq!((slope.ending(), slope.bounces().len()), (Ending::Rest { wall: 0 }, 0));
+            let gliding = run([0.0; 3], &[wall(UP)], [0.0, 0.0, RADIUS], [0.8, 0.6, 0.0]);
+            assert_eq!((gliding.ending(), gliding.bounces().len()), (Ending::Time, 0));
+            let walls = [wall([1.0, 0.0, 0.0]), wall(UP)];
+            for (place, velocity) in [(RADIUS, 0.0), (0.1, -1.0)] {
+                let path = run(weight, &walls, [place, 0.0, 0.5], [velocity, 0.0, 0.0]);
+                let floor = path.bounces().iter().find(|bounce| bounce.wall == 1);
+                let time = (2.0_f64 * (0.5 - RADIUS) / 9.81).sqrt();
+                // A ball thrown at the wall may slip or stick there first: it turns and falls as fast.
+                assert!(floor.is_some_and(|bounce| bounce.time < 1.5 * time), "{i} {e} {path:?}");
+            }
+        }
+    }
 }
 
 /// A box of six infinite walls with tilted floor: everything can be met.

@@ -55,3 +55,25 @@ fn beside_a_plate_the_gap_is_to_its_edge() {
     assert_relative_eq!(gap(5.0, 0.0, 4.0), 4.5, max_relative = 1e-15); // 3, 4, 5
     assert_relative_eq!(gap(4.0, -4.0, -6.0), 6.5, max_relative = 1e-15); // 2, 3, 6, 7
 }
+
+/// What is lost of a fast spin or to little friction is next to nothing, and has its digits: by the closed form of
+/// sliding. So has what little inertia of the normal motion leaves to adhesion.
+#[test]
+fn small_losses_have_their_digits() {
+    let loss = |epsilon: f64, omega: f64| {
+        TorsionalImpact::new(TorsionalGroups::new(epsilon, omega).unwrap()).unwrap().spin_loss()
+    };
+    for omega in [1e3, 1e6, 1e9, 1e12, 1e15] {
+        let sliding = 0.16 * limits::SLIDING_LOSS * 0.0625 / omega;
+        assert_relative_eq!(loss(0.0625, omega), sliding, max_relative = 1e-11);
+        assert_relative_eq!(
+            limits::first_order_loss(omega).unwrap(),
+            sliding / 0.0625,
+            max_relative = 1e-11
+        );
+    }
+    for epsilon in [1e-6, 1e-12, 1e-20] {
+        let stuck = epsilon * limits::SMALL_SPIN_LOSS;
+        assert_relative_eq!(loss(epsilon, 0.0), stuck, max_relative = 1e-11 + epsilon);
+    }
+}

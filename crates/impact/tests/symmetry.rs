@@ -140,6 +140,20 @@ fn ellipsoid(axes: [f64; 3], tilt: f64, velocity: [f64; 3], f: f64) -> Collision
     Collision::at(body, Body::plane(steel()), [0.0; 3], friction(f)).unwrap()
 }
 
+/// However an ellipsoid grazes, the impulse of friction is at most f times the normal one, to the last digits.
+#[test]
+fn what_grazes_stays_within_friction() {
+    for exponent in 2..13 {
+        for (tilt, f) in [(0.0, 0.02), (0.0, 0.5), (0.4, 0.02), (0.4, 0.3)] {
+            let approach = libm::pow(10.0, -f64::from(exponent));
+            let encounter = ellipsoid([0.03, 0.02, 0.015], tilt, [1.0, 0.3, -approach], f);
+            let impulse = encounter.frame().to_contact(&met(&encounter).impulse);
+            let share = impulse.xy().norm() / (f * impulse.z);
+            assert!((0.9..=1.0 + 1e-15).contains(&share), "{approach:e} {tilt} {f}: {share}");
+        }
+    }
+}
+
 #[test]
 fn a_limit_that_depends_on_the_direction_is_none() {
     let restitution = |encounter: &Collision| met(encounter).tangential_restitution;

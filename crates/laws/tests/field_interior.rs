@@ -199,6 +199,33 @@ fn every_point_of_the_body_has_a_stress() {
     }
 }
 
+/// However near the surface it is that, and however far away nothing is left.
+#[test]
+fn the_nearest_and_the_farthest_points_have_a_stress() {
+    let peak = Traction { x: 0.3, y: -0.2, normal: 1.0 };
+    for (a, b) in [(1.0, 1.0), (1.0, 2.5), (1e-3, 1.0), (1e6, 1.0), (1e-9, 1e-8)] {
+        let one = load(a, b, 0.3);
+        for (x, y) in [(0.0, 0.0), (0.3, 0.4), (1.0, 0.0), (0.0, 1.0), (1.7, 0.2)] {
+            let at = |z: f64| Point { x: x * a, y: y * b, z };
+            let surface = one.stress(peak, at(0.0)).unwrap();
+            for z in [5e-324, 1e-308, 1e-200, 1e-170, 1e-140, 1e-125] {
+                let near = one.stress(peak, at(z)).unwrap();
+                same("stress", components(near), components(surface), 1e-12);
+                one.displacement(peak, at(z)).unwrap();
+            }
+        }
+        for far in [1e70, 1e160, 1e200, 1e308] {
+            for at in [[far, 0.0, 0.0], [0.0, -far, 0.0], [0.0, 0.0, far], [far, far, far]] {
+                let at = Point { x: at[0], y: at[1], z: at[2] };
+                let stress = components(one.stress(peak, at).unwrap());
+                assert!(stress.iter().all(|s| s.abs() < 1e-50), "{a} {b} {at:?} {stress:?}");
+                let moved = one.displacement(peak, at).unwrap();
+                assert!(moved.w.abs() < 1e-25 * a.max(b), "{moved:?}");
+            }
+        }
+    }
+}
+
 #[test]
 fn partial_slip_takes_the_stick_area_off() {
     let ellipse = ContactEllipse::new(1.0, 1.7).unwrap();

@@ -121,6 +121,17 @@ impl SceneCase {
             });
             scene = scene.with(read_wall(wall)?);
         }
+        if let Err(SceneError::Inside { wall, gap }) = scene.check(&ball) {
+            let (wall, radius) = (&names[wall], ball.radius());
+            let allowed = format!(
+                "at least the radius {radius} from every wall: the ball starts inside {wall}, by {:.3e} m",
+                -gap
+            );
+            return Err(match case.has([&BALL, &POSITION]) {
+                true => case.unfit([&BALL, &POSITION], allowed),
+                false => case.unfit([&SETTING, &START], allowed),
+            });
+        }
         let height = setting.number(&REBOUND_HEIGHT)?;
         let limits = Limits::new(setting.number(&TIME)?, setting.count(&BOUNCES)?)
             .and_then(|limits| limits.at_rest_below(height))

@@ -27,7 +27,7 @@ const EVEN: f64 = 1e-12;
 impl Collision {
     pub(crate) fn rebound(&self, passed: Passed) -> Result<Rebound, CollisionError> {
         let (before, elastic) = (passed.before, passed.after);
-        let whole = passed.impulse.unwrap_or_else(|| self.mobility.impulse(&before, &elastic));
+        let whole = passed.impulse;
         let share = self.wave_share(before.z)?;
         let damped = self.normal_restitution.damped(share, [before.z, elastic.z]);
         let [impulse, after] = damped.motion(whole, [&before, &elastic]);

@@ -7,7 +7,7 @@ use nalgebra::Vector3;
 use super::{Collision, CollisionError};
 use crate::coupled::{CoupledImpact, CoupledOutcome, ImpactMethod, VectorLaw};
 use crate::normal::{self, NormalImpact};
-use crate::oblique::{Groups, ObliqueImpact, Phase, Regime};
+use crate::oblique::{Groups, ObliqueImpact};
 use crate::outcome::{LogEntry, Warning};
 
 /// Differences of D between tangents below this part of it are round-off.
@@ -40,9 +40,9 @@ pub(super) struct Symmetric {
 pub(crate) struct Passed {
     pub(super) before: Vector3<f64>,
     pub(super) after: Vector3<f64>,
-    /// On body 1; none where it follows from the velocities.
-    pub(super) impulse: Option<Vector3<f64>>,
-    /// The same for what friction took.
+    /// On body 1.
+    pub(super) impulse: Vector3<f64>,
+    /// What friction took; none where it follows from the velocities.
     pub(super) dissipated: Option<f64>,
     /// R_x, where the method itself knows it.
     pub(super) restitution: Option<f64>,
@@ -119,7 +119,7 @@ impl Passed {
         Self {
             before,
             after: outcome.velocity,
-            impulse: None,
+            impulse: outcome.impulse,
             dissipated: None,
             restitution: None,
             duration: outcome.duration,
@@ -141,14 +141,15 @@ impl Symmetric {
         let restitution = oblique.restitution();
         let mut after = direction * (-restitution * slip);
         after.z = -self.velocity.z;
-        let drag = self.drag(&oblique);
+        let limit = self.friction.get() * normal.impulse();
+        let drag = oblique.drag(*slip, self.mobility, limit);
         let mut impulse = direction * drag;
         impulse.z = normal.impulse();
         let lost = 0.5 * slip * (1.0 - restitution) * drag;
         Ok(Passed {
             before: self.velocity,
             after,
-            impulse: Some(impulse),
+            impulse,
             dissipated: Some(lost),
             restitution: Some(restitution),
             duration: normal.duration(),
@@ -160,16 +161,6 @@ impl Symmetric {
             log: log(normal, &oblique),
             warning: None,
         })
-    }
-
-    // The tangential impulse. One that slides throughout is at Coulomb's limit; 1 + R_x, next to nothing when
-    // it grazes, would have lost its digits.
-    fn drag(&self, oblique: &ObliqueImpact) -> f64 {
-        let limit = self.friction.get() * self.normal.impulse();
-        match oblique.phases() {
-            [Phase { regime: Regime::SlideForward, .. }] => limit,
-            _ => ((1.0 + oblique.restitution()) * self.slip / self.mobility).min(limit),
-        }
     }
 }
 

@@ -1,21 +1,21 @@
-//! Steps of second or fourth order from the accelerations of the last instants.
+//! Steps of second or fourth order from the forces at the last instants.
 
 use nalgebra::Vector3;
 
 /// How fast the error of a run falls with its steps, where the force is smooth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Order {
-    /// Verlet's: only the last acceleration counts, so that a force with jumps does no more harm than
+    /// Verlet's: only the last force counts, so that a force with jumps does no more harm than
     /// where it jumps.
     Second,
     /// Adams's.
     Fourth,
 }
 
-/// The last accelerations and the steps between them.
+/// The last forces and the steps between them; of a mass one, so that impulse and velocity are the same.
 ///
 /// Of fourth order, a polynomial through the last three gives the next place; the law says the force there, and the
-/// polynomial through all four gives the velocity (Adams; Stoermer). One evaluation of the law a
+/// polynomial through all four gives the impulse (Adams; Stoermer). One evaluation of the law a
 /// step, which it never takes back. Where the force oscillates, the phase is off by about 0.04 and the
 /// amplitude falls by about 0.6 times the fourth power of the angle per step, up to an angle of 0.8:
 /// steps too coarse damp and do not gain energy.
@@ -28,7 +28,7 @@ pub(super) struct Adams {
 }
 
 impl Adams {
-    /// Before the first step, without acceleration.
+    /// Before the first step, without force.
     pub(super) fn new(order: Order) -> Self {
         Self { order, last: [Vector3::zeros(); 3], steps: [0.0; 2], known: 0 }
     }
@@ -42,7 +42,7 @@ impl Adams {
             + second * (cube * (h / 12.0 + self.steps[0] / 6.0))
     }
 
-    /// The change of the velocity over a step to the next acceleration.
+    /// The impulse of a step to the next force.
     pub(super) fn gain(&self, h: f64, next: &Vector3<f64>) -> Vector3<f64> {
         let mut gain = (self.last[0] + next) * (0.5 * h);
         if self.known == 0 {
@@ -59,7 +59,7 @@ impl Adams {
         gain
     }
 
-    /// Takes the acceleration after a step.
+    /// Takes the force after a step.
     pub(super) fn push(&mut self, h: f64, next: Vector3<f64>) {
         self.last = [next, self.last[0], self.last[1]];
         self.steps = [h, self.steps[0]];

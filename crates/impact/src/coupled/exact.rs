@@ -24,22 +24,31 @@ impl CoupledImpact {
         Vector3::new(self.velocity.x, self.velocity.y, 0.0)
     }
 
-    pub(super) fn reversed(&self, oblique: &ObliqueImpact) -> Vector3<f64> {
-        let tangential = self.tangential() * -oblique.restitution();
-        Vector3::new(tangential.x, tangential.y, -self.velocity.z)
+    pub(super) fn uncoupled(
+        &self,
+        oblique: &ObliqueImpact,
+        direction: &Vector3<f64>,
+    ) -> CoupledOutcome {
+        let mut velocity = self.tangential() * -oblique.restitution();
+        velocity.z = -self.velocity.z;
+        let mobility = direction.dot(&(self.mobility.matrix() * direction));
+        let limit = self.friction.get() * self.normal.impulse();
+        let mut impulse = direction * oblique.drag(self.tangential().norm(), mobility, limit);
+        impulse.z = self.normal.impulse();
+        self.exact(velocity, impulse)
     }
 
     pub(super) fn frictionless(&self) -> CoupledOutcome {
-        let d = self.mobility.matrix();
-        let impulse = 2.0 * self.velocity.z / d.m33;
-        let mut velocity = self.velocity - d.column(2) * impulse;
+        let impulse = Vector3::z() * self.normal.impulse();
+        let mut velocity = self.after(&impulse);
         velocity.z = -self.velocity.z;
-        self.exact(velocity)
+        self.exact(velocity, impulse)
     }
 
-    pub(super) fn exact(&self, velocity: Vector3<f64>) -> CoupledOutcome {
+    fn exact(&self, velocity: Vector3<f64>, impulse: Vector3<f64>) -> CoupledOutcome {
         CoupledOutcome {
             velocity,
+            impulse,
             duration: self.normal.duration(),
             maximal_approach: self.normal.maximal_approach(),
             maximal_force: self.normal.maximal_force(),

@@ -97,6 +97,7 @@ mod tests {
         let velocity = Vector3::new(1.0 + error, -error, -1.0 - 2.0 * error);
         Run {
             velocity,
+            impulse: -velocity,
             duration: 3.0 + error,
             peak: 1.0 - error,
             compressions: 1,

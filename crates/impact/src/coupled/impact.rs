@@ -142,7 +142,7 @@ impl CoupledImpact {
             ImpactMethod::Frictionless => Ok(self.frictionless()),
             ImpactMethod::Uncoupled { direction } => {
                 let oblique = ObliqueImpact::new(self.groups(&direction)?)?;
-                Ok(self.exact(self.reversed(&oblique)))
+                Ok(self.uncoupled(&oblique, &direction))
             }
             _ => {
                 let settled = self.settled(law)?;
@@ -215,7 +215,7 @@ impl CoupledImpact {
             ImpactMethod::Uncoupled { direction } => {
                 let oblique = ObliqueImpact::new(self.groups(&direction)?)?;
                 let log = crate::collision::log(&self.normal, &oblique);
-                Ok((self.exact(self.reversed(&oblique)), log))
+                Ok((self.uncoupled(&oblique, &direction), log))
             }
             _ => {
                 let settled = self.settled(law)?;
@@ -250,7 +250,7 @@ impl CoupledImpact {
         let limits = Limits::new(&problem.mobility, self.friction, &problem.velocity, apart);
         let make = |level| self.law(law, level);
         let settled = problem
-            .settle(self.tolerance(), make, |velocity| limits.hold(velocity))
+            .settle(self.tolerance(), make, |impulse| limits.hold(impulse))
             .map_err(|failure| self.failed(failure))?;
         self.checked(settled)
     }
@@ -267,7 +267,7 @@ impl CoupledImpact {
             expected: self.is_mild().then(|| self.normal.duration()),
         };
         let settled = problem
-            .settle(self.tolerance(), make, |velocity| *velocity)
+            .settle(self.tolerance(), make, |impulse| *impulse)
             .map_err(|failure| self.failed(failure))?;
         self.checked(settled)
     }

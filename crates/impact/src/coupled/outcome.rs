@@ -12,6 +12,8 @@ use crate::outcome::Warning;
 pub struct CoupledOutcome {
     /// Velocity of body 2 against body 1 after the impact, contact axes.
     pub velocity: Vector3<f64>,
+    /// The impulse that body 2 gave body 1, contact axes.
+    pub impulse: Vector3<f64>,
     /// Duration from touch to separation.
     pub duration: f64,
     /// The greatest approach.
@@ -48,7 +50,8 @@ pub struct Sample {
 impl CoupledImpact {
     pub(super) fn outcome(&self, settled: &Settled) -> CoupledOutcome {
         let mut outcome = self.outcome_in(settled, &self.units());
-        outcome.velocity = self.frame() * outcome.velocity;
+        outcome.impulse = self.frame() * outcome.impulse;
+        outcome.velocity = self.after(&outcome.impulse);
         if outcome.method == (ImpactMethod::Spatial { coupled: false }) {
             // The normal motion is known in closed form.
             outcome.velocity.z = -self.velocity.z;
@@ -62,8 +65,10 @@ impl CoupledImpact {
     pub(super) fn outcome_in(&self, settled: &Settled, units: &Units) -> CoupledOutcome {
         let run = &settled.run;
         let peak = run.peak * units.length;
+        let impulse = run.impulse * units.impulse;
         CoupledOutcome {
-            velocity: run.velocity * units.speed,
+            velocity: self.after(&impulse),
+            impulse,
             duration: run.duration * units.time,
             maximal_approach: peak,
             maximal_force: 2.0 / 3.0 * self.stiffness.c_z * (peak * peak.sqrt()),
@@ -75,5 +80,9 @@ impl CoupledImpact {
                 tolerance: self.tolerance(),
             }),
         }
+    }
+
+    pub(super) fn after(&self, impulse: &Vector3<f64>) -> Vector3<f64> {
+        self.velocity - self.mobility.matrix() * impulse
     }
 }

@@ -57,6 +57,7 @@ pub(super) struct Level {
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Run {
     pub(super) velocity: Vector3<f64>,
+    pub(super) impulse: Vector3<f64>,
     pub(super) duration: f64,
     pub(super) peak: f64,
     pub(super) compressions: u32,
@@ -90,7 +91,7 @@ impl Problem {
     /// Runs of twice as many steps and rings until their limit is sure to the tolerance times
     /// |v_A|, or further ones would take too long: then the best.
     ///
-    /// `make` gives a fresh law as fine as that; `hold` moves the velocity of a limit to where it
+    /// `make` gives a fresh law as fine as that; `hold` moves the impulse of a limit to where it
     /// may be.
     pub(super) fn settle<L: ImpactLaw>(
         &self,
@@ -148,11 +149,12 @@ impl Problem {
             level = level.doubled();
             table.refine(problem.run(level, make, |_, _| ())?);
             let mut run = table.best();
-            let held = hold(&run.velocity);
+            let held = hold(&run.impulse);
             let off = run.doubt() * table.error();
-            let error = off.max((held - run.velocity).norm()) / scale;
-            run.velocity = held;
-            let settled = error <= tolerance && held.z < 0.0 && level.steps >= LEAST;
+            let moved = self.mobility * (run.impulse - held);
+            let error = off.max(moved.norm()) / scale;
+            (run.impulse, run.velocity) = (held, run.velocity + moved);
+            let settled = error <= tolerance && run.velocity.z < 0.0 && level.steps >= LEAST;
             if settled || table.finest().next() > series.most {
                 return Ok(Settled { run, error, level, problem, settled });
             }
@@ -204,6 +206,7 @@ impl Problem {
             .ok_or(Failure::NoSeparation)?;
         Ok(Run {
             velocity: end.velocity,
+            impulse: end.impulse,
             duration: end.time,
             peak: peaks.highest,
             compressions: peaks.compressions,
@@ -235,8 +238,10 @@ impl Run {
     /// Extrapolated from a run of half as many steps, whose error is this much + 1 times as large.
     pub(super) fn beyond(&self, coarse: &Self, gain: f64) -> Self {
         let limit = |fine: f64, coarse: f64| fine + (fine - coarse) / gain;
+        let limits = |fine: Vector3<f64>, coarse: Vector3<f64>| fine + (fine - coarse) / gain;
         Self {
-            velocity: self.velocity + (self.velocity - coarse.velocity) / gain,
+            velocity: limits(self.velocity, coarse.velocity),
+            impulse: limits(self.impulse, coarse.impulse),
             duration: limit(self.duration, coarse.duration),
             peak: limit(self.peak, coarse.peak),
             compressions: self.compressions,
@@ -310,7 +315,7 @@ mod tests {
                     let problem = planar(tangential, coupling, slip);
                     let settle = |problem: Problem| {
                         let make = |_| ShiftLaw::<f64>::new(problem.stiffness, friction);
-                        problem.settle(1e-8, make, |velocity| *velocity).expect("separates")
+                        problem.settle(1e-8, make, |impulse| *impulse).expect("separates")
                     };
                     let clock = settle(problem);
                     let state = settle(Problem { expected: None, ..problem });

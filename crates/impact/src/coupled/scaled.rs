@@ -14,11 +14,13 @@ pub(super) struct Units {
     pub(super) length: f64,
     pub(super) speed: f64,
     pub(super) force: f64,
+    pub(super) impulse: f64,
 }
 
 impl Units {
     /// Of a law in those of the data.
-    pub(super) const GIVEN: Self = Self { time: 1.0, length: 1.0, speed: 1.0, force: 1.0 };
+    pub(super) const GIVEN: Self =
+        Self { time: 1.0, length: 1.0, speed: 1.0, force: 1.0, impulse: 1.0 };
 }
 
 /// From a run to the contact axes and the units of the data.
@@ -39,6 +41,7 @@ impl CoupledImpact {
             length: self.normal.maximal_approach(),
             speed: self.velocity.z,
             force: self.normal.maximal_force(),
+            impulse: 1.25 * self.velocity.z / self.mobility.matrix().m33,
         }
     }
 

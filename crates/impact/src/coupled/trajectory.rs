@@ -36,6 +36,9 @@ pub struct Point {
     pub velocity: Vector3<f64>,
     /// Force on body 1.
     pub force: Vector3<f64>,
+    /// Its impulse since touch. It is what is added up: of a graze it would have lost its digits as a
+    /// difference of velocities.
+    pub impulse: Vector3<f64>,
 }
 
 /// Contact lasting longer than this many times the steps of a free impact is given up.
@@ -90,6 +93,7 @@ impl Trajectory {
             shift: Vector3::zeros(),
             velocity: self.velocity,
             force: Vector3::zeros(),
+            impulse: Vector3::zeros(),
         };
         observe(&now, law);
         let steps = self.steps();
@@ -100,7 +104,8 @@ impl Trajectory {
                 Steps::Chosen(pace) => pace.step(&now),
             };
             let failed = |source| LawFailure { step: number, time: now.time, source };
-            let shift = now.shift + now.velocity * length + recent.ahead(length);
+            let ahead = self.mobility * recent.ahead(length);
+            let shift = now.shift + now.velocity * length - ahead;
             if shift.z <= 0.0 {
                 let last = self.separation(&now, &shift, length);
                 let mut apart = last.shift;
@@ -110,10 +115,10 @@ impl Trajectory {
                 return Ok(Some(last));
             }
             let force = as_vector(&law.advance(as_shift(&shift)).map_err(failed)?);
-            let acceleration = -self.mobility * force;
-            let velocity = now.velocity + recent.gain(length, &acceleration);
-            recent.push(length, acceleration);
-            now = Point { time: now.time + length, shift, velocity, force };
+            let impulse = now.impulse + recent.gain(length, &force);
+            let velocity = self.velocity - self.mobility * impulse;
+            recent.push(length, force);
+            now = Point { time: now.time + length, shift, velocity, force, impulse };
             observe(&now, law);
         }
         Ok(None)
@@ -139,8 +144,9 @@ impl Trajectory {
         let mut shift = now.shift + (beyond - now.shift) * part;
         shift.z = 0.0;
         let part = part * length;
-        let velocity = now.velocity - self.mobility * now.force * (0.4 * part);
-        Point { time: now.time + part, shift, velocity, force: Vector3::zeros() }
+        let impulse = now.impulse + now.force * (0.4 * part);
+        let velocity = self.velocity - self.mobility * impulse;
+        Point { time: now.time + part, shift, velocity, force: Vector3::zeros(), impulse }
     }
 }
 

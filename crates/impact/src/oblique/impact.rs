@@ -64,6 +64,16 @@ impl ObliqueImpact {
         self.restitution
     }
 
+    /// The tangential impulse of this impact at a speed of slip, by the mobility along it; `limit` is
+    /// Coulomb's, which one that slides throughout is at. 1 + R_x, next to nothing when it grazes, would
+    /// have lost its digits.
+    pub(crate) fn drag(&self, slip: f64, mobility: f64, limit: f64) -> f64 {
+        match self.phases[..] {
+            [Phase { regime: Regime::SlideForward, .. }] => limit,
+            _ => ((1.0 + self.restitution) * slip / mobility).min(limit),
+        }
+    }
+
     /// The phases in order; the last ends with separation.
     #[must_use]
     pub fn phases(&self) -> &[Phase] {

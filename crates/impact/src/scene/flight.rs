@@ -2,6 +2,15 @@
 
 use nalgebra::Vector3;
 
+/// Parts of a vector along a normal below this part of it are round-off.
+const ROUNDING: f64 = 8.0 * f64::EPSILON;
+
+/// How much of a vector goes along a normal; nothing where that is within its rounding.
+pub(super) fn along(vector: &Vector3<f64>, normal: &Vector3<f64>) -> f64 {
+    let part = vector.dot(normal);
+    if part.abs() <= ROUNDING * vector.amax() { 0.0 } else { part }
+}
+
 /// Motion of a centre from its start under constant acceleration.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Flight {
@@ -22,7 +31,10 @@ impl Flight {
     /// When a gap of `gap` now, along `normal`, closes: the root of
     /// gap + v_n t + g_n t^2/2 at which it falls. None if it never does.
     pub(super) fn closing(&self, gap: f64, normal: &Vector3<f64>) -> Option<f64> {
-        let (v, g) = (self.velocity.dot(normal), self.gravity.dot(normal));
+        let (v, g) = (along(&self.velocity, normal), along(&self.gravity, normal));
+        if gap == 0.0 && v < 0.0 {
+            return Some(0.0);
+        }
         let discriminant = v * v - 2.0 * g * gap;
         if discriminant <= 0.0 {
             return None;
@@ -83,5 +95,7 @@ mod tests {
         assert_eq!(closing(0.5, -3.5, 12.0), Some(1.0 / 4.0));
         assert_eq!(closing(1.0, 1.0, 0.0), None);
         assert_eq!(closing(0.0, 0.0, -10.0), None);
+        // However slow.
+        assert_eq!(closing(0.0, -1e-200, -10.0), Some(0.0));
     }
 }

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 
 use super::ball::Ball;
 use super::error::SceneError;
-use super::flight::Flight;
+use super::flight::{Flight, along};
 use super::path::{Bounce, Ending, Limits, Path, PathPoint, TimedFlight};
 use super::wall::{Meeting, Wall};
 use crate::body::Body;
@@ -82,7 +82,11 @@ impl Scene {
         Run::new(self, ball, limits).follow()
     }
 
-    fn check(&self, ball: &Ball) -> Result<(), SceneError> {
+    /// Whether the ball can start where it is.
+    ///
+    /// # Errors
+    /// [`SceneError::Inside`] and [`SceneError::Collision`] as of [`Scene::run`].
+    pub fn check(&self, ball: &Ball) -> Result<(), SceneError> {
         for (index, wall) in self.walls.iter().enumerate() {
             let gap = wall.gap(&ball.position(), ball.radius());
             if gap < -wall.tolerance(&ball.position(), ball.radius()) {
@@ -200,7 +204,7 @@ impl<'a> Run<'a> {
         let before = self.now.motion;
         let collision = self.scene.collision(wall, self.body.clone().moving(before), &normal)?;
         let outcome = collision.solve().map_err(|source| SceneError::Collision { wall, source })?;
-        let pull = -self.scene.gravity.dot(&normal);
+        let pull = -along(&self.scene.gravity, &normal);
         let Outcome::Rebound(rebound) = outcome else {
             // A touch without approach: it rests, or gravity takes it away.
             return Ok((pull >= 0.0).then_some(Ending::Rest { wall }));

@@ -5,7 +5,7 @@ use carom_laws::friction::Friction;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use super::flight::Flight;
+use super::flight::{Flight, along};
 use super::roots::falls;
 use crate::normal_restitution::NormalRestitution;
 
@@ -197,7 +197,8 @@ impl Wall {
         let touches = self.gap(&flight.position, radius)
             <= self.tolerance(&flight.position, radius)
             && self.holds(&flight.position);
-        let still = flight.velocity.dot(&normal) == 0.0 && flight.gravity.dot(&normal) < 0.0;
+        let still =
+            along(&flight.velocity, &normal) == 0.0 && along(&flight.gravity, &normal) < 0.0;
         (touches && still).then_some(normal)
     }
 

@@ -190,8 +190,3 @@ pub(super) fn velocity_at(al: f64) -> f64 {
 pub(super) fn radius_at(w: f64) -> f64 {
     crate::normal::compression(w).sqrt()
 }
-
-/// The spin at maximal compression over the initial one, y_1, without any slip.
-pub(super) fn spin_at_maximum(epsilon: f64) -> Result<f64, TorsionalError> {
-    Ok(Adhesion::new(epsilon, 0.0)?.at_onset().spin(epsilon))
-}

@@ -25,7 +25,7 @@ use super::trajectory::{Trajectory, TrajectoryError};
 pub struct TorsionalImpact {
     groups: TorsionalGroups,
     onset_radius: f64,
-    spin_ratio: f64,
+    spin_loss: f64,
     error_estimate: f64,
 }
 
@@ -43,23 +43,24 @@ impl TorsionalImpact {
         if groups.omega() >= SMALL_OMEGA {
             return match Trajectory::new(groups, &history).advance_to(-1.0) {
                 Ok(end) => {
-                    let spin_ratio = end.turn.spin(groups.epsilon());
-                    Ok(Self { groups, onset_radius, spin_ratio, error_estimate: EXACT })
+                    let spin_loss = groups.epsilon() * end.turn.impulse;
+                    Ok(Self { groups, onset_radius, spin_loss, error_estimate: EXACT })
                 }
                 Err(TrajectoryError::TurnsBack) => {
                     let Settled { spin_ratio, change } = stepped::settle(groups)?;
                     let error_estimate = change.max(EXACT);
-                    Ok(Self { groups, onset_radius, spin_ratio, error_estimate })
+                    let spin_loss = 1.0 - spin_ratio;
+                    Ok(Self { groups, onset_radius, spin_loss, error_estimate })
                 }
                 Err(TrajectoryError::Failed(error)) => Err(error),
             };
         }
-        let limit = limits::no_slip(groups.epsilon())?;
+        let limit = limits::no_slip_loss(groups.epsilon())?;
         let nearby = Self::new(TorsionalGroups::new(groups.epsilon(), SMALL_OMEGA)?)?;
         let share = groups.omega() / SMALL_OMEGA;
-        let spin_ratio = limit + share * (nearby.spin_ratio - limit);
+        let spin_loss = limit + share * (nearby.spin_loss - limit);
         let error_estimate = EXACT.max(share * nearby.error_estimate);
-        Ok(Self { groups, onset_radius, spin_ratio, error_estimate })
+        Ok(Self { groups, onset_radius, spin_loss, error_estimate })
     }
 
     /// The groups it was solved for.
@@ -71,7 +72,14 @@ impl TorsionalImpact {
     /// The torsional restitution `beta'(T)/beta'(0)`: the relative spin after over that before.
     #[must_use]
     pub const fn spin_ratio(&self) -> f64 {
-        self.spin_ratio
+        1.0 - self.spin_loss
+    }
+
+    /// The part of the relative spin that is lost, one less the ratio: with its digits where that is next
+    /// to nothing, as of fast spins and little friction.
+    #[must_use]
+    pub const fn spin_loss(&self) -> f64 {
+        self.spin_loss
     }
 
     /// What the spin ratio may be off by: about 1e-12, or in steps what the last doubling of their
@@ -90,6 +98,6 @@ impl TorsionalImpact {
     /// The part of the energy of the relative spin that friction takes, `1 - ratio^2`.
     #[must_use]
     pub fn energy_loss(&self) -> f64 {
-        (1.0 - self.spin_ratio) * (1.0 + self.spin_ratio)
+        self.spin_loss * (2.0 - self.spin_loss)
     }
 }

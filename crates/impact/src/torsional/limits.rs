@@ -1,6 +1,6 @@
 //! Closed forms and limits of the torsional restitution: small spin, sliding, small epsilon.
 
-use super::adhesion::{self, Adhesion};
+use super::adhesion::Adhesion;
 use super::error::TorsionalError;
 use super::groups::{SMALL_OMEGA, TorsionalGroups};
 use super::trajectory::{Trajectory, TrajectoryError};
@@ -23,9 +23,14 @@ pub const SLIDING_LOSS: f64 = 2.637_529_634_267_598;
 /// # Errors
 /// [`TorsionalError::Range`] unless epsilon is in [0, 100].
 pub fn no_slip(epsilon: f64) -> Result<f64, TorsionalError> {
+    Ok(1.0 - no_slip_loss(epsilon)?)
+}
+
+/// One less [`no_slip`], `2 (1 - y_1) (1 + y_1)`, with its digits where epsilon is small.
+pub(super) fn no_slip_loss(epsilon: f64) -> Result<f64, TorsionalError> {
     let epsilon = TorsionalGroups::new(epsilon, 0.0)?.epsilon();
-    let y_1 = adhesion::spin_at_maximum(epsilon)?;
-    Ok(2.0 * y_1 * y_1 - 1.0)
+    let lost = epsilon * Adhesion::new(epsilon, 0.0)?.at_onset().impulse;
+    Ok(2.0 * lost * (2.0 - lost))
 }
 
 /// [`no_slip`] to first order in the spin at maximal compression:

@@ -184,23 +184,24 @@ impl SpinCollision {
     /// As [`TorsionalImpact::new`].
     pub fn solve(&self) -> Result<SpinOutcome, TorsionalError> {
         let Some(groups) = self.groups()? else {
-            return Ok(self.outcome(1.0, 0.0));
+            return Ok(self.outcome(0.0, 0.0));
         };
         if self.friction.coefficient().is_none() {
-            return Ok(self.outcome(limits::no_slip(groups.epsilon())?, 0.0));
+            return Ok(self.outcome(limits::no_slip_loss(groups.epsilon())?, 0.0));
         }
         let impact = TorsionalImpact::new(groups)?;
-        Ok(self.outcome(impact.spin_ratio(), impact.error_estimate()))
+        Ok(self.outcome(impact.spin_loss(), impact.error_estimate()))
     }
 
-    fn outcome(&self, spin_ratio: f64, error_estimate: f64) -> SpinOutcome {
+    fn outcome(&self, spin_loss: f64, error_estimate: f64) -> SpinOutcome {
         let [one, two] = self.bodies;
         let relative = self.relative_spin();
         let mobility = one.inverse_moment + two.inverse_moment;
-        let impulse = if mobility > 0.0 { (spin_ratio - 1.0) * relative / mobility } else { 0.0 };
+        let impulse = if mobility > 0.0 { -spin_loss * relative / mobility } else { 0.0 };
         let spins =
             [one.spin + one.inverse_moment * impulse, two.spin - two.inverse_moment * impulse];
-        let energy_loss = -0.5 * impulse * relative * (1.0 + spin_ratio);
+        let energy_loss = -0.5 * impulse * relative * (2.0 - spin_loss);
+        let spin_ratio = 1.0 - spin_loss;
         SpinOutcome { spins, spin_ratio, torque_impulse: impulse, energy_loss, error_estimate }
     }
 }

@@ -40,7 +40,10 @@ pub(super) struct Trajectory<'a> {
     history: &'a Adhesion,
     contact: SlippingContact<'a>,
     w: f64,
+    /// Impulse of the torque, by that of sliding where it is small, and twist.
     state: [f64; 2],
+    /// One over the unit of the impulse: fast spins lose little, and that is to have its digits.
+    unit: f64,
     trial: f64,
     innermost: f64,
 }
@@ -48,12 +51,14 @@ pub(super) struct Trajectory<'a> {
 impl<'a> Trajectory<'a> {
     pub(super) fn new(groups: TorsionalGroups, history: &'a Adhesion) -> Self {
         let at_onset = history.at_onset();
+        let unit = groups.omega().max(1.0);
         Self {
             groups,
             history,
             contact: SlippingContact::new(groups.omega(), history),
             w: history.onset_velocity(),
-            state: [at_onset.impulse, at_onset.twist],
+            state: [at_onset.impulse * unit, at_onset.twist],
+            unit,
             trial: 0.05,
             innermost: history.onset(),
         }
@@ -79,24 +84,24 @@ impl<'a> Trajectory<'a> {
             self.along_radius(from, radius, -1.0)?;
             self.w = w;
         }
-        let [impulse, twist] = self.state;
+        let [impulse, twist] = [self.state[0] / self.unit, self.state[1]];
         let Answer { torque, stick } = self.contact.answer(radius, w, twist);
         Ok(Instant { turn: Turn { impulse, twist, torque }, radius, stick })
     }
 
     fn spin(&self) -> f64 {
-        1.0 - self.groups.epsilon() * self.state[0]
+        1.0 - self.groups.epsilon() * (self.state[0] / self.unit)
     }
 
     /// The contact radius is the argument: `dt = 2 al dal/w`, in compression (`way` 1) or
     /// restitution (-1).
     fn along_radius(&mut self, from: f64, to: f64, way: f64) -> Result<(), TrajectoryError> {
-        let epsilon = self.groups.epsilon();
+        let (epsilon, unit) = (self.groups.epsilon() / self.unit, self.unit);
         let mut contact = self.contact.clone();
         let slope = |al: f64, y: &[f64; 2]| {
             let w = velocity_at(al);
             let dt = way * 2.0 * al / w;
-            [contact.answer(al, w, y[1]).torque * dt, (1.0 - epsilon * y[0]) * dt]
+            [contact.answer(al, w, y[1]).torque * unit * dt, (1.0 - epsilon * y[0]) * dt]
         };
         let mut stepper = Stepper::new(from, self.state, self.trial, TOLERANCE, slope)?;
         while stepper.x() != to {
@@ -110,12 +115,12 @@ impl<'a> Trajectory<'a> {
 
     /// The normal velocity is the argument: `dt = -(4/5) zeta^(-3/2) dw`.
     fn along_velocity(&mut self, to: f64) -> Result<(), TrajectoryError> {
-        let epsilon = self.groups.epsilon();
+        let (epsilon, unit) = (self.groups.epsilon() / self.unit, self.unit);
         let mut contact = self.contact.clone();
         let slope = |w: f64, y: &[f64; 2]| {
             let al = radius_at(w);
             let dt = -0.8 / (al * al * al);
-            [contact.answer(al, w, y[1]).torque * dt, (1.0 - epsilon * y[0]) * dt]
+            [contact.answer(al, w, y[1]).torque * unit * dt, (1.0 - epsilon * y[0]) * dt]
         };
         let mut stepper = Stepper::new(self.w, self.state, self.trial, TOLERANCE, slope)?;
         while stepper.x() != to {

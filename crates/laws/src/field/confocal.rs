@@ -118,6 +118,7 @@ fn coordinate(ellipse: &ContactEllipse, x: f64, y: f64, z: f64) -> f64 {
     // All of these lie below the root: the largest of circles, and x or y alone.
     let mut lambda =
         two_terms(x2 + y2, a2.max(b2), z2).max(two_terms(x2, a2, z2)).max(two_terms(y2, b2, z2));
+    lambda = lambda.max(next_to_the_surface(ellipse, x, y, z2));
     // The sum falls and is convex: Newton's steps from below stay there.
     for _ in 0..100 {
         let (u, v) = (a2 + lambda, b2 + lambda);
@@ -130,6 +131,16 @@ fn coordinate(ellipse: &ContactEllipse, x: f64, y: f64, z: f64) -> f64 {
         }
     }
     lambda
+}
+
+/// The positive root of the same with `x^2/(a^2+l)` and `y^2/(b^2+l)` to first order in l, below the true one: close
+/// to it at the smallest depths, next to the edge too, where no number of Newton's steps would come up to it.
+fn next_to_the_surface(ellipse: &ContactEllipse, x: f64, y: f64, z2: f64) -> f64 {
+    let (a, b) = (ellipse.semi_axis_a(), ellipse.semi_axis_b());
+    let inside = 1.0 - ellipse.radius_squared(x, y);
+    let slope = x / a * (x / a) / (a * a) + y / b * (y / b) / (b * b);
+    let root = libm::hypot(inside, 2.0 * (slope * z2).sqrt());
+    if inside > 0.0 { 2.0 * z2 / (inside + root) } else { 0.5 * (root - inside) / slope }
 }
 
 /// The positive root of `r2/(a2 + l) + z2/l = 1`.

@@ -67,10 +67,10 @@ impl EllipsoidalLoad {
     pub fn displacement(&self, peak: Traction, at: Point) -> Result<Displacement, RangeError> {
         let p = self.potentials(peak, at)?;
         let nu = self.poisson;
-        let one = tangential_displacement(&p, at.z, nu);
-        let two = tangential_displacement(&p.exchanged(), at.z, nu);
+        let one = tangential_displacement(&p, nu);
+        let two = tangential_displacement(&p.exchanged(), nu);
         let two = Displacement { u: two.v, v: two.u, w: two.w };
-        let sum = one * peak.x + two * peak.y + normal_displacement(&p, at.z, nu) * peak.normal;
+        let sum = one * peak.x + two * peak.y + normal_displacement(&p, nu) * peak.normal;
         let sum = sum * (1.0 / (4.0 * PI * self.shear_modulus));
         RangeError::finite("displacement", sum.u + sum.v + sum.w)?;
         Ok(sum)
@@ -148,7 +148,8 @@ fn tangential_stress(p: &Potentials, nu: f64) -> Stress {
     } * (0.5 / PI)
 }
 
-fn normal_displacement(p: &Potentials, z: f64, nu: f64) -> Displacement {
+fn normal_displacement(p: &Potentials, nu: f64) -> Displacement {
+    let z = p.z;
     let sliding = 1.0 - 2.0 * nu;
     Displacement {
         u: -sliding * p.x_x - z * p.v_x,
@@ -157,7 +158,8 @@ fn normal_displacement(p: &Potentials, z: f64, nu: f64) -> Displacement {
     }
 }
 
-fn tangential_displacement(p: &Potentials, z: f64, nu: f64) -> Displacement {
+fn tangential_displacement(p: &Potentials, nu: f64) -> Displacement {
+    let z = p.z;
     Displacement {
         u: 2.0 * p.v + 2.0 * nu * p.l_xx - z * p.x_xx,
         v: 2.0 * nu * p.l_xy - z * p.x_xy,

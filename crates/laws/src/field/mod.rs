@@ -130,12 +130,39 @@ pub fn circular_shear(
     }
     let rho = square.sqrt();
     let (cos_2, sin_2) = ((x - y) * (x + y) / square, 2.0 * x * y / square);
-    let arc = libm::asin(a / rho);
-    let root = ((rho - a) * (rho + a)).sqrt();
-    let even = (2.0 * a * a - square) * arc + a * root;
-    let odd = square * arc + (2.0 * a * a - square) * a * root / square;
+    // With phi = 2 arcsin(a/rho) both are differences that cancel far away.
+    let phi = 2.0 * libm::asin(a / rho);
+    let even = 0.5 * square * sine_rest(phi);
+    let odd = 0.25 * square * turn_rest(2.0 * phi);
     let scale = sigma / (8.0 * g * a);
     [scale * ((2.0 - nu) * even + 0.5 * nu * odd * cos_2), scale * 0.5 * nu * odd * sin_2]
+}
+
+/// `sin(x) - x cos(x)`, which is `x^3/3` and less.
+fn sine_rest(x: f64) -> f64 {
+    if x > 1.0 {
+        return libm::sin(x) - x * libm::cos(x);
+    }
+    let mut sum = 0.0;
+    for n in (0..10).rev() {
+        let n = f64::from(n);
+        // (2 n + 2)/(2 n + 3)!, by the ratio to the term before.
+        sum = 1.0 - sum * x * x / ((2.0 * n + 2.0) * (2.0 * n + 5.0));
+    }
+    x * x * x / 3.0 * sum
+}
+
+/// `x - sin(x)`.
+fn turn_rest(x: f64) -> f64 {
+    if x > 1.0 {
+        return x - libm::sin(x);
+    }
+    let mut sum = 0.0;
+    for n in (0..10).rev() {
+        let n = f64::from(n);
+        sum = 1.0 - sum * x * x / ((2.0 * n + 4.0) * (2.0 * n + 5.0));
+    }
+    x * x * x / 6.0 * sum
 }
 
 #[cfg(test)]
@@ -186,8 +213,15 @@ mod tests {
         assert_relative_eq!(inside[0], outside[0], max_relative = 1e-7);
         assert_relative_eq!(inside[1], outside[1], max_relative = 1e-7);
         // Cerruti far away: u = F (1 - nu + nu cos^2)/(2 pi G r).
-        let far = circular_shear(1.0, 1.0, &pair(0.4), 1e3, 0.0);
-        assert_relative_eq!(far[0], 2.0 * PI / 3.0 / (2.0 * PI * 1e3), max_relative = 1e-5);
+        for far in [1e3, 1e7, 1e12] {
+            let [u, _] = circular_shear(1.0, 1.0, &pair(0.4), far, 0.0);
+            assert_relative_eq!(u, 2.0 * PI / 3.0 / (2.0 * PI * far), max_relative = 1e-5);
+            let (one, unit) = ([0.6 * far, 0.8 * far], ContactEllipse::circle(1.0).unwrap());
+            let [u, v] = circular_shear(1.0, 1.0, &pair(0.4), one[0], one[1]);
+            let want = ellipsoidal_shear(&unit, 1.0, &pair(0.4), one[0], one[1]).unwrap();
+            assert_relative_eq!(u, want[0], max_relative = 1e-13);
+            assert_relative_eq!(v, want[1], max_relative = 1e-13);
+        }
         assert_eq!(
             ellipsoidal_shear(&circle, 1.0, &pair(0.3), f64::NAN, 0.0).unwrap_err().field,
             "x"

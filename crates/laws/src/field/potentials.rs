@@ -26,9 +26,16 @@ use carom_special::RangeError;
 use super::confocal::{Confocal, Integrals};
 use crate::ellipse::ContactEllipse;
 
+/// Depths below this part of the smaller axis are none, places beyond so many larger axes lie there: all is
+/// as on the surface, or vanishes.
+const NEAR: f64 = 1e-120;
+const FAR: f64 = 1e30;
+
 /// Derivatives of the potentials for unit traction at the centre, on an ellipse.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Potentials {
+    /// The depth that they are those of.
+    pub(super) z: f64,
     pub(super) v: f64,
     pub(super) v_x: f64,
     pub(super) v_y: f64,
@@ -74,9 +81,13 @@ impl Potentials {
         y: f64,
         z: f64,
     ) -> Result<Self, RangeError> {
+        let (a, b) = (ellipse.semi_axis_a(), ellipse.semi_axis_b());
+        // So near the surface and so far away that squares under- or overflow nothing changes any more.
+        let far = FAR * a.max(b);
+        let [x, y, z] = [x, y, z].map(|value| value.clamp(-far, far));
+        let z = if z < NEAR * a.min(b) { 0.0 } else { z };
         let place = Place::new(ellipse, x, y, z)?;
         let Place { i, u, v, h, z_c, .. } = place;
-        let (a, b) = (ellipse.semi_axis_a(), ellipse.semi_axis_b());
         let e = Elementary::new(a, b, x, y, u, v, place.zeta * h);
         let (v_x, v_y) = (-2.0 * x * i.a, -2.0 * y * i.b);
         let x_xx = 2.0 * (e.less_x - z * i.a);
@@ -87,6 +98,7 @@ impl Potentials {
         let (over_a, over_b) = (i.f - a * a * i.a, i.f - b * b * i.b);
         let (x2, y2, z2) = (x * x, y * y, z * z);
         let unit = Self {
+            z,
             v: i.f - x2 * i.a - y2 * i.b - z * z_c,
             v_x,
             v_y,
@@ -190,11 +202,28 @@ impl Place {
 
 impl Potentials {
     fn times(self, c: f64) -> Self {
-        let Self { v, v_x, v_y, v_z, z_v, x_x, x_y, x_xx, x_xy, x_yy, z_x, l_xx, l_xy, l_yy, l } =
-            self;
+        let Self {
+            v,
+            v_x,
+            v_y,
+            v_z,
+            z_v,
+            x_x,
+            x_y,
+            x_xx,
+            x_xy,
+            x_yy,
+            z_x,
+            l_xx,
+            l_xy,
+            l_yy,
+            l,
+            ..
+        } = self;
         let third =
             |t: Third| Third { xxx: c * t.xxx, xxy: c * t.xxy, xyy: c * t.xyy, yyy: c * t.yyy };
         Self {
+            z: self.z,
             v: c * v,
             v_x: c * v_x,
             v_y: c * v_y,

@@ -90,6 +90,16 @@ impl Section<'_> {
         }
     }
 
+    /// The error that a value, as it is written, cannot stand at a field.
+    #[must_use]
+    pub(in crate::case) fn unfit(&self, place: impl Place, allowed: String) -> CaseError {
+        let field = self.path(&place);
+        let Some(value) = self.find(&place) else { return CaseError::Missing { field, allowed } };
+        let line = line_at(self.source, value.span().start);
+        let found = shortened(self.source.get(value.span()).unwrap_or("?").trim());
+        CaseError::Kind { field, line, found, allowed }
+    }
+
     /// The error that one field excludes another one of this table.
     #[must_use]
     pub(in crate::case) fn conflict(
