@@ -47,10 +47,6 @@ impl Pass<'_> {
         std::mem::swap(&mut scratch.by_traction, &mut scratch.last);
         self.displace_by_traction(to, scratch)?;
         let heights = self.problem.gap().heights().values();
-        if to.pressure.values().iter().all(|pressure| *pressure == 0.0) {
-            // Pushed apart by tractions of the last pass, which went with the pressures.
-            return Ok(if scratch.by_traction == scratch.last { 0.0 } else { 1.0 });
-        }
         let (mut moved, mut scale) = (0.0_f64, 0.0_f64);
         for (i, pressure) in to.pressure.values().iter().enumerate().filter(|(_, p)| **p > 0.0) {
             let change = (scratch.by_traction[i] - scratch.last[i]).abs();
