@@ -15,14 +15,11 @@ use crate::columns;
 use crate::command::hertz::smallest_radius;
 use crate::command::theory::{Excess, caution};
 use crate::command::{self, CaseArguments};
-use crate::destination::{Destination, check_output};
 use crate::error::CliError;
 use crate::input::CaseFile;
 use crate::output::{Answer, Format, json};
-use carom_laws::law::Shift;
 use carom_laws::stiffness::ContactStiffness;
 use follow::{Wanted, follow};
-use std::path::{Path, PathBuf};
 pub use view::{Step, all_columns};
 
 /// Loads of a contact along a history of shifts and twists, with memory.
@@ -48,7 +45,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let case = file.parse(HistoryCase::parse)?;
     let shifts = match &case.steps {
         Steps::Inline(shifts) => shifts.clone(),
-        Steps::File(name) => steps_beside(arguments, &beside(path, name))?,
+        Steps::File(name) => read_steps(&file, name)?,
     };
     let radii = arguments.tractions.map_or(0, |count| count as usize);
     let followed = follow(&case, &shifts, Wanted { radii, picture: plot.is_some() }, |source| {
@@ -86,16 +83,11 @@ pub fn followed(file: &CaseFile) -> Result<Vec<Step>, CliError> {
     let case = file.parse(HistoryCase::parse)?;
     let shifts = match &case.steps {
         Steps::Inline(shifts) => shifts.clone(),
-        Steps::File(name) => read_steps(&beside(&file.path, name))?,
+        Steps::File(name) => read_steps(file, name)?,
     };
     let at_fault = |source| CliError::Law { path: file.path.clone(), source };
     let wanted = Wanted { radii: 0, picture: false };
     Ok(follow(&case, &shifts, wanted, at_fault)?.steps)
-}
-
-/// A file that a case names.
-fn beside(case: &Path, name: &Path) -> PathBuf {
-    case.parent().unwrap_or(Path::new("")).join(name)
 }
 
 /// What the rows hold.
@@ -105,15 +97,6 @@ fn help() -> String {
     let tractions =
         columns::help("With --tractions as CSV, a row for each radius", view::TRACTION_COLUMNS);
     format!("{steps}{twists}\n{tractions}")
-}
-
-/// The steps in a file, which no output may overwrite either.
-fn steps_beside(arguments: &Arguments, path: &Path) -> Result<Vec<Shift>, CliError> {
-    check_output(path)?;
-    if let Some(plot) = &arguments.given.plot {
-        Destination::new("plot", plot, arguments.given.format, &[path])?;
-    }
-    read_steps(path)
 }
 
 /// What the law neglects in this case.

@@ -1,7 +1,7 @@
 //! The steps of a history from a CSV file.
 
 use crate::error::CliError;
-use crate::input::read_table;
+use crate::input::CaseFile;
 use crate::numbers::{NumberTable, TableError, headed};
 use carom_laws::law::Shift;
 use std::path::Path;
@@ -31,12 +31,12 @@ pub enum StepsError {
     Empty,
 }
 
-/// Reads the steps in the file.
+/// Reads the steps in the file that a case names.
 ///
 /// # Errors
-/// If it cannot be read, is no text of at most 64 MiB, lacks a column or has another one, or a value is no finite number.
-pub(in crate::command) fn read(path: &Path) -> Result<Vec<Shift>, CliError> {
-    parse(&read_table(path)?).map_err(|source| CliError::Steps { path: path.to_owned(), source })
+/// If an output goes to it, it cannot be read, is no text of at most 64 MiB, lacks a column or has another one, or a value is no finite number.
+pub(in crate::command) fn read(case: &CaseFile, name: &Path) -> Result<Vec<Shift>, CliError> {
+    parse(&case.table(name)?).map_err(|source| CliError::Steps { path: case.beside(name), source })
 }
 
 fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {

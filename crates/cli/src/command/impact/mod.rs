@@ -46,10 +46,11 @@ const ELASTIC_COURSE: &str = "the course, duration and greatest force are those 
 const NOTHING_TO_DRAW: &str = "no impact: there is nothing to draw";
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let command::Given { case: text, plot } = arguments.given.read()?;
-    let (case, format) = (&arguments.given.case, arguments.given.format);
-    let to = |path: &PathBuf| Destination::new("animate", path, format, &[case]);
-    let plot = arguments.animate.as_ref().map(to).transpose()?.or(plot);
+    let (command::Given { case: text, plot }, moving) = arguments.given.read_beside(|outputs| {
+        let to = |path: &PathBuf| outputs.picture("animate", path, arguments.given.format);
+        arguments.animate.as_ref().map(to).transpose()
+    })?;
+    let plot = moving.or(plot);
     let file = text.parse(ImpactFile::parse)?;
     if arguments.animate.is_some() && (file.sweep().is_some() || file.uncertainty().is_some()) {
         return Err(CliError::Options("--animate takes a case with one impact"));

@@ -5,10 +5,10 @@ mod rows;
 mod tensor;
 
 use crate::columns;
-use crate::destination::Destination;
 use crate::error::CliError;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, Results};
+use crate::outputs::Outputs;
 use crate::range::Values;
 use carom_impact::oblique::Groups;
 use carom_special::RangeError;
@@ -133,8 +133,9 @@ pub(super) fn run(
     results: &mut Results,
 ) -> Result<Answer, CliError> {
     let plane = Plane::of(arguments);
-    let to = |option, path: &Option<PathBuf>| {
-        let to = |path: &PathBuf| Destination::new(option, path, arguments.format, &[]);
+    let mut outputs = Outputs::of_command(arguments.format)?;
+    let mut to = |option, path: &Option<PathBuf>| {
+        let to = |path: &PathBuf| outputs.picture(option, path, arguments.format);
         path.as_ref().map(to).transpose()
     };
     let (lines, map) = (to("plot", &arguments.plot)?, to("map", &arguments.map)?);

@@ -3,31 +3,34 @@
 use super::npy;
 use crate::case::HeightFile;
 use crate::error::CliError;
-use crate::input::{read_bytes, read_table};
+use crate::input::CaseFile;
 use crate::numbers::bare;
 use carom_halfspace::Grid;
 use carom_solver::{Gap, HeightMap};
-use std::path::Path;
 
-/// The gap under the heights in the file at `path`, and all that was read.
+/// The gap under the heights in the file that the case names, and all that was read.
 ///
 /// # Errors
 /// [`CliError::Input`] if the heights are ragged, of another size than the grid, or hold anything but
 /// finite numbers.
-pub(super) fn gap(path: &Path, map: &HeightFile, grid: Grid) -> Result<(Gap, Vec<u8>), CliError> {
-    let refused = |reason: String| CliError::Input { path: path.to_owned(), reason };
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+pub(super) fn gap(
+    case: &CaseFile,
+    map: &HeightFile,
+    grid: Grid,
+) -> Result<(Gap, Vec<u8>), CliError> {
+    let refused = |reason: String| CliError::Input { path: case.beside(&map.file), reason };
+    let ending = map.file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     let (rows, read) = match ending.to_ascii_lowercase().as_str() {
         "npy" => {
-            let bytes = read_bytes(path)?;
+            let bytes = case.bytes(&map.file)?;
             (npy::rows(&bytes).map_err(refused)?, bytes)
         }
         "png" => {
-            let bytes = read_bytes(path)?;
+            let bytes = case.bytes(&map.file)?;
             (greys(&bytes).map_err(refused)?, bytes)
         }
         _ => {
-            let text = read_table(path)?;
+            let text = case.table(&map.file)?;
             (bare(&text).map_err(|error| refused(error.to_string()))?, text.into_bytes())
         }
     };
