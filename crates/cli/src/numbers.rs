@@ -50,11 +50,16 @@ pub fn bare(text: &str) -> Result<Vec<Vec<f64>>, TableError> {
     numbers(reader.records(), |place| format!("value {}", place + 1))
 }
 
-fn builder(text: &str) -> ReaderBuilder {
+/// What separates the values of a table: the first comma, semicolon or tab of its first line.
+#[must_use]
+pub fn delimiter(text: &str) -> u8 {
     let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-    let delimiter = first.bytes().find(|byte| b",;\t".contains(byte)).unwrap_or(b',');
+    first.bytes().find(|byte| b",;\t".contains(byte)).unwrap_or(b',')
+}
+
+fn builder(text: &str) -> ReaderBuilder {
     let mut builder = ReaderBuilder::new();
-    builder.trim(Trim::All).delimiter(delimiter);
+    builder.trim(Trim::All).delimiter(delimiter(text));
     builder
 }
 
