@@ -18,6 +18,7 @@ pub mod numbers;
 pub mod output;
 pub mod outputs;
 pub mod range;
+pub mod rows;
 
 pub use command::cases;
 

@@ -122,23 +122,25 @@ impl Answer {
     }
 }
 
-/// Standard output. A reader that has seen enough and closed it is no failure: what comes later
-/// is dropped.
+/// Standard output. What comes is held until it is [finished](Results::finish) or is too much to hold.
+/// A reader that has seen enough and closed it is no failure: what comes later is dropped.
 #[derive(Debug)]
 pub struct Results {
     out: BufWriter<Stdout>,
+    held: Vec<u8>,
+    is_flowing: bool,
     is_closed: bool,
     /// Whether it was open at the start.
     is_checked: bool,
 }
 
+/// Bytes of results that are held, at most.
+const MOST_HELD: usize = 16 << 20;
+
 impl Default for Results {
     fn default() -> Self {
-        Self {
-            out: BufWriter::with_capacity(1 << 16, std::io::stdout()),
-            is_closed: false,
-            is_checked: false,
-        }
+        let out = BufWriter::with_capacity(1 << 16, std::io::stdout());
+        Self { out, held: Vec::new(), is_flowing: false, is_closed: false, is_checked: false }
     }
 }
 
@@ -149,7 +151,7 @@ impl Results {
         self.is_closed
     }
 
-    /// Writes `bytes`.
+    /// Writes `bytes`, or holds them.
     ///
     /// # Errors
     /// [`CliError::Io`] if they cannot be written, as on a full disk or where standard output was never
@@ -159,6 +161,13 @@ impl Results {
             is_open()?;
             self.is_checked = true;
         }
+        if !self.is_flowing && self.held.len() + bytes.len() <= MOST_HELD {
+            self.held.extend_from_slice(bytes);
+            return Ok(());
+        }
+        self.is_flowing = true;
+        self.release()?;
+        self.write_all(bytes).map_err(refused)
         self.write_all(bytes).map_err(refused)
     }
 
@@ -167,7 +176,13 @@ impl Results {
     /// # Errors
     /// As [`Results::put`].
     pub fn finish(&mut self) -> Result<(), CliError> {
+        self.release()?;
         self.flush().map_err(refused)
+    }
+
+    fn release(&mut self) -> Result<(), CliError> {
+        let held = std::mem::take(&mut self.held);
+        self.write_all(&held).map_err(refused)
     }
 
     fn unless_closed<T>(

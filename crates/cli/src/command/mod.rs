@@ -18,6 +18,7 @@ mod schema;
 mod solve;
 mod stress;
 mod theory;
+mod thinned;
 
 pub use history::StepsError;
 
@@ -138,11 +139,11 @@ pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError>
 
 fn go(command: &Command, messages: &Messages, results: &mut Results) -> Result<Answer, CliError> {
     match command {
-        Command::Impact(arguments) => impact::run(arguments),
+        Command::Impact(arguments) => impact::run(arguments, results),
         Command::Restitution(arguments) => restitution::run(arguments, messages, results),
         Command::Hertz(arguments) => hertz::run(arguments),
-        Command::History(arguments) => history::run(arguments),
-        Command::Scene(arguments) => scene::run(arguments),
+        Command::History(arguments) => history::run(arguments, results),
+        Command::Scene(arguments) => scene::run(arguments, results),
         Command::Solve(arguments) => solve::run(arguments, messages),
         Command::Roll(arguments) => roll::run(arguments),
         Command::Stress(arguments) => stress::run(arguments),

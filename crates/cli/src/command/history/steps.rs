@@ -2,7 +2,7 @@
 
 use crate::error::CliError;
 use crate::input::CaseFile;
-use crate::numbers::{NumberTable, TableError, headed};
+use crate::numbers::{NumberTable, TableError};
 use carom_laws::law::Shift;
 use std::path::Path;
 
@@ -40,7 +40,8 @@ pub(in crate::command) fn read(case: &CaseFile, name: &Path) -> Result<Vec<Shift
 }
 
 fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {
-    let NumberTable { heads, rows } = headed(text)?;
+    let mut table = NumberTable::new(text)?;
+    let heads = &table.heads;
     if let Some(unknown) = heads.iter().find(|head| !COLUMNS.contains(&head.as_str())) {
         return Err(StepsError::Unknown(unknown.clone()));
     }
@@ -49,11 +50,11 @@ fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {
     if let Some((column, _)) = lacking {
         return Err(StepsError::Missing(column));
     }
-    let shift = |row: &Vec<f64>| {
+    let mut shifts = Vec::new();
+    while let Some(row) = table.next_row()? {
         let [zeta, xi, eta, omega] = places.map(|place| place.map_or(0.0, |place| row[place]));
-        Shift { zeta, xi, eta, omega }
-    };
-    let shifts: Vec<Shift> = rows.iter().map(shift).collect();
+        shifts.push(Shift { zeta, xi, eta, omega });
+    }
     if shifts.is_empty() { Err(StepsError::Empty) } else { Ok(shifts) }
 }
 
