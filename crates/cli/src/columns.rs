@@ -3,6 +3,7 @@
 use crate::error::CliError;
 use crate::output::{Format, csv, short, table};
 use carom_table::{Cell, Column, Quantity, Value, cells, described, heads, labels, row, texts};
+use rayon::prelude::*;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::path::Path;
 
@@ -141,35 +142,40 @@ fn vector(value: [f64; 3]) -> String {
 ///
 /// # Errors
 /// [`CliError::Overflow`] that names the first.
-pub fn check<R>(path: &Path, columns: &[Column<R>], records: &[R]) -> Result<(), CliError> {
-    let rows: Vec<_> = records.iter().map(|record| row(columns, Some(record))).collect();
-    check_cells(path, rows.iter().map(Vec::as_slice))
+pub fn check<R: Sync>(path: &Path, columns: &[Column<R>], records: &[R]) -> Result<(), CliError> {
+    let all = records.len();
+    check_rows(path, records, [0, all], |record| row(columns, Some(record)))
 }
 
-/// Refuses numbers that are not finite.
+/// Refuses numbers that are not finite in some rows of `all`, the first of which has this place, from 0.
 ///
 /// # Errors
 /// [`CliError::Overflow`] that names the first.
-pub fn check_cells<'a>(
+pub fn check_rows<R: Sync>(
     path: &Path,
-    rows: impl ExactSizeIterator<Item = &'a [Cell]>,
+    rows: &[R],
+    [first, all]: [usize; 2],
+    cells: impl Fn(&R) -> Vec<Cell> + Sync,
 ) -> Result<(), CliError> {
-    let count = rows.len();
-    for (i, cell) in rows.enumerate().flat_map(|(i, row)| row.iter().map(move |cell| (i, cell))) {
+    let wrong = rows.par_iter().enumerate().find_map_first(|(i, row)| {
+        let (head, value) = infinite(&cells(row))?;
+        let quantity = if all == 1 { head } else { format!("{head} in row {}", first + i + 1) };
+        Some(CliError::Overflow { path: path.to_owned(), quantity, value })
+    });
+    wrong.map_or(Ok(()), Err)
+}
+
+/// The head and value of the first number that is not finite.
+fn infinite(row: &[Cell]) -> Option<(String, f64)> {
+    row.iter().find_map(|cell| {
         let numbers: &[f64] = match cell.value() {
             Value::Number(number) => std::slice::from_ref(number),
             Value::Vector(parts) => parts,
             _ => &[],
         };
-        if let Some(part) = numbers.iter().position(|value| !value.is_finite()) {
-            let head = &heads(std::slice::from_ref(cell))[part];
-            let quantity =
-                if count == 1 { head.clone() } else { format!("{head} in row {}", i + 1) };
-            let (path, value) = (path.to_owned(), numbers[part]);
-            return Err(CliError::Overflow { path, quantity, value });
-        }
-    }
-    Ok(())
+        let part = numbers.iter().position(|value| !value.is_finite())?;
+        Some((heads(std::slice::from_ref(cell)).swap_remove(part), numbers[part]))
+    })
 }
 
 /// A paragraph of help that says what the columns are.
@@ -191,7 +197,7 @@ mod tests {
             Column::vector("v", "", "", |value: &[f64; 3]| (*value).into()).cell(Some(&value))
         }
         let check = |rows: &[Vec<Cell>]| {
-            check_cells(Path::new("case.toml"), rows.iter().map(Vec::as_slice))
+            check_rows(Path::new("case.toml"), rows, [0, rows.len()], Clone::clone)
         };
         let error = |rows: &[Vec<Cell>]| check(rows).unwrap_err().to_string();
         let bad = row(1.0, [0.0, f64::INFINITY, 0.0]);

@@ -136,7 +136,13 @@ pub enum CliError {
         /// What is wrong with it.
         reason: String,
     },
-    /// A picture cannot go where it was asked for.
+    /// Standard error goes to an input: there is nowhere to tell it.
+    #[error("{}: standard error goes to this input", path.display())]
+    Messages {
+        /// The input.
+        path: PathBuf,
+    },
+    /// An output cannot go where it was asked for.
     #[error("--{option} {}: {reason}", path.display())]
     Destination {
         /// The option.
@@ -246,6 +252,7 @@ impl CliError {
             | Self::Law { .. }
             | Self::Steps { .. }
             | Self::Input { .. }
+            | Self::Messages { .. }
             | Self::Destination { .. }
             | Self::Option(_)
             | Self::Options(_) => 2,

@@ -2,7 +2,8 @@
 
 use crate::case::CaseError;
 use crate::error::CliError;
-use std::fs::{File, Metadata};
+use crate::outputs::Outputs;
+use std::fs::{File, FileType};
 use std::io::Read;
 use std::path::{Path, PathBuf};
 
@@ -20,28 +21,64 @@ pub struct CaseFile {
     /// The file.
     pub path: PathBuf,
     text: String,
+    /// What no input may be.
+    outputs: Outputs,
 }
 
 impl CaseFile {
-    /// Reads the case file at `path`, once; `-` is standard input. Files that the case names lie beside
-    /// it, or in the present folder.
+    /// Reads the case file at `path`, once; `-` is standard input.
     ///
     /// # Errors
-    /// If it cannot be read, is a device, larger than 1 MiB, or no UTF-8.
+    /// As [`CaseFile::read_for`].
     pub fn read(path: &Path) -> Result<Self, CliError> {
+        Self::read_for(path, Outputs::default())
+    }
+
+    /// The same in a run that writes these outputs.
+    ///
+    /// # Errors
+    /// If an output goes to it, it cannot be read, is a device or a pipe, larger than 1 MiB, or no UTF-8.
+    pub fn read_for(path: &Path, outputs: Outputs) -> Result<Self, CliError> {
+        outputs.check_input(path)?;
         let text = if path == Path::new(STANDARD_INPUT) {
             let bytes = bounded(std::io::stdin().lock(), path, MOST_OF_CASE, TEXT)?;
             text(bytes, path, MOST_OF_CASE)?
         } else {
             read_text(path, MOST_OF_CASE)?
         };
-        Ok(Self { path: path.to_owned(), text })
+        Ok(Self { path: path.to_owned(), text, outputs })
     }
 
     /// The whole text.
     #[must_use]
     pub fn text(&self) -> &str {
         &self.text
+    }
+
+    /// Where a file is that the case names: beside the case, or in the present folder.
+    #[must_use]
+    pub fn beside(&self, name: &Path) -> PathBuf {
+        self.path.parent().unwrap_or(Path::new("")).join(name)
+    }
+
+    /// Reads the table that the case names.
+    ///
+    /// # Errors
+    /// If an output goes to it, it cannot be read, is a device or a pipe, larger than 64 MiB, or no UTF-8.
+    pub fn table(&self, name: &Path) -> Result<String, CliError> {
+        let path = self.beside(name);
+        self.outputs.check_input(&path)?;
+        read_text(&path, MOST_OF_TABLE)
+    }
+
+    /// Reads the file that the case names, whatever it holds.
+    ///
+    /// # Errors
+    /// As [`CaseFile::table`], but for UTF-8.
+    pub fn bytes(&self, name: &Path) -> Result<Vec<u8>, CliError> {
+        let path = self.beside(name);
+        self.outputs.check_input(&path)?;
+        read(&path, MOST_OF_TABLE, "a file")
     }
 
     /// What the text says.
@@ -54,22 +91,6 @@ impl CaseFile {
     ) -> Result<T, CliError> {
         parse(&self.text).map_err(|source| CliError::Case { path: self.path.clone(), source })
     }
-}
-
-/// Reads the table at `path`.
-///
-/// # Errors
-/// If it cannot be read, is a device, larger than 64 MiB, or no UTF-8.
-pub fn read_table(path: &Path) -> Result<String, CliError> {
-    read_text(path, MOST_OF_TABLE)
-}
-
-/// Reads the file at `path`, whatever it holds.
-///
-/// # Errors
-/// If it cannot be read, is a device, or larger than 64 MiB.
-pub fn read_bytes(path: &Path) -> Result<Vec<u8>, CliError> {
-    read(path, MOST_OF_TABLE, "a file")
 }
 
 fn allowed(most: u64, kind: &str) -> String {
@@ -89,13 +110,32 @@ fn text(bytes: Vec<u8>, path: &Path, most: u64) -> Result<String, CliError> {
     })
 }
 
-fn read(path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, CliError> {
-    let refused = |reason: String| CliError::Input { path: path.to_owned(), reason };
+/// Reads the file at `path`, of at most so many bytes.
+///
+/// # Errors
+/// If it cannot be read, is a device or a pipe, or larger.
+pub(crate) fn read(path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, CliError> {
+    bounded(open(path, &allowed(most, kind))?, path, most, kind)
+}
+
+/// Opens the file at `path`, which must be what is `allowed`.
+///
+/// # Errors
+/// If it cannot be opened, or is a device or a pipe: those are not opened, as a pipe waits for a writer
+/// and a device does what it likes.
+pub(crate) fn open(path: &Path, allowed: &str) -> Result<File, CliError> {
     let failed = |error| CliError::io("read", path, error);
-    if is_device(&std::fs::metadata(path).map_err(failed)?) {
-        return Err(refused(format!("this is a device; it {}", allowed(most, kind))));
-    }
-    bounded(File::open(path).map_err(failed)?, path, most, kind)
+    let check = |of: FileType| match special(of) {
+        Some(what) => {
+            let reason = format!("this is {what}; it {allowed}");
+            Err(CliError::Input { path: path.to_owned(), reason })
+        }
+        None => Ok(()),
+    };
+    check(std::fs::metadata(path).map_err(failed)?.file_type())?;
+    let file = File::open(path).map_err(failed)?;
+    check(file.metadata().map_err(failed)?.file_type())?;
+    Ok(file)
 }
 
 /// All that comes, if it is not too much.
@@ -113,13 +153,22 @@ fn bounded(source: impl Read, path: &Path, most: u64, kind: &str) -> Result<Vec<
     Ok(bytes)
 }
 
+/// What the file is, if it is neither a file nor a folder, which cannot be read anyway.
+fn special(of: FileType) -> Option<&'static str> {
+    match () {
+        () if of.is_file() || of.is_dir() => None,
+        () if is_device(of) => Some("a device"),
+        () => Some("a pipe or socket"),
+    }
+}
+
 #[cfg(unix)]
-fn is_device(metadata: &Metadata) -> bool {
+fn is_device(of: FileType) -> bool {
     use std::os::unix::fs::FileTypeExt as _;
-    metadata.file_type().is_char_device() || metadata.file_type().is_block_device()
+    of.is_char_device() || of.is_block_device()
 }
 
 #[cfg(not(unix))]
-fn is_device(_: &Metadata) -> bool {
-    false
+fn is_device(_: FileType) -> bool {
+    true
 }

@@ -5,16 +5,20 @@
 //! that has succeeded, but for rows that are too many to hold. Exit code 2 means bad input, 1 a
 //! file that cannot be read or written.
 
+mod aside;
 pub mod case;
 pub mod columns;
 pub mod command;
 pub mod destination;
 pub mod error;
+mod identity;
 pub mod input;
 pub mod manner;
 pub mod numbers;
 pub mod output;
+pub mod outputs;
 pub mod range;
+pub mod rows;
 
 pub use command::cases;
 

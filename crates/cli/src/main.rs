@@ -2,8 +2,9 @@
 //! The command `carom`.
 
 use carom_cli::command::{Carom, run};
+use carom_cli::error::CliError;
 use carom_cli::manner::asked_colour;
-use carom_cli::output::Results;
+use carom_cli::output::{Results, is_open};
 use clap::{CommandFactory as _, FromArgMatches as _};
 use std::io::ErrorKind;
 use std::process::ExitCode;
@@ -19,6 +20,7 @@ fn main() -> ExitCode {
     let messages = arguments.messages();
     match run(&arguments, &mut results).and_then(|answer| answer.write(&mut results, &messages)) {
         Ok(()) => ExitCode::SUCCESS,
+        Err(error @ CliError::Messages { .. }) => ExitCode::from(error.exit_code()),
         Err(error) => {
             messages.error(&error.to_string());
             ExitCode::from(error.exit_code())
@@ -28,6 +30,9 @@ fn main() -> ExitCode {
 
 /// Help and version on standard output, or what is wrong with the options on standard error.
 fn said(message: &clap::Error) -> ExitCode {
+    if !message.use_stderr() && is_open().is_err() {
+        return ExitCode::FAILURE;
+    }
     match message.print() {
         Err(error) if !message.use_stderr() && error.kind() != ErrorKind::BrokenPipe => {
             ExitCode::FAILURE

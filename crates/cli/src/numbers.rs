@@ -1,6 +1,6 @@
 //! Tables of numbers in files of comma-separated values; semicolons and tabs separate too.
 
-use csv::{ReaderBuilder, StringRecord, Trim};
+use csv::{Reader, ReaderBuilder, StringRecord, Trim};
 
 /// What is wrong with a table of numbers.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
@@ -20,25 +20,43 @@ pub enum TableError {
     },
 }
 
-/// Rows of numbers under heads.
-#[derive(Debug, Clone, PartialEq)]
-pub struct NumberTable {
+/// Rows of numbers under heads, read one after the other.
+#[derive(Debug)]
+pub struct NumberTable<'a> {
     /// The heads.
     pub heads: Vec<String>,
-    /// The rows, each as long as the heads.
-    pub rows: Vec<Vec<f64>>,
+    reader: Reader<&'a [u8]>,
+    record: StringRecord,
+    row: Vec<f64>,
 }
 
-/// A table under heads.
-///
-/// # Errors
-/// [`TableError`] if a row is longer or shorter than the heads, or a value is no finite number.
-pub fn headed(text: &str) -> Result<NumberTable, TableError> {
-    let mut reader = builder(text).from_reader(text.as_bytes());
-    let heads = reader.headers().map_err(|error| TableError::Csv(error.to_string()))?;
-    let heads: Vec<String> = heads.iter().map(str::to_owned).collect();
-    let rows = numbers(reader.records(), |place| heads.get(place).cloned().unwrap_or_default())?;
-    Ok(NumberTable { heads, rows })
+impl<'a> NumberTable<'a> {
+    /// The table in a text.
+    ///
+    /// # Errors
+    /// [`TableError`] if it has no heads.
+    pub fn new(text: &'a str) -> Result<Self, TableError> {
+        let mut reader = builder(text).from_reader(text.as_bytes());
+        let heads = reader.headers().map_err(|error| TableError::Csv(error.to_string()))?;
+        let heads = heads.iter().map(str::to_owned).collect();
+        Ok(Self { heads, reader, record: StringRecord::new(), row: Vec::new() })
+    }
+
+    /// The next row, as long as the heads; none behind the last.
+    ///
+    /// # Errors
+    /// [`TableError`] if the row is longer or shorter than the heads, or a value is no finite number.
+    pub fn next_row(&mut self) -> Result<Option<&[f64]>, TableError> {
+        let is_there = self.reader.read_record(&mut self.record);
+        if !is_there.map_err(|error| TableError::Csv(error.to_string()))? {
+            return Ok(None);
+        }
+        let heads = &self.heads;
+        let column = |place: usize| heads.get(place).cloned().unwrap_or_default();
+        self.row.clear();
+        numbers(&self.record, column, &mut self.row)?;
+        Ok(Some(&self.row))
+    }
 }
 
 /// Rows without heads, as long as they come.
@@ -47,48 +65,64 @@ pub fn headed(text: &str) -> Result<NumberTable, TableError> {
 /// [`TableError`] if a value is no finite number.
 pub fn bare(text: &str) -> Result<Vec<Vec<f64>>, TableError> {
     let mut reader = builder(text).has_headers(false).flexible(true).from_reader(text.as_bytes());
-    numbers(reader.records(), |place| format!("value {}", place + 1))
+    let row = |record: Result<StringRecord, csv::Error>| {
+        let record = record.map_err(|error| TableError::Csv(error.to_string()))?;
+        let mut row = Vec::with_capacity(record.len());
+        numbers(&record, |place| format!("value {}", place + 1), &mut row)?;
+        Ok(row)
+    };
+    reader.records().map(row).collect()
+}
+
+/// What separates the values of a table: the first comma, semicolon or tab of its first line.
+#[must_use]
+pub fn delimiter(text: &str) -> u8 {
+    let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
+    first.bytes().find(|byte| b",;\t".contains(byte)).unwrap_or(b',')
 }
 
 fn builder(text: &str) -> ReaderBuilder {
-    let first = text.lines().find(|line| !line.trim().is_empty()).unwrap_or_default();
-    let delimiter = first.bytes().find(|byte| b",;\t".contains(byte)).unwrap_or(b',');
     let mut builder = ReaderBuilder::new();
-    builder.trim(Trim::All).delimiter(delimiter);
+    builder.trim(Trim::All).delimiter(delimiter(text));
     builder
 }
 
+/// Adds the numbers of a record to a row.
 fn numbers(
-    records: impl Iterator<Item = Result<StringRecord, csv::Error>>,
+    record: &StringRecord,
     column: impl Fn(usize) -> String,
-) -> Result<Vec<Vec<f64>>, TableError> {
-    let row = |record: Result<StringRecord, csv::Error>| {
-        let record = record.map_err(|error| TableError::Csv(error.to_string()))?;
-        let line = record.position().map_or(0, csv::Position::line);
-        let number = |(place, found): (usize, &str)| {
-            let number = found.parse().ok().filter(|number: &f64| number.is_finite());
-            number.ok_or_else(|| TableError::Value {
-                line,
-                column: column(place),
-                found: found.to_owned(),
-            })
-        };
-        record.iter().enumerate().map(number).collect()
-    };
-    records.map(row).collect()
+    row: &mut Vec<f64>,
+) -> Result<(), TableError> {
+    for (place, found) in record.iter().enumerate() {
+        let number = found.parse().ok().filter(|number: &f64| number.is_finite());
+        row.push(number.ok_or_else(|| TableError::Value {
+            line: record.position().map_or(0, csv::Position::line),
+            column: column(place),
+            found: found.to_owned(),
+        })?);
+    }
+    Ok(())
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
 
+    fn headed(text: &str) -> Result<(Vec<String>, Vec<Vec<f64>>), TableError> {
+        let (mut table, mut rows) = (NumberTable::new(text)?, Vec::new());
+        while let Some(row) = table.next_row()? {
+            rows.push(row.to_vec());
+        }
+        Ok((table.heads, rows))
+    }
+
     #[test]
     fn commas_semicolons_and_tabs_separate() {
         for text in ["1, 2\n\n3,4e0\n", "1;2\n3;4\n", "1\t2\r\n3\t 4\n"] {
             assert_eq!(bare(text).unwrap(), [[1.0, 2.0], [3.0, 4.0]], "{text:?}");
         }
-        let table = headed("x; y\n1; 2\n").unwrap();
-        assert_eq!((table.heads.len(), table.rows), (2, vec![vec![1.0, 2.0]]));
+        let (heads, rows) = headed("x; y\n1; 2\n").unwrap();
+        assert_eq!((heads.len(), rows), (2, vec![vec![1.0, 2.0]]));
         assert!(bare("").unwrap().is_empty());
     }
 

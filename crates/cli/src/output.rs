@@ -3,14 +3,16 @@
 //! A command works out everything first and hands it over as an [`Answer`]; nothing is written
 //! before it has succeeded. Only rows that are too many to hold go out as they come.
 
-use crate::destination::{Aside, Destination, Kind};
+use crate::aside::{self, Aside};
+use crate::destination::{Destination, Kind};
 use crate::error::CliError;
 use crate::manner::Messages;
+use crate::outputs::Place;
 use carom_plot::{Panel, PlotError, render, render_png};
 use comfy_table::{CellAlignment, Table, presets::UTF8_FULL_CONDENSED};
 use serde::Serialize;
 use std::io::{BufWriter, ErrorKind, Stdout, Write};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Format of the results.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, clap::ValueEnum)]
@@ -38,7 +40,7 @@ pub struct Answer {
     /// A picture and where it goes.
     pub picture: Option<(Destination, Picture)>,
     /// Another file, and what goes there.
-    pub file: Option<(PathBuf, Vec<u8>)>,
+    pub file: Option<(Place, Vec<u8>)>,
 }
 
 /// A line that must not be missed.
@@ -92,14 +94,16 @@ impl Answer {
         };
         let mut asides = Vec::new();
         match &encoded {
-            Some((Destination::File { path, .. }, bytes)) => {
-                asides.push(Aside::write(path, bytes)?);
+            Some((Destination::File { place, .. }, bytes)) => {
+                aside::clear(place);
+                asides.push(Aside::write(place, bytes)?);
             }
             Some((Destination::StandardOutput, bytes)) => results.put(bytes)?,
             None => {}
         }
-        if let Some((path, bytes)) = &self.file {
-            asides.push(Aside::write(path, bytes)?);
+        if let Some((place, bytes)) = &self.file {
+            aside::clear(place);
+            asides.push(Aside::write(place, bytes)?);
         }
         match &self.caution {
             Some(Caution { line, is_read_first: true }) => {
@@ -118,17 +122,25 @@ impl Answer {
     }
 }
 
-/// Standard output. A reader that has seen enough and closed it is no failure: what comes later
-/// is dropped.
+/// Standard output. What comes is held until it is [finished](Results::finish) or is too much to hold.
+/// A reader that has seen enough and closed it is no failure: what comes later is dropped.
 #[derive(Debug)]
 pub struct Results {
     out: BufWriter<Stdout>,
+    held: Vec<u8>,
+    is_flowing: bool,
     is_closed: bool,
+    /// Whether it was open at the start.
+    is_checked: bool,
 }
+
+/// Bytes of results that are held, at most.
+const MOST_HELD: usize = 16 << 20;
 
 impl Default for Results {
     fn default() -> Self {
-        Self { out: BufWriter::with_capacity(1 << 16, std::io::stdout()), is_closed: false }
+        let out = BufWriter::with_capacity(1 << 16, std::io::stdout());
+        Self { out, held: Vec::new(), is_flowing: false, is_closed: false, is_checked: false }
     }
 }
 
@@ -139,11 +151,23 @@ impl Results {
         self.is_closed
     }
 
-    /// Writes `bytes`.
+    /// Writes `bytes`, or holds them.
     ///
     /// # Errors
-    /// [`CliError::Io`] if they cannot be written, as on a full disk.
+    /// [`CliError::Io`] if they cannot be written, as on a full disk or where standard output was never
+    /// open.
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), CliError> {
+        if !bytes.is_empty() && !self.is_checked {
+            is_open()?;
+            self.is_checked = true;
+        }
+        if !self.is_flowing && self.held.len() + bytes.len() <= MOST_HELD {
+            self.held.extend_from_slice(bytes);
+            return Ok(());
+        }
+        self.is_flowing = true;
+        self.release()?;
+        self.write_all(bytes).map_err(refused)
         self.write_all(bytes).map_err(refused)
     }
 
@@ -152,7 +176,13 @@ impl Results {
     /// # Errors
     /// As [`Results::put`].
     pub fn finish(&mut self) -> Result<(), CliError> {
+        self.release()?;
         self.flush().map_err(refused)
+    }
+
+    fn release(&mut self) -> Result<(), CliError> {
+        let held = std::mem::take(&mut self.held);
+        self.write_all(&held).map_err(refused)
     }
 
     fn unless_closed<T>(
@@ -182,6 +212,34 @@ impl Write for Results {
         self.unless_closed((), BufWriter::flush)
     }
 }
+
+/// Whether there is a standard output to write to.
+///
+/// A program that begins without one is given `/dev/null` in its place, open for reading and writing.
+/// A shell opens `/dev/null` for writing alone. So one that is open for both counts as closed, also
+/// where the caller opened it so; the way to throw results away in that case is `--format none`. Known
+/// on Linux only.
+///
+/// # Errors
+/// [`CliError::Io`] if not.
+pub fn is_open() -> Result<(), CliError> {
+    const CLOSED: &str = "it is closed, or the null device open for reading and writing; redirect it, or \
+                          add --format none";
+    let goes_nowhere = std::fs::read_link("/proc/self/fd/1").is_ok_and(|to| to == Path::new(NULL));
+    let flags = std::fs::read_to_string("/proc/self/fdinfo/1").unwrap_or_default();
+    let flags = flags.lines().find_map(|line| line.strip_prefix("flags:"));
+    let flags = flags.and_then(|flags| u32::from_str_radix(flags.trim(), 8).ok());
+    let is_both = flags.is_some_and(|flags| flags & ACCESS == READ_AND_WRITE);
+    if goes_nowhere && is_both {
+        return Err(refused(std::io::Error::other(CLOSED)));
+    }
+    Ok(())
+}
+
+const NULL: &str = "/dev/null";
+/// The bits of an open file's flags that tell what it is open for.
+const ACCESS: u32 = 0o3;
+const READ_AND_WRITE: u32 = 0o2;
 
 fn refused(source: std::io::Error) -> CliError {
     CliError::io("write", Path::new("standard output"), source)

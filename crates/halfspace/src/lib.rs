@@ -8,6 +8,7 @@
 //! | [`Rectangle`], [`RectangleInfluence`] | the nine coefficients of a loaded cell (4.14), (4.29) |
 //! | [`LoadedRectangle`], [`Stress`] | displacement and stress inside the body under a cell |
 //! | [`Grid`], [`Field`], [`operator`] | products of whole fields by fast convolution (4.13) |
+//! | [`room`] | how much memory a computation may take |
 //!
 //! z points into the body; tractions are those that act on it, pressures are positive in
 //! compression; lengths, forces and moduli are in any consistent units.
@@ -32,6 +33,7 @@ mod material;
 pub mod operator;
 mod point_load;
 mod rectangle;
+pub mod room;
 mod stress;
 mod vector;
 

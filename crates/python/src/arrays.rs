@@ -7,6 +7,7 @@ use rayon::prelude::*;
 use std::ops::Range;
 
 use crate::error::Fault;
+use crate::room;
 use crate::threads::without_python;
 
 /// Entries that a thread takes at least, of functions that take a microsecond.
@@ -38,7 +39,7 @@ pub(crate) fn map_by<T: Send>(
     f: impl Fn(usize) -> Result<T, Fault> + Sync + Send,
 ) -> PyResult<Vec<T>> {
     let at = |i: usize| f(i).map_err(|fault| fault.at(i));
-    let mut values = Vec::with_capacity(count);
+    let mut values = room::vector("count", count)?;
     while values.len() < count {
         let block = values.len()..count.min(values.len() + BLOCK * share);
         values.extend(without_python(py, || over(block, share, &at))?);

@@ -10,7 +10,8 @@ use pyo3::types::PyDict;
 use crate::arrays::{Numbers, Rows, map_by, same_length};
 use crate::bodies::{Body, motion};
 use crate::error::Fault;
-use crate::records::{Parted, arrays};
+use crate::records::{self, Parted, arrays};
+use crate::room;
 
 /// Impacts that a thread takes at least: an exact one takes some microseconds, one in steps many more.
 const SHARE: usize = 8;
@@ -133,6 +134,7 @@ pub(crate) fn history<'py>(
     tolerance: Option<f64>,
 ) -> PyResult<Bound<'py, PyDict>> {
     let way = Way::new(normal, false, law, tolerance)?;
+    room::check("points", points, records::bytes(HistoryPoint::COLUMNS))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let trace = || -> Result<Vec<HistoryPoint>, Fault> {
         Ok(way.collision(one, two, friction)?.history(points)?)

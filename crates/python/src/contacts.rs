@@ -12,6 +12,7 @@ use rayon::prelude::*;
 use crate::arrays::{Numbers, Rows, same_length};
 use crate::contact::{Constants, check};
 use crate::error::Fault;
+use crate::room;
 use crate::threads::without_python;
 
 /// Vertices of each memory.
@@ -21,7 +22,7 @@ const SHARE: usize = 256;
 
 type Law<V> = ShiftLaw<V, Fixed<V, VERTICES>>;
 
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 enum Laws {
     Line(Vec<Law<f64>>),
     Plane(Vec<Law<[f64; 2]>>),
@@ -29,7 +30,7 @@ enum Laws {
 
 /// Many contacts of the same constants, advanced together.
 #[pyclass(module = "carom._carom")]
-#[derive(Debug, Clone)]
+#[derive(Debug)]
 pub(crate) struct Contacts {
     constants: Constants,
     threads: bool,
@@ -53,8 +54,8 @@ impl Contacts {
     ) -> PyResult<Self> {
         let constants = Constants { stiffness, friction, law, tolerance };
         let laws = match directions {
-            1 => Laws::Line(vec![constants.law()?; count]),
-            2 => Laws::Plane(vec![constants.law()?; count]),
+            1 => Laws::Line(equal(&constants.law()?, count)?),
+            2 => Laws::Plane(equal(&constants.law()?, count)?),
             _ => {
                 let text = format!("directions = {directions}: must be 1 or 2");
                 return Err(PyValueError::new_err(text));
@@ -103,28 +104,32 @@ impl Contacts {
     #[getter]
     fn loads<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let loads = match &self.laws {
-            Laws::Line(laws) => present(laws),
-            Laws::Plane(laws) => present(laws),
+            Laws::Line(laws) => present(laws)?,
+            Laws::Plane(laws) => present(laws)?,
         };
         PyArray1::from_vec(py, loads).reshape([self.__len__(), 3])
     }
 
     /// The elastic energy of each contact, compression included, J.
     #[getter]
-    fn stored_energy<'py>(&self, py: Python<'py>) -> Bound<'py, PyArray1<f64>> {
+    fn stored_energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
         let energies = match &self.laws {
-            Laws::Line(laws) => laws.iter().map(ShiftLaw::stored_energy).collect(),
-            Laws::Plane(laws) => laws.iter().map(ShiftLaw::stored_energy).collect(),
+            Laws::Line(laws) => told(laws, |law| [law.stored_energy()])?,
+            Laws::Plane(laws) => told(laws, |law| [law.stored_energy()])?,
         };
-        PyArray1::from_vec(py, energies)
+        Ok(PyArray1::from_vec(py, energies))
     }
 
-    fn __copy__(&self) -> Self {
-        self.clone()
+    fn __copy__(&self) -> PyResult<Self> {
+        let laws = match &self.laws {
+            Laws::Line(laws) => Laws::Line(copied(laws)?),
+            Laws::Plane(laws) => Laws::Plane(copied(laws)?),
+        };
+        Ok(Self { constants: self.constants.clone(), threads: self.threads, laws })
     }
 
-    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
-        self.clone()
+    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> PyResult<Self> {
+        self.__copy__()
     }
 
     #[allow(clippy::type_complexity)] // the arguments of `__new__`
@@ -210,13 +215,39 @@ impl Path<'_> {
     }
 }
 
-fn present<V: Lateral>(laws: &[Law<V>]) -> Vec<f64> {
-    let loads = laws.iter().map(ShiftLaw::load);
-    loads.flat_map(|load| [load.f_x, load.f_y, load.f_z]).collect()
+/// So many contacts in the state of one.
+fn equal<V: Lateral>(law: &Law<V>, count: usize) -> Result<Vec<Law<V>>, Fault> {
+    let mut laws = room::vector("count", count)?;
+    laws.resize(count, law.clone());
+    Ok(laws)
+}
+
+fn copied<V: Lateral>(laws: &[Law<V>]) -> Result<Vec<Law<V>>, Fault> {
+    let mut others = room::vector("count", laws.len())?;
+    others.extend_from_slice(laws);
+    Ok(others)
+}
+
+/// So many numbers of each contact, one contact after the other.
+fn told<V: Lateral, const N: usize>(
+    laws: &[Law<V>],
+    tell: impl Fn(&Law<V>) -> [f64; N],
+) -> Result<Vec<f64>, Fault> {
+    let mut numbers = room::vector("count", N * laws.len())?;
+    numbers.extend(laws.iter().flat_map(tell));
+    Ok(numbers)
+}
+
+fn present<V: Lateral>(laws: &[Law<V>]) -> Result<Vec<f64>, Fault> {
+    told(laws, |law| {
+        let load = law.load();
+        [load.f_x, load.f_y, load.f_z]
+    })
 }
 
 fn packed<V: Lateral>(laws: &[Law<V>], each: usize) -> Result<Vec<f64>, Fault> {
-    let mut numbers = vec![0.0; laws.len() * each];
+    let mut numbers = room::vector("count", laws.len() * each)?;
+    numbers.resize(laws.len() * each, 0.0);
     for (law, numbers) in laws.iter().zip(numbers.chunks_exact_mut(each)) {
         law.pack(numbers)?;
     }

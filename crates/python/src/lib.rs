@@ -12,6 +12,7 @@ mod hertz;
 mod materials;
 mod records;
 mod restitution;
+mod room;
 mod solver;
 mod special;
 mod stress;
@@ -43,6 +44,8 @@ mod _carom {
     use super::records::columns;
     #[pymodule_export]
     use super::restitution::{restitution, restitution_of_groups};
+    #[pymodule_export]
+    use super::room::available_room;
     #[pymodule_export]
     use super::solver::Solver;
     #[pymodule_export]

@@ -116,6 +116,14 @@ fn about<R>(columns: &[Column<R>]) -> Vec<(&'static str, &'static str, &'static 
     columns.iter().map(one).collect()
 }
 
+/// Bytes that a record takes until its arrays are made: its own, those of its numbers and texts, and of a
+/// column on its way.
+pub(crate) fn bytes<R>(columns: &[Column<R>]) -> usize {
+    let numbers: usize = columns.iter().map(|column| column.parts().len().max(1)).sum();
+    let texts = columns.len() * size_of::<String>();
+    size_of::<R>() + numbers * size_of::<f64>() + texts + size_of::<Value>()
+}
+
 /// Records as arrays, one for each column: numbers (n,), vectors (n, 3), texts as lists; what is absent
 /// is not a number, or empty.
 pub(crate) fn arrays<'py, R>(

@@ -1,5 +1,9 @@
 """Arguments of wrong kind, shape or size: an error that names them, and never the end of the process."""
 
+import subprocess
+import sys
+from pathlib import Path
+
 import numpy as np
 import pytest
 
@@ -72,6 +76,59 @@ def test_more_than_the_memory_holds_is_refused(many):
         with pytest.raises(carom.RangeError) as told:
             call()
         assert (told.value.field, told.value.value) == (name, float(many))
+
+
+def in_its_own_process(program):
+    """Runs a program in an interpreter of its own; what it prints at its end."""
+    done = subprocess.run([sys.executable, "-c", program], capture_output=True, text=True, timeout=120)
+    assert done.returncode == 0, (done.returncode, done.stderr)
+    return done.stdout.strip()
+
+
+@pytest.mark.skipif(not Path("/proc/meminfo").exists(), reason="there is no system that tells of memory")
+def test_contacts_for_twice_the_free_memory_are_refused_and_the_interpreter_lives():
+    # A contact of two directions takes more than 1000 bytes.
+    program = """if True:
+        import carom
+        free = next(line for line in open("/proc/meminfo") if line.startswith("MemAvailable:"))
+        many = 2 * 1024 * int(free.split()[1]) // 1000
+        try:
+            carom.Contacts(many, (1e9, 1e9, 1.2e9), 0.3)
+        except carom.RangeError as error:
+            print(error.field, error.value == many)
+        """
+    assert in_its_own_process(program) == "count True"
+
+
+@pytest.mark.skipif(not Path("/proc/self/status").exists(), reason="there is no limit to set")
+def test_contacts_beyond_the_limit_of_the_process_are_refused_and_the_interpreter_lives():
+    program = """if True:
+        import copy, resource
+        import carom
+        size = next(line for line in open("/proc/self/status") if line.startswith("VmSize:"))
+        limit = 1024 * int(size.split()[1]) + (1 << 30)
+        resource.setrlimit(resource.RLIMIT_AS, (limit, limit))
+        stiffness = (1e9, 1e9, 1.2e9)
+        held = carom.Contacts(400_000, stiffness, 0.3)
+        refused = []
+        for take in (
+            lambda: carom.Contacts(1_000_000, stiffness, 0.3),
+            lambda: carom.Contacts(4_000_000, stiffness, 0.3, directions=1),
+            lambda: copy.copy(held),
+            lambda: copy.deepcopy(held),
+            lambda: carom.cells((10_000, 10_000), (1.0, 1.0)),
+            lambda: carom.history(
+                carom.sphere(0.02, carom.RIGID, 0.037, velocity=(1, 0, -3)),
+                carom.plane(carom.Material(5e6, 0.5)), 0.5, 10_000_000
+            ),
+        ):
+            try:
+                take()
+            except carom.RangeError as error:
+                refused.append(error.field)
+        print(*refused, held.advance(1e-6).shape)
+        """
+    assert in_its_own_process(program) == "count count count count shape points (400000, 3)"
 
 
 def test_any_layout_of_an_array_is_the_same():

@@ -108,6 +108,10 @@ fn a_wrong_height_map_says_where() {
     let map = HeightMap::from_rows(&[vec![1.0; 6], vec![2.0; 6]]).unwrap();
     let error = map.gap(Grid::new(4, 3, 1.0, 1.0).unwrap()).unwrap_err().to_string();
     assert_eq!(error, "the height map has 6 x 2 values, the grid 4 x 3 cells");
+    let great = HeightMap::from_rows(&[vec![1.0, -1.0], vec![1e100, 1e308]]).unwrap();
+    let error = great.gap(Grid::new(2, 2, 0.5, 0.5).unwrap()).unwrap_err().to_string();
+    let limit = "must be at most 1e100 times the longer side of the grid";
+    assert_eq!(error, format!("the height map is 1e308 in row 2, column 2: {limit}"));
 }
 
 #[test]

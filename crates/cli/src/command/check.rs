@@ -6,8 +6,9 @@ use crate::command::{history, solve};
 use crate::error::CliError;
 use crate::input::CaseFile;
 use crate::output::{Answer, Format, json};
+use crate::outputs::Outputs;
 use serde::Serialize;
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 /// Reads a case and says what it understood, or what is wrong with it; computes nothing.
 ///
@@ -34,7 +35,8 @@ struct Checked<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let file = CaseFile::read(&arguments.case)?;
+    let outputs = Outputs::of_command(arguments.format)?;
+    let file = CaseFile::read_for(&arguments.case, outputs)?;
     let kind = match arguments.kind {
         Some(kind) => kind,
         None => file.parse(CaseKind::of)?,
@@ -56,14 +58,13 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
 
 /// Whether the files that the case names can be read.
 fn check_files(file: &CaseFile, kind: CaseKind) -> Result<(), CliError> {
-    let folder = file.path.parent().unwrap_or(Path::new(""));
     match kind {
         CaseKind::History => match file.parse(HistoryCase::parse)?.steps {
-            Steps::File(name) => history::read_steps(&folder.join(name)).map(|_| ()),
+            Steps::File(name) => history::read_steps(file, &name).map(|_| ()),
             Steps::Inline(_) => Ok(()),
         },
         CaseKind::Solve => {
-            solve::bodies::Bodies::of(&file.path, &file.parse(SolveCase::parse)?).map(|_| ())
+            solve::bodies::Bodies::of(file, &file.parse(SolveCase::parse)?).map(|_| ())
         }
         CaseKind::Impact
         | CaseKind::Hertz

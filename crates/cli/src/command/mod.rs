@@ -18,21 +18,23 @@ mod schema;
 mod solve;
 mod stress;
 mod theory;
+mod thinned;
 
 pub use history::StepsError;
 
-use crate::destination::{Destination, check_output};
+use crate::destination::Destination;
 use crate::error::CliError;
 use crate::input::CaseFile;
 use crate::manner::{Manner, Messages};
 use crate::output::{Answer, Format, Results};
+use crate::outputs::Outputs;
 use std::path::PathBuf;
 
 /// Elastic impact with friction: how two bodies touch, slip, stick, twist and rebound.
 ///
 /// A case file says what is to be computed: bodies, materials, friction, motions. Results go to
-/// standard output, everything else to standard error. No input is ever overwritten; a picture is put
-/// in its place when all has succeeded. Exit code 2 means bad input, 1 a file that cannot be read or
+/// standard output, everything else to standard error. No input is ever overwritten: a run that would
+/// write to one is refused. A picture is put in its place when all has succeeded. Exit code 2 means bad input, 1 a file that cannot be read or
 /// written.
 #[derive(Debug, clap::Parser)]
 #[command(name = "carom", version, after_long_help = FIRST_STEPS)]
@@ -87,10 +89,19 @@ struct Given {
 impl CaseArguments {
     /// Reads the case once it is clear that no output goes to the same file.
     fn read(&self) -> Result<Given, CliError> {
-        check_output(&self.case)?;
-        let to = |path: &PathBuf| Destination::new("plot", path, self.format, &[&self.case]);
+        Ok(self.read_beside(|_| Ok(()))?.0)
+    }
+
+    /// The same, with what the command `claims` for other outputs.
+    fn read_beside<T>(
+        &self,
+        claims: impl FnOnce(&mut Outputs) -> Result<T, CliError>,
+    ) -> Result<(Given, T), CliError> {
+        let mut outputs = Outputs::of_command(self.format)?;
+        let to = |path: &PathBuf| outputs.picture("plot", path, self.format);
         let plot = self.plot.as_ref().map(to).transpose()?;
-        Ok(Given { case: CaseFile::read(&self.case)?, plot })
+        let claimed = claims(&mut outputs)?;
+        Ok((Given { case: CaseFile::read_for(&self.case, outputs)?, plot }, claimed))
     }
 }
 
@@ -128,11 +139,11 @@ pub fn run(arguments: &Carom, results: &mut Results) -> Result<Answer, CliError>
 
 fn go(command: &Command, messages: &Messages, results: &mut Results) -> Result<Answer, CliError> {
     match command {
-        Command::Impact(arguments) => impact::run(arguments),
+        Command::Impact(arguments) => impact::run(arguments, results),
         Command::Restitution(arguments) => restitution::run(arguments, messages, results),
         Command::Hertz(arguments) => hertz::run(arguments),
-        Command::History(arguments) => history::run(arguments),
-        Command::Scene(arguments) => scene::run(arguments),
+        Command::History(arguments) => history::run(arguments, results),
+        Command::Scene(arguments) => scene::run(arguments, results),
         Command::Solve(arguments) => solve::run(arguments, messages),
         Command::Roll(arguments) => roll::run(arguments),
         Command::Stress(arguments) => stress::run(arguments),

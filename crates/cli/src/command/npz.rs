@@ -96,14 +96,14 @@ fn read_npy(data: &[u8]) -> Option<Array> {
     let shape = head.split_once("'shape': (")?.1.split_once(')')?.0;
     let counts = shape.split(',').map(str::trim).filter(|count| !count.is_empty());
     let shape: Vec<usize> = counts.map(|count| count.parse().ok()).collect::<Option<_>>()?;
-    let count: usize = shape.iter().product();
+    let count = shape.iter().try_fold(1_usize, |all, count| all.checked_mul(*count))?;
     if head.contains("'|u1'") {
         return (values.len() == count).then(|| Array::Bytes(shape, values.to_vec()));
     }
     let numbers =
         values.chunks_exact(8).map(|bytes| Some(f64::from_le_bytes(bytes.try_into().ok()?)));
     let numbers = numbers.collect::<Option<Vec<f64>>>()?;
-    (values.len() == 8 * count).then_some(Array::Numbers(shape, numbers))
+    (Some(values.len()) == count.checked_mul(8)).then_some(Array::Numbers(shape, numbers))
 }
 
 /// The checksum of ZIP.

@@ -84,51 +84,83 @@ fn readable(value: f64) -> String {
 
 /// The plain first line on results outside the theory; none if all lie within. `what` names several.
 pub(super) fn caution(excesses: &[Excess], what: &str) -> Option<String> {
-    let worst = excesses.iter().fold(Excess::default(), |worst, excess| worst.and(*excess));
-    if !worst.is_some() {
-        return None;
-    }
-    let place = match excesses.len() {
-        1 => String::new(),
-        all => {
-            let count = excesses.iter().filter(|excess| excess.is_some()).count();
-            format!(" at {count} of {all} {what}")
-        }
-    };
-    let reasons = worst.reasons().join("; ");
-    let advice = if worst.is_absurd() { ABSURD } else { ROUGH };
-    Some(format!("OUTSIDE THE THEORY{place}: {reasons}. {advice}"))
+    let mut worst = Worst::default();
+    excesses.iter().for_each(|excess| worst.add(*excess));
+    worst.caution(what)
 }
 
-/// Every kind of warning once, in the order they first came, in its worst form and with the
-/// number of those it concerns: each with its place, such as `at 5°`. `what` names them all.
-pub(super) fn warnings<'a>(
-    concerned: impl Iterator<Item = (String, &'a [Warning])>,
-    what: &str,
-) -> Vec<String> {
-    let mut kinds: Vec<(Warning, String, usize)> = Vec::new();
-    let mut all = 0;
-    for (place, warnings) in concerned {
-        all += 1;
+/// The worst of many excesses, seen one after the other.
+#[derive(Debug, Clone, Copy, Default)]
+pub(super) struct Worst {
+    excess: Excess,
+    concerned: usize,
+    all: usize,
+}
+
+impl Worst {
+    /// With one result more.
+    pub(super) fn add(&mut self, excess: Excess) {
+        self.excess = self.excess.and(excess);
+        self.concerned += usize::from(excess.is_some());
+        self.all += 1;
+    }
+
+    /// As [`caution`] of all of them.
+    pub(super) fn caution(&self, what: &str) -> Option<String> {
+        if !self.excess.is_some() {
+            return None;
+        }
+        let place = match self.all {
+            1 => String::new(),
+            all => format!(" at {} of {all} {what}", self.concerned),
+        };
+        let reasons = self.excess.reasons().join("; ");
+        let advice = if self.excess.is_absurd() { ABSURD } else { ROUGH };
+        Some(format!("OUTSIDE THE THEORY{place}: {reasons}. {advice}"))
+    }
+}
+
+/// Warnings of many results, seen one after the other: every kind once, in the order they first came, in
+/// its worst form and with the number of those it concerns.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Warnings {
+    kinds: Vec<(Warning, String, usize)>,
+    all: usize,
+}
+
+impl Warnings {
+    /// With those of one result more, which is found at `place`, such as `at 5°`.
+    pub(super) fn add(&mut self, place: impl Fn() -> String, warnings: &[Warning]) {
+        self.all += 1;
         for warning in warnings {
             let kind = std::mem::discriminant(warning);
-            match kinds.iter_mut().find(|(known, ..)| std::mem::discriminant(known) == kind) {
-                None => kinds.push((*warning, place.clone(), 1)),
+            match self.kinds.iter_mut().find(|(known, ..)| std::mem::discriminant(known) == kind) {
+                None => self.kinds.push((*warning, place(), 1)),
                 Some((worst, at, count)) => {
                     *count += 1;
                     if severity(warning) > severity(worst) {
-                        (*worst, *at) = (*warning, place.clone());
+                        (*worst, *at) = (*warning, place());
                     }
                 }
             }
         }
     }
-    let told = kinds.into_iter().map(|(worst, place, count)| match all {
-        1 => worst.to_string(),
-        _ if severity(&worst).is_none() => format!("{worst} ({count} of {all} {what})"),
-        _ => format!("{worst} ({count} of {all} {what} concerned, the worst {place})"),
-    });
-    told.collect()
+
+    /// Results seen so far.
+    pub(super) const fn count(&self) -> usize {
+        self.all
+    }
+
+    /// What to tell of them; `what` names all results.
+    pub(super) fn told(self, what: &str) -> Vec<String> {
+        let all = self.all;
+        let told = self.kinds.into_iter().map(|(worst, place, count)| match all {
+            1 => worst.to_string(),
+            _ if severity(&worst).is_none() => format!("{worst} ({count} of {all} {what})"),
+            _ => format!("{worst} ({count} of {all} {what} concerned, the worst {place})"),
+        });
+        told.collect()
+    }
 }
 
 /// What makes one warning worse than another of its kind.
@@ -149,7 +181,9 @@ mod tests {
         let shares = [0.02, 0.05, 0.03].map(|share| vec![Warning::WaveLoss { share }]);
         let places = ["at 5°", "at 10°", "at 15°", "at 20°"].map(str::to_owned);
         let concerned = places.into_iter().zip(shares.iter().map(Vec::as_slice).chain([&[][..]]));
-        let told = warnings(concerned, "angles");
+        let mut warnings = Warnings::default();
+        concerned.for_each(|(place, shares)| warnings.add(|| place.clone(), shares));
+        let told = warnings.told("angles");
         assert_eq!(
             told,
             [

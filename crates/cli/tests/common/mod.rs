@@ -2,10 +2,14 @@
 #![allow(dead_code)] // no test needs all of it
 
 pub(crate) mod pebble;
+mod rough;
 
 use carom_cli::case::CaseKind;
+pub(crate) use rough::{grey_heights, heights, rough};
+use std::ops::Deref;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Output};
+use std::sync::atomic::{AtomicUsize, Ordering};
 
 pub(crate) fn carom(arguments: &[&str]) -> Output {
     Command::new(env!("CARGO_BIN_EXE_carom")).args(arguments).output().unwrap()
@@ -28,9 +32,49 @@ pub(crate) fn example(name: &str) -> String {
     path.to_str().unwrap().to_owned()
 }
 
-/// A file in the folder for temporary files of this build, gone before the test.
+/// A folder of its own for a test, empty; in that for temporary files of this build, named after the
+/// process, so that the same test can run twice at once.
+pub(crate) fn folder() -> Folder {
+    static COUNT: AtomicUsize = AtomicUsize::new(0);
+    let number = COUNT.fetch_add(1, Ordering::Relaxed);
+    let name = format!("{}-{number}", std::process::id());
+    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    // A process of the same number, long ago, may have been killed.
+    let _ = std::fs::remove_dir_all(&folder);
+    std::fs::create_dir_all(&folder).unwrap();
+    Folder(folder.canonicalize().unwrap())
+}
+
+/// A folder that is removed when the test ends.
+pub(crate) struct Folder(PathBuf);
+
+impl Deref for Folder {
+    type Target = Path;
+
+    fn deref(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl AsRef<Path> for Folder {
+    fn as_ref(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Drop for Folder {
+    fn drop(&mut self) {
+        let _ = std::fs::remove_dir_all(&self.0);
+    }
+}
+
+thread_local! {
+    static OWN: Folder = folder();
+}
+
+/// A file in a folder of this test, gone before the test.
 pub(crate) fn fresh(name: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
+    let path = OWN.with(|folder| folder.join(name));
     let _ = std::fs::remove_file(&path);
     path
 }
@@ -40,6 +84,29 @@ pub(crate) fn case(name: &str, text: &str) -> String {
     let path = fresh(name);
     std::fs::write(&path, text).unwrap();
     path.to_str().unwrap().to_owned()
+}
+
+/// Names and bytes of all files of a folder and those in it; of a link, where it leads.
+pub(crate) fn contents(folder: &Path) -> Vec<(String, Vec<u8>)> {
+    let mut found = Vec::new();
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let entry = entry.unwrap();
+        let name = entry.file_name().into_string().unwrap();
+        let (path, kind) = (entry.path(), entry.file_type().unwrap());
+        if kind.is_dir() {
+            let inner = contents(&path).into_iter();
+            found.extend(inner.map(|(inner, bytes)| (format!("{name}/{inner}"), bytes)));
+        } else if kind.is_file() {
+            found.push((name, std::fs::read(&path).unwrap()));
+        } else if kind.is_symlink() {
+            let target = std::fs::read_link(&path).unwrap();
+            found.push((name, target.into_os_string().into_encoded_bytes()));
+        } else {
+            found.push((name, Vec::new()));
+        }
+    }
+    found.sort();
+    found
 }
 
 pub(crate) fn close(value: &serde_json::Value, expected: f64, tolerance: f64) {

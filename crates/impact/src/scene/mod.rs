@@ -15,6 +15,6 @@ mod wall;
 
 pub use ball::Ball;
 pub use error::SceneError;
-pub use path::{Bounce, Ending, Limits, Path, PathPoint};
-pub use run::Scene;
+pub use path::{Bounce, Ending, Leg, Limits, Path, PathPoint};
+pub use run::{Legs, Scene};
 pub use wall::{Extent, Wall};

@@ -158,6 +158,48 @@ pub enum Ending {
     },
 }
 
+/// A part of a path: from the start or a bounce to the next event.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Leg {
+    pub(super) flight: Option<TimedFlight>,
+    pub(super) bounce: Option<Bounce>,
+    pub(super) ending: Option<Ending>,
+}
+
+impl Leg {
+    /// The bounce at its end; none where the path ends otherwise, or the ball touches a wall without
+    /// approaching it.
+    #[must_use]
+    pub const fn bounce(&self) -> Option<&Bounce> {
+        self.bounce.as_ref()
+    }
+
+    /// Why the path ends with it; none if another leg follows.
+    #[must_use]
+    pub const fn ending(&self) -> Option<Ending> {
+        self.ending
+    }
+
+    /// The ball at `count` instants of its flight, as [`Path::points`]; none where it does not fly.
+    ///
+    /// # Errors
+    /// [`RangeError`] for fewer than two instants.
+    pub fn points(&self, count: usize) -> Result<Vec<PathPoint>, RangeError> {
+        points(self.flight.as_slice(), count)
+    }
+}
+
+/// The ball at `count` instants of every flight.
+fn points(flights: &[TimedFlight], count: usize) -> Result<Vec<PathPoint>, RangeError> {
+    RangeError::check("points", count as f64, count >= 2, ">= 2")?;
+    let last = (count - 1) as f64;
+    let of = |flight: &TimedFlight| {
+        let flight = *flight;
+        (0..count).map(move |i| flight.after(flight.duration * (i as f64 / last)))
+    };
+    Ok(flights.iter().flat_map(of).collect())
+}
+
 /// The path of the ball.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Path {
@@ -192,12 +234,6 @@ impl Path {
     /// # Errors
     /// [`RangeError`] for fewer than two instants.
     pub fn points(&self, count: usize) -> Result<Vec<PathPoint>, RangeError> {
-        RangeError::check("points", count as f64, count >= 2, ">= 2")?;
-        let last = (count - 1) as f64;
-        let of = |flight: &TimedFlight| {
-            let flight = *flight;
-            (0..count).map(move |i| flight.after(flight.duration * (i as f64 / last)))
-        };
-        Ok(self.flights.iter().flat_map(of).collect())
+        points(&self.flights, count)
     }
 }

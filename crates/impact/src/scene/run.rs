@@ -6,7 +6,7 @@ use nalgebra::Vector3;
 use super::ball::Ball;
 use super::error::SceneError;
 use super::flight::{Flight, along};
-use super::path::{Bounce, Ending, Limits, Path, PathPoint, TimedFlight};
+use super::path::{Bounce, Ending, Leg, Limits, Path, PathPoint, TimedFlight};
 use super::wall::{Meeting, Wall};
 use crate::body::Body;
 use crate::collision::Collision;
@@ -78,8 +78,42 @@ impl Scene {
     /// [`SceneError::Collision`] if it and a wall cannot collide, as two rigid bodies, or an
     /// impact fails; [`SceneError::Range`] if the ball flies beyond the largest number.
     pub fn run(&self, ball: &Ball, limits: Limits) -> Result<Path, SceneError> {
+        let mut legs = self.legs(ball, limits)?;
+        let (mut flights, mut bounces, mut ending) = (Vec::new(), Vec::new(), Ending::Time);
+        for leg in &mut legs {
+            let leg = leg?;
+            flights.extend(leg.flight);
+            bounces.extend(leg.bounce);
+            ending = leg.ending.unwrap_or(ending);
+        }
+        Ok(Path { flights, bounces, ending, last: legs.now() })
+    }
+
+    /// Follows the ball as [`Scene::run`], leg by leg: for paths with more bounces than memory should hold.
+    ///
+    /// ```
+    /// # use carom_halfspace::Material;
+    /// # use carom_impact::scene::{Ball, Limits, Scene, Wall};
+    /// # use carom_impact::Body;
+    /// # use carom_laws::friction::Friction;
+    /// # let floor = Wall::new([0.0; 3], [0.0, 0.0, 1.0], Material::RIGID, Friction::new(0.3)?)?;
+    /// # let scene = Scene::new([0.0, 0.0, -10.0])?.with(floor);
+    /// # let rubber = Material::from_young(20e6, 0.5)?;
+    /// # let ball = Ball::new(Body::sphere(0.02, rubber, 0.03)?.at([0.0, 0.0, 5.02])?)?;
+    /// let mut bounces = 0;
+    /// for leg in scene.legs(&ball, Limits::new(6.0, 100)?)? {
+    ///     bounces += usize::from(leg?.bounce().is_some());
+    /// }
+    /// assert_eq!(bounces, 3);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    ///
+    /// # Errors
+    /// [`SceneError::Inside`] and [`SceneError::Collision`] as of [`Scene::run`]; a leg may be an error, too,
+    /// and is then the last.
+    pub fn legs(&self, ball: &Ball, limits: Limits) -> Result<Legs<'_>, SceneError> {
         self.check(ball)?;
-        Run::new(self, ball, limits).follow()
+        Ok(Legs::new(self, ball, limits))
     }
 
     /// Whether the ball can start where it is.
@@ -114,18 +148,32 @@ impl Scene {
 /// rises less than this part of its radius.
 const LOW: f64 = 1e-6;
 
-/// The state between two events.
-struct Run<'a> {
+/// The legs of a path, one after the other, each followed when it is asked for.
+#[derive(Debug)]
+pub struct Legs<'a> {
     scene: &'a Scene,
     body: Body,
     radius: f64,
     limits: Limits,
     now: PathPoint,
-    flights: Vec<TimedFlight>,
-    bounces: Vec<Bounce>,
+    bounces: usize,
+    is_over: bool,
 }
 
-impl<'a> Run<'a> {
+impl Iterator for Legs<'_> {
+    type Item = Result<Leg, SceneError>;
+
+    fn next(&mut self) -> Option<Self::Item> {
+        if self.is_over {
+            return None;
+        }
+        let leg = self.step();
+        self.is_over = leg.as_ref().map_or(true, |leg| leg.ending.is_some());
+        Some(leg)
+    }
+}
+
+impl<'a> Legs<'a> {
     fn new(scene: &'a Scene, ball: &Ball, limits: Limits) -> Self {
         let motion = ball.body().motion();
         Self {
@@ -134,26 +182,23 @@ impl<'a> Run<'a> {
             radius: ball.radius(),
             limits,
             now: PathPoint { time: 0.0, position: ball.position(), motion },
-            flights: Vec::new(),
-            bounces: Vec::new(),
+            bounces: 0,
+            is_over: false,
         }
     }
 
-    fn follow(mut self) -> Result<Path, SceneError> {
-        let ending = loop {
-            if let Some(ending) = self.step()? {
-                break ending;
-            }
-        };
-        Ok(Path { flights: self.flights, bounces: self.bounces, ending, last: self.now })
+    /// The ball at the end of the last leg.
+    #[must_use]
+    pub const fn now(&self) -> PathPoint {
+        self.now
     }
 
-    /// To the next event; the ending if it is the last.
-    fn step(&mut self) -> Result<Option<Ending>, SceneError> {
+    /// To the next event.
+    fn step(&mut self) -> Result<Leg, SceneError> {
         let flight = self.flight();
         let walls = || self.scene.walls.iter().enumerate();
         if let Some((wall, _)) = walls().find(|(_, w)| w.pressed(&flight, self.radius).is_some()) {
-            return Ok(Some(Ending::Rest { wall }));
+            return Ok(Leg { flight: None, bounce: None, ending: Some(Ending::Rest { wall }) });
         }
         let left = self.limits.time() - self.now.time;
         let mut first: Option<(usize, Meeting)> = None;
@@ -168,17 +213,18 @@ impl<'a> Run<'a> {
         }
         match first {
             None => {
-                self.fly(left)?;
+                let flight = Some(self.fly(left)?);
                 self.now.time = self.limits.time();
-                Ok(Some(Ending::Time))
+                Ok(Leg { flight, bounce: None, ending: Some(Ending::Time) })
             }
             Some((wall, Meeting::Edge { time })) => {
-                self.fly(time)?;
-                Ok(Some(Ending::Edge { wall }))
+                let flight = Some(self.fly(time)?);
+                Ok(Leg { flight, bounce: None, ending: Some(Ending::Edge { wall }) })
             }
             Some((wall, Meeting::Face { time, normal })) => {
-                self.fly(time)?;
-                self.bounce(wall, normal)
+                let flight = Some(self.fly(time)?);
+                let (bounce, ending) = self.bounce(wall, normal)?;
+                Ok(Leg { flight, bounce, ending })
             }
         }
     }
@@ -188,18 +234,21 @@ impl<'a> Run<'a> {
         Flight { position, velocity: motion.velocity, gravity: self.scene.gravity }
     }
 
-    fn fly(&mut self, duration: f64) -> Result<(), SceneError> {
+    fn fly(&mut self, duration: f64) -> Result<TimedFlight, SceneError> {
         let (start, spin) = (self.now.time, self.now.motion.spin);
         let flight = TimedFlight { start, duration, flight: self.flight(), spin };
         let next = flight.after(duration);
         RangeError::finite("position", next.position.sum())?;
         RangeError::finite("velocity", next.motion.velocity.sum())?;
-        self.flights.push(flight);
         self.now = next;
-        Ok(())
+        Ok(flight)
     }
 
-    fn bounce(&mut self, wall: usize, normal: Vector3<f64>) -> Result<Option<Ending>, SceneError> {
+    fn bounce(
+        &mut self,
+        wall: usize,
+        normal: Vector3<f64>,
+    ) -> Result<(Option<Bounce>, Option<Ending>), SceneError> {
         self.settle(wall, &normal);
         let before = self.now.motion;
         let collision = self.scene.collision(wall, self.body.clone().moving(before), &normal)?;
@@ -207,11 +256,11 @@ impl<'a> Run<'a> {
         let pull = -along(&self.scene.gravity, &normal);
         let Outcome::Rebound(rebound) = outcome else {
             // A touch without approach: it rests, or gravity takes it away.
-            return Ok((pull >= 0.0).then_some(Ending::Rest { wall }));
+            return Ok((None, (pull >= 0.0).then_some(Ending::Rest { wall })));
         };
         let [after, _] = rebound.motions;
         let loses = rebound.energy.lost > 0.0;
-        self.record(Bounce {
+        let bounce = Bounce {
             time: self.now.time,
             wall,
             position: self.now.position,
@@ -219,19 +268,19 @@ impl<'a> Run<'a> {
             before,
             after,
             rebound: *rebound,
-        });
+        };
+        self.now.motion = after;
+        self.bounces += 1;
         let speed = after.velocity.dot(&normal);
         let least = if loses { LOW * self.radius } else { 0.0 };
         // v^2/(2 g) is how high it rises.
-        if pull > 0.0 && speed * speed < 2.0 * pull * self.limits.rebound_height().max(least) {
-            return Ok(Some(Ending::Rest { wall }));
-        }
-        Ok((self.bounces.len() >= self.limits.bounces()).then_some(Ending::Bounces))
-    }
-
-    fn record(&mut self, bounce: Bounce) {
-        self.now.motion = bounce.after;
-        self.bounces.push(bounce);
+        let rests =
+            pull > 0.0 && speed * speed < 2.0 * pull * self.limits.rebound_height().max(least);
+        let ending = match rests {
+            true => Some(Ending::Rest { wall }),
+            false => (self.bounces >= self.limits.bounces()).then_some(Ending::Bounces),
+        };
+        Ok((Some(bounce), ending))
     }
 
     // Puts the centre at one radius from the wall: round-off of the flight does not build up.

@@ -8,13 +8,13 @@ from collections.abc import Callable
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from ._carom import RangeError
+from ._carom import RangeError, available_room
 
 Array = NDArray[np.float64]
 Numbers = float | Array
 
-# Of a contact or an instant, at least.
-BYTES = 256
+# Bytes that are taken without asking the system.
+FEW = 1 << 24
 
 
 def line(x: ArrayLike) -> Array:
@@ -58,17 +58,15 @@ def two(name: str, x: object) -> tuple[float, float]:
     return float(pair[0]), float(pair[1])
 
 
-def counted(name: str, x: object, each: int) -> int:
-    """A number of things of so many bytes: a whole one, for which there is room."""
+def counted(name: str, x: object, each: int = 1) -> int:
+    """A number of things of at least so many bytes: a whole one, for which there is room."""
     whole = operator.index(x)  # type: ignore[arg-type]
+    if 0 <= whole * each <= FEW or 0 <= whole * each <= available_room():
+        return whole
     allowed = "at least 0" if whole < 0 else "so many as the memory holds"
-    try:
-        np.empty(max(whole, -1) * each, np.uint8)
-    except (MemoryError, ValueError, OverflowError):
-        error = RangeError(f"{name} = {whole} is out of range: must be {allowed}")
-        error.field, error.value, error.index = name, float(whole), None
-        raise error from None
-    return whole
+    error = RangeError(f"{name} = {whole} is out of range: must be {allowed}")
+    error.field, error.value, error.index = name, float(whole), None
+    raise error
 
 
 def over(function: Callable[..., Array], *arguments: ArrayLike) -> Numbers:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import BYTES, Array, counted, line, numbers, spread
+from ._arrays import Array, counted, line, numbers, spread
 from ._carom import Hertz
 
 
@@ -42,7 +42,7 @@ class Contacts:
         threads: bool = False,
     ) -> None:
         self._native = _carom.Contacts(
-            counted("count", count, BYTES), stiffness, friction, law, tolerance, directions, threads
+            counted("count", count), stiffness, friction, law, tolerance, directions, threads
         )
         self._directions = directions
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from . import _carom
-from ._arrays import BYTES, counted, line, numbers, rows, spread
+from ._arrays import counted, line, numbers, rows, spread
 from ._carom import Body, Material
 from ._records import HistoryPoint, Rebound
 
@@ -153,7 +153,7 @@ def history(
     >>> course.F.shape, course.regime[0] != course.regime[25]
     ((51, 3), True)
     """
-    points = counted("points", points, BYTES)
+    points = counted("points", points)
     along = _along(body_1, body_2, normal)
     columns = _carom.history(body_1, body_2, friction, points, along, law, tolerance)
     return HistoryPoint._of(columns, (len(columns["time"]),))

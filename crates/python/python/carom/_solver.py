@@ -28,7 +28,8 @@ def cells(shape: tuple[int, int], size: tuple[float, float]) -> tuple[Array, Arr
     """
     if np.shape(shape) != (2,):
         raise ValueError(f"shape: must be (ny, nx), not {str(shape):.60}")
-    ny, nx = (counted("shape", n, 8) for n in shape)
+    ny, nx = (counted("shape", n) for n in shape)
+    counted("shape", nx * ny, 2 * 8)
     width, height = two("size", size)
     if not (0 < width < np.inf and 0 < height < np.inf):
         raise ValueError(f"size: must be finite and > 0, not {(width, height)}")

@@ -46,6 +46,19 @@ pub enum HeightMapError {
         /// The value.
         value: f64,
     },
+    /// A value is so large that its square, times a modulus over a cell, overflows.
+    #[error(
+        "the height map is {value:e} in row {row}, column {column}: must be at most 1e100 times the \
+         longer side of the grid"
+    )]
+    TooLarge {
+        /// The row, from 1.
+        row: usize,
+        /// The column, from 1.
+        column: usize,
+        /// The value.
+        value: f64,
+    },
     /// It has another size than the grid.
     #[error(
         "the height map has {} x {} values, the grid {} x {} cells",
@@ -59,7 +72,22 @@ pub enum HeightMapError {
     },
 }
 
+/// The largest height over the longer side of the grid.
+const MOST_HEIGHT: f64 = 1e100;
+
 impl HeightMap {
+    /// Ok if a map of `size`, columns and rows, has one value for each cell of the grid.
+    ///
+    /// # Errors
+    /// [`HeightMapError::OtherSize`].
+    pub fn check_size(size: [usize; 2], grid: Grid) -> Result<(), HeightMapError> {
+        let cells = [grid.nx(), grid.ny()];
+        match size == cells {
+            true => Ok(()),
+            false => Err(HeightMapError::OtherSize { found: size, grid: cells }),
+        }
+    }
+
     /// From its rows.
     ///
     /// # Errors
@@ -106,16 +134,30 @@ impl HeightMap {
     /// that touches; infinite for a plane.
     ///
     /// # Errors
-    /// [`HeightMapError::OtherSize`] unless the grid has one cell for each value.
+    /// [`HeightMapError::OtherSize`] unless the grid has one cell for each value,
+    /// [`HeightMapError::TooLarge`] unless the heights are at most 1e100 times the longer side of the grid.
     pub fn gap_over(&self, grid: Grid, radius: f64) -> Result<Gap, HeightMapError> {
-        let (found, size) = ([self.columns, self.rows()], [grid.nx(), grid.ny()]);
+        let found = [self.columns, self.rows()];
+        Self::check_size(found, grid)?;
+        self.check_heights(grid)?;
         let heights = self.values.iter().zip(grid.centres());
         let mut gaps: Vec<f64> =
             heights.map(|(height, (x, y))| 0.5 * (x * x + y * y) / radius - height).collect();
         let lowest = gaps.iter().copied().fold(f64::INFINITY, f64::min);
         gaps.iter_mut().for_each(|gap| *gap -= lowest);
-        let other = HeightMapError::OtherSize { found, grid: size };
-        let field = Field::new(grid, gaps).ok().filter(|_| found == size).ok_or(other)?;
-        Gap::new(field).map_err(|_| other)
+        let other = HeightMapError::OtherSize { found, grid: [grid.nx(), grid.ny()] };
+        Gap::new(Field::new(grid, gaps).map_err(|_| other)?).map_err(|_| other)
+    }
+
+    fn check_heights(&self, grid: Grid) -> Result<(), HeightMapError> {
+        let longer = f64::max(grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy());
+        match self.values.iter().position(|value| value.abs() > MOST_HEIGHT * longer) {
+            None => Ok(()),
+            Some(place) => {
+                let (row, column) = (place / self.columns + 1, place % self.columns + 1);
+                let value = self.values[place];
+                Err(HeightMapError::TooLarge { row, column, value })
+            }
+        }
     }
 }

@@ -1,10 +1,14 @@
 //! Following a history, and what lies between its steps for a picture.
 
 use super::laws::Laws;
+use super::plot;
 use super::view::{self, Step};
 use crate::case::HistoryCase;
 use crate::command::hertz::smallest_radius;
+use crate::command::plot::MOST_MARKS;
+use crate::command::thinned::Thinned;
 use crate::error::CliError;
+use crate::rows::BLOCK;
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_special::RangeError;
@@ -21,24 +25,27 @@ pub(super) struct Wanted {
     pub(super) picture: bool,
 }
 
-/// The states of a history.
-#[derive(Debug, Default)]
-pub(super) struct Followed {
-    /// After each step.
-    pub(super) steps: Vec<Step>,
-    /// Before, between and after the steps; for a picture only.
+/// The states of a history that are drawn.
+#[derive(Debug)]
+pub(super) struct Drawn {
+    /// Before, between and after the steps.
     pub(super) course: Vec<Step>,
-    /// After the last step in contact, with tractions at many radii; for a picture only.
-    pub(super) last: Option<Step>,
+    /// Those after a step, no more than tell whether they can be marked.
+    pub(super) marked: Vec<Step>,
+    /// The last step in contact, if tractions are asked for: with tractions at many radii, and as it is
+    /// given.
+    pub(super) last: Option<[Step; 2]>,
 }
 
-/// Goes through the shifts. `at_fault` blames the case for what a law refuses.
+/// Goes through the shifts; `visit` is shown some of the states after a step at a time. What is to be drawn
+/// is told in the end. `at_fault` blames the case for what a law refuses.
 pub(super) fn follow(
     case: &HistoryCase,
     shifts: &[Shift],
     wanted: Wanted,
     at_fault: impl Fn(RangeError) -> CliError,
-) -> Result<Followed, CliError> {
+    mut visit: impl FnMut(&mut Vec<Step>) -> Result<(), CliError>,
+) -> Result<Drawn, CliError> {
     let friction = Friction::new(case.friction).map_err(&at_fault)?;
     if wanted.radii > 0 && friction.coefficient().is_none() {
         return Err(CliError::Options("--tractions takes a case with finite friction"));
@@ -46,7 +53,8 @@ pub(super) fn follow(
     let radius = smallest_radius(&case.hertz);
     let state = |number, laws: &Laws, radii| view::step(number, laws, friction, radii, radius);
     let mut laws = Laws::new(case, friction, shifts).map_err(&at_fault)?;
-    let (mut followed, mut last) = (Followed::default(), None);
+    let (mut course, mut marked) = (Thinned::new(plot::QUANTITIES), Vec::new());
+    let (mut steps, mut last) = (Vec::new(), None);
     for (i, shift) in shifts.iter().enumerate() {
         if wanted.picture {
             let first = usize::from(i > 0);
@@ -55,21 +63,33 @@ pub(super) fn follow(
                 // From the same state each, so that the line runs through the steps themselves.
                 let mut between = laws.clone();
                 between.advance(lerp(laws.present(), *shift, part)).map_err(&at_fault)?;
-                followed.course.push(state(i as f64 + part, &between, 0)?);
+                course.push(state(i as f64 + part, &between, 0)?);
             }
         }
         laws.advance(*shift).map_err(&at_fault)?;
-        let number = (i + 1) as f64;
-        followed.steps.push(state(number, &laws, wanted.radii)?);
+        let step = state((i + 1) as f64, &laws, wanted.radii)?;
         if wanted.picture {
-            followed.course.push(state(number, &laws, 0)?);
+            let bare = Step { tractions: Vec::new(), ..step.clone() };
+            if marked.len() <= MOST_MARKS {
+                marked.push(bare.clone());
+            }
+            course.push(bare);
             if wanted.radii > 0 && laws.contact().is_some() {
-                last = Some((number, laws.clone()));
+                last = Some((step.clone(), laws.clone()));
             }
         }
+        steps.push(step);
+        if (steps.len() * wanted.radii.max(1)) >= BLOCK {
+            visit(&mut steps)?;
+            steps.clear();
+        }
     }
-    followed.last = last.map(|(number, laws)| state(number, &laws, RADII)).transpose()?;
-    Ok(followed)
+    visit(&mut steps)?;
+    let last = match last {
+        Some((given, laws)) => Some([state(given.step, &laws, RADII)?, given]),
+        None => None,
+    };
+    Ok(Drawn { course: course.records(), marked, last })
 }
 
 /// States drawn for every step, the last its own: enough for a smooth line.

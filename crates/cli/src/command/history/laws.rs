@@ -1,5 +1,6 @@
 //! The laws of a history: shift and, if there is one, twist.
 
+use super::view;
 use crate::case::{HistoryCase, TurningLaw};
 use carom_laws::accounted::Accounted;
 use carom_laws::friction::Friction;
@@ -33,7 +34,7 @@ impl Laws {
         };
         let torsion = TorsionLaw::new(&case.hertz, friction)?;
         let law = Accounted::new(ShiftTwistLaw::of(shift, torsion)?);
-        let twists = steps.iter().any(|step| step.omega != 0.0);
+        let twists = view::is_twisted(steps);
         Ok(Self { hertz: case.hertz, law, twists, contact: None })
     }
 

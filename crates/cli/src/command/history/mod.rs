@@ -13,16 +13,16 @@ pub(super) use steps::read as read_steps;
 use crate::case::{HistoryCase, Steps};
 use crate::columns;
 use crate::command::hertz::smallest_radius;
-use crate::command::theory::{Excess, caution};
+use crate::command::theory::{Excess, Worst};
 use crate::command::{self, CaseArguments};
-use crate::destination::{Destination, check_output};
 use crate::error::CliError;
 use crate::input::CaseFile;
-use crate::output::{Answer, Format, json};
-use carom_laws::law::Shift;
+use crate::output::{Answer, Format, Results};
+use crate::rows::{Rows, check_count, indented};
 use carom_laws::stiffness::ContactStiffness;
+use carom_table::row;
 use follow::{Wanted, follow};
-use std::path::{Path, PathBuf};
+use view::Traction;
 pub use view::{Step, all_columns};
 
 /// Loads of a contact along a history of shifts and twists, with memory.
@@ -42,40 +42,52 @@ pub(super) struct Arguments {
     tractions: Option<u32>,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     let path = &file.path;
     let case = file.parse(HistoryCase::parse)?;
     let shifts = match &case.steps {
         Steps::Inline(shifts) => shifts.clone(),
-        Steps::File(name) => steps_beside(arguments, &beside(path, name))?,
+        Steps::File(name) => read_steps(&file, name)?,
     };
-    let radii = arguments.tractions.map_or(0, |count| count as usize);
-    let followed = follow(&case, &shifts, Wanted { radii, picture: plot.is_some() }, |source| {
-        CliError::Law { path: path.clone(), source }
-    })?;
-    let history = &followed.steps;
-    let columns = view::columns(history);
-    columns::check(path, &columns, history)?;
     let format = arguments.given.format;
-    let steps = || columns::rows(format, &columns, history);
-    let tractions = || {
-        let tractions: Vec<_> = history.iter().flat_map(|step| step.tractions.clone()).collect();
-        columns::rows(format, view::TRACTION_COLUMNS, &tractions)
-    };
-    let text = match (format, arguments.tractions) {
-        (Format::Json, _) => json(&view::records(&columns, history))?,
-        (Format::Csv, Some(_)) => tractions()?,
-        (Format::Table, Some(_)) => steps()? + &tractions()?,
-        _ => steps()?,
-    };
-    let picture = plot.map(|to| (to, plot::draw(&followed)));
-    let warnings = warnings(&case, history, arguments.tractions.is_some());
-    let answer = Answer { text, warnings, picture, ..Answer::default() };
+    let radii = arguments.tractions.map_or(0, |count| count as usize);
+    check_count(format, shifts.len().saturating_mul(radii.max(1)))?;
+    let wanted = Wanted { radii, picture: plot.is_some() };
+    let at_fault = |source| CliError::Law { path: path.clone(), source };
     let radius = smallest_radius(&case.hertz);
-    let excesses: Vec<Excess> =
-        history.iter().map(|step| Excess::of_contact(step.shift.zeta, radius)).collect();
-    Ok(answer.cautioned(caution(&excesses, "steps"), format))
+    let columns = view::columns(&shifts);
+    let (mut steps, mut tractions) =
+        (Rows::new(format), Rows::new(format).of(view::TRACTION_COLUMNS));
+    let (mut worst, mut limits, mut first) = (Worst::default(), Limits::default(), 0);
+    let drawn = follow(&case, &shifts, wanted, at_fault, |history| {
+        let cells = |step: &Step| row(&columns, Some(step));
+        columns::check_rows(path, history, [first, shifts.len()], cells)?;
+        first += history.len();
+        for step in history.iter() {
+            worst.add(Excess::of_contact(step.shift.zeta, radius));
+            limits.add(step);
+        }
+        if format != Format::Csv || radii == 0 {
+            let json = |step: &Step, depth| indented(&view::record(&columns, step), depth);
+            steps.put(history, cells, json, results)?;
+        }
+        if matches!(format, Format::Csv | Format::Table) && radii > 0 {
+            let given: Vec<_> = history.iter().flat_map(|step| &step.tractions).collect();
+            let cells = |traction: &&Traction| row(view::TRACTION_COLUMNS, Some(traction));
+            tractions.put(&given, cells, |_, _| Ok(String::new()), results)?;
+        }
+        Ok(())
+    })?;
+    let text = match (format, radii) {
+        (Format::Csv, 1..) => tractions.finish()?,
+        (Format::Table, 1..) => steps.finish()? + &tractions.finish()?,
+        _ => steps.finish()?,
+    };
+    let picture = plot.map(|to| (to, plot::draw(&drawn)));
+    let warnings = warnings(&case, &limits, arguments.tractions.is_some());
+    let answer = Answer { text, warnings, picture, ..Answer::default() };
+    Ok(answer.cautioned(worst.caution("steps"), format))
 }
 
 /// The contact after each step of a history; files that the case names lie beside it.
@@ -86,16 +98,16 @@ pub fn followed(file: &CaseFile) -> Result<Vec<Step>, CliError> {
     let case = file.parse(HistoryCase::parse)?;
     let shifts = match &case.steps {
         Steps::Inline(shifts) => shifts.clone(),
-        Steps::File(name) => read_steps(&beside(&file.path, name))?,
+        Steps::File(name) => read_steps(file, name)?,
     };
     let at_fault = |source| CliError::Law { path: file.path.clone(), source };
     let wanted = Wanted { radii: 0, picture: false };
-    Ok(follow(&case, &shifts, wanted, at_fault)?.steps)
-}
-
-/// A file that a case names.
-fn beside(case: &Path, name: &Path) -> PathBuf {
-    case.parent().unwrap_or(Path::new("")).join(name)
+    let mut all = Vec::with_capacity(shifts.len());
+    follow(&case, &shifts, wanted, at_fault, |steps| {
+        all.append(steps);
+        Ok(())
+    })?;
+    Ok(all)
 }
 
 /// What the rows hold.
@@ -107,17 +119,23 @@ fn help() -> String {
     format!("{steps}{twists}\n{tractions}")
 }
 
-/// The steps in a file, which no output may overwrite either.
-fn steps_beside(arguments: &Arguments, path: &Path) -> Result<Vec<Shift>, CliError> {
-    check_output(path)?;
-    if let Some(plot) = &arguments.given.plot {
-        Destination::new("plot", plot, arguments.given.format, &[path])?;
+/// How close shift and twist come to their friction limits.
+#[derive(Debug, Default)]
+struct Limits {
+    is_twisted: bool,
+    /// The greatest share of both at once.
+    both: f64,
+}
+
+impl Limits {
+    fn add(&mut self, step: &Step) {
+        self.is_twisted |= step.twist.is_some();
+        self.both = step.twist.map_or(0.0, |twist| twist.share.min(step.share)).max(self.both);
     }
-    read_steps(path)
 }
 
 /// What the law neglects in this case.
-fn warnings(case: &HistoryCase, history: &[Step], has_tractions: bool) -> Vec<String> {
+fn warnings(case: &HistoryCase, limits: &Limits, has_tractions: bool) -> Vec<String> {
     let mut warnings = Vec::new();
     let materials = case.hertz.materials();
     if !materials.is_uncoupled() {
@@ -135,7 +153,7 @@ fn warnings(case: &HistoryCase, history: &[Step], has_tractions: bool) -> Vec<St
             c_y / c_x
         ));
     }
-    if !history.iter().any(|step| step.twist.is_some()) {
+    if !limits.is_twisted {
         return warnings;
     }
     if (case.hertz.axis_ratio().get() - 1.0).abs() > 1e-12 {
@@ -145,10 +163,8 @@ fn warnings(case: &HistoryCase, history: &[Step], has_tractions: bool) -> Vec<St
              approximation{tractions}"
         ));
     }
-    let both = |step: &Step| step.twist.map_or(0.0, |twist| twist.share.min(step.share));
-    let most = history.iter().map(both).fold(0.0, f64::max);
-    if most > 0.01 {
-        let percent = 100.0 * most;
+    if limits.both > 0.01 {
+        let percent = 100.0 * limits.both;
         warnings.push(format!(
             "shift and twist are computed each as if the other were absent, which is right while \
              one of them is small: both reach {percent:.0} % of their friction limits at once"

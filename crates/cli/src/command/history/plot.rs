@@ -1,15 +1,33 @@
 //! The picture of a history.
 
-use super::follow::Followed;
+use super::follow::Drawn;
 use super::view::{Step, Traction};
 use crate::command::plot::{Course, MOST_MARKS, Value};
 use crate::output::Picture;
 use carom_plot::Panel;
 
+/// What is drawn of a step.
+pub(super) const QUANTITIES: [Value<Step>; 14] = [
+    |s| s.load.f_x,
+    |s| s.load.f_y,
+    |s| s.load.f_z,
+    |s| s.load.m_z,
+    |s| s.shift.xi,
+    |s| s.shift.eta,
+    |s| s.shift.omega,
+    |s| s.semi_axis_a,
+    |s| s.semi_axis_b,
+    |s| s.stick_semi_axis_a,
+    |s| s.stick_semi_axis_b,
+    |s| s.stored_energy,
+    |s| s.dissipated,
+    |s| s.twist.map_or(0.0, |twist| twist.stick_semi_axis_b),
+];
+
 /// Loads and sizes against the step, force against shift, torque against twist, and the tractions
 /// after the last step in contact.
-pub(super) fn draw(followed: &Followed) -> Picture {
-    let (history, between) = (followed.steps.as_slice(), followed.course.as_slice());
+pub(super) fn draw(drawn: &Drawn) -> Picture {
+    let (history, between) = (drawn.marked.as_slice(), drawn.course.as_slice());
     let course = Course { records: between, marked: history, label: "step", at: |step| step.step };
     let mut panels = vec![
         course.panel(
@@ -35,10 +53,7 @@ pub(super) fn draw(followed: &Followed) -> Picture {
     if history.iter().any(|step| step.twist.is_some()) {
         panels.extend(torsion(history, between));
     }
-    panels.extend(followed.last.as_ref().map(|last| {
-        let given = history.iter().find(|step| step.step == last.step);
-        tractions(last, given.map_or(&[], |step| step.tractions.as_slice()))
-    }));
+    panels.extend(drawn.last.as_ref().map(|[last, given]| tractions(last, &given.tractions)));
     let marks = if history.len() <= MOST_MARKS { " (dots: the steps given)" } else { "" };
     Picture::new(&format!("Load history{marks}"), panels)
 }

@@ -1,8 +1,8 @@
 //! The steps of a history from a CSV file.
 
 use crate::error::CliError;
-use crate::input::read_table;
-use crate::numbers::{NumberTable, TableError, headed};
+use crate::input::CaseFile;
+use crate::numbers::{NumberTable, TableError};
 use carom_laws::law::Shift;
 use std::path::Path;
 
@@ -31,16 +31,17 @@ pub enum StepsError {
     Empty,
 }
 
-/// Reads the steps in the file.
+/// Reads the steps in the file that a case names.
 ///
 /// # Errors
-/// If it cannot be read, is no text of at most 64 MiB, lacks a column or has another one, or a value is no finite number.
-pub(in crate::command) fn read(path: &Path) -> Result<Vec<Shift>, CliError> {
-    parse(&read_table(path)?).map_err(|source| CliError::Steps { path: path.to_owned(), source })
+/// If an output goes to it, it cannot be read, is no text of at most 64 MiB, lacks a column or has another one, or a value is no finite number.
+pub(in crate::command) fn read(case: &CaseFile, name: &Path) -> Result<Vec<Shift>, CliError> {
+    parse(&case.table(name)?).map_err(|source| CliError::Steps { path: case.beside(name), source })
 }
 
 fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {
-    let NumberTable { heads, rows } = headed(text)?;
+    let mut table = NumberTable::new(text)?;
+    let heads = &table.heads;
     if let Some(unknown) = heads.iter().find(|head| !COLUMNS.contains(&head.as_str())) {
         return Err(StepsError::Unknown(unknown.clone()));
     }
@@ -49,11 +50,11 @@ fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {
     if let Some((column, _)) = lacking {
         return Err(StepsError::Missing(column));
     }
-    let shift = |row: &Vec<f64>| {
+    let mut shifts = Vec::new();
+    while let Some(row) = table.next_row()? {
         let [zeta, xi, eta, omega] = places.map(|place| place.map_or(0.0, |place| row[place]));
-        Shift { zeta, xi, eta, omega }
-    };
-    let shifts: Vec<Shift> = rows.iter().map(shift).collect();
+        shifts.push(Shift { zeta, xi, eta, omega });
+    }
     if shifts.is_empty() { Err(StepsError::Empty) } else { Ok(shifts) }
 }
 

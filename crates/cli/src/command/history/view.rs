@@ -81,12 +81,17 @@ pub fn all_columns() -> Vec<Column<Step>> {
     [COLUMNS, TWIST_COLUMNS].concat()
 }
 
-/// The columns of this history.
-pub(super) fn columns(history: &[Step]) -> Vec<Column<Step>> {
-    match history.iter().any(|step| step.twist.is_some()) {
+/// The columns of a history of these shifts.
+pub(super) fn columns(shifts: &[Shift]) -> Vec<Column<Step>> {
+    match is_twisted(shifts) {
         true => all_columns(),
         false => COLUMNS.to_vec(),
     }
+}
+
+/// Whether any shift twists.
+pub(super) fn is_twisted(shifts: &[Shift]) -> bool {
+    shifts.iter().any(|shift| shift.omega != 0.0)
 }
 
 /// A step as it stands in JSON.
@@ -99,18 +104,14 @@ pub(super) struct StepRecord<'a> {
     outside_theory: &'a [String],
 }
 
-/// The steps as they stand in JSON.
-pub(super) fn records<'a>(columns: &'a [Column<Step>], history: &'a [Step]) -> Vec<StepRecord<'a>> {
-    let record = |step: &'a Step| StepRecord {
+/// A step as it stands in JSON.
+pub(super) fn record<'a>(columns: &'a [Column<Step>], step: &'a Step) -> StepRecord<'a> {
+    let traction = |traction| Record::new(&TRACTION_COLUMNS[1..], traction);
+    StepRecord {
         step: Record::new(columns, step),
-        tractions: step
-            .tractions
-            .iter()
-            .map(|traction| Record::new(&TRACTION_COLUMNS[1..], traction))
-            .collect(),
+        tractions: step.tractions.iter().map(traction).collect(),
         outside_theory: &step.outside_theory,
-    };
-    history.iter().map(record).collect()
+    }
 }
 
 /// The tangential traction on body 1 at a radius: 0 is the centre, 1 the edge of the ellipse.

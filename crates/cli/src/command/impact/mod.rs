@@ -6,15 +6,17 @@ mod table;
 mod uncertain;
 mod view;
 
-use crate::case::{CaseError, ImpactCase, ImpactFile, Uncertainty};
+use crate::case::{CaseError, ImpactCase, ImpactFile, Input, Uncertainty};
 use crate::columns;
-use crate::command::theory::{self, caution};
+use crate::command::theory::{Warnings, Worst, caution};
 use crate::command::{self, CaseArguments};
 use crate::destination::Destination;
 use crate::error::CliError;
 use crate::input::CaseFile;
-use crate::output::{Answer, Format, Picture, json};
+use crate::output::{Answer, Format, Results, json};
+use crate::rows::{BLOCK, Rows, check_count, indented};
 use carom_impact::{CollisionError, HistoryPoint, NumericalImpact, NumericalImpactError, Outcome};
+use carom_table::row;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
 use view::{Parameter, Record};
@@ -45,70 +47,128 @@ pub(super) struct Arguments {
 const ELASTIC_COURSE: &str = "the course, duration and greatest force are those of elastic bodies: the material takes its part at the end";
 const NOTHING_TO_DRAW: &str = "no impact: there is nothing to draw";
 
-pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let command::Given { case: text, plot } = arguments.given.read()?;
-    let (case, format) = (&arguments.given.case, arguments.given.format);
-    let to = |path: &PathBuf| Destination::new("animate", path, format, &[case]);
-    let plot = arguments.animate.as_ref().map(to).transpose()?.or(plot);
+pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
+    let (command::Given { case: text, plot }, moving) = arguments.given.read_beside(|outputs| {
+        let to = |path: &PathBuf| outputs.picture("animate", path, arguments.given.format);
+        arguments.animate.as_ref().map(to).transpose()
+    })?;
+    let plot = moving.or(plot);
     let file = text.parse(ImpactFile::parse)?;
     if arguments.animate.is_some() && (file.sweep().is_some() || file.uncertainty().is_some()) {
         return Err(CliError::Options("--animate takes a case with one impact"));
     }
-    match file.uncertainty() {
-        Some(uncertainty) => scatter(arguments, plot, &file, uncertainty),
-        None => impacts(arguments, plot, &file),
+    if let Some(uncertainty) = file.uncertainty() {
+        return scatter(arguments, plot, &file, uncertainty);
+    }
+    match file.sweep() {
+        None => single(arguments, plot, &file, results),
+        Some(_) if arguments.history.is_some() => {
+            Err(CliError::Options("--history takes a case with one impact, not a sweep"))
+        }
+        Some(swept) => sweep(arguments, plot, &file, swept, results),
     }
 }
 
-fn impacts(
+/// One impact.
+fn single(
     arguments: &Arguments,
     plot: Option<Destination>,
     file: &ImpactFile<'_>,
+    results: &mut Results,
 ) -> Result<Answer, CliError> {
     let (path, format) = (&arguments.given.case, arguments.given.format);
-    let sweep = file.sweep();
-    if sweep.is_some() && arguments.history.is_some() {
-        return Err(CliError::Options("--history takes a case with one impact, not a sweep"));
-    }
-    let mut outcomes = match sweep {
-        Some((_, values)) => records(path, file, values)?,
-        None => vec![record(path, None, file.nominal())?],
-    };
-    if let (Some(count), [record]) = (arguments.history, outcomes.as_mut_slice()) {
+    check_count(format, arguments.history.map_or(0, |count| count as usize))?;
+    let mut record = record(path, None, file.nominal())?;
+    if let Some(count) = arguments.history {
         record.history = Some(course(path, file, count as usize)?);
     }
-    let rows: Vec<_> = outcomes.iter().map(|record| view::cells(Some(record))).collect();
-    // The number that is swept over may be infinite, as friction.
-    columns::check_cells(path, rows.iter().map(|row| &row[1..]))?;
-    let text = match (format, outcomes.as_slice()) {
-        (Format::Json, [record]) if sweep.is_none() => json(record)?,
-        (Format::Json, records) => json(&records)?,
-        (Format::Csv, [Record { history: Some(points), .. }]) => {
-            columns::rows(format, HistoryPoint::COLUMNS, points)?
+    let cells = view::cells(Some(&record));
+    columns::check_rows(path, &[&cells[1..]], [0, 1], |cells| cells.to_vec())?;
+    let text = match (format, &record.history) {
+        (Format::Json, _) => json(&record)?,
+        (Format::Csv, Some(points)) => {
+            let mut rows = Rows::new(format).of(HistoryPoint::COLUMNS);
+            for points in points.chunks(BLOCK) {
+                let cells = |point: &HistoryPoint| row(HistoryPoint::COLUMNS, Some(point));
+                rows.put(points, cells, |_, _| Ok(String::new()), results)?;
+            }
+            rows.finish()?
         }
-        (Format::Csv, _) => columns::cell_rows(format, &rows)?,
-        (Format::Table, records) => {
-            table::render(records, sweep.map(|(input, _)| Parameter::of(input, 0.0).name))?
-        }
+        (Format::Csv, None) => columns::cell_rows(format, &[cells])?,
+        (Format::Table, _) => table::one(&record)?,
         (Format::None, _) => String::new(),
     };
-    let mut warnings = warnings(&outcomes);
-    if let (None, [record]) = (sweep, outcomes.as_slice())
-        && (arguments.history.is_some() || plot.is_some())
+    let mut warnings = Warnings::default();
+    warnings.add(|| place(&record), record.limits());
+    let mut warnings = warnings.told(several(&record));
+    if (arguments.history.is_some() || plot.is_some())
         && record.rebound().is_some_and(|rebound| rebound.energy.lost > 0.0)
     {
         warnings.push(ELASTIC_COURSE.to_owned());
     }
+    let picture = match plot {
+        Some(_) if record.rebound().is_none() => {
+            warnings.push(NOTHING_TO_DRAW.to_owned());
+            None
+        }
+        Some(to) if arguments.animate.is_some() => {
+            Some((to, movie::movie(&record, &course(path, file, movie::INSTANTS)?)))
+        }
+        Some(to) => Some((to, plot::course(&course(path, file, plot::INSTANTS)?))),
+        None => None,
+    };
+    let caution = caution(&[record.excess], several(&record));
+    Ok(Answer { text, warnings, picture, ..Answer::default() }.cautioned(caution, format))
+}
+
+/// The impacts of a sweep, in their order; as many at once as are in flight.
+fn sweep(
+    arguments: &Arguments,
+    plot: Option<Destination>,
+    file: &ImpactFile<'_>,
+    (input, values): (&Input, &[f64]),
+    results: &mut Results,
+) -> Result<Answer, CliError> {
+    let (path, format) = (&arguments.given.case, arguments.given.format);
+    check_count(format, values.len())?;
+    let swept = Parameter::of(input, 0.0).name;
+    let mut rows = Rows::new(format).showing([&[swept][..], &table::OF_SWEEP].concat());
+    let mut drawn = plot.is_some().then(|| plot::Sweep::new(values));
+    let (mut warnings, mut worst) = (Warnings::default(), Worst::default());
+    let mut what = "impacts";
+    for block in values.chunks(BLOCK) {
+        let records = records(path, file, block)?;
+        let first = warnings.count();
+        // The number that is swept over may be infinite, as friction.
+        columns::check_rows(path, &records, [first, values.len()], |record| {
+            view::cells(Some(record)).split_off(1)
+        })?;
+        rows.put(&records, |record| view::cells(Some(record)), indented, results)?;
+        for record in &records {
+            what = several(record);
+            warnings.add(|| place(record), record.limits());
+            worst.add(record.excess);
+        }
+        match &mut drawn {
+            Some(drawn) => drawn.add(&records),
+            // Nobody reads, nobody looks.
+            None if results.is_closed() => break,
+            None => {}
+        }
+    }
+    let mut warnings = warnings.told(what);
     let mut picture = None;
-    if let Some(to) = plot {
-        match draw(arguments, file, &outcomes)? {
+    if let (Some(to), Some(mut drawn)) = (plot, drawn) {
+        for block in drawn.between().chunks(BLOCK) {
+            drawn.add_between(&records(path, file, block)?);
+        }
+        match drawn.draw(input) {
             Some(drawn) => picture = Some((to, drawn)),
             None => warnings.push(NOTHING_TO_DRAW.to_owned()),
         }
     }
-    let excesses: Vec<_> = outcomes.iter().map(|record| record.excess).collect();
-    let answer = Answer { text, warnings, picture, ..Answer::default() };
-    Ok(answer.cautioned(caution(&excesses, several(&outcomes)), format))
+    let answer = Answer { text: rows.finish()?, warnings, picture, ..Answer::default() };
+    Ok(answer.cautioned(worst.caution(what), format))
 }
 
 /// The impacts of a case.
@@ -220,41 +280,19 @@ fn scatter(
     Ok(answer.cautioned(caution(&[excess], "means"), arguments.given.format))
 }
 
-/// The picture; none if no impact happens.
-fn draw(
-    arguments: &Arguments,
-    file: &ImpactFile<'_>,
-    given: &[Record],
-) -> Result<Option<Picture>, CliError> {
-    if given.iter().all(|record| record.rebound().is_none()) {
-        return Ok(None);
-    }
-    let path = &arguments.given.case;
-    if let (Some(_), [record]) = (&arguments.animate, given) {
-        return Ok(Some(movie::movie(record, &course(path, file, movie::INSTANTS)?)));
-    }
-    let Some((input, values)) = file.sweep() else {
-        return Ok(Some(plot::course(&course(path, file, plot::INSTANTS)?)));
-    };
-    let between = records(path, file, &plot::between(values))?;
-    Ok(Some(plot::sweep(input, &between, given)))
-}
-
 /// What the impacts of a sweep are called.
-fn several(records: &[Record]) -> &'static str {
-    match records.first().and_then(|record| record.parameter) {
+fn several(record: &Record) -> &'static str {
+    match record.parameter {
         Some(Parameter { name: "angle", .. }) => "angles",
         _ => "impacts",
     }
 }
 
-/// What limits the validity of the outcomes.
-fn warnings(records: &[Record]) -> Vec<String> {
-    let place = |record: &Record| match record.parameter {
+/// Which impact of a sweep it is.
+fn place(record: &Record) -> String {
+    match record.parameter {
         Some(Parameter { name: "angle", value, .. }) => format!("at {value}°"),
         Some(Parameter { name, value, .. }) => format!("at {name} = {value}"),
         None => String::new(),
-    };
-    let concerned = records.iter().map(|record| (place(record), record.limits()));
-    theory::warnings(concerned, several(records))
+    }
 }

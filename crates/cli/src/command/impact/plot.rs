@@ -3,6 +3,7 @@
 use super::view::{Parameter, Record};
 use crate::case::Input;
 use crate::command::plot::{Course, MOST_MARKS, Value};
+use crate::command::thinned::{MOST_DRAWN, Thinned};
 use crate::output::Picture;
 use carom_impact::HistoryPoint;
 use carom_special::linspace;
@@ -47,7 +48,7 @@ pub(super) fn course(history: &[HistoryPoint]) -> Picture {
 
 /// The finite values of a sweep with those between its least and its greatest, close together; none
 /// where these are one.
-pub(super) fn between(values: &[f64]) -> Vec<f64> {
+fn between(values: &[f64]) -> Vec<f64> {
     let values: Vec<f64> = values.iter().copied().filter(|value| value.is_finite()).collect();
     let low = values.iter().copied().fold(f64::INFINITY, f64::min);
     let high = values.iter().copied().fold(f64::NEG_INFINITY, f64::max);
@@ -60,35 +61,90 @@ pub(super) fn between(values: &[f64]) -> Vec<f64> {
     all
 }
 
-/// Restitution, velocity and spin of body 1 against the swept number; `between` are those drawn
-/// as lines, `given` those of the case.
-pub(super) fn sweep(input: &Input, between: &[Record], given: &[Record]) -> Picture {
-    let points = |records: &[Record]| -> Vec<[f64; 4]> {
-        let point = |record: &Record| {
-            let [_, [body_1, _]] = record.motions();
-            let restitution = record.restitution()?;
-            let value = Some(record.parameter?.value).filter(|value| value.is_finite())?;
-            Some([value, restitution, body_1.velocity[0], body_1.spin[1]])
+/// A drawn impact: the swept number, restitution, velocity and spin of body 1.
+type Point = [f64; 4];
+
+/// The picture of a sweep, gathered impact by impact.
+pub(super) struct Sweep {
+    /// The values that the lines go through, in order; none where those of the case are many and in order.
+    between: Vec<f64>,
+    /// Points of the lines.
+    line: Thinned<Point>,
+    /// Points of the case, no more than tell whether they can be marked.
+    given: Vec<Point>,
+    /// Whether the lines go through the points of the case alone.
+    is_dense: bool,
+    is_any: bool,
+}
+
+impl Sweep {
+    /// Over these values, before the first impact.
+    pub(super) fn new(values: &[f64]) -> Self {
+        let is_dense = values.len() > MOST_DRAWN / 2
+            && (values.is_sorted() || values.iter().rev().is_sorted());
+        let drawn: [Value<Point>; 3] = [|point| point[1], |point| point[2], |point| point[3]];
+        Self {
+            between: if is_dense { Vec::new() } else { between(values) },
+            line: Thinned::new(drawn),
+            given: Vec::new(),
+            is_dense,
+            is_any: false,
+        }
+    }
+
+    /// With some impacts of the case more.
+    pub(super) fn add(&mut self, records: &[Record]) {
+        self.is_any |= records.iter().any(|record| record.rebound().is_some());
+        for point in records.iter().filter_map(point) {
+            if self.given.len() <= MOST_MARKS {
+                self.given.push(point);
+            }
+            if self.is_dense {
+                self.line.push(point);
+            }
+        }
+    }
+
+    /// The values whose impacts are still to be added for the lines.
+    pub(super) fn between(&mut self) -> Vec<f64> {
+        if self.is_any { std::mem::take(&mut self.between) } else { Vec::new() }
+    }
+
+    /// With some of these more.
+    pub(super) fn add_between(&mut self, records: &[Record]) {
+        records.iter().filter_map(point).for_each(|point| self.line.push(point));
+    }
+
+    /// Restitution, velocity and spin of body 1 against the swept number; none if no impact happens.
+    pub(super) fn draw(self, input: &Input) -> Option<Picture> {
+        if !self.is_any {
+            return None;
+        }
+        let (line, given) = (self.line.records(), self.given);
+        let name = Parameter::of(input, 0.0).name;
+        let (label, what) = match (name, input.unit) {
+            ("angle", _) => ("angle from the normal / °".to_owned(), "the angle of incidence"),
+            (name, "") => (name.to_owned(), name),
+            (name, unit) => (format!("{name} / {unit}"), name),
         };
-        records.iter().filter_map(point).collect()
-    };
-    let (between, given) = (points(between), points(given));
-    let name = Parameter::of(input, 0.0).name;
-    let (label, what) = match (name, input.unit) {
-        ("angle", _) => ("angle from the normal / °".to_owned(), "the angle of incidence"),
-        (name, "") => (name.to_owned(), name),
-        (name, unit) => (format!("{name} / {unit}"), name),
-    };
-    let course = Course { records: &between, marked: &given, label: &label, at: |point| point[0] };
-    let panels = [
-        course.panel("", "R_x", &[("", |point| point[1])]),
-        course.panel("", "v_x of body 1 afterwards / m/s", &[("", |point| point[2])]),
-        course.panel("", "spin_y of body 1 afterwards / rad/s", &[("", |point| point[3])]),
-    ];
-    let marks = match (name, given.len() <= MOST_MARKS) {
-        (_, false) => "",
-        ("angle", true) => " (dots: the angles given)",
-        (_, true) => " (dots: the values given)",
-    };
-    Picture::new(&format!("Sweep over {what}{marks}"), panels)
+        let course = Course { records: &line, marked: &given, label: &label, at: |point| point[0] };
+        let panels = [
+            course.panel("", "R_x", &[("", |point| point[1])]),
+            course.panel("", "v_x of body 1 afterwards / m/s", &[("", |point| point[2])]),
+            course.panel("", "spin_y of body 1 afterwards / rad/s", &[("", |point| point[3])]),
+        ];
+        let marks = match (name, given.len() <= MOST_MARKS) {
+            (_, false) => "",
+            ("angle", true) => " (dots: the angles given)",
+            (_, true) => " (dots: the values given)",
+        };
+        Some(Picture::new(&format!("Sweep over {what}{marks}"), panels))
+    }
+}
+
+fn point(record: &Record) -> Option<Point> {
+    let [_, [body_1, _]] = record.motions();
+    let restitution = record.restitution()?;
+    let value = Some(record.parameter?.value).filter(|value| value.is_finite())?;
+    Some([value, restitution, body_1.velocity[0], body_1.spin[1]])
 }

@@ -1,6 +1,6 @@
 //! The outcome of an impact as tables to read.
 
-use super::view::{Record, cells};
+use super::view::Record;
 use crate::columns;
 use crate::error::CliError;
 use crate::output::Format;
@@ -8,7 +8,7 @@ use carom_impact::{HistoryPoint, LogEntry, Motion};
 use carom_table::{Cell, row};
 
 /// What a line of a sweep shows beside the swept number.
-const OF_SWEEP: [&str; 8] = [
+pub(super) const OF_SWEEP: [&str; 8] = [
     "outcome",
     "R_x",
     "body_1_velocity_x",
@@ -19,15 +19,8 @@ const OF_SWEEP: [&str; 8] = [
     "regimes",
 ];
 
-/// One impact in full, or a sweep with a line for each value.
-pub(super) fn render(records: &[Record], swept: Option<&str>) -> Result<String, CliError> {
-    let Some(swept) = swept else { return records.iter().map(one).collect() };
-    let rows: Vec<Vec<Cell>> = records.iter().map(|record| cells(Some(record))).collect();
-    Ok(columns::selected(&rows, &[&[swept][..], &OF_SWEEP].concat()))
-}
-
-/// Where they touch, the motions, what came of the impact, its regimes and its course.
-fn one(record: &Record) -> Result<String, CliError> {
+/// One impact in full: where they touch, the motions, what came of it, its regimes and its course.
+pub(super) fn one(record: &Record) -> Result<String, CliError> {
     let mut text = columns::upright(&record.contact()) + &motions(record)?;
     match record.rebound() {
         None => text.push_str("no impact: the bodies do not approach each other\n"),

@@ -5,24 +5,23 @@ mod rows;
 mod tensor;
 
 use crate::columns;
-use crate::destination::Destination;
 use crate::error::CliError;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, Results};
+use crate::outputs::Outputs;
 use crate::range::Values;
+use crate::rows::{BLOCK, Rows, check_count, indented};
 use carom_impact::oblique::Groups;
 use carom_special::RangeError;
-use carom_table::Column;
+use carom_table::{Column, row};
 use indicatif::ProgressBar;
 use rayon::prelude::*;
-use rows::{MOST_TO_READ, Printer, Row};
+use rows::Row;
 use std::path::PathBuf;
 use tensor::Tensor;
 
 /// Impacts from which on a bar on standard error, if that is a terminal, shows the progress.
 const MANY: usize = 2000;
-/// Rows in flight: computed at once, in parallel, then written.
-const BLOCK: usize = 8192;
 
 /// Tangential restitution R_x of solid spheres (--kappa, --lambda) or of any bodies whose normal
 /// and tangential motions are uncoupled (--chi, --psi).
@@ -133,44 +132,43 @@ pub(super) fn run(
     results: &mut Results,
 ) -> Result<Answer, CliError> {
     let plane = Plane::of(arguments);
-    let to = |option, path: &Option<PathBuf>| {
-        let to = |path: &PathBuf| Destination::new(option, path, arguments.format, &[]);
+    let mut outputs = Outputs::of_command(arguments.format)?;
+    let mut to = |option, path: &Option<PathBuf>| {
+        let to = |path: &PathBuf| outputs.picture(option, path, arguments.format);
         path.as_ref().map(to).transpose()
     };
     let (lines, map) = (to("plot", &arguments.plot)?, to("map", &arguments.map)?);
     if map.is_some() {
         plot::check(plane.values)?;
     }
-    if arguments.format == Format::Table && plane.count() > MOST_TO_READ {
-        return Err(CliError::Options(
-            "more than 100000 rows make no table to read; choose --format csv, json or none",
-        ));
-    }
+    check_count(arguments.format, plane.count())?;
     plane.check()?;
-    let values = follow(&plane, arguments, map.is_some(), messages, results)?;
+    let (text, values) = follow(&plane, arguments, map.is_some(), messages, results)?;
     let picture = match (lines, map) {
         (Some(to), _) => Some((to, plot::lines(&plane)?)),
         (_, Some(to)) => Some((to, plot::map(values, &plane)?)),
         _ => None,
     };
-    Ok(Answer { picture, ..Answer::default() })
+    Ok(Answer { text, picture, ..Answer::default() })
 }
 
-/// Computes and writes all rows in their order; keeps R_x if it `is_mapped`.
+/// Computes and writes all rows in their order, but for what ends them; keeps R_x if it `is_mapped`.
 fn follow(
     plane: &Plane<'_>,
     arguments: &Arguments,
     is_mapped: bool,
     messages: &Messages,
     results: &mut Results,
-) -> Result<Vec<f64>, CliError> {
+) -> Result<(String, Vec<f64>), CliError> {
     let ratio = arguments.velocity_ratio.map(tensor::velocity_ratio).transpose()?;
     let ratio = ratio.unwrap_or_default();
     let mut values = Vec::with_capacity(if is_mapped { plane.count() } else { 0 });
     if arguments.format == Format::None && !is_mapped {
-        return Ok(values);
+        return Ok((String::new(), values));
     }
-    let mut printer = Printer::new(arguments.format, plane, arguments.tensor);
+    let columns =
+        [plane.columns, if arguments.tensor.is_some() { rows::OF_TENSOR } else { &[] }].concat();
+    let mut printed = Rows::new(arguments.format);
     let bar = match plane.count() {
         ..MANY => ProgressBar::hidden(),
         count => messages.bar(count, "impacts"),
@@ -186,13 +184,14 @@ fn follow(
         if is_mapped {
             values.extend(rows.iter().map(|row| row.restitution));
         }
-        printer.print(&rows, results)?;
+        let cells = |line: &Row| row(&columns, Some(line));
+        let json = |line: &Row, depth| indented(&line.record(plane.columns), depth);
+        printed.put(&rows, cells, json, results)?;
         // Nobody reads, nobody looks.
         if results.is_closed() && !is_mapped {
             break;
         }
     }
     bar.finish_and_clear();
-    printer.finish(results)?;
-    Ok(values)
+    Ok((printed.finish()?, values))
 }

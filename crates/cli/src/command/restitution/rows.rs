@@ -1,16 +1,12 @@
-//! Rows of results on their way out: as they come, so that none need be held.
+//! R_x of a pair of numbers, and its columns.
 
 use super::tensor::TensorRecord;
 use super::{Plane, Tensor};
 use crate::columns::Record;
 use crate::error::CliError;
-use crate::output::{Format, Results, csv_rows, short, table};
 use carom_impact::oblique::{ObliqueImpact, Regime};
-use carom_table::{Column, cells, heads, labels};
+use carom_table::Column;
 use serde::Serialize;
-
-/// Rows of a table to read, at most: its columns are as wide as their widest row.
-pub(super) const MOST_TO_READ: usize = 100_000;
 
 /// R_x and what belongs to it.
 #[derive(Debug)]
@@ -70,7 +66,7 @@ pub(super) const OF_TENSOR: &[Column<Row>] = &[
 
 /// A row as it stands in JSON.
 #[derive(Serialize)]
-struct RowRecord<'a> {
+pub(super) struct RowRecord<'a> {
     #[serde(flatten)]
     row: Record<'a, Row>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -92,59 +88,9 @@ impl Row {
         let tensor = tensor.map(|tensor| tensor.record(groups, ratio)).transpose()?;
         Ok(Self { numbers, restitution, regimes, tensor })
     }
-}
 
-/// Writes rows in a format; holds those of a table only.
-pub(super) struct Printer {
-    format: Format,
-    plane: &'static [Column<Row>],
-    columns: Vec<Column<Row>>,
-    is_begun: bool,
-    held: Vec<Vec<String>>,
-}
-
-impl Printer {
-    pub(super) fn new(format: Format, plane: &Plane<'_>, tensor: Option<Tensor>) -> Self {
-        let tensor = if tensor.is_some() { OF_TENSOR } else { &[] };
-        let columns = [plane.columns, tensor].concat();
-        Self { format, plane: plane.columns, columns, is_begun: false, held: Vec::new() }
-    }
-
-    /// Writes some rows.
-    pub(super) fn print(&mut self, rows: &[Row], results: &mut Results) -> Result<(), CliError> {
-        let mut text = String::new();
-        match self.format {
-            Format::None => {}
-            Format::Table => {
-                self.held.extend(rows.iter().map(|row| cells(&self.columns, row, short)));
-            }
-            Format::Csv => {
-                let row = |row| cells(&self.columns, row, |value| value.to_string());
-                let cells: Vec<_> = rows.iter().map(row).collect();
-                let heads = heads(&self.columns);
-                text = csv_rows((!self.is_begun).then_some(heads.as_slice()), &cells)?;
-            }
-            Format::Json => {
-                for (i, row) in rows.iter().enumerate() {
-                    text.push_str(if self.is_begun || i > 0 { ",\n  " } else { "[\n  " });
-                    let tensor = row.tensor;
-                    let record = RowRecord { row: Record::new(self.plane, row), tensor };
-                    let row = serde_json::to_string_pretty(&record)
-                        .map_err(|error| CliError::Format(error.into()))?;
-                    text.push_str(&row.replace('\n', "\n  "));
-                }
-            }
-        }
-        self.is_begun = true;
-        results.put(text.as_bytes())
-    }
-
-    /// Ends the results.
-    pub(super) fn finish(self, results: &mut Results) -> Result<(), CliError> {
-        match self.format {
-            Format::Table => results.put(table(&labels(&self.columns), &self.held).as_bytes()),
-            Format::Json => results.put(b"\n]\n"),
-            Format::Csv | Format::None => Ok(()),
-        }
+    /// As it stands in JSON, with these columns.
+    pub(super) fn record(&self, columns: &'static [Column<Self>]) -> RowRecord<'_> {
+        RowRecord { row: Record::new(columns, self), tensor: self.tensor }
     }
 }

@@ -5,11 +5,14 @@ mod view;
 
 use crate::case::SceneCase;
 use crate::columns;
-use crate::command::theory::{Excess, caution, warnings};
+use crate::command::theory::{Excess, Warnings, Worst};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
-use crate::output::{Answer, Format, json, short};
-use carom_impact::scene::PathPoint;
+use crate::output::{Answer, Format, Results, short};
+use crate::rows::{BLOCK, Rows, indented};
+use carom_impact::scene::{Bounce, Ending, Leg, PathPoint};
+use carom_table::row;
+use std::path::Path;
 
 /// Path and bounces of a ball between walls, from a case file.
 ///
@@ -26,45 +29,121 @@ pub(super) struct Arguments {
     points: Option<u32>,
 }
 
-pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
+pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     let case = file.parse(SceneCase::parse)?;
-    let path = case
-        .scene
-        .run(&case.ball, case.limits)
-        .map_err(|source| CliError::Scene { path: file.path.clone(), source })?;
-    let report = view::Report::new(&case, &path, arguments.points.map(|count| count as usize))?;
-    let text = match arguments.given.format {
-        Format::Json => json(&report)?,
-        Format::Csv => match &report.points {
-            Some(points) => columns::rows(Format::Csv, PathPoint::COLUMNS, points)?,
-            None => columns::cell_rows(Format::Csv, &report.rows())?,
-        },
-        Format::Table => read(&report)?,
-        Format::None => String::new(),
+    let (format, points) = (arguments.given.format, arguments.points.map(|count| count as usize));
+    let mut bounces = Rows::new(format).at_depth(1).showing(view::READABLE.to_vec());
+    let mut course = plot.is_some().then(|| plot::Course::new(&case));
+    let (mut warnings, mut worst) = (Warnings::default(), Worst::default());
+    if format == Format::Json {
+        results.put(b"{\n  \"bounces\": ")?;
+    }
+    let end = follow(&file.path, &case, |legs| {
+        for leg in legs {
+            if let Some(course) = &mut course {
+                course.push(leg)?;
+            }
+        }
+        let met: Vec<&Bounce> = legs.iter().filter_map(Leg::bounce).collect();
+        for bounce in &met {
+            let number = warnings.count() + 1;
+            warnings.add(|| format!("at bounce {number}"), &bounce.rebound.warnings);
+            worst.add(Excess::of_impact(&bounce.rebound));
+        }
+        if format == Format::Csv && points.is_some() {
+            return Ok(());
+        }
+        let cells = |bounce: &&Bounce| view::cells(Some((&case, bounce)));
+        let json =
+            |bounce: &&Bounce, depth| indented(&view::BounceRecord::new(&case, bounce), depth);
+        bounces.put(&met, cells, json, results)
+    })?;
+    let mut text = match (format, points) {
+        (Format::Csv, Some(_)) => String::new(),
+        _ => bounces.finish()?,
     };
-    let picture = match plot {
-        Some(to) => Some((to, plot::draw(&case, &path)?)),
-        None => None,
+    match format {
+        Format::Json => text.push_str(&view::end(&case, &end)?),
+        Format::Table => text.push_str(&read_end(&case, &end)),
+        Format::Csv | Format::None => {}
+    }
+    if let (Some(count), true) = (points, format != Format::None) {
+        if format == Format::Json {
+            results.put(format!("{text},\n  \"path\": ").as_bytes())?;
+            text.clear();
+        }
+        text.push_str(&instants(&file.path, &case, count, format, results)?);
+    }
+    if format == Format::Json {
+        text.push_str("\n}\n");
+    }
+    let picture = match (plot, course) {
+        (Some(to), Some(course)) => Some((to, course.draw())),
+        _ => None,
     };
-    let bounces = || path.bounces().iter().enumerate();
-    let concerned = bounces()
-        .map(|(i, bounce)| (format!("at bounce {}", i + 1), bounce.rebound.warnings.as_slice()));
-    let answer =
-        Answer { text, warnings: warnings(concerned, "bounces"), picture, ..Answer::default() };
-    let excesses: Vec<Excess> =
-        bounces().map(|(_, bounce)| Excess::of_impact(&bounce.rebound)).collect();
-    Ok(answer.cautioned(caution(&excesses, "bounces"), arguments.given.format))
+    let caution = worst.caution("bounces");
+    let answer = Answer { text, warnings: warnings.told("bounces"), picture, ..Answer::default() };
+    Ok(answer.cautioned(caution, format))
 }
 
-fn read(report: &view::Report<'_>) -> Result<String, CliError> {
-    let mut text = columns::selected(&report.rows(), &view::READABLE);
-    let end = report.end();
-    let place = <[f64; 3]>::from(end.position).map(short).join("  ");
-    let (ending, time) = (report.ending(), short(end.time));
-    text.push_str(&format!("end: {ending} after {time} s at {place} m\n"));
-    if let Some(points) = &report.points {
-        text.push_str(&columns::rows(Format::Table, PathPoint::COLUMNS, points)?);
+/// Where and why a path ends.
+struct End {
+    ending: Ending,
+    last: PathPoint,
+}
+
+/// Follows the ball; `visit` is shown some legs at a time.
+fn follow(
+    path: &Path,
+    case: &SceneCase,
+    mut visit: impl FnMut(&[Leg]) -> Result<(), CliError>,
+) -> Result<End, CliError> {
+    let at_fault = |source| CliError::Scene { path: path.to_owned(), source };
+    let mut legs = case.scene.legs(&case.ball, case.limits).map_err(at_fault)?;
+    let mut ending = Ending::Time;
+    loop {
+        let some = legs.by_ref().take(BLOCK).collect::<Result<Vec<_>, _>>().map_err(at_fault)?;
+        let Some(last) = some.last() else { break };
+        ending = last.ending().unwrap_or(ending);
+        visit(&some)?;
     }
-    Ok(text)
+    Ok(End { ending, last: legs.now() })
+}
+
+/// Follows the ball again and writes `count` instants of every flight, but for what ends them.
+fn instants(
+    path: &Path,
+    case: &SceneCase,
+    count: usize,
+    format: Format,
+    results: &mut Results,
+) -> Result<String, CliError> {
+    let mut rows = Rows::new(format).at_depth(1).of(PathPoint::COLUMNS);
+    let mut waiting = Vec::new();
+    let mut put = |points: &[PathPoint], results: &mut Results| {
+        let cells = |point: &PathPoint| row(PathPoint::COLUMNS, Some(point));
+        let json = |point: &PathPoint, depth| {
+            indented(&columns::Record::new(PathPoint::COLUMNS, point), depth)
+        };
+        rows.put(points, cells, json, results)
+    };
+    follow(path, case, |legs| {
+        for leg in legs {
+            waiting.extend(leg.points(count)?);
+            if waiting.len() >= BLOCK {
+                put(&waiting, results)?;
+                waiting.clear();
+            }
+        }
+        Ok(())
+    })?;
+    put(&waiting, results)?;
+    rows.finish()
+}
+
+fn read_end(case: &SceneCase, end: &End) -> String {
+    let place = <[f64; 3]>::from(end.last.position).map(short).join("  ");
+    let (ending, time) = (view::ending(case, end.ending), short(end.last.time));
+    format!("end: {ending} after {time} s at {place} m\n")
 }

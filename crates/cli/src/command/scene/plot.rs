@@ -1,9 +1,11 @@
 //! Walls, path and bounces as a picture, seen along the axis on which least happens.
 
 use crate::case::SceneCase;
+use crate::command::plot::Value;
+use crate::command::thinned::Thinned;
 use crate::error::CliError;
 use crate::output::Picture;
-use carom_impact::scene::{Bounce, Path, Wall};
+use carom_impact::scene::{Leg, Wall};
 use carom_plot::{Axis, Marker, Panel, Series};
 use std::f64::consts::TAU;
 
@@ -20,33 +22,62 @@ struct View {
     high: [f64; 2],
 }
 
-pub(super) fn draw(case: &SceneCase, path: &Path) -> Result<Picture, CliError> {
-    let centres: Vec<[f64; 3]> =
-        path.points(INSTANTS)?.iter().map(|point| point.position.into()).collect();
-    let start = [case.ball.position().into()];
-    let radius = case.ball.radius();
-    let view = view(if centres.is_empty() { &start } else { &centres }, 1.5 * radius);
-    let flat = |place: [f64; 3]| (place[view.axes[0]], place[view.axes[1]]);
-    let axis = |i: usize| Axis::linear(AXES[view.axes[i]]).between(view.low[i], view.high[i]);
-    let mut panel = Panel::new(axis(0), axis(1)).equal_aspect();
-    for (index, (wall, name)) in case.scene.walls().iter().zip(&case.names).enumerate() {
-        if let Some(points) = wall_line(wall, &view) {
-            panel.add(Series::line(name, points).coloured(index + 2));
+/// What is drawn of a path, gathered leg by leg.
+pub(super) struct Course<'a> {
+    case: &'a SceneCase,
+    centres: Thinned<[f64; 3]>,
+    /// Those that are drawn as balls.
+    balls: Vec<[f64; 3]>,
+    contacts: Thinned<[f64; 3]>,
+}
+
+impl<'a> Course<'a> {
+    /// Before the first leg.
+    pub(super) fn new(case: &'a SceneCase) -> Self {
+        let places: [Value<[f64; 3]>; 3] = [|place| place[0], |place| place[1], |place| place[2]];
+        let balls = vec![case.ball.position().into()];
+        Self { case, centres: Thinned::new(places), balls, contacts: Thinned::new(places) }
+    }
+
+    /// With one leg more.
+    pub(super) fn push(&mut self, leg: &Leg) -> Result<(), CliError> {
+        for point in leg.points(INSTANTS)? {
+            self.centres.push(point.position.into());
         }
+        if let Some(bounce) = leg.bounce() {
+            if self.balls.len() < MOST_BALLS {
+                self.balls.push(bounce.position.into());
+            }
+            let contact = bounce.position - self.case.ball.radius() * bounce.normal;
+            self.contacts.push(contact.into());
+        }
+        Ok(())
     }
-    let balls = std::iter::once(case.ball.position())
-        .chain(path.bounces().iter().map(|bounce| bounce.position))
-        .take(MOST_BALLS);
-    for centre in balls {
-        panel.add(Series::area("", circle(flat(centre.into()), radius)).coloured(0));
+
+    /// The picture.
+    pub(super) fn draw(self) -> Picture {
+        let Self { case, centres, balls, contacts } = self;
+        let (centres, contacts) = (centres.records(), contacts.records());
+        let radius = case.ball.radius();
+        let view = view(if centres.is_empty() { &balls[..1] } else { &centres }, 1.5 * radius);
+        let flat = |place: [f64; 3]| (place[view.axes[0]], place[view.axes[1]]);
+        let axis = |i: usize| Axis::linear(AXES[view.axes[i]]).between(view.low[i], view.high[i]);
+        let mut panel = Panel::new(axis(0), axis(1)).equal_aspect();
+        for (index, (wall, name)) in case.scene.walls().iter().zip(&case.names).enumerate() {
+            if let Some(points) = wall_line(wall, &view) {
+                panel.add(Series::line(name, points).coloured(index + 2));
+            }
+        }
+        for centre in balls {
+            panel.add(Series::area("", circle(flat(centre), radius)).coloured(0));
+        }
+        panel.add(Series::line("centre of the ball", centres.into_iter().map(flat)).coloured(0));
+        if !contacts.is_empty() {
+            let contacts = contacts.into_iter().map(flat);
+            panel.add(Series::markers("bounces", Marker::Dot, contacts).coloured(1));
+        }
+        Picture::new("Path of the ball", [panel])
     }
-    panel.add(Series::line("centre of the ball", centres.into_iter().map(flat)).coloured(0));
-    let contact = |bounce: &Bounce| flat((bounce.position - radius * bounce.normal).into());
-    let contacts: Vec<(f64, f64)> = path.bounces().iter().map(contact).collect();
-    if !contacts.is_empty() {
-        panel.add(Series::markers("bounces", Marker::Dot, contacts).coloured(1));
-    }
-    Ok(Picture::new("Path of the ball", [panel]))
 }
 
 /// The two axes along which the ball goes farthest; x and z if it goes nowhere.

@@ -1,21 +1,15 @@
 //! A path as records for JSON and rows of cells.
 
+use super::End;
 use crate::case::SceneCase;
 use crate::columns::{self, add_fields};
 use crate::command::theory::Excess;
 use crate::error::CliError;
+use crate::rows::indented;
 use carom_impact::Rebound;
-use carom_impact::scene::{Bounce, Ending, Path, PathPoint};
+use carom_impact::scene::{Bounce, Ending, PathPoint};
 use carom_table::{Cell, row};
 use serde::ser::{Serialize, SerializeMap, Serializer};
-
-/// The path of the ball. SI units.
-pub(super) struct Report<'a> {
-    case: &'a SceneCase,
-    path: &'a Path,
-    /// Instants of every flight, if asked for.
-    pub(super) points: Option<Vec<PathPoint>>,
-}
 
 /// What a table to read shows of a bounce.
 pub(super) const READABLE: [&str; 14] = [
@@ -44,64 +38,34 @@ pub(super) fn cells(bounce: Option<(&SceneCase, &Bounce)>) -> Vec<Cell> {
     cells
 }
 
-impl<'a> Report<'a> {
-    /// Of a path, with `points` instants of every flight if asked for.
-    pub(super) fn new(
-        case: &'a SceneCase,
-        path: &'a Path,
-        points: Option<usize>,
-    ) -> Result<Self, CliError> {
-        let points = points.map(|count| path.points(count)).transpose()?;
-        Ok(Self { case, path, points })
-    }
-
-    /// A row for each bounce.
-    pub(super) fn rows(&self) -> Vec<Vec<Cell>> {
-        let bounces = self.path.bounces().iter();
-        bounces.map(|bounce| cells(Some((self.case, bounce)))).collect()
-    }
-
-    /// Why it ends.
-    pub(super) fn ending(&self) -> String {
-        let name = |wall: usize| &self.case.names[wall];
-        match self.path.ending() {
-            Ending::Time => "the time is over".to_owned(),
-            Ending::Bounces => "the last bounce is done".to_owned(),
-            Ending::Rest { wall } => format!("it stays on {}", name(wall)),
-            Ending::Edge { wall } => format!("it meets an edge of {}", name(wall)),
-        }
-    }
-
-    /// Where it ends.
-    pub(super) fn end(&self) -> PathPoint {
-        self.path.last()
+/// Why a path ends, in words.
+pub(super) fn ending(case: &SceneCase, ending: Ending) -> String {
+    let name = |wall: usize| &case.names[wall];
+    match ending {
+        Ending::Time => "the time is over".to_owned(),
+        Ending::Bounces => "the last bounce is done".to_owned(),
+        Ending::Rest { wall } => format!("it stays on {}", name(wall)),
+        Ending::Edge { wall } => format!("it meets an edge of {}", name(wall)),
     }
 }
 
-impl Serialize for Report<'_> {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let bounces: Vec<_> = self
-            .path
-            .bounces()
-            .iter()
-            .map(|bounce| BounceRecord { case: self.case, bounce })
-            .collect();
-        let end = self.end();
-        let point = |point| columns::Record::new(PathPoint::COLUMNS, point);
-        let mut map = serializer.serialize_map(None)?;
-        map.serialize_entry("bounces", &bounces)?;
-        map.serialize_entry("ending", &self.ending())?;
-        map.serialize_entry("end", &point(&end))?;
-        if let Some(points) = &self.points {
-            map.serialize_entry("path", &points.iter().map(point).collect::<Vec<_>>())?;
-        }
-        map.end()
-    }
+/// What follows the bounces in JSON.
+pub(super) fn end(case: &SceneCase, end: &End) -> Result<String, CliError> {
+    let ending = indented(&ending(case, end.ending), 1)?;
+    let last = indented(&columns::Record::new(PathPoint::COLUMNS, &end.last), 1)?;
+    Ok(format!(",\n  \"ending\": {ending},\n  \"end\": {last}"))
 }
 
-struct BounceRecord<'a> {
+/// A bounce as it stands in JSON.
+pub(super) struct BounceRecord<'a> {
     case: &'a SceneCase,
     bounce: &'a Bounce,
+}
+
+impl<'a> BounceRecord<'a> {
+    pub(super) const fn new(case: &'a SceneCase, bounce: &'a Bounce) -> Self {
+        Self { case, bounce }
+    }
 }
 
 impl Serialize for BounceRecord<'_> {

@@ -3,13 +3,13 @@
 use super::heights;
 use crate::case::{Border, GapCase, GridCase, SolveCase};
 use crate::error::CliError;
+use crate::input::CaseFile;
 use carom_halfspace::operator::{OperatorError, PeriodicOperator, Threads};
 use carom_halfspace::{Field, Grid, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_solver::{
     CellFriction, ContactProblem, Gap, ProblemError, Shape, SurfaceFriction, Window,
 };
-use std::path::Path;
 use std::sync::Arc;
 
 /// Gap, materials and friction.
@@ -29,13 +29,14 @@ enum Given {
 }
 
 impl Bodies {
-    /// Those of the case in the file at `path`.
+    /// Those of the case in the file.
     ///
     /// # Errors
-    /// [`CliError::Input`] if a file of heights is no such thing, or heights on a grid of their own are
+    /// [`CliError::Input`] if a file of heights is no such thing, an output goes to it, or heights on a grid of their own are
     /// asked for to an accuracy.
-    pub(in crate::command) fn of(path: &Path, case: &SolveCase) -> Result<Self, CliError> {
-        let law = |source| CliError::Law { path: path.to_owned(), source };
+    pub(in crate::command) fn of(file: &CaseFile, case: &SolveCase) -> Result<Self, CliError> {
+        let path = &file.path;
+        let law = |source| CliError::Law { path: path.clone(), source };
         let border = match case.grid {
             GridCase::Cells { border, .. } => border,
             GridCase::Accuracy(_) => Border::Free,
@@ -45,14 +46,13 @@ impl Bodies {
             GridCase::Accuracy(_) => {
                 let reason =
                     format!("{what} on a grid of their own; give `grid.cells`, not an accuracy");
-                Err(CliError::Input { path: path.to_owned(), reason })
+                Err(CliError::Input { path: path.clone(), reason })
             }
         };
         let (gap, read) = match &case.gap {
             GapCase::Formula(shape) => (Given::Formula(shape.clone()), Vec::new()),
             GapCase::Heights(map) => {
-                let name = path.parent().unwrap_or(Path::new("")).join(&map.file);
-                let (gap, read) = heights::gap(&name, map, own("heights from a file stand")?)?;
+                let (gap, read) = heights::gap(file, map, own("heights from a file stand")?)?;
                 (Given::Grid(gap), read)
             }
             GapCase::Rough { surface, radius } => {

@@ -11,6 +11,7 @@ use crate::error::CliError;
 use crate::input::CaseFile;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
+use crate::outputs::Outputs;
 use carom_laws::law::Shift;
 use carom_solver::jaeger::{DiscGaussSeidel, GaussSeidel};
 use carom_solver::kalker::{Johnson, Kombi, Panagiotopoulos};
@@ -141,10 +142,11 @@ pub(in crate::command) fn run(
     arguments: &Arguments,
     messages: &Messages,
 ) -> Result<Answer, CliError> {
-    let file = CaseFile::read(&arguments.case)?;
+    let outputs = Outputs::of_command(arguments.format)?;
+    let file = CaseFile::read_for(&arguments.case, outputs)?;
     // The one that the case asks for is among all.
     let case = SolveCase { method: SolveMethod::Newton, ..file.parse(SolveCase::parse)? };
-    let bodies = Bodies::of(&file.path, &case)?;
+    let bodies = Bodies::of(&file, &case)?;
     let run = Run::new(&file.path, &case, &bodies)?;
     let (problem, method) = (run.problem().clone(), run.method());
     let followed = run.follow(Found::default(), None, messages)?;

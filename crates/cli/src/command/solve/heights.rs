@@ -3,63 +3,111 @@
 use super::npy;
 use crate::case::HeightFile;
 use crate::error::CliError;
-use crate::input::{read_bytes, read_table};
-use crate::numbers::bare;
+use crate::input::CaseFile;
+use crate::numbers::{bare, delimiter};
 use carom_halfspace::Grid;
-use carom_solver::{Gap, HeightMap};
-use std::path::Path;
+use carom_solver::{Gap, HeightMap, HeightMapError};
 
-/// The gap under the heights in the file at `path`, and all that was read.
+/// The gap under the heights in the file that the case names, and all that was read.
 ///
 /// # Errors
-/// [`CliError::Input`] if the heights are ragged, of another size than the grid, or hold anything but
-/// finite numbers.
-pub(super) fn gap(path: &Path, map: &HeightFile, grid: Grid) -> Result<(Gap, Vec<u8>), CliError> {
-    let refused = |reason: String| CliError::Input { path: path.to_owned(), reason };
-    let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
+/// [`CliError::Input`] if the heights are ragged, of another size than the grid, too great, or hold
+/// anything but finite numbers.
+pub(super) fn gap(
+    case: &CaseFile,
+    map: &HeightFile,
+    grid: Grid,
+) -> Result<(Gap, Vec<u8>), CliError> {
+    let refused = |reason: String| CliError::Input { path: case.beside(&map.file), reason };
+    let check = |size| HeightMap::check_size(size, grid).map_err(|error| error.to_string());
+    let ending = map.file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     let (rows, read) = match ending.to_ascii_lowercase().as_str() {
         "npy" => {
-            let bytes = read_bytes(path)?;
-            (npy::rows(&bytes).map_err(refused)?, bytes)
+            let bytes = case.bytes(&map.file)?;
+            (npy::rows(&bytes, check).map_err(refused)?, bytes)
         }
         "png" => {
-            let bytes = read_bytes(path)?;
-            (greys(&bytes).map_err(refused)?, bytes)
+            let bytes = case.bytes(&map.file)?;
+            (greys(&bytes, check).map_err(refused)?, bytes)
         }
         _ => {
-            let text = read_table(path)?;
-            (bare(&text).map_err(|error| refused(error.to_string()))?, text.into_bytes())
+            let text = case.table(&map.file)?;
+            (lines(&text, check).map_err(refused)?, text.into_bytes())
         }
     };
     Ok((under(rows, map, grid).map_err(refused)?, read))
 }
 
 fn under(mut rows: Vec<Vec<f64>>, map: &HeightFile, grid: Grid) -> Result<Gap, String> {
-    for height in rows.iter_mut().flatten() {
-        *height *= map.scale;
+    for (i, row) in rows.iter_mut().enumerate() {
+        for (j, height) in row.iter_mut().enumerate() {
+            let given = *height;
+            *height *= map.scale;
+            if given.is_finite() && !height.is_finite() {
+                let (row, column, scale) = (i + 1, j + 1, map.scale);
+                return Err(format!(
+                    "the height in row {row}, column {column} is {given:e} times the scale {scale:e}: \
+                     must be finite"
+                ));
+            }
+        }
     }
     let heights = HeightMap::from_rows(&rows).map_err(|error| error.to_string())?;
     heights.gap_over(grid, map.radius).map_err(|error| error.to_string())
 }
 
+/// Rows of comma-separated values. Every line is counted before a number is read.
+fn lines(
+    text: &str,
+    check: impl Fn([usize; 2]) -> Result<(), String>,
+) -> Result<Vec<Vec<f64>>, String> {
+    let wrong = |error: HeightMapError| error.to_string();
+    let [columns, rows] = size(text).map_err(wrong)?;
+    check([columns, rows])?;
+    bare(text).map_err(|error| error.to_string())
+}
+
+/// Columns and rows of a text of comma-separated values; none of the numbers has a line break or a
+/// delimiter in quotes.
+fn size(text: &str) -> Result<[usize; 2], HeightMapError> {
+    let delimiter = delimiter(text);
+    let count = |line: &str| 1 + line.bytes().filter(|byte| *byte == delimiter).count();
+    let lines = text.split(['\n', '\r']).filter(|line| !line.is_empty());
+    let mut size = [0, 0];
+    for (found, row) in lines.map(count).zip(1..) {
+        if row > 1 && found != size[0] {
+            return Err(HeightMapError::Ragged { row, found, expected: size[0] });
+        }
+        size = [found, row];
+    }
+    if size[1] == 0 { Err(HeightMapError::Empty) } else { Ok(size) }
+}
+
 /// Rows of greys, from black 0 to white 255 or 65535; the last row of the picture is the first.
-fn greys(bytes: &[u8]) -> Result<Vec<Vec<f64>>, String> {
+/// `check` is told the size that the head states, before anything is allocated for it.
+fn greys(
+    bytes: &[u8],
+    check: impl Fn([usize; 2]) -> Result<(), String>,
+) -> Result<Vec<Vec<f64>>, String> {
     let broken = |error: png::DecodingError| format!("this is no PNG, or damaged: {error}");
-    let mut reader = png::Decoder::new(std::io::Cursor::new(bytes)).read_info().map_err(broken)?;
+    let mut decoder = png::Decoder::new(std::io::Cursor::new(bytes));
+    let head = decoder.read_header_info().map_err(broken)?;
+    let (colour, depth) = (head.color_type, head.bit_depth);
+    if colour != png::ColorType::Grayscale {
+        return Err(format!("this picture is in {colour:?}: must be in greys"));
+    }
+    let grey: fn(&[u8]) -> f64 = match depth {
+        png::BitDepth::Sixteen => |two| u16::from_be_bytes([two[0], two[1]]).into(),
+        png::BitDepth::Eight => |one| one[0].into(),
+        depth => {
+            return Err(format!("this picture has {} bits a grey: must be 8 or 16", depth as u8));
+        }
+    };
+    check([head.width as usize, head.height as usize])?;
+    let mut reader = decoder.read_info().map_err(broken)?;
     let size = reader.output_buffer_size().ok_or("this picture is too large")?;
     let mut buffer = vec![0; size];
     let info = reader.next_frame(&mut buffer).map_err(broken)?;
-    if info.color_type != png::ColorType::Grayscale {
-        return Err(format!("this picture is in {:?}: must be in greys", info.color_type));
-    }
-    let line = &buffer[..info.buffer_size()];
-    let row = |line: &[u8]| match info.bit_depth {
-        png::BitDepth::Sixteen => {
-            let greys = line.chunks_exact(2).map(|two| u16::from_be_bytes([two[0], two[1]]));
-            Ok(greys.map(f64::from).collect())
-        }
-        png::BitDepth::Eight => Ok(line.iter().map(|grey| f64::from(*grey)).collect()),
-        depth => Err(format!("this picture has {} bits a grey: must be 8 or 16", depth as u8)),
-    };
-    line.chunks_exact(info.line_size).rev().map(row).collect()
+    let row = |line: &[u8]| line.chunks_exact(depth as usize / 8).map(grey).collect();
+    Ok(buffer[..info.buffer_size()].chunks_exact(info.line_size).rev().map(row).collect())
 }

@@ -6,6 +6,7 @@ mod classic;
 pub(super) mod compare;
 mod follow;
 mod heights;
+mod kept;
 mod npy;
 pub(super) mod plot;
 mod store;
@@ -21,6 +22,7 @@ use crate::output::{Answer, Format, json};
 use bodies::Bodies;
 use carom_solver::{Accuracy, ContactState, Doubt, Estimates, StepSummary, Window};
 use follow::{Followed, Run};
+use kept::Folder;
 use serde::Serialize;
 use std::path::PathBuf;
 use store::{Found, Store};
@@ -38,7 +40,8 @@ pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
     /// Keep each step in this folder as soon as it is done: loads.csv, and the fields as NumPy
-    /// archives step-000001.npz, ...
+    /// archives step-000001.npz, ... The folder is new or empty, or one that was kept before, and no
+    /// other run keeps its steps there at the same time.
     #[arg(long, value_name = "FOLDER")]
     keep: Option<PathBuf>,
     /// Choose window and cells for this accuracy, whatever the case says: estimated errors of loads
@@ -69,24 +72,22 @@ struct Both<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
+    let (command::Given { case: file, plot }, keep) = arguments.given.read_beside(|outputs| {
+        arguments.keep.as_ref().map(|path| outputs.folder("keep", path)).transpose()
+    })?;
     if let Some(accuracy) = arguments.accuracy {
         Accuracy::new(accuracy)?;
     }
     let case = file.parse(|source| SolveCase::parse_to(source, arguments.accuracy))?;
-    let bodies = Bodies::of(&file.path, &case)?;
-    let run = Run::new(&file.path, &case, &bodies)?;
+    let bodies = Bodies::of(&file, &case)?;
     let accuracy = arguments.accuracy.map(f64::to_le_bytes).unwrap_or_default();
     let inputs = [file.text().as_bytes(), bodies.read(), &accuracy];
-    let store = arguments.keep.as_ref().map(|folder| Store::open(folder, &inputs)).transpose()?;
+    let keep = keep.map(|path| Folder::new(path, &inputs, arguments.resume));
+    keep.as_ref().map(Folder::check).transpose()?;
+    let run = Run::new(&file.path, &case, &bodies)?;
+    let store = keep.map(Folder::open).transpose()?.map(Store::new);
     let found = match &store {
-        Some(store) if arguments.resume => {
-            store.find(run.window().grid(), case.legs.iter().map(|leg| leg.count).sum())?
-        }
-        Some(store) => {
-            store.check_empty()?;
-            Found::default()
-        }
+        Some(store) => store.find(run.window().grid())?,
         None => Found::default(),
     };
     let followed = run.follow(found, store.as_ref(), messages)?;
@@ -147,7 +148,7 @@ pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<Solved, CliError
         Accuracy::new(accuracy)?;
     }
     let case = file.parse(|source| SolveCase::parse_to(source, accuracy))?;
-    let bodies = Bodies::of(&file.path, &case)?;
+    let bodies = Bodies::of(file, &case)?;
     let run = Run::new(&file.path, &case, &bodies)?;
     let Followed { steps, state, window, .. } =
         run.follow(Found::default(), None, &Messages::QUIET)?;

@@ -16,11 +16,15 @@ macro_rules! number {
 }
 
 /// The rows of an array with two axes, of floating-point or whole numbers, in either order of bytes
-/// and axes.
+/// and axes. `check` is told the numbers of columns and rows that the head states, before anything
+/// is allocated for them.
 ///
 /// # Errors
-/// What is wrong with it, in words.
-pub(super) fn rows(bytes: &[u8]) -> Result<Vec<Vec<f64>>, String> {
+/// What is wrong with it, in words; that of `check`.
+pub(super) fn rows(
+    bytes: &[u8],
+    check: impl Fn([usize; 2]) -> Result<(), String>,
+) -> Result<Vec<Vec<f64>>, String> {
     let broken = || "this is no .npy file, or damaged".to_owned();
     let (head, values) = parts(bytes).ok_or_else(broken)?;
     let descr = quoted(head, "descr").ok_or("this array has fields: must be plain numbers")?;
@@ -47,6 +51,7 @@ pub(super) fn rows(bytes: &[u8]) -> Result<Vec<Vec<f64>>, String> {
     let [rows, columns] = shape[..] else {
         return Err(format!("this array has {} axes: must have two", shape.len()));
     };
+    check([columns, rows])?;
     let wanted = rows.checked_mul(columns).and_then(|count| count.checked_mul(size));
     if wanted != Some(values.len()) {
         return Err(broken());
@@ -79,7 +84,6 @@ fn quoted<'a>(head: &'a str, name: &str) -> Option<&'a str> {
 
 #[cfg(test)]
 mod tests {
-    use super::*;
 
     fn file(descr: &str, order: &str, shape: &str, values: &[u8]) -> Vec<u8> {
         let head =
@@ -89,6 +93,10 @@ mod tests {
         bytes.extend(head.as_bytes());
         bytes.extend(values);
         bytes
+    }
+
+    fn rows(bytes: &[u8]) -> Result<Vec<Vec<f64>>, String> {
+        super::rows(bytes, |_| Ok(()))
     }
 
     #[test]

@@ -2,24 +2,19 @@
 //! which the run goes on bit for bit.
 
 use super::classic::Chosen;
+use super::kept::{LOADS, Owned, step_name};
 use crate::columns;
 use crate::command::npz::{self, Array};
-use crate::destination::Aside;
 use crate::error::CliError;
 use crate::output::Format;
 use carom_halfspace::{Field, Grid};
 use carom_laws::law::Shift;
 use carom_solver::{CellState, ContactState, NestedHistory, StepSummary, Window};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
 
 /// Where the steps go.
 #[derive(Debug)]
-pub(super) struct Store {
-    folder: PathBuf,
-    /// Of the case and all that it reads.
-    fingerprint: u64,
-}
+pub(super) struct Store(Owned);
 
 /// Steps found, and the state after the last one.
 #[derive(Default)]
@@ -39,52 +34,28 @@ pub(super) struct Saved {
 const COARSE: [&str; 2] = ["coarse_", "coarsest_"];
 
 impl Store {
-    /// The folder, made if it is not there, for a case of this text.
-    ///
-    /// # Errors
-    /// [`CliError::Io`] if it cannot be made.
-    pub(super) fn open(folder: &Path, inputs: &[&[u8]]) -> Result<Self, CliError> {
-        std::fs::create_dir_all(folder).map_err(|error| CliError::io("write", folder, error))?;
-        Ok(Self { folder: folder.to_owned(), fingerprint: fingerprint(inputs) })
+    /// In this folder.
+    pub(super) const fn new(folder: Owned) -> Self {
+        Self(folder)
     }
 
-    fn path(&self, step: usize) -> PathBuf {
-        self.folder.join(format!("step-{step:06}.npz"))
-    }
-
-    /// Refuses a folder that holds steps already.
+    /// The steps that are there, on this grid.
     ///
     /// # Errors
-    /// [`CliError::Input`].
-    pub(super) fn check_empty(&self) -> Result<(), CliError> {
-        if self.path(1).exists() {
-            let reason = "steps of an earlier run are here; add --resume to go on with them, or \
-                          name another folder";
-            return Err(self.refused(&self.folder, reason));
-        }
-        Ok(())
-    }
-
-    /// The steps that are there, at most so many.
-    ///
-    /// # Errors
-    /// [`CliError::Input`] if one is damaged or of another case.
-    pub(super) fn find(&self, grid: Grid, most: usize) -> Result<Found, CliError> {
+    /// If one cannot be read, is damaged or of another case.
+    pub(super) fn find(&self, grid: Grid) -> Result<Found, CliError> {
         let mut found = Found::default();
         let below = |grid: Option<Grid>| grid.and_then(|grid| grid.coarser().ok());
         let coarse = [below(Some(grid)), below(below(Some(grid)))];
-        for number in 1..=most {
-            let path = self.path(number);
-            let Ok(bytes) = std::fs::read(&path) else { break };
-            let arrays = npz::decode(&bytes)
-                .ok_or_else(|| self.refused(&path, "this is no step of carom, or damaged"))?;
-            let stamp = Array::Bytes(vec![8], self.fingerprint.to_le_bytes().to_vec());
-            if arrays.get("case") != Some(&stamp) {
-                return Err(self.refused(&path, "this step belongs to another case"));
+        for number in 1..=self.0.steps() {
+            let name = step_name(number);
+            let arrays = npz::decode(&self.0.read(&name, most_bytes(grid))?)
+                .ok_or_else(|| self.0.refused(&name, DAMAGED))?;
+            if arrays.get("case") != Some(&self.stamp()) {
+                return Err(self.0.refused(&name, "this step belongs to another case"));
             }
             let read = || Some((read_numbers(&arrays)?, read_state(&arrays, "", grid)?));
-            let (step, state) = read()
-                .ok_or_else(|| self.refused(&path, "this is no step of carom, or damaged"))?;
+            let (step, state) = read().ok_or_else(|| self.0.refused(&name, DAMAGED))?;
             found.steps.push(step);
             let coarse = std::array::from_fn(|i| read_state(&arrays, COARSE[i], coarse[i]?));
             found.saved = Some(Saved { state, coarse });
@@ -103,12 +74,13 @@ impl Store {
         window: &Window,
     ) -> Result<(), CliError> {
         let Some(last) = steps.last() else { return Ok(()) };
-        let path = self.path(steps.len());
-        let bytes = npz::encode(&self.arrays(last, history, window));
-        Aside::write(&path, &bytes)?.put_in_place()?;
-        let loads = self.folder.join("loads.csv");
+        self.0.write(&step_name(steps.len()), &npz::encode(&self.arrays(last, history, window)))?;
         let text = columns::rows(Format::Csv, &StepSummary::columns(), steps)?;
-        Aside::write(&loads, text.as_bytes())?.put_in_place()
+        self.0.write(LOADS, text.as_bytes())
+    }
+
+    fn stamp(&self) -> Array {
+        Array::Bytes(vec![8], self.0.fingerprint().to_le_bytes().to_vec())
     }
 
     fn arrays(
@@ -121,9 +93,8 @@ impl Store {
         let axis = |count: usize, at: &dyn Fn(usize) -> f64| {
             Array::Numbers(vec![count], (0..count).map(at).collect())
         };
-        let stamp = Array::Bytes(vec![8], self.fingerprint.to_le_bytes().to_vec());
         let mut arrays = BTreeMap::from([
-            ("case".to_owned(), stamp),
+            ("case".to_owned(), self.stamp()),
             (
                 "numbers".to_owned(),
                 Array::Numbers(vec![StepSummary::NUMBERS], step.numbers().to_vec()),
@@ -139,10 +110,13 @@ impl Store {
         }
         arrays
     }
+}
 
-    fn refused(&self, path: &Path, reason: &str) -> CliError {
-        CliError::Input { path: path.to_owned(), reason: reason.to_owned() }
-    }
+const DAMAGED: &str = "this is no step of carom, or damaged";
+
+/// More than the bytes of a step on this grid and two coarser ones: 41 a cell, and the heads.
+fn most_bytes(grid: Grid) -> u64 {
+    (1 << 20) + 128 * grid.cells() as u64
 }
 
 fn read_numbers(arrays: &BTreeMap<String, Array>) -> Option<StepSummary> {
@@ -198,17 +172,4 @@ fn read_state(arrays: &BTreeMap<String, Array>, prefix: &str, grid: Grid) -> Opt
         displacement_y: field("displacement_y")?,
         cells: Field::new(grid, cells.collect::<Option<Vec<_>>>()?).ok()?,
     })
-}
-
-/// FNV-1a, 64 bits, of all inputs with their lengths and of the program's version.
-fn fingerprint(inputs: &[&[u8]]) -> u64 {
-    let version = env!("CARGO_PKG_VERSION").as_bytes();
-    let mut sum = 0xcbf2_9ce4_8422_2325_u64;
-    for input in inputs.iter().chain([&version]) {
-        let length = (input.len() as u64).to_le_bytes();
-        for byte in length.iter().chain(input.iter()) {
-            sum = (sum ^ u64::from(*byte)).wrapping_mul(0x0000_0100_0000_01b3);
-        }
-    }
-    sum
 }

@@ -3,15 +3,15 @@
 use super::StressPoint;
 use crate::case::StressCase;
 use crate::command::npz::{self, Array};
-use crate::destination;
 use crate::error::CliError;
+use crate::outputs::{Outputs, Place};
 use carom_table::{Column, Value};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// A file for the stresses.
 pub(super) struct FieldFile {
-    path: PathBuf,
+    place: Place,
     kind: Kind,
 }
 
@@ -25,7 +25,7 @@ impl FieldFile {
     ///
     /// # Errors
     /// [`CliError::Destination`] unless its name ends in `.npz` or `.vtk` and it may be written.
-    pub(super) fn new(path: &Path, case: &Path) -> Result<Self, CliError> {
+    pub(super) fn new(path: &Path, outputs: &mut Outputs) -> Result<Self, CliError> {
         const OPTION: &str = "field";
         let is =
             |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
@@ -41,16 +41,16 @@ impl FieldFile {
                 });
             }
         };
-        Ok(Self { path: destination::place(OPTION, path, &[case])?, kind })
+        Ok(Self { place: outputs.file(OPTION, path)?, kind })
     }
 
     /// Its place, and what goes there.
-    pub(super) fn encoded(self, case: &StressCase, points: &[StressPoint]) -> (PathBuf, Vec<u8>) {
+    pub(super) fn encoded(self, case: &StressCase, points: &[StressPoint]) -> (Place, Vec<u8>) {
         let bytes = match self.kind {
             Kind::Npz => npz::encode(&arrays(case, points)),
             Kind::Vtk => grid(case, points),
         };
-        (self.path, bytes)
+        (self.place, bytes)
     }
 }
 

@@ -78,8 +78,9 @@ struct Report<'a> {
 }
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
-    let command::Given { case: file, plot } = arguments.given.read()?;
-    let to = arguments.field.as_ref().map(|path| FieldFile::new(path, &file.path)).transpose()?;
+    let (command::Given { case: file, plot }, to) = arguments.given.read_beside(|outputs| {
+        arguments.field.as_ref().map(|path| FieldFile::new(path, outputs)).transpose()
+    })?;
     let case = file.parse(StressCase::parse)?;
     let failed = |source| CliError::Law { path: file.path.clone(), source };
     let state = case.hertz.at_force(case.force[2]).map_err(failed)?;

@@ -1,0 +1,106 @@
+//! A file that is written beside its place and put there when it is whole.
+//!
+//! It is named after its place and the process, and locked until it is in place. What a process that
+//! was killed left can so be told from what another one is writing.
+
+use crate::error::CliError;
+use crate::identity::folder;
+use crate::outputs::Place;
+use std::ffi::OsString;
+use std::fs::File;
+use std::io::{Error, Write as _};
+use std::path::{Path, PathBuf};
+
+/// What the names end in.
+const ENDING: &str = ".carom";
+
+/// A file beside its place; gone again unless it is [put](Aside::put_in_place) there.
+#[derive(Debug)]
+pub(crate) struct Aside<'a> {
+    place: &'a Path,
+    aside: PathBuf,
+    /// Locked while it is open.
+    file: Option<File>,
+}
+
+impl<'a> Aside<'a> {
+    /// Writes `bytes` beside `place`.
+    ///
+    /// # Errors
+    /// [`CliError::Io`].
+    pub(crate) fn write(place: &'a Place, bytes: &[u8]) -> Result<Self, CliError> {
+        let place = place.path();
+        let mut name = OsString::from(".");
+        name.push(place.file_name().unwrap_or_default());
+        name.push(format!(".{}{ENDING}", std::process::id()));
+        let aside = folder(place).join(name);
+        let failed = |error| CliError::io("write", place, error);
+        // Never through a link, never over a file.
+        let file = File::options().write(true).create_new(true).open(&aside).map_err(failed)?;
+        let mut written = Self { place, aside, file: Some(file) };
+        written.fill(bytes).map_err(failed)?;
+        Ok(written)
+    }
+
+    fn fill(&mut self, bytes: &[u8]) -> Result<(), Error> {
+        let Some(file) = &mut self.file else { return Ok(()) };
+        // Where a file system knows no locks, the number of the process tells alone.
+        let _ = file.try_lock();
+        file.write_all(bytes)?;
+        if let Ok(metadata) = std::fs::metadata(self.place) {
+            file.set_permissions(metadata.permissions())?;
+        }
+        file.sync_all()
+    }
+
+    /// Puts it in its place, whole.
+    ///
+    /// # Errors
+    /// [`CliError::Io`].
+    pub(crate) fn put_in_place(mut self) -> Result<(), CliError> {
+        std::fs::rename(&self.aside, self.place)
+            .map_err(|error| CliError::io("write", self.place, error))?;
+        self.file = None;
+        Ok(())
+    }
+}
+
+impl Drop for Aside<'_> {
+    fn drop(&mut self) {
+        if self.file.is_some() {
+            let _ = std::fs::remove_file(&self.aside);
+        }
+    }
+}
+
+/// Removes what dead processes left beside `place`.
+pub(crate) fn clear(place: &Place) {
+    let name = place.path().file_name().unwrap_or_default().to_owned();
+    clear_in(folder(place.path()), |own| *own == *name);
+}
+
+/// Removes what dead processes left in `folder`, of files whose names are `own`.
+pub(crate) fn clear_in(folder: &Path, own: impl Fn(&std::ffi::OsStr) -> bool) {
+    for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
+        let name = entry.file_name();
+        let Some((of, process)) = name.to_str().and_then(parts) else { continue };
+        let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
+        if is_file && own(of.as_ref()) && is_dead(&entry.path(), process) {
+            let _ = std::fs::remove_file(entry.path());
+        }
+    }
+}
+
+/// The name of the place, and the number of the process.
+fn parts(name: &str) -> Option<(&str, u32)> {
+    let (of, process) = name.strip_prefix('.')?.strip_suffix(ENDING)?.rsplit_once('.')?;
+    Some((of, process.parse().ok()?))
+}
+
+/// Whether nobody writes the file any more: no process has its number, and none holds its lock.
+fn is_dead(path: &Path, process: u32) -> bool {
+    let is_there = process != std::process::id()
+        && Path::new("/proc/self").exists()
+        && Path::new("/proc").join(process.to_string()).exists();
+    !is_there && File::open(path).is_ok_and(|file| file.try_lock().is_ok())
+}

@@ -1,0 +1,174 @@
+//! What a run writes: all known before it reads its first input, so that none is overwritten.
+//!
+//! A command claims the places of its outputs first. Each input is held against all of them before it
+//! is opened, and each output against those before it. A [`Place`] is only had by a claim, and only a
+//! place is written to.
+
+use crate::destination::{Destination, Kind};
+use crate::error::CliError;
+use crate::identity::{Identity, folder, resolved};
+use crate::output::{Format, is_open};
+use std::fs::Metadata;
+use std::path::{Path, PathBuf};
+
+/// All outputs of a run.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Outputs {
+    results: Option<Identity>,
+    messages: Option<Identity>,
+    files: Vec<Claim>,
+    folder: Option<(&'static str, PathBuf)>,
+}
+
+/// A file that an option names.
+#[derive(Debug, Clone, PartialEq, Eq)]
+struct Claim {
+    option: &'static str,
+    path: PathBuf,
+    identity: Identity,
+}
+
+impl Claim {
+    fn refused(&self, reason: &'static str) -> CliError {
+        CliError::Destination { option: self.option, path: self.path.clone(), reason }
+    }
+}
+
+/// A place that may be written to, past all links.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Place(PathBuf);
+
+impl Place {
+    /// A place in a folder that belongs to the run.
+    pub(crate) fn owned(folder: &Path, name: &str) -> Self {
+        Self(folder.join(name))
+    }
+
+    /// Where it is.
+    #[must_use]
+    pub fn path(&self) -> &Path {
+        &self.0
+    }
+}
+
+impl Outputs {
+    /// Standard output and standard error: what every command writes to.
+    ///
+    /// # Errors
+    /// [`CliError::Io`] if the results have a format and standard output is closed.
+    pub fn of_command(format: Format) -> Result<Self, CliError> {
+        if format != Format::None {
+            is_open()?;
+        }
+        let (results, messages) = (Identity::of_output(), Identity::of_messages());
+        Ok(Self { results, messages, ..Self::default() })
+    }
+
+    /// The place of the picture that `option` asks for; nothing is written yet.
+    ///
+    /// # Errors
+    /// [`CliError::Destination`] unless the name ends in `.svg` or `.png`; or it is `-`, while standard
+    /// output has something else to take; else as [`Outputs::file`].
+    pub fn picture(
+        &mut self,
+        option: &'static str,
+        path: &Path,
+        format: Format,
+    ) -> Result<Destination, CliError> {
+        let refused = |reason| CliError::Destination { option, path: path.to_owned(), reason };
+        if path == Path::new("-") {
+            return match format {
+                Format::None => is_open().map(|()| Destination::StandardOutput),
+                _ => Err(refused("standard output takes the results; add --format none")),
+            };
+        }
+        let kind = Kind::of(path).map_err(refused)?;
+        Ok(Destination::File { place: self.file(option, path)?, kind })
+    }
+
+    /// The place of the file that `option` asks for; nothing is written yet. A link is followed, also
+    /// one to nothing.
+    ///
+    /// # Errors
+    /// [`CliError::Destination`] if it is standard output, another output, or no file that may be
+    /// replaced; [`CliError::Io`] if its folder cannot be read.
+    pub fn file(&mut self, option: &'static str, path: &Path) -> Result<Place, CliError> {
+        let failed = |error| CliError::io("write", path, error);
+        let place = resolved(path).map_err(failed)?;
+        let identity = Identity::of(&place).map_err(failed)?;
+        let claim = Claim { option, path: path.to_owned(), identity };
+        match std::fs::metadata(&place) {
+            Ok(metadata) => check_replaceable(&metadata).map_err(|reason| claim.refused(reason))?,
+            Err(_) => std::fs::read_dir(folder(&place)).map(|_| ()).map_err(failed)?,
+        }
+        let is_same = |other: &Option<Identity>| other.as_ref() == Some(&claim.identity);
+        if is_same(&self.results) {
+            return Err(claim.refused("standard output goes to the same file; name another one"));
+        }
+        if is_same(&self.messages) {
+            return Err(claim.refused("standard error goes to the same file; name another one"));
+        }
+        if self.files.iter().any(|other| other.identity == claim.identity) {
+            return Err(claim.refused("another output goes to the same file; name another one"));
+        }
+        self.files.push(claim);
+        Ok(Place(place))
+    }
+
+    /// The folder that `option` asks for, for files of this run alone; it need not be there.
+    ///
+    /// # Errors
+    /// [`CliError::Destination`] if standard output or standard error goes to a file in it.
+    pub fn folder(&mut self, option: &'static str, path: &Path) -> Result<PathBuf, CliError> {
+        if [&self.results, &self.messages].into_iter().flatten().any(|of| holds(path, of)) {
+            let reason = "a stream of the same run goes to a file in this folder; name another one";
+            return Err(CliError::Destination { option, path: path.to_owned(), reason });
+        }
+        self.folder = Some((option, path.to_owned()));
+        Ok(path.to_owned())
+    }
+
+    /// Whether `input` may be read, as no output goes there.
+    ///
+    /// # Errors
+    /// [`CliError::Input`] if standard output or standard error goes there, [`CliError::Destination`] if
+    /// another output does, or the input lies in the folder of one.
+    pub fn check_input(&self, input: &Path) -> Result<(), CliError> {
+        // What is not there, or no file, is told where it is opened.
+        let Ok(identity) = Identity::of(input) else { return Ok(()) };
+        let refused =
+            |reason: &str| CliError::Input { path: input.to_owned(), reason: reason.into() };
+        if self.results.as_ref() == Some(&identity) {
+            return Err(refused("standard output goes to this input; name another file"));
+        }
+        if self.messages.as_ref() == Some(&identity) {
+            return Err(CliError::Messages { path: input.to_owned() });
+        }
+        if let Some(claim) = self.files.iter().find(|claim| claim.identity == identity) {
+            return Err(claim.refused("this is an input of the same run; name another file"));
+        }
+        match &self.folder {
+            Some((option, path)) if holds(path, &identity) => Err(CliError::Destination {
+                option,
+                path: path.clone(),
+                reason: "an input of the same run is in this folder; name another folder",
+            }),
+            _ => Ok(()),
+        }
+    }
+}
+
+/// Whether a file of the folder is this one.
+fn holds(folder: &Path, identity: &Identity) -> bool {
+    std::fs::read_dir(folder).is_ok_and(|entries| {
+        entries.flatten().any(|entry| Identity::of(&entry.path()).is_ok_and(|of| of == *identity))
+    })
+}
+
+fn check_replaceable(metadata: &Metadata) -> Result<(), &'static str> {
+    match metadata {
+        _ if !metadata.is_file() => Err("this is no file that could be replaced"),
+        _ if metadata.permissions().readonly() => Err("this file is protected against writing"),
+        _ => Ok(()),
+    }
+}
