@@ -105,11 +105,13 @@ impl TwistHistory {
 
 /// The depth at which `(2/pi) K` has a given value, above 1.
 fn steady_depth(rate: f64) -> f64 {
-    // K = ln(4/k') at great depth; at small k, K = (pi/2) (1 + k^2/4).
-    let mut v = (rate / FRAC_2_PI - 2.0 * LN_2).max(2.0 * (rate - 1.0)).min(1e3);
-    if v >= 40.0 {
-        return v;
+    // K = ln(4/k') at great depth, to rounding beyond 40.
+    let deep = rate / FRAC_2_PI - 2.0 * LN_2;
+    if deep >= 40.0 {
+        return deep.min(1e3);
     }
+    // At small k, K = (pi/2) (1 + k^2/4).
+    let mut v = deep.max(2.0 * (rate - 1.0));
     for _ in 0..40 {
         let ratio = libm::exp(-v);
         // dK/dv is the integral B.
