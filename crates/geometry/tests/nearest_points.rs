@@ -392,3 +392,23 @@ fn what_cannot_be_searched_says_why() {
     let error = nearest_points(&body(slope, [0.0; 3]), &flat()).unwrap_err();
     assert!(matches!(error, SearchError::NothingFound { one: "explicit surface", .. }));
 }
+
+/// Bodies touch if the gap left is small: the contact point is half-way, whichever body is the first.
+#[test]
+fn the_contact_point_lies_half_way_across_the_gap() {
+    let floor = Placed::new(Surface::plane());
+    let small = Placed::new(Surface::sphere(0.5).unwrap()).at([0.3, -0.2, 0.0]).unwrap();
+    for gap in [4e-7, -4e-7] {
+        let ball = Placed::new(Surface::sphere(1.0).unwrap());
+        for (one, two, z) in [
+            (ball.clone().at([0.3, -0.2, 1.0 + gap]).unwrap(), floor.clone(), 0.5 * gap),
+            (ball.at([0.3, -0.2, 1.5 + gap / 2.0]).unwrap(), small.clone(), 0.5 + 0.25 * gap),
+        ] {
+            let places = [ContactPoint::find(&one, &two), ContactPoint::find(&two, &one)];
+            let points = places.map(|place| place.unwrap().point());
+            for point in points {
+                assert!((point - Vector3::new(0.3, -0.2, z)).norm() < 1e-12, "{gap}: {point}");
+            }
+        }
+    }
+}

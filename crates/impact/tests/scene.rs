@@ -248,3 +248,22 @@ proptest! {
         }
     }
 }
+
+/// A ball that falls far has rounding of the height it fell from; at a bounce it touches the wall all the same.
+#[test]
+fn a_ball_from_far_away_touches_the_wall_that_it_bounces_off() {
+    let tilted = [0.6, 0.0, 0.8];
+    let floor = rigid_wall([0.0; 3], tilted, 0.0);
+    let scene = Scene::new(tilted.map(|n| -9.81 * n)).unwrap().with(floor);
+    for height in [1e2, 1e5, 3e6] {
+        let start = tilted.map(|n| height * n);
+        let path = scene.run(&ball(start, [0.0; 3], [0.0; 3]), limits(1e9, 5)).unwrap();
+        assert_eq!(path.bounces().len(), 5);
+        for bounce in path.bounces() {
+            let [x, _, z]: [f64; 3] = bounce.position.into();
+            let off = 0.6 * x + 0.8 * z - RADIUS;
+            // Five bounces on a frictionless wall leave the ball where it fell.
+            assert!(off.abs() < 1e-16, "{height}: {off:e}");
+        }
+    }
+}

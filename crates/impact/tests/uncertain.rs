@@ -153,3 +153,34 @@ fn every_quantity_has_a_name_of_its_own() {
     let angle = study.summary(Quantity::Angle(0)).unwrap();
     assert!(angle.quantile(0.0).unwrap() > 30.0 && angle.quantile(1.0).unwrap() < 45.0);
 }
+
+/// What the study says of each input is what the collisions were made of.
+#[test]
+fn the_summary_of_each_input_is_that_of_the_values_used() {
+    let inputs = [
+        Distribution::uniform(0.1, 0.3).unwrap(),
+        Distribution::normal(0.7, 0.05).unwrap(),
+        Distribution::log_normal(0.01, 0.2).unwrap(),
+        Distribution::triangular(0.2, 0.25, 0.4).unwrap(),
+    ];
+    let used = std::sync::Mutex::new(Vec::new());
+    let sampling = Sampling::new(500, 9).unwrap();
+    let study = sampling
+        .run(&inputs, |v| {
+            used.lock().unwrap().push(v.to_vec());
+            collision(v[0] + v[3], v[1], v[2])
+        })
+        .unwrap();
+    let used = used.into_inner().unwrap();
+    assert_eq!((used.len(), study.inputs().len()), (500, 4));
+    for (index, summary) in study.inputs().iter().enumerate() {
+        let mut values: Vec<f64> = used.iter().map(|values| values[index]).collect();
+        values.sort_by(f64::total_cmp);
+        assert_eq!(summary.sorted(), values, "input {index}");
+        let mean = values.iter().sum::<f64>() / 500.0;
+        assert_relative_eq!(summary.mean(), mean, max_relative = 1e-12);
+        // Linear between the two values beside it: the place of part p is p (n - 1).
+        let quantile = values[124] + 0.75 * (values[125] - values[124]);
+        assert_relative_eq!(summary.quantile(0.25).unwrap(), quantile, max_relative = 1e-12);
+    }
+}

@@ -1,0 +1,97 @@
+//! Coulomb's law while it slips: what it reports, and its tangent.
+
+use carom_laws::coulomb::{CoulombMemory, Tolerance};
+use carom_laws::memory::MemoryRegime as Regime;
+
+fn law(tolerance: f64) -> CoulombMemory<[f64; 2]> {
+    CoulombMemory::new(Tolerance::new(tolerance).unwrap())
+}
+
+/// At constant approach the slip annulus grows inwards as long as the shift goes on, and begins anew at the edge
+/// where the shift turns back.
+#[test]
+fn only_a_shift_that_turns_back_is_a_reversal() {
+    for angle in [0.0_f64, 0.7, 2.0, 4.4] {
+        let mut law = law(1e-3);
+        law.advance(1.0, [0.0; 2]).unwrap();
+        let mut to = |x: f64| {
+            law.advance(1.0, [x * angle.cos(), x * angle.sin()]).unwrap();
+            law.regime()
+        };
+        for x in [0.1, 0.2, 0.25, 0.5] {
+            assert_eq!(to(x), Regime::Slip, "{x}");
+        }
+        assert_eq!(to(0.4), Regime::Reversal);
+        for x in [0.3, 0.0] {
+            assert_eq!(to(x), Regime::Slip, "{x}");
+        }
+        assert_eq!(to(0.1), Regime::Reversal);
+        assert_eq!(to(0.11), Regime::Slip);
+        assert_eq!(to(5.0), Regime::Sliding);
+    }
+}
+
+/// Cattaneo and Mindlin: `Phi = zeta^(3/2) - (zeta - X)^(3/2)` along the shift, and across it the secant of
+/// the slip annulus, whose tractions turn as a whole.
+#[test]
+fn the_tangent_of_slip_along_a_line_is_that_of_cattaneo_and_mindlin() {
+    for (zeta, shift, angle) in [(1.0, 0.3, 0.4), (0.7, 0.5, 2.3), (2.5, 0.1, -1.2)] {
+        let mut law = law(1e-6);
+        let (s, c) = f64::sin_cos(angle);
+        law.advance(zeta, [0.0; 2]).unwrap();
+        for part in [0.5, 1.0] {
+            law.advance(zeta, [part * shift * c, part * shift * s]).unwrap();
+        }
+        let tangent = law.tangent();
+        let stick = 1.5 * f64::sqrt(zeta - shift);
+        let slip = 1.5 * zeta.sqrt() - stick;
+        let approach = [slip * c, slip * s];
+        for i in 0..2 {
+            let got = tangent.by_approach[i];
+            assert!((got - approach[i]).abs() < 1e-9, "{zeta} {shift}: {got} {}", approach[i]);
+            let along = tangent.by_shift[i][0] * c + tangent.by_shift[i][1] * s;
+            assert!((along - stick * [c, s][i]).abs() < 1e-9, "{along} {stick}");
+            let across = tangent.by_shift[i][1] * c - tangent.by_shift[i][0] * s;
+            assert!((across - 1.5 * zeta.sqrt() * [-s, c][i]).abs() < 1e-9, "{across}");
+        }
+    }
+}
+
+/// Along a path that turns, too: finite differences of the force as the step goes on, extrapolated to no
+/// difference at all.
+#[test]
+fn the_tangent_of_turning_slip_is_the_limit_of_differences() {
+    let mut steps = 0;
+    for (growth, turn) in [(0.0, 0.2), (0.03, 0.35), (-0.02, 0.5), (0.05, 0.1)] {
+        let mut law = law(1e-6);
+        law.advance(1.0, [0.0; 2]).unwrap();
+        let (mut zeta, mut x, mut angle) = (1.0, [0.0; 2], 0.3_f64);
+        for _ in 0..8 {
+            angle += turn;
+            let dx = [0.12 * angle.cos(), 0.12 * angle.sin()];
+            let dz = growth;
+            zeta += dz;
+            x = [x[0] + dx[0], x[1] + dx[1]];
+            law.advance(zeta, x).unwrap();
+            if law.regime() != Regime::Slip {
+                continue;
+            }
+            let start = law.force();
+            let rate = |h: f64| {
+                let mut on = law.clone();
+                let next = on.advance(zeta + h * dz, [x[0] + h * dx[0], x[1] + h * dx[1]]).unwrap();
+                [0, 1].map(|i| (next[i] - start[i]) / h)
+            };
+            let (one, half) = (rate(4e-3), rate(2e-3));
+            let tangent = law.tangent();
+            for i in 0..2 {
+                let limit = 2.0 * half[i] - one[i];
+                let row = tangent.by_shift[i];
+                let got = row[0] * dx[0] + row[1] * dx[1] + tangent.by_approach[i] * dz;
+                assert!((got - limit).abs() < 2e-3 * 0.18, "{growth} {turn} {i}: {got} {limit}");
+            }
+            steps += 1;
+        }
+    }
+    assert!(steps > 20, "{steps}");
+}

@@ -1,0 +1,129 @@
+//! Single steps of grains: the first, the last, and the heat of damping.
+
+use carom_halfspace::{Material, MaterialPair};
+use carom_laws::curvature::RelativeCurvature;
+use carom_laws::friction::Friction;
+use carom_laws::grains::{Grain, GrainContact, GrainTwist, Heats, Meeting, Wall};
+use carom_laws::hertz::Hertz;
+use carom_laws::memory::Fixed;
+use carom_laws::shift_law::ShiftLaw;
+use carom_laws::stiffness::ContactStiffness;
+use carom_laws::torsion::law::TorsionLaw;
+
+const FRICTION: f64 = 0.4;
+const C_Z: f64 = 2.3;
+const RADIUS: f64 = 1.0;
+
+fn contact(friction: f64, relaxation: f64) -> GrainContact<Fixed<[f64; 2], 12>> {
+    let stiffness = ContactStiffness::new(1.9, 1.9, C_Z).unwrap();
+    let law = ShiftLaw::new(stiffness, Friction::new(friction).unwrap());
+    GrainContact::new(law, relaxation).unwrap()
+}
+
+/// A grain so deep in a wall at z = 0, with the velocity of both.
+fn on_wall(zeta: f64, grain: [f64; 3], spin: [f64; 3], wall: [f64; 3]) -> Meeting {
+    let place = [0.0, 0.0, RADIUS - zeta];
+    let wall = Wall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: wall };
+    Meeting::on_wall(&Grain { place, velocity: grain, spin, radius: RADIUS }, &wall, 0.5)
+}
+
+/// In sliding the friction at an approach is (2/3) f c_z zeta^(3/2). A step that ends shortly before the
+/// bodies part, or after, has its mean over half a step before and half a step beyond, by trapezoids
+/// between those three places.
+#[test]
+fn friction_of_parting_grains_is_the_mean_over_a_step() {
+    let (dt, parting, along) = (0.01, 0.7, 3.0);
+    let mut contact = contact(FRICTION, 0.0);
+    let sliding = |zeta: f64| {
+        let zeta = zeta.max(0.0);
+        2.0 / 3.0 * FRICTION * C_Z * zeta * zeta.sqrt()
+    };
+    let mut means = 0;
+    // Sliding from the first touch on: pressed, then receding at a constant speed.
+    let mut zeta = -0.004;
+    let mut speed = 2.0;
+    for step in 0..60 {
+        if step == 12 {
+            speed = -parting;
+        }
+        zeta += speed * dt;
+        if zeta < -0.9 * parting * dt {
+            break;
+        }
+        let meeting = on_wall(zeta, [0.0, 0.0, -speed], [0.0; 3], [along, 0.0, 0.0]);
+        let load = contact.advance(&meeting, dt).unwrap();
+        let now = sliding(zeta);
+        let half = 0.5 * speed * dt;
+        let mean = 0.5 * now + 0.25 * (sliding(zeta - half) + sliding(zeta + half));
+        let is_mean = (load.force[0] - mean).abs() < 1e-13;
+        assert!(is_mean || (load.force[0] - now).abs() < 1e-13, "{step}: {load:?}, {now} {mean}");
+        assert!(load.force[1].abs() < 1e-13);
+        if zeta < parting * dt && speed < 0.0 {
+            assert!(is_mean && (now - mean).abs() > 1e-6, "{step}: {} {mean}", load.force[0]);
+            means += 1;
+        }
+    }
+    assert!(means >= 2, "{means}");
+}
+
+/// In a leapfrog the kinetic energy changes by the force times the mean of the velocities before and
+/// after it, exactly: what Hertz's force leaves of it is the heat of damping.
+#[test]
+fn heat_of_damping_is_what_a_leapfrog_loses() {
+    for (relaxation, dt) in [(0.05, 0.02), (0.3, 0.05), (0.3, 0.01)] {
+        let mut contact = contact(0.0, relaxation);
+        let (mass, mut zeta, mut speed) = (1.7, -1e-9, 0.8);
+        let mut heats = Heats::default();
+        let (mut lost, mut elastic) = (0.0, 0.0);
+        let mut steps = 0;
+        while zeta > 0.0 || steps == 0 {
+            zeta += speed * dt;
+            let meeting = on_wall(zeta, [0.0, 0.0, -speed], [0.0; 3], [0.0; 3]);
+            let load = contact.advance_accounted(&meeting, dt, &mut heats).unwrap();
+            let next = speed - load.force[2] / mass * dt;
+            let mean = 0.5 * (speed + next);
+            lost += 0.5 * mass * (speed - next) * (speed + next);
+            elastic += 2.0 / 3.0 * C_Z * zeta.max(0.0).powf(1.5) * mean * dt;
+            speed = next;
+            steps += 1;
+        }
+        assert!(steps > 20 && heats.friction == 0.0);
+        let heat = lost - elastic;
+        assert!(heat > 0.01 && (heats.damping / heat - 1.0).abs() < 1e-12, "{heats:?} {heat}");
+    }
+}
+
+/// In the first step the approach grows from touch while the grain turns: the torque is that of a twist laid
+/// down as the contact grows, `(16/3) G int a^3 dOmega`. It is 2/5 of that of the whole twist at the whole radius
+/// if the approach grows evenly, and 1/4 if the radius does.
+#[test]
+fn the_first_step_of_a_twist_begins_at_touch() {
+    let body = Material::from_shear(2.0, 0.3).unwrap();
+    let curvature = RelativeCurvature::from_coefficients(0.5, 0.5).unwrap();
+    let hertz = Hertz::new(curvature, MaterialPair::new(body, body).unwrap()).unwrap();
+    let (zeta, spin, dt) = (1e-3, 0.02, 0.1);
+    // a^2 = R zeta with R = 1/(2 A) = 1; two equal bodies: G = G1/2 = 1, and M = (16/3) G a^3 Omega.
+    let whole = 16.0 / 3.0 * f64::powf(zeta, 1.5) * spin * dt;
+    for friction in [1e6, f64::INFINITY] {
+        // The bodies touch after this part of the step.
+        for part in [0.0, 0.5] {
+            let law = TorsionLaw::new(&hertz, Friction::new(friction).unwrap()).unwrap();
+            let mut twist = GrainTwist::new(law);
+            let speed = zeta / (1.0 - part) / dt;
+            let meeting = on_wall(zeta, [0.0, 0.0, -speed], [0.0, 0.0, -spin], [0.0; 3]);
+            let torque = twist.advance(&meeting, dt).unwrap()[2];
+            let share = torque / whole / (1.0 - part);
+            assert!((0.249..=0.401).contains(&share), "f = {friction}, {part}: {share}");
+        }
+        // In many steps the first is a small part of all.
+        let law = TorsionLaw::new(&hertz, Friction::new(friction).unwrap()).unwrap();
+        let mut twist = GrainTwist::new(law);
+        let mut torque = 0.0;
+        for step in 1..=200 {
+            let now = zeta * f64::from(step) / 200.0;
+            let meeting = on_wall(now, [0.0, 0.0, -zeta / dt], [0.0, 0.0, -spin], [0.0; 3]);
+            torque = twist.advance(&meeting, dt / 200.0).unwrap()[2];
+        }
+        assert!((torque / whole - 0.4).abs() < 1e-3, "{}", torque / whole);
+    }
+}

@@ -1,0 +1,112 @@
+//! Where points stand in a picture: at the places that the ticks of the axes tell.
+
+use carom_plot::{Arrow, Axis, Marker, Panel, Point, Series, render};
+
+/// The numbers of an attribute in all elements of a name whose text holds `with`.
+fn numbers(svg: &str, element: &str, attribute: &str, with: &str) -> Vec<f64> {
+    let head = format!("<{element} ");
+    let of = |line: &str| {
+        let rest = line.split_once(&format!(" {attribute}=\""))?.1;
+        rest.split_once('"')?.0.parse().ok()
+    };
+    let lines = svg.lines().filter(|line| line.contains(&head) && line.contains(with));
+    lines.filter_map(of).collect()
+}
+
+/// Lines of the grid: those that stand, and those that lie.
+fn grid(svg: &str) -> [Vec<f64>; 2] {
+    let of = |name: &str| numbers(svg, "line", name, "#e4e4e4");
+    let (x, y) = ([of("x1"), of("x2")], [of("y1"), of("y2")]);
+    let stand = x[0].iter().zip(&x[1]).filter(|(a, b)| a == b).map(|(a, _)| *a).collect();
+    let lie = y[0].iter().zip(&y[1]).filter(|(a, b)| a == b).map(|(a, _)| *a).collect();
+    [stand, lie]
+}
+
+fn near(got: &[f64], expected: &[f64]) {
+    assert_eq!(got.len(), expected.len(), "{got:?} {expected:?}");
+    for (got, expected) in got.iter().zip(expected) {
+        assert!((got - expected).abs() < 0.011, "{got:?} {expected:?}");
+    }
+}
+
+/// x and y of all markers.
+fn markers(panel: Panel) -> (Vec<f64>, Vec<f64>, [Vec<f64>; 2]) {
+    let svg = render("", &[panel]).unwrap();
+    let of = |name: &str| numbers(&svg, "circle", name, "");
+    (of("cx"), of("cy"), grid(&svg))
+}
+
+#[test]
+fn points_stand_at_the_ticks_of_linear_and_logarithmic_axes() {
+    let decades = [0.01, 0.1, 1.0, 10.0, 100.0];
+    let even = [0.0, 1.0, 2.0, 3.0, 4.0];
+    let log = || Axis::log("").between(0.01, 100.0);
+    let linear = || Axis::linear("").between(0.0, 4.0);
+    for (x, y, at) in [
+        (log(), log(), [decades, decades]),
+        (log(), linear(), [decades, even]),
+        (linear(), log(), [even, decades]),
+        (linear(), linear(), [even, even]),
+    ] {
+        let mut panel = Panel::new(x, y);
+        let points = (0..5).map(|i| (at[0][i], at[1][4 - i]));
+        panel.add(Series::markers("", Marker::Dot, points));
+        let (cx, cy, [mut stand, lie]) = markers(panel);
+        // The lower end of y is the greatest pixel; ticks between are left out.
+        let even = |lines: &[f64]| lines.iter().step_by((lines.len() - 1) / 4).copied().collect();
+        stand = even(&stand);
+        let mut lie: Vec<f64> = even(&lie);
+        near(&cx, &stand);
+        lie.reverse();
+        near(&cy, &lie);
+        // Both axes are divided evenly.
+        near(&[stand[1] - stand[0], stand[3] - stand[0]], &[110.0, 330.0]);
+        near(&[lie[1] - lie[0], lie[4] - lie[0]], &[77.5, 310.0]);
+    }
+}
+
+#[test]
+fn a_value_between_two_ticks_stands_by_its_logarithm() {
+    let mut panel = Panel::new(Axis::log("").between(1.0, 1e4), Axis::log("").between(1.0, 16.0));
+    panel.add(Series::markers("", Marker::Dot, [(10.0, 2.0), (1e3, 8.0), (1e2, 4.0)]));
+    let (cx, cy, [stand, _]) = markers(panel);
+    let (left, bottom) = (stand[0], cy[0] + 77.5);
+    near(&cx, &[left + 110.0, left + 330.0, left + 220.0]);
+    near(&cy, &[bottom - 77.5, bottom - 232.5, bottom - 155.0]);
+}
+
+/// Lines, arrows and areas stand where markers of the same points do.
+#[test]
+fn all_styles_stand_at_the_same_places() {
+    let points = [(1.0, 20.0), (30.0, 3.0), (200.0, 500.0)];
+    let axes = || Panel::new(Axis::log("").between(0.5, 500.0), Axis::log("").between(1.0, 1e3));
+    let mut panel = axes();
+    panel.add(Series::markers("", Marker::Dot, points));
+    let (cx, cy, _) = markers(panel);
+    let pairs: Vec<[f64; 2]> = cx.into_iter().zip(cy).map(|(x, y)| [x, y]).collect();
+    let [tail, head] = [points[0], points[1]].map(|(x, y)| Point::new(x, y));
+    for (series, count) in [
+        (Series::line("", points), 3),
+        (Series::dashed("", points), 3),
+        (Series::dotted("", points), 3),
+        (Series::area("", points), 3),
+        (Series::arrows("", [Arrow { tail, head }]), 2),
+    ] {
+        let style = series.style;
+        let mut panel = axes();
+        panel.add(series);
+        let svg = render("", &[panel]).unwrap();
+        // Whatever the element: its numbers hold those of the points.
+        let inside = svg.rsplit_once("clip-path=").unwrap().1;
+        let all: Vec<f64> = inside
+            .split(|c: char| !(c.is_ascii_digit() || c == '.' || c == '-'))
+            .filter_map(|word| word.parse().ok())
+            .collect();
+        for [x, y] in &pairs[..count] {
+            // Arrows are written to a tenth of a pixel.
+            let found =
+                all.windows(2).any(|two| (two[0] - x).abs() < 0.06 && (two[1] - y).abs() < 0.06);
+            assert!(found, "{style:?}: {x} {y} not in {inside}");
+        }
+    }
+}
