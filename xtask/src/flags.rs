@@ -58,12 +58,12 @@ xflags::xflags! {
         cmd tidy {}
         /// Looks at the report of the last run in a browser without a window, at two widths and in
         /// both themes: no error of a script, no missing picture, nothing wider than the page, no
-        /// pale words, search that finds; keeps screenshots. Skipped, and it says so, where there
-        /// is no Chromium.
+        /// pale words, search that finds; keeps screenshots. Skipped where there is no Chromium; in
+        /// CI that is a failure.
         cmd browse {}
         /// Builds the Python module's wheel, installs it into a fresh environment below target/ and
-        /// runs its tests and the examples of its documentation there. Skipped, and it says so,
-        /// where there is no Python.
+        /// runs its tests and the examples of its documentation there. Skipped where there is no
+        /// Python; in CI that is a failure.
         cmd python {}
         /// Goes through the list of what a release needs, releasing nothing: descriptions, licences and
         /// versions of all crates, their packages, built from what is packed, changed interfaces, the
@@ -81,13 +81,19 @@ xflags::xflags! {
             optional --update
         }
         /// Builds the LAMMPS plugin for the pinned release, in an environment below target/, and runs
-        /// its tests there. Skipped, and it says so, where Python, g++ or the packages cannot be had.
+        /// its tests there. Skipped only where the registry of Python's packages cannot be reached; in CI that
+        /// is a failure.
         cmd lammps {
             /// Leave out the tests that take minutes.
             optional --short
         }
-        /// What continuous integration checks: form, the index of equations, lints, documentation, tests, tests with
-        /// overflow checks, the quick figures, the report in a browser, the Python module, the book, the packages, the LAMMPS plugin, and the mutants.
+        /// Holds the dependencies against deny.toml by cargo-deny: licences, bans, sources, and advisories where
+        /// their database can be fetched.
+        cmd deny {}
+        /// What continuous integration checks: form, the index of equations, the dependencies, lints,
+        /// documentation, tests, tests with overflow checks, the quick figures, the report in a browser, the
+        /// Python module, the book, the packages, the LAMMPS plugin, and the mutants. Where CI is set, a part
+        /// that is skipped is a failure, but for those listed in xtask/src/outcome.rs.
         cmd ci {}
         /// Runs the benchmarks.
         cmd bench {

@@ -9,9 +9,11 @@ mod book;
 mod browse;
 mod cargo;
 mod ci;
+mod deny;
 mod flags;
 mod lammps;
 mod mutants;
+mod outcome;
 mod python;
 mod release;
 mod test;
@@ -40,12 +42,13 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Test(_) => test::run()?,
         flags::XtaskCmd::Mutants(options) => mutants::run(&options)?,
         flags::XtaskCmd::Tidy(_) => tidy::run()?,
-        flags::XtaskCmd::Browse(_) => browse::run()?,
-        flags::XtaskCmd::Python(_) => python::run()?,
-        flags::XtaskCmd::Release(options) => release::run(&options)?,
+        flags::XtaskCmd::Browse(_) => drop(browse::run()?.accept()?),
+        flags::XtaskCmd::Python(_) => drop(python::run()?.accept()?),
+        flags::XtaskCmd::Release(options) => drop(release::run(&options)?.accept()?),
         flags::XtaskCmd::Book(options) if options.update => book::update()?,
-        flags::XtaskCmd::Book(_) => book::run()?,
-        flags::XtaskCmd::Lammps(lammps) => lammps::run(lammps.short)?,
+        flags::XtaskCmd::Book(_) => drop(book::run()?.accept()?),
+        flags::XtaskCmd::Lammps(lammps) => drop(lammps::run(lammps.short)?.accept()?),
+        flags::XtaskCmd::Deny(_) => drop(deny::run()?.accept()?),
         flags::XtaskCmd::Ci(_) => ci::run()?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }

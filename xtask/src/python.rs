@@ -1,5 +1,6 @@
 //! The Python module: its wheel, built, installed into a fresh environment and tested there.
 
+use crate::outcome::{Outcome, Part};
 use anyhow::{Context as _, bail};
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -8,6 +9,9 @@ use std::process::Command;
 const TOOLS: &[&str] = &["maturin>=1.9,<2", "numpy>=1.26", "pytest>=8"];
 /// What they use where it can be had.
 const WISHES: &[&str] = &["distributed", "ipykernel", "matplotlib", "nbclient", "pandas", "xarray"];
+
+/// Why there is no environment.
+pub(crate) const NONE: &str = "there is no Python 3.11 or later with venv";
 
 /// An environment of its own below target/.
 pub(crate) struct Place {
@@ -28,31 +32,47 @@ impl Place {
     }
 }
 
-/// Builds the wheel and tests it in an environment below target/; skipped, and it says so, where there is
-/// no Python 3.11 or later.
-pub(crate) fn run() -> anyhow::Result<()> {
-    let Some(place) = place()? else { return Ok(()) };
+/// Builds the wheel and tests it in an environment below target/; skipped where there is no Python 3.11 or
+/// later.
+pub(crate) fn run() -> anyhow::Result<Outcome> {
+    let Some(place) = place()? else { return Ok(Outcome::skipped(Part::Python, NONE)) };
+    let mut outcome = Outcome::Passed;
     if call(&mut place.pip(WISHES)).is_err() {
-        println!("without {}: their tests are skipped", WISHES.join(", "));
+        let reason = format!("{} cannot be installed", WISHES.join(", "));
+        outcome = Outcome::skipped(Part::PythonWishes, reason);
     }
     let wheel = build(&place)?.to_string_lossy().into_owned();
     call(&mut place.pip(&["--no-index", "--force-reinstall", "--no-deps", &wheel]))?;
     // From elsewhere, so that the installed module is tested, not its sources.
     let project = project()?;
     let mut pytest = Command::new(place.python());
-    pytest.current_dir(&place.folder);
     pytest.args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir"]);
     pytest.arg(&project).arg(project.join("tests"));
-    call(&mut pytest)
+    Ok(outcome.and(self::pytest(&mut pytest, &place.folder)?))
 }
 
-/// A fresh environment with the tools in it; none, and it says so, where there is no Python 3.11 or
-/// later.
+/// Runs pytest in `folder`; tests that skip themselves are a skipped part.
+pub(crate) fn pytest(pytest: &mut Command, folder: &Path) -> anyhow::Result<Outcome> {
+    let report = folder.join("pytest.xml");
+    pytest.current_dir(folder).arg("-rs").arg("--junit-xml").arg(&report);
+    call(pytest)?;
+    let text = std::fs::read_to_string(&report).with_context(|| report.display().to_string())?;
+    let skipped = skipped_in(&text).context("pytest's report has no count of skipped tests")?;
+    Ok(match skipped {
+        0 => Outcome::Passed,
+        _ => Outcome::skipped(Part::OwnTests, format!("{skipped} tests of Python, named above")),
+    })
+}
+
+/// The count in `<testsuite ... skipped="2" ...>`.
+fn skipped_in(report: &str) -> Option<u64> {
+    let suite = report.split_once("<testsuite ")?.1.split_once('>')?.0;
+    suite.split_once("skipped=\"")?.1.split_once('"')?.0.parse().ok()
+}
+
+/// A fresh environment with the tools in it; none where there is no Python 3.11 or later.
 pub(crate) fn place() -> anyhow::Result<Option<Place>> {
-    let Some(python) = interpreter() else {
-        println!("skipped: there is no Python 3.11 or later with venv");
-        return Ok(None);
-    };
+    let Some(python) = interpreter() else { return Ok(None) };
     let place = Place { folder: root()?.join("target/python") };
     let venv = place.folder.join("venv");
     if venv.exists() {
@@ -111,4 +131,17 @@ pub(crate) fn call(command: &mut Command) -> anyhow::Result<()> {
         bail!("{command:?} failed ({status})");
     }
     Ok(())
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn the_count_of_skipped_tests_is_read() {
+        let report = "<?xml?><testsuites><testsuite name=\"pytest\" errors=\"0\" skipped=\"2\" \
+                      tests=\"9\"><testcase/></testsuite></testsuites>";
+        assert_eq!(skipped_in(report), Some(2));
+        assert_eq!(skipped_in("<testsuites/>"), None);
+    }
 }

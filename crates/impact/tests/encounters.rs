@@ -322,7 +322,7 @@ fn run(
     pairs: impl Strategy<Value = Pair>,
     check: impl Fn(&Pair, &Worst) -> Result<(), TestCaseError>,
 ) {
-    let config = ProptestConfig { cases, failure_persistence: None, ..ProptestConfig::default() };
+    let config = ProptestConfig { cases, source_file: Some(file!()), ..ProptestConfig::default() };
     let mut runner = TestRunner::new(config);
     let worst = Worst::default();
     let outcome = runner.run(&pairs, |pair| check(&pair, &worst));

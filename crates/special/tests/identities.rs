@@ -35,11 +35,7 @@ fn any_ratio() -> impl Strategy<Value = f64> {
 }
 
 proptest! {
-    #![proptest_config(ProptestConfig {
-        cases: 2000,
-        failure_persistence: None,
-        ..ProptestConfig::default()
-    })]
+    #![proptest_config(ProptestConfig::with_cases(2000))]
 
     /// E(k) K(k') + E(k') K(k) - K(k) K(k') = pi/2, DLMF 19.7.1.
     #[test]

@@ -3,6 +3,7 @@
 mod links;
 
 use crate::cargo;
+use crate::outcome::{Outcome, Part};
 use anyhow::{Context as _, ensure};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -11,14 +12,12 @@ use std::process::{Command, Stdio};
 const SOURCES: &str = "docs/book/src";
 
 /// Checks the book and, where there is an mdBook, makes its pages in target/book/.
-pub(crate) fn run() -> anyhow::Result<()> {
+pub(crate) fn run() -> anyhow::Result<Outcome> {
     check(&root())?;
     let has_mdbook = Command::new("mdbook").arg("--version").stdout(Stdio::null()).status().is_ok();
     if !has_mdbook {
-        println!(
-            "skipped: the pages of the book, for there is no mdbook; `cargo install mdbook` has it"
-        );
-        return Ok(());
+        let reason = "mdbook is not installed; `cargo install mdbook` installs it";
+        return Ok(Outcome::skipped(Part::BookPages, reason));
     }
     let status =
         Command::new("mdbook").arg("build").current_dir(root().join("docs/book")).status()?;
@@ -26,7 +25,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
     let page = std::fs::read_to_string(root().join("target/book/theory/impact.html"))?;
     ensure!(page.contains("<math"), "no formula is set in target/book/theory/impact.html");
     println!("the book: target/book/index.html");
-    Ok(())
+    Ok(Outcome::Passed)
 }
 
 /// Draws the book's pictures and writes its case reference anew.

@@ -1,5 +1,6 @@
 //! The report in a browser without a window: two widths, both themes.
 
+use crate::outcome::{Outcome, Part};
 use anyhow::{Context as _, bail};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
@@ -11,13 +12,13 @@ const THEMES: [&str; 2] = ["light", "dark"];
 const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
 /// Looks at `target/verification/report.html` and keeps pictures of it in
-/// `target/verification/screenshots/`. Without a browser it says that it did nothing.
-pub(crate) fn run() -> anyhow::Result<()> {
+/// `target/verification/screenshots/`; skipped without a browser.
+pub(crate) fn run() -> anyhow::Result<Outcome> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
     let folder = root.join("target/verification");
     let Some(browser) = browser() else {
-        println!("SKIPPED: no browser; looked for {} and $CHROMIUM", BROWSERS.join(", "));
-        return Ok(());
+        let reason = format!("no browser; looked for {} and $CHROMIUM", BROWSERS.join(", "));
+        return Ok(Outcome::skipped(Part::Browser, reason));
     };
     let report = folder.join("report.html");
     let text = std::fs::read_to_string(&report)
@@ -41,7 +42,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
     if !faults.is_empty() {
         bail!("{} faults in the report:\n  {}", faults.len(), faults.join("\n  "));
     }
-    Ok(())
+    Ok(Outcome::Passed)
 }
 
 fn browser() -> Option<PathBuf> {

@@ -5,6 +5,7 @@ pub(crate) mod packages;
 mod packed;
 mod wheel;
 
+use crate::outcome::{Outcome, Part};
 use crate::{cargo, flags};
 use anyhow::{Context as _, ensure};
 use packages::Packages;
@@ -27,24 +28,24 @@ fn target() -> PathBuf {
 }
 
 /// Goes through the list; fails at the first point that does not hold.
-pub(crate) fn run(options: &flags::Release) -> anyhow::Result<()> {
+pub(crate) fn run(options: &flags::Release) -> anyhow::Result<Outcome> {
     ensure!(
         options.dry_run,
         "only --dry-run: what goes to a registry goes by hand, see CONTRIBUTING"
     );
     let packages = whole()?;
-    say_changes()?;
+    let commits = say_changes()?;
     match options.quick {
         true => pack_and_check(&packages)?,
         false => pack(&packages, &[])?,
     }
-    semver(&packages)?;
+    let outcome = commits.and(semver(&packages)?);
     if options.quick {
         println!("the oldest Rust and the wheel: left out (--quick)");
-        return Ok(());
+        return Ok(outcome);
     }
-    oldest::check()?;
-    wheel::check(&packages.in_order()?[0].version)
+    let outcome = outcome.and(oldest::check()?);
+    Ok(outcome.and(wheel::check(&packages.in_order()?[0].version)?))
 }
 
 /// That all crates can be packed, in their order, and checked as they are packed.
@@ -81,7 +82,7 @@ pub(crate) fn whole() -> anyhow::Result<Packages> {
 }
 
 /// What the changelog still calls unreleased, and changes that are in no commit.
-fn say_changes() -> anyhow::Result<()> {
+fn say_changes() -> anyhow::Result<Outcome> {
     let text = std::fs::read_to_string(root().join("CHANGELOG.md")).context("no CHANGELOG.md")?;
     let open = text.lines().skip_while(|line| *line != "## [Unreleased]").skip(1);
     let open =
@@ -98,9 +99,9 @@ fn say_changes() -> anyhow::Result<()> {
         Ok(output) if output.status.success() => {
             println!("there are changes in no commit: a release is made of none");
         }
-        _ => println!("skipped: no git to ask for changes in no commit"),
+        _ => return Ok(Outcome::skipped(Part::Commits, "`git status` cannot be run")),
     }
-    Ok(())
+    Ok(Outcome::Passed)
 }
 
 /// Packs all crates that go to the registry. Cargo takes them in their order, each against those packed
@@ -131,15 +132,15 @@ fn pack(packages: &Packages, how: &[&str]) -> anyhow::Result<()> {
 }
 
 /// Whether the interfaces changed as the version says, where the tool is installed.
-fn semver(packages: &Packages) -> anyhow::Result<()> {
+fn semver(packages: &Packages) -> anyhow::Result<Outcome> {
     if !cargo::has("semver-checks") {
-        println!("skipped: cargo-semver-checks is not installed");
-        return Ok(());
+        return Ok(Outcome::skipped(Part::Interfaces, "cargo-semver-checks is not installed"));
     }
     let names: Vec<String> = packages.in_order()?.into_iter().map(|package| package.name).collect();
     let mut arguments = vec!["semver-checks"];
     for name in &names {
         arguments.extend(["--package", name]);
     }
-    cargo::run(&arguments)
+    cargo::run(&arguments)?;
+    Ok(Outcome::Passed)
 }

@@ -2,6 +2,7 @@
 
 use super::root;
 use crate::cargo;
+use crate::outcome::{Outcome, Part};
 use anyhow::{Context as _, ensure};
 use serde_json::Value;
 use std::process::Command;
@@ -56,14 +57,12 @@ fn parts(version: &str) -> anyhow::Result<[u32; 3]> {
 }
 
 /// Checks all crates with that very Rust, where rustup has it.
-pub(super) fn check() -> anyhow::Result<()> {
+pub(super) fn check() -> anyhow::Result<Outcome> {
     let version = ours()?;
     let there = Command::new("rustup").args(["run", &version, "cargo", "--version"]).output();
     if !there.is_ok_and(|output| output.status.success()) {
-        println!(
-            "skipped: a check with Rust {version}; `rustup toolchain install {version}` has it"
-        );
-        return Ok(());
+        let reason = format!("no Rust {version}; `rustup toolchain install {version}` installs it");
+        return Ok(Outcome::skipped(Part::OldestRust, reason));
     }
     // Named by rustup, not by the cargo that runs this.
     let mut command = Command::new("rustup");
@@ -72,7 +71,7 @@ pub(super) fn check() -> anyhow::Result<()> {
     let status = command.env_remove("RUSTC").env_remove("CARGO").status()?;
     ensure!(status.success(), "Rust {version} cannot build the workspace");
     println!("Rust {version} builds all crates");
-    Ok(())
+    Ok(Outcome::Passed)
 }
 
 #[cfg(test)]

@@ -1,6 +1,7 @@
 //! What the Python wheel says of itself.
 
 use super::root;
+use crate::outcome::{Outcome, Part};
 use crate::python;
 use anyhow::{Context as _, ensure};
 use std::path::Path;
@@ -42,8 +43,10 @@ pub(super) fn faults() -> anyhow::Result<Vec<String>> {
 }
 
 /// Builds the wheel and reads what it says.
-pub(super) fn check(version: &str) -> anyhow::Result<()> {
-    let Some(place) = python::place()? else { return Ok(()) };
+pub(super) fn check(version: &str) -> anyhow::Result<Outcome> {
+    let Some(place) = python::place()? else {
+        return Ok(Outcome::skipped(Part::Python, python::NONE));
+    };
     let wheel = python::build(&place)?;
     let output = Command::new(place.python()).args(["-c", PRINT]).arg(&wheel).output()?;
     ensure!(output.status.success(), "cannot read {}", wheel.display());
@@ -64,5 +67,5 @@ pub(super) fn check(version: &str) -> anyhow::Result<()> {
         ensure!(has(line), "the wheel lacks `{line}`:\n{text}");
     }
     println!("{}: whole", wheel.display());
-    Ok(())
+    Ok(Outcome::Passed)
 }

@@ -1,0 +1,42 @@
+//! The dependencies held against `deny.toml` by cargo-deny.
+
+use crate::cargo;
+use crate::outcome::{Outcome, Part};
+use std::path::PathBuf;
+use std::process::Stdio;
+
+/// Checks licences, bans and sources, and the advisories where their database can be fetched.
+pub(crate) fn run() -> anyhow::Result<Outcome> {
+    if !cargo::has("deny") {
+        return Ok(Outcome::skipped(
+            Part::Dependencies,
+            "cargo-deny is not installed; `cargo install cargo-deny --locked` installs it",
+        ));
+    }
+    cargo::run(&[
+        "deny",
+        "--locked",
+        "check",
+        "--hide-inclusion-graph",
+        "licenses",
+        "bans",
+        "sources",
+    ])?;
+    // Fetched apart, so that a failure to fetch is told from an advisory.
+    let mut fetch = cargo::command(&["deny", "--locked", "fetch", "db"]);
+    let is_fetched = fetch.stdout(Stdio::null()).status()?.success();
+    if !is_fetched && !has_database() {
+        let reason = "the database of advisories cannot be fetched (the error is above)";
+        return Ok(Outcome::skipped(Part::Advisories, reason));
+    }
+    cargo::run(&["deny", "--locked", "check", "--disable-fetch", "advisories"])?;
+    Ok(Outcome::Passed)
+}
+
+/// Whether cargo-deny has fetched a database before.
+fn has_database() -> bool {
+    let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
+    let home = home.or_else(|| Some(PathBuf::from(std::env::var_os("HOME")?).join(".cargo")));
+    let folder = home.and_then(|home| std::fs::read_dir(home.join("advisory-dbs")).ok());
+    folder.is_some_and(|folder| folder.flatten().any(|entry| entry.path().join(".git").exists()))
+}

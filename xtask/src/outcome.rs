@@ -1,0 +1,116 @@
+//! How a task that did not fail ended: it passed, or parts of it were skipped, each with its reason.
+//!
+//! In continuous integration (`CI` is set) a skipped part is a failure, unless [`ALLOWED`] names it.
+
+use anyhow::bail;
+
+/// What continuous integration may skip, and why. Everything else must run there.
+const ALLOWED: &[(Part, &str)] = &[(
+    Part::Advisories,
+    "the database of advisories is fetched from a host that not every machine of CI can reach; \
+     where it can be fetched, an advisory fails the step",
+)];
+
+/// A part of a task that needs what a machine may lack.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Part {
+    /// Known faults of the dependencies.
+    Advisories,
+    /// Licences, bans and sources of the dependencies.
+    Dependencies,
+    /// The pages of the book.
+    BookPages,
+    /// The report, looked at in a browser.
+    Browser,
+    /// The interfaces, compared with those of the last release.
+    Interfaces,
+    /// The LAMMPS plugin.
+    Lammps,
+    /// Tests that skipped themselves.
+    OwnTests,
+    /// The build with the oldest Rust.
+    OldestRust,
+    /// The Python module and its wheel.
+    Python,
+    /// Tests of the Python module that use packages which are not required.
+    PythonWishes,
+    /// Whether every change is committed.
+    Commits,
+}
+
+/// A part that was skipped.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(crate) struct Skip {
+    part: Part,
+    reason: String,
+}
+
+/// How a task ended that did not fail.
+#[derive(Debug, Clone, PartialEq, Eq)]
+#[must_use]
+pub(crate) enum Outcome {
+    Passed,
+    /// At least one part did not run.
+    Skipped(Vec<Skip>),
+}
+
+impl Outcome {
+    pub(crate) fn skipped(part: Part, reason: impl Into<String>) -> Self {
+        Self::Skipped(vec![Skip { part, reason: reason.into() }])
+    }
+
+    /// This one and another.
+    pub(crate) fn and(self, other: Self) -> Self {
+        match (self, other) {
+            (Self::Passed, one) | (one, Self::Passed) => one,
+            (Self::Skipped(mut one), Self::Skipped(other)) => {
+                one.extend(other);
+                Self::Skipped(one)
+            }
+        }
+    }
+
+    /// Prints what was skipped; an error in continuous integration if [`ALLOWED`] does not name it.
+    /// Returns how many parts were skipped.
+    pub(crate) fn accept(self) -> anyhow::Result<usize> {
+        self.accept_if(std::env::var("CI").is_ok_and(|ci| !ci.is_empty() && ci != "false"))
+    }
+
+    fn accept_if(self, is_ci: bool) -> anyhow::Result<usize> {
+        let Self::Skipped(skips) = self else { return Ok(0) };
+        let mut refused = Vec::new();
+        for Skip { part, reason } in &skips {
+            println!("SKIPPED {part:?}: {reason}");
+            match ALLOWED.iter().find(|(allowed, _)| allowed == part) {
+                Some((_, why)) if is_ci => println!("  allowed in CI: {why}"),
+                None if is_ci => refused.push(format!("{part:?}: {reason}")),
+                _ => {}
+            }
+        }
+        if !refused.is_empty() {
+            bail!("skipped, which CI does not allow:\n  {}", refused.join("\n  "));
+        }
+        Ok(skips.len())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn ci_refuses_a_skipped_part_that_is_not_listed() {
+        let skipped = Outcome::skipped(Part::Browser, "no browser");
+        let both = Outcome::Passed.and(skipped.clone()).and(skipped);
+        assert_eq!(both.clone().accept_if(false).unwrap(), 2);
+        assert!(both.accept_if(true).unwrap_err().to_string().contains("Browser: no browser"));
+        assert_eq!(Outcome::Passed.accept_if(true).unwrap(), 0);
+    }
+
+    #[test]
+    fn ci_allows_a_skipped_part_that_is_listed() {
+        let (part, why) = ALLOWED[0];
+        assert!(!why.is_empty());
+        assert_eq!(Outcome::skipped(part, "no database").accept_if(true).unwrap(), 1);
+    }
+}
