@@ -3,26 +3,16 @@
 use std::mem::MaybeUninit;
 
 use carom_laws::law::ContactLaw;
-use carom_laws::memory::Fixed;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::{CaromLoad, CaromReport, CaromShift, Kept, Law};
 use crate::pair::CaromPair;
 use crate::pointers::{read, write};
 use crate::state::{CaromState, advance, ask};
+use crate::stored::{Stack, present, present_mut, store};
 
 /// The words of 8 bytes in a `carom_contact`, beside its mark.
 pub const CAROM_CONTACT_WORDS: usize = 144;
-
-/// As many vertices as in a `carom_state`, so that both go the same way.
-type Stack = Fixed<[f64; 2], 12>;
-
-const _: () =
-    assert!(size_of::<Law<Stack>>() <= 8 * CAROM_CONTACT_WORDS && align_of::<Law<Stack>>() <= 8);
-const _: () = assert!(!std::mem::needs_drop::<Law<Stack>>());
-
-/// Tells a contact that was made by a build of this size from other bytes.
-const MARK: u64 = 0x6361_726f_6d00_0002 + ((size_of::<Law<Stack>>() as u64) << 8);
 
 /// The memory of a contact, the caller's: 1160 bytes, aligned to 8, that may be copied as bytes. Zero bytes
 /// are two bodies that just touch, unshifted. It is the law itself, constants and all, so that a
@@ -40,26 +30,14 @@ pub struct CaromContact {
 }
 
 impl CaromContact {
-    /// The law, if there is one yet.
-    #[inline]
+    #[inline(always)]
     fn present(&self) -> Result<Option<&Law<Stack>>, Failure> {
-        match self.mark {
-            // SAFETY: a law was written there; its size and alignment fit.
-            MARK => Ok(Some(unsafe { &*self.words.as_ptr().cast() })),
-            0 => Ok(None),
-            _ => Err(strange()),
-        }
+        present(self.mark, &self.words)
     }
 
-    /// The law, if there is one yet, to be changed.
-    #[inline]
+    #[inline(always)]
     fn present_mut(&mut self) -> Result<Option<&mut Law<Stack>>, Failure> {
-        match self.mark {
-            // SAFETY: a law was written there; its size and alignment fit.
-            MARK => Ok(Some(unsafe { &mut *self.words.as_mut_ptr().cast() })),
-            0 => Ok(None),
-            _ => Err(strange()),
-        }
+        present_mut(self.mark, &mut self.words)
     }
 
     /// Makes the first step of a contact.
@@ -70,12 +48,6 @@ impl CaromContact {
         self.keep(&law)?;
         Ok(load.into())
     }
-}
-
-#[cold]
-fn strange() -> Failure {
-    let text = "the contact was written by another build of carom, or is no contact";
-    Failure::new(CaromStatus::BadState, "contact", text)
 }
 
 impl Kept for CaromContact {
@@ -89,9 +61,7 @@ impl Kept for CaromContact {
     }
 
     fn keep(&mut self, law: &Law<Stack>) -> Result<(), Failure> {
-        // SAFETY: size and alignment fit; what stood there needs no drop.
-        unsafe { self.words.as_mut_ptr().cast::<Law<Stack>>().write(*law) };
-        self.mark = MARK;
+        self.mark = store(law, &mut self.words);
         Ok(())
     }
 

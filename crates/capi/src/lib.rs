@@ -26,6 +26,7 @@ mod pair;
 mod pointers;
 mod restitution;
 mod state;
+mod stored;
 mod touch;
 mod touch_twist;
 mod twist;

@@ -2,16 +2,15 @@
 
 use carom_laws::coulomb::packed_numbers;
 use carom_laws::law::ContactLaw;
-use carom_laws::memory::Fixed;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::law::{CaromLoad, CaromReport, CaromShift, Kept, Law};
 use crate::pair::CaromPair;
 use crate::pointers::{read, write};
+use crate::stored::{Stack, VERTICES};
 
 /// The numbers in a `carom_state`.
 pub const CAROM_STATE_NUMBERS: usize = 66;
-const VERTICES: usize = 12;
 const _: () = assert!(CAROM_STATE_NUMBERS == packed_numbers(VERTICES));
 
 /// The memory of a contact in 66 numbers, the caller's: zeros are two bodies that just touch, unshifted.
@@ -29,7 +28,7 @@ pub struct CaromState {
 }
 
 /// A law that takes up one state after the other.
-pub(crate) type Worker = Law<Fixed<[f64; 2], VERTICES>>;
+pub(crate) type Worker = Law<Stack>;
 
 impl CaromState {
     /// One step, by a law of the pair's constants, whatever it remembers.
@@ -47,7 +46,7 @@ impl CaromState {
 }
 
 impl Kept for CaromState {
-    type Stack = Fixed<[f64; 2], VERTICES>;
+    type Stack = Stack;
 
     fn law(&self, pair: &CaromPair) -> Result<Worker, Failure> {
         finite(pair)?;

@@ -3,28 +3,21 @@
 use std::mem::MaybeUninit;
 
 use carom_laws::grains::{GrainContact, Meeting, grain_numbers};
-use carom_laws::memory::Fixed;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::grains::{CaromGrainLoad, CaromGrains, CaromHeats, relative_radius, step};
 use crate::law::CaromReport;
 use crate::pointers::{read, write};
+use crate::stored::{Stack, VERTICES, find, present, present_mut, store};
 
 /// The words of 8 bytes in a `carom_touch`, beside its mark.
 pub const CAROM_TOUCH_WORDS: usize = 158;
 /// The numbers in which a `carom_touch` is kept elsewhere.
 pub const CAROM_TOUCH_NUMBERS: usize = 79;
 
-/// As many vertices as in a `carom_state`.
-const VERTICES: usize = 12;
-pub(crate) type Contact = GrainContact<Fixed<[f64; 2], VERTICES>>;
+pub(crate) type Contact = GrainContact<Stack>;
 
 const _: () = assert!(CAROM_TOUCH_NUMBERS == grain_numbers(VERTICES));
-const _: () = assert!(size_of::<Contact>() <= 8 * CAROM_TOUCH_WORDS && align_of::<Contact>() <= 8);
-const _: () = assert!(!std::mem::needs_drop::<Contact>());
-
-/// Tells a touch that was made by a build of this size from other bytes.
-const MARK: u64 = 0x6361_726f_6d01_0002 + ((size_of::<Contact>() as u64) << 8);
 
 /// The memory of the contact of two grains, the caller's: 1280 bytes, aligned to 8, that may be copied as
 /// bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
@@ -41,30 +34,20 @@ pub struct CaromTouch {
 }
 
 impl CaromTouch {
-    #[inline]
+    #[inline(always)]
     fn present(&self) -> Result<Option<&Contact>, Failure> {
-        match self.mark {
-            // SAFETY: a contact was written there; its size and alignment fit.
-            MARK => Ok(Some(unsafe { &*self.words.as_ptr().cast() })),
-            0 => Ok(None),
-            _ => Err(strange()),
-        }
+        present(self.mark, &self.words)
     }
 
-    #[inline]
+    #[inline(always)]
     pub(crate) fn present_mut(&mut self) -> Result<Option<&mut Contact>, Failure> {
-        match self.mark {
-            // SAFETY: a contact was written there; its size and alignment fit.
-            MARK => Ok(Some(unsafe { &mut *self.words.as_mut_ptr().cast() })),
-            0 => Ok(None),
-            _ => Err(strange()),
-        }
+        present_mut(self.mark, &mut self.words)
     }
 
     /// Whether it holds a contact, written by this build.
-    #[inline]
+    #[inline(always)]
     pub(crate) fn holds_one(&self) -> bool {
-        self.mark == MARK
+        find::<Contact, CAROM_TOUCH_WORDS>(self.mark, &self.words).is_some()
     }
 
     /// The contact.
@@ -78,9 +61,7 @@ impl CaromTouch {
     }
 
     fn keep(&mut self, contact: &Contact) {
-        // SAFETY: size and alignment fit; what stood there needs no drop.
-        unsafe { self.words.as_mut_ptr().cast::<Contact>().write(*contact) };
-        self.mark = MARK;
+        self.mark = store(contact, &mut self.words);
     }
 
     #[inline(always)]
@@ -114,12 +95,6 @@ impl CaromTouch {
         };
         Ok(load.into())
     }
-}
-
-#[cold]
-fn strange() -> Failure {
-    let text = "the touch was written by another build of carom, or is no touch";
-    Failure::new(CaromStatus::BadState, "touch", text)
 }
 
 /// The elastic energy of a contact, compression included, J.

@@ -1,6 +1,7 @@
 //! The contact law of a shift: Hertz's normal force and Coulomb's friction with memory.
 
 mod pack;
+mod tags;
 #[cfg(test)]
 mod tests;
 
@@ -28,7 +29,7 @@ use crate::stiffness::ContactStiffness;
 /// in chapter 7's law where c_x differs from c_y: a step of turning direction may then give some
 /// back.
 ///
-/// On a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices 928 bytes
+/// On a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices 936 bytes
 /// in one direction and 1472 in two.
 ///
 /// ```
@@ -58,20 +59,22 @@ struct Scale<V> {
     shift: V,
     /// F = Phi times this.
     force: f64,
-    /// Energy = normalised energy times this.
-    energy: V,
+    /// The friction limit over sqrt(zeta) dzeta, f c_z; 1 where there is none.
+    limit: f64,
 }
 
+/// The place of its tag is known, so that bytes from outside can be looked at before they are taken for one.
 #[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C, u8)]
 enum State<V, S> {
     /// No friction: no tangential load.
-    Free,
+    Free = tags::FREE,
     /// Coulomb's friction, one direction of traction in a slip ring.
-    Rubbing(Memory<V, S>),
+    Rubbing(Memory<V, S>) = tags::RUBBING,
     /// Coulomb's friction in two directions, ring by ring.
-    Turning(CoulombMemory<V, S>),
+    Turning(CoulombMemory<V, S>) = tags::TURNING,
     /// Infinite friction.
-    Stuck(AdhesionMemory<V, S>),
+    Stuck(AdhesionMemory<V, S>) = tags::STUCK,
 }
 
 impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
@@ -112,15 +115,12 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         rubbing: impl FnOnce() -> State<V, S>,
     ) -> Self {
         let along = V::from_components([stiffness.c_x, stiffness.c_y]);
-        let inverse = V::from_components([1.0 / stiffness.c_x, 1.0 / stiffness.c_y]);
         let (state, limit) = match friction.coefficient() {
             None => (State::Stuck(AdhesionMemory::new()), 1.0),
             Some(0.0) => (State::Free, 1.0),
             Some(f) => (rubbing(), f * stiffness.c_z),
         };
-        let force = 2.0 / 3.0 * limit;
-        let scale =
-            Scale { shift: along.times(1.0 / limit), force, energy: inverse.times(force * limit) };
+        let scale = Scale { shift: along.times(1.0 / limit), force: 2.0 / 3.0 * limit, limit };
         Self { stiffness, scale, state, shift: Shift::default() }
     }
 
@@ -210,6 +210,12 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     #[inline]
     pub(crate) fn scale_of_shifts(&self) -> V {
         self.scale.shift
+    }
+
+    /// Energy over normalised energy, per direction.
+    fn scale_of_energies(&self) -> V {
+        let ContactStiffness { c_x, c_y, .. } = self.stiffness;
+        V::from_components([1.0 / c_x, 1.0 / c_y]).times(self.scale.force * self.scale.limit)
     }
 
     /// (5.27).
@@ -310,15 +316,16 @@ impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
         };
         let zeta = self.shift.zeta.max(0.0);
         let normal = 4.0 / 15.0 * self.stiffness.c_z * (zeta * zeta * zeta.sqrt());
-        normal + tangential.dot(self.scale.energy)
+        normal + tangential.dot(self.scale_of_energies())
     }
 
     fn dissipation(&self, to: Shift) -> f64 {
+        let unit = self.scale_of_energies();
         match (self.reachable(to), &self.state) {
             (Err(_), _) | (_, State::Free) => 0.0,
-            (Ok(x), State::Rubbing(memory)) => memory.heat(to.zeta, x, self.scale.energy),
-            (Ok(x), State::Turning(memory)) => memory.heat(to.zeta, x, self.scale.energy),
-            (Ok(x), State::Stuck(memory)) => memory.dissipation(to.zeta, x).dot(self.scale.energy),
+            (Ok(x), State::Rubbing(memory)) => memory.heat(to.zeta, x, unit),
+            (Ok(x), State::Turning(memory)) => memory.heat(to.zeta, x, unit),
+            (Ok(x), State::Stuck(memory)) => memory.dissipation(to.zeta, x).dot(unit),
         }
     }
 }

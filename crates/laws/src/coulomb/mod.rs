@@ -116,6 +116,9 @@ impl Default for Tolerance {
 }
 
 impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
+    /// The place of the regime among the bytes.
+    pub(crate) const REGIME_AT: usize = std::mem::offset_of!(Self, regime);
+
     /// Two bodies that just touch, unshifted.
     #[must_use]
     pub fn new(tolerance: Tolerance) -> Self {

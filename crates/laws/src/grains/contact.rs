@@ -1,12 +1,14 @@
 //! The contact of two grains, carried along.
 
+use std::mem::offset_of;
+
 use carom_special::RangeError;
 
 use super::meeting::Meeting;
 use super::number::Number;
 use super::vector::{Vector, cross, dot, minus, plus, times};
 use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
-use crate::memory::{Growing, VertexStack};
+use crate::memory::{Fixed, Growing, VertexStack};
 use crate::shift_law::ShiftLaw;
 
 /// The memory of the contact of two grains: the law of the shift in axes that go along.
@@ -255,6 +257,15 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         (self.tangent, self.normal) = (step.tangent, meeting.normal);
         (self.friction, self.velocity, self.lead) = (friction, step.velocity, step.lead);
         load_in([step.tangent, meeting.normal], meeting.arms, load.f_z + self.drag, friction)
+    }
+}
+
+impl<const N: usize> GrainContact<Fixed<[f64; 2], N>> {
+    /// Whether bytes that may have been changed outside are still a contact, as [`ShiftLaw::is_in`].
+    #[inline(always)]
+    #[must_use]
+    pub fn is_in(byte: impl Fn(usize) -> u8) -> bool {
+        ShiftLaw::<[f64; 2], Fixed<[f64; 2], N>>::is_in(|at| byte(offset_of!(Self, law) + at))
     }
 }
 

@@ -74,6 +74,10 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         self.force
     }
 
+    pub(crate) fn stack(&self) -> &S {
+        &self.stack
+    }
+
     /// How often two segments were merged for want of room.
     #[must_use]
     pub fn merges(&self) -> u32 {

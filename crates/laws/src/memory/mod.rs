@@ -40,6 +40,7 @@ use merge::push;
 
 /// What the last step did to a contact.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[repr(u8)]
 pub enum MemoryRegime {
     /// The bodies are apart.
     #[default]
@@ -106,6 +107,9 @@ impl<V: Lateral, S: VertexStack<V>> Memory<V, S> {
 }
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
+    /// The place of the regime among the bytes.
+    pub(crate) const REGIME_AT: usize = std::mem::offset_of!(Self, regime);
+
     /// Two bodies of another normal law that just touch, unshifted.
     #[must_use]
     pub fn with_profile(profile: P) -> Self {

@@ -26,6 +26,9 @@ const REGIMES: [MemoryRegime; 7] = [
 ];
 
 impl MemoryRegime {
+    /// How many there are.
+    pub(crate) const COUNT: u8 = REGIMES.len() as u8;
+
     /// Its place in the list of all, by which it is kept in numbers.
     pub(crate) fn number(self) -> u8 {
         REGIMES.iter().position(|regime| *regime == self).unwrap_or(0) as u8

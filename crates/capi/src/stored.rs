@@ -1,0 +1,144 @@
+//! Values of this library in the caller's bytes: a mark says which build wrote them, and what may be wrong
+//! behind it is looked at before they are used.
+
+use std::mem::MaybeUninit;
+
+use carom_laws::grains::GrainContact;
+use carom_laws::memory::Fixed;
+
+use crate::error::{CaromStatus, Failure};
+use crate::law::Law;
+
+/// As many vertices as in a `carom_state`, so that all go the same way.
+pub(crate) const VERTICES: usize = 12;
+/// The storage of the vertices.
+pub(crate) type Stack = Fixed<[f64; 2], VERTICES>;
+
+/// What may stand in the caller's bytes: numbers and tags, without pointers.
+///
+/// # Safety
+/// Any bytes for which `is_in` holds are a value.
+pub(crate) unsafe trait Stored: Copy + 'static {
+    /// What the caller calls it.
+    const NAME: &'static str;
+
+    /// Whether bytes are a value, given the byte at each place.
+    fn is_in(byte: impl Fn(usize) -> u8) -> bool;
+
+    /// Whether its counts are within their bounds.
+    fn fits(&self) -> bool;
+
+    /// Tells what this build wrote from other bytes: the compiler, since it lays the fields out, this
+    /// version, and the size.
+    const MARK: u64 = {
+        const { assert!(align_of::<Self>() <= 8 && !std::mem::needs_drop::<Self>()) };
+        let build = hash(BASIS, concat!(env!("CAROM_COMPILER"), " ", env!("CARGO_PKG_VERSION")));
+        hash(build, Self::NAME) ^ ((size_of::<Self>() as u64) << 1) | 1
+    };
+}
+
+// SAFETY: beside the tags there are numbers alone.
+unsafe impl Stored for Law<Stack> {
+    const NAME: &'static str = "contact";
+
+    #[inline(always)]
+    fn is_in(byte: impl Fn(usize) -> u8) -> bool {
+        Self::is_in(byte)
+    }
+
+    #[inline(always)]
+    fn fits(&self) -> bool {
+        self.fits()
+    }
+}
+
+// SAFETY: as above.
+unsafe impl Stored for GrainContact<Stack> {
+    const NAME: &'static str = "touch";
+
+    #[inline(always)]
+    fn is_in(byte: impl Fn(usize) -> u8) -> bool {
+        Self::is_in(byte)
+    }
+
+    #[inline(always)]
+    fn fits(&self) -> bool {
+        self.law().fits()
+    }
+}
+
+/// The value behind a mark, if there is one yet.
+#[inline(always)]
+pub(crate) fn present<T: Stored, const WORDS: usize>(
+    mark: u64,
+    words: &[MaybeUninit<u64>; WORDS],
+) -> Result<Option<&T>, Failure> {
+    match find(mark, words) {
+        None if mark == 0 => Ok(None),
+        None => Err(strange::<T>()),
+        some => Ok(some),
+    }
+}
+
+/// The same, to be changed.
+#[inline(always)]
+pub(crate) fn present_mut<T: Stored, const WORDS: usize>(
+    mark: u64,
+    words: &mut [MaybeUninit<u64>; WORDS],
+) -> Result<Option<&mut T>, Failure> {
+    if find::<T, WORDS>(mark, words).is_some() {
+        // SAFETY: found just now; nobody else has the words.
+        return Ok(Some(unsafe { &mut *words.as_mut_ptr().cast() }));
+    }
+    if mark == 0 { Ok(None) } else { Err(strange::<T>()) }
+}
+
+/// The value behind its mark, if all is well with both.
+#[inline(always)]
+pub(crate) fn find<T: Stored, const WORDS: usize>(
+    mark: u64,
+    words: &[MaybeUninit<u64>; WORDS],
+) -> Option<&T> {
+    const { assert!(size_of::<T>() <= 8 * WORDS) };
+    let bytes = words.as_ptr().cast::<u8>();
+    // SAFETY: a tag lies within the size, and was written with the rest where the mark is right.
+    if mark != T::MARK || !T::is_in(|at| unsafe { bytes.add(at).read() }) {
+        return None;
+    }
+    // SAFETY: size and alignment fit, and the bytes are a value.
+    let value = unsafe { &*words.as_ptr().cast::<T>() };
+    value.fits().then_some(value)
+}
+
+/// Writes a value; its mark is to be kept beside it.
+pub(crate) fn store<T: Stored, const WORDS: usize>(
+    value: &T,
+    words: &mut [MaybeUninit<u64>; WORDS],
+) -> u64 {
+    const { assert!(size_of::<T>() <= 8 * WORDS) };
+    // SAFETY: size and alignment fit; what stood there needs no drop.
+    unsafe { words.as_mut_ptr().cast::<T>().write(*value) };
+    T::MARK
+}
+
+#[cold]
+fn strange<T: Stored>() -> Failure {
+    let name = T::NAME;
+    let text =
+        format_args!("the {name} was written by another build of carom, was changed, or is none");
+    Failure::new(CaromStatus::BadState, name, text)
+}
+
+/// The offset basis of FNV-1a in 64 bits.
+const BASIS: u64 = 0xcbf2_9ce4_8422_2325;
+
+/// FNV-1a of a text.
+const fn hash(mut hash: u64, text: &str) -> u64 {
+    let bytes = text.as_bytes();
+    let mut i = 0;
+    while i < bytes.len() {
+        hash = (hash ^ bytes[i] as u64).wrapping_mul(0x0000_0100_0000_01b3);
+        i += 1;
+    }
+    hash
+}

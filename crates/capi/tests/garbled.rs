@@ -1,0 +1,209 @@
+//! Bytes that were changed behind an intact mark, a word at a time: each call ends with a status.
+
+use std::mem::{MaybeUninit, zeroed};
+use std::ptr::null_mut;
+
+use carom_capi::*;
+
+const GLASS: CaromMaterial = CaromMaterial { young_modulus: 70e9, poisson: 0.22 };
+const DT: f64 = 1e-8;
+
+/// What a word is changed to: letters, all bits, one tag beyond the last, a number that is none, a large one.
+const WORDS: [u64; 8] = [
+    0x5a5a_5a5a_5a5a_5a5a,
+    u64::MAX,
+    7,
+    0x0706_0504,
+    0x7ff8_0000_0000_0000,
+    0x7fef_ffff_ffff_ffff,
+    0xfff0_0000_0000_0000,
+    0,
+];
+
+fn pair(law: u32, friction: f64) -> CaromPair {
+    // SAFETY: all zero is a pair that nothing accepts; all pointers are references or null.
+    unsafe {
+        let mut pair = zeroed();
+        let place = &raw mut pair;
+        let status = carom_pair_of_spheres(
+            &GLASS,
+            &GLASS,
+            1e-3,
+            2e-3,
+            friction,
+            law,
+            0.0,
+            place,
+            null_mut(),
+        );
+        assert_eq!(status, CaromStatus::Ok);
+        pair
+    }
+}
+
+/// A contact that has turned, with vertices.
+fn contact(pair: &CaromPair) -> CaromContact {
+    let mut made = CaromContact { mark: 0, words: [MaybeUninit::new(0); CAROM_CONTACT_WORDS] };
+    for i in 0..9 {
+        let (sin, cos) = f64::from(i).sin_cos();
+        let zeta = 1e-7 * (1.0 + 0.2 * cos);
+        let shift = CaromShift { zeta, xi: 3e-8 * sin, eta: 2e-8 * cos };
+        // SAFETY: all pointers are references or null.
+        let status =
+            unsafe { carom_contact_advance(pair, &mut made, shift, null_mut(), null_mut()) };
+        assert_eq!(status, CaromStatus::Ok);
+    }
+    made
+}
+
+/// What ended well, of every call that reads or changes a contact.
+fn ask_all(pair: &CaromPair, garbled: &CaromContact) -> usize {
+    let shift = CaromShift { zeta: 1.1e-7, xi: 1e-8, eta: -2e-8 };
+    let mut load = CaromLoad::default();
+    let (mut number, mut error) = (0.0, MaybeUninit::<CaromError>::zeroed());
+    let mut report = MaybeUninit::<CaromReport>::uninit();
+    let mut state = CaromState { numbers: [0.0; CAROM_STATE_NUMBERS] };
+    let [mut moved, mut turned, mut taken, mut many] = [*garbled; 4];
+    let (error, size) = (error.as_mut_ptr(), size_of::<CaromContact>());
+    // SAFETY: all pointers are references or null.
+    let statuses = unsafe {
+        [
+            carom_contact_load(pair, garbled, &mut load, error),
+            carom_contact_energy(pair, garbled, &mut number, error),
+            carom_contact_heat(pair, garbled, shift, &mut number, error),
+            carom_contact_report(pair, garbled, report.as_mut_ptr(), error),
+            carom_contact_advance(pair, &mut moved, shift, &mut load, error),
+            carom_contact_turn_frame(pair, &mut turned, 0.3, error),
+            carom_contact_pack(pair, garbled, &mut state, error),
+            carom_contact_unpack(pair, &state, &mut taken, error),
+            carom_contact_advance_many(pair, 1, &mut many, size, &shift, 0, null_mut(), 0, error),
+        ]
+    };
+    statuses.into_iter().filter(|status| *status == CaromStatus::Ok).count()
+}
+
+#[test]
+fn a_changed_tag_of_a_contact_is_a_status_and_no_jump() {
+    let mut refused = 0;
+    for (law, friction) in [(0, 0.4), (1, 0.4), (0, 0.0), (0, f64::INFINITY)] {
+        let pair = pair(law, friction);
+        let whole = contact(&pair);
+        let packs = if friction.is_finite() { 9 } else { 7 };
+        assert!(ask_all(&pair, &whole) >= packs);
+        for at in 0..CAROM_CONTACT_WORDS {
+            for word in WORDS {
+                let mut garbled = whole;
+                garbled.words[at] = MaybeUninit::new(word);
+                refused += usize::from(ask_all(&pair, &garbled) == 0);
+            }
+        }
+    }
+    assert!(refused >= 10, "{refused}");
+}
+
+fn grains(law: u32) -> CaromGrains {
+    // SAFETY: all zero are constants that nothing accepts; all pointers are references or null.
+    unsafe {
+        let mut grains = zeroed();
+        let place = &raw mut grains;
+        let status = carom_grains_of(&GLASS, &GLASS, 0.4, law, 0.0, 1e-7, place, null_mut());
+        assert_eq!(status, CaromStatus::Ok);
+        grains
+    }
+}
+
+/// Two grains that meet obliquely, at a time.
+fn meeting(time: f64) -> [CaromGrain; 2] {
+    let still = CaromGrain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1e-3 };
+    let velocity = [0.3, 0.1, -0.5];
+    let place = [0.3 * time, 0.1 * time, 2e-3 - 0.5 * time];
+    [CaromGrain { place, velocity, spin: [40.0, 0.0, 30.0], ..still }, still]
+}
+
+#[test]
+fn a_changed_tag_of_a_touch_is_a_status_and_no_jump() {
+    let mut refused = 0;
+    for law in [CAROM_LAW_COULOMB, CAROM_LAW_CHAPTER_7] {
+        let grains = grains(law);
+        let mut whole = CaromTouch { mark: 0, words: [MaybeUninit::new(0); CAROM_TOUCH_WORDS] };
+        // SAFETY: zeros are plain numbers.
+        let mut load: CaromGrainLoad = unsafe { zeroed() };
+        for i in 1..40 {
+            let [one, two] = meeting(DT * f64::from(i));
+            let (none, error) = (null_mut(), null_mut());
+            // SAFETY: all pointers are references or null.
+            let status = unsafe {
+                carom_touch_grains(&grains, &mut whole, &one, &two, DT, &mut load, none, error)
+            };
+            assert_eq!(status, CaromStatus::Ok);
+        }
+        let [one, two] = meeting(40.0 * DT);
+        for at in 0..CAROM_TOUCH_WORDS {
+            for word in WORDS {
+                let mut garbled = whole;
+                garbled.words[at] = MaybeUninit::new(word);
+                let (mut number, mut numbers) = (0.0, [0.0; CAROM_TOUCH_NUMBERS]);
+                let mut report = MaybeUninit::<CaromReport>::uninit();
+                let mut heats = CaromHeats::default();
+                let [mut moved, mut counted] = [garbled; 2];
+                // Some that go together, among them the garbled one.
+                let mut touches = [whole; 9];
+                touches[2] = garbled;
+                let mut all = touches.each_mut().map(|touch| CaromEncounter {
+                    grains: &raw const grains,
+                    touch,
+                    one,
+                    two,
+                    load,
+                });
+                let error = null_mut();
+                // SAFETY: all pointers are references or null.
+                let statuses = unsafe {
+                    [
+                        carom_touch_energy(&garbled, &mut number, error),
+                        carom_touch_report(&garbled, report.as_mut_ptr(), error),
+                        carom_touch_pack(&garbled, numbers.as_mut_ptr(), error),
+                        carom_touch_grains_load(&grains, &garbled, &one, &two, &mut load, error),
+                        carom_touch_grains(
+                            &grains,
+                            &mut moved,
+                            &one,
+                            &two,
+                            DT,
+                            &mut load,
+                            null_mut(),
+                            error,
+                        ),
+                        carom_touch_grains(
+                            &grains,
+                            &mut counted,
+                            &one,
+                            &two,
+                            DT,
+                            &mut load,
+                            &mut heats,
+                            error,
+                        ),
+                        carom_touch_many(all.as_mut_ptr(), 9, DT, null_mut(), error),
+                    ]
+                };
+                refused +=
+                    usize::from(statuses.iter().all(|status| *status == CaromStatus::BadState));
+            }
+        }
+    }
+    assert!(refused >= 10, "{refused}");
+}
+
+/// A contact that another compiler or version wrote is told apart by its mark, whatever its size.
+#[test]
+fn marks_of_contacts_and_touches_differ_and_know_the_build() {
+    let pair = pair(0, 0.4);
+    let whole = contact(&pair);
+    let old = 0x6361_726f_6d00_0002 + ((8 * CAROM_CONTACT_WORDS as u64) << 8);
+    assert!(whole.mark != old && whole.mark & 1 == 1);
+    for bit in 0..64 {
+        let strange = CaromContact { mark: whole.mark ^ (1 << bit), ..whole };
+        assert_eq!(ask_all(&pair, &strange), 0);
+    }
+}
