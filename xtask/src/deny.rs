@@ -13,15 +13,8 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
             "cargo-deny is not installed; `cargo install cargo-deny --locked` installs it",
         ));
     }
-    cargo::run(&[
-        "deny",
-        "--locked",
-        "check",
-        "--hide-inclusion-graph",
-        "licenses",
-        "bans",
-        "sources",
-    ])?;
+    let quiet = ["deny", "--locked", "check", "--hide-inclusion-graph", "-D", "warnings"];
+    cargo::run(&[&quiet[..], &["licenses", "bans", "sources"]].concat())?;
     // Fetched apart, so that a failure to fetch is told from an advisory.
     let mut fetch = cargo::command(&["deny", "--locked", "fetch", "db"]);
     let is_fetched = fetch.stdout(Stdio::null()).status()?.success();
@@ -29,7 +22,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
         let reason = "the database of advisories cannot be fetched (the error is above)";
         return Ok(Outcome::skipped(Part::Advisories, reason));
     }
-    cargo::run(&["deny", "--locked", "check", "--disable-fetch", "advisories"])?;
+    cargo::run(&["deny", "--locked", "--offline", "check", "advisories"])?;
     Ok(Outcome::Passed)
 }
 

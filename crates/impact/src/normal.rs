@@ -196,7 +196,7 @@ impl NormalImpact {
         self.maximal_approach / self.velocity
     }
 
-    /// The duration T = T_N zeta_max / zeta_dot_A (9.50).
+    /// The duration T = T_N zeta_max / zeta_dot_A, (9.51) to (9.55) for steel spheres.
     #[must_use]
     pub fn duration(&self) -> f64 {
         DURATION * self.time_unit()
@@ -237,12 +237,12 @@ impl NormalImpact {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use carom_special::gamma::gamma;
 
     #[test]
     fn duration_is_the_gamma_quotient() {
         // (9.8): T/2 = 2 sqrt(pi) Gamma(2/5) / (5 Gamma(9/10))
-        let half =
-            2.0 * std::f64::consts::PI.sqrt() * libm::tgamma(0.4) / (5.0 * libm::tgamma(0.9));
+        let half = 2.0 * std::f64::consts::PI.sqrt() * gamma(0.4) / (5.0 * gamma(0.9));
         assert!((2.0 * half - DURATION).abs() < 2e-15);
     }
 

@@ -1,9 +1,10 @@
 //! Compression in complete adhesion as hypergeometric functions of S = (zeta/zeta_max)^(5/2)
 //! (section 9.2).
 
+use carom_special::gamma::reciprocal as reciprocal_gamma;
 use carom_special::hypergeometric::{Gauss, HypergeometricError, ThreeFTwo, UnitArgument};
 
-use super::{phi, reciprocal_gamma};
+use super::phi;
 
 /// Time to reach S in compression (9.8), in units of zeta_max/zeta'_A.
 ///

@@ -1,6 +1,7 @@
 //! Closed forms of chapter 9: limits of the oblique impact that need no integration.
 
 use carom_special::RangeError;
+use carom_special::gamma::reciprocal as reciprocal_gamma;
 
 use crate::normal::DURATION;
 
@@ -15,7 +16,8 @@ pub use energy::{normal_energy_loss, tangential_energy_loss};
 pub(crate) use wave_loss::radiated_energy;
 pub use wave_loss::{NOTICEABLE, wave_loss, wave_loss_coefficient};
 
-/// phi = sqrt(1 + 120 chi) of (9.15), the parameter of the adhesion solutions.
+/// phi = sqrt(1 + 120 chi) of (9.15), the parameter of the adhesion solutions: from sqrt(61) to sqrt(721)
+/// for chi from 1/2 to 6 (15.9).
 #[must_use]
 pub fn phi(chi: f64) -> f64 {
     (1.0 + 120.0 * chi).sqrt()
@@ -44,14 +46,6 @@ pub fn restitution_without_slip(chi: f64) -> f64 {
         * reciprocal_gamma(low)
         * reciprocal_gamma((11.0 + phi) / 20.0);
     1.0 - 2.0 * u * u
-}
-
-// 1/Gamma(x), zero at the poles of Gamma.
-fn reciprocal_gamma(x: f64) -> f64 {
-    if x <= 0.0 && x == x.trunc() {
-        return 0.0;
-    }
-    1.0 / libm::tgamma(x)
 }
 
 /// R_x of an impact that slides throughout (9.33): -1 + 2 chi/psi.

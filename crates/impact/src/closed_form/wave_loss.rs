@@ -7,6 +7,7 @@
 
 use carom_halfspace::Material;
 use carom_special::RangeError;
+use carom_special::gamma::gamma;
 use carom_special::quadrature::FixedRule;
 use carom_special::roots::bisect;
 
@@ -61,7 +62,7 @@ pub(crate) fn radiated_energy(
 
 // int (d zeta^(3/2)/dt)^2 dt = (9/5) B(4/5, 3/2)
 fn pulse_integral() -> f64 {
-    1.8 * libm::tgamma(0.8) * libm::tgamma(1.5) / libm::tgamma(2.3)
+    1.8 * gamma(0.8) * gamma(1.5) / gamma(2.3)
 }
 
 static RULE: FixedRule<160> = FixedRule::fixed();
