@@ -9,7 +9,7 @@ use crate::{Displacement, MaterialPair, Offset, Rectangle, RectangleIntegrals, T
 /// The displacements of a point due to unit tractions on one rectangle, A of (4.14).
 ///
 /// Rows are the displacements u = u1 - u2, v = v1 - v2, w = w1 + w2 of (4.6); columns the
-/// tractions on body 1 along x, y and the pressure.
+/// tractions on body 1 along x, y and the pressure. For nu = 0 the three on the diagonal are equal (14.5).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Coefficients {
     /// `rows[i][l]`: displacement i by traction l.

@@ -96,7 +96,8 @@ impl Rectangle {
         self.width_x * self.width_y
     }
 
-    /// The integrals (4.29) for a receiving point at `-offset` from the rectangle's centre.
+    /// The integrals (4.29), which are those of (4.24), (4.26) and (11.3), for a receiving point at
+    /// `-offset` from the rectangle's centre.
     ///
     /// Accurate to about 1e-15 of [`RectangleIntegrals::inverse_distance`] for any ratio of the
     /// sides and any offset, points of the edge and the corners included.

@@ -65,7 +65,7 @@ pub fn rigid_slip(
         let (force_x, force_y) = (along(velocity[0]), along(velocity[1]));
         return Ok(RigidSlip { force_x, force_y, torque: 0.0 });
     }
-    // Zero velocity at x = eta/Omega, y = -xi/Omega.
+    // (14.2): zero velocity at x = eta/Omega, y = -xi/Omega.
     let about = about_pole(ellipse, velocity[1] / spin, -velocity[0] / spin);
     let sign = 1.0_f64.copysign(spin);
     Ok(RigidSlip {

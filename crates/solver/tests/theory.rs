@@ -139,6 +139,11 @@ fn the_limit_of_13_22_fails_both_ways() {
     assert!(radius([10, 1], false, -1.30) < 1.0 && radius([10, 1], false, -1.32) > 1.0);
     assert!(radius([20, 20], true, 0.70) < 1.0 && radius([20, 20], true, 0.73) > 1.0);
     assert!(radius([20, 20], true, -0.60) < 1.0 && radius([20, 20], true, -0.63) > 1.0);
+    // So the printed limit refuses sweeps of a line that converge, and lets those of a circle that do not.
+    let Punch { pair, .. } = punch([10, 1], false, [0.0, 0.5], 1.0);
+    let printed = |product: f64| Bounds::of(&pair).sweeps_converge(product / pair.gamma());
+    assert!(!printed(2.31) && !printed(-1.30) && !printed(-0.60));
+    assert!(printed(0.73) && printed(0.99) && !printed(1.01) && !printed(0.0));
 }
 
 #[test]

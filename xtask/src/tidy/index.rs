@@ -15,12 +15,18 @@ pub(super) struct Index {
 }
 
 /// One line of it.
-struct Line {
+pub(super) struct Line {
     /// `7.48`, or `7.11-7.15`.
-    name: String,
+    pub(super) name: String,
     first: Number,
     last: Number,
     by: Vec<String>,
+}
+
+impl Line {
+    pub(super) fn has(&self, number: Number) -> bool {
+        (self.first..=self.last).contains(&number)
+    }
 }
 
 impl Index {
@@ -55,10 +61,15 @@ impl Index {
         self.numbers().any(|one| one == number)
     }
 
-    /// The items it names, each with its line.
-    pub(super) fn items(&self) -> impl Iterator<Item = (&str, &str)> {
-        let pairs = self.lines.iter().flat_map(|line| line.by.iter().map(move |item| (line, item)));
-        pairs.map(|(line, item)| (line.name.as_str(), item.as_str()))
+    /// The items it names, each with its lines.
+    pub(super) fn by_item(&self) -> BTreeMap<&str, Vec<&Line>> {
+        let mut items: BTreeMap<&str, Vec<&Line>> = BTreeMap::new();
+        for line in &self.lines {
+            for item in &line.by {
+                items.entry(item).or_default().push(line);
+            }
+        }
+        items
     }
 
     /// Equations that are missing, twice there, or more than the thesis has.
@@ -144,6 +155,7 @@ mod tests {
         );
         assert!(index("{ number = \"3.2-3.1\", what = \"w\", none = \"n\" }").is_err());
         let one = index("{ number = \"3.1\", what = \"w\", by = [\"a.rs::b\"] }").unwrap();
-        assert_eq!(one.items().collect::<Vec<_>>(), [("3.1", "a.rs::b")]);
+        let items = one.by_item();
+        assert!(items["a.rs::b"][0].has((3, 1)) && !items["a.rs::b"][0].has((3, 2)));
     }
 }

@@ -1,12 +1,17 @@
 //! Whether the index of the thesis's equations, `verification/equations.toml`, and the list of mutants,
 //! `xtask/mutants.toml`, fit the code, and whether what the packages say of themselves is whole.
+//!
+//! Each item that the index names is there, a test, an example or a page reaches it, and where its comments
+//! quote equations, one of them is an equation that the index gives it.
 
+mod calls;
 mod index;
 mod items;
 mod quoted;
 
 use crate::{book, mutants, release};
 use anyhow::{Context as _, bail};
+use calls::Reached;
 use index::Index;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
@@ -19,9 +24,24 @@ pub(crate) fn run() -> anyhow::Result<()> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let index = Index::read(&root.join("verification/equations.toml"))?;
     let mut faults = index.gaps();
-    for (number, item) in index.items() {
-        if let Some(fault) = items::fault(&root, item)? {
-            faults.push(format!("({number}): {fault}"));
+    let reached = Reached::read(&root)?;
+    for (item, lines) in index.by_item() {
+        let names = lines.iter().map(|line| line.name.as_str()).collect::<Vec<_>>().join(", ");
+        match items::quotes(&root, item)? {
+            Err(fault) => faults.push(format!("({names}): {fault}")),
+            Ok(quotes) => {
+                let fits = |number: &Number| lines.iter().any(|line| line.has(*number));
+                if !quotes.is_empty() && !quotes.iter().any(fits) {
+                    let quotes =
+                        quotes.iter().map(|(chapter, place)| format!("({chapter}.{place})"));
+                    let quotes = quotes.collect::<Vec<_>>().join(", ");
+                    faults.push(format!("({names}): the comments of `{item}` quote {quotes} only"));
+                }
+                let name = item.split_once("::").map_or(item, |(_, name)| name);
+                if !reached.has(name) {
+                    faults.push(format!("({names}): no test, example or page reaches `{item}`"));
+                }
+            }
         }
     }
     let figures = figures(&root)?;

@@ -7,7 +7,8 @@ use crate::attitude::Attitude;
 /// Below this relative difference of the principal curvatures every direction is principal.
 const UMBILIC: f64 = 1e-13;
 
-/// A surface near one of its points: `z = (k_1 x^2 + k_2 y^2)/2` along the inward normal (8.11).
+/// A surface near one of its points: `z = (k_1 x^2 + k_2 y^2)/2` along the inward normal
+/// (8.6), in the principal axes (8.11).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LocalSurface {
     point: Vector3<f64>,

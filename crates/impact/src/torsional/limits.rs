@@ -34,7 +34,7 @@ pub(super) fn no_slip_loss(epsilon: f64) -> Result<f64, TorsionalError> {
 }
 
 /// [`no_slip`] to first order in the spin at maximal compression:
-/// `2 [1 - (2/5) eps (T - 2)]^2 - 1`, (10.63) corrected.
+/// `2 [1 - (2/5) eps (T - 2)]^2 - 1`, from (10.12) to (10.24), (10.63) corrected.
 #[must_use]
 pub fn no_slip_first_order(epsilon: f64) -> f64 {
     let y_1 = 1.0 - 0.4 * epsilon * (DURATION - 2.0);

@@ -1,7 +1,7 @@
 //! A traction that meets its limit and turns along it while the shift goes straight.
 
 /// The direction e of a traction at its limit after the slip of a straight step: it turns towards that of
-/// steady sliding (8.58), with the springs' pull `by` and the limit's `growth` over the step,
+/// steady sliding (8.58), by (8.56), with the springs' pull `by` and the limit's `growth` over the step,
 /// `dtheta/dq = (c_x e_x by_y - c_y e_y by_x + (c_y - c_x) e_x e_y growth)/(e.C e)`, dq = ds/L up to
 /// `length`. Exponential steps neither ring nor overshoot at the rim, where L is small; a ring may
 /// cross the whole of a thin slip ring within one step of the contact, so that they are of third or

@@ -35,7 +35,7 @@ pub struct Gap {
 }
 
 impl Gap {
-    /// The paraboloid A x^2 + B y^2 (3.5) about the middle of the grid.
+    /// The paraboloid A x^2 + B y^2 (3.5), (12.1) about the middle of the grid.
     #[must_use]
     pub fn of_curvature(grid: Grid, curvature: &RelativeCurvature) -> Self {
         Self { heights: Field::from_function(grid, |x, y| curvature.gap(x, y)) }

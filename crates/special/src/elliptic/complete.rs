@@ -101,7 +101,7 @@ pub fn d(ratio: AxisRatio) -> f64 {
 /// ```
 ///
 /// Decreasing; 1 for k' -> 0, pi/4 for the circle, (ln(4 k') - 1)/k' for k' -> infinity.
-/// Source: thesis (5.13); the B of Jahnke and Emde.
+/// Source: thesis (5.13), (5.33); the B of Jahnke and Emde.
 ///
 /// ```
 /// use carom_special::{AxisRatio, elliptic::complete::{b, d, k}};
