@@ -38,8 +38,9 @@ xflags::xflags! {
             /// Also the tests that take minutes, which are ignored otherwise.
             optional --all
         }
-        /// Breaks the physics in each way of xtask/mutants.toml, one at a time, and shows which
-        /// test and which claim notices; fails if a mutant survives that the list does not explain.
+        /// Breaks the code in each way of xtask/mutants.toml, one at a time, and shows which test and which
+        /// claim notices; fails if a mutant survives that the list does not explain. Those of the Python layer
+        /// and of the LAMMPS plugin run with --layers.
         cmd mutants {
             /// Only the mutants whose item or name contains this.
             optional --only text: String
@@ -51,6 +52,8 @@ xflags::xflags! {
             optional --quick
             /// Note which test notices which mutant, for --quick.
             optional --record
+            /// Only those of the Python layer and of the LAMMPS plugin, against their tests.
+            optional --layers
         }
         /// Holds the index of the thesis's equations against the code: each item that it names is
         /// there, each equation and figure that a comment quotes is in the index or the catalogue,

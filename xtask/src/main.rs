@@ -40,7 +40,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         }
         flags::XtaskCmd::Test(test) if test.all => test::all()?,
         flags::XtaskCmd::Test(_) => test::run()?,
-        flags::XtaskCmd::Mutants(options) => mutants::run(&options)?,
+        flags::XtaskCmd::Mutants(options) => drop(mutants::run(&options)?.accept()?),
         flags::XtaskCmd::Tidy(_) => tidy::run()?,
         flags::XtaskCmd::Browse(_) => drop(browse::run()?.accept()?),
         flags::XtaskCmd::Python(_) => drop(python::run()?.accept()?),

@@ -24,6 +24,12 @@ impl Place {
         self.folder.join("venv/bin/python")
     }
 
+    /// Builds the wheel and installs it.
+    pub(crate) fn install(&self) -> anyhow::Result<()> {
+        let wheel = build(self)?.to_string_lossy().into_owned();
+        call(&mut self.pip(&["--no-index", "--force-reinstall", "--no-deps", &wheel]))
+    }
+
     fn pip(&self, arguments: &[&str]) -> Command {
         let mut pip = Command::new(self.python());
         pip.args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check"])
@@ -41,8 +47,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
         let reason = format!("{} cannot be installed", WISHES.join(", "));
         outcome = Outcome::skipped(Part::PythonWishes, reason);
     }
-    let wheel = build(&place)?.to_string_lossy().into_owned();
-    call(&mut place.pip(&["--no-index", "--force-reinstall", "--no-deps", &wheel]))?;
+    place.install()?;
     // From elsewhere, so that the installed module is tested, not its sources.
     let project = project()?;
     let mut pytest = Command::new(place.python());

@@ -5,7 +5,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
 /// The list holds at most so many.
-const MOST: usize = 150;
+const MOST: usize = 200;
 
 /// One way in which the physics is broken.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -31,31 +31,88 @@ impl Mutant {
     }
 }
 
+/// What a mutant outside of Rust belongs to.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Layer {
+    /// The Python layer, `[[python]]`.
+    Python,
+    /// The shim of the LAMMPS plugin, `[[lammps]]`.
+    Lammps,
+}
+
+/// One way in which the Python layer or the LAMMPS plugin is broken.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct LayerMutant {
+    pub(super) layer: Layer,
+    /// Below the folder of the sources.
+    pub(super) file: String,
+    pub(super) name: String,
+    /// A text that stands once in the file.
+    pub(super) find: String,
+    pub(super) replace: String,
+}
+
+impl LayerMutant {
+    pub(super) fn key(&self) -> String {
+        format!("{}: {}", self.file, self.name)
+    }
+}
+
+/// The list.
+#[derive(Debug)]
+pub(super) struct List {
+    pub(super) mutants: Vec<Mutant>,
+    pub(super) layers: Vec<LayerMutant>,
+}
+
 /// Reads the list.
-pub(super) fn read(path: &Path) -> anyhow::Result<Vec<Mutant>> {
+pub(super) fn read(path: &Path) -> anyhow::Result<List> {
     let text =
         std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))?;
     parse(&text).with_context(|| path.display().to_string())
 }
 
-fn parse(text: &str) -> anyhow::Result<Vec<Mutant>> {
+fn parse(text: &str) -> anyhow::Result<List> {
     let table: toml::Table = text.parse()?;
-    let entries = table.get("mutant").and_then(toml::Value::as_array).context("no [[mutant]]")?;
-    let mutants = entries.iter().map(mutant).collect::<anyhow::Result<Vec<_>>>()?;
-    ensure!(mutants.len() <= MOST, "{} mutants; at most {MOST}", mutants.len());
-    let mut keys = BTreeSet::new();
-    for mutant in &mutants {
-        ensure!(keys.insert(mutant.key()), "twice: {}", mutant.key());
+    let entries = |name: &str| table.get(name).and_then(toml::Value::as_array);
+    let mutants = entries("mutant").context("no [[mutant]]")?;
+    let mutants = mutants.iter().map(mutant).collect::<anyhow::Result<Vec<_>>>()?;
+    let mut layers = Vec::new();
+    for (layer, name) in [(Layer::Python, "python"), (Layer::Lammps, "lammps")] {
+        let entries = entries(name).into_iter().flatten();
+        layers.extend(entries.map(|entry| of_layer(layer, entry)).collect::<Result<Vec<_>, _>>()?);
     }
-    Ok(mutants)
+    let count = mutants.len() + layers.len();
+    ensure!(count <= MOST, "{count} mutants; at most {MOST}");
+    let mut keys = BTreeSet::new();
+    for key in mutants.iter().map(Mutant::key).chain(layers.iter().map(LayerMutant::key)) {
+        ensure!(!keys.contains(&key), "twice: {key}");
+        keys.insert(key);
+    }
+    Ok(List { mutants, layers })
+}
+
+fn of_layer(layer: Layer, entry: &toml::Value) -> anyhow::Result<LayerMutant> {
+    let table = entry.as_table().context("a mutant is a table")?;
+    known(table, &["file", "name", "find", "replace"])?;
+    let needed = |key: &str| {
+        let text = table.get(key).and_then(toml::Value::as_str).map(str::to_owned);
+        text.with_context(|| format!("no `{key}` in {table}"))
+    };
+    let (file, name) = (needed("file")?, needed("name")?);
+    Ok(LayerMutant { layer, file, name, find: needed("find")?, replace: needed("replace")? })
+}
+
+fn known(table: &toml::Table, known: &[&str]) -> anyhow::Result<()> {
+    if let Some(key) = table.keys().find(|key| !known.contains(&key.as_str())) {
+        bail!("unknown key `{key}`; there are: {}", known.join(", "));
+    }
+    Ok(())
 }
 
 fn mutant(entry: &toml::Value) -> anyhow::Result<Mutant> {
     let table = entry.as_table().context("a mutant is a table")?;
-    let known = ["item", "name", "find", "replace", "nth", "explained"];
-    if let Some(key) = table.keys().find(|key| !known.contains(&key.as_str())) {
-        bail!("unknown key `{key}`; there are: {}", known.join(", "));
-    }
+    known(table, &["item", "name", "find", "replace", "nth", "explained"])?;
     let text = |key: &str| table.get(key).and_then(toml::Value::as_str).map(str::to_owned);
     let needed = |key: &str| text(key).with_context(|| format!("no `{key}` in {table}"));
     let nth = table.get("nth").map(|nth| {
@@ -103,7 +160,7 @@ mod tests {
     #[test]
     fn a_list_is_read_and_a_slip_in_it_named() {
         let good = "[[mutant]]\nitem = 'carom_laws::f'\nname = 'n'\nfind = '1'\nreplace = '2'\n";
-        let mutants = parse(good).unwrap();
+        let mutants = parse(good).unwrap().mutants;
         assert_eq!(mutants[0].key(), "carom_laws::f: n");
         assert_eq!(mutants[0].nth, None);
         let twice = parse(&good.repeat(2)).unwrap_err();
@@ -111,5 +168,15 @@ mod tests {
         let unknown = parse(&format!("{good}wy = 'x'\n")).unwrap_err();
         assert!(unknown.to_string().starts_with("unknown key `wy`"), "{unknown}");
         assert!(parse(&format!("{good}nth = 0\n")).is_err());
+    }
+
+    #[test]
+    fn mutants_of_other_layers_are_read() {
+        let good = "[[mutant]]\nitem = 'carom_laws::f'\nname = 'n'\nfind = '1'\nreplace = '2'\n\
+                    [[python]]\nfile = '_a.py'\nname = 'm'\nfind = '1'\nreplace = '2'\n";
+        let list = parse(good).unwrap();
+        assert_eq!(list.layers[0].layer, Layer::Python);
+        assert_eq!(list.layers[0].key(), "_a.py: m");
+        assert!(parse(&good.replace("file", "item")).is_err());
     }
 }

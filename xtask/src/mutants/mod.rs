@@ -1,4 +1,4 @@
-//! Mutants: the physics broken in many small ways, to see whether a test or a claim notices.
+//! Mutants: the code broken in many small ways, to see whether a test or a claim notices.
 //!
 //! `xtask/mutants.toml` lists them: a function, an expression in it, and what stands in its place.
 //! They are named by the function, so that a move of code between files keeps them; one whose
@@ -12,9 +12,12 @@
 //! is a gap in the tests: it fails the task, unless the list explains it.
 //!
 //! With `--record` the test that noticed is noted in `xtask/mutants-noticed.toml`; with `--quick`
-//! that one runs first, and the others only if it no longer notices. This is what continuous
-//! integration does.
+//! that one runs first, and the others only if it no longer notices; of the tests only those
+//! targets are built. This is what continuous integration does.
+//!
+//! The Python layer and the LAMMPS plugin have mutants of their own, see [`layers`].
 
+mod layers;
 mod list;
 mod place;
 mod report;
@@ -24,35 +27,59 @@ mod trial;
 mod weave;
 
 use crate::flags;
+use crate::outcome::Outcome;
 use anyhow::ensure;
 use list::{Killers, Mutant};
 use round::Verdict;
-use std::path::Path;
+pub(crate) use sample::seed_of_commit;
+use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
-use trial::Trial;
+use trial::{Selection, Trial};
 
 /// Runs the mutants that the options choose.
-pub(crate) fn run(options: &flags::Mutants) -> anyhow::Result<()> {
+pub(crate) fn run(options: &flags::Mutants) -> anyhow::Result<Outcome> {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).canonicalize()?;
-    let mutants = list::read(&root.join("xtask/mutants.toml"))?;
-    let chosen = chosen(&mutants, options, &root)?;
-    let folder = root.join("target/mutants");
-    let tree = folder.join("tree");
-    weave::weave(&root, &tree, &mutants)?;
-    let clock = Instant::now();
-    let trials = trial::build(&root, &tree)?;
-    println!("built with {} mutants in {:.0} s", mutants.len(), clock.elapsed().as_secs_f64());
+    let list = list::read(&root.join("xtask/mutants.toml"))?;
     let killers_path = root.join("xtask/mutants-noticed.toml");
     let mut killers = list::read_killers(&killers_path)?;
-    let reach = folder.join("reach");
-    let verdicts = if options.quick {
-        quickly(&chosen, &mutants, &killers, trials, &reach)?
+    let keys = list.mutants.iter().map(Mutant::key);
+    let keys: Vec<String> = keys.chain(list.layers.iter().map(|mutant| mutant.key())).collect();
+    killers.retain(|key, _| keys.contains(key));
+    let result = if options.layers {
+        let mut chosen = list.layers;
+        chosen.retain(|mutant| is_chosen(&mutant.key(), options));
+        ensure!(!chosen.is_empty(), "no mutant of the list has that name");
+        layers::run(&root, &chosen, &mut killers)
     } else {
-        thoroughly(&chosen, trials, &reach)?
+        run_woven(&root, &list.mutants, options, &mut killers).map(|()| Outcome::Passed)
     };
     if options.record {
-        record(&mut killers, &mutants, &chosen, &verdicts);
         list::write_killers(&killers_path, &killers)?;
+    }
+    result
+}
+
+/// Runs those of Rust.
+fn run_woven(
+    root: &Path,
+    mutants: &[Mutant],
+    options: &flags::Mutants,
+    killers: &mut Killers,
+) -> anyhow::Result<()> {
+    let chosen = chosen(mutants, options, root)?;
+    let place = Place::new(root);
+    weave::weave(root, &place.tree, mutants)?;
+    let verdicts = if options.quick {
+        quickly(&chosen, mutants, killers, &place)?
+    } else {
+        thoroughly(&chosen, place.build(&Selection::all())?, &place.reach)?
+    };
+    for (number, verdict) in chosen.iter().zip(&verdicts) {
+        let key = mutants[number - 1].key();
+        match verdict.test.as_ref().or(verdict.page.as_ref()) {
+            Some(name) => killers.insert(key, name.clone()),
+            None => killers.remove(&key),
+        };
     }
     let judged: Vec<_> = chosen.iter().map(|number| &mutants[number - 1]).zip(verdicts).collect();
     if !options.quick {
@@ -61,32 +88,71 @@ pub(crate) fn run(options: &flags::Mutants) -> anyhow::Result<()> {
     report::survivors(&judged)
 }
 
-/// All mutants, each against the test known to notice it: what continuous integration runs.
+/// Where the copy is, and what its tests note.
+struct Place {
+    root: PathBuf,
+    tree: PathBuf,
+    reach: PathBuf,
+}
+
+impl Place {
+    fn new(root: &Path) -> Self {
+        let folder = root.join("target/mutants");
+        Self { root: root.to_owned(), tree: folder.join("tree"), reach: folder.join("reach") }
+    }
+
+    fn build(&self, selection: &Selection) -> anyhow::Result<Vec<Trial>> {
+        let clock = Instant::now();
+        let trials = trial::build(&self.root, &self.tree, selection)?;
+        println!("built with all mutants in {:.0} s", clock.elapsed().as_secs_f64());
+        Ok(trials)
+    }
+}
+
+const ALL: flags::Mutants = flags::Mutants {
+    only: None,
+    sample: None,
+    seed: None,
+    quick: false,
+    record: false,
+    layers: false,
+};
+
+/// All mutants of Rust, each against the test known to notice it: what continuous integration runs.
 pub(crate) fn quick() -> anyhow::Result<()> {
-    run(&flags::Mutants { only: None, sample: None, seed: None, quick: true, record: false })
+    run(&flags::Mutants { quick: true, ..ALL }).map(drop)
+}
+
+/// All mutants, each against all tests and pages: what the long run has.
+pub(crate) fn all() -> anyhow::Result<Outcome> {
+    let of_rust = run(&ALL)?;
+    Ok(of_rust.and(run(&flags::Mutants { layers: true, ..ALL })?))
 }
 
 /// Whether the code still has every place of the list, told without a build.
 pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
-    let mutants = list::read(&root.join("xtask/mutants.toml"))?;
-    weave::check(root, &mutants)?;
-    println!("{} mutants: in place", mutants.len());
+    let list = list::read(&root.join("xtask/mutants.toml"))?;
+    weave::check(root, &list.mutants)?;
+    layers::check(root, &list.layers)?;
+    println!("{} mutants: in place", list.mutants.len() + list.layers.len());
     Ok(())
 }
 
 /// The numbers, from 1, of the mutants that the options choose.
 fn chosen(mutants: &[Mutant], options: &flags::Mutants, root: &Path) -> anyhow::Result<Vec<usize>> {
-    let is_chosen =
-        |mutant: &Mutant| options.only.as_ref().is_none_or(|text| mutant.key().contains(text));
-    let mut chosen: Vec<usize> =
-        (1..=mutants.len()).filter(|number| is_chosen(&mutants[number - 1])).collect();
+    let is_chosen = |number: &usize| is_chosen(&mutants[number - 1].key(), options);
+    let mut chosen: Vec<usize> = (1..=mutants.len()).filter(is_chosen).collect();
     ensure!(!chosen.is_empty(), "no mutant of the list has that name");
     if let Some(count) = options.sample {
-        let seed = options.seed.unwrap_or_else(|| sample::seed_of_commit(root));
+        let seed = options.seed.unwrap_or_else(|| seed_of_commit(root));
         println!("a sample of {count} of {} mutants, --seed {seed}", chosen.len());
         chosen = sample::draw(chosen, count, seed);
     }
     Ok(chosen)
+}
+
+fn is_chosen(key: &str, options: &flags::Mutants) -> bool {
+    options.only.as_ref().is_none_or(|text| key.contains(text))
 }
 
 /// All tests and pages that reach a mutant, until one of each notices.
@@ -106,9 +172,11 @@ fn quickly(
     chosen: &[usize],
     mutants: &[Mutant],
     killers: &Killers,
-    trials: Vec<Trial>,
-    reach: &Path,
+    place: &Place,
 ) -> anyhow::Result<Vec<Verdict>> {
+    let names = chosen.iter().filter_map(|number| killers.get(&mutants[number - 1].key()));
+    // A target that is gone does not build: then the tests known are found again among all.
+    let trials = place.build(&Selection::of(names)).or_else(|_| place.build(&Selection::all()))?;
     let clock = Instant::now();
     let known_to = |number: usize| {
         let name = killers.get(&mutants[number - 1].key());
@@ -128,7 +196,8 @@ fn quickly(
     if !open.is_empty() {
         println!("{} need others: `cargo xtask mutants --record` makes them known", open.len());
         let numbers: Vec<usize> = open.iter().map(|i| chosen[*i]).collect();
-        for (i, verdict) in open.into_iter().zip(thoroughly(&numbers, trials, reach)?) {
+        let trials = place.build(&Selection::all())?;
+        for (i, verdict) in open.into_iter().zip(thoroughly(&numbers, trials, &place.reach)?) {
             verdicts[i] = Some(verdict);
         }
     }
@@ -148,16 +217,4 @@ fn by(trial: &Trial) -> Verdict {
     } else {
         Verdict { test: name, ..verdict }
     }
-}
-
-/// Notes who notices; forgets the mutants that the list no longer has.
-fn record(killers: &mut Killers, mutants: &[Mutant], chosen: &[usize], verdicts: &[Verdict]) {
-    for (number, verdict) in chosen.iter().zip(verdicts) {
-        let key = mutants[number - 1].key();
-        match verdict.test.as_ref().or(verdict.page.as_ref()) {
-            Some(name) => killers.insert(key, name.clone()),
-            None => killers.remove(&key),
-        };
-    }
-    killers.retain(|key, _| mutants.iter().any(|mutant| mutant.key() == *key));
 }

@@ -98,6 +98,16 @@ impl Finder<'_> {
         let is_const = signature.constness.is_some();
         self.functions.push(Function { path, is_const, expressions: expressions.0 });
     }
+
+    /// The closures of a constant, as a table of columns has them: they run later, so that they can be
+    /// switched.
+    fn add_closures(&mut self, ident: &syn::Ident, value: &syn::Expr) {
+        let mut closures = Closures(Expressions(Vec::new()));
+        closures.visit_expr(value);
+        let mut path = self.path.clone();
+        path.push(ident.to_string());
+        self.functions.push(Function { path, is_const: false, expressions: closures.0.0 });
+    }
 }
 
 impl<'a> Visit<'a> for Finder<'_> {
@@ -131,6 +141,14 @@ impl<'a> Visit<'a> for Finder<'_> {
         self.add(&function.sig, &function.block);
     }
 
+    fn visit_item_const(&mut self, item: &'a syn::ItemConst) {
+        self.add_closures(&item.ident, &item.expr);
+    }
+
+    fn visit_impl_item_const(&mut self, item: &'a syn::ImplItemConst) {
+        self.add_closures(&item.ident, &item.expr);
+    }
+
     fn visit_impl_item_fn(&mut self, function: &'a syn::ImplItemFn) {
         self.add(&function.sig, &function.block);
     }
@@ -149,6 +167,15 @@ impl<'a> Visit<'a> for Expressions {
     fn visit_expr(&mut self, expression: &'a syn::Expr) {
         self.0.push(expression.span().byte_range());
         visit::visit_expr(self, expression);
+    }
+}
+
+/// Collects the expressions of closures alone.
+struct Closures(Expressions);
+
+impl<'a> Visit<'a> for Closures {
+    fn visit_expr_closure(&mut self, closure: &'a syn::ExprClosure) {
+        self.0.visit_expr(&closure.body);
     }
 }
 
@@ -201,6 +228,7 @@ mod tests {
 
     const TEXT: &str = "impl Law { fn energy(&self) -> f64 { 0.4 * self.force() * 2.0 + 2.0 } }\n\
                         const fn fixed() -> f64 { 2.0 }\n\
+                        const COLUMNS: &[Column] = &[new(3.0, |law| law.force())];\n\
                         #[cfg(test)] mod tests { fn energy() { 0.4 } }\n";
 
     fn place(item: &str, find: &str, nth: Option<usize>) -> anyhow::Result<String> {
@@ -226,6 +254,7 @@ mod tests {
             "0.4 * self.force()"
         );
         assert_eq!(place("carom_laws::law::Law::energy", "2.0", Some(2)).unwrap(), "2.0");
+        assert_eq!(place("carom_laws::COLUMNS", "law.force()", None).unwrap(), "law.force()");
     }
 
     #[test]
@@ -240,5 +269,6 @@ mod tests {
         assert_eq!(twice, "`2.0` stands 2 times in carom_laws::law::Law::energy");
         assert!(error("carom_laws::Law::energy", "2.0", Some(3)).contains("2 times only"));
         assert!(error("carom_laws::fixed", "2.0", None).starts_with("a const function"));
+        assert!(error("carom_laws::COLUMNS", "3.0", None).starts_with("no expression"));
     }
 }

@@ -22,7 +22,7 @@ fn mixed(state: u64) -> u64 {
 }
 
 /// A seed that changes with the commit, 0 without a history.
-pub(super) fn seed_of_commit(root: &Path) -> u64 {
+pub(crate) fn seed_of_commit(root: &Path) -> u64 {
     let output = Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root).output();
     let commit = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned());
     commit.ok().and_then(|commit| u64::from_str_radix(commit.get(..8)?, 16).ok()).unwrap_or(0)

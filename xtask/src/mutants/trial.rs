@@ -1,22 +1,14 @@
 //! The tests of the woven copy and the pages, each run as a process of its own.
 
+use super::weave::CRATES;
 use crate::cargo;
 use anyhow::{Context as _, bail};
+use std::collections::BTreeSet;
 use std::io::Read as _;
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 use std::time::{Duration, Instant};
 
-/// The packages whose tests run; the last holds the pages.
-const PACKAGES: [&str; 7] = [
-    "carom-special",
-    "carom-geometry",
-    "carom-halfspace",
-    "carom-laws",
-    "carom-solver",
-    "carom-impact",
-    PAGES_PACKAGE,
-];
 const PAGES_PACKAGE: &str = "carom-mutant-pages";
 
 /// The seed of the property tests, so that what notices a mutant once does so again.
@@ -65,6 +57,8 @@ impl Trial {
         command.env("PROPTEST_RNG_SEED", PROPERTY_SEED);
         command.env("PROPTEST_MAX_SHRINK_ITERS", "0");
         command.env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "true");
+        // A snapshot guards against change; it is no test of what is right.
+        command.env("INSTA_FORCE_PASS", "1").env("INSTA_UPDATE", "no");
         match switch {
             Switch::Reach(folder) => command.env("CAROM_MUTANT_REACH", folder),
             Switch::On(number) => command.env("CAROM_MUTANT", number.to_string()),
@@ -90,15 +84,66 @@ impl Trial {
     }
 }
 
-/// Builds the tests of the copy at `tree`, once for all mutants; their dependencies are those
-/// that the workspace has built.
-pub(super) fn build(root: &Path, tree: &Path) -> anyhow::Result<Vec<Trial>> {
-    let mut command = cargo::command(&["test", "--release", "--no-run", "--lib", "--tests"]);
-    command.arg("--message-format=json-render-diagnostics").arg("--quiet");
-    command.arg("--target-dir").arg(root.join("target"));
-    for package in PACKAGES {
-        command.args(["--package", package]);
+/// Which tests are built.
+#[derive(Debug, Default)]
+pub(super) struct Selection {
+    is_all: bool,
+    packages: BTreeSet<String>,
+    targets: BTreeSet<String>,
+    with_units: bool,
+}
+
+impl Selection {
+    /// All tests of the crates with mutants, and the pages.
+    pub(super) fn all() -> Self {
+        let package = |folder: &str| folder.replacen("crates/", "carom-", 1);
+        let packages = CRATES.map(package).into_iter().chain([PAGES_PACKAGE.to_owned()]);
+        Self { is_all: true, packages: packages.collect(), ..Self::default() }
     }
+
+    /// What holds the trials of these names; all if there are none.
+    pub(super) fn of<'a>(names: impl Iterator<Item = &'a String>) -> Self {
+        let mut chosen = Self::default();
+        for name in names {
+            let binary = name.split(' ').next().unwrap_or(name);
+            match binary.split_once("::") {
+                _ if binary == "page" => {
+                    chosen.packages.insert(PAGES_PACKAGE.to_owned());
+                    chosen.targets.insert("pages".to_owned());
+                }
+                Some((package, target)) => {
+                    chosen.packages.insert(package.to_owned());
+                    chosen.targets.insert(target.to_owned());
+                }
+                None => {
+                    chosen.packages.insert(binary.to_owned());
+                    chosen.with_units = true;
+                }
+            }
+        }
+        if chosen.packages.is_empty() { Self::all() } else { chosen }
+    }
+
+    fn arguments(&self) -> Vec<&str> {
+        let mut arguments = Vec::new();
+        if self.is_all || self.with_units {
+            arguments.push("--lib");
+        }
+        if self.is_all {
+            arguments.push("--tests");
+        }
+        arguments.extend(self.targets.iter().flat_map(|target| ["--test", target.as_str()]));
+        arguments.extend(self.packages.iter().flat_map(|package| ["--package", package.as_str()]));
+        arguments
+    }
+}
+
+/// Builds tests of the copy at `tree`, once for all mutants; their dependencies are those that the workspace
+/// has built.
+pub(super) fn build(root: &Path, tree: &Path, selection: &Selection) -> anyhow::Result<Vec<Trial>> {
+    let mut command = cargo::command(&["test", "--release", "--no-run", "--quiet"]);
+    command.arg("--message-format=json-render-diagnostics").args(selection.arguments());
+    command.arg("--target-dir").arg(root.join("target"));
     let mut child =
         command.current_dir(tree).stdout(Stdio::piped()).spawn().context("cannot start cargo")?;
     let mut messages = String::new();
@@ -160,5 +205,20 @@ impl Binary {
             test,
         };
         Ok(tests.into_iter().map(trial).collect())
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn only_the_targets_that_hold_the_trials_are_built() {
+        let names = ["carom-laws::hertz a_test", "carom-cli unit::test", "page 5.3"];
+        let names = names.map(str::to_owned);
+        let expected = "--lib --test hertz --test pages --package carom-cli --package carom-laws \
+                        --package carom-mutant-pages";
+        assert_eq!(Selection::of(names.iter()).arguments().join(" "), expected);
+        assert!(Selection::all().arguments().join(" ").starts_with("--lib --tests --package"));
     }
 }

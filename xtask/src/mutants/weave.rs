@@ -7,14 +7,17 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// The crates that hold physics, below the workspace; the first has the switch.
-const CRATES: [&str; 6] = [
+/// The crates with mutants, below the workspace; each gets a switch of its own.
+pub(super) const CRATES: [&str; 9] = [
     "crates/special",
     "crates/geometry",
     "crates/halfspace",
     "crates/laws",
     "crates/solver",
     "crates/impact",
+    "crates/plot",
+    "crates/capi",
+    "crates/cli",
 ];
 
 const SWITCH: &str = include_str!("woven/switch.rs");
@@ -30,9 +33,11 @@ pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Res
     for (index, source) in sources.iter().enumerate() {
         copy.write(&source.path, &woven(source, index, mutants, &places))?;
     }
-    let special = Path::new(CRATES[0]).join("src");
     let count = format!("const COUNT: usize = {};", mutants.len() + 1);
-    copy.write(&special.join("mutant.rs"), &SWITCH.replace("const COUNT: usize = 2;", &count))?;
+    let switch = SWITCH.replace("const COUNT: usize = 2;", &count);
+    for folder in CRATES {
+        copy.write(&Path::new(folder).join("src/mutant.rs"), &switch)?;
+    }
     let pages = Path::new("crates/mutant-pages");
     copy.write(&pages.join("Cargo.toml"), PAGES_MANIFEST)?;
     copy.write(&pages.join("pages.rs"), PAGES)?;
@@ -92,16 +97,10 @@ fn woven(source: &Source, index: usize, mutants: &[Mutant], places: &[Place]) ->
             replace: &mutant.replace,
         })
         .collect();
-    let is_special = source.path.starts_with(CRATES[0]);
-    let mut text = String::new();
-    if source.path.ends_with("src/lib.rs") {
-        text += "#![allow(warnings)]\n";
-    }
     edits.sort_by_key(|edit| (edit.range.start, usize::MAX - edit.range.end, edit.number));
-    let switch = if is_special { "crate::mutant" } else { "::carom_special::mutant" };
-    text += &rewrite(&source.text, 0..source.text.len(), &edits, switch);
-    if is_special && source.path.ends_with("src/lib.rs") {
-        text += "\npub mod mutant;\n";
+    let text = rewrite(&source.text, 0..source.text.len(), &edits, "crate::mutant");
+    if source.path.ends_with("src/lib.rs") {
+        return format!("#![allow(warnings)]\n{text}\nmod mutant;\n");
     }
     text
 }
