@@ -1,16 +1,19 @@
 //! What continuous integration checks.
 
 use crate::outcome::Outcome;
-use crate::{book, browse, cargo, deny, lammps, mutants, python, release, test, tidy};
+use crate::{book, browse, cargo, deny, lammps, mutants, python, release, sanitize, test, tidy};
 use anyhow::{Context as _, bail};
 use std::process::Command;
 use std::time::Instant;
 
 type Step = fn() -> anyhow::Result<Outcome>;
 
+/// How long the search for a bad path of Coulomb's law takes, in seconds.
+const ADVERSARY: &str = "60";
+
 const STEPS: &[(&str, Step)] = &[
     ("form", form),
-    ("index of equations, places of mutants, descriptions of packages", tidy_up),
+    ("index of equations, places of mutants, descriptions of packages", || passed(tidy::run())),
     ("licences, sources and advisories of the dependencies", deny::run),
     ("lints", lints),
     ("documentation", documentation),
@@ -21,17 +24,31 @@ const STEPS: &[(&str, Step)] = &[
     ("the Python module, in an environment of its own", python::run),
     ("the book", book::run),
     ("packages", || passed(release::pack_quickly())),
+];
+
+/// The steps that end a run.
+const LAST: &[(&str, Step)] = &[
     ("the LAMMPS plugin, in the pinned release", || lammps::run(true)),
     ("mutants, each against the test known to notice it", || passed(mutants::quick())),
 ];
 
+/// The steps that end a long run.
+const LAST_OF_LONG: &[(&str, Step)] = &[
+    ("the tests that are ignored otherwise", || passed(test::ignored())),
+    ("the LAMMPS plugin, in the pinned release, all tests", || lammps::run(false)),
+    ("the C border under sanitizers", sanitize::run),
+    ("a search for a bad path of Coulomb's law", adversary),
+    ("mutants, each against all tests and pages, those of Python and LAMMPS too", mutants::all),
+];
+
 /// Runs every step; stops at the first that fails, or in continuous integration at the first that skips
 /// what may not be skipped.
-pub(crate) fn run() -> anyhow::Result<()> {
+pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
     let start = Instant::now();
+    let steps = [STEPS, if is_long { LAST_OF_LONG } else { LAST }].concat();
     let mut skipped = 0;
-    for (i, (name, step)) in STEPS.iter().enumerate() {
-        println!("== {}/{} {name}", i + 1, STEPS.len());
+    for (i, (name, step)) in steps.iter().enumerate() {
+        println!("== {}/{} {name}", i + 1, steps.len());
         let step_start = Instant::now();
         let outcome = step().and_then(Outcome::accept).with_context(|| format!("step `{name}`"));
         if outcome.is_err() {
@@ -43,7 +60,7 @@ pub(crate) fn run() -> anyhow::Result<()> {
         skipped += count;
     }
     let seconds = start.elapsed().as_secs_f64();
-    println!("== all {} steps in {seconds:.0} s, {skipped} parts skipped", STEPS.len());
+    println!("== all {} steps in {seconds:.0} s, {skipped} parts skipped", steps.len());
     Ok(())
 }
 
@@ -72,10 +89,6 @@ fn form() -> anyhow::Result<Outcome> {
     passed(cargo::run(&["fmt", "--all", "--check"]))
 }
 
-fn tidy_up() -> anyhow::Result<Outcome> {
-    passed(tidy::run())
-}
-
 fn lints() -> anyhow::Result<Outcome> {
     let clippy = ["clippy", "--workspace", "--all-targets", "--release", "--", "-D", "warnings"];
     passed(cargo::run(&clippy))
@@ -91,4 +104,12 @@ fn quick_figures() -> anyhow::Result<Outcome> {
         0 => Ok(Outcome::Passed),
         code => bail!("carom-verify ended with code {code}"),
     }
+}
+
+/// Searches, with a seed of this commit, for a path whose error exceeds the bound that the law states.
+fn adversary() -> anyhow::Result<Outcome> {
+    let seed = mutants::seed_of_commit(&release::root()).to_string();
+    let example = ["run", "--release", "--package", "carom-laws", "--example", "adversary"];
+    let options = ["--", "--seconds", ADVERSARY, "--seed", &seed];
+    passed(cargo::run(&[&example[..], &options[..]].concat()))
 }

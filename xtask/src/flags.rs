@@ -97,7 +97,11 @@ xflags::xflags! {
         /// documentation, tests, tests with overflow checks, the quick figures, the report in a browser, the
         /// Python module, the book, the packages, the LAMMPS plugin, and the mutants. Where CI is set, a part
         /// that is skipped is a failure, but for those listed in xtask/src/outcome.rs.
-        cmd ci {}
+        cmd ci {
+            /// Also what takes long: the ignored tests, all tests of the LAMMPS plugin, the C border under
+            /// sanitizers, a search for a bad path of Coulomb's law, every mutant against all tests.
+            optional --long
+        }
         /// Runs the benchmarks.
         cmd bench {
             /// Only those whose name contains this.

@@ -16,6 +16,7 @@ mod mutants;
 mod outcome;
 mod python;
 mod release;
+mod sanitize;
 mod test;
 mod tidy;
 
@@ -49,7 +50,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Book(_) => drop(book::run()?.accept()?),
         flags::XtaskCmd::Lammps(lammps) => drop(lammps::run(lammps.short)?.accept()?),
         flags::XtaskCmd::Deny(_) => drop(deny::run()?.accept()?),
-        flags::XtaskCmd::Ci(_) => ci::run()?,
+        flags::XtaskCmd::Ci(options) => ci::run(options.long)?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }
     Ok(ExitCode::SUCCESS)

@@ -14,6 +14,8 @@ const ALLOWED: &[(Part, &str)] = &[(
 /// A part of a task that needs what a machine may lack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Part {
+    /// The C border under the address sanitizer.
+    AddressSanitizer,
     /// Known faults of the dependencies.
     Advisories,
     /// Licences, bans and sources of the dependencies.

@@ -66,9 +66,14 @@ pub(crate) fn all() -> anyhow::Result<()> {
     let usual = run();
     println!("== the tests that are ignored otherwise take minutes");
     let start = Instant::now();
-    let ignored = tests(Which::Ignored);
+    let ignored = ignored();
     println!("== they took {:.0} s", start.elapsed().as_secs_f64());
     usual.and(ignored)
+}
+
+/// Runs the tests that are ignored otherwise.
+pub(crate) fn ignored() -> anyhow::Result<()> {
+    tests(Which::Ignored)
 }
 
 /// Runs the tests with overflow checks and debug assertions.

@@ -1,0 +1,34 @@
+//! The C border under sanitizers.
+
+use crate::outcome::{Outcome, Part};
+use crate::release;
+use anyhow::{Context as _, ensure};
+use std::io::{BufRead as _, BufReader};
+use std::process::{Command, Stdio};
+
+/// What the script says where the nightly Rust of `.ci/nightly` is not installed.
+const WITHOUT: &str = "no address sanitizer";
+
+/// Calls the C border at random under the address sanitizer and under valgrind.
+pub(crate) fn run() -> anyhow::Result<Outcome> {
+    let script = release::root().canonicalize()?.join("crates/capi/sanitize.sh");
+    let mut child = Command::new(&script)
+        .stdout(Stdio::piped())
+        .spawn()
+        .with_context(|| format!("cannot start {}", script.display()))?;
+    let mut is_without = false;
+    for line in BufReader::new(child.stdout.take().context("no output of the script")?).lines() {
+        let line = line?;
+        is_without |= line.contains(WITHOUT);
+        println!("{line}");
+    }
+    let status = child.wait()?;
+    ensure!(status.success(), "the C border under sanitizers failed ({status})");
+    Ok(match is_without {
+        false => Outcome::Passed,
+        true => {
+            let reason = "the nightly Rust of .ci/nightly is not installed";
+            Outcome::skipped(Part::AddressSanitizer, reason)
+        }
+    })
+}
