@@ -465,7 +465,8 @@ carom_status carom_contact_advance_many(const struct carom_pair *pair,
 //
 // # Safety
 // `pair` is null or may be read; `contact`, `load` and `error` are null or may be written. The
-// contact is zero, or was written by this build of the library and not changed since.
+// contact is zero, or was written by this build of the library; other bytes end in a status, or in
+// numbers that mean nothing.
 carom_status carom_contact_advance(const struct carom_pair *pair,
                                    struct carom_contact *contact,
                                    struct carom_shift shift,
@@ -587,7 +588,8 @@ carom_status carom_grains_of(const struct carom_material *material_1,
 //
 // # Safety
 // `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may
-// be written. The touch is zero, or was written by this build of the library and not changed since.
+// be written. The touch is zero, or was written by this build of the library; other bytes end in a status, or
+// in numbers that mean nothing.
 carom_status carom_touch_grains(const struct carom_grains *grains,
                                 struct carom_touch *touch,
                                 const struct carom_grain *one,

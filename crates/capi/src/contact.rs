@@ -80,7 +80,8 @@ impl Kept for CaromContact {
 ///
 /// # Safety
 /// `pair` is null or may be read; `contact`, `load` and `error` are null or may be written. The
-/// contact is zero, or was written by this build of the library and not changed since.
+/// contact is zero, or was written by this build of the library; other bytes end in a status, or in
+/// numbers that mean nothing.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_advance(
     pair: *const CaromPair,

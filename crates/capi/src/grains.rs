@@ -280,7 +280,8 @@ fn constants(
 ///
 /// # Safety
 /// `grains`, `one` and `two` are null or may be read; `touch`, `load`, `heats` and `error` are null or may
-/// be written. The touch is zero, or was written by this build of the library and not changed since.
+/// be written. The touch is zero, or was written by this build of the library; other bytes end in a status, or
+/// in numbers that mean nothing.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_touch_grains(
     grains: *const CaromGrains,

@@ -254,9 +254,15 @@ fn packed<V: Lateral>(laws: &[Law<V>], each: usize) -> Result<Vec<f64>, Fault> {
     Ok(numbers)
 }
 
+/// All or none.
 fn unpack<V: Lateral>(laws: &mut [Law<V>], numbers: &[f64], each: usize) -> Result<(), Fault> {
+    if let Some(mut probe) = laws.first().cloned() {
+        for (i, numbers) in numbers.chunks_exact(each).enumerate() {
+            probe.unpack(numbers).map_err(|error| Fault::from(error).at(i))?;
+        }
+    }
     for (law, numbers) in laws.iter_mut().zip(numbers.chunks_exact(each)) {
-        law.unpack(numbers)?;
+        law.unpack(numbers)?; // always: it was tried
     }
     Ok(())
 }

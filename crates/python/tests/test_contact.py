@@ -120,6 +120,21 @@ def test_contacts_pickle_and_copy(law, friction):
         assert other.dissipated == pytest.approx(contact.dissipated)
 
 
+def test_a_state_of_contacts_is_taken_as_a_whole_or_not_at_all():
+    zeta, xi, eta = walk(60)
+    contacts = carom.Contacts(3, HERTZ, F)
+    contacts.follow(zeta, xi, eta)
+    before = contacts.loads.copy()
+    other = carom.Contacts(3, HERTZ, F)
+    other.follow(zeta[:30], xi[:30], eta[:30])
+    state = other._native.__getstate__()
+    state[1, 0] = 77.0
+    with pytest.raises(carom.RangeError) as error:
+        contacts._native.__setstate__(state)
+    assert (error.value.field, error.value.index) == ("mark", 1)
+    np.testing.assert_array_equal(contacts.loads, before)
+
+
 def test_work_is_stored_or_heat():
     t = np.linspace(0, 1, 3001)
     zeta, xi = 1e-6 * np.minimum(1, 5 * t), 4e-7 * np.sin(9 * t)

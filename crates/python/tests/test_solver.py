@@ -118,3 +118,13 @@ def test_stress_below():
     other = solver.stress(0.0, 0.0, -depths, body=2)
     assert other[:, 2] == pytest.approx(found[:, 2], rel=1e-12)
     assert step.contact_area == pytest.approx(np.pi * a**2, rel=0.05)
+
+
+def test_a_point_outside_body_2_is_named_as_it_was_given():
+    solver = ball()
+    solver.step(F_z=10.0)
+    for body, z, allowed in ((2, 1e-5, "<= 0 in body 2"), (1, -1e-5, ">= 0 in body 1")):
+        with pytest.raises(carom.RangeError) as error:
+            solver.stress(0.0, 0.0, z, body=body)
+        assert (error.value.field, error.value.value) == ("z", z)
+        assert allowed in str(error.value)

@@ -4,11 +4,13 @@
 
 #include "atom.h"
 #include "comm.h"
+#include "error.h"
 #include "modify.h"
 #include "neigh_list.h"
 #include "update.h"
 
 #include <algorithm>
+#include <cmath>
 
 using namespace LAMMPS_NS;
 
@@ -56,6 +58,8 @@ void FixCaromKeep::write_restart(FILE *fp)
 void FixCaromKeep::restart(char *buffer)
 {
   const double *all = reinterpret_cast<double *>(buffer);
+  if (!std::isfinite(all[0]) || !std::isfinite(all[1]))
+    error->all(FLERR, "pair carom: the restart file is damaged: the heats are no numbers");
   heats_of_file[0] = comm->me == 0 ? all[0] : 0.0;
   heats_of_file[1] = comm->me == 0 ? all[1] : 0.0;
 }

@@ -11,6 +11,7 @@
 #include "update.h"
 #include "utils.h"
 
+#include <algorithm>
 #include <cmath>
 #include <cstring>
 
@@ -109,7 +110,6 @@ void FixWallCarom::init()
 carom_touch *FixWallCarom::touch_of(int i)
 {
   double *slot = slots[i].get();
-  if (Touches::is_unpacked(slot)) return &touches.of(slot);
   carom_error why;
   carom_touch *touch = touches.at(slot, constants[atom->type[i]], atom->radius[i], INFINITY, &why);
   if (!touch) carom::fail(lmp, who(), why);
@@ -227,6 +227,8 @@ void FixWallCarom::write_restart(FILE *fp)
 void FixWallCarom::restart(char *buffer)
 {
   const double *all = reinterpret_cast<double *>(buffer);
+  if (!std::all_of(all, all + 9, [](double number) { return std::isfinite(number); }))
+    damaged("the place of the wall, or what was summed there, is no number");
   memcpy(wall.place, all, 3 * sizeof(double));
   if (comm->me != 0) return;
   sums_ = {all[3], all[4], all[5]};
@@ -288,6 +290,7 @@ int FixWallCarom::pack_exchange(int i, double *buffer)
 int FixWallCarom::unpack_exchange(int i, double *buffer)
 {
   drop(i);
+  if (!Touches::is_count(buffer[0])) damaged(std::to_string(buffer[0]) + " numbers of a contact");
   const int count = static_cast<int>(buffer[0]);
   if (count > 0) memcpy(slot_of(i), buffer + 1, count * sizeof(double));
   return 1 + count;
@@ -301,10 +304,14 @@ int FixWallCarom::pack_restart(int i, double *buffer)
 
 void FixWallCarom::unpack_restart(int i, int nth)
 {
-  // Each fix says in its first number how many it has.
-  double *buffer = atom->extra[i];
-  for (int k = 0; k < nth; k++) buffer += static_cast<int>(*buffer);
-  unpack_exchange(i, buffer + 1);
+  const int at = Touches::part_of(atom->extra[i], atom->nextra_store, nth);
+  if (at < 0) damaged("grain " + std::to_string(atom->tag[i]) + " has not as many numbers as it says");
+  unpack_exchange(i, atom->extra[i] + at + 1);
+}
+
+void FixWallCarom::damaged(const std::string &what) const
+{
+  error->one(FLERR, who() + ": the restart file is damaged: " + what);
 }
 
 int FixWallCarom::size_restart(int i)

@@ -61,6 +61,7 @@ class FixWallCarom : public Fix {
   std::vector<std::unique_ptr<double[]>> slots;    // by grain; null where nothing ever touched
 
   std::string who() const { return std::string("fix ") + id + " wall/carom"; }
+  [[noreturn]] void damaged(const std::string &what) const;
   carom_touch *touch_of(int i);
   carom_grain_load step(int i, double duration);
   void pack(int i);

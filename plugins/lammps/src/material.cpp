@@ -70,6 +70,17 @@ int Material::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
   return 2;
 }
 
+bool Material::come_from_file()
+{
+  shear = 0.0;
+  has_young = has_shear = has_poisson = false;
+  const auto is_flag = [](int flag) { return flag == 0 || flag == 1; };
+  const bool none = !is_set && !has_body;
+  const bool body = !has_body || (young > 0.0 && poisson > -1.0 && poisson <= 0.5);
+  return is_flag(is_set) && is_flag(has_body) &&
+      (none || (body && friction >= 0.0 && friction < INFINITY && damping >= 0.0 && damping < INFINITY));
+}
+
 void Material::check(LAMMPS *lmp, const std::string &who) const
 {
   if (has_poisson != (has_young || has_shear))

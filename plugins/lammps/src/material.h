@@ -23,6 +23,8 @@ struct Material {
 
   // Takes a keyword and its value, and returns how many words these were; 0 for one that is none of its own.
   int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
+  // Whether what a restart file tells is a material; which words were given is of no account then.
+  bool come_from_file();
   // Complains about what is missing or out of range.
   void check(LAMMPS_NS::LAMMPS *lmp, const std::string &who) const;
   carom_material body() const { return {young, poisson}; }

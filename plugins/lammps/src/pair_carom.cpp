@@ -219,7 +219,6 @@ inline void PairCarom::Bodies::add(std::size_t i, const double *force_i, const d
 
 carom_touch *PairCarom::touch_of(double *slot, int body_1, int body_2)
 {
-  if (Touches::is_unpacked(slot)) return &touches.of(slot);
   const carom_grains &grains = constants[place(atom->type[body_1], atom->type[body_2])];
   carom_touch *touch = touches.at(slot, grains, atom->radius[body_1], atom->radius[body_2], &why);
   if (!touch) carom::fail(lmp, "pair carom", why);
@@ -285,7 +284,7 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     is_new[k] = *pair.flag == 0;
     if (*pair.flag > 1) continue;
     touch_of(pair.slot, one_of(pair), two_of(pair));
-    *pair.flag = Touches::flag_of(pair.slot);
+    *pair.flag = touches.flag_of(pair.slot);
   }
   const double dt = moves ? update->dt : 0.0;
   const Bodies all = bodies();
@@ -482,6 +481,10 @@ void PairCarom::read_restart_settings(FILE *fp)
   }
   MPI_Bcast(&law_, sizeof law_, MPI_BYTE, 0, world);
   MPI_Bcast(&account, sizeof account, MPI_BYTE, 0, world);
+  const auto is_flag = [](int flag) { return flag == 0 || flag == 1; };
+  const bool known = law_.law == CAROM_LAW_COULOMB || law_.law == CAROM_LAW_CHAPTER_7;
+  if (!known || !is_flag(law_.torsion) || !is_flag(account) || !(law_.tolerance >= 0.0 && law_.tolerance <= 0.1))
+    error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion or energy is none");
 }
 
 void PairCarom::write_restart(FILE *fp)
@@ -512,6 +515,9 @@ void PairCarom::read_restart(FILE *fp)
       carom::Material &material = coefficients[place(i, j)];
       if (comm->me == 0) utils::sfread(FLERR, &material, sizeof material, 1, fp, nullptr, error);
       MPI_Bcast(&material, sizeof material, MPI_BYTE, 0, world);
+      if (!material.come_from_file())
+        error->all(FLERR, "pair carom: the restart file is damaged: the material of types " + std::to_string(i) +
+                              " and " + std::to_string(j) + " is none");
       setflag[i][j] = material.is_set;
     }
 }

@@ -10,7 +10,8 @@
 namespace carom {
 
 // The first number of a slot is zero where nothing touches, positive where the slot holds a packed
-// contact, and -1 - index where contact `index` is unpacked.
+// contact, and -1 - index where contact `index` is unpacked. A slot may come from a damaged restart file: only one
+// that was unpacked here is believed.
 class Touches {
  public:
   static constexpr int NUMBERS = CAROM_TOUCH_NUMBERS;
@@ -22,16 +23,23 @@ class Touches {
   carom_touch *at(double *slot, const carom_grains &grains, double radius_1, double radius_2,
                   carom_error *why)
   {
-    if (slot[0] < 0.0) return &pool[index(slot)];
-    return unpack(slot, grains, radius_1, radius_2, why);
+    if (!is_unpacked(slot)) return unpack(slot, grains, radius_1, radius_2, why);
+    const int place = index(slot);
+    if (place >= 0) return &pool[place];
+    strange(slot, why);
+    return nullptr;
   }
   static bool is_unpacked(const double *slot) { return slot[0] < 0.0; }
-  // The contact of a slot that is unpacked.
-  carom_touch &of(const double *slot) { return pool[index(slot)]; }
+
+  // Whether a grain may have so many numbers of a contact in a restart file.
+  static bool is_count(double count) { return count == 0.0 || count == NUMBERS || count == WITH_TWIST; }
+  // Where the part of a fix begins among the numbers that a restart file has of a grain: each part says in its
+  // first number how many it has, the next one in its second of how many a contact is made. -1 if they are not so.
+  static int part_of(const double *numbers, int count, int nth);
 
   // The host's flag of a pair of grains: 0 apart, 1 in contact, above that it says where what is unpacked
   // is, without a look at the slot.
-  static int flag_of(const double *slot) { return is_unpacked(slot) ? 2 + index(slot) : 1; }
+  int flag_of(const double *slot) const { return is_unpacked(slot) ? 2 + index(slot) : 1; }
   carom_touch *with_flag(int flag) { return flag > 1 ? &pool[flag - 2] : nullptr; }
   // Ends the contact of a slot; its twist is left to the caller.
   void drop(double *slot);
@@ -41,11 +49,21 @@ class Touches {
 
  private:
   std::vector<carom_touch> pool;
+  std::vector<const double *> owners;    // the slot of each that is in use
   std::vector<int> unused;
 
-  static int index(const double *slot) { return static_cast<int>(-1.0 - slot[0]); }
+  // The place of the contact of a slot that is unpacked; -1 if it was not unpacked here.
+  int index(const double *slot) const
+  {
+    const double place = -1.0 - slot[0];
+    if (!(place >= 0.0 && place < static_cast<double>(pool.size()))) return -1;
+    const int known = static_cast<int>(place);
+    return owners[known] == slot ? known : -1;
+  }
   carom_touch *unpack(double *slot, const carom_grains &grains, double radius_1, double radius_2,
                       carom_error *why);
+  void give_back(int place);
+  static void strange(const double *slot, carom_error *why);
 };
 
 }    // namespace carom

@@ -18,6 +18,7 @@
 //! Where c_x and c_y differ, a ring slips along its traction in normalised shifts, as chapter 7
 //! scales them, not in lengths; [`crate::sliders`] knows the difference.
 
+mod check;
 mod drag;
 mod energy;
 mod heat;

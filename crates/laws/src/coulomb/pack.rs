@@ -3,14 +3,15 @@
 use carom_special::RangeError;
 
 use super::CoulombMemory;
+use super::check::check_meaning;
 use super::piece::{End, Knot};
 use crate::bounds::in_memory;
 use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 
 /// The version of the format; the first number is `1e4 version + 100 regime + vertices`.
 const VERSION: f64 = 1.0;
-const HEAD: usize = 6;
-const EACH: usize = 5;
+pub(super) const HEAD: usize = 6;
+pub(super) const EACH: usize = 5;
 /// The most vertices that the first number can count.
 const MOST: usize = 99;
 
@@ -53,10 +54,11 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     ///
     /// # Errors
     /// [`RangeError`] for another version, too few numbers, more vertices than the storage has room
-    /// for, depths that do not rise to the approach, or values out of range; the state is then
-    /// unchanged.
+    /// for, depths that do not rise to the approach, anchors far beyond the friction cone, a force
+    /// beyond its limit, or values out of range; the state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let (regime, len) = check(numbers, self.stack.capacity())?;
+        check_meaning::<V>(numbers, len)?;
         self.zeta = numbers[1];
         self.root = self.zeta.max(0.0).sqrt();
         self.shift = V::from_components([numbers[2], numbers[3]]);
@@ -64,19 +66,23 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         (self.regime, self.force) = (regime, V::default());
         self.stack.truncate(0);
         for vertex in numbers[HEAD..].chunks_exact(EACH).take(len) {
-            let knot = Knot {
-                depth: vertex[0],
-                root: vertex[0].sqrt(),
-                anchor: V::from_components([vertex[1], vertex[2]]),
-                bubble: V::from_components([vertex[3], vertex[4]]),
-                force: V::default(),
-            };
-            self.stack.push(knot.vertex());
+            self.stack.push(knot_of::<V>(vertex).vertex());
         }
         if len > 0 {
             self.finish(End { depth: self.zeta, root: self.root, anchor: self.shift }, 0);
         }
         Ok(())
+    }
+}
+
+/// The knot that five numbers tell; of its force they tell nothing.
+pub(super) fn knot_of<V: Lateral>(numbers: &[f64]) -> Knot<V> {
+    Knot {
+        depth: numbers[0],
+        root: numbers[0].sqrt(),
+        anchor: V::from_components([numbers[1], numbers[2]]),
+        bubble: V::from_components([numbers[3], numbers[4]]),
+        force: V::default(),
     }
 }
 

@@ -77,32 +77,88 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     ///
     /// # Errors
     /// [`RangeError`] for another version, too few numbers, more vertices than the storage has room
-    /// for, depths that do not rise to the approach, slopes above 1 or values out of range; the
-    /// state is then unchanged.
+    /// for, depths that do not rise to the approach, slopes of anchors or forces above 1, an anchor at
+    /// the edge that is not the shift, or values out of range; the state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let format = (VERSION, EACH, "of version 2");
         let (regime, len) = check(numbers, format, self.stack.capacity())?;
-        for vertex in numbers[HEAD..].chunks_exact(EACH).take(len) {
-            let slope = vertex[1].hypot(vertex[2]);
-            RangeError::check("slope", slope, slope <= 1.0 + 1e-9, "<= 1")?;
-        }
+        within_cone::<V, P>(numbers, len, &self.profile)?;
         self.regime = regime;
         self.zeta = numbers[1];
         self.shift = V::from_components([numbers[2], numbers[3]]);
         self.stack.truncate(0);
-        let anchor = [numbers[4], numbers[5]];
-        let (mut anchor, mut force) = (V::from_components(anchor), V::default());
-        for i in 0..len {
-            let vertex = vertex(&numbers[HEAD + EACH * i..], anchor, force);
+        self.force = V::default();
+        for (vertex, top) in chain(numbers, len, &self.profile) {
             self.stack.push(vertex);
-            let above = numbers.get(HEAD + EACH * (i + 1)).filter(|_| i + 1 < len);
-            let top = above.map_or(self.zeta, |depth| depth.abs());
-            anchor = vertex.anchor_at(top);
-            force = vertex.force_at(top, &self.profile);
+            self.force = vertex.force_at(top, &self.profile);
         }
-        self.force = force;
         Ok(())
     }
+}
+
+/// The vertices that numbers tell, from the lowest on, each with the depth of its upper end; anchors and
+/// forces are summed on the way.
+fn chain<V: Lateral, P: NormalProfile>(
+    numbers: &[f64],
+    len: usize,
+    profile: &P,
+) -> impl Iterator<Item = (Vertex<V>, f64)> {
+    let mut anchor = V::from_components([numbers[4], numbers[5]]);
+    let mut force = V::default();
+    (0..len).map(move |i| {
+        let vertex = vertex(&numbers[HEAD + EACH * i..], anchor, force);
+        let above = numbers.get(HEAD + EACH * (i + 1)).filter(|_| i + 1 < len);
+        let top = above.map_or(numbers[1], |depth| depth.abs());
+        anchor = vertex.anchor_at(top);
+        force = vertex.force_at(top, profile);
+        (vertex, top)
+    })
+}
+
+/// By how much slopes and their ends may be off, over what they are: round-off of slopes that were
+/// divided by small rings.
+const OFF: f64 = 1e-9;
+/// The greatest slope of a ring that is so thin that its slope means nothing.
+const STEEPEST: f64 = 1e3;
+
+/// Whether the rings are within the friction cone: anchors and forces no steeper than slip, and the anchor at
+/// the edge the shift itself.
+fn within_cone<V: Lateral, P: NormalProfile>(
+    numbers: &[f64],
+    len: usize,
+    profile: &P,
+) -> Result<(), RangeError> {
+    if len == 0 {
+        return Ok(());
+    }
+    let shift = V::from_components([numbers[2], numbers[3]]);
+    let mut anchor = V::from_components([numbers[4], numbers[5]]);
+    let size = numbers[1] + shift.length() + anchor.length();
+    let vertices = &numbers[HEAD..HEAD + EACH * len];
+    for (i, vertex) in vertices.chunks_exact(EACH).enumerate() {
+        let depth = vertex[0].abs();
+        let top = vertices.get(EACH * (i + 1)).map_or(numbers[1], |depth| depth.abs());
+        let squares = [1, 3].map(|k| vertex[k] * vertex[k] + vertex[k + 1] * vertex[k + 1]);
+        if !squares.iter().all(|square| *square <= 1.0 + OFF) {
+            let limits = [size, profile.force(numbers[1])];
+            check_steep(squares, [top - depth, profile.growth(depth, top - depth)], limits)?;
+        }
+        anchor = anchor.plus(V::from_components([vertex[1], vertex[2]]).times(top - depth));
+    }
+    let gap = anchor.minus(shift).length();
+    RangeError::check("anchor", gap, gap <= OFF * size, "the shift, at the edge")?;
+    Ok(())
+}
+
+/// Whether a ring that is steeper than slip is so by round-off, since it is thin.
+#[cold]
+fn check_steep(squares: [f64; 2], parts: [f64; 2], wholes: [f64; 2]) -> Result<(), RangeError> {
+    for (k, field) in ["slope", "slope of the force"].into_iter().enumerate() {
+        let slope = squares[k].sqrt();
+        let by_round_off = slope * parts[k] <= parts[k] + OFF * wholes[k] && slope <= STEEPEST;
+        RangeError::check(field, slope, slope <= 1.0 + OFF || by_round_off, "<= 1")?;
+    }
+    Ok(())
 }
 
 /// The vertex that five numbers tell, on the anchor and force below it.

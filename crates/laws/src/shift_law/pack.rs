@@ -3,7 +3,7 @@
 use carom_special::RangeError;
 
 use super::{ShiftLaw, State};
-use crate::bounds::in_contact;
+use crate::bounds::{in_contact, in_memory};
 use crate::law::Shift;
 use crate::memory::{Lateral, VertexStack};
 
@@ -61,16 +61,30 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// # Errors
     /// [`RangeError`] for numbers that are no state of this law; the law is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
+        let shift = self.shift_in(numbers);
         match &mut self.state {
-            State::Rubbing(memory) => memory.unpack(numbers)?,
-            State::Turning(memory) => memory.unpack(numbers)?,
             State::Free => return self.unpack_free(numbers),
-            State::Stuck(memory) => memory.unpack(numbers)?,
+            State::Rubbing(memory) => shift.and_then(|_| memory.unpack(numbers))?,
+            State::Turning(memory) => shift.and_then(|_| memory.unpack(numbers))?,
+            State::Stuck(memory) => shift.and_then(|_| memory.unpack(numbers))?,
         }
-        let [x, y] = self.scale.shift.components();
-        let eta = if V::DIMENSION == 1 { 0.0 } else { numbers[3] / y };
-        self.shift = Shift { zeta: numbers[1], xi: numbers[2] / x, eta, omega: 0.0 };
+        self.shift = shift?;
         Ok(())
+    }
+
+    /// The shift that the numbers of a memory tell, normalised there.
+    fn shift_in(&self, numbers: &[f64]) -> Result<Shift, RangeError> {
+        let Some(&[_, zeta, xi, eta]) = numbers.first_chunk() else {
+            return Err(RangeError::new("numbers", numbers.len() as f64, ">= 6"));
+        };
+        let [x, y] = self.scale.shift.components();
+        let eta = if V::DIMENSION == 1 { 0.0 } else { eta / y };
+        let shift = Shift { zeta, xi: xi / x, eta, omega: 0.0 };
+        for number in &numbers[1..4] {
+            in_memory("numbers", *number)?;
+        }
+        shift.check_finite()?;
+        Ok(shift)
     }
 
     fn unpack_free(&mut self, numbers: &[f64]) -> Result<(), RangeError> {

@@ -192,6 +192,9 @@ impl TorsionLaw {
                 read.unpack(rest)?;
                 let touches = (shift.zeta > 0.0) == (read.radius() > 0.0);
                 RangeError::check("approach", shift.zeta, touches, "> 0 in contact")?;
+                let off = read.radius() * read.radius() - shift.zeta.max(0.0);
+                let holds = off.abs() <= 1e-9 * shift.zeta.max(0.0);
+                RangeError::check("radius", read.radius(), holds, "the root of the approach")?;
                 *history = read;
             }
             State::Stuck(memory) => memory.unpack(rest)?,

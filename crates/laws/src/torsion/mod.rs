@@ -6,6 +6,7 @@
 
 pub mod adhesion;
 mod apart;
+mod check;
 mod complementarity;
 pub mod ellipse;
 mod grow;

@@ -93,8 +93,9 @@ impl TwistHistory {
     /// Takes the state from numbers that [`TwistHistory::pack`] wrote, to the same bits.
     ///
     /// # Errors
-    /// [`RangeError`] for another version, too few numbers, radii that do not rise, signs that are none or
-    /// values out of range; the state is then unchanged.
+    /// [`RangeError`] for another version, too few numbers, radii that do not rise, signs that are none, a
+    /// torque above that of sliding, pieces whose twists do not meet, or values out of range; the state is
+    /// then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let room = numbers.len() as f64;
         RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 7")?;
@@ -128,7 +129,10 @@ impl TwistHistory {
             segments.push(piece_of(piece)?);
         }
         let ring_steps = ring_steps as u32;
-        *self = Self { radius, twist, torque, stick, segments, ring_steps, level: level as usize };
+        let level = level as usize;
+        let read = Self { radius, twist, torque, stick, segments, ring_steps, level };
+        read.check_meaning()?;
+        *self = read;
         Ok(())
     }
 

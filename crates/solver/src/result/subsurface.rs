@@ -67,9 +67,11 @@ impl Subsurface {
     /// [`RangeError`] for a point outside the body, and where the stress is infinite: on the
     /// surface at the edges of cells.
     pub fn stress(&self, at: Point) -> Result<Stress, RangeError> {
+        self.check_inside(at)?;
         let mut sum = Stress::default();
         for (x, y, load) in &self.loads {
-            sum = sum + self.cell.stress(*load, self.seen_from(*x, *y, at))?;
+            let part = self.cell.stress(*load, self.seen_from(*x, *y, at));
+            sum = sum + part.map_err(|error| self.in_space(error))?;
         }
         Ok(Stress { yz: self.inward * sum.yz, zx: self.inward * sum.zx, ..sum })
     }
@@ -79,9 +81,11 @@ impl Subsurface {
     /// # Errors
     /// [`RangeError`] for a point outside the body.
     pub fn displacement(&self, at: Point) -> Result<Displacement, RangeError> {
+        self.check_inside(at)?;
         let mut sum = Displacement::default();
         for (x, y, load) in &self.loads {
-            sum = sum + self.cell.displacement(*load, self.seen_from(*x, *y, at))?;
+            let part = self.cell.displacement(*load, self.seen_from(*x, *y, at));
+            sum = sum + part.map_err(|error| self.in_space(error))?;
         }
         Ok(Displacement { w: self.inward * sum.w, ..sum })
     }
@@ -100,6 +104,17 @@ impl Subsurface {
             .into_iter()
             .map(|depth| self.stress(Point { x, y, z: self.inward * depth }))
             .collect()
+    }
+
+    fn check_inside(&self, at: Point) -> Result<(), RangeError> {
+        let allowed = if self.inward > 0.0 { ">= 0 in body 1" } else { "<= 0 in body 2" };
+        RangeError::check("z", at.z, self.inward * at.z >= 0.0, allowed).map(|_| ())
+    }
+
+    /// What is wrong with a point in the body's own axes, in those of space.
+    fn in_space(&self, error: RangeError) -> RangeError {
+        let sign = if error.field == "z" { self.inward } else { 1.0 };
+        RangeError { value: sign * error.value, ..error }
     }
 
     /// The point in the body's own axes, from the centre of a cell.

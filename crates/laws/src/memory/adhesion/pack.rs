@@ -42,24 +42,55 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
     /// Takes the state from numbers that [`AdhesionMemory::pack`] wrote, to the same bits.
     ///
     /// # Errors
-    /// [`RangeError`] as [`crate::memory::Memory::unpack`]; the state is then unchanged.
+    /// [`RangeError`] as [`crate::memory::Memory::unpack`], and for forces that are not those of the
+    /// anchors; the state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let format = (VERSION, EACH, "of version 4");
         let (_, len) = check(numbers, format, self.stack.capacity())?;
         let vector = |at: usize| V::from_components([numbers[at], numbers[at + 1]]);
-        self.zeta = numbers[1];
-        (self.shift, self.force) = (vector(2), vector(4));
-        self.stack.truncate(0);
-        for at in (0..len).map(|i| HEAD + EACH * i) {
-            self.stack.push(Vertex {
-                depth: numbers[at].abs(),
-                anchor: vector(at + 1),
-                slope: vector(at + 3),
-                force_slope: vector(at + 5),
-                force: vector(at + 7),
-                curb: 1.0,
-            });
+        let (zeta, shift, force) = (numbers[1], vector(2), vector(4));
+        let vertex = |i: usize| vertex(&numbers[HEAD + EACH * i..]);
+        let tip = Vertex { depth: zeta, anchor: shift, force, ..Vertex::default() };
+        let mut below = Vertex::default();
+        for i in (0..=len).filter(|_| len > 0) {
+            let above = if i < len { vertex(i) } else { tip };
+            let begins = i == 0 && above.force == V::default();
+            let holds = begins || i > 0 && self.carries(&below, &above);
+            RangeError::check("force", above.force.length(), holds, "that of the anchors below")?;
+            below = above;
         }
+        (self.zeta, self.shift, self.force) = (zeta, shift, force);
+        self.stack.truncate(0);
+        (0..len).for_each(|i| self.stack.push(vertex(i)));
         Ok(())
+    }
+
+    /// Whether the force up to a vertex is that up to the one below, with the rings between and the jump of the
+    /// anchor, to round-off.
+    fn carries(&self, below: &Vertex<V>, above: &Vertex<V>) -> bool {
+        let jump = above.anchor.minus(below.anchor_at(above.depth));
+        let stiffness = self.profile.stiffness(above.depth);
+        let grown = below.force_at(above.depth, &self.profile);
+        let off = grown.plus(jump.times(stiffness)).minus(above.force).length();
+        let size = below.force.length() + grown.length() + above.force.length();
+        let ways =
+            below.anchor.length() + below.anchor_at(above.depth).length() + above.anchor.length();
+        off <= OFF * (size + stiffness * ways)
+    }
+}
+
+/// By how much a force may be off, over what it is summed from.
+const OFF: f64 = 1e-9;
+
+/// The vertex that nine numbers tell.
+fn vertex<V: Lateral>(numbers: &[f64]) -> Vertex<V> {
+    let vector = |at: usize| V::from_components([numbers[at], numbers[at + 1]]);
+    Vertex {
+        depth: numbers[0].abs(),
+        anchor: vector(1),
+        slope: vector(3),
+        force_slope: vector(5),
+        force: vector(7),
+        curb: 1.0,
     }
 }

@@ -1,0 +1,40 @@
+#!/usr/bin/env bash
+# sanitize.sh [CALLS]: the C border, called a million times (or CALLS) with whatever arguments and bytes, under the
+# address sanitizer of the nightly in .ci/nightly; then some of the calls and the example in C under valgrind,
+# which sees what was never written. Where that nightly is not installed: under valgrind alone, and more of them.
+set -euo pipefail
+here=$(cd "$(dirname "$0")" && pwd)
+cd "$here/../.."
+calls=${1:-1000000}
+host=$(rustc -vV | sed -n 's/^host: //p')
+pinned=$(cat .ci/nightly)
+
+# The pinned nightly by its own name, or the one called nightly if it is that: the day after its last commit.
+toolchain=
+if rustup run "$pinned" rustc --version >/dev/null 2>&1; then
+    toolchain=$pinned
+else
+    commit=$(rustup run nightly rustc -vV 2>/dev/null | sed -n 's/^commit-date: //p')
+    if [ -n "$commit" ] && [ "nightly-$(date -u -d "$commit + 1 day" +%F)" = "$pinned" ]; then toolchain=nightly; fi
+fi
+
+few=20000
+if [ -n "$toolchain" ]; then
+    echo "== $calls calls under the address sanitizer of $pinned"
+    export RUSTFLAGS="${RUSTFLAGS-} -Zsanitizer=address" CAROM_CALLS=$calls
+    cargo "+$toolchain" test --release --package carom-capi --target "$host" --target-dir target/sanitized \
+        --test garbled --test border --test wrong_bodies --test hostile -- --include-ignored --nocapture
+    unset RUSTFLAGS CAROM_CALLS
+else
+    echo "== $pinned is not installed: no address sanitizer"
+    few=100000
+fi
+
+command -v valgrind >/dev/null || { echo "sanitize.sh: valgrind is not installed" >&2; exit 1; }
+echo "== $few calls under valgrind"
+cargo test --release --package carom-capi --test hostile --test programs --no-run
+built() { cargo test --release --package carom-capi --test "$1" --no-run --message-format=json 2>/dev/null |
+    sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1; }
+CAROM_CALLS=$few valgrind --quiet --error-exitcode=9 "$(built hostile)" --nocapture twenty_thousand
+(cd "$here" && "$(built programs)")
+echo "== the border holds"

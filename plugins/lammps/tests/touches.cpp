@@ -1,0 +1,122 @@
+// What a damaged restart file may hold in the slots of contacts, without a host: compiled with the sanitizers.
+#include "../src/touches.h"
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <limits>
+
+using carom::Touches;
+
+static void check(bool holds, const char *what)
+{
+  if (holds) return;
+  printf("wrong: %s\n", what);
+  exit(1);
+}
+
+static carom_grains constants()
+{
+  const carom_material glass = {70e9, 0.22};
+  carom_grains grains;
+  check(carom_grains_of(&glass, &glass, 0.4, CAROM_LAW_COULOMB, 0.0, 0.0, &grains, nullptr) == CAROM_STATUS_OK,
+        "constants");
+  return grains;
+}
+
+// A slot that holds the numbers of two balls that were pressed and shifted.
+static void fill(const carom_grains &grains, double *slot)
+{
+  carom_touch touch;
+  memset(&touch, 0, sizeof touch);
+  carom_grain one = {{0.0, 0.0, 2e-3 - 1e-8}, {0.1, 0.0, -0.2}, {0.0, 0.0, 0.0}, 1e-3};
+  const carom_grain two = {{0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, {0.0, 0.0, 0.0}, 1e-3};
+  carom_grain_load load;
+  for (int step = 0; step < 20; step++) {
+    one.place[0] += 1e-9;
+    one.place[2] -= 2e-9;
+    check(carom_touch_grains(&grains, &touch, &one, &two, 1e-8, &load, nullptr, nullptr) == CAROM_STATUS_OK, "step");
+  }
+  memset(slot, 0, Touches::WITH_TWIST * sizeof(double));
+  check(carom_touch_pack(&touch, slot, nullptr) == CAROM_STATUS_OK && slot[0] > 0.0, "pack");
+}
+
+int main()
+{
+  const carom_grains grains = constants();
+  static double slots[8][Touches::WITH_TWIST];
+  for (auto &slot : slots) fill(grains, slot);
+  Touches touches;
+  carom_error why;
+  const auto at = [&](double *slot) { return touches.at(slot, grains, 1e-3, 1e-3, &why); };
+
+  // What is unpacked here is found again, and packs to the same bits.
+  static double before[8][Touches::WITH_TWIST];
+  memcpy(before, slots, sizeof slots);
+  for (auto &slot : slots) {
+    carom_touch *touch = at(slot);
+    check(touch && Touches::is_unpacked(slot) && at(slot) == touch, "unpacked and found");
+    check(touches.with_flag(touches.flag_of(slot)) == touch, "found by its flag");
+  }
+  for (auto &slot : slots) check(touches.pack(slot, &why) == CAROM_STATUS_OK, "packed again");
+  check(memcmp(before, slots, sizeof slots) == 0, "the same bits");
+
+  // A first number that says of an unpacked contact where there is none of this slot.
+  check(at(slots[0]) && at(slots[1]), "two in use");
+  const double strange[] = {-1.0, -2.0, -3.0, -8.0, -9.0, -1e6, -1e18, -1e300, -0.5, -1.5,
+                            -std::numeric_limits<double>::infinity()};
+  for (const double number : strange) {
+    double slot[Touches::WITH_TWIST] = {number};
+    check(!at(slot) && strstr(why.text, "damaged"), "refused");
+    check(touches.pack(slot, &why) == CAROM_STATUS_BAD_STATE && slot[0] == number, "not packed");
+    touches.flag_of(slot);
+    touches.drop(slot);
+    check(slot[0] == 0.0, "dropped");
+  }
+  check(at(slots[0]) != at(slots[1]), "two contacts, still each in its place");
+  touches.drop(slots[0]);
+  touches.drop(slots[1]);
+
+  // Any number changed in any way: unpacked or refused, and packed or dropped.
+  srand(1);
+  int refused = 0;
+  for (int turn = 0; turn < 200000; turn++) {
+    double slot[Touches::WITH_TWIST];
+    memcpy(slot, before[turn % 8], sizeof slot);
+    const int place = rand() % (turn % 3 ? Touches::NUMBERS : 8);
+    unsigned long long bits;
+    memcpy(&bits, slot + place, sizeof bits);
+    bits ^= 1ULL << (rand() % 64);
+    if (turn % 5 == 0) bits = ((unsigned long long) rand() << 33) ^ ((unsigned long long) rand() << 11) ^ rand();
+    memcpy(slot + place, &bits, sizeof bits);
+    if (!at(slot)) {
+      refused++;
+      continue;
+    }
+    if (turn % 2) touches.drop(slot);
+    else check(touches.pack(slot, &why) == CAROM_STATUS_OK, "packed");
+  }
+  check(refused > 1000, "many are refused");
+
+  // The numbers of a grain in a restart file, part by part.
+  const double none = std::nan("");
+  const double good[] = {3.0, 1.0, 2.0, 2.0, 0.0, 7.0};
+  check(Touches::part_of(good, 6, 1) == 3, "the second part");
+  check(Touches::part_of(good, 6, 0) == -1, "the first is not of a wall");
+  check(Touches::part_of(good, 6, 2) == -1 && Touches::part_of(good, 6, 3) == -1, "beyond the last");
+  check(Touches::part_of(good, 4, 1) == -1 && Touches::part_of(nullptr, 0, 0) == -1, "cut off");
+  double whole[2 + Touches::NUMBERS] = {2.0 + Touches::NUMBERS, Touches::NUMBERS};
+  check(Touches::part_of(whole, 2 + Touches::NUMBERS, 0) == 0, "a whole one");
+  check(Touches::part_of(whole, 1 + Touches::NUMBERS, 0) == -1, "one number short");
+  for (const double count : {1e9, -5.0, 80.0, 1e300, -1e300, none, 78.5}) {
+    whole[1] = count;
+    check(Touches::part_of(whole, 2 + Touches::NUMBERS, 0) == -1 && !Touches::is_count(count), "a count that is none");
+  }
+  for (const double size : {0.0, -3.0, 1e9, 1e300, none, 0.5}) {
+    const double wrong[] = {size, 1.0, 2.0, 2.0, 0.0};
+    check(Touches::part_of(wrong, 5, 1) == -1 && Touches::part_of(wrong, 5, 0) == -1, "a size that is none");
+  }
+  fprintf(stderr, "%d of 200000 refused\n", refused);
+  printf("all is well\n");
+}
