@@ -226,6 +226,7 @@ def test_what_sticks_on_a_grid_is_displaced_with_the_shift():
     x, y = carom.cells((24, 30), size=(6e-4, 5e-4))
     gap = x**2 / 0.02 + y**2 / 0.02
     solver = carom.Solver(gap, (6e-4, 5e-4), carom.MaterialPair(STEEL), friction=0.8)
+    assert solver.size == (6e-4, 5e-4) and solver.shape == (24, 30)
     solver.step(zeta=2e-6)
     solver.step(xi=3e-7, eta=-2e-7, omega=1e-4)
     stuck = solver.cells == 1

@@ -25,6 +25,10 @@ def test_stress_below_unlike_bodies_is_hubers_with_the_poissons_ratio_of_each():
         across = -(1 + nu) * (1 - depth * np.arctan(1 / depth)) + 0.5 / (1 + depth**2)
         expected = np.stack([across, across, -1 / (1 + depth**2), zeros, zeros, zeros], axis=1)
         assert np.allclose(stress / peak, expected, atol=0.02), (body, stress / peak, expected)
+        # Beside the axis the shear lies in the plane through it: zx on x, yz on y.
+        beside = solver.stress([0.6 * a, 0.0], [0.0, 0.6 * a], sign * 0.5 * a, body=body) / peak
+        assert abs(beside[0, 5]) > 0.05 > 1e3 * abs(beside[0, 4])
+        assert abs(beside[1, 4]) > 0.05 > 1e3 * abs(beside[1, 5])
 
 
 @pytest.mark.parametrize("nx, ny, size", [(60, 24, (1.5e-3, 1.4e-3)), (26, 50, (1.5e-3, 1.3e-3))])
