@@ -130,3 +130,15 @@ F_y = -0.005
     stuck = solved.cells == 1
     assert np.ptp(solved.displacement_x[stuck]) < 1e-6 * np.abs(solved.displacement_x).max()
     assert solved.displacement_x[stuck].mean() * 0.01 > 0 > solved.displacement_y[stuck].mean() * 0.005
+
+
+def test_the_impact_of_a_case_is_one_and_that_of_a_sweep_as_many_as_it_has(tmp_path):
+    path = tmp_path / "ball.toml"
+    once = carom.cases.new("impact")
+    path.write_text(once)
+    rebound = carom.cases.impact(path)
+    assert isinstance(rebound.restitution, float) and rebound.velocity_1.shape == (3,)
+    path.write_text(once.replace("friction = 0.2", "friction = [0.1, 0.2, 0.3]"))
+    swept = carom.cases.impact(path)
+    assert swept.restitution.shape == (3,) and swept.restitution[1] == rebound.restitution
+    assert np.array_equal(swept.velocity_1[1], rebound.velocity_1)
