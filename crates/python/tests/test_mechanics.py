@@ -152,6 +152,7 @@ def test_the_law_and_the_tolerance_of_an_impact_are_those_asked_for():
         # In contact axes: the size of the velocity after, and no force any more.
         assert np.linalg.norm(course.v[-1]) == pytest.approx(np.linalg.norm(rebound.velocity_after), rel=1e-4)
         assert course.time[-1] == pytest.approx(rebound.duration, rel=1e-3)
+        assert 0 < course.semi_axis_a[5] < course.semi_axis_b[5]
         ends[law] = np.linalg.norm(course.v[-1]), course.v[-1]
     assert np.abs(ends["coulomb"][1] - ends["chapter 8"][1]).max() > 1e-4
     coarse, fine = (carom.collide(one, two, 0.3, tolerance=t) for t in (1e-2, 1e-6))
@@ -226,6 +227,8 @@ def test_what_sticks_on_a_grid_is_displaced_with_the_shift():
     x, y = carom.cells((24, 30), size=(6e-4, 5e-4))
     gap = x**2 / 0.02 + y**2 / 0.02
     solver = carom.Solver(gap, (6e-4, 5e-4), carom.MaterialPair(STEEL), friction=0.8)
+    assert solver.size == (6e-4, 5e-4) and solver.shape == (24, 30)
+    assert np.array_equal(solver.gap, gap) and np.array_equal(copy.copy(solver).gap, gap)
     solver.step(zeta=2e-6)
     solver.step(xi=3e-7, eta=-2e-7, omega=1e-4)
     stuck = solver.cells == 1

@@ -25,6 +25,10 @@ def test_stress_below_unlike_bodies_is_hubers_with_the_poissons_ratio_of_each():
         across = -(1 + nu) * (1 - depth * np.arctan(1 / depth)) + 0.5 / (1 + depth**2)
         expected = np.stack([across, across, -1 / (1 + depth**2), zeros, zeros, zeros], axis=1)
         assert np.allclose(stress / peak, expected, atol=0.02), (body, stress / peak, expected)
+        # Beside the axis the shear lies in the plane through it: zx on x, yz on y.
+        beside = solver.stress([0.6 * a, 0.0], [0.0, 0.6 * a], sign * 0.5 * a, body=body) / peak
+        assert abs(beside[0, 5]) > 0.05 > 1e3 * abs(beside[0, 4])
+        assert abs(beside[1, 4]) > 0.05 > 1e3 * abs(beside[1, 5])
 
 
 @pytest.mark.parametrize("nx, ny, size", [(60, 24, (1.5e-3, 1.4e-3)), (26, 50, (1.5e-3, 1.3e-3))])
@@ -126,3 +130,15 @@ F_y = -0.005
     stuck = solved.cells == 1
     assert np.ptp(solved.displacement_x[stuck]) < 1e-6 * np.abs(solved.displacement_x).max()
     assert solved.displacement_x[stuck].mean() * 0.01 > 0 > solved.displacement_y[stuck].mean() * 0.005
+
+
+def test_the_impact_of_a_case_is_one_and_that_of_a_sweep_as_many_as_it_has(tmp_path):
+    path = tmp_path / "ball.toml"
+    once = carom.cases.new("impact")
+    path.write_text(once)
+    rebound = carom.cases.impact(path)
+    assert isinstance(rebound.restitution, float) and rebound.velocity_1.shape == (3,)
+    path.write_text(once.replace("friction = 0.2", "friction = [0.1, 0.2, 0.3]"))
+    swept = carom.cases.impact(path)
+    assert swept.restitution.shape == (3,) and swept.restitution[1] == rebound.restitution
+    assert np.array_equal(swept.velocity_1[1], rebound.velocity_1)
