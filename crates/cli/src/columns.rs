@@ -96,22 +96,6 @@ pub fn cell_rows(format: Format, cells: &[Vec<Cell>]) -> Result<String, CliError
     }
 }
 
-/// A table to read with these heads of the rows only.
-#[must_use]
-pub fn selected(cells: &[Vec<Cell>], chosen: &[&str]) -> String {
-    let first = cells.first().map_or(&[][..], Vec::as_slice);
-    let places: Vec<usize> = heads(first)
-        .iter()
-        .enumerate()
-        .filter(|(_, head)| chosen.contains(&head.as_str()))
-        .map(|(place, _)| place)
-        .collect();
-    let pick =
-        |texts: Vec<String>| places.iter().map(|place| texts[*place].clone()).collect::<Vec<_>>();
-    let rows: Vec<Vec<String>> = cells.iter().map(|row| pick(texts(row, short))).collect();
-    table(&pick(labels(first)), &rows)
-}
-
 /// A table to read with a line for each cell of one row that has a value.
 #[must_use]
 pub fn upright(row: &[Cell]) -> String {

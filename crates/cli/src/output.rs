@@ -168,7 +168,6 @@ impl Results {
         self.is_flowing = true;
         self.release()?;
         self.write_all(bytes).map_err(refused)
-        self.write_all(bytes).map_err(refused)
     }
 
     /// Sees to it that all has arrived.

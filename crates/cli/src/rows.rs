@@ -122,7 +122,7 @@ impl Rows {
     fn begin(&mut self, first: &[Cell], results: &mut Results) -> Result<(), CliError> {
         self.is_begun = true;
         match self.format {
-            Format::Csv => results.put(csv_rows(Some(&heads(first)), &[])?.as_bytes()),
+            Format::Csv => results.put(csv_rows(Some(heads(first).as_slice()), &[])?.as_bytes()),
             Format::Table => {
                 let is_chosen =
                     |head: &str| self.chosen.as_ref().is_none_or(|chosen| chosen.contains(&head));
@@ -146,7 +146,7 @@ impl Rows {
             Format::None => Ok(String::new()),
             Format::Table => Ok(table(&self.head, &self.held)),
             Format::Csv if self.is_begun => Ok(String::new()),
-            Format::Csv => csv_rows(Some(&self.head), &[]),
+            Format::Csv => csv_rows(Some(self.head.as_slice()), &[]),
             Format::Json => Ok(self.list.end()),
         }
     }
@@ -165,15 +165,14 @@ fn parts<R: Sync, T: Send>(
 
 /// A list of JSON, written item by item.
 #[derive(Debug, Clone, Copy)]
-pub struct JsonList {
+struct JsonList {
     depth: usize,
     is_begun: bool,
 }
 
 impl JsonList {
     /// That stands at this depth.
-    #[must_use]
-    pub const fn new(depth: usize) -> Self {
+    const fn new(depth: usize) -> Self {
         Self { depth, is_begun: false }
     }
 

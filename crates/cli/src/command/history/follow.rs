@@ -79,7 +79,7 @@ pub(super) fn follow(
             }
         }
         steps.push(step);
-        if (steps.len() * wanted.radii.max(1)) >= BLOCK {
+        if steps.len() * wanted.radii.max(1) >= BLOCK {
             visit(&mut steps)?;
             steps.clear();
         }

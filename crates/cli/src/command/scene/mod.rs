@@ -54,7 +54,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
         if format == Format::Csv && points.is_some() {
             return Ok(());
         }
-        let cells = |bounce: &&Bounce| view::cells(Some((&case, bounce)));
+        let cells = |bounce: &&Bounce| view::cells(Some((&case, *bounce)));
         let json =
             |bounce: &&Bounce, depth| indented(&view::BounceRecord::new(&case, bounce), depth);
         bounces.put(&met, cells, json, results)
