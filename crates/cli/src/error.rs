@@ -215,7 +215,8 @@ impl CliError {
             Self::Step { source, .. } => match **source {
                 FrictionalError::Range(_)
                 | FrictionalError::Period(_)
-                | FrictionalError::Slides { .. } => 2,
+                | FrictionalError::Slides { .. }
+                | FrictionalError::Turns { .. } => 2,
                 _ => 1,
             },
             Self::Fit { source, .. } => match **source {
@@ -225,7 +226,8 @@ impl CliError {
                 | FitError::Method(
                     FrictionalError::Range(_)
                     | FrictionalError::Period(_)
-                    | FrictionalError::Slides { .. },
+                    | FrictionalError::Slides { .. }
+                    | FrictionalError::Turns { .. },
                 ) => 2,
                 _ => 1,
             },

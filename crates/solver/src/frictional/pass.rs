@@ -24,6 +24,8 @@ pub(super) struct Pass<'a> {
     pub(super) spent: Products,
     /// Whether pressures and tractions were found together.
     pub(super) together: bool,
+    /// What says that the bodies slide under the pressures of the last pass, if they do.
+    pub(super) slides: Option<FrictionalError>,
 }
 
 impl Pass<'_> {
@@ -77,6 +79,7 @@ impl Pass<'_> {
             *own = if *slides { friction.motion() } else { friction.rest() }.get();
         }
         scratch.limits.sharpen();
+        scratch.tangential.begin_step();
         self.together = false;
         let tolerance = self.method.tolerance;
         if !self.problem.operator().is_coupled() {
