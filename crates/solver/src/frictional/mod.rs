@@ -51,6 +51,12 @@ use pass::Pass;
 /// alone by 0.21, 0.13, 0.056, 0.028 % of the normal force on 16, 32, 64, 128 cells a side: in
 /// proportion to their width. What depends on the difference belongs to its grid.
 ///
+/// Infinite friction is infinite where the materials are not coupled. Where they are, it is the limit of
+/// Coulomb's law, with 1e9 for the coefficient. No cell is then in the state [`CellState::Slip`]. Cells
+/// at the edge that would need tension to stick are dragged along: the surfaces touch there at a pressure
+/// of 1e-9 of the traction, which opposes their displacement. [`ContactState::slip_since`] tells
+/// it, and [`crate::dissipated`] its work.
+///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
 /// use carom_laws::{curvature::RelativeCurvature, friction::Friction, law::Shift};
