@@ -221,7 +221,8 @@ impl CliError {
             Self::Step { source, .. } => match **source {
                 FrictionalError::Range(_)
                 | FrictionalError::Period(_)
-                | FrictionalError::Slides { .. } => 2,
+                | FrictionalError::Slides { .. }
+                | FrictionalError::Turns { .. } => 2,
                 _ => 1,
             },
             Self::Fit { source, .. } => match **source {
@@ -231,7 +232,8 @@ impl CliError {
                 | FitError::Method(
                     FrictionalError::Range(_)
                     | FrictionalError::Period(_)
-                    | FrictionalError::Slides { .. },
+                    | FrictionalError::Slides { .. }
+                    | FrictionalError::Turns { .. },
                 ) => 2,
                 _ => 1,
             },

@@ -10,6 +10,9 @@ const FALL: [f64; 2] = [1.5, 4.0];
 /// next cell, has an edge there.
 const FALLS: f64 = 1.01;
 
+/// Cells of a spot that a grid may miss: two by two.
+const MISSED: f64 = 4.0;
+
 /// What counts beside a greater load or shift of its kind, over the normal one.
 const SMALLEST: f64 = 0.01;
 
@@ -111,9 +114,10 @@ pub struct Estimates {
     pub omega: Estimated,
     /// The greatest pressure.
     pub peak: Estimated,
-    /// The area that touches; its error is at least that of half a ring of cells.
+    /// The area that touches; its error is at least that of half a ring of cells, and of the four cells
+    /// of a spot too small for the grid.
     pub contact_area: Estimated,
-    /// The area that sticks; its error is at least that of half a ring of cells.
+    /// The area that sticks; its error is bounded below in the same way, zero only without friction.
     pub stick_area: Estimated,
 }
 
@@ -131,12 +135,18 @@ impl Estimates {
         };
         let of = |value: &dyn Fn(&ContactState) -> f64| by(normal_edge, value);
         let along = |value: &dyn Fn(&ContactState) -> f64| by(tangential_edge, value);
-        let area = |outlines: &dyn Fn(&ContactState) -> Vec<Contour>| {
+        let area = |outlines: &dyn Fn(&ContactState) -> Vec<Contour>, touching: bool| {
             let estimated = of(&|state| outlines(state).iter().map(Contour::area).sum());
-            let cell = state.pressure.grid().cell_area().sqrt();
+            let cell = state.pressure.grid().cell_area();
             let ring: f64 = outlines(state).iter().map(Contour::length).sum();
-            Estimated { error: estimated.error.max(0.5 * ring * cell), ..estimated }
+            let missed = if touching { MISSED * cell } else { 0.0 };
+            let least = missed.max(0.5 * ring * cell.sqrt());
+            Estimated { error: estimated.error.max(least), ..estimated }
         };
+        let touches = state.pressure.values().iter().any(|p| *p > 0.0);
+        // Where nothing pulls and nothing sticks there is no friction.
+        let pulled = x.iter().chain(y).any(|t| *t != 0.0);
+        let may_stick = pulled || state.count(CellState::Stick) > 0;
         Self {
             f_x: along(&|state| state.load().f_x),
             f_y: along(&|state| state.load().f_y),
@@ -147,12 +157,8 @@ impl Estimates {
             eta: along(&|state| state.shift.eta),
             omega: along(&|state| state.shift.omega),
             peak: of(&ContactState::peak_pressure),
-            contact_area: area(&ContactState::contact_outlines),
-            stick_area: if state.count(CellState::Stick) > 0 {
-                area(&ContactState::stick_outlines)
-            } else {
-                Estimated::default()
-            },
+            contact_area: area(&ContactState::contact_outlines, touches),
+            stick_area: area(&ContactState::stick_outlines, may_stick),
         }
     }
 

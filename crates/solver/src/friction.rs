@@ -4,7 +4,10 @@ use carom_halfspace::{Field, Grid};
 use carom_laws::friction::Friction;
 use carom_special::RangeError;
 
-/// The coefficient that stands for infinite friction where pressures and tractions are coupled.
+/// The coefficient that stands for infinite friction where pressures and tractions are coupled. At the
+/// edge a cell may be neither stuck, for its own traction would pull the surfaces apart, nor separated, for
+/// without it they would overlap. In the limit of infinite friction such a cell is dragged along: it keeps
+/// a traction at a pressure that vanishes as the traction over the coefficient.
 pub(crate) const FIRM: f64 = 1e9;
 
 /// A coefficient, of infinite friction a finite one.
@@ -88,6 +91,15 @@ impl SurfaceFriction {
         match self {
             Self::Uniform(friction) => none(friction),
             Self::ByCell(field) => field.values().iter().all(none),
+        }
+    }
+
+    /// Whether any cell has infinite kinetic friction.
+    pub(crate) fn is_infinite_somewhere(&self) -> bool {
+        let infinite = |friction: &CellFriction| friction.motion.get().is_infinite();
+        match self {
+            Self::Uniform(friction) => infinite(friction),
+            Self::ByCell(field) => field.values().iter().any(infinite),
         }
     }
 

@@ -52,6 +52,11 @@ impl FrictionLimits {
         self.cone = None;
     }
 
+    /// Whether friction is as it is.
+    pub(crate) const fn is_sharp(&self) -> bool {
+        self.cone.is_none()
+    }
+
     /// Friction no greater than this beside cohesion.
     pub(crate) fn blunt(&mut self, most: f64) {
         let zero = vec![0.0; self.friction.len()];

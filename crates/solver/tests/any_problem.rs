@@ -251,7 +251,7 @@ fn check(seed: u64) -> Result<(), String> {
                     }
                 }
                 // Cells that break let the others go.
-                Err(FrictionalError::Slides { .. }) => {}
+                Err(FrictionalError::Slides { .. } | FrictionalError::Turns { .. }) => {}
                 Err(error) => return Err(at(&format!("by load: {error}"))),
             }
         } else if sticks {

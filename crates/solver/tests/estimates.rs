@@ -1,8 +1,12 @@
 //! Errors by the mesh, estimated and true, over contacts with known solutions.
 
-use carom_halfspace::Grid;
+use std::f64::consts::PI;
+
+use carom_halfspace::{Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_laws::law::Shift;
 use carom_solver::known::Known;
-use carom_solver::{Doubt, Estimated, Frictional, NestedHistory, Side};
+use carom_solver::{ContactProblem, Doubt, Drive, Estimated, Frictional, Gap, NestedHistory, Side};
 
 /// Places of the contact between the cells, twenty of them, spread evenly.
 fn offsets() -> impl Iterator<Item = [f64; 2]> {
@@ -93,4 +97,27 @@ fn a_contact_at_the_border_or_of_few_cells_is_in_doubt() {
     assert_eq!(pressed(48, [8.0, 0.0]), [Doubt::Border { side: Side::Right }]);
     assert_eq!(pressed(48, [0.0, -8.0]), [Doubt::Border { side: Side::Bottom }]);
     assert!(matches!(pressed(10, [0.0, 0.0])[..], [Doubt::FewCells { across: 8 }]));
+}
+
+/// A few cells stick, or none, and have no outline: their area is not known exactly.
+#[test]
+fn a_stick_area_without_an_outline_has_an_error() {
+    for xi in [0.05, 0.15, 0.18, 0.192, 0.197, 0.1999, 0.25, 1.0] {
+        let make = |grid: Grid| {
+            let body = Material::from_shear(1.0, 0.0).unwrap();
+            let pair = MaterialPair::new(body, body).unwrap();
+            let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y)).unwrap();
+            ContactProblem::of_half_spaces(gap, pair, Friction::new(0.2).unwrap())
+        };
+        let grid = Grid::new(28, 28, 0.1, 0.1).unwrap();
+        let mut history = NestedHistory::new(Frictional::default(), grid, make).unwrap();
+        let to = |xi: f64| Drive::by_shift(Shift { zeta: 1.0, xi, ..Shift::default() });
+        history.step(&to(0.0), &mut ()).unwrap();
+        history.step(&to(xi), &mut ()).unwrap();
+        let got = history.estimates().unwrap().stick_area;
+        // Cattaneo: the stick radius squared is 1 - xi/(f zeta).
+        let area = PI * (1.0 - xi / 0.2).max(0.0);
+        println!("{xi}: {got:?}, {area}");
+        assert!(got.error >= 4.0 * 0.01 && (got.value - area).abs() < got.error, "{xi}: {got:?}");
+    }
 }

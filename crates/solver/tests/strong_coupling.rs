@@ -5,7 +5,8 @@ use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_solver::{
-    ContactProblem, ContactState, Drive, Frictional, FrictionalError, Gap, Method as _, violations,
+    CellState, ContactProblem, ContactState, Drive, Frictional, FrictionalError, Gap, Method as _,
+    violations,
 };
 
 /// Numbers without a pattern from a seed.
@@ -126,6 +127,35 @@ fn great_friction_sticks_as_exactly_as_infinite_friction() {
         for friction in [1e4, 1e6, 1e9] {
             let error = force(friction) / infinite - 1.0;
             assert!(error.abs() < 1e-5, "nu = {other}, f = {friction}: {error}");
+        }
+    }
+}
+
+/// Forty-two of 160 cells were said to slip at infinite friction.
+#[test]
+fn no_cell_is_said_to_slip_at_infinite_friction() {
+    let grid = Grid::new(24, 24, 2.6e-4, 2.6e-4).unwrap();
+    let gap = Gap::from_function(grid, |x, y| (x * x + y * y) / 0.02).unwrap();
+    let [one, two] = [(1e9, 0.1), (3e9, 0.45)].map(|(g, nu)| Material::from_shear(g, nu).unwrap());
+    let pair = MaterialPair::new(one, two).unwrap();
+    let infinite = Friction::new(f64::INFINITY).unwrap();
+    let problem = ContactProblem::of_half_spaces(gap, pair, infinite).unwrap();
+    let method = Frictional::default();
+    let mut scratch = method.scratch(&problem).unwrap();
+    let mut state = ContactState::apart(grid);
+    for xi in [0.0, 2e-6, -1e-6] {
+        let before = state.clone();
+        let drive = Drive::by_shift(Shift { zeta: 6e-7, xi, ..Shift::default() });
+        method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+        assert_eq!(state.count(CellState::Slip), 0);
+        let left = violations(&problem, &before, &state).unwrap();
+        assert!(left.normal < 1e-8 && left.tangential < 1e-7, "{left:?}");
+        // What is not stuck has next to no pressure.
+        let [u, v] = state.slip_since(&before);
+        let p_max = state.pressure.values().iter().copied().fold(0.0, f64::max);
+        for (i, p) in state.pressure.values().iter().enumerate() {
+            let slip = u.values()[i].hypot(v.values()[i]);
+            assert!(slip < 1e-8 * 2e-6 || *p < 1e-7 * p_max, "{slip:e} {p:e}");
         }
     }
 }

@@ -62,6 +62,9 @@ fn cycle<M: LinearMap>(
     let mut target = vec![size];
     for k in 0..most {
         map.precondition(&basis[k], &mut step);
+        if !step.iter().all(|value| value.is_finite()) {
+            break;
+        }
         let mut image = vec![0.0; rest.len()];
         map.apply(&step, &mut image)?;
         let mut column = Vec::with_capacity(k + 2);
@@ -96,6 +99,9 @@ fn cycle<M: LinearMap>(
         sum.iter_mut().zip(direction).for_each(|(sum, value)| *sum += part * value);
     }
     map.precondition(&sum, &mut step);
+    if !step.iter().all(|value| value.is_finite()) {
+        return Ok(parts.len() + 1);
+    }
     solution.iter_mut().zip(&step).for_each(|(solution, step)| *solution += step);
     let mut image = vec![0.0; rest.len()];
     map.apply(&step, &mut image)?;

@@ -4,6 +4,7 @@ mod boxed;
 mod cone;
 mod displacements;
 mod pass;
+mod sliding;
 mod turns;
 
 use std::sync::Arc;
@@ -22,7 +23,7 @@ use crate::nested;
 use crate::normal::NormalGrids;
 use crate::problem::{ContactProblem, PeriodError};
 use crate::state::ContactState;
-use crate::tangential::{Rigid, TangentialScratch};
+use crate::tangential::{LimitSurface, Rigid, TangentialScratch};
 use boxed::Boxed;
 use pass::Pass;
 
@@ -32,7 +33,10 @@ use pass::Pass;
 /// set, tractions from Newton's method on sets of sticking and slipping cells; both start from
 /// coarser grids where nothing better is known.
 ///
-/// Each of the four motions is driven by its shift or by its load.
+/// Each of the four motions is driven by its shift or by its load. A load that friction cannot hold is an
+/// error ([`FrictionalError::Slides`], [`FrictionalError::Turns`]). Loads of dissimilar bodies just below that
+/// limit are found by the motions that lead to them: there all cells slip, and the shift grows as the
+/// inverse root of what is missing to the limit.
 ///
 /// A step costs what its contact covers, not what the window does: on many cells it is solved on a box
 /// about the contact, found anew in each step on coarse cells, and on the whole window where bodies
@@ -46,6 +50,12 @@ use pass::Pass;
 /// In Cattaneo's problem with `f_s = 1.5 f_k` the tangential force exceeds that of kinetic friction
 /// alone by 0.21, 0.13, 0.056, 0.028 % of the normal force on 16, 32, 64, 128 cells a side: in
 /// proportion to their width. What depends on the difference belongs to its grid.
+///
+/// Infinite friction is infinite where the materials are not coupled. Where they are, it is the limit of
+/// Coulomb's law, with 1e9 for the coefficient. No cell is then in the state [`CellState::Slip`]. Cells
+/// at the edge that would need tension to stick are dragged along: the surfaces touch there at a pressure
+/// of 1e-9 of the traction, which opposes their displacement. [`ContactState::slip_since`] tells
+/// it, and [`crate::dissipated`] its work.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -95,8 +105,21 @@ pub enum FrictionalError {
     Slides {
         /// The force.
         force: f64,
-        /// The friction limit, the sum of f p.
+        /// The friction limit, the sum of f p, as far as it is known: to 1e-12 of itself.
         limit: f64,
+    },
+    /// A torque is given, alone or beside a force, that friction cannot hold: the bodies turn on each other.
+    #[error(
+        "friction holds loads below {part} times the torque {torque} and the tangential force {force}: \
+         the bodies slide"
+    )]
+    Turns {
+        /// The torque.
+        torque: f64,
+        /// The tangential force.
+        force: f64,
+        /// What friction can hold over what is given; at most 1.
+        part: f64,
     },
     /// Iterations ended before the tolerance was reached.
     #[error(
@@ -158,6 +181,8 @@ pub struct FrictionalScratch {
     broken: Vec<bool>,
     /// Pressures and tractions together, built when it is first needed.
     coupled: Option<Box<Coupled>>,
+    /// What friction can hold under the pressures of this pass.
+    surface: LimitSurface,
     /// The box of the last step that had one, and the normal displacements of all cells.
     boxed: Option<Box<Boxed>>,
     sunk: Vec<f64>,
@@ -183,9 +208,7 @@ impl Method for Frictional {
         drive.check()?;
         from.check_grid(problem.grid())?;
         if let Some(zeta) = problem.apart(drive.normal) {
-            if let Some(force) = tangential_load(drive) {
-                return Err(FrictionalError::Slides { force, limit: 0.0 });
-            }
+            refuse_tangential_loads(drive)?;
             *to = ContactState::apart(problem.grid());
             to.shift = Shift { zeta, ..drive.shift_after(from.shift) };
             let (products, residuals) = Default::default();
@@ -218,6 +241,7 @@ impl Frictional {
             mixing: Mixing::default(),
             broken: vec![false; problem.grid().cells()],
             coupled: None,
+            surface: LimitSurface::default(),
             boxed: None,
             sunk: Vec::new(),
         })
@@ -240,20 +264,27 @@ impl Frictional {
         };
         let loads = [load(drive.x), load(drive.y), load(drive.twist)];
         let (spent, rigid) = (Products::default(), Rigid { loads, ..Rigid::default() });
-        let together = false;
+        let (together, slides) = (false, None);
         let mut pass =
-            Pass { method: self, problem, from, drive, rigid, observer, spent, together };
+            Pass { method: self, problem, from, drive, rigid, observer, spent, together, slides };
         pass.until_no_cell_breaks(to, scratch)
     }
 }
 
-/// The greatest given load along the surface, if any is not zero.
-fn tangential_load(drive: &Drive) -> Option<f64> {
-    let loads = [drive.x, drive.y, drive.twist].into_iter().filter_map(|driven| match driven {
-        Driven::Load(load) if load != 0.0 => Some(load.abs()),
-        _ => None,
+/// Separated bodies hold no load along the surface.
+fn refuse_tangential_loads(drive: &Drive) -> Result<(), FrictionalError> {
+    let [x, y, torque] = [drive.x, drive.y, drive.twist].map(|driven| match driven {
+        Driven::Load(load) => load,
+        Driven::Shift(_) => 0.0,
     });
-    loads.reduce(f64::max)
+    let force = x.hypot(y);
+    if torque != 0.0 {
+        return Err(FrictionalError::Turns { torque, force, part: 0.0 });
+    }
+    if force != 0.0 {
+        return Err(FrictionalError::Slides { force, limit: 0.0 });
+    }
+    Ok(())
 }
 
 fn converged(

@@ -3,12 +3,16 @@
 use super::{Frictional, FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Observer, Products};
 use crate::drive::Drive;
+use crate::friction::FIRM;
 use crate::problem::ContactProblem;
 use crate::state::{CellState, ContactState};
 use crate::tangential::Rigid;
 
 /// Up to this over gamma friction is taken as it is.
 const STRONG: f64 = 4.0;
+
+/// From this part of the greatest traction on, a cell has all of it.
+const DRAGGED: f64 = 1.0 - 1e-6;
 
 /// What to go back to: rigid shifts, state, normal displacement by tractions.
 pub(super) type Kept = (Rigid, ContactState, Vec<f64>);
@@ -24,6 +28,8 @@ pub(super) struct Pass<'a> {
     pub(super) spent: Products,
     /// Whether pressures and tractions were found together.
     pub(super) together: bool,
+    /// What says that the bodies slide under the pressures of the last pass, if they do.
+    pub(super) slides: Option<FrictionalError>,
 }
 
 impl Pass<'_> {
@@ -38,6 +44,8 @@ impl Pass<'_> {
         for (broken, cell) in scratch.broken.iter_mut().zip(self.from.cells.values()) {
             *broken = *cell == CellState::Slip;
         }
+        // Those are named sticking, but the search for them goes on from what they do.
+        self.name_dragged(CellState::Slip, to);
         scratch.by_traction.fill(0.0);
         if self.problem.operator().is_coupled() {
             self.displace_by_traction(to, scratch)?;
@@ -48,7 +56,25 @@ impl Pass<'_> {
             went = Convergence { iterations: went.iterations + more.iterations, ..more };
         }
         self.finish(to, scratch)?;
+        self.name_dragged(CellState::Stick, to);
         Ok(Convergence { products: self.spent, ..went })
+    }
+
+    /// Names the cells of infinite friction whose traction is all that the coefficient that stands for it
+    /// allows.
+    fn name_dragged(&self, state: CellState, to: &mut ContactState) {
+        let friction = self.problem.friction();
+        if !self.problem.operator().is_coupled() || !friction.is_infinite_somewhere() {
+            return;
+        }
+        let tractions = to.traction_x.values().iter().zip(to.traction_y.values());
+        let pressed = tractions.zip(to.pressure.values());
+        for (i, (((x, y), p), cell)) in pressed.zip(to.cells.values_mut()).enumerate() {
+            let all = *p > 0.0 && x.hypot(*y) >= DRAGGED * FIRM * p;
+            if all && friction.at(i).motion().get().is_infinite() {
+                *cell = state;
+            }
+        }
     }
 
     /// Whether any cell slips that did not before, where that lessens its friction.
@@ -77,6 +103,7 @@ impl Pass<'_> {
             *own = if *slides { friction.motion() } else { friction.rest() }.get();
         }
         scratch.limits.sharpen();
+        scratch.tangential.begin_step();
         self.together = false;
         let tolerance = self.method.tolerance;
         if !self.problem.operator().is_coupled() {

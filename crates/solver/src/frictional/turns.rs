@@ -18,8 +18,6 @@ const SMALL_STEP: f64 = 0.1;
 const PATIENCE: usize = 40;
 /// Passes after which Newton's method is tried.
 const MANY: usize = 35;
-/// A force that is below the friction limit by less than this part is not below it.
-const ROUNDING: f64 = 1e-12;
 /// Passes that change the displacements by more than this part of the last change are mixed.
 const SLOW: f64 = 0.25;
 
@@ -47,6 +45,9 @@ impl Pass<'_> {
                 tangential: tangential_part.residuals.tangential,
             };
             if change <= tolerance && inner <= tolerance {
+                if let Some(slides) = self.slides.take() {
+                    return Err(slides);
+                }
                 let (products, stop) = (self.spent, Stop::Converged);
                 return Ok(Convergence { iterations, products, residuals, stop });
             }
@@ -62,6 +63,7 @@ impl Pass<'_> {
                 return Err(FrictionalError::NotConverged { what, tolerance, reached });
             }
             if pass == MANY
+                && self.slides.is_none()
                 && let Some(reached) = self.solve_together(to, scratch)?
             {
                 return Ok(reached);
@@ -134,8 +136,10 @@ impl Pass<'_> {
         }
         let own = operator.coefficients(0, 0).rows[2][2];
         scratch.limits.follow(&to.pressure, scratch.normal.gap(), own);
-        self.refuse_sliding(to.pressure.values(), scratch)?;
         self.refuse_sticking(&scratch.limits.values)?;
+        if let Some(slid) = self.slide(to, scratch)? {
+            return Ok(slid);
+        }
         self.offsets(scratch);
         let [x, y] = &scratch.offset;
         let mut task = TangentialTask {
@@ -157,28 +161,6 @@ impl Pass<'_> {
         self.spent = self.spent.plus(reached.products);
         self.rigid = task.rigid;
         converged("tractions", tolerance, reached)
-    }
-
-    /// A given force that friction cannot hold has no equilibrium; a blunter cone must hold what
-    /// friction does.
-    fn refuse_sliding(
-        &self,
-        pressure: &[f64],
-        scratch: &mut FrictionalScratch,
-    ) -> Result<(), FrictionalError> {
-        let [x, y, _] = self.rigid.loads.map(Option::unwrap_or_default);
-        let force = x.hypot(y);
-        if force == 0.0 {
-            return Ok(());
-        }
-        let friction = scratch.limits.friction.iter().zip(pressure);
-        let limit: f64 = friction.filter(|(_, p)| **p > 0.0).map(|(own, p)| own * p).sum();
-        if force >= limit * (1.0 - ROUNDING) {
-            let area = self.problem.grid().cell_area();
-            return Err(FrictionalError::Slides { force: area * force, limit: area * limit });
-        }
-        scratch.limits.hold(pressure, force);
-        Ok(())
     }
 
     /// Where all of a period sticks at any traction, it cannot be shifted.

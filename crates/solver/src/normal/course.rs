@@ -31,6 +31,11 @@ pub(super) struct Course {
 }
 
 impl Course {
+    /// Once the contact was lost: pressures are dropped and nothing else is done.
+    pub(super) fn rescue(products: Products) -> Self {
+        Self { products, rescued: true, slow_changes: MANY, ..Self::default() }
+    }
+
     const fn careful(&self) -> bool {
         self.slow_changes >= 2
     }

@@ -22,6 +22,7 @@ use super::descent::Descent;
 use super::law::{Off, Sums, force_scale, is_lost};
 use super::packed::Packed;
 use super::rigid::{self, Deflation, Rigid};
+use super::search::Search;
 use crate::convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
 use crate::state::CellState;
 
@@ -83,6 +84,7 @@ pub(super) struct ActiveSet {
     pub(super) preconditioned: Plane,
     pub(super) direction: Plane,
     pub(super) image: Plane,
+    pub(super) search: Search,
 }
 
 impl ActiveSet {
@@ -103,6 +105,7 @@ impl ActiveSet {
             preconditioned: Plane::default(),
             direction: Plane::default(),
             image: Plane::default(),
+            search: Search::default(),
         }
     }
 
@@ -116,12 +119,38 @@ impl ActiveSet {
         limits: Limits,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
+        self.on_the_contact(task, |set, own, cells| set.iterate(own, limits, cells, observer))
+    }
+
+    /// Solves a task with given loads by the motions that lead to them.
+    ///
+    /// # Errors
+    /// The operator's.
+    pub(super) fn solve_by_motions(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        limits: Limits,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, OperatorError> {
+        self.on_the_contact(task, |set, own, cells| set.search(own, limits, cells, observer))
+    }
+
+    /// Packs a task for a solver, which is told the cells of the grid.
+    fn on_the_contact(
+        &mut self,
+        task: &mut TangentialTask<'_>,
+        solver: impl FnOnce(
+            &mut Self,
+            &mut TangentialTask<'_>,
+            usize,
+        ) -> Result<Convergence, OperatorError>,
+    ) -> Result<Convergence, OperatorError> {
         self.within.enter(task.operator, task.limits);
         let mut packed = std::mem::take(&mut self.packed);
         packed.take(task, &self.within.contact);
         self.make_room(task.operator.grid());
         let mut own = packed.task(task);
-        let went = self.iterate(&mut own, limits, task.limits.len(), observer);
+        let went = solver(self, &mut own, task.limits.len());
         task.rigid = own.rigid;
         packed.give(task, &self.within.contact);
         self.packed = packed;
@@ -145,7 +174,7 @@ impl ActiveSet {
         }
     }
 
-    fn iterate(
+    pub(super) fn iterate(
         &mut self,
         task: &mut TangentialTask<'_>,
         limits: Limits,
@@ -238,6 +267,9 @@ impl ActiveSet {
             steps.for_each(|(direction, step)| *direction = step + share * *direction);
         }
         course.power = Some(power);
+        if self.runs_away() {
+            return Ok(Off::LOST);
+        }
         self.multiply(task.operator, &mut course.products)?;
         let (mut down, mut bend, mut alone) = (0.0, 0.0, 0.0);
         let [along, across] = &self.direction;
@@ -254,6 +286,11 @@ impl ActiveSet {
         let bend = bend.max(NOTHING * self.own * alone);
         let length = if bend > 0.0 { down / bend } else { 0.0 };
         Ok(self.correct(task, length, course))
+    }
+
+    /// Whether `direction` is infinite or not a number: given loads that no correction has.
+    pub(super) fn runs_away(&self) -> bool {
+        !self.direction.iter().flatten().all(|value| value.is_finite())
     }
 
     /// Takes `length` times `direction` from the tractions; what breaks the law then.

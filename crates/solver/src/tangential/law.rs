@@ -17,6 +17,11 @@ pub(super) struct Off {
     pub(super) distance: f64,
 }
 
+impl Off {
+    /// Tractions that have left their discs for good.
+    pub(super) const LOST: Self = Self { violation: f64::INFINITY, distance: f64::INFINITY };
+}
+
 /// The sums that lead there, cell by cell.
 #[derive(Default)]
 pub(super) struct Sums {

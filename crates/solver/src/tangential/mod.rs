@@ -5,10 +5,12 @@ mod contact;
 mod course;
 mod descent;
 mod law;
+mod limit_surface;
 mod loads;
 mod packed;
 mod precondition;
 mod rigid;
+mod search;
 mod sets;
 
 use std::sync::Arc;
@@ -16,13 +18,14 @@ use std::sync::Arc;
 use carom_halfspace::Grid;
 use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 
-use crate::convergence::{Convergence, Observer, Products};
+use crate::convergence::{Convergence, Observer, Products, Stop};
 use crate::nested;
 use crate::state::CellState;
 use active_set::{ActiveSet, Limits, Plane};
 
 pub(crate) use active_set::TangentialTask;
 pub(crate) use law::within;
+pub(crate) use limit_surface::LimitSurface;
 pub(crate) use rigid::Rigid;
 
 /// Coarse grids stop when a correction changes the tractions by less than this, the coarsest by
@@ -36,6 +39,11 @@ const RINGS: usize = 2;
 pub(crate) struct TangentialScratch {
     set: ActiveSet,
     coarse: Vec<Level>,
+    /// Whether given loads are found by their motions in this step.
+    by_motions: bool,
+    /// Where a task with given loads began.
+    begun: Plane,
+    cells: Vec<CellState>,
 }
 
 #[derive(Clone)]
@@ -140,7 +148,18 @@ impl TangentialScratch {
         coarser: &[Arc<dyn SurfaceOperator>],
     ) -> Self {
         let coarse = coarser.iter().map(Level::new).collect();
-        Self { set: ActiveSet::new(operator), coarse }
+        let (by_motions, begun, cells) = Default::default();
+        Self { set: ActiveSet::new(operator), coarse, by_motions, begun, cells }
+    }
+
+    /// Forgets how given loads were found in the last step.
+    pub(crate) fn begin_step(&mut self) {
+        self.by_motions = false;
+    }
+
+    /// Finds given loads by their motions from now on: they are close to what friction can hold.
+    pub(crate) fn find_by_motions(&mut self) {
+        self.by_motions = true;
     }
 
     /// Solves a task to the tolerance, from its own start.
@@ -151,7 +170,33 @@ impl TangentialScratch {
         iterations: usize,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
-        self.set.solve(task, Limits { tolerance, change: 0.0, iterations }, observer)
+        let limits = Limits { tolerance, change: 0.0, iterations };
+        let given = task.rigid;
+        if given.loads == [None; 3] {
+            return self.set.solve(task, limits, observer);
+        }
+        if self.by_motions {
+            return self.set.solve_by_motions(task, limits, observer);
+        }
+        for (begun, traction) in self.begun.iter_mut().zip(&task.traction) {
+            begun.clear();
+            begun.extend_from_slice(traction);
+        }
+        self.cells.clear();
+        self.cells.extend_from_slice(task.cells);
+        let went = self.set.solve(task, limits, observer)?;
+        if matches!(went.stop, Stop::Converged | Stop::Observer) {
+            return Ok(went);
+        }
+        // Loads that corrections without loads do not find.
+        self.by_motions = true;
+        for (begun, traction) in self.begun.iter().zip(&mut task.traction) {
+            traction.copy_from_slice(begun);
+        }
+        task.cells.copy_from_slice(&self.cells);
+        task.rigid = given;
+        let more = self.set.solve_by_motions(task, limits, observer)?;
+        Ok(Convergence { products: went.products.plus(more.products), ..more })
     }
 
     /// Replaces the start of a task by the solution of coarser grids; what that cost, in products of
@@ -163,6 +208,10 @@ impl TangentialScratch {
         iterations: usize,
     ) -> Result<Products, OperatorError> {
         let mut spent = Products::default();
+        // Coarse cells do not hold just the same loads.
+        if self.by_motions {
+            return Ok(spent);
+        }
         let fine = task.operator.grid();
         let coarsest = self.coarse.len();
         for i in 0..coarsest {

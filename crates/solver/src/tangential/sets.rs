@@ -33,6 +33,9 @@ impl ActiveSet {
                 steps.for_each(|(direction, step)| *direction += damping * step);
             }
             self.restore_loads(task);
+            if self.runs_away() {
+                return Ok(Off::LOST);
+            }
             self.multiply(task.operator, &mut course.products)?;
             Ok(self.correct(task, 1.0, course))
         } else {

@@ -1,0 +1,76 @@
+//! Periods whose cells are up to 600 times longer than wide.
+
+use std::sync::Arc;
+
+use carom_halfspace::operator::{PeriodicOperator, Threads};
+use carom_halfspace::{Field, Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_solver::{
+    ContactProblem, ContactState, Drive, Driven, Frictional, Gap, Method as _, violations,
+};
+
+const SHAPES: [(usize, usize, f64); 6] = [
+    (16, 16, 300.0),
+    (16, 24, 1.0 / 237.0),
+    (4, 64, 601.0),
+    (4, 64, 70.0),
+    (64, 4, 601.0),
+    (32, 32, 1.0 / 500.0),
+];
+
+fn gap(kind: u64, grid: Grid) -> Gap {
+    let sides = [grid.nx() as f64 * grid.dx(), grid.ny() as f64 * grid.dy()];
+    let short = sides[0].min(sides[1]);
+    if kind == 0 {
+        return Gap::wavy(grid, [0.02 * short; 2], sides).unwrap();
+    }
+    let mut state = 12_345 + 7919 * kind;
+    let heights = (0..grid.cells()).map(|_| {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        0.05 * short * (state >> 11) as f64 / (1_u64 << 53) as f64
+    });
+    Gap::new(Field::new(grid, heights.collect()).unwrap()).unwrap()
+}
+
+#[test]
+fn slender_cells_of_a_period_are_pressed_and_shifted() {
+    let mut wrong = Vec::new();
+    let mut most = 0.0_f64;
+    for (nx, ny, ratio) in SHAPES {
+        let grid = Grid::new(nx, ny, 1.0, ratio).unwrap();
+        let body = Material::from_shear(1.0, 0.3).unwrap();
+        let pair = MaterialPair::new(body, body).unwrap();
+        let operator = Arc::new(PeriodicOperator::new(pair, grid, Threads::One).unwrap());
+        for kind in 0..6 {
+            let friction = Friction::new(0.3).unwrap();
+            let problem = ContactProblem::new(gap(kind, grid), operator.clone(), friction).unwrap();
+            let area = grid.cells() as f64 * grid.cell_area();
+            for mean in [1e-4, 1e-3, 1e-2, 1e-1] {
+                let method = Frictional::default();
+                let mut scratch = method.scratch(&problem).unwrap();
+                let (apart, mut to) = (ContactState::apart(grid), ContactState::apart(grid));
+                let force = mean * area * grid.dx().min(grid.dy());
+                let drive = Drive {
+                    normal: Driven::Load(force),
+                    x: Driven::Load(0.1 * force),
+                    ..Drive::default()
+                };
+                let went = method.step(&problem, &apart, &drive, &mut to, &mut scratch, &mut ());
+                let at = format!("{nx} x {ny}, dy/dx = {ratio}, gap {kind}, mean {mean}");
+                match went {
+                    Err(error) => wrong.push(format!("{at}: {error}")),
+                    Ok(went) => {
+                        most = most.max(went.products.normal + went.products.tangential);
+                        let left = violations(&problem, &apart, &to).unwrap();
+                        if left.normal > 1e-8 || left.tangential > 1e-8 {
+                            wrong.push(format!("{at}: {left:?}"));
+                        }
+                    }
+                }
+            }
+        }
+    }
+    println!("most products {most}");
+    assert!(wrong.is_empty(), "{} wrong:\n{}", wrong.len(), wrong.join("\n"));
+}
