@@ -2,6 +2,7 @@
 #![allow(dead_code)] // no test needs all of it
 
 pub(crate) mod pebble;
+pub(crate) mod picture;
 
 use carom_cli::case::CaseKind;
 use std::path::{Path, PathBuf};
