@@ -412,3 +412,30 @@ fn the_contact_point_lies_half_way_across_the_gap() {
         }
     }
 }
+
+/// Around a box of three edges: the nearest point is the centre of the ball, put back into the box.
+#[test]
+fn a_ball_beside_an_oblong_box_is_as_far_as_its_faces_edges_and_corners() {
+    let half = Vector3::new(0.5, 1.0, 1.7);
+    let block = Placed::new(Surface::cuboid([1.0, 2.0, 3.4]).unwrap());
+    let mut numbers = Numbers(31);
+    let mut faces = [0; 3];
+    for _ in 0..400 {
+        let place = Vector3::from_fn(|k, _| numbers.between(-1.0, 1.0) * (half[k] + 0.8));
+        let inside = Vector3::from_fn(|k, _| place[k].clamp(-half[k], half[k]));
+        let distance = (place - inside).norm();
+        if distance < 0.25 {
+            continue;
+        }
+        for k in 0..3 {
+            faces[k] += usize::from((0..3).all(|i| (i == k) != (place[i] == inside[i])));
+        }
+        let ball = Placed::new(Surface::sphere(0.2).unwrap()).at(place.into()).unwrap();
+        for (one, two, of_box) in [(&ball, &block, 1), (&block, &ball, 0)] {
+            let near = nearest_points(one, two).unwrap();
+            assert!((near.gap - (distance - 0.2)).abs() < 1e-10, "{place}: {}", near.gap);
+            assert!((near.points[of_box] - inside).norm() < 1e-7, "{place}: {:?}", near.points);
+        }
+    }
+    assert!(faces.iter().all(|count| *count > 5), "{faces:?}");
+}

@@ -95,3 +95,28 @@ fn the_tangent_of_turning_slip_is_the_limit_of_differences() {
     }
     assert!(steps > 20, "{steps}");
 }
+
+/// Receding without a shift the force does no work: what is no longer stored is heat.
+#[test]
+fn receding_without_a_shift_turns_stored_energy_into_heat() {
+    for (tolerance, turns) in [(1e-3, 0), (1e-6, 6)] {
+        let mut law = law(tolerance);
+        law.advance(1.0, [0.0; 2]).unwrap();
+        let mut x = [0.4, 0.1];
+        law.advance(1.0, x).unwrap();
+        for i in 0..turns {
+            let angle = 0.5 * f64::from(i);
+            x = [x[0] + 0.1 * angle.cos(), x[1] + 0.1 * angle.sin()];
+            law.advance(1.0, x).unwrap();
+        }
+        let mut zeta = 1.0;
+        for part in [0.95, 0.8, 0.5, 0.9] {
+            zeta *= part;
+            let sum = |v: [f64; 2]| v[0] + v[1];
+            let (before, heat) = (sum(law.stored_energy()), sum(law.dissipation(zeta, x)));
+            law.advance(zeta, x).unwrap();
+            let lost = before - sum(law.stored_energy());
+            assert!(heat > 1e-4 && (heat - lost).abs() < 1e-5 * before, "{zeta}: {heat} {lost}");
+        }
+    }
+}

@@ -1,6 +1,6 @@
 //! Chapter 7's memory on few vertices: what merging keeps.
 
-use carom_laws::memory::{Fixed, Memory};
+use carom_laws::memory::{AdhesionMemory, Fixed, Memory};
 
 /// Pressed and shifted in turning directions without slip, then back on the same way: all forces
 /// return, but for those inside the segments that became one.
@@ -26,4 +26,23 @@ fn the_way_back_meets_the_forces_beside_a_merged_vertex() {
     }
     let away = off.iter().filter(|off| **off > 1e-12).count();
     assert!(away <= 1, "{off:?}");
+}
+
+/// Shifted without slip right after touch: the anchors jump at a small depth. Later turns are slight. Where room
+/// is short a slight turn goes, not the jump, however near it is to the vertex below.
+#[test]
+fn a_jump_of_the_anchors_is_kept_and_a_slight_turn_given_up() {
+    let mut few = AdhesionMemory::<f64, Fixed<f64, 4>>::new();
+    let edge = 0.02;
+    for (zeta, shift) in
+        [(edge, 0.0), (edge, 1.0), (1.0, 1.0), (1.5, 1.05), (2.0, 1.0), (2.5, 1.0), (3.0, 1.0)]
+    {
+        few.advance(zeta, shift).unwrap();
+    }
+    assert!(few.merges() > 0);
+    // Below the first turn only the innermost rings are stretched, by the whole shift; the turn that was given
+    // up changes little.
+    let force = few.advance(0.5, 1.0).unwrap();
+    let expected = 1.5 * f64::sqrt(edge);
+    assert!((force - expected).abs() < 0.02 * expected, "{force} {expected}");
 }

@@ -8,6 +8,8 @@ use carom_laws::law::{ContactLaw, Dissipative as _, Shift};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::torsion::history::{TwistHistory, packed_numbers, sliding_limit};
 use carom_laws::torsion::law::{self, ShiftTwistLaw, TorsionLaw};
+use carom_special::AxisRatio;
+use carom_special::elliptic::complete;
 
 mod common;
 use common::Random;
@@ -162,4 +164,39 @@ fn a_step_that_fails_before_the_touch_leaves_the_twist_as_it_was() {
     let far = Shift { zeta: 1e130, omega: 0.3, ..Shift::default() };
     assert_eq!(law.advance(far).unwrap_err().field, "zeta");
     assert_eq!(law, before);
+}
+
+/// A piece says at which contact radius sliding covers its density: `|b(s)| <= (2/pi) E(k)/k'`, k' = s over
+/// that radius; beyond it, 1 is within friction at any radius. What was joined for want of room says so too, or a later step would take it for within friction.
+#[test]
+fn a_joined_piece_stays_within_the_friction_it_asks_for() {
+    let mut random = Random(23);
+    let mut numbers = vec![0.0; packed_numbers(4)];
+    let mut kept = TwistHistory::new();
+    let (mut joined, mut pieces) = (0, 0);
+    for _ in 0..40 {
+        let mut history = TwistHistory::new();
+        for [radius, twist] in path(&mut random, 25) {
+            history.advance(radius, twist).unwrap();
+            joined += usize::from(history.pack(&mut numbers).unwrap() > 0.0);
+            kept.unpack(&numbers).unwrap();
+            let count = numbers[1] as usize;
+            for i in 0..count {
+                let [from, demand] = [numbers[7 + 6 * i], numbers[12 + 6 * i]];
+                let to = if i + 1 < count { numbers[13 + 6 * i] } else { radius };
+                for part in [1e-3, 0.3, 0.6, 0.999] {
+                    let s = from + part * (to - from);
+                    let ratio = AxisRatio::new(s / demand.max(s)).unwrap();
+                    let sliding = std::f64::consts::FRAC_2_PI * complete::e(ratio) / ratio.get();
+                    let density = kept.density(s).abs();
+                    assert!(
+                        density <= sliding * (1.0 + 1e-9),
+                        "{s} of {radius}: {density} {sliding}"
+                    );
+                    pieces += 1;
+                }
+            }
+        }
+    }
+    assert!(joined > 100 && pieces > 1000, "{joined} {pieces}");
 }

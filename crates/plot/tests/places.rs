@@ -110,3 +110,92 @@ fn all_styles_stand_at_the_same_places() {
         }
     }
 }
+
+/// Panels stand side by side and below each other, row by row, and do not overlap.
+#[test]
+fn panels_are_laid_out_row_by_row() {
+    for (count, columns) in [(1, 1), (2, 2), (3, 2), (4, 2), (5, 3), (7, 3)] {
+        let panels: Vec<Panel> = (0..count)
+            .map(|i| {
+                let mut panel = Panel::new("", "").titled(format!("panel {i}"));
+                panel.add(Series::line("", [(0.0, 0.0), (1.0, 1.0)]));
+                panel
+            })
+            .collect();
+        let svg = render("heading", &panels).unwrap();
+        let corner = |line: &str| {
+            let rect = line.split_once("<rect").unwrap().1;
+            let of = |name: &str| {
+                let rest = rect.split_once(&format!(" {name}=\"")).unwrap().1;
+                rest.split('"').next().unwrap().parse::<f64>().unwrap()
+            };
+            [of("x"), of("y")]
+        };
+        let corners: Vec<[f64; 2]> =
+            svg.lines().filter(|line| line.starts_with("<clipPath")).map(corner).collect();
+        assert_eq!(corners.len(), count);
+        for (i, [x, y]) in corners.iter().enumerate() {
+            let (row, column) = (i / columns, i % columns);
+            // A cell is 540 by 400 pixels, its axes 78 and 34 from its corner, below a heading of 30.
+            let expected = [78.0 + 540.0 * column as f64, 64.0 + 400.0 * row as f64];
+            assert!((x - expected[0]).abs() < 0.1 && (y - expected[1]).abs() < 0.1, "{i}: {x} {y}");
+        }
+    }
+}
+
+/// The barbs of an arrow lie on both sides of its shaft, behind its head.
+#[test]
+fn barbs_lie_on_both_sides_of_an_arrow() {
+    let axes = || Axis::linear("").between(0.0, 1.0);
+    for (dx, dy) in [(0.5, 0.1), (-0.3, 0.4), (0.05, -0.4), (-0.4, -0.3)] {
+        let mut panel = Panel::new(axes(), axes());
+        let [tail, head] = [Point::new(0.5, 0.5), Point::new(0.5 + dx, 0.5 + dy)];
+        panel.add(Series::arrows("", [Arrow { tail, head }]));
+        let svg = render("", &[panel]).unwrap();
+        let line = svg.lines().find(|line| line.starts_with("<path ")).unwrap();
+        let data = line.split_once(" d=\"").unwrap().1.split('"').next().unwrap();
+        let points: Vec<[f64; 2]> = data
+            .split(['M', 'L'])
+            .filter_map(|pair| pair.split_once(','))
+            .map(|(x, y)| [x.parse().unwrap(), y.parse().unwrap()])
+            .collect();
+        let [tail, head, one, tip, other] = points[..] else { panic!("{points:?}") };
+        assert_eq!(head, tip);
+        let from = |a: [f64; 2], b: [f64; 2]| [b[0] - a[0], b[1] - a[1]];
+        let (shaft, barbs) = (from(tail, head), [from(head, one), from(head, other)]);
+        let length = shaft[0].hypot(shaft[1]);
+        let along = barbs.map(|b| (b[0] * shaft[0] + b[1] * shaft[1]) / length);
+        let across = barbs.map(|b| (b[0] * shaft[1] - b[1] * shaft[0]) / length);
+        assert!(along.iter().all(|way| (way + 6.0).abs() < 0.2), "{along:?}");
+        assert!((across[0] + across[1]).abs() < 0.2 && across[0].abs() > 2.5, "{across:?}");
+    }
+}
+
+/// A map has the same unit along both axes, whichever of the two is the longer.
+#[test]
+fn a_unit_is_as_long_on_both_axes_of_a_map() {
+    for corner in [(10.0, 1.0), (1.0, 10.0), (4.4, 3.1)] {
+        let mut panel = Panel::new("", "").equal_aspect();
+        let points = [(0.0, 0.0), (1.0, 0.0), (0.0, 1.0), corner];
+        panel.add(Series::markers("", Marker::Dot, points));
+        let (cx, cy, _) = markers(panel);
+        assert_eq!(cx.len(), 4, "{corner:?}");
+        let (right, up) = (cx[1] - cx[0], cy[0] - cy[2]);
+        assert!(right > 10.0 && (right - up).abs() < 0.03, "{corner:?}: {right} {up}");
+        // All of it lies between the axes.
+        assert!(cx[3] < 518.1 && cy[3] > 33.9, "{cx:?} {cy:?}");
+    }
+}
+
+/// Words beside a point stay within the axes: near their right end they stand before it.
+#[test]
+fn words_at_the_right_end_stand_before_their_point() {
+    for (x, anchor) in [(0.1, "start"), (0.5, "start"), (0.95, "end")] {
+        let axes = || Axis::linear("").between(0.0, 1.0);
+        let mut panel = Panel::new(axes(), axes());
+        panel.add(Series::note("words", (x, 0.5)));
+        let svg = render("", &[panel]).unwrap();
+        let line = svg.lines().find(|line| line.contains(">words<")).unwrap();
+        assert!(line.contains(&format!("text-anchor=\"{anchor}\"")), "{x}: {line}");
+    }
+}

@@ -3,6 +3,7 @@
 
 pub(crate) mod pebble;
 mod rough;
+pub(crate) mod picture;
 
 use carom_cli::case::CaseKind;
 pub(crate) use rough::{grey_heights, heights, rough};

@@ -1,0 +1,206 @@
+//! Each column of the results: its place, its name, its unit, and the field that it shows.
+
+use carom_halfspace::Material;
+use carom_impact::scene::{Ball, Bounce, Limits, PathPoint, Scene, Wall};
+use carom_impact::{Body, Collision, HistoryPoint, LogEntry, Motion, Outcome, Rebound, Torsion};
+use carom_laws::friction::Friction;
+use carom_table::{Column, Value};
+use nalgebra::Vector3;
+
+/// The columns of a record one by one. No two of the numbers are the same, so that none stands for another.
+fn are<R>(columns: &[Column<R>], record: &R, expected: &[(&str, &str, Value)]) {
+    assert_eq!(columns.len(), expected.len());
+    let mut numbers: Vec<f64> = Vec::new();
+    for (column, (name, unit, value)) in columns.iter().zip(expected) {
+        assert_eq!((column.name(), column.unit()), (*name, *unit));
+        assert_eq!(column.value(record), *value, "{name}");
+        match value {
+            Value::Number(number) => numbers.push(*number),
+            Value::Vector(parts) => numbers.extend(parts),
+            _ => {}
+        }
+    }
+    for (i, number) in numbers.iter().enumerate() {
+        assert!(!numbers[..i].contains(number), "{number} stands twice");
+    }
+}
+
+fn vector(v: Vector3<f64>) -> Value {
+    Value::Vector(v.into())
+}
+
+/// An ellipsoid with spin on a ball: no two numbers are alike.
+fn collision() -> Collision {
+    let [one, two] =
+        [(70e9, 0.22), (208e9, 0.3)].map(|(e, nu)| Material::from_young(e, nu).unwrap());
+    let shape = carom_geometry::Surface::ellipsoid([0.03, 0.02, 0.015]).unwrap();
+    let inertia = shape.solid(0.1).unwrap();
+    let motion = Motion::new([0.6, 0.4, -2.0], [6.0, -11.0, 20.0]).unwrap();
+    let pebble = Body::new(shape, one, inertia).moving(motion);
+    let ball = Body::sphere(0.05, two, 0.4)
+        .unwrap()
+        .at([0.4, 0.5, 0.7])
+        .unwrap()
+        .moving(Motion::new([-0.2, 0.1, 0.3], [3.0, 1.0, -4.0]).unwrap());
+    Collision::along(pebble, ball, [0.3, 0.5, 0.8], Friction::new(0.2).unwrap()).unwrap()
+}
+
+#[test]
+fn columns_of_a_rebound_show_its_fields() {
+    let collision = collision();
+    let Outcome::Rebound(mut rebound) = collision.solve().unwrap() else { panic!("a rebound") };
+    // Of elastic bodies; a number of its own shows where it stands.
+    rebound.energy.lost = 0.123;
+    rebound.tangential_restitution = Some(0.456);
+    let r: &Rebound = &rebound;
+    let regimes: Vec<&'static str> = r.log.iter().map(|entry| entry.regime.name()).collect();
+    are(
+        Rebound::COLUMNS,
+        r,
+        &[
+            ("R_x", "", Value::Number(0.456)),
+            ("impulse", "N s", vector(r.impulse)),
+            ("contact_velocity_before", "m/s", vector(r.velocity_before)),
+            ("contact_velocity_after", "m/s", vector(r.velocity_after)),
+            ("duration", "s", Value::Number(r.duration)),
+            ("maximal_force", "N", Value::Number(r.maximal_force)),
+            ("maximal_approach", "m", Value::Number(r.maximal_approach)),
+            ("maximal_semi_axis_a", "m", Value::Number(r.maximal_contact.semi_axis_a())),
+            ("maximal_semi_axis_b", "m", Value::Number(r.maximal_contact.semi_axis_b())),
+            ("energy_before", "J", Value::Number(r.energy.before)),
+            ("energy_after", "J", Value::Number(r.energy.after)),
+            ("energy_dissipated", "J", Value::Number(r.energy.dissipated)),
+            ("energy_lost", "J", Value::Number(0.123)),
+            ("regimes", "", Value::Words(regimes)),
+        ],
+    );
+    rebound.tangential_restitution = None;
+    assert_eq!(Rebound::COLUMNS[0].value(&rebound), Value::Undefined);
+    let [motion, _] = rebound.motions;
+    are(
+        Motion::COLUMNS,
+        &motion,
+        &[("velocity", "m/s", vector(motion.velocity)), ("spin", "rad/s", vector(motion.spin))],
+    );
+    let c = &collision;
+    let frame = c.frame();
+    are(
+        Collision::COLUMNS,
+        c,
+        &[
+            ("point", "m", vector(c.point())),
+            ("x_axis", "", vector(frame.x())),
+            ("y_axis", "", vector(frame.y())),
+            ("z_axis", "", vector(frame.z())),
+            ("curvature_a", "1/m", Value::Number(c.hertz().curvature().a())),
+            ("curvature_b", "1/m", Value::Number(c.hertz().curvature().b())),
+            ("axis_ratio", "", Value::Number(c.hertz().axis_ratio().get())),
+            ("centre_1", "m", vector(c.bodies()[0].placed().centre())),
+            ("centre_2", "m", vector(c.bodies()[1].placed().centre())),
+        ],
+    );
+}
+
+#[test]
+fn columns_of_a_course_show_its_fields() {
+    let history = collision().history(9).unwrap();
+    let p = HistoryPoint { stick_radius: Some(0.789), ..history[4] };
+    are(
+        HistoryPoint::COLUMNS,
+        &p,
+        &[
+            ("time", "s", Value::Number(p.time)),
+            ("xi", "m", Value::Number(p.shift.x)),
+            ("eta", "m", Value::Number(p.shift.y)),
+            ("zeta", "m", Value::Number(p.shift.z)),
+            ("v", "m/s", vector(p.velocity)),
+            ("F", "N", vector(p.force)),
+            ("semi_axis_a", "m", Value::Number(p.semi_axes[0])),
+            ("semi_axis_b", "m", Value::Number(p.semi_axes[1])),
+            ("stick_radius", "m", Value::Number(0.789)),
+            ("regime", "", p.regime.name().into()),
+        ],
+    );
+    let torsion =
+        Torsion { spin_ratio: 0.5, torque_impulse: 0.25, dissipated: 0.125, error_estimate: 1e-3 };
+    are(
+        Torsion::COLUMNS,
+        &torsion,
+        &[
+            ("spin_ratio", "", Value::Number(0.5)),
+            ("torque_impulse", "N m s", Value::Number(0.25)),
+            ("energy_dissipated", "J", Value::Number(0.125)),
+            ("error_estimate", "", Value::Number(1e-3)),
+        ],
+    );
+    let heads: Vec<_> = LogEntry::COLUMNS.iter().map(|c| (c.name(), c.unit())).collect();
+    assert_eq!(heads, [("time", "s"), ("event", ""), ("regime", "")]);
+}
+
+#[test]
+fn columns_of_a_scene_show_its_fields() {
+    let rubber = Material::from_young(20e6, 0.5).unwrap();
+    let body = Body::sphere(0.02, rubber, 0.04).unwrap().at([0.1, 0.2, 0.5]).unwrap();
+    let motion = Motion::new([0.7, -0.4, -1.0], [10.0, 20.0, -5.0]).unwrap();
+    let ball = Ball::new(body.moving(motion)).unwrap();
+    let normal = [0.1, 0.2, 0.97];
+    let floor = Wall::new([0.0; 3], normal, Material::RIGID, Friction::new(0.3).unwrap()).unwrap();
+    let scene = Scene::new([0.1, 0.0, -9.81]).unwrap().with(floor);
+    let path = scene.run(&ball, Limits::new(10.0, 2).unwrap()).unwrap();
+    let b = &path.bounces()[0];
+    let heads: Vec<_> = Bounce::COLUMNS.iter().map(|c| (c.name(), c.unit())).collect();
+    let values: Vec<Value> = Bounce::COLUMNS.iter().map(|c| c.value(b)).collect();
+    assert_eq!(
+        heads,
+        [
+            ("time", "s"),
+            ("position", "m"),
+            ("velocity_before", "m/s"),
+            ("spin_before", "rad/s"),
+            ("velocity", "m/s"),
+            ("spin", "rad/s"),
+        ]
+    );
+    assert_eq!(
+        values,
+        [
+            Value::Number(b.time),
+            vector(b.position),
+            vector(b.before.velocity),
+            vector(b.before.spin),
+            vector(b.after.velocity),
+            vector(b.after.spin),
+        ]
+    );
+    let p = path.last();
+    are(
+        PathPoint::COLUMNS,
+        &p,
+        &[
+            ("time", "s", Value::Number(p.time)),
+            ("position", "m", vector(p.position)),
+            ("velocity", "m/s", vector(p.motion.velocity)),
+            ("spin", "rad/s", vector(p.motion.spin)),
+        ],
+    );
+    // Between the bounces: a parabola of the acceleration given, the velocity its slope.
+    let points = path.points(5).unwrap();
+    for flight in points.chunks(5) {
+        let (start, end) = (flight[0], flight[4]);
+        for point in flight {
+            let t = point.time - start.time;
+            let g = Vector3::new(0.1, 0.0, -9.81);
+            let velocity = start.motion.velocity + t * g;
+            let way = t * start.motion.velocity + 0.5 * t * t * g;
+            assert!((point.motion.velocity - velocity).norm() < 1e-12);
+            assert!((point.position - start.position - way).norm() < 1e-12);
+            assert_eq!(point.motion.spin, end.motion.spin);
+        }
+    }
+    // The bounce: momentum, and the angular momentum about the place where they touch.
+    let arm = -0.02 * b.normal;
+    let impulse = 0.04 * (b.after.velocity - b.before.velocity);
+    let turn = 0.4 * 0.04 * 4e-4 * (b.after.spin - b.before.spin);
+    assert!((impulse - b.rebound.impulse).norm() < 1e-14);
+    assert!((turn - arm.cross(&impulse)).norm() < 1e-14);
+}

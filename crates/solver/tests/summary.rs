@@ -1,0 +1,153 @@
+//! The numbers of a step: each column its own field, kept and taken up again, and the torque about the origin.
+
+use carom_halfspace::{Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLoad, Shift};
+use carom_solver::{
+    ContactProblem, ContactState, Drive, Estimated, Estimates, Frictional, Gap, Method as _,
+    Products, Residuals, StepSummary,
+};
+use carom_table::Value;
+
+/// Numbers from 1 on, errors from 101 on: none stands for another.
+fn step() -> StepSummary {
+    let with = |value: f64| Estimated { value, error: 0.0 };
+    let mut all = Estimates {
+        f_x: with(6.0),
+        f_y: with(7.0),
+        f_z: with(8.0),
+        m_z: with(9.0),
+        zeta: with(2.0),
+        xi: with(3.0),
+        eta: with(4.0),
+        omega: with(5.0),
+        peak: with(10.0),
+        contact_area: with(11.0),
+        stick_area: with(12.0),
+    };
+    let errors: [&mut Estimated; 11] = [
+        &mut all.zeta,
+        &mut all.xi,
+        &mut all.eta,
+        &mut all.omega,
+        &mut all.f_x,
+        &mut all.f_y,
+        &mut all.f_z,
+        &mut all.m_z,
+        &mut all.peak,
+        &mut all.contact_area,
+        &mut all.stick_area,
+    ];
+    for (i, one) in errors.into_iter().enumerate() {
+        one.error = 101.0 + i as f64;
+    }
+    StepSummary {
+        step: 1,
+        shift: Shift { zeta: 2.0, xi: 3.0, eta: 4.0, omega: 5.0 },
+        load: ContactLoad { f_x: 6.0, f_y: 7.0, f_z: 8.0, m_z: 9.0 },
+        greatest_pressure: 10.0,
+        contact_area: 11.0,
+        stick_area: 12.0,
+        stored_energy: 13.0,
+        dissipated: 14.0,
+        residuals: Residuals { normal: 15.0, tangential: 16.0 },
+        products: Products { normal: 17.0, tangential: 18.0, ..Products::default() },
+        estimates: Some(all),
+    }
+}
+
+#[test]
+fn columns_and_kept_numbers_show_each_field_in_its_place() {
+    let step = step();
+    let heads = [
+        ("step", ""),
+        ("zeta", "m"),
+        ("xi", "m"),
+        ("eta", "m"),
+        ("omega", "rad"),
+        ("F_x", "N"),
+        ("F_y", "N"),
+        ("F_z", "N"),
+        ("M_z", "N m"),
+        ("p_max", "Pa"),
+        ("contact_area", "m2"),
+        ("stick_area", "m2"),
+        ("stored_energy", "J"),
+        ("dissipated", "J"),
+        ("residual_normal", ""),
+        ("residual_tangential", ""),
+        ("products_normal", ""),
+        ("products_tangential", ""),
+    ];
+    let columns = StepSummary::columns();
+    assert_eq!(columns.len(), StepSummary::NUMBERS);
+    let numbers = step.numbers();
+    for (i, column) in columns.iter().enumerate() {
+        let (expected, head) = match heads.get(i) {
+            Some((name, unit)) => ((i + 1) as f64, ((*name).to_owned(), *unit)),
+            // Errors of the shifts, the loads, the pressure and the areas.
+            None => {
+                let (name, unit) = heads[1 + i - heads.len()];
+                ((101 + i - heads.len()) as f64, (format!("{name}_error"), unit))
+            }
+        };
+        assert_eq!((column.name().to_owned(), column.unit()), head);
+        let value = match column.value(&step) {
+            Value::Number(number) => number,
+            Value::Count(count) => count as f64,
+            other => panic!("{other:?}"),
+        };
+        assert_eq!((value, numbers[i]), (expected, expected), "{head:?}");
+    }
+    assert_eq!(StepSummary::from_numbers(&numbers), step);
+    let bare = StepSummary { estimates: None, ..step };
+    assert_eq!(StepSummary::from_numbers(&bare.numbers()), bare);
+    assert_eq!(columns[20].value(&bare), Value::Undefined);
+}
+
+/// A force at the place (x, y) has the torque y F_x - x F_y about the origin; its error stays.
+#[test]
+fn the_torque_counts_about_the_origin() {
+    let moved = step().with_middle_at([0.5, 0.25]);
+    assert_eq!(moved.load.m_z, 9.0 + 0.25 * 6.0 - 0.5 * 7.0);
+    let expected = ContactLoad { m_z: moved.load.m_z, ..step().load };
+    assert_eq!((moved.load, moved.shift), (expected, step().shift));
+    let torque = moved.estimates.unwrap().m_z;
+    assert_eq!((torque.value, torque.error), (moved.load.m_z, 108.0));
+}
+
+/// To and fro at a constant approach: the work of the force is what is stored and what was heat since the start.
+#[test]
+fn work_since_the_start_is_stored_or_heat() {
+    let grid = Grid::new(24, 20, 0.12, 0.14).unwrap();
+    let body = Material::from_shear(2.0, 0.3).unwrap();
+    let pair = MaterialPair::new(body, body).unwrap();
+    let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y)).unwrap();
+    let friction = Friction::new(0.3).unwrap();
+    let problem = ContactProblem::of_half_spaces(gap, pair, friction).unwrap();
+    let method = Frictional::default();
+    let mut scratch = method.scratch(&problem).unwrap();
+    let mut state = ContactState::apart(grid);
+    let mut last = StepSummary::default();
+    let (mut work, mut pressed) = (0.0, 0.0);
+    for number in 0..=60 {
+        let part = f64::from(number) / 20.0;
+        // To 0.2, back to 0 and on to -0.2.
+        let xi = 0.2 * if part < 1.0 { part } else { 2.0 - part };
+        let drive = Drive::by_shift(Shift { zeta: 1.0, xi, ..Shift::default() });
+        let before = state.clone();
+        let went =
+            method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+        let step = last.next(&problem, [&before, &state], &went).unwrap();
+        if number == 0 {
+            pressed = step.stored_energy;
+        } else {
+            work += 0.5 * (last.load.f_x + step.load.f_x) * (xi - last.shift.xi);
+        }
+        assert!(step.dissipated >= last.dissipated && step.step == number as usize + 1);
+        last = step;
+    }
+    let stored = last.stored_energy - pressed;
+    assert!(last.dissipated > 0.05 * work && stored > 0.0, "{last:?}");
+    assert!((work - stored - last.dissipated).abs() < 0.01 * work, "{work} {stored} {last:?}");
+}
