@@ -427,8 +427,8 @@ fn a_ball_beside_an_oblong_box_is_as_far_as_its_faces_edges_and_corners() {
         if distance < 0.25 {
             continue;
         }
-        for k in 0..3 {
-            faces[k] += usize::from((0..3).all(|i| (i == k) != (place[i] == inside[i])));
+        for (k, count) in faces.iter_mut().enumerate() {
+            *count += usize::from((0..3).all(|i| (i == k) != (place[i] == inside[i])));
         }
         let ball = Placed::new(Surface::sphere(0.2).unwrap()).at(place.into()).unwrap();
         for (one, two, of_box) in [(&ball, &block, 1), (&block, &ball, 0)] {
@@ -438,4 +438,25 @@ fn a_ball_beside_an_oblong_box_is_as_far_as_its_faces_edges_and_corners() {
         }
     }
     assert!(faces.iter().all(|count| *count > 5), "{faces:?}");
+}
+
+/// Two oblong boxes lie over each other with a corner of each: both points lie in both faces.
+#[test]
+fn faces_of_oblong_boxes_meet_where_they_overlap() {
+    let lower = Placed::new(Surface::cuboid([2.0, 0.6, 0.4]).unwrap());
+    let upper = Surface::cuboid([0.3, 1.0, 0.2]).unwrap();
+    for (x, y) in [(0.9, 0.6), (-1.05, 0.7), (0.2, -0.75), (-0.95, -0.1)] {
+        let gap = 0.05;
+        let upper = Placed::new(upper.clone()).at([x, y, 0.3 + gap]).unwrap();
+        let near = nearest_points(&upper, &lower).unwrap();
+        assert!((near.gap - gap).abs() < 1e-10, "{x} {y}: {}", near.gap);
+        for point in near.points {
+            let [in_x, in_y] = [(point.x, x, 0.15, 1.0), (point.y, y, 0.5, 0.3)].map(
+                |(at, middle, own, other)| {
+                    (at - middle).abs() - own < 1e-7 && at.abs() - other < 1e-7
+                },
+            );
+            assert!(in_x && in_y, "{x} {y}: {point}");
+        }
+    }
 }

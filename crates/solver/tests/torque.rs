@@ -117,7 +117,7 @@ fn each_load_and_shift_counts_for_the_worst_error() {
     for (field, scale) in of {
         let mut one = all;
         field(&mut one).error = 1e-3;
-        for history in [vec![all, one], vec![one, all]] {
+        for history in [[all, one], [one, all]] {
             let worst = Estimates::worst(&history);
             assert!((worst - 1e-3 / scale).abs() < 1e-15, "{worst} of {scale}");
         }

@@ -1,0 +1,405 @@
+//! Every number of an impact and of a pair, by mechanics and Hertz's closed forms.
+
+use std::mem::zeroed;
+use std::ptr::{null, null_mut};
+
+use carom_capi::*;
+
+type Vector = [f64; 3];
+
+const STEEL: CaromMaterial = CaromMaterial { young_modulus: 208e9, poisson: 0.3 };
+const GLASS: CaromMaterial = CaromMaterial { young_modulus: 70e9, poisson: 0.22 };
+
+fn dot(a: Vector, b: Vector) -> f64 {
+    a[0] * b[0] + a[1] * b[1] + a[2] * b[2]
+}
+
+fn plus(a: Vector, b: Vector, by: f64) -> Vector {
+    [a[0] + by * b[0], a[1] + by * b[1], a[2] + by * b[2]]
+}
+
+fn cross(a: Vector, b: Vector) -> Vector {
+    [a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]]
+}
+
+fn close(a: Vector, b: Vector, size: f64) {
+    let off = plus(a, b, -1.0);
+    assert!(dot(off, off).sqrt() < 1e-11 * size, "{a:?} {b:?}");
+}
+
+fn near(a: f64, b: f64) {
+    assert!((a - b).abs() < 1e-11 * a.abs().max(b.abs()), "{a} {b}");
+}
+
+fn sphere(radius: f64, mass: f64, material: CaromMaterial) -> CaromBody {
+    CaromBody {
+        shape: CAROM_SHAPE_SPHERE,
+        hollow: 0,
+        sizes: [radius, 0.0, 0.0],
+        mass,
+        moments: [0.0; 3],
+        material,
+        centre: [0.0; 3],
+        attitude: [0.0; 4],
+        velocity: [0.0; 3],
+        spin: [0.0; 3],
+    }
+}
+
+fn collide(one: &CaromBody, two: &CaromBody, friction: f64, normal: *const f64) -> CaromRebound {
+    let mut rebound = CaromRebound::default();
+    // SAFETY: all pointers are references, or null, or three numbers.
+    let status = unsafe { carom_collide(one, two, friction, normal, &mut rebound, null_mut()) };
+    assert_eq!(status, CaromStatus::Ok);
+    rebound
+}
+
+/// The angular momentum of a body about its centre, by its moments about axes turned by a quaternion.
+fn angular(attitude: [f64; 4], moments: Vector, spin: Vector) -> Vector {
+    let [w, i, j, k] = attitude;
+    let axes = [
+        [w * w + i * i - j * j - k * k, 2.0 * (i * j + w * k), 2.0 * (i * k - w * j)],
+        [2.0 * (i * j - w * k), w * w - i * i + j * j - k * k, 2.0 * (j * k + w * i)],
+        [2.0 * (i * k + w * j), 2.0 * (j * k - w * i), w * w - i * i - j * j + k * k],
+    ];
+    axes.iter()
+        .zip(moments)
+        .fold([0.0; 3], |sum, (axis, moment)| plus(sum, *axis, moment * dot(*axis, spin)))
+}
+
+/// Momentum, angular momentum, energy and velocities of the contact: what an impact of any bodies obeys.
+fn obeys(bodies: [&CaromBody; 2], moments: [Vector; 2], rebound: &CaromRebound) {
+    let attitude = |body: &CaromBody| match body.attitude == [0.0; 4] {
+        true => [1.0, 0.0, 0.0, 0.0],
+        false => body.attitude,
+    };
+    let mut energies = [0.0; 2];
+    let mut points = [[0.0; 3]; 2];
+    let speed = dot(bodies[0].velocity, bodies[0].velocity).sqrt();
+    for (k, body) in bodies.into_iter().enumerate() {
+        let sign = [1.0, -1.0][k];
+        let arm = plus(rebound.point, body.centre, -1.0);
+        let change = plus(rebound.velocity[k], body.velocity, -1.0).map(|v| body.mass * v);
+        close(change, rebound.impulse.map(|p| sign * p), body.mass * speed);
+        let angular = |spin| angular(attitude(body), moments[k], spin);
+        let change = plus(angular(rebound.spin[k]), angular(body.spin), -1.0);
+        let size = body.mass * speed * dot(arm, arm).sqrt();
+        close(change, cross(arm, rebound.impulse).map(|l| sign * l), 10.0 * size);
+        let of = [(body.velocity, body.spin), (rebound.velocity[k], rebound.spin[k])];
+        for (i, (velocity, spin)) in of.into_iter().enumerate() {
+            energies[i] +=
+                0.5 * body.mass * dot(velocity, velocity) + 0.5 * dot(spin, angular(spin));
+            points[i] = plus(points[i], plus(velocity, cross(spin, arm), 1.0), -sign);
+        }
+    }
+    near(rebound.energy_before, energies[0]);
+    near(rebound.energy_after, energies[1]);
+    near(rebound.dissipated + rebound.lost, energies[0] - energies[1]);
+    assert!(rebound.dissipated > 1e-3 * energies[0], "{rebound:?}");
+    close(rebound.velocity_before, points[0], 10.0 * speed);
+    close(rebound.velocity_after, points[1], 10.0 * speed);
+    near(dot(rebound.normal, rebound.normal), 1.0);
+    let along = |v: Vector| plus(v, rebound.normal, -dot(v, rebound.normal));
+    let [before, after] = points.map(along);
+    assert_eq!(rebound.has_restitution, 1);
+    near(rebound.restitution, -dot(after, before) / dot(before, before));
+}
+
+#[test]
+fn two_spheres_obey_mechanics_and_hertz() {
+    let one = CaromBody {
+        centre: [0.3, -0.1, 0.2],
+        velocity: [0.2, 0.9, -2.0],
+        spin: [40.0, -15.0, 20.0],
+        ..sphere(0.01, 0.03, STEEL)
+    };
+    let direction = [0.36, 0.48, 0.8];
+    let two = CaromBody {
+        centre: plus(one.centre, direction, -0.03),
+        velocity: [-0.4, 0.1, 0.7],
+        spin: [-10.0, 25.0, 5.0],
+        ..sphere(0.02, 0.08, GLASS)
+    };
+    let moments = [[0.4 * 0.03 * 1e-4; 3], [0.4 * 0.08 * 4e-4; 3]];
+    let rebound = collide(&one, &two, 0.2, null());
+    assert_eq!((rebound.collides, rebound.compressions), (1, 1));
+    close(rebound.normal, direction, 1.0);
+    close(rebound.point, plus(one.centre, direction, -0.01), 1.0);
+    obeys([&one, &two], moments, &rebound);
+    let [before, after] = [rebound.velocity_before, rebound.velocity_after];
+    near(dot(before, direction), -dot(after, direction));
+    // Hertz: F = (4/3) E* sqrt(R) zeta^1.5, the energy (2/5) F zeta, the time 2.943 zeta/v, a^2 = R zeta.
+    let modulus = 1.0 / ((1.0 - 0.09) / 208e9 + (1.0 - 0.0484) / 70e9);
+    let radius: f64 = 0.01 * 0.02 / 0.03;
+    let speed = dot(rebound.velocity_before, direction);
+    let mass = 0.03 * 0.08 / 0.11;
+    let zeta = (15.0 / 16.0 * mass * speed * speed / (modulus * radius.sqrt())).powf(0.4);
+    near(rebound.maximal_approach, zeta);
+    near(rebound.maximal_force, 4.0 / 3.0 * modulus * radius.sqrt() * zeta.powf(1.5));
+    let duration = 2.943_275_121_313_367 * zeta / speed;
+    assert!((rebound.duration / duration - 1.0).abs() < 1e-5, "{} {duration}", rebound.duration);
+    for axis in rebound.semi_axes {
+        near(axis, (radius * zeta).sqrt());
+    }
+    assert_eq!((rebound.lost, rebound.error_estimate), (0.0, 0.0));
+    assert_eq!(rebound.warnings & CAROM_WARNING_COUPLING, CAROM_WARNING_COUPLING);
+    assert_eq!(rebound.warnings & CAROM_WARNING_SPIN_LEFT_ALONE, CAROM_WARNING_SPIN_LEFT_ALONE);
+    // The exchanged bodies do the same to each other, seen the other way.
+    let other = collide(&two, &one, 0.2, null());
+    for k in 0..2 {
+        close(other.velocity[k], rebound.velocity[1 - k], 1.0);
+        close(other.spin[k], rebound.spin[1 - k], 100.0);
+    }
+    close(other.impulse, rebound.impulse.map(|p| -p), 0.1);
+    close(other.normal, direction.map(|n| -n), 1.0);
+}
+
+#[test]
+fn bodies_of_three_axes_obey_mechanics() {
+    // Turned by 40 degrees about (1, 2, 2)/3.
+    let (sine, cosine) = 20.0_f64.to_radians().sin_cos();
+    let attitude = [cosine, sine / 3.0, 2.0 * sine / 3.0, 2.0 * sine / 3.0];
+    let one = CaromBody {
+        shape: CAROM_SHAPE_ELLIPSOID,
+        sizes: [0.03, 0.02, 0.015],
+        attitude,
+        velocity: [0.6, 0.4, -2.0],
+        spin: [6.0, -11.0, 20.0],
+        ..sphere(0.0, 0.1, GLASS)
+    };
+    let two = CaromBody {
+        velocity: [-0.2, 0.1, 0.3],
+        spin: [3.0, 1.0, -4.0],
+        ..sphere(0.05, 0.4, GLASS)
+    };
+    let solid = |a: f64, b: f64| 0.2 * 0.1 * (a * a + b * b);
+    let own = [solid(0.02, 0.015), solid(0.03, 0.015), solid(0.03, 0.02)];
+    let ball = [[0.4 * 0.4 * 0.0025; 3], [2.0 / 3.0 * 0.4 * 0.0025; 3]];
+    let normal = [0.0, 0.6, 0.8];
+    for (hollow, given) in [(0, [0.0; 3]), (1, [0.0; 3]), (0, [3e-5, 2e-5, 4e-5])] {
+        let two = CaromBody { hollow, ..two };
+        let one = CaromBody { moments: given, ..one };
+        let moments = if given == [0.0; 3] { own } else { given };
+        let rebound = collide(&one, &two, 0.25, normal.as_ptr());
+        close(rebound.normal, normal, 1.0);
+        // Body 1 was put on body 2: its centre is that of its support along the normal.
+        let axes = [0, 1, 2].map(|k| {
+            let mut unit = [0.0; 3];
+            unit[k] = 1.0;
+            angular(attitude, unit, normal)
+        });
+        let semi = one.sizes;
+        let square: f64 = (0..3).map(|k| semi[k] * semi[k] * dot(axes[k], axes[k])).sum();
+        let below =
+            (0..3).fold([0.0; 3], |sum, k| plus(sum, axes[k], -semi[k] * semi[k] / square.sqrt()));
+        close(rebound.point, normal.map(|n| 0.05 * n), 1.0);
+        let one = CaromBody { centre: plus(rebound.point, below, -1.0), ..one };
+        obeys([&one, &two], [moments, ball[hollow as usize]], &rebound);
+        assert!(rebound.semi_axes[0] < rebound.semi_axes[1], "a lies along the larger curvature");
+        assert!(rebound.error_estimate > 0.0);
+    }
+}
+
+/// Of equal bodies: `c_z = 2 E* sqrt(R)`, `c_x = c_z/kappa`, `a^2 = R zeta`, `M_z = (16/3) G a^3 Omega`.
+#[test]
+fn the_constants_of_a_pair_are_those_of_hertz_and_mindlin() {
+    // SAFETY: all zero is a pair that nothing accepts.
+    let mut pair: CaromPair = unsafe { zeroed() };
+    // SAFETY: all pointers are references.
+    let status = unsafe {
+        let law = CAROM_LAW_CHAPTER_7;
+        let (pair, error) = (&raw mut pair, null_mut());
+        carom_pair_of_spheres(&GLASS, &GLASS, 0.01, 0.03, 0.35, law, 1e-3, pair, error)
+    };
+    assert_eq!(status, CaromStatus::Ok);
+    let (nu, radius) = (0.22, 0.0075_f64);
+    let shear = 70e9 / (2.0 * (1.0 + nu));
+    let modulus = 70e9 / (2.0 * (1.0 - nu * nu));
+    near(pair.c_z, 2.0 * modulus * radius.sqrt());
+    let kappa = (2.0 - nu) / (2.0 * (1.0 - nu));
+    near(pair.c_x, pair.c_z / kappa);
+    near(pair.c_y, pair.c_x);
+    near(pair.a_squared, radius);
+    near(pair.b_squared, radius);
+    near(pair.torsion_stiffness, 16.0 / 3.0 * 0.5 * shear * radius.powf(1.5));
+    // (3 pi/16) a f F_z is the torque of complete sliding.
+    near(pair.torsion_arm, 3.0 * std::f64::consts::PI / 16.0 * radius.sqrt());
+    assert_eq!((pair.friction, pair.law, pair.tolerance), (0.35, CAROM_LAW_CHAPTER_7, 1e-3));
+}
+
+#[test]
+fn the_axes_of_an_elliptic_pair_are_not_exchanged() {
+    let of = |a: f64, b: f64| {
+        // SAFETY: all zero is a pair that nothing accepts.
+        let mut pair: CaromPair = unsafe { zeroed() };
+        // SAFETY: all pointers are references.
+        let status = unsafe {
+            let (law, pair, error) = (CAROM_LAW_COULOMB, &raw mut pair, null_mut());
+            carom_pair_of_curvatures(&GLASS, &STEEL, a, b, 0.3, law, 0.0, pair, error)
+        };
+        assert_eq!(status, CaromStatus::Ok);
+        pair
+    };
+    let (round, slender) = (of(50.0, 50.0), of(50.0, 5.0));
+    // A lies along x: there the contact is short. Along its length it is the stiffer the more nu counts:
+    // a long contact gives way less to a force along it.
+    assert!(slender.a_squared < slender.b_squared && slender.c_x != slender.c_y);
+    near(round.c_x, round.c_y);
+    // Hertz: a^2 A/zeta and b^2 B/zeta are functions of the ratio a/b alone, of which b > a is the greater.
+    assert!(slender.b_squared > 3.0 * round.b_squared && slender.a_squared < 2.0 * round.a_squared);
+}
+
+/// Friction acts where the bodies touch: at its radius less its share of the approach from each centre, the
+/// shares as the compliances (1 - nu^2)/E.
+#[test]
+fn friction_of_unlike_grains_has_the_arm_of_each() {
+    // SAFETY: all zero is what nothing accepts, and is written.
+    let mut grains: CaromGrains = unsafe { zeroed() };
+    // SAFETY: all pointers are references.
+    let status = unsafe {
+        let (law, grains) = (CAROM_LAW_COULOMB, &raw mut grains);
+        carom_grains_of(&GLASS, &STEEL, 0.3, law, 0.0, 0.0, grains, null_mut())
+    };
+    assert_eq!(status, CaromStatus::Ok);
+    let soft = (1.0 - 0.22 * 0.22) / 70e9;
+    let stiff = (1.0 - 0.3 * 0.3) / 208e9;
+    let shares = [soft / (soft + stiff), stiff / (soft + stiff)];
+    near(grains.share_1, shares[0]);
+    near(grains.share_2, shares[1]);
+    let (radii, zeta): ([f64; 2], f64) = ([1e-3, 3e-3], 2e-5);
+    let modulus = 1.0 / (soft + stiff);
+    for on_wall in [false, true] {
+        let mut touch =
+            CaromTouch { mark: 0, words: [std::mem::MaybeUninit::new(0); CAROM_TOUCH_WORDS] };
+        let mut load = CaromGrainLoad::default();
+        let rest = [0.0; 3];
+        let two = CaromGrain { place: rest, velocity: rest, spin: rest, radius: radii[1] };
+        let wall =
+            CaromWall { place: [0.0, 0.0, radii[1]], normal: [0.0, 0.0, 1.0], velocity: rest };
+        // Pressed in one step, then shifted.
+        let height = radii[0] + radii[1] - zeta;
+        for (velocity, x) in [([0.0, 0.0, -1.0], 0.0), ([-1.0, 0.0, 0.0], -1e-6)] {
+            let place = [x, 0.0, height];
+            let one = CaromGrain { place, velocity, spin: rest, radius: radii[0] };
+            let dt = if x == 0.0 { 1e-4 } else { 1e-6 };
+            // SAFETY: all pointers are references or null.
+            let status = unsafe {
+                let (load, heats) = (&raw mut load, null_mut());
+                match on_wall {
+                    true => carom_touch_wall(
+                        &grains,
+                        &mut touch,
+                        &one,
+                        &wall,
+                        dt,
+                        load,
+                        heats,
+                        null_mut(),
+                    ),
+                    false => carom_touch_grains(
+                        &grains,
+                        &mut touch,
+                        &one,
+                        &two,
+                        dt,
+                        load,
+                        heats,
+                        null_mut(),
+                    ),
+                }
+            };
+            assert_eq!(status, CaromStatus::Ok);
+        }
+        let radius = if on_wall { radii[0] } else { radii[0] * radii[1] / (radii[0] + radii[1]) };
+        let force = 4.0 / 3.0 * modulus * radius.sqrt() * zeta.powf(1.5);
+        assert!((dot(load.force, load.force).sqrt() / force - 1.0).abs() < 0.01);
+        // Body 2 is shifted to the right against body 1; across the normal there is friction alone.
+        let tilt = if on_wall { 0.0 } else { -1e-6 / height };
+        let pull = load.force[0] - tilt * load.force[2];
+        assert!(pull > 1e-3 * force, "{load:?}");
+        let arm = radii[0] - shares[0] * zeta;
+        assert!((load.torque_1[1] / (-arm * pull) - 1.0).abs() < 1e-5, "{load:?} {arm}");
+        let arm = if on_wall { 0.0 } else { radii[1] - shares[1] * zeta };
+        assert!((load.torque_2[1] + arm * pull).abs() <= 1e-5 * arm * pull, "{load:?} {arm}");
+    }
+}
+
+/// A contact twisted to and fro at a constant approach: the work of the torque is the heat told beforehand and
+/// the change of the energy, step by step; one step of many.
+#[test]
+fn work_of_a_twist_is_stored_or_heat() {
+    // SAFETY: all zero is a pair that nothing accepts.
+    let mut pair: CaromPair = unsafe { zeroed() };
+    let mut twist = CaromTwist { numbers: [0.0; CAROM_TWIST_NUMBERS] };
+    let zeta = 1e-7;
+    let [mut torque, mut energy, mut heat] = [0.0; 3];
+    // SAFETY: all pointers are references.
+    unsafe {
+        let (law, pair, error) = (CAROM_LAW_COULOMB, &raw mut pair, null_mut());
+        carom_pair_of_spheres(&GLASS, &GLASS, 1e-3, 2e-3, 0.3, law, 0.0, pair, error);
+        carom_twist_advance(pair, &raw mut twist, zeta, 0.0, null_mut(), error);
+    }
+    let (mut omega, mut work, mut lost) = (0.0, 0.0, 0.0);
+    // Far into slip, and back beyond where it began.
+    let span = 8e-3;
+    for i in 0..600 {
+        let by = if i < 200 { span / 200.0 } else { -span / 200.0 };
+        omega += by;
+        let before = torque;
+        // SAFETY: all pointers are references.
+        let all = unsafe {
+            let error = null_mut();
+            [
+                carom_twist_heat(&pair, &twist, zeta, omega, &mut heat, error),
+                carom_twist_advance(&pair, &mut twist, zeta, omega, &mut torque, error),
+                carom_twist_energy(&pair, &twist, &mut energy, error),
+            ]
+        };
+        assert_eq!(all, [CaromStatus::Ok; 3]);
+        work += 0.5 * (before + torque) * by;
+        lost += heat;
+        // By trapezoids, which see little of the first slip.
+        let off = (work - lost - energy).abs() / work.max(energy);
+        assert!(off < if i < 10 { 1e-2 } else { 2e-3 }, "{i}: {off}");
+        assert!(heat >= 0.0);
+    }
+    assert!(lost > 0.1 * work && energy > 0.0, "{lost} {work} {energy}");
+}
+
+/// Many pairs at once, each with its own numbers wherever they lie; in sliding R_x = -1 + 7/lambda.
+#[test]
+fn many_restitutions_are_each_of_their_own_pair() {
+    let pairs: [[f64; 2]; 4] = [[1.0, 20.0], [1.2, 70.0], [1.4, 35.0], [0.9, 140.0]];
+    let stride = size_of::<[f64; 2]>();
+    for method in [CAROM_BY_TABLE, CAROM_EXACT] {
+        let mut places = [[f64::NAN; 3]; 4];
+        // SAFETY: the strides are those of the arrays.
+        let status = unsafe {
+            let (kappa, lambda) = (&raw const pairs[0][0], &raw const pairs[0][1]);
+            let first = &raw mut places[0][1];
+            let each = size_of::<[f64; 3]>();
+            let error = null_mut();
+            carom_restitution_many(4, kappa, stride, lambda, stride, method, first, each, error)
+        };
+        assert_eq!(status, CaromStatus::Ok);
+        for (place, [_, lambda]) in places.iter().zip(pairs) {
+            assert!((place[1] - (-1.0 + 7.0 / lambda)).abs() < 1e-8, "{place:?}");
+            assert!(place[0].is_nan() && place[2].is_nan());
+        }
+        // Where rings slip, kappa counts too: each answer is that of its pair alone.
+        let (kappas, lambdas) = ([1.0, 1.2, 1.4], [2.0, 1.0, 3.0]);
+        let mut many = [0.0; 3];
+        // SAFETY: as above.
+        unsafe {
+            let (k, l, to) = (kappas.as_ptr(), lambdas.as_ptr(), many.as_mut_ptr());
+            carom_restitution_many(3, k, 8, l, 8, method, to, 8, null_mut());
+        }
+        for ((kappa, lambda), own) in kappas.into_iter().zip(lambdas).zip(many) {
+            let mut one = 0.0;
+            // SAFETY: all pointers are references.
+            unsafe { carom_restitution(kappa, lambda, method, &mut one, null_mut()) };
+            assert_eq!(one, own);
+        }
+        assert!(many[0] != many[1] && many[1] != many[2]);
+    }
+}
