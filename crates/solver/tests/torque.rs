@@ -85,6 +85,9 @@ fn a_given_torque_turns_dissimilar_bodies_as_far_as_the_twist_that_makes_it() {
     }
 }
 
+/// One of the values of some estimates.
+type Part = fn(&mut Estimates) -> &mut Estimated;
+
 /// The worst error of a history is the greatest of eight, each over the greatest of its kind.
 #[test]
 fn each_load_and_shift_counts_for_the_worst_error() {
@@ -104,7 +107,7 @@ fn each_load_and_shift_counts_for_the_worst_error() {
         stick_area: exact(1.0),
     };
     assert_eq!(Estimates::worst(&[all]), 0.0);
-    let of: [(fn(&mut Estimates) -> &mut Estimated, f64); 8] = [
+    let of: [(Part, f64); 8] = [
         (|all| &mut all.f_x, 5.0),
         (|all| &mut all.f_y, 5.0),
         (|all| &mut all.f_z, 20.0),
