@@ -142,3 +142,28 @@ def test_the_impact_of_a_case_is_one_and_that_of_a_sweep_as_many_as_it_has(tmp_p
     swept = carom.cases.impact(path)
     assert swept.restitution.shape == (3,) and swept.restitution[1] == rebound.restitution
     assert np.array_equal(swept.velocity_1[1], rebound.velocity_1)
+
+
+@pytest.mark.parametrize("side, x, y", [("left", -1, 0), ("right", 1, 0), ("lower", 0, -1), ("upper", 0, 1)])
+def test_a_contact_that_reaches_a_border_names_its_side(tmp_path, side, x, y):
+    path = tmp_path / "border.toml"
+    corners = [[u + 0.7e-3 * x, v + 0.7e-3 * y] for u, v in
+               ((-4e-4, -4e-4), (4e-4, -4e-4), (4e-4, 4e-4), (-4e-4, 4e-4))]
+    path.write_text(f"""
+[body_1]
+material = {{ shear_modulus = "1 MPa", poisson = 0.5 }}
+[body_2]
+material = {{ rigid = true }}
+[gap]
+shape = "polygon"
+corners = {corners}
+[grid]
+cells = [20, 20]
+size = ["2 mm", "2 mm"]
+[contact]
+friction = 0.3
+[[step]]
+F_z = 0.01
+""")
+    with pytest.raises(Exception, match=side):
+        carom.cases.solve(path)
