@@ -126,8 +126,3 @@ fn steady_depth(rate: f64) -> f64 {
     }
     v
 }
-
-/// `(2/pi) K` at a depth, the rate of twist at which a ring keeps it.
-pub(super) fn steady_rate(depth: f64) -> f64 {
-    FRAC_2_PI * with_ratio(libm::exp(-depth), complete::k)
-}
