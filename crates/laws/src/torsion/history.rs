@@ -196,9 +196,10 @@ impl TwistHistory {
     ///
     /// It is an integral over the way that [`TwistHistory::advance`] goes, exactly 0 where nothing slips
     /// and never negative. Its error is below 1e-9 of the torque of sliding times the step,
-    /// `(3 pi/32) max(al)^4 (|dal| + |dbh|)`, and the rounding of the twist; where rings are needed or slip
-    /// rings may lie apart, below 1e-3 of it. A radius of zero separates the bodies: what they store
-    /// becomes heat.
+    /// `(3 pi/32) max(al)^4 (|dal| + |dbh|)`, and the rounding of the twist. Where rings are needed or slip
+    /// rings may lie apart it is as good as their solution: of 240 steps of random paths one was off by
+    /// 0.04 of the torque of sliding times the greater of radius and step; work and heat of whole paths
+    /// in small steps agree to 1e-3. A radius of zero separates the bodies: what they store becomes heat.
     ///
     /// Arguments that [`TwistHistory::advance`] refuses give zero.
     #[must_use]
