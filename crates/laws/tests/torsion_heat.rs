@@ -286,7 +286,9 @@ fn a_growing_friction_tends_to_infinite_friction() {
     assert!(stuck[2][2] > 0.0 && stuck[5][2] > stuck[4][2]);
     let largest = |column: usize| stuck.iter().map(|row| row[column].abs()).fold(0.0, f64::max);
     let scales = [0, 1, 2].map(largest);
-    for (friction, accuracy) in [(1e3, 1e-3), (1e6, 1e-5), (1e9, 1e-4)] {
+    let mut holds = true;
+    for (friction, accuracy) in [(1e3, 1e-3), (1e6, 1e-5), (1e9, 1e-4), (1e13, 1e-9), (1e30, 1e-9)]
+    {
         let mut worst = 0.0_f64;
         for (got, want) in ends(friction).into_iter().zip(stuck) {
             for ((got, want), scale) in got.into_iter().zip(want).zip(scales) {
@@ -294,8 +296,9 @@ fn a_growing_friction_tends_to_infinite_friction() {
             }
         }
         println!("{friction:e}: {worst:e}");
-        assert!(worst < accuracy, "{friction:e}: {worst:e}");
+        holds &= worst < accuracy;
     }
+    assert!(holds);
 }
 
 #[test]

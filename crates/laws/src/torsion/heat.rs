@@ -78,9 +78,12 @@ fn of_ring(before: &TwistHistory, after: &TwistHistory, way: Way) -> f64 {
         return of_edge(before, after);
     };
     let turns_on = after.radius >= before.radius && sign * (after.twist - before.twist) > 0.0;
-    let goes_on = before.slip_sign() == Some(sign) && (turns_on || matches!(way, Way::Inward(_)));
+    let slipped = before.slip_sign() == Some(sign);
+    let goes_on = slipped && (turns_on || matches!(way, Way::Inward(_)));
     let start = if goes_on { before.stick } else { before.radius };
-    let heat = Front::new(before, after, sign).heat(start, after.stick);
+    // A ring that begins anew within one of its own sense moves outwards.
+    let heat = (goes_on == slipped).then(|| Front::new(before, after, sign));
+    let heat = heat.and_then(|front| front.heat(start, after.stick));
     heat.filter(|heat| heat.is_finite()).unwrap_or_else(|| by_parts(before, after, way))
 }
 

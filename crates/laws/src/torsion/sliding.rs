@@ -31,15 +31,15 @@ struct Table {
     torque: [Piece; PIECES],
 }
 
-/// Likewise p(v) and g(v) of [`super::heat`].
+/// Likewise p(v)/v^2 and g(v)/v^2 of [`super::heat`].
 static HEAT_OF_TWIST: LazyLock<[Piece; PIECES]> =
-    LazyLock::new(|| std::array::from_fn(|i| fitted(i, work_of_twist)));
+    LazyLock::new(|| std::array::from_fn(|i| fitted(i, work_of_twist, 2)));
 static HEAT_OF_GROWTH: LazyLock<[Piece; PIECES]> =
-    LazyLock::new(|| std::array::from_fn(|i| fitted(i, work_of_growth)));
+    LazyLock::new(|| std::array::from_fn(|i| fitted(i, work_of_growth, 2)));
 
 static TABLE: LazyLock<Table> = LazyLock::new(|| Table {
-    twist: std::array::from_fn(|i| fitted(i, twist_at)),
-    torque: std::array::from_fn(|i| fitted(i, |v| Lubkin::at_depth(v).torque())),
+    twist: std::array::from_fn(|i| fitted(i, twist_at, 1)),
+    torque: std::array::from_fn(|i| fitted(i, |v| Lubkin::at_depth(v).torque(), 1)),
 });
 
 static RULE: FixedRule<16> = FixedRule::fixed();
@@ -49,13 +49,14 @@ fn twist_at(v: f64) -> f64 {
     -libm::expm1(-2.0 * v) * with_ratio(libm::exp(-v), complete::d)
 }
 
-/// The polynomial through Chebyshev's nodes of a piece, in powers of t from -1 to 1.
-fn fitted(piece: usize, function: fn(f64) -> f64) -> Piece {
+/// The polynomial through Chebyshev's nodes of a piece, in powers of t from -1 to 1; on the first piece
+/// of the function over `v^order`, the power in which it begins.
+fn fitted(piece: usize, function: fn(f64) -> f64, order: i32) -> Piece {
     let n = TERMS as f64;
     let angle = |i: usize| PI * (i as f64 + 0.5) / n;
     let values: Piece = std::array::from_fn(|i| {
         let v = piece as f64 + 0.5 + 0.5 * libm::cos(angle(i));
-        function(v) / if piece == 0 { v } else { 1.0 }
+        function(v) / if piece == 0 { v.powi(order) } else { 1.0 }
     });
     let mut powers = [0.0; TERMS];
     // T_k in powers of t, by its recurrence; the coefficients fall faster than those grow.
@@ -114,26 +115,26 @@ pub(super) fn twist_of_depth(v: f64) -> Sloped {
 
 /// The normalised torque `m(v)`, for v >= 0.
 fn torque_of_depth(v: f64) -> f64 {
-    if v >= PIECES as f64 { SLIDING_TORQUE } else { tabled(&TABLE.torque, v) }
+    if v >= PIECES as f64 { SLIDING_TORQUE } else { tabled(&TABLE.torque, v, 1) }
 }
 
-/// A tabled function at `0 <= v < PIECES`.
-fn tabled(pieces: &[Piece; PIECES], v: f64) -> f64 {
+/// A tabled function that begins as `v^order`, at `0 <= v < PIECES`.
+fn tabled(pieces: &[Piece; PIECES], v: f64, order: i32) -> f64 {
     let piece = v as usize;
     let t = 2.0 * (v - piece as f64) - 1.0;
     let value = pieces[piece].iter().rev().fold(0.0, |sum, term| sum * t + term);
-    if piece == 0 { v * value } else { value }
+    if piece == 0 { v.powi(order) * value } else { value }
 }
 
 /// Heat by twist, p(v) of [`super::heat`].
 pub(super) fn heat_of_twist(v: f64) -> f64 {
-    if v >= PIECES as f64 { 0.5 * SLIDING_TORQUE } else { tabled(&HEAT_OF_TWIST, v) }
+    if v >= PIECES as f64 { 0.5 * SLIDING_TORQUE } else { tabled(&HEAT_OF_TWIST, v, 2) }
 }
 
 /// Heat by growth, g(v) of [`super::heat`]; at great depth constant.
 pub(super) fn heat_of_growth(v: f64) -> f64 {
     let deepest = (1.0 - f64::EPSILON) * PIECES as f64;
-    tabled(&HEAT_OF_GROWTH, v.min(deepest))
+    tabled(&HEAT_OF_GROWTH, v.min(deepest), 2)
 }
 
 /// `p = (6/pi) int_0^v exp(-3 u) (K - E) du` at the depth v.
