@@ -10,9 +10,9 @@ mod common;
 use common::Random;
 
 /// Of the largest term of a step, or of the torque of sliding times the step.
-const USUAL: f64 = 1e-9;
-/// Of one step in some thousands, where a quadrature passes a thin ring of a step before unseen.
-const GREATEST: f64 = 1e-6;
+const STATED: f64 = 1e-9;
+/// Parts into which the work is divided at least, and where these pass a thin ring of a step before unseen.
+const PARTS: [u32; 2] = [40, 20_000];
 
 /// Gauss's nodes on (0, 1) and weights, six points, one half.
 const GAUSS: [(f64, f64); 3] = [
@@ -51,16 +51,17 @@ fn halved(
     (0..2).map(|i| halved(history, to, halves[i], parts[i], accuracy, left - 1)).sum()
 }
 
-fn work(history: &TwistHistory, to: (f64, f64)) -> f64 {
+fn work(history: &TwistHistory, to: (f64, f64), parts: u32) -> f64 {
     let limit = sliding_limit(history.radius().max(to.0));
     let part = |ends: &[f64]| {
         let ends = [ends[0], ends[1]];
         halved(history, to, ends, mean(history, to, ends), 1e-13 * limit, 30)
     };
     // Thin rings of steps before lie at the rim.
-    let rest = (1..=40).map(|i| f64::from(i) / 40.0);
-    let parts: Vec<f64> = [0.0, 2e-6, 2e-4, 4e-3].into_iter().chain(rest).collect();
-    parts.windows(2).map(part).sum::<f64>() * (to.1 - history.twist())
+    let rest = (1..=parts).map(|i| f64::from(i) / f64::from(parts));
+    let mut ends: Vec<f64> = [0.0, 2e-6, 2e-4, 4e-3].into_iter().chain(rest).collect();
+    ends.sort_by(f64::total_cmp);
+    ends.windows(2).map(part).sum::<f64>() * (to.1 - history.twist())
 }
 
 /// The next place of a contact that has never receded; or, as the last but few, of one that
@@ -105,24 +106,29 @@ fn work_is_stored_or_dissipated_in_closed_forms() {
     };
     let mut random = Random(47);
     let (mut history, mut recedes) = fresh(&mut random);
-    let (mut worst, mut beyond) = (0.0_f64, 0);
+    let mut worst = 0.0_f64;
     for step in 0..count {
         if step % 10 == 0 {
             (history, recedes) = fresh(&mut random);
         }
         let to = next(&mut random, &history, recedes);
-        let (work, heat) = (work(&history, to), history.dissipation(to.0, to.1));
+        let heat = history.dissipation(to.0, to.1);
         let (before, limit) = (history.stored_energy(), sliding_limit(history.radius().max(to.0)));
         let way = (to.0 - history.radius()).abs() + (to.1 - history.twist()).abs();
         let from = history.clone();
         history.advance(to.0, to.1).unwrap();
-        let gap = work - heat - (history.stored_energy() - before);
-        let error = gap.abs() / work.abs().max(before).max(limit * way);
-        worst = worst.max(error);
-        beyond += usize::from(error > USUAL);
-        assert!(heat >= 0.0 && error < GREATEST, "{error:e} {work:e} {heat:e} {from:?} to {to:?}");
+        let gained = history.stored_energy() - before;
+        let error = |parts: u32| {
+            let work = work(&from, to, parts);
+            (work - heat - gained).abs() / work.abs().max(before).max(limit * way)
+        };
+        let mut least = error(PARTS[0]);
+        if least > STATED {
+            least = error(PARTS[1]);
+        }
+        worst = worst.max(least);
+        assert!(heat >= 0.0 && least < STATED, "{least:e} {heat:e} {from:?} to {to:?}");
     }
     assert_eq!(history.ring_steps(), 0);
-    assert!(beyond <= 1 + count / 3000, "{beyond} of {count}");
     println!("worst {worst:e} of {count}");
 }

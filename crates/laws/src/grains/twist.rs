@@ -47,9 +47,8 @@ impl GrainTwist {
         Ok(self.torque(meeting))
     }
 
-    /// The same, and adds up the heat of friction: what the work of the mean torque leaves of the change of
-    /// the elastic energy, right to the second order of the step, as the motion itself. A step's own heat by
-    /// quadrature, [`crate::law::Dissipative::dissipation`], takes some twenty times as long as the step.
+    /// The same, and adds up the heat of friction, with what a receding edge releases: that of the law on
+    /// the way of the step, [`crate::law::Dissipative::dissipation`].
     ///
     /// # Errors
     /// As [`GrainTwist::advance`].
@@ -60,10 +59,7 @@ impl GrainTwist {
         heats: &mut Heats,
     ) -> Result<[f64; 3], RangeError> {
         let (mut law, to) = self.step(meeting, dt)?;
-        let (from, before, stored) = (law.shift().omega, law.load().m_z, law.twist_energy());
-        let after = law.advance(to)?.m_z;
-        let work = 0.5 * (before + after) * (to.omega - from);
-        heats.friction += work - (law.twist_energy() - stored);
+        heats.friction += law.advance_with_heat(to)?;
         self.law = law;
         Ok(self.torque(meeting))
     }

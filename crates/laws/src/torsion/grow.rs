@@ -17,6 +17,9 @@ use super::sliding::{sliding_torque, sliding_twist, with_ratio};
 
 /// Beyond this depth a stick radius is as good as none.
 const DEEPEST: f64 = 690.0;
+/// A slip ring whose inner edge is so near that of the steady ring is taken for it: twist and torque are off
+/// by the square of this, and rounding of the rate moves the edge less.
+const STEADY: f64 = 1e-7;
 /// Halvings of a growth: to rounding.
 const HALVINGS: usize = 50;
 
@@ -47,7 +50,8 @@ impl TwistHistory {
         let depth = steady_depth(rate.abs());
         let ratio = if depth < DEEPEST { libm::exp(-depth) } else { 0.0 };
         let slips = self.radius == 0.0 || self.slip_sign() == Some(sign);
-        if !slips || self.stick >= ratio * self.radius {
+        let deeper = ratio == 0.0 || self.stick > (1.0 + STEADY) * ratio * self.radius;
+        if !slips || deeper {
             let turn = self.turns_outward(radius, rate, ratio);
             let between = self.twist + rate * (turn - self.radius);
             if turn >= radius {
@@ -125,9 +129,4 @@ fn steady_depth(rate: f64) -> f64 {
         }
     }
     v
-}
-
-/// `(2/pi) K` at a depth, the rate of twist at which a ring keeps it.
-pub(super) fn steady_rate(depth: f64) -> f64 {
-    FRAC_2_PI * with_ratio(libm::exp(-depth), complete::k)
 }

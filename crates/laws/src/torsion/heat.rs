@@ -1,34 +1,30 @@
-//! The energy that slip turns into heat: traction times slip.
+//! The energy that slip turns into heat.
 //!
-//! A disc of radius s that is given the density db turns rings outside it against the surface by
-//! `W(s/rho) db`. Where all slides outside s, the friction does the work
-//! `P(s; al) db`, `P = (3/2) int_s^al rho^2 sqrt(al^2 - rho^2) W(s/rho) drho`, in the units of
-//! [`super::history`]. With a slip ring of depth v = ln(al/c) a step therefore costs
-//! `al^4 [p(v) sign dbh - g(v) dal]`, where p = P/al^4 and
-//! `g = p(c) + int_c^al (dbF/dal) (p(c) - p(s)) ds`.
+//! In the units of [`super::history`] the elastic energy is `(3/2) int s^2 u^2 ds` and the torque
+//! `3 int s^2 u ds`, with `u(s) = int_s^al b ds`. What the work of a step leaves of the energy is
+//! `3 int s^2 u (dbh - du) ds`. Where all sticks du = dbh; in a slip ring outside c, u is
+//! `sign B(s; al)` with `dB/dal = (2/pi) K`. With the depth v = ln(al/c) a step therefore costs
+//! `al^4 [p(v) sign dbh - g(v) dal]`, where
+//! `p = (6/pi) int_0^v exp(-3 x) (K - E) dx` and `g = (12/pi^2) int_0^v exp(-3 x) (K - E) K dx` at
+//! `k' = exp(-x)`.
 
 use carom_special::quadrature::FixedRule;
-use carom_special::roots::bisect;
 
-use super::grow::steady_rate;
+use super::front::Front;
 use super::history::{TwistHistory, Way};
 use super::rings::Rings;
-use super::sliding::{heat_of_growth, heat_of_twist, sliding_twist};
+use super::sliding::{heat_of_growth, heat_of_twist};
 
 /// Gauss's nodes and weights on (0, 1).
 const GAUSS: [(f64, f64); 6] = FixedRule::parts();
 
-/// Parts that a way is halved into at most, and the accuracy over the torque of sliding times the
-/// step at which a part is left whole.
-const PARTS: u32 = 150;
-const ACCURACY: f64 = 3e-14;
-/// Ends of parts that are halved each by itself: thin rings of steps before lie at the rim.
-const START: [f64; 6] = [0.0, 1e-6, 1e-4, 3e-3, 0.06, 1.0];
-
 /// Sees what a step does.
 pub(super) trait Meter {
-    /// A way from the state `before`.
-    fn follows(&mut self, before: &TwistHistory, way: Way, radius: f64, twist: f64);
+    /// Whether it looks at states.
+    const LOOKS: bool;
+
+    /// A way between two states.
+    fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: Way);
     /// A part solved by rings.
     fn slides(&mut self, heat: RingHeat<'_>);
 }
@@ -37,7 +33,9 @@ pub(super) trait Meter {
 pub(super) struct Unmetered;
 
 impl Meter for Unmetered {
-    fn follows(&mut self, _: &TwistHistory, _: Way, _: f64, _: f64) {}
+    const LOOKS: bool = false;
+
+    fn follows(&mut self, _: &TwistHistory, _: &TwistHistory, _: Way) {}
     fn slides(&mut self, _: RingHeat<'_>) {}
 }
 
@@ -46,22 +44,84 @@ impl Meter for Unmetered {
 pub(super) struct Heat(pub(super) f64);
 
 impl Meter for Heat {
-    fn follows(&mut self, before: &TwistHistory, way: Way, radius: f64, twist: f64) {
+    const LOOKS: bool = true;
+
+    fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: Way) {
         self.0 += match way {
             Way::Adhere => 0.0,
-            Way::Outward { depth, .. } => {
-                let fifth = |a: f64| a.powi(5) / 5.0;
-                let rate = steady_rate(depth);
-                (fifth(radius) - fifth(before.radius))
-                    * (rate * heat_of_twist(depth) - heat_of_growth(depth))
-            }
-            Way::FromRim | Way::Inward(_) => Path { before, way, radius, twist }.heat(),
+            Way::Outward { depth, .. } => of_steady_ring(before, after, depth),
+            Way::FromRim | Way::Inward(_) => of_ring(before, after, way),
         };
     }
 
     fn slides(&mut self, heat: RingHeat<'_>) {
         self.0 += heat.sum();
     }
+}
+
+/// Growth with a slip ring of constant depth.
+fn of_steady_ring(before: &TwistHistory, after: &TwistHistory, depth: f64) -> f64 {
+    let (grown, turned) = (after.radius - before.radius, (after.twist - before.twist).abs());
+    let rate = heat_of_twist(depth) * turned - heat_of_growth(depth) * grown;
+    mean_of_fourth_powers(before.radius, after.radius) * rate.max(0.0)
+}
+
+/// The mean of `al^4` between two radii.
+pub(super) fn mean_of_fourth_powers(a: f64, b: f64) -> f64 {
+    let (square_a, square_b) = (a * a, b * b);
+    0.2 * ((square_a + square_b) * (square_a + a * b) + square_b * square_b)
+}
+
+/// A part of a step with one slip ring that spreads inwards.
+fn of_ring(before: &TwistHistory, after: &TwistHistory, way: Way) -> f64 {
+    let Some(sign) = after.slip_sign().filter(|_| after.stick < after.radius) else {
+        return of_edge(before, after);
+    };
+    let turns_on = after.radius >= before.radius && sign * (after.twist - before.twist) > 0.0;
+    let slipped = before.slip_sign() == Some(sign);
+    let goes_on = slipped && (turns_on || matches!(way, Way::Inward(_)));
+    let start = if goes_on { before.stick } else { before.radius };
+    // A ring that begins anew within one of its own sense moves outwards.
+    let heat = (goes_on == slipped).then(|| Front::new(before, after, sign));
+    let heat = heat.and_then(|front| front.heat(start, after.stick));
+    heat.filter(|heat| heat.is_finite()).unwrap_or_else(|| by_parts(before, after, way))
+}
+
+/// What a receding edge releases without a slip ring: the limit of a thin one, in which
+/// `v = |bh - T|/al` and `p = g = (3/2) v^2`.
+fn of_edge(before: &TwistHistory, after: &TwistHistory) -> f64 {
+    let lost = before.radius - after.radius;
+    if lost <= 0.0 {
+        return 0.0;
+    }
+    let rounding = 4.0 * f64::EPSILON * before.twist.abs().max(after.twist.abs());
+    let rate = |t: f64| {
+        let radius = (1.0 - t) * before.radius + t * after.radius;
+        let twist = (1.0 - t) * before.twist + t * after.twist;
+        let rest = twist - before.twist_below(radius);
+        if rest.abs() <= rounding {
+            return 0.0;
+        }
+        let turned = rest.signum() * (after.twist - before.twist);
+        1.5 * (radius * rest) * (radius * rest) * (turned + lost).max(0.0)
+    };
+    GAUSS.iter().map(|(node, weight)| weight * rate(*node)).sum()
+}
+
+/// A part of a step with one slip ring, by Gauss over the step. Where rings were needed before, the inner
+/// edge may move outwards.
+fn by_parts(before: &TwistHistory, after: &TwistHistory, way: Way) -> f64 {
+    let (grown, turned) = (after.radius - before.radius, after.twist - before.twist);
+    let rate = |t: f64| {
+        let mut at = before.clone();
+        at.follow(way, at.radius + t * grown, at.twist + t * turned);
+        let Some(sign) = at.slip_sign() else { return 0.0 };
+        let depth = if at.stick > 0.0 { libm::log(at.radius / at.stick) } else { f64::INFINITY };
+        let square = at.radius * at.radius;
+        let rate = heat_of_twist(depth) * sign * turned - heat_of_growth(depth) * grown;
+        square * square * rate.max(0.0)
+    };
+    GAUSS.iter().map(|(node, weight)| weight * rate(*node)).sum()
 }
 
 /// Rings that slip, and the contact radius from which they came.
@@ -93,84 +153,5 @@ impl RingHeat<'_> {
                 1.5 * mean * (self.signs[i] * self.slips[i]).max(0.0)
             })
             .sum()
-    }
-}
-
-/// A way with one slip ring.
-struct Path<'a> {
-    before: &'a TwistHistory,
-    way: Way,
-    radius: f64,
-    twist: f64,
-}
-
-impl Path<'_> {
-    fn heat(&self) -> f64 {
-        let (from, to) = (self.before, self.radius);
-        let way = (self.twist - from.twist).abs() + (to - from.radius).abs();
-        // A twist that is large beside the step is known to its rounding.
-        let rounding = f64::EPSILON * self.twist.abs().max(from.twist.abs());
-        let accuracy = from.radius.max(to).powi(4) * (ACCURACY * way + rounding);
-        let mut left = PARTS;
-        let part = |ends: &[f64]| {
-            let whole = self.sum(ends[0], ends[1]);
-            self.halve(ends[0], ends[1], whole, accuracy, &mut left)
-        };
-        self.ends().windows(2).map(part).sum()
-    }
-
-    /// Where the stick area passes an old one, from 0 to 1, and [`START`].
-    fn ends(&self) -> Vec<f64> {
-        let before = self.before;
-        let (grown, turned) = (self.radius - before.radius, self.twist - before.twist);
-        let mut ends = START.to_vec();
-        for segment in &before.segments {
-            let below = before.twist_below(segment.from);
-            // What the twist of the discs up to there lacks when all slides outside.
-            let excess = |sign: f64, t: f64| {
-                let twist = before.twist + t * turned - below;
-                sign * twist - sliding_twist(segment.from, before.radius + t * grown)
-            };
-            for sign in [1.0, -1.0] {
-                let rises = excess(sign, 0.0) < 0.0;
-                if segment.from == 0.0 || rises == (excess(sign, 1.0) < 0.0) {
-                    continue;
-                }
-                let [_, passed] = bisect([0.0, 1.0], 50, |t| (excess(sign, t) < 0.0) == rises);
-                ends.push(passed);
-            }
-        }
-        ends.sort_by(f64::total_cmp);
-        ends
-    }
-
-    /// By halves as long as that changes the sum: a stick area that passes an old one has a kink.
-    fn halve(&self, low: f64, high: f64, whole: f64, accuracy: f64, left: &mut u32) -> f64 {
-        let middle = 0.5 * (low + high);
-        let halves = [self.sum(low, middle), self.sum(middle, high)];
-        let sum = halves[0] + halves[1];
-        if (sum - whole).abs() <= accuracy || *left == 0 {
-            return sum;
-        }
-        *left -= 1;
-        self.halve(low, middle, halves[0], accuracy, left)
-            + self.halve(middle, high, halves[1], accuracy, left)
-    }
-
-    fn sum(&self, low: f64, high: f64) -> f64 {
-        let part = high - low;
-        GAUSS.iter().map(|(node, weight)| weight * part * self.rate(low + node * part)).sum()
-    }
-
-    /// Heat by the step's parameter from 0 to 1.
-    fn rate(&self, t: f64) -> f64 {
-        let (grown, turned) = (self.radius - self.before.radius, self.twist - self.before.twist);
-        let mut at = self.before.clone();
-        at.follow(self.way, at.radius + t * grown, at.twist + t * turned);
-        let Some(sign) = at.slip_sign() else { return 0.0 };
-        let depth = if at.stick > 0.0 { libm::log(at.radius / at.stick) } else { f64::INFINITY };
-        let square = at.radius * at.radius;
-        let rate = heat_of_twist(depth) * sign * turned - heat_of_growth(depth) * grown;
-        square * square * rate.max(0.0) // below zero by rounding of the twist
     }
 }

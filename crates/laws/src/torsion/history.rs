@@ -17,8 +17,13 @@ pub use super::sliding::sliding_limit;
 use super::sliding::{sliding_torque, sliding_twist};
 use crate::bounds::in_contact;
 
-/// The part of the radius at which a contact that lets go has no energy left: its fifth power.
-const LAST_TOUCH: f64 = 1e-4;
+/// The parts of the radius from which on a contact that separates is taken to release what it stores, where
+/// rings are needed and where not: its work is below a fifth of their fifth power.
+const LAST_TOUCH: [f64; 2] = [0.3, 1e-2];
+
+/// A slip ring of less than this part of the radius is left out: the twist that it would carry stays at the
+/// rim. The torque is then off by the square of it.
+const THIN: f64 = 1e-9;
 
 /// Panels of the stored energy by their ratio of radii, and how many matter.
 const PANEL: f64 = 0.4;
@@ -187,35 +192,49 @@ impl TwistHistory {
     }
 
     /// The energy that the straight step to a new radius and twist would turn into heat, conjugate
-    /// to mu and bh. Nothing moves.
+    /// to mu and bh: the work of the torque on that way without what is then stored. Nothing moves.
     ///
-    /// It is found from traction times slip, to 1e-9 of the torque of sliding times the step, one step
-    /// in some thousands to 1e-6; where rings are needed or slip rings may lie apart, to 1e-3 of it.
+    /// It is an integral over the way that [`TwistHistory::advance`] goes, exactly 0 where nothing slips
+    /// and never negative. Its error is below 1e-9 of the torque of sliding times the step,
+    /// `(3 pi/32) max(al)^4 (|dal| + |dbh|)`, and the rounding of the twist. Where rings are needed or slip
+    /// rings may lie apart it is as good as their solution: of 240 steps of random paths one was off by
+    /// 0.04 of the torque of sliding times the greater of radius and step; work and heat of whole paths
+    /// in small steps agree to 1e-3. A radius of zero separates the bodies: what they store becomes heat.
     ///
     /// Arguments that [`TwistHistory::advance`] refuses give zero.
     #[must_use]
     pub fn dissipation(&self, radius: f64, twist: f64) -> f64 {
-        let step = RangeError::non_negative("radius", radius)
-            .and(in_contact("radius", radius))
-            .and(in_contact("twist", twist));
-        if step.is_err() {
-            return 0.0;
-        }
-        self.clone().metered_advance(radius, twist).unwrap_or(0.0)
+        self.clone().advance_with_heat(radius, twist).unwrap_or(0.0)
     }
 
-    /// Goes to a new radius and twist and returns the heat.
-    pub(super) fn metered_advance(&mut self, radius: f64, twist: f64) -> Result<f64, RangeError> {
+    /// Goes to a new radius and twist, as [`TwistHistory::advance`], and returns the heat.
+    ///
+    /// # Errors
+    /// As [`TwistHistory::advance`].
+    pub(super) fn advance_with_heat(&mut self, radius: f64, twist: f64) -> Result<f64, RangeError> {
+        check(radius, twist)?;
         let mut heat = Heat::default();
         if radius > 0.0 {
             self.travel(radius, twist, &mut heat)?;
-        } else if self.radius > 0.0 {
-            let last = self.twist + (1.0 - LAST_TOUCH) * (twist - self.twist);
-            self.travel(LAST_TOUCH * self.radius, last, &mut heat)?;
-            self.separate(twist);
-        } else {
-            self.separate(twist);
+            return Ok(heat.0);
         }
+        let turned = twist - self.twist;
+        if self.radius > 0.0 && turned != 0.0 {
+            let mut last = self.clone();
+            for part in LAST_TOUCH {
+                let twist = self.twist + (1.0 - part) * turned;
+                last.travel(part * self.radius, twist, &mut heat)?;
+                if last.ring_steps != self.ring_steps {
+                    break;
+                }
+            }
+            // The torque of sliding falls as the fourth power.
+            let work = 0.2 * last.torque * (twist - last.twist);
+            heat.0 += (last.stored_energy() + work).max(0.0);
+        } else {
+            heat.0 = self.stored_energy();
+        }
+        self.separate(twist);
         Ok(heat.0)
     }
 
@@ -227,9 +246,7 @@ impl TwistHistory {
     /// [`RangeError`] for a radius that is negative and a value above 1e60 in size or not a number,
     /// and should rings of slip not settle, of which no case is known; the state is then unchanged.
     pub fn advance(&mut self, radius: f64, twist: f64) -> Result<f64, RangeError> {
-        RangeError::non_negative("radius", radius)?;
-        in_contact("radius", radius)?;
-        in_contact("twist", twist)?;
+        check(radius, twist)?;
         if radius == 0.0 {
             self.separate(twist);
             return Ok(0.0);
@@ -285,16 +302,20 @@ impl TwistHistory {
             }
         };
         self.segments.truncate(i + 1);
+        if stick > (1.0 - THIN) * radius {
+            let rest = twist - segment.twist_to(radius);
+            self.set_torque(segment.torque_to(radius) + radius * radius * radius * rest, radius);
+            self.stick = radius;
+            return;
+        }
         let torque = segment.torque_to(stick) + sign * sliding_torque(stick, radius);
         self.set_torque(torque, radius);
         self.stick = stick;
-        if stick < radius {
-            let density = Density::Slip { sign, radius };
-            if stick <= segment.from {
-                self.segments.truncate(i);
-            }
-            self.push(Segment { from: stick, density, twist, torque, demand: radius });
+        if stick <= segment.from {
+            self.segments.truncate(i);
         }
+        let density = Density::Slip { sign, radius };
+        self.push(Segment { from: stick, density, twist, torque, demand: radius });
     }
 
     /// The torque; rounding and the width of rings do not lift it above that of sliding.
@@ -360,4 +381,12 @@ impl TwistHistory {
     fn segment_at(&self, s: f64) -> Option<&Segment> {
         self.segments.iter().rev().find(|segment| segment.from <= s)
     }
+}
+
+/// Whether a step may go there.
+fn check(radius: f64, twist: f64) -> Result<(), RangeError> {
+    RangeError::non_negative("radius", radius)?;
+    in_contact("radius", radius)?;
+    in_contact("twist", twist)?;
+    Ok(())
 }

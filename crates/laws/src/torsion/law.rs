@@ -1,19 +1,18 @@
-//! The contact laws of a twist, alone and together with a shift.
+//! The contact law of a twist.
 
 use std::f64::consts::PI;
 
 use carom_special::RangeError;
-use carom_special::quadrature::FixedRule;
 
 use super::adhesion::{AdhesiveTorsion, sliding_torque_arm};
 use super::history::{self, TwistHistory};
+pub use super::shift_twist::ShiftTwistLaw;
 use crate::bounds::in_contact;
 use crate::friction::Friction;
 use crate::hertz::Hertz;
 use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::{AdhesionMemory, Growing};
 use crate::profile::PowerLaw;
-use crate::shift_law::ShiftLaw;
 
 /// Numbers before those of the memory.
 const HEAD: usize = 4;
@@ -23,9 +22,6 @@ const HEAD: usize = 4;
 pub const fn packed_numbers(pieces: usize) -> usize {
     HEAD + history::packed_numbers(pieces)
 }
-
-/// Gauss's nodes and weights on (0, 1).
-const GAUSS: [(f64, f64); 5] = FixedRule::parts();
 
 /// What the law of a twist takes from a contact, at unit approach.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -59,9 +55,14 @@ impl TorsionConstants {
 /// the torque curve are right, what lies between is approximate. Shifts xi and eta are carried along
 /// without effect.
 ///
-/// With friction a step goes straight in contact radius and twist: in the root of the approach, not the
-/// approach. Where both change much at once the torque is not that of many small steps; in one step from
-/// touch, before anything slips, it is 5/8 of theirs.
+/// With any friction, infinite too, a step goes straight in contact radius and twist: in the root of the
+/// approach, not the approach. Where both change much at once the torque is not that of many steps in
+/// which the approach goes straight: in one step from touch without slip it is (1/4) K Omega, theirs
+/// (2/5) K Omega, K being the stiffness (5.35) at the end. As the friction grows, torque and energies tend
+/// to those at infinite friction. Heat is the work of the torque on the way of the step without what is
+/// then stored, with the error of [`TwistHistory::dissipation`] and 0 where nothing slips. To tell it
+/// costs some three times a small step, and up to sixty times one that slides far or twists while it
+/// presses.
 ///
 /// ```
 /// use carom_halfspace::{Material, MaterialPair};
@@ -127,11 +128,10 @@ impl TorsionLaw {
                 (State::Rubbing(TwistHistory::new()), stiffness / per_torque, per_torque)
             }
             None => {
-                // Discs of depth z carry zeta^(3/2): a force zeta^(5/2), of which the derivative
-                // has the factor 5/2.
-                let profile = PowerLaw::of_shape(2.0 / 3.0)?;
+                // Discs of radius a carry a^3: a force a^4, of which the derivative has the factor 4.
+                let profile = PowerLaw::of_shape(1.0 / 3.0)?;
                 let memory = Box::new(AdhesionMemory::with_profile(profile));
-                (State::Stuck(memory), 1.0, stiffness / 2.5)
+                (State::Stuck(memory), 1.0, stiffness / 4.0)
             }
         };
         let shift = Shift::default();
@@ -190,14 +190,15 @@ impl TorsionLaw {
             State::Rubbing(history) => {
                 let mut read = history.clone();
                 read.unpack(rest)?;
-                let touches = (shift.zeta > 0.0) == (read.radius() > 0.0);
-                RangeError::check("approach", shift.zeta, touches, "> 0 in contact")?;
-                let off = read.radius() * read.radius() - shift.zeta.max(0.0);
-                let holds = off.abs() <= 1e-9 * shift.zeta.max(0.0);
-                RangeError::check("radius", read.radius(), holds, "the root of the approach")?;
+                check_approach(shift.zeta, read.radius())?;
                 *history = read;
             }
-            State::Stuck(memory) => memory.unpack(rest)?,
+            State::Stuck(memory) => {
+                let mut read = memory.clone();
+                read.unpack(rest)?;
+                check_approach(shift.zeta, read.zeta())?;
+                *memory = read;
+            }
         }
         self.shift = shift;
         Ok(())
@@ -224,13 +225,70 @@ impl TorsionLaw {
         }
     }
 
-    /// The twist, in the law's units, at which bodies that are apart touch on the straight way to a shift.
-    fn touch(&self, to: Shift) -> Option<f64> {
+    /// The part of the straight way to a shift on which the bodies touch.
+    fn way(&self, to: Shift) -> Way {
         let from = self.shift;
-        (from.zeta < 0.0 && to.zeta > 0.0).then(|| {
+        let crossing = || {
             let part = from.zeta / (from.zeta - to.zeta);
             (from.omega + part * (to.omega - from.omega)) * self.per_twist
-        })
+        };
+        let parts = from.zeta > 0.0 && to.zeta < 0.0;
+        Way {
+            touch: (from.zeta < 0.0 && to.zeta > 0.0).then(crossing),
+            radius: to.zeta.max(0.0).sqrt(),
+            twist: if parts { crossing() } else { to.omega * self.per_twist },
+        }
+    }
+
+    /// Goes to a new shift, as [`ContactLaw::advance`], and returns the heat of the step.
+    pub(crate) fn advance_with_heat(&mut self, to: Shift) -> Result<f64, RangeError> {
+        self.go(to, TwistHistory::advance_with_heat)
+    }
+
+    /// Goes to a new shift. The history moves by `advance`, the value of which is taken for its heat.
+    fn go(
+        &mut self,
+        to: Shift,
+        advance: impl Fn(&mut TwistHistory, f64, f64) -> Result<f64, RangeError>,
+    ) -> Result<f64, RangeError> {
+        to.check_finite()?;
+        in_contact("omega", to.omega * self.per_twist)?;
+        let Way { touch, radius, twist } = self.way(to);
+        let heat = match &mut self.state {
+            State::Free => 0.0,
+            State::Rubbing(history) => {
+                if let Some(touch) = touch {
+                    history.separate(touch);
+                }
+                advance(history, radius, twist)? * self.per_torque / self.per_twist
+            }
+            State::Stuck(memory) => {
+                if let Some(touch) = touch {
+                    memory.advance(0.0, touch)?;
+                }
+                let heat = memory.dissipation(radius, twist) * self.per_torque;
+                memory.advance(radius, twist)?;
+                heat
+            }
+        };
+        if to.zeta <= 0.0 {
+            self.separate(to.omega)?;
+        }
+        self.shift = to;
+        Ok(heat)
+    }
+
+    /// The twist goes on in the air.
+    fn separate(&mut self, omega: f64) -> Result<(), RangeError> {
+        let twist = omega * self.per_twist;
+        match &mut self.state {
+            State::Free => {}
+            State::Rubbing(history) => history.separate(twist),
+            State::Stuck(memory) => {
+                memory.advance(0.0, twist)?;
+            }
+        }
+        Ok(())
     }
 
     /// The torque in the law's units.
@@ -243,44 +301,30 @@ impl TorsionLaw {
     }
 }
 
-/// The heat of the straight way to a new radius and twist: the work of the torque, by Gauss, without what
-/// is stored.
-fn heat_to(history: &TwistHistory, radius: f64, twist: f64) -> Result<f64, RangeError> {
-    let (radius_0, twist_0) = (history.radius(), history.twist());
-    let mut probe = history.clone();
-    let mut mean = 0.0;
-    for (node, weight) in GAUSS {
-        // Radii are roots of the approach, which is what goes straight.
-        let square = radius_0 * radius_0 + node * (radius * radius - radius_0 * radius_0);
-        let at = square.max(0.0).sqrt();
-        mean += weight * probe.advance(at, twist_0 + node * (twist - twist_0))?;
-    }
-    let mut end = history.clone();
-    end.advance(radius, twist)?;
-    let gained = end.stored_energy() - history.stored_energy();
-    Ok((mean * (twist - twist_0) - gained).max(0.0))
+/// The part of a step on which the bodies touch, in the law's units.
+struct Way {
+    /// The twist at which they touch, if they did not before.
+    touch: Option<f64>,
+    /// Radius and twist at its end.
+    radius: f64,
+    twist: f64,
+}
+
+/// Whether a memory is that of an approach.
+fn check_approach(zeta: f64, radius: f64) -> Result<(), RangeError> {
+    let touches = (zeta > 0.0) == (radius > 0.0);
+    RangeError::check("approach", zeta, touches, "> 0 in contact")?;
+    let off = radius * radius - zeta.max(0.0);
+    let holds = off.abs() <= 1e-9 * zeta.max(0.0);
+    RangeError::check("radius", radius, holds, "the root of the approach")?;
+    Ok(())
 }
 
 impl ContactLaw for TorsionLaw {
     type Error = RangeError;
 
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
-        shift.check_finite()?;
-        let twist = in_contact("omega", shift.omega * self.per_twist)?;
-        let touch = self.touch(shift);
-        match &mut self.state {
-            State::Free => {}
-            State::Rubbing(history) => {
-                if let Some(touch) = touch {
-                    history.separate(touch);
-                }
-                history.advance(shift.zeta.max(0.0).sqrt(), twist)?;
-            }
-            State::Stuck(memory) => {
-                memory.advance(shift.zeta, twist)?;
-            }
-        }
-        self.shift = shift;
+        self.go(shift, TwistHistory::advance)?;
         Ok(self.load())
     }
 
@@ -302,110 +346,14 @@ impl Dissipative for TorsionLaw {
     }
 
     fn dissipation(&self, to: Shift) -> f64 {
-        let twist = to.omega * self.per_twist;
-        if to.check_finite().and(in_contact("omega", twist)).is_err() {
-            return 0.0;
-        }
-        match &self.state {
-            State::Free => 0.0,
-            State::Rubbing(history) => {
-                let radius = to.zeta.max(0.0).sqrt();
-                let heat = match self.touch(to) {
-                    Some(touch) => {
-                        let mut touching = history.clone();
-                        touching.separate(touch);
-                        heat_to(&touching, radius, twist)
-                    }
-                    None => heat_to(history, radius, twist),
-                };
-                heat.unwrap_or(0.0) * self.per_torque / self.per_twist
-            }
-            State::Stuck(memory) => memory.dissipation(to.zeta, twist) * self.per_torque,
-        }
-    }
-}
-
-/// Shift and twist together, each by its own law as if the other were absent.
-///
-/// An approximation: both draw on the same friction. It is right as long as at least one of them is
-/// small; where both approach their limits the true load is smaller, up to the limit surface of
-/// [`crate::rigid_slip`].
-#[derive(Debug, Clone, PartialEq)]
-pub struct ShiftTwistLaw {
-    tangential: ShiftLaw<[f64; 2]>,
-    torsion: TorsionLaw,
-}
-
-impl ShiftTwistLaw {
-    /// A law at rest, the bodies just touching.
-    ///
-    /// # Errors
-    /// As [`TorsionLaw::new`].
-    pub fn new(hertz: &Hertz, friction: Friction) -> Result<Self, RangeError> {
-        let torsion = TorsionLaw::new(hertz, friction)?;
-        let shift = ShiftLaw::new(hertz.stiffness(), friction);
-        Ok(Self { tangential: shift, torsion })
-    }
-
-    /// The law of two that were kept apart.
-    ///
-    /// # Errors
-    /// [`RangeError`] if they are not at the same place.
-    pub fn of(tangential: ShiftLaw<[f64; 2]>, torsion: TorsionLaw) -> Result<Self, RangeError> {
-        let (one, other) = (tangential.shift(), torsion.shift());
-        RangeError::check("approach", other.zeta, one.zeta == other.zeta, "that of the shift")?;
-        Ok(Self { tangential, torsion })
-    }
-
-    /// The law of the shift.
-    #[must_use]
-    pub const fn tangential(&self) -> &ShiftLaw<[f64; 2]> {
-        &self.tangential
-    }
-
-    /// The law of the twist.
-    #[must_use]
-    pub fn torsion(&self) -> &TorsionLaw {
-        &self.torsion
-    }
-}
-
-impl ContactLaw for ShiftTwistLaw {
-    type Error = RangeError;
-
-    fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
-        let mut torsion = self.torsion.clone();
-        torsion.advance(shift)?;
-        self.tangential.advance(shift)?;
-        self.torsion = torsion;
-        Ok(self.load())
-    }
-
-    fn shift(&self) -> Shift {
-        Shift { omega: self.torsion.shift().omega, ..self.tangential.shift() }
-    }
-
-    fn load(&self) -> ContactLoad {
-        ContactLoad { m_z: self.torsion.load().m_z, ..self.tangential.load() }
-    }
-}
-
-impl Dissipative for ShiftTwistLaw {
-    fn stored_energy(&self) -> f64 {
-        self.tangential.stored_energy() + self.torsion.twist_energy()
-    }
-
-    fn dissipation(&self, to: Shift) -> f64 {
-        self.tangential.dissipation(to) + self.torsion.dissipation(to)
+        self.clone().advance_with_heat(to).unwrap_or(0.0)
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::accounted::Accounted;
     use crate::curvature::RelativeCurvature;
-    use crate::law::Energies as _;
     use approx::assert_relative_eq;
     use carom_halfspace::{Material, MaterialPair};
 
@@ -413,46 +361,6 @@ mod tests {
         let body = Material::from_shear(2.0, 0.3).unwrap();
         let gap = RelativeCurvature::from_coefficients(a, b).unwrap();
         Hertz::new(gap, MaterialPair::new(body, body).unwrap()).unwrap()
-    }
-
-    #[test]
-    fn energy_is_balanced() {
-        for friction in [0.0, 0.3, f64::INFINITY] {
-            let friction_law = Friction::new(friction).unwrap();
-            let mut law =
-                Accounted::new(ShiftTwistLaw::new(&hertz(1.0, 0.3), friction_law).unwrap());
-            let path = [
-                (0.01, 0.0, 0.0),
-                (0.01, 0.002, 0.03),
-                (0.012, 0.0, 0.0),
-                (0.008, -0.002, -0.02),
-                (0.004, 0.001, -0.03),
-            ];
-            let mut work = 0.0;
-            for (zeta, xi, omega) in path {
-                let from = law.shift();
-                let n = 400;
-                for i in 1..=n {
-                    let t = f64::from(i) / f64::from(n);
-                    let mix = |a: f64, b: f64| a + t * (b - a);
-                    let to = Shift {
-                        zeta: mix(from.zeta, zeta),
-                        xi: mix(from.xi, xi),
-                        eta: 0.0,
-                        omega: mix(from.omega, omega),
-                    };
-                    let (p, s) = (law.load(), law.shift());
-                    let q = law.advance(to).unwrap();
-                    work += 0.5
-                        * ((p.f_x + q.f_x) * (to.xi - s.xi)
-                            + (p.f_z + q.f_z) * (to.zeta - s.zeta)
-                            + (p.m_z + q.m_z) * (to.omega - s.omega));
-                }
-            }
-            let balance = law.stored_energy() + law.dissipated();
-            assert_relative_eq!(work, balance, max_relative = 1e-4);
-            assert_eq!(law.dissipated() > 0.0, friction > 0.0);
-        }
     }
 
     #[test]

@@ -145,9 +145,12 @@ impl TwistHistory {
     }
 
     /// Follows a way and has it metered.
-    pub(super) fn metered(&mut self, way: Way, radius: f64, twist: f64, meter: &mut impl Meter) {
-        meter.follows(self, way, radius, twist);
+    pub(super) fn metered<M: Meter>(&mut self, way: Way, radius: f64, twist: f64, meter: &mut M) {
+        let before = M::LOOKS.then(|| self.clone());
         self.follow(way, radius, twist);
+        if let Some(before) = before {
+            meter.follows(&before, self, way);
+        }
     }
 
     /// Whether torque and rim of a solution stay within friction.

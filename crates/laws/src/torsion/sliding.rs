@@ -6,7 +6,7 @@
 //! strip of half-width pi. They are tabled once as polynomials on pieces of unit length, with
 //! errors below 1e-14.
 
-use std::f64::consts::{FRAC_2_PI, FRAC_PI_2, PI};
+use std::f64::consts::{FRAC_2_PI, PI};
 use std::sync::LazyLock;
 
 use carom_special::AxisRatio;
@@ -17,6 +17,8 @@ use super::lubkin::{Lubkin, SLIDING_TORQUE};
 
 /// Pieces of unit length in v. Beyond them k'^3 is below round-off.
 const PIECES: usize = 12;
+/// The depth from which on a stick area counts neither for the torque nor for the heat.
+pub(super) const DEEP: f64 = PIECES as f64;
 /// Coefficients of a piece: the singularities at distance pi leave 1e-17 of the next.
 const TERMS: usize = 18;
 
@@ -29,33 +31,32 @@ struct Table {
     torque: [Piece; PIECES],
 }
 
-/// Likewise p(v) and g(v) of [`super::heat`].
+/// Likewise p(v)/v^2 and g(v)/v^2 of [`super::heat`].
 static HEAT_OF_TWIST: LazyLock<[Piece; PIECES]> =
-    LazyLock::new(|| std::array::from_fn(|i| fitted(i, slip_work)));
+    LazyLock::new(|| std::array::from_fn(|i| fitted(i, work_of_twist, 2)));
 static HEAT_OF_GROWTH: LazyLock<[Piece; PIECES]> =
-    LazyLock::new(|| std::array::from_fn(|i| fitted(i, growth_work)));
+    LazyLock::new(|| std::array::from_fn(|i| fitted(i, work_of_growth, 2)));
 
 static TABLE: LazyLock<Table> = LazyLock::new(|| Table {
-    twist: std::array::from_fn(|i| fitted(i, twist_at)),
-    torque: std::array::from_fn(|i| fitted(i, |v| Lubkin::at_depth(v).torque())),
+    twist: std::array::from_fn(|i| fitted(i, twist_at, 1)),
+    torque: std::array::from_fn(|i| fitted(i, |v| Lubkin::at_depth(v).torque(), 1)),
 });
 
 static RULE: FixedRule<16> = FixedRule::fixed();
-
-static FINE: FixedRule<32> = FixedRule::fixed();
 
 /// `G = K - E` at the depth v, by the integral D.
 fn twist_at(v: f64) -> f64 {
     -libm::expm1(-2.0 * v) * with_ratio(libm::exp(-v), complete::d)
 }
 
-/// The polynomial through Chebyshev's nodes of a piece, in powers of t from -1 to 1.
-fn fitted(piece: usize, function: fn(f64) -> f64) -> Piece {
+/// The polynomial through Chebyshev's nodes of a piece, in powers of t from -1 to 1; on the first piece
+/// of the function over `v^order`, the power in which it begins.
+fn fitted(piece: usize, function: fn(f64) -> f64, order: i32) -> Piece {
     let n = TERMS as f64;
     let angle = |i: usize| PI * (i as f64 + 0.5) / n;
     let values: Piece = std::array::from_fn(|i| {
         let v = piece as f64 + 0.5 + 0.5 * libm::cos(angle(i));
-        function(v) / if piece == 0 { v } else { 1.0 }
+        function(v) / if piece == 0 { v.powi(order) } else { 1.0 }
     });
     let mut powers = [0.0; TERMS];
     // T_k in powers of t, by its recurrence; the coefficients fall faster than those grow.
@@ -114,64 +115,48 @@ pub(super) fn twist_of_depth(v: f64) -> Sloped {
 
 /// The normalised torque `m(v)`, for v >= 0.
 fn torque_of_depth(v: f64) -> f64 {
-    if v >= PIECES as f64 { SLIDING_TORQUE } else { tabled(&TABLE.torque, v) }
+    if v >= PIECES as f64 { SLIDING_TORQUE } else { tabled(&TABLE.torque, v, 1) }
 }
 
-/// A tabled function at `0 <= v < PIECES`.
-fn tabled(pieces: &[Piece; PIECES], v: f64) -> f64 {
+/// A tabled function that begins as `v^order`, at `0 <= v < PIECES`.
+fn tabled(pieces: &[Piece; PIECES], v: f64, order: i32) -> f64 {
     let piece = v as usize;
     let t = 2.0 * (v - piece as f64) - 1.0;
     let value = pieces[piece].iter().rev().fold(0.0, |sum, term| sum * t + term);
-    if piece == 0 { v * value } else { value }
+    if piece == 0 { v.powi(order) * value } else { value }
 }
 
 /// Heat by twist, p(v) of [`super::heat`].
 pub(super) fn heat_of_twist(v: f64) -> f64 {
-    if v >= PIECES as f64 { 0.5 * SLIDING_TORQUE } else { tabled(&HEAT_OF_TWIST, v) }
+    if v >= PIECES as f64 { 0.5 * SLIDING_TORQUE } else { tabled(&HEAT_OF_TWIST, v, 2) }
 }
 
 /// Heat by growth, g(v) of [`super::heat`]; at great depth constant.
 pub(super) fn heat_of_growth(v: f64) -> f64 {
     let deepest = (1.0 - f64::EPSILON) * PIECES as f64;
-    tabled(&HEAT_OF_GROWTH, v.min(deepest))
+    tabled(&HEAT_OF_GROWTH, v.min(deepest), 2)
 }
 
-/// Panels by which integrals over the slip ring grow towards the rim.
-const DOUBLING: f64 = std::f64::consts::LN_2;
+/// `p = (6/pi) int_0^v exp(-3 u) (K - E) du` at the depth v.
+fn work_of_twist(v: f64) -> f64 {
+    3.0 * FRAC_2_PI * over_the_ring(v, |sliding| sliding.value)
+}
 
-/// `p = (3/2) int_c^1 rho^2 sqrt(1 - rho^2) W(c/rho) drho` at the depth v.
-fn slip_work(v: f64) -> f64 {
-    let c = libm::exp(-v);
-    let panels = (v / DOUBLING).ceil().max(1.0);
-    let edge = |i: f64| if i >= panels { 1.0 } else { libm::exp((i / panels - 1.0) * v) };
+/// `g = (12/pi^2) int_0^v exp(-3 u) (K - E) K du` at the depth v.
+fn work_of_growth(v: f64) -> f64 {
+    let both = over_the_ring(v, |sliding| sliding.value * (sliding.value + sliding.slope));
+    3.0 * FRAC_2_PI * FRAC_2_PI * both
+}
+
+/// The integral of a function of `G` and `E` over the slip ring with the weight `exp(-3 u)`.
+fn over_the_ring(v: f64, function: impl Fn(Sloped) -> f64) -> f64 {
+    let panels = v.ceil().max(1.0);
+    let at = |i: u32| v * f64::from(i) / panels;
     (0..panels as u32)
         .map(|i| {
-            let (low, high) = (edge(f64::from(i)), edge(f64::from(i + 1)));
-            // Powers 3/2 and 1/2 at the ends become even ones.
-            FINE.integrate(0.0, FRAC_PI_2, |angle| {
-                let (sin, cos) = (libm::sin(angle), libm::cos(angle));
-                let rho = low + (high - low) * sin * sin;
-                let rim = (1.0 - high) + (high - low) * cos * cos;
-                let slip = slip_by_disc((c / rho).min(1.0));
-                3.0 * (high - low) * sin * cos * rho * rho * (rim * (1.0 + rho)).sqrt() * slip
-            })
+            RULE.integrate(at(i), at(i + 1), |u| libm::exp(-3.0 * u) * function(twist_of_depth(u)))
         })
         .sum()
-}
-
-/// `g = p(c) + int_c^1 (dbF/dal) (p(c) - p(s)) ds` at the depth v, with `dbF/dal = (2/pi) B/s`.
-fn growth_work(v: f64) -> f64 {
-    let own = slip_work(v);
-    let panels = v.ceil().max(1.0);
-    let rest: f64 = (0..panels as u32)
-        .map(|i| {
-            let at = |i: u32| v * f64::from(i) / panels;
-            RULE.integrate(at(i), at(i + 1), |u| {
-                FRAC_2_PI * with_ratio(libm::exp(-u), complete::b) * (own - heat_of_twist(u))
-            })
-        })
-        .sum();
-    own + rest
 }
 
 /// `W(x) = 1 - (2/pi) [asin x - x sqrt(1 - x^2)]`: slip outside a disc that turns.
@@ -225,6 +210,7 @@ pub(super) fn threshold(stick: f64) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+    use std::f64::consts::FRAC_PI_2;
 
     #[test]
     fn tables_keep_all_digits() {
@@ -243,21 +229,52 @@ mod tests {
         assert!((sliding_torque(0.0, 2.0) - sliding_limit(2.0)).abs() < 1e-15);
     }
 
+    /// The work of friction on slip, traction times slip, by the rings outside `c` when the disc of
+    /// radius c turns: `(3/2) int_c^1 rho^2 sqrt(1 - rho^2) W(c/rho) drho`.
+    fn friction_on_slip(c: f64) -> f64 {
+        let panels = 2 * (1.0 - libm::log(c)) as u32;
+        let edge = |i: u32| libm::pow(c, 1.0 - f64::from(i) / f64::from(panels));
+        (0..panels)
+            .map(|i| {
+                let (low, high) = (edge(i), edge(i + 1));
+                // Powers 3/2 and 1/2 at the ends become even ones.
+                RULE.integrate(0.0, FRAC_PI_2, |angle| {
+                    let (sin, cos) = (libm::sin(angle), libm::cos(angle));
+                    let rho = low + (high - low) * sin * sin;
+                    let rim = (1.0 - high) + (high - low) * cos * cos;
+                    let slip = slip_by_disc((c / rho).min(1.0));
+                    3.0 * (high - low) * sin * cos * rho * rho * (rim * (1.0 + rho)).sqrt() * slip
+                })
+            })
+            .sum()
+    }
+
     #[test]
-    fn heat_of_twist_is_what_the_springs_outside_lose() {
-        // Traction times slip against 3 int s^2 B ds, which energy demands.
+    fn heat_of_twist_is_traction_times_slip() {
         for v in [0.01, 0.3, 0.9, 2.0, 5.5, 11.0] {
-            let panels = 8 * (1 + v as u32);
-            let lost: f64 = (0..panels)
+            let (got, want) = (heat_of_twist(v), friction_on_slip(libm::exp(-v)));
+            assert!((got - want).abs() < 2e-13 * (1.0 + want), "{v}: {got:e} {want:e}");
+        }
+    }
+
+    #[test]
+    fn heat_of_growth_is_traction_times_slip() {
+        // Discs between stick radius and rim that turn as the sliding density grows, and that of the
+        // stick radius which turns back by as much.
+        for v in [0.3, 2.0, 5.5, 11.0] {
+            let own = friction_on_slip(libm::exp(-v));
+            let panels = 2 * (1 + v as u32);
+            let rest: f64 = (0..panels)
                 .map(|i| {
                     let at = |i: u32| v * f64::from(i) / f64::from(panels);
                     RULE.integrate(at(i), at(i + 1), |u| {
-                        3.0 * libm::exp(-3.0 * u) * sliding_twist(libm::exp(-u), 1.0)
+                        let s = libm::exp(-u);
+                        FRAC_2_PI * with_ratio(s, complete::b) * (own - friction_on_slip(s))
                     })
                 })
                 .sum();
-            let got = heat_of_twist(v);
-            assert!((got - lost).abs() < 2e-14 * (1.0 + lost), "{v}: {got:e} {lost:e}");
+            let (got, want) = (heat_of_growth(v), own + rest);
+            assert!((got - want).abs() < 1e-12 * (1.0 + want), "{v}: {got:e} {want:e}");
         }
     }
 }
