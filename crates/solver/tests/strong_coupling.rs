@@ -134,7 +134,7 @@ fn great_friction_sticks_as_exactly_as_infinite_friction() {
 /// Forty-two of 160 cells were said to slip at infinite friction.
 #[test]
 fn no_cell_is_said_to_slip_at_infinite_friction() {
-    let grid = Grid::new(24, 24, 2.6e-4, 2.6e-4).unwrap();
+    let grid = Grid::new(24, 24, 2.6e-4 / 24.0, 2.6e-4 / 24.0).unwrap();
     let gap = Gap::from_function(grid, |x, y| (x * x + y * y) / 0.02).unwrap();
     let [one, two] = [(1e9, 0.1), (3e9, 0.45)].map(|(g, nu)| Material::from_shear(g, nu).unwrap());
     let pair = MaterialPair::new(one, two).unwrap();
@@ -143,19 +143,23 @@ fn no_cell_is_said_to_slip_at_infinite_friction() {
     let method = Frictional::default();
     let mut scratch = method.scratch(&problem).unwrap();
     let mut state = ContactState::apart(grid);
-    for xi in [0.0, 2e-6, -1e-6] {
+    let mut dragged = 0;
+    for xi in [0.0, 2e-6] {
         let before = state.clone();
         let drive = Drive::by_shift(Shift { zeta: 6e-7, xi, ..Shift::default() });
         method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ()).unwrap();
         assert_eq!(state.count(CellState::Slip), 0);
         let left = violations(&problem, &before, &state).unwrap();
         assert!(left.normal < 1e-8 && left.tangential < 1e-7, "{left:?}");
-        // What is not stuck has next to no pressure.
+        // What is dragged along has next to no pressure.
         let [u, v] = state.slip_since(&before);
         let p_max = state.pressure.values().iter().copied().fold(0.0, f64::max);
-        for (i, p) in state.pressure.values().iter().enumerate() {
-            let slip = u.values()[i].hypot(v.values()[i]);
-            assert!(slip < 1e-8 * 2e-6 || *p < 1e-7 * p_max, "{slip:e} {p:e}");
+        for (i, p) in state.pressure.values().iter().enumerate().filter(|(_, p)| **p > 0.0) {
+            if u.values()[i].hypot(v.values()[i]) > 1e-8 * 2e-6 {
+                assert!(*p < 1e-7 * p_max, "{p:e} of {p_max:e}");
+                dragged += 1;
+            }
         }
     }
+    assert!(dragged > 20, "{dragged}");
 }

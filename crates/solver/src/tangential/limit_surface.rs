@@ -227,7 +227,7 @@ mod tests {
                 let half = loads * 0.5;
                 assert!((surface.used(&half).part - 0.5).abs() < 1e-9);
                 let bound = surface.used_at_most(&half);
-                assert!(bound >= 0.5 - 1e-12 && bound < 0.9, "{bound}");
+                assert!((0.5 - 1e-12..0.9).contains(&bound), "{bound}");
             }
         }
     }
