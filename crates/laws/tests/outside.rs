@@ -142,6 +142,22 @@ fn a_force_beyond_the_limit_is_refused() {
     }
 }
 
+/// The slip of a contact that grows from next to nothing has turned all the way: its force once was no number.
+#[test]
+fn slip_that_grows_from_next_to_nothing_turns_and_has_a_force() {
+    for first in [5e-324, 1e-320, 1e-310, 1e-300, 1e-100] {
+        let [mut law, _] = laws(0.3);
+        law.advance(Shift { zeta: first, xi: 1e-7, ..Shift::default() }).unwrap();
+        let to = Shift { zeta: 1e-7, xi: 1e-6, eta: 1e-6, omega: 0.0 };
+        let load = law.advance(to).unwrap();
+        // From the touch on it slides along its path, in normalised shifts.
+        let path = [STIFFNESS.c_x * 0.9e-6, STIFFNESS.c_y * 1e-6];
+        let by = 0.3 * load.f_z / path[0].hypot(path[1]);
+        assert!((load.f_x - by * path[0]).abs() <= 1e-12 * load.f_z, "{first:e}: {load:?}");
+        assert!((load.f_y - by * path[1]).abs() <= 1e-12 * load.f_z, "{first:e}: {load:?}");
+    }
+}
+
 #[test]
 fn anchors_beyond_the_friction_cone_are_refused() {
     let places: [&[(usize, &str)]; 2] = [

@@ -238,6 +238,9 @@ impl Lateral for [f64; 2] {
 
 /// `exp(-pull ln(1 + growth)/growth)`; of small steps by series, whose next terms are below rounding.
 fn left_after(pull: f64, growth: f64) -> f64 {
+    if growth == f64::INFINITY {
+        return 0.0; // what slides as it grows is pulled by more than it grows: below exp(-709)
+    }
     let mean = match growth.abs() <= 1e-4 {
         true => 1.0 - growth * (1.0 / 2.0 - growth * (1.0 / 3.0 - growth * (1.0 / 4.0))),
         false => libm::log1p(growth) / growth,
