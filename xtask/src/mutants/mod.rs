@@ -4,7 +4,8 @@
 //! They are named by the function, so that a move of code between files keeps them; one whose
 //! place is gone is an error. A copy of the workspace below `target/mutants/` gets all of them
 //! woven in, each behind a switch that the environment turns on, and is built once. The sources,
-//! and so every release, hold none.
+//! and so every release, hold none; the programs in `target/release` are those of the copy until the
+//! next build.
 //!
 //! First every test and every page runs without a mutant, each as a process of its own, and notes
 //! which mutants it reaches. Then, mutant by mutant, the tests that reach it run until one fails,
