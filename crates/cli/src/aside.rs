@@ -6,7 +6,7 @@
 use crate::error::CliError;
 use crate::identity::folder;
 use crate::outputs::Place;
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::fs::File;
 use std::io::{Error, Write as _};
 use std::path::{Path, PathBuf};
@@ -80,7 +80,7 @@ pub(crate) fn clear(place: &Place) {
 }
 
 /// Removes what dead processes left in `folder`, of files whose names are `own`.
-pub(crate) fn clear_in(folder: &Path, own: impl Fn(&std::ffi::OsStr) -> bool) {
+pub(crate) fn clear_in(folder: &Path, own: impl Fn(&OsStr) -> bool) {
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         let name = entry.file_name();
         let Some((of, process)) = name.to_str().and_then(parts) else { continue };
@@ -91,6 +91,11 @@ pub(crate) fn clear_in(folder: &Path, own: impl Fn(&std::ffi::OsStr) -> bool) {
     }
 }
 
+/// Whether a file of this name is one that a process left, or is writing.
+pub(crate) fn is_aside(name: &OsStr) -> bool {
+    name.to_str().and_then(parts).is_some()
+}
+
 /// The name of the place, and the number of the process.
 fn parts(name: &str) -> Option<(&str, u32)> {
     let (of, process) = name.strip_prefix('.')?.strip_suffix(ENDING)?.rsplit_once('.')?;
@@ -99,8 +104,8 @@ fn parts(name: &str) -> Option<(&str, u32)> {
 
 /// Whether nobody writes the file any more: no process has its number, and none holds its lock.
 fn is_dead(path: &Path, process: u32) -> bool {
-    let is_there = process != std::process::id()
-        && Path::new("/proc/self").exists()
-        && Path::new("/proc").join(process.to_string()).exists();
+    // That of a process which has ended, but was not waited for, is empty.
+    let line = std::fs::read(format!("/proc/{process}/cmdline"));
+    let is_there = process != std::process::id() && line.is_ok_and(|line| !line.is_empty());
     !is_there && File::open(path).is_ok_and(|file| file.try_lock().is_ok())
 }

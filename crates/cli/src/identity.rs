@@ -2,6 +2,7 @@
 
 use crate::input::STANDARD_INPUT;
 use std::ffi::OsString;
+#[cfg(unix)]
 use std::fs::{File, Metadata};
 use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};

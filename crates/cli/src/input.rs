@@ -158,7 +158,7 @@ fn special(of: FileType) -> Option<&'static str> {
     match () {
         () if of.is_file() || of.is_dir() => None,
         () if is_device(of) => Some("a device"),
-        () => Some("a pipe or socket"),
+        () => Some("a pipe or socket (a case comes from one as `-`)"),
     }
 }
 

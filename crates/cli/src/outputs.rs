@@ -4,6 +4,7 @@
 //! is opened, and each output against those before it. A [`Place`] is only had by a claim, and only a
 //! place is written to.
 
+use crate::aside::is_aside;
 use crate::destination::{Destination, Kind};
 use crate::error::CliError;
 use crate::identity::{Identity, folder, resolved};
@@ -138,6 +139,11 @@ impl Outputs {
         let Ok(identity) = Identity::of(input) else { return Ok(()) };
         let refused =
             |reason: &str| CliError::Input { path: input.to_owned(), reason: reason.into() };
+        if resolved(input).is_ok_and(|place| place.file_name().is_some_and(is_aside)) {
+            return Err(refused(
+                "carom was writing this file when it was stopped; give it another name",
+            ));
+        }
         if self.results.as_ref() == Some(&identity) {
             return Err(refused("standard output goes to this input; name another file"));
         }

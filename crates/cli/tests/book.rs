@@ -4,7 +4,7 @@
 mod common;
 
 use carom_cli::case::{CaseKind, Entry, Need};
-use common::stdout;
+use common::{folder, stdout};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;
@@ -56,8 +56,7 @@ fn blocks<'a>(text: &'a str, language: &str) -> Vec<&'a str> {
 #[test]
 #[cfg(unix)]
 fn the_commands_of_the_book_run_and_draw_its_pictures() {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("book");
-    let _ = std::fs::remove_dir_all(&folder);
+    let folder = folder();
     std::fs::create_dir_all(folder.join("pictures")).unwrap();
     std::os::unix::fs::symlink(root().join("examples"), folder.join("examples")).unwrap();
     let carom = Path::new(env!("CARGO_BIN_EXE_carom"));

@@ -2,7 +2,7 @@
 
 mod common;
 
-use common::{carom, case, example, json, stdout};
+use common::{carom, case, example, folder, json, stdout};
 use std::process::Output;
 
 fn changed(name: &str, changes: &[(&str, &str)]) -> String {
@@ -179,11 +179,11 @@ fn a_mistyped_shape_of_a_sweep_is_blamed_itself() {
 
 #[test]
 fn what_is_no_text_of_an_allowed_size_ends_with_code_2() {
-    let folder = env!("CARGO_TARGET_TMPDIR");
+    let folder = folder();
     let write = |name: &str, bytes: &[u8]| {
-        let path = format!("{folder}/{name}");
+        let path = folder.join(name);
         std::fs::write(&path, bytes).unwrap();
-        path
+        path.to_str().unwrap().to_owned()
     };
     let history = std::fs::read_to_string(example("history_twist.toml")).unwrap();
     let table = |name: &str, bytes: &[u8]| {
@@ -229,7 +229,6 @@ fn what_is_no_text_of_an_allowed_size_ends_with_code_2() {
         assert_eq!(output.status.code(), Some(2), "{stderr}");
         assert!(stderr.contains(expected) && output.stdout.is_empty(), "{path}: {stderr}");
     }
-    let _ = std::fs::remove_file(format!("{folder}/large.csv"));
 }
 
 #[test]

@@ -2,19 +2,11 @@
 
 mod common;
 
-use common::{carom, case, example, fresh, stdout};
+use common::{carom, case, example, folder, fresh, stdout};
 use std::fs::File;
 use std::io::{BufRead as _, BufReader};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::process::{Command, Output, Stdio};
-
-/// A folder of its own for a test, empty.
-fn folder(name: &str) -> PathBuf {
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
-    folder
-}
 
 fn command(arguments: &[&str]) -> Command {
     let mut command = Command::new(env!("CARGO_BIN_EXE_carom"));
@@ -31,7 +23,7 @@ fn refused(output: &Output, expected: &str) {
 #[test]
 #[cfg(unix)]
 fn no_way_leads_to_an_overwritten_input() {
-    let folder = folder("inputs");
+    let folder = folder();
     let text = std::fs::read(example("history_twist.toml")).unwrap();
     let steps = std::fs::read(example("history_twist.csv")).unwrap();
     // Endings that a picture may have, too: the first obstacle must not be the only one.
@@ -43,10 +35,11 @@ fn no_way_leads_to_an_overwritten_input() {
     std::os::unix::fs::symlink(&case, folder.join("link.svg")).unwrap();
     std::fs::hard_link(&case, folder.join("hard.svg")).unwrap();
     std::fs::hard_link(&table, folder.join("hard-steps.svg")).unwrap();
+    let own = folder.file_name().unwrap().to_str().unwrap();
     for name in [
         "case.svg",
         "./case.svg",
-        "../inputs/case.svg",
+        &format!("../{own}/case.svg"),
         "link.svg",
         "hard.svg",
         "steps.svg",
@@ -88,7 +81,7 @@ fn two_outputs_never_share_a_file() {
 #[test]
 fn names_that_are_no_picture_are_refused() {
     let balls = example("steel_balls.toml");
-    let folder = folder("endings");
+    let folder = folder();
     for name in ["a", "a.pdf", "a.svg.txt", ".svg", "a.", ""] {
         let place = folder.join(name);
         let output = carom(&["impact", &balls, "--plot", place.to_str().unwrap()]);
@@ -141,7 +134,7 @@ fn a_picture_with_pixels_is_one() {
 #[test]
 #[cfg(unix)]
 fn a_picture_is_replaced_whole_and_only_after_success() {
-    let folder = folder("replaced");
+    let folder = folder();
     let (kept, link) = (folder.join("kept.svg"), folder.join("link.svg"));
     std::fs::write(&kept, "what was there before, longer than nothing").unwrap();
     std::os::unix::fs::symlink("kept.svg", &link).unwrap();
@@ -165,7 +158,7 @@ fn a_picture_is_replaced_whole_and_only_after_success() {
 
 #[test]
 fn an_interrupted_map_leaves_no_file() {
-    let folder = folder("interrupted");
+    let folder = folder();
     let map = folder.join("map.svg");
     let arguments = ["restitution", "--kappa", "0.8:1.5:4000", "--lambda", "0.05:9:4000", "--map"];
     let arguments = [&arguments[..], &[map.to_str().unwrap(), "--format", "csv"]].concat();

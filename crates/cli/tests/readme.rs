@@ -14,7 +14,7 @@ fn the_commands_of_the_readme_run() {
         .filter_map(|line| line.strip_prefix("cargo run --release -p carom-cli -- "))
         .collect();
     assert!(commands.len() >= 3);
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("readme");
+    let folder = common::folder();
     std::fs::create_dir_all(folder.join("target")).unwrap();
     for command in commands {
         let arguments =
@@ -43,9 +43,7 @@ fn the_first_steps_of_the_help_run() {
         .filter_map(|line| line.split("  ").next())
         .collect();
     assert!(commands.len() >= 5, "{help}");
-    let folder = Path::new(env!("CARGO_TARGET_TMPDIR")).join("first_steps");
-    let _ = std::fs::remove_dir_all(&folder);
-    std::fs::create_dir_all(&folder).unwrap();
+    let folder = common::folder();
     for command in commands {
         let output = Command::new("sh")
             .args(["-c", &format!("'{}' {command}", env!("CARGO_BIN_EXE_carom"))])

@@ -2,16 +2,9 @@
 
 mod common;
 
-use common::{carom, case, close, example, json, stdout};
+use common::{carom, case, close, example, folder, json, stdout};
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
-
-/// A folder in that for temporary files of this build, gone before the test.
-fn folder(name: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&path);
-    path
-}
 
 #[test]
 fn a_ball_is_pressed_as_hertz_says() {
@@ -82,7 +75,7 @@ fn killed_after(case: &str, folder: &Path, milliseconds: u64) {
 #[test]
 fn a_run_that_was_stopped_goes_on_bit_for_bit() {
     let case = example("solve_torsion_with_shift.toml");
-    let (whole, stopped) = (folder("solve_whole"), folder("solve_stopped"));
+    let (whole, stopped) = (folder(), folder());
     let keep = |folder: &Path, more: &[&str]| {
         let arguments = ["solve", &case, "--format", "csv", "--keep", folder.to_str().unwrap()];
         stdout(&[&arguments, more].concat())
@@ -104,7 +97,7 @@ fn a_run_that_was_stopped_goes_on_bit_for_bit() {
 
 #[test]
 fn steps_of_other_runs_are_left_alone() {
-    let (case, kept) = (example("solve_hertz.toml"), folder("solve_kept"));
+    let (case, kept) = (example("solve_hertz.toml"), folder());
     let kept = kept.to_str().unwrap();
     let said = |arguments: &[&str]| {
         let output = carom(arguments);
@@ -212,7 +205,7 @@ fn files(folder: &Path) -> Vec<String> {
 fn runs_killed_fifty_times_end_in_the_same_bits() {
     let mut random = 88_172_645_463_325_252_u64;
     for name in ["solve_torsion_with_shift.toml", "solve_to_accuracy.toml"] {
-        let (case, kept) = (example(name), folder(&format!("fifty_{name}")));
+        let (case, kept) = (example(name), folder());
         let started = std::time::Instant::now();
         let whole = stdout(&["solve", &case, "--format", "csv"]);
         let most = 2 * started.elapsed().as_millis() as u64;
@@ -236,7 +229,7 @@ fn runs_killed_fifty_times_end_in_the_same_bits() {
 #[test]
 #[cfg(unix)]
 fn a_full_disk_loses_no_earlier_step() {
-    let (case, kept) = (example("solve_torsion_with_shift.toml"), folder("solve_full"));
+    let (case, kept) = (example("solve_torsion_with_shift.toml"), folder());
     let name = kept.to_str().unwrap();
     let text = stdout(&["solve", &case, "--format", "csv", "--keep", name]);
     let read = |step: usize| std::fs::read(kept.join(format!("step-{step:06}.npz"))).unwrap();

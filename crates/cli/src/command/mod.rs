@@ -33,8 +33,9 @@ use std::path::PathBuf;
 /// Elastic impact with friction: how two bodies touch, slip, stick, twist and rebound.
 ///
 /// A case file says what is to be computed: bodies, materials, friction, motions. Results go to
-/// standard output, everything else to standard error. No input is ever overwritten: a run that would
-/// write to one is refused. A picture is put in its place when all has succeeded. Exit code 2 means bad input, 1 a file that cannot be read or
+/// standard output, which must be open unless --format none is given, everything else to standard
+/// error. No input is ever overwritten: a run that would write to one is refused. A picture is put in
+/// its place when all has succeeded. Exit code 2 means bad input, 1 a file that cannot be read or
 /// written.
 #[derive(Debug, clap::Parser)]
 #[command(name = "carom", version, after_long_help = FIRST_STEPS)]
@@ -98,6 +99,8 @@ impl CaseArguments {
         claims: impl FnOnce(&mut Outputs) -> Result<T, CliError>,
     ) -> Result<(Given, T), CliError> {
         let mut outputs = Outputs::of_command(self.format)?;
+        // First, so that no other error is told on a stream that goes to the case.
+        outputs.check_input(&self.case)?;
         let to = |path: &PathBuf| outputs.picture("plot", path, self.format);
         let plot = self.plot.as_ref().map(to).transpose()?;
         let claimed = claims(&mut outputs)?;

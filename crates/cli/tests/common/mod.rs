@@ -1,5 +1,5 @@
 //! The command as a user meets it, and files for it.
-#![allow(dead_code)] // no test needs all of it
+#![allow(dead_code, unused_imports)] // no test needs all of it
 
 pub(crate) mod pebble;
 pub(crate) mod picture;

@@ -10,7 +10,7 @@ use crate::input;
 use crate::output::Format;
 use crate::outputs::Place;
 use carom_solver::StepSummary;
-use std::ffi::OsStr;
+use std::ffi::{OsStr, OsString};
 use std::fs::{File, TryLockError};
 use std::io::{ErrorKind, Read as _};
 use std::path::{Path, PathBuf};
@@ -82,7 +82,9 @@ impl Folder {
         }
         let has = |name: &str| names.iter().any(|own| own == name);
         if !has(MANIFEST) {
-            return match names.iter().find(|name| **name != *LOCK) {
+            // A run that died, or is at work, before it wrote the manifest.
+            let is_foreign = |name: &&OsString| **name != *LOCK && !aside::is_aside(name);
+            return match names.iter().find(is_foreign) {
                 Some(other) => Err(refused(&self.path.join(other), FOREIGN)),
                 None => Ok(0),
             };
