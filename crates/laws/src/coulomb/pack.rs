@@ -49,7 +49,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 
     /// Takes the state from numbers that [`CoulombMemory::pack`] wrote. Forces are summed anew and
-    /// may differ by round-off.
+    /// may differ by round-off; [`CoulombMemory::error_bound`] counts from here on.
     ///
     /// # Errors
     /// [`RangeError`] for another version, too few numbers, more vertices than the storage has room
@@ -70,6 +70,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
                 anchor: V::from_components([vertex[1], vertex[2]]),
                 bubble: V::from_components([vertex[3], vertex[4]]),
                 force: V::default(),
+                error: 0.0,
             };
             self.stack.push(knot.vertex());
         }
