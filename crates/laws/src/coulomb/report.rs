@@ -19,8 +19,6 @@ pub struct Arc<V> {
     pub bubble: V,
 }
 
-/// What no estimate sees, over the tolerance.
-const UNSEEN: f64 = 0.05;
 /// The error of the force over its limit by round-off alone, where the shift is small.
 const ROUND_OFF: f64 = 1e-12;
 
@@ -81,14 +79,14 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     /// It sums, over the pieces of the curve of anchors, `(3/2) int e dt` of the bound e of the error
     /// of their anchors: what joins and merges moved them, which is exact, and how far the parabola in
     /// the place of a dragged piece may be off, which is estimated at three to five of its rings. No error
-    /// grows afterwards, and slip that turns a traction reduces it. A twentieth of the tolerance is
-    /// added.
+    /// grows afterwards, and slip that turns a traction reduces it. The tolerance itself is
+    /// added, for what no estimate sees.
     ///
     /// The estimates are not proved. They are held against a hill climb over paths (the example
-    /// `adversary`). On ordinary paths the bound is some hundred times the error, and up to a thousand
-    /// times where each step is cut in 16. It counts from the last touch, or from
-    /// [`CoulombMemory::unpack`], since a packed state does not hold it. Work and heat have errors of
-    /// their own: [`CoulombMemory::joined_energy`].
+    /// `adversary`), whose worst paths came to 0.6 of the bound. On ordinary paths the bound is some
+    /// hundred times the error, and up to a thousand times where each step is cut in 16. It counts from
+    /// the last touch, or from [`CoulombMemory::unpack`], since a packed state does not hold it. Work and
+    /// heat have errors of their own: [`CoulombMemory::joined_energy`].
     #[must_use]
     pub fn error_bound(&self) -> f64 {
         let limit = self.normal_force();
@@ -98,7 +96,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         let error: f64 = self.chain().map(|piece| piece.force_error(self.zeta)).sum();
         let round_off = ROUND_OFF * (1.0 + self.shift.length() / self.zeta);
         let share = error / limit;
-        let unseen = if share > round_off { UNSEEN * self.tolerance } else { 0.0 };
+        let unseen = if share > round_off { self.tolerance } else { 0.0 };
         (share + unseen + round_off).min(2.0)
     }
 
