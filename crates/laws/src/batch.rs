@@ -11,9 +11,9 @@ const SHARE: usize = 256;
 
 /// The laws of many contacts, advanced together, all or none.
 ///
-/// On stacks of fixed capacity, which keep a contact in one place, a
-/// [`crate::shift_law::ShiftLaw`] lets turning slip be off by 1e-2 of the friction limit unless told
-/// otherwise.
+/// On a stack of fixed capacity, which keeps a contact in one place, a
+/// [`crate::shift_law::ShiftLaw`] draws turning slip to a tolerance of 1e-2 of the friction limit unless
+/// told otherwise; [`crate::coulomb::CoulombMemory::error_bound`] bounds the error.
 ///
 /// ```
 /// use carom_halfspace::operator::Threads;

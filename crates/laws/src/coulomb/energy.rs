@@ -170,7 +170,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             // Rings that touch on the way, their anchors on the path.
             let high = End { depth: end.0, root: end.0.sqrt(), anchor: end.1 };
             let low = End { depth: before.zeta, root: before.root, anchor: before.shift };
-            let piece = Piece { low, high, bubble: V::default() };
+            let piece = Piece { low, high, bubble: V::default(), error: 0.0 };
             sum += over_piece(&piece, &step, size, &f);
         }
         sum

@@ -1,4 +1,4 @@
-//! Two pieces of the curve in the place of one: where it costs next to nothing, or for want of room.
+//! Two pieces of the curve in the place of one, where it costs next to nothing.
 
 use super::drag::cross;
 use super::energy::Notes;
@@ -51,12 +51,15 @@ const NARROWEST: f64 = 10.0;
 const NARROW: f64 = 2.5;
 /// What is a straight line, as a share of what a join may move.
 const STRAIGHT: f64 = 1e-6;
+/// How far a parabola that vanishes at one end lies off at most, over its larger value at the middle
+/// and the other end.
+pub(super) const BETWEEN: f64 = 1.125;
 /// The sine below which three anchors lie on a line.
 const IN_LINE: f64 = 1e-9;
 
 /// A place on two neighbouring pieces: its way off their common chord, and how far it would lie off
 /// on one parabola, over its bubble.
-struct Place<V> {
+pub(super) struct Place<V> {
     off: V,
     weight: f64,
 }
@@ -68,14 +71,14 @@ fn larger(a: f64, b: f64) -> f64 {
 }
 
 /// Two neighbouring pieces of the curve.
-struct Pair<V> {
-    below: Piece<V>,
-    above: Piece<V>,
+pub(super) struct Pair<V> {
+    pub(super) below: Piece<V>,
+    pub(super) above: Piece<V>,
 }
 
 impl<V: Lateral> Pair<V> {
     #[inline]
-    fn at<S: VertexStack<V>>(stack: &S, i: usize, tip: End<V>) -> Self {
+    pub(super) fn at<S: VertexStack<V>>(stack: &S, i: usize, tip: End<V>) -> Self {
         let (below, here) = (Knot::of(stack.get(i - 1)), Knot::of(stack.get(i)));
         let end = if i + 1 < stack.len() { Knot::of(stack.get(i + 1)).end() } else { tip };
         Self { below: Piece::new(&below, here.end()), above: Piece::new(&here, end) }
@@ -83,8 +86,9 @@ impl<V: Lateral> Pair<V> {
 
     /// The piece that takes the place of both.
     #[inline]
-    fn one(&self, bubble: V) -> Piece<V> {
-        Piece { low: self.below.low, high: self.above.high, bubble }
+    pub(super) fn one(&self, bubble: V) -> Piece<V> {
+        let error = larger(self.below.error, self.above.error);
+        Piece { low: self.below.low, high: self.above.high, bubble, error }
     }
 
     /// The rises of both together and of the lower one.
@@ -116,7 +120,7 @@ impl<V: Lateral> Pair<V> {
 
     /// The bubble of the one piece that leaves the force as it is.
     #[inline]
-    fn bubble(&self) -> V {
+    pub(super) fn bubble(&self) -> V {
         let [chord, bubble] = weights(&self.below.low, &self.above.high);
         let [rise, _] = self.rises();
         rise.times(chord).minus(self.below.force()).minus(self.above.force()).times(1.0 / bubble)
@@ -124,7 +128,7 @@ impl<V: Lateral> Pair<V> {
 
     /// The places whose moves count: the vertex taken out and both middles.
     #[inline]
-    fn places(&self) -> [Place<V>; 3] {
+    pub(super) fn places(&self) -> [Place<V>; 3] {
         let part = self.part();
         let rest = 1.0 - part;
         let [rise, first] = self.rises();
@@ -139,7 +143,7 @@ impl<V: Lateral> Pair<V> {
 
     /// The square of how far the curve moves.
     #[inline]
-    fn move_by(places: &[Place<V>; 3], bubble: V) -> f64 {
+    pub(super) fn move_by(places: &[Place<V>; 3], bubble: V) -> f64 {
         let [vertex, below, above] = places.each_ref().map(|place| {
             let by = place.off.minus(bubble.times(place.weight));
             by.dot(by)
@@ -157,7 +161,7 @@ impl<V: Lateral> Pair<V> {
 
     /// The square of how far the vertex or a middle moves at least, whatever the bubble.
     #[inline]
-    fn least_move([vertex, below, above]: &[Place<V>; 3]) -> f64 {
+    pub(super) fn least_move([vertex, below, above]: &[Place<V>; 3]) -> f64 {
         let [low, high] = [below, above].map(|middle| {
             let [gap, weight] = Self::gap(vertex, middle);
             gap / weight
@@ -177,22 +181,42 @@ impl<V: Lateral> Pair<V> {
             })
     }
 
-    /// The bubble of one piece in the place of both, if it may take it.
+    /// The bubble of one piece in the place of both, if it may take it, and how far their anchors
+    /// move at most.
     #[inline]
-    fn joint(&self, sizes: &Sizes) -> Option<V> {
+    fn joint(&self, sizes: &Sizes) -> Option<(V, f64)> {
         let places = self.places();
         if self.in_line(sizes.exact) {
             let off = places[0].off;
-            return (off.dot(off) <= sizes.exact * sizes.exact).then(V::default);
+            return (off.dot(off) <= sizes.exact * sizes.exact).then(|| (V::default(), 0.0));
         }
         let [miss, bulge] = sizes.allowed(&self.below.low, &self.above.high);
         if Self::is_hopeless(&places, miss, bulge) {
             return None;
         }
         let bubble = self.bubble();
-        let holds =
-            bubble.dot(bubble) <= bulge * bulge && Self::move_by(&places, bubble) <= miss * miss;
-        holds.then_some(bubble)
+        let square = Self::move_by(&places, bubble);
+        let holds = bubble.dot(bubble) <= bulge * bulge && square <= miss * miss;
+        holds.then(|| (bubble, BETWEEN * square.sqrt()))
+    }
+}
+
+impl<V: Lateral> Pair<V> {
+    /// One piece in the place of both, between which vertex i lies, that moves their anchors so far.
+    #[inline]
+    pub(super) fn replace<S: VertexStack<V>>(
+        &self,
+        stack: &mut S,
+        i: usize,
+        (bubble, moved): (V, f64),
+        shift: V,
+        notes: &mut impl Notes<V>,
+    ) {
+        let one = self.one(bubble);
+        notes.joined([&self.below, &self.above], &one, shift);
+        stack.get_mut(i - 1).slope = bubble;
+        stack.get_mut(i - 1).force_slope = V::from_components([one.error + moved, 0.0]);
+        stack.remove(i);
     }
 }
 
@@ -207,35 +231,8 @@ pub(super) fn join<V: Lateral, S: VertexStack<V>>(
 ) -> bool {
     let pair = Pair::at(stack, i, tip);
     let joint = pair.joint(sizes);
-    if let Some(bubble) = joint {
-        notes.joined([&pair.below, &pair.above], &pair.one(bubble), tip.anchor);
-        stack.get_mut(i - 1).slope = bubble;
-        stack.remove(i);
+    if let Some((bubble, moved)) = joint {
+        pair.replace(stack, i, (bubble, moved), tip.anchor, notes);
     }
     joint.is_some()
-}
-
-/// Makes room for some vertices: joins the pairs that may change a load to come least.
-#[inline]
-pub(super) fn make_room<V: Lateral, S: VertexStack<V>>(stack: &mut S, room: usize, tip: End<V>) {
-    while room > stack.capacity() - stack.len() {
-        join_least(stack, tip);
-    }
-}
-
-#[cold]
-fn join_least<V: Lateral, S: VertexStack<V>>(stack: &mut S, tip: End<V>) {
-    let mut best = (f64::INFINITY, 1);
-    for i in 1..stack.len() {
-        let pair = Pair::at(stack, i, tip);
-        let width = pair.above.high.root - pair.below.low.root;
-        let effect = Pair::least_move(&pair.places()) * (width * width);
-        if effect < best.0 {
-            best = (effect, i);
-        }
-    }
-    let bubble = Pair::at(stack, best.1, tip).bubble();
-    stack.get_mut(best.1 - 1).slope = bubble;
-    stack.remove(best.1);
-    stack.count_merge();
 }

@@ -1,7 +1,7 @@
 //! What takes the place of a piece whose rings were dragged: a parabola, or several.
 
 use super::CoulombMemory;
-use super::drag::Step;
+use super::drag::{Step, cross};
 use super::join::Sizes;
 use super::piece::{Knot, Piece};
 use crate::memory::{Lateral, VertexStack};
@@ -19,18 +19,30 @@ const DEEP: f64 = 0.25;
 const LOW: f64 = 0.25;
 /// How often a piece may be halved in one step.
 pub(super) const HALVINGS: u32 = 6;
+/// The square of a way over that of the middle's beyond which it grows unevenly.
+const UNEVEN: f64 = 36.0;
+/// How far a piece that winds may be off its parabola, over the angle by which its tractions turn times
+/// the difference of their limits; and the bubble of one that does not.
+const WINDING: f64 = 0.06;
+const EXPECTED: f64 = 0.25;
+/// How far a piece may be off at the rim, over the traction across the step at its middle.
+const RIM: f64 = 0.1;
+/// How far a piece that begins at the front may be off, over the growth of its bubble.
+const AT_FRONT: f64 = 0.5;
+/// How far a piece may be off over what is seen at one place.
+const TWICE: f64 = 2.0;
 /// Below which root of its lower end, over that of its upper, a flat parabola is not believed.
 const WIDE: f64 = 0.8;
 /// How near to its upper end a piece is split.
 const HIGHEST: f64 = 0.8;
 
 impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
-    /// The piece in whose place the old one above vertex i was dragged, its ends and its middle, or
-    /// several.
+    /// The piece in whose place the old one above vertex i was dragged, its ends and its middle, by
+    /// ways of these squares; or several. So much is left of the error of the old one.
     pub(super) fn lay(
         &mut self,
         i: usize,
-        old: &Piece<V>,
+        (old, ways, left): (&Piece<V>, [f64; 3], f64),
         new: [V; 3],
         step: &Step<V>,
         (sizes, halvings): (&Sizes, u32),
@@ -38,17 +50,25 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         let bubble = self.draw(i, new, sizes.straight(&old.high));
         let square = bubble.dot(bubble);
         let [miss, bulge] = sizes.allowed(&old.low, &old.high);
-        if square > bulge * bulge {
+        let (mut split, mut missed) = kink(old, ways, step, miss);
+        if split.is_none() && square > bulge * bulge {
             // Where the angle seen from the tip is halved.
             let [low, high] = [new[0], new[2]].map(|anchor| step.shift.minus(anchor).length());
-            let part = (low / (low + high)).clamp(1.0 - HIGHEST, HIGHEST);
-            self.split(i, old, (part, new), step, (sizes, halvings));
+            split = Some((low / (low + high)).clamp(1.0 - HIGHEST, HIGHEST));
+        } else if split.is_none() {
+            // The caller gives the lower end of such a piece the way of its middle.
+            let drawn = Drawn { old, new, bubble, at_front: ways[0] == ways[1] };
+            let (part, off) = drawn.hides(step, LAYER * miss);
+            split = part;
+            missed += TWICE * off;
+        }
+        if let Some(part) = split
+            && self.split(i, (old, left), (part, new), step, (sizes, halvings))
+        {
             return;
         }
-        let drawn = Drawn { old, new, bubble };
-        if let Some(part) = drawn.hides(step, LAYER * miss) {
-            self.split(i, old, (part, new), step, (sizes, halvings));
-        }
+        let error = left + missed + left_out(old, ways, bubble, step);
+        self.stack.get_mut(i).force_slope = V::from_components([error, 0.0]);
     }
 
     /// Draws a parabola through three anchors above vertex i, or what is straight; its bubble.
@@ -62,37 +82,23 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         bubble
     }
 
-    /// The same of a piece of which a part sticks, up to or from a part of its depth.
-    #[cold]
-    pub(super) fn lay_kinked(
-        &mut self,
-        i: usize,
-        old: &Piece<V>,
-        (part, new): (f64, [V; 3]),
-        step: &Step<V>,
-        sizes: &Sizes,
-    ) {
-        self.draw(i, new, sizes.straight(&old.high));
-        self.split(i, old, (part, new), step, (sizes, HALVINGS));
-    }
-
     /// Lays two pieces in the place of one, if there is room.
     fn split(
         &mut self,
         i: usize,
-        old: &Piece<V>,
+        (old, left): (&Piece<V>, f64),
         (part, new): (f64, [V; 3]),
         step: &Step<V>,
         (sizes, halvings): (&Sizes, u32),
-    ) {
+    ) -> bool {
         let at = old.cut(part);
         let thin = !(at.depth > old.low.depth && at.depth < old.high.depth);
         if thin || halvings == 0 || self.stack.len() >= self.stack.capacity() {
-            return;
+            return false;
         }
         let rest = 1.0 - part;
-        let below = Piece { low: old.low, high: at, bubble: old.bubble.times(part * part) };
-        let above = Piece { low: at, high: old.high, bubble: old.bubble.times(rest * rest) };
+        let below = Piece { high: at, bubble: old.bubble.times(part * part), ..*old };
+        let above = Piece { low: at, bubble: old.bubble.times(rest * rest), ..*old };
         let anchor = step.drag(at.depth, at.anchor);
         let knot = Knot {
             depth: at.depth,
@@ -100,29 +106,52 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             anchor,
             bubble: V::default(),
             force: V::default(),
+            error: left,
         };
         self.stack.insert(i + 1, knot.vertex());
         let middle = |piece: &Piece<V>| step.drag(piece.middle_depth(), piece.middle());
         let [low, high] = [[new[0], middle(&below), anchor], [anchor, middle(&above), new[2]]];
-        self.lay(i + 1, &above, high, step, (sizes, halvings - 1));
-        self.lay(i, &below, low, step, (sizes, halvings - 1));
+        let halvings = halvings - 1;
+        self.lay(i + 1, (&above, above.ways(high), left), high, step, (sizes, halvings));
+        self.lay(i, (&below, below.ways(low), left), low, step, (sizes, halvings));
+        true
     }
 }
 
-/// Where a piece is to be split since a part of it sticks and a part slips, given the squares of the
-/// ways of its ends and its middle: slip may lie below stick, and in several zones.
+/// How far the dragged anchors may be off a parabola through three of them, all of which slip, given
+/// the squares of their ways and of its bubble: of third order in the angle by which the tractions
+/// differ, and in proportion to the way.
 #[inline]
-pub(super) fn kink<V: Lateral>(
+fn left_out<V: Lateral>(old: &Piece<V>, ways: [f64; 3], bubble: V, step: &Step<V>) -> f64 {
+    let larger = |a: f64, b: f64| if a > b { a } else { b };
+    let way = larger(ways[0], larger(ways[1], ways[2]));
+    let limit = step.zeta - old.low.depth;
+    let bent = larger(bubble.dot(bubble), old.bubble.dot(old.bubble)).sqrt() / limit;
+    let way = way.sqrt();
+    let smooth = bent * bent.sqrt() * if way < limit { way } else { limit };
+    // The way grows to one end as no parabola does.
+    let uneven = ways[2] > UNEVEN * ways[1] || ways[0] > UNEVEN * ways[1];
+    if uneven { smooth + 2.0 * bubble.minus(old.bubble).length() } else { smooth }
+}
+
+/// Where a piece is to be split since a part of it sticks and a part slips, given the squares of the
+/// ways of its ends and its middle, and how far it is off if it is not split: slip may lie below stick,
+/// and in several zones.
+#[inline]
+fn kink<V: Lateral>(
     old: &Piece<V>,
     ways: [f64; 3],
     step: &Step<V>,
-    sizes: &Sizes,
-) -> Option<f64> {
+    miss: f64,
+) -> (Option<f64>, f64) {
     let slips = ways.map(|way| way > 0.0);
     if slips[0] == slips[1] && slips[1] == slips[2] {
-        return None;
+        let Some(part) = old.hidden_zone(step, slips[0]) else { return (None, 0.0) };
+        let depth = old.depth_at(part);
+        let off = 0.5 * step.excess(depth, old.at(part)).abs() / (step.zeta - depth);
+        return ((off > miss).then_some(part), off);
     }
-    kink_between(old, ways, step, sizes)
+    kink_between(old, ways, step, miss)
 }
 
 #[cold]
@@ -130,21 +159,25 @@ fn kink_between<V: Lateral>(
     old: &Piece<V>,
     ways: [f64; 3],
     step: &Step<V>,
-    sizes: &Sizes,
-) -> Option<f64> {
-    let [miss, _] = sizes.allowed(&old.low, &old.high);
+    miss: f64,
+) -> (Option<f64>, f64) {
     let margin =
         |part: f64| step.zeta - old.depth_at(part) - step.shift.minus(old.at(part)).length();
-    [(0, 1), (1, 0), (1, 2), (2, 1)].into_iter().find_map(|(stuck, slips)| {
+    let mut largest = 0.0;
+    for (stuck, slips) in [(0, 1), (1, 0), (1, 2), (2, 1)] {
         if ways[stuck] > 0.0 || ways[slips] == 0.0 {
-            return None;
+            continue;
         }
         // The kink lies where both vanish; the parabola leaves out about half its height.
         let [from, to] = [stuck, slips].map(|k| 0.5 * k as f64);
         let (way, margin) = (ways[slips].sqrt(), margin(from));
-        let counts = way * margin > 2.0 * miss * (way + margin);
-        counts.then(|| old.front(step, from, to))
-    })
+        let off = if margin > 0.0 { 0.5 * way * margin / (way + margin) } else { 0.0 };
+        if off > miss {
+            return (Some(old.front(step, from, to)), off);
+        }
+        largest = off.max(largest);
+    }
+    (None, largest)
 }
 
 /// The parabola in the place of a dragged piece, through its ends and its middle.
@@ -152,32 +185,93 @@ struct Drawn<'a, V> {
     old: &'a Piece<V>,
     new: [V; 3],
     bubble: V,
+    /// Whether its lower end is the front, at its limit: from there the ways grow.
+    at_front: bool,
 }
 
 impl<V: Lateral> Drawn<'_, V> {
-    /// Where the piece is to be split since its parabola, though flat, is off by more than allowed.
+    /// Where the piece is to be split since its parabola is off by more than allowed, and by how much it
+    /// is seen to be, or may be if nothing was looked at.
     #[inline]
-    fn hides(&self, step: &Step<V>, allowed: f64) -> Option<f64> {
+    fn hides(&self, step: &Step<V>, allowed: f64) -> (Option<f64>, f64) {
         let bent = self.bubble.dot(self.bubble) > allowed * allowed;
-        let doubtful = bent || self.old.low.root < WIDE * self.old.high.root;
-        if doubtful && let Some(part) = self.layer(step, allowed) {
-            return Some(part);
+        let wide = self.old.low.root < WIDE * self.old.high.root;
+        let rim = self.at_rim(step);
+        let (mut seen, mut looked) = (rim, false);
+        if (bent || wide || rim > allowed)
+            && let Some((part, off)) = self.layer(step)
+        {
+            if off > allowed {
+                return (Some(part), off);
+            }
+            (seen, looked) = (off, true);
         }
-        let deep = bent && self.old.low.root < LOW * self.old.high.root;
-        (deep && self.off(step, DEEP) > DEEP * allowed).then_some(DEEP)
+        if bent && self.old.low.root < LOW * self.old.high.root {
+            let off = self.off(step, DEEP);
+            if off > DEEP * allowed {
+                return (Some(DEEP), off.max(seen));
+            }
+            (seen, looked) = (off.max(seen), true);
+        }
+        if looked {
+            return (None, seen);
+        }
+        let mut hidden = self.winding(step);
+        if self.at_front {
+            hidden = hidden.max(AT_FRONT * self.bubble.minus(self.old.bubble).length());
+        }
+        if hidden > allowed {
+            let off = self.off(step, NEAR);
+            if off > allowed {
+                return (Some(0.5), off);
+            }
+            return (None, off.max(seen));
+        }
+        (None, hidden + TWICE * seen)
     }
 
-    /// The same near its upper end: rings of limits below the length of the step, or below what the
-    /// contact receded, have turned, others have not.
+    /// How far the piece may wind to and fro about its parabola: its tractions turn by an angle, but its
+    /// bubble is smaller than the angle and the limits at both ends let expect.
     #[inline]
-    fn layer(&self, step: &Step<V>, allowed: f64) -> Option<f64> {
+    fn winding(&self, step: &Step<V>) -> f64 {
+        let [low, high] = [self.new[0], self.new[2]].map(|anchor| step.shift.minus(anchor));
+        let length = self.old.high.depth - self.old.low.depth;
+        let (from, to) = (step.zeta - self.old.low.depth, step.zeta - self.old.high.depth);
+        // The sine of the angle times the difference of the limits, times both limits.
+        let turn = cross(low, high).abs() * length;
+        let product = from * to;
+        let expected = EXPECTED * turn;
+        if self.bubble.dot(self.bubble) * (product * product) >= expected * expected {
+            return 0.0;
+        }
+        let way = step.length.max(-step.dz);
+        WINDING * turn * way / (product * (way + from))
+    }
+
+    /// How far the parabola may be off near the rim, where tractions turn within the step that have not
+    /// at the middle.
+    #[inline]
+    fn at_rim(&self, step: &Step<V>) -> f64 {
+        let [low, high] = [self.old.low.depth, self.old.high.depth].map(|depth| step.zeta - depth);
+        if high > HIDES * low {
+            return 0.0;
+        }
+        let across = cross(step.ahead, step.shift.minus(self.new[1])).abs();
+        let (way, middle) = (step.length, 0.5 * (low + high));
+        RIM * across * if way < middle { way / middle } else { 1.0 }
+    }
+
+    /// How far the parabola is off near its upper end, and where: rings of limits below the length of
+    /// the step, or below what the contact receded, have turned, others have not.
+    #[inline]
+    fn layer(&self, step: &Step<V>) -> Option<(f64, f64)> {
         let [low, high] = [self.old.low.depth, self.old.high.depth].map(|depth| step.zeta - depth);
         if high > HIDES * low {
             return None;
         }
         let [low, high] = [low, high].map(|limit| limit + step.length.max(-step.dz));
         let part = ((low - (low * high).sqrt()) / (low - high)).max(NEAR);
-        (self.off(step, part) > allowed).then_some(part)
+        Some((part, self.off(step, part)))
     }
 
     /// How far the parabola is off at a part of the depth.

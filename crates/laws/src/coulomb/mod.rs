@@ -12,8 +12,9 @@
 //! tolerance is split, two pieces that one parabola replaces are joined such that the force stays.
 //! Slip may lie below stick, as the curve may be steeper than the cone, so that all are looked at.
 //!
-//! Errors of W do not grow, since the map of a step does not expand distances (it is the play
-//! operator); what remains of all joins was measured: see [`Tolerance`].
+//! Each piece carries a bound of the error of its anchors. Laying and joining pieces adds to it. A
+//! step does not expand the distance of two anchors of a ring (its map is the play operator), so that
+//! no error grows; slip that turns the traction reduces it. [`CoulombMemory::error_bound`] sums up.
 //!
 //! Where c_x and c_y differ, a ring slips along its traction in normalised shifts, as chapter 7
 //! scales them, not in lengths; [`crate::sliders`] knows the difference.
@@ -27,7 +28,9 @@ mod lay;
 mod pack;
 mod piece;
 mod report;
+mod room;
 mod step;
+mod zones;
 
 pub(crate) use drag::Step;
 pub use pack::packed_numbers;
@@ -67,15 +70,19 @@ pub struct CoulombMemory<V, S = Growing<V>> {
     stack: S,
 }
 
-/// How far the curve of the anchors may be off, over the approach or, where it is smaller, over the
-/// largest shift since touch: the error of the force over its limit stays below, and friction that
-/// hardly slips is not lost beside a limit that is never met.
+/// How finely the curve of the anchors is drawn, over the approach or, where it is smaller, over the
+/// largest shift since touch: pieces are split and joined such that the force stays within this share
+/// of its limit.
 ///
-/// What is joined deep in the contact is measured by its own approach, since the contact may recede
-/// to it, and what carries little of the force may be off by more, within the tolerance. Against rings
-/// of sliders on 100 000 turning paths the force at 1e-2 was off, over its limit, by 5e-5 in the mean
-/// and 1.4e-3 at most, with each step in 16 by 3e-4 and 5e-3; at 1e-3 by 4e-6 and 2.8e-4, and on 1000
-/// paths at 1e-5 by 5e-8 and 8e-6. It falls faster than the tolerance.
+/// It steers the law and is no bound of the error: [`CoulombMemory::error_bound`] is.
+///
+/// Against rings of sliders on ordinary turning paths the force at 1e-2 was off, over its limit, by
+/// 5e-5 in the mean and 1e-3 at most, with each step in 16 by 3e-4 and 4e-3; at 1e-3 by 4e-6 and 4e-5,
+/// in parts by 2e-5 and 2e-4. On paths found by climbing it was off by twice the tolerance at 1e-2. What
+/// is joined deep in the contact is measured by its own approach, since the contact may recede to it,
+/// and what carries little of the force may be off by more.
+///
+/// Storage that is full holds no tolerance: pieces are merged until the rest fits.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct Tolerance(f64);
 

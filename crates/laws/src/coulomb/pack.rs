@@ -50,7 +50,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 
     /// Takes the state from numbers that [`CoulombMemory::pack`] wrote. Forces are summed anew and
-    /// may differ by round-off.
+    /// may differ by round-off; [`CoulombMemory::error_bound`] counts from here on.
     ///
     /// # Errors
     /// [`RangeError`] for another version, too few numbers, more vertices than the storage has room
@@ -83,6 +83,7 @@ pub(super) fn knot_of<V: Lateral>(numbers: &[f64]) -> Knot<V> {
         anchor: V::from_components([numbers[1], numbers[2]]),
         bubble: V::from_components([numbers[3], numbers[4]]),
         force: V::default(),
+        error: 0.0,
     }
 }
 

@@ -16,6 +16,8 @@ pub(super) struct Knot<V> {
     pub(super) bubble: V,
     /// The force of the contact below.
     pub(super) force: V,
+    /// How far the anchors of the piece above may be off.
+    pub(super) error: f64,
 }
 
 impl<V: Lateral> Knot<V> {
@@ -27,6 +29,7 @@ impl<V: Lateral> Knot<V> {
             anchor: vertex.anchor,
             bubble: vertex.slope,
             force: vertex.force,
+            error: vertex.force_slope.components()[0],
         }
     }
 
@@ -36,7 +39,7 @@ impl<V: Lateral> Knot<V> {
             depth: self.depth,
             anchor: self.anchor,
             slope: self.bubble,
-            force_slope: V::default(),
+            force_slope: V::from_components([self.error, 0.0]),
             force: self.force,
             curb: self.root,
         }
@@ -64,12 +67,21 @@ pub(super) struct Piece<V> {
     pub(super) low: End<V>,
     pub(super) high: End<V>,
     pub(super) bubble: V,
+    /// How far its anchors may be off.
+    pub(super) error: f64,
 }
 
 impl<V: Lateral> Piece<V> {
     #[inline]
     pub(super) fn new(knot: &Knot<V>, high: End<V>) -> Self {
-        Self { low: knot.end(), high, bubble: knot.bubble }
+        Self { low: knot.end(), high, bubble: knot.bubble, error: knot.error }
+    }
+
+    /// How far the force may be off by the error of its anchors, in a contact of some approach:
+    /// `(3/2) int error dt`. No two tractions of a ring differ by more than twice its limit.
+    pub(super) fn force_error(&self, zeta: f64) -> f64 {
+        let error = self.error.min(2.0 * (zeta - self.low.depth));
+        1.5 * error * (self.high.root - self.low.root)
     }
 
     /// The anchor at a part of the piece, from 0 to 1.
@@ -147,10 +159,10 @@ impl<V: Lateral> Piece<V> {
         self.on_curve(step, part, within, beyond)
     }
 
-    /// Two steps of Newton's from the chord to the curve.
+    /// Newton's steps from the chord to the curve.
     fn on_curve(&self, step: &Step<V>, mut part: f64, within: f64, beyond: f64) -> f64 {
         let length = self.high.depth - self.low.depth;
-        for _ in 0..2 {
+        for _ in 0..6 {
             let (depth, anchor) = (self.depth_at(part), self.at(part));
             let rise = step.shift.minus(anchor).dot(self.rate(part));
             let slope = 2.0 * ((step.zeta - depth) * length - rise);
@@ -159,7 +171,11 @@ impl<V: Lateral> Piece<V> {
                 return part;
             }
             let next = part - step.excess(depth, anchor) / slope;
+            let before = part;
             part = next.clamp(within.min(beyond), within.max(beyond));
+            if (part - before).abs() < 1e-8 {
+                break;
+            }
         }
         part
     }

@@ -3,8 +3,8 @@
 use super::CoulombMemory;
 use super::drag::{BEYOND, Step, grain};
 use super::energy::{Notes, Unnoted};
-use super::join::{Sizes, join, make_room};
-use super::lay::{HALVINGS, kink};
+use super::join::{Sizes, join};
+use super::lay::HALVINGS;
 use super::piece::{End, Knot, Piece};
 use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 
@@ -48,6 +48,17 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         if square > self.extent * self.extent {
             self.extent = square.sqrt();
         }
+        if self.is_short() {
+            self.step_with_room(zeta, shift, notes);
+        } else {
+            self.go(zeta, shift, notes);
+        }
+    }
+
+    /// A step of a pair in contact, in storage that has room.
+    #[inline]
+    pub(super) fn go(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
+        let (dz, dx) = (zeta - self.zeta, shift.minus(self.shift));
         // On the cone itself, to round-off, the rings that touch may as well slip.
         let clear = dz - grain(zeta, shift);
         if clear > 0.0 && dx.dot(dx) <= clear * clear {
@@ -88,13 +99,14 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
 
     /// The tip of the curve, as a vertex to be.
     #[inline]
-    fn tip(&self) -> Knot<V> {
+    pub(super) fn tip(&self) -> Knot<V> {
         Knot {
             depth: self.zeta,
             root: self.root,
             anchor: self.shift,
             bubble: V::default(),
             force: self.force,
+            error: 0.0,
         }
     }
 
@@ -110,6 +122,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             join(&mut self.stack, top, end, &sizes, notes);
         }
         (self.root, self.regime, self.front) = (end.root, Regime::Adhesion, self.zeta);
+        self.hold_limit(end);
     }
 
     /// Makes the tip a vertex, the foot of the piece to come, and returns its place.
@@ -120,7 +133,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             return top;
         }
         let tip = self.tip();
-        make_room(&mut self.stack, 1, tip.end());
+        self.make_room(tip.end());
         self.stack.push(tip.vertex());
         self.stack.len() - 1
     }
@@ -133,7 +146,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             self.grow();
         }
         let old = self.old_end(zeta);
-        make_room(&mut self.stack, 1, old);
+        self.make_room(old);
         let front = self.find_front(&step, old);
         let end = End { depth: zeta, root: old.root, anchor: shift };
         let (first, sticks) = match front {
@@ -198,7 +211,12 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
                 return Front::On { piece: i, within: 0.0, beyond: 0.5 };
             }
             let high = piece.high;
-            if step.is_beyond(high.depth, high.anchor) {
+            let beyond = step.is_beyond(high.depth, high.anchor);
+            // Before the upper end there may be a band that no end and no middle sees.
+            if let Some([within, beyond]) = piece.hidden_slip(step) {
+                return Front::On { piece: i, within, beyond };
+            }
+            if beyond {
                 return Front::On { piece: i, within: 0.5, beyond: 1.0 };
             }
             if i + 1 < len {
@@ -236,6 +254,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             anchor: cut.anchor,
             bubble: knot.bubble.times(rest * rest),
             force: V::default(),
+            error: knot.error,
         };
         self.stack.get_mut(i).slope = knot.bubble.times(part * part);
         self.stack.insert(i + 1, front.vertex());
@@ -263,6 +282,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         let mut was_in_line =
             old.depth >= self.zeta || step.is_in_line(old.depth, old.anchor, sizes.exact);
         let mut slides = !sticks;
+        // The error of the straight piece behind the tip.
+        let mut error = 0.0;
         for i in (first..self.stack.len()).rev() {
             let knot = Knot::of(self.stack.get(i));
             let piece = Piece::new(&knot, old);
@@ -270,27 +291,35 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
                 && knot.bubble == V::default()
                 && step.is_in_line(knot.depth, knot.anchor, sizes.exact);
             if was_in_line {
+                if knot.error > 0.0 {
+                    error = step.left_in_line(knot.depth, knot.anchor, knot.error).max(error);
+                }
                 (old, new) = (piece.low, step.behind(knot.depth));
-                self.lay_line(i, new);
+                self.lay_line(i, new, error);
                 continue;
             }
             let sticks = sticks && i == first;
-            let low = if sticks { knot.anchor } else { step.drag(knot.depth, knot.anchor) };
-            let middle = step.drag(piece.middle_depth(), piece.middle());
+            let (low, left) = if sticks {
+                (knot.anchor, knot.error)
+            } else {
+                step.drag_with(knot.depth, knot.anchor, knot.error)
+            };
+            let (middle, left_there) =
+                step.drag_with(piece.middle_depth(), piece.middle(), knot.error);
+            let left = if left > left_there { left } else { left_there };
             in_line = in_line
                 && near(knot.depth, low)
                 && (knot.depth >= self.zeta || near(piece.middle_depth(), middle));
             if in_line {
-                self.lay_line(i, low);
+                error = if left > error { left } else { error };
+                self.lay_line(i, low, error);
             } else {
                 let new = [low, middle, new];
                 let ways = piece.ways(new);
                 slides = slides && ways[0] > 0.0 && ways[1] > 0.0;
+                let left = if ways[2] > 0.0 { left } else { knot.error };
                 let ways = if sticks { [ways[1], ways[1], ways[2]] } else { ways };
-                match kink(&piece, ways, step, sizes) {
-                    Some(part) => self.lay_kinked(i, &piece, (part, new), step, sizes),
-                    None => self.lay(i, &piece, new, step, (sizes, HALVINGS)),
-                }
+                self.lay(i, (&piece, ways, left), new, step, (sizes, HALVINGS));
             }
             (old, new) = (piece.low, low);
         }
@@ -299,10 +328,11 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
 
     /// One piece, straight behind the tip.
     #[inline]
-    fn lay_line(&mut self, i: usize, anchor: V) {
+    fn lay_line(&mut self, i: usize, anchor: V, error: f64) {
         self.stack.truncate(i + 1);
         let vertex = self.stack.get_mut(i);
         (vertex.anchor, vertex.slope) = (anchor, V::default());
+        vertex.force_slope = V::from_components([error, 0.0]);
     }
 
     /// The forces from a vertex up, and the end of the step.
@@ -320,6 +350,17 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             }
         }
         self.root = end.root;
+        self.hold_limit(end);
+    }
+
+    /// Takes the force back to its limit, beyond which round-off of the shift may bring it where the
+    /// approach is small beside the shift.
+    #[inline]
+    fn hold_limit(&mut self, end: End<V>) {
+        let (limit, square) = (end.depth * end.root, self.force.dot(self.force));
+        if square > limit * limit * (1.0 + 8.0 * f64::EPSILON) {
+            self.force = self.force.times(limit / square.sqrt());
+        }
     }
 
     /// Joins what can be joined from a vertex up.

@@ -170,8 +170,9 @@ impl<V: Lateral> VertexStack<V> for Growing<V> {
 /// A stack of at most N vertices (N >= 4): plain data that can live in someone else's array.
 ///
 /// When it is full, the law takes out the vertex whose removal may change a load to come least: two
-/// pieces become one that carries the same force. It stays below the friction limit;
-/// [`VertexStack::merges`] counts.
+/// pieces become one that carries the same force, which stays below the friction limit.
+/// [`VertexStack::merges`] counts. In two directions
+/// [`CoulombMemory::error_bound`](crate::coulomb::CoulombMemory::error_bound) says what merges may cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct Fixed<V, const N: usize> {

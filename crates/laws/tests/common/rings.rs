@@ -135,3 +135,39 @@ pub(crate) fn exact(
     let aside = 2.0 * shrunk / both;
     [0, 1].map(|k| to[k] - end * (forward * ahead[k] + aside * (m[k] - cos * ahead[k])))
 }
+
+/// The force over its limit at the end of a path, of that many rings.
+pub(crate) fn force_at_end(path: &[(f64, [f64; 2])], count: usize) -> [f64; 2] {
+    let (zeta, x) = path[path.len() - 1];
+    let spacing = zeta.sqrt() / count as f64;
+    let mut sum = [0.0; 2];
+    for ring in 0..count {
+        let root = (ring as f64 + 0.5) * spacing;
+        let anchor = anchor_at_end(path, root * root);
+        for k in 0..2 {
+            sum[k] += 1.5 * spacing * (x[k] - anchor[k]);
+        }
+    }
+    sum.map(|force| force / (zeta * zeta.sqrt()))
+}
+
+/// The anchor of the ring of a depth at the end of a path in contact.
+fn anchor_at_end(path: &[(f64, [f64; 2])], depth: f64) -> [f64; 2] {
+    let (mut zeta, mut x) = (0.0, [0.0; 2]);
+    let mut anchor = [0.0; 2];
+    for &(to, end) in path {
+        if depth < to {
+            let (mut from, mut limit) = (x, zeta - depth);
+            if limit <= 0.0 {
+                let part = (depth - zeta) / (to - zeta);
+                from = [0, 1].map(|k| x[k] + part * (end[k] - x[k]));
+                (anchor, limit) = (from, 0.0);
+            }
+            if (end[0] - anchor[0]).hypot(end[1] - anchor[1]) > to - depth {
+                anchor = exact(anchor, from, limit, end, to - depth);
+            }
+        }
+        (zeta, x) = (to, end);
+    }
+    anchor
+}
