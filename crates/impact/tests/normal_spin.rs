@@ -261,3 +261,31 @@ fn balls_meet_where_they_should_or_pass() {
     assert_relative_eq!(met.bodies()[0].placed().centre().z, 1.25_f64.sqrt(), max_relative = 1e-10);
     assert!(met.mobility().matrix() != &Matrix3::identity());
 }
+
+#[test]
+fn next_to_no_friction_takes_the_spin_of_complete_sliding() {
+    // The torque of sliding is (3 pi/16) f F a; a is that of the approach, zeta_max (1 - w^2)^(2/5).
+    let (mass, radius, speed, turn) = (0.03, 0.02, 2.0, 80.0);
+    let steps = 200_000;
+    let w = |i: usize| (2 * i + 1) as f64 / f64::from(steps) - 1.0;
+    let shape: f64 =
+        (0..steps as usize).map(|i| (1.0 - w(i) * w(i)).powf(0.2)).sum::<f64>() * 2.0 / 2e5;
+    let plane = Body::plane(rubber());
+    for f in [1e-13, 1e-14, 1e-20, 1e-30, 1e-100, 1e-300] {
+        let thrown = ball(radius, mass, [0.3, 0.0, -speed], [0.0, 0.0, turn]);
+        let collision = Collision::new(thrown, plane.clone(), Friction::new(f).unwrap()).unwrap();
+        let torsion = solved(&collision.with_torsion()).torsion.unwrap();
+        let hertz = collision_hertz();
+        let spinners = [Spinner::solid_sphere(mass, radius).unwrap(), Spinner::held_fast()];
+        let contact = SpinCollision::new(&hertz, friction(), spinners, speed).unwrap();
+        let impulse =
+            3.0 * std::f64::consts::PI / 16.0 * f * mass * speed * contact.contact_radius() * shape;
+        assert_relative_eq!(torsion.torque_impulse.abs(), impulse, max_relative = 1e-5);
+        assert!((1.0 - 1e-10..=1.0).contains(&torsion.spin_ratio));
+    }
+}
+
+fn collision_hertz() -> carom_laws::hertz::Hertz {
+    let thrown = ball(0.02, 0.03, [0.0, 0.0, -1.0], [0.0; 3]);
+    *Collision::new(thrown, Body::plane(rubber()), friction()).unwrap().hertz()
+}

@@ -5,7 +5,7 @@ use carom_special::RangeError;
 /// The largest epsilon accepted; beyond about 2 the spin of small Omega swings more than once.
 const MOST_EPSILON: f64 = 100.0;
 /// The largest Omega accepted: beyond, what the impact takes off the spin is below rounding.
-const MOST_OMEGA: f64 = 1e15;
+pub(super) const MOST_OMEGA: f64 = 1e15;
 
 /// Below this Omega the ratio is linear in it, from the limit of no slip, to about its square.
 pub(super) const SMALL_OMEGA: f64 = 1e-6;

@@ -58,7 +58,12 @@ pub fn no_slip_as_printed(epsilon: f64) -> f64 {
 /// ```
 #[must_use]
 pub fn sliding(epsilon: f64, omega: f64) -> f64 {
-    1.0 - 0.16 * SLIDING_LOSS * epsilon / omega
+    1.0 - sliding_loss(epsilon, omega)
+}
+
+/// One less [`sliding`], with its digits where Omega is large.
+pub(super) fn sliding_loss(epsilon: f64, omega: f64) -> f64 {
+    0.16 * SLIDING_LOSS * epsilon / omega
 }
 
 /// (10.64) as printed, with 21 in place of 15: for comparison only.

@@ -9,7 +9,7 @@ use carom_laws::torsion::adhesion::{AdhesiveTorsion, sliding_torque_arm};
 use carom_special::RangeError;
 
 use super::error::TorsionalError;
-use super::groups::TorsionalGroups;
+use super::groups::{MOST_OMEGA, TorsionalGroups};
 use super::impact::TorsionalImpact;
 use super::limits;
 use crate::normal::NormalImpact;
@@ -158,11 +158,15 @@ impl SpinCollision {
     /// # Errors
     /// [`RangeError`] if Omega exceeds its range.
     pub fn groups(&self) -> Result<Option<TorsionalGroups>, RangeError> {
-        let spin = self.relative_spin().abs();
+        self.omega().map(|omega| TorsionalGroups::new(self.epsilon, omega)).transpose()
+    }
+
+    /// Omega; none without friction.
+    fn omega(&self) -> Option<f64> {
         match self.friction.coefficient() {
-            Some(0.0) => Ok(None),
-            Some(f) => TorsionalGroups::new(self.epsilon, self.omega_scale * spin / f).map(Some),
-            None => TorsionalGroups::new(self.epsilon, 0.0).map(Some),
+            Some(0.0) => None,
+            Some(f) => Some(self.omega_scale * self.relative_spin().abs() / f),
+            None => Some(0.0),
         }
     }
 
@@ -178,11 +182,15 @@ impl SpinCollision {
         self.contact_radius
     }
 
-    /// Follows the impact to separation.
+    /// Follows the impact to separation. Beyond Omega = 1e15 the contact slides throughout, and the
+    /// closed form of sliding is exact to rounding: friction may be as small as it likes.
     ///
     /// # Errors
     /// As [`TorsionalImpact::new`].
     pub fn solve(&self) -> Result<SpinOutcome, TorsionalError> {
+        if let Some(omega) = self.omega().filter(|omega| *omega > MOST_OMEGA) {
+            return Ok(self.outcome(limits::sliding_loss(self.epsilon, omega), 0.0));
+        }
         let Some(groups) = self.groups()? else {
             return Ok(self.outcome(0.0, 0.0));
         };
