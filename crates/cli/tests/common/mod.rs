@@ -2,8 +2,8 @@
 #![allow(dead_code, unused_imports)] // no test needs all of it
 
 pub(crate) mod pebble;
-mod rough;
 pub(crate) mod picture;
+mod rough;
 
 use carom_cli::case::CaseKind;
 pub(crate) use rough::{grey_heights, heights, rough};
