@@ -2,9 +2,9 @@
 
 mod common;
 
-use common::{case, close, stdout};
+use common::{case, close, folder, stdout};
 use std::collections::BTreeMap;
-use std::path::{Path, PathBuf};
+use std::path::Path;
 
 /// Numbers of an archive of NumPy arrays without compression, with their shapes.
 fn arrays(path: &Path) -> BTreeMap<String, (String, Vec<f64>)> {
@@ -30,13 +30,6 @@ fn arrays(path: &Path) -> BTreeMap<String, (String, Vec<f64>)> {
         rest = &rest[30 + length + size..];
     }
     arrays
-}
-
-/// A folder in that for temporary files of this build, gone before the test.
-fn folder(name: &str) -> PathBuf {
-    let path = Path::new(env!("CARGO_TARGET_TMPDIR")).join(name);
-    let _ = std::fs::remove_dir_all(&path);
-    path
 }
 
 fn steps(arguments: &[&str]) -> Vec<serde_json::Value> {
@@ -148,7 +141,7 @@ F_x = 0.03
 F_y = -0.02
 "#
     );
-    let kept = folder("solve_beside");
+    let kept = folder();
     let name = case("solve_beside.toml", &text);
     let rows = steps(&[&name, "--keep", kept.to_str().unwrap()]);
     let of = |name: &str| rows[1][name].as_f64().unwrap();
