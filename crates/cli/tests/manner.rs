@@ -84,13 +84,13 @@ fn it_has_as_many_threads_as_were_asked_for() {
     use std::io::Read as _;
     for threads in [1, 3] {
         let mut child = Command::new(env!("CARGO_BIN_EXE_carom"))
-            .args(["restitution", "--kappa", "1:1.5:300", "--lambda", "0.1:8:300"])
+            .args(["restitution", "--kappa", "1:1.5:600", "--lambda", "0.1:8:600"])
             .args(["--format", "csv", "--threads", &threads.to_string()])
             .stdout(Stdio::piped())
             .spawn()
             .unwrap();
         let mut out = child.stdout.take().unwrap();
-        // The first rows are there: all threads are.
+        // The first rows are there, and there are more of them than are held: all threads are.
         out.read_exact(&mut [0; 100]).unwrap();
         let status = std::fs::read_to_string(format!("/proc/{}/status", child.id())).unwrap();
         let count = status.lines().find_map(|line| line.strip_prefix("Threads:")).unwrap();

@@ -218,7 +218,7 @@ impl Path<'_> {
 /// So many contacts in the state of one.
 fn equal<V: Lateral>(law: &Law<V>, count: usize) -> Result<Vec<Law<V>>, Fault> {
     let mut laws = room::vector("count", count)?;
-    laws.resize(count, law.clone());
+    laws.resize(count, *law);
     Ok(laws)
 }
 
