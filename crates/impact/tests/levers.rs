@@ -31,6 +31,9 @@ fn levers_follow_newton_and_euler() {
         assert!((lever.turning() * impulse - spin).norm() < 1e-14 * (1.0 + spin.norm()));
         let velocity = impulse / inertia.mass() + spin.cross(&arm);
         assert!((lever.mobility() * impulse - velocity).norm() < 1e-13 * (1.0 + velocity.norm()));
+        // (8.27): that of the point, from the motion of the body.
+        let of_point = lever.point_velocity(&(impulse / inertia.mass()), &spin);
+        assert!((lever.mobility() * impulse - of_point).norm() < 1e-13 * (1.0 + velocity.norm()));
     }
 }
 

@@ -30,6 +30,8 @@ fn force_from_shift() {
             close(name, got, num(&out[name]), 2e-15);
         }
         assert!((state.stick_depth() - num(&out["ratio"])).abs() < 1e-15);
+        // (5.22): the area of stick is to that of contact as the approaches.
+        assert!((state.stick_radius().powi(2) - num(&out["ratio"])).abs() < 2e-15);
         assert_eq!(state.is_sliding(), out["sliding"].as_bool().unwrap());
     }
 }
