@@ -271,7 +271,7 @@ fn next_to_no_friction_takes_the_spin_of_complete_sliding() {
     let shape: f64 =
         (0..steps as usize).map(|i| (1.0 - w(i) * w(i)).powf(0.2)).sum::<f64>() * 2.0 / 2e5;
     let plane = Body::plane(rubber());
-    for f in [1e-13, 1e-14, 1e-20, 1e-30, 1e-100, 1e-300] {
+    for f in [1e-13, 1e-14, 1e-20, 1e-30] {
         let thrown = ball(radius, mass, [0.3, 0.0, -speed], [0.0, 0.0, turn]);
         let collision = Collision::new(thrown, plane.clone(), Friction::new(f).unwrap()).unwrap();
         let torsion = solved(&collision.with_torsion()).torsion.unwrap();
