@@ -52,7 +52,7 @@ use pass::Pass;
 /// proportion to their width. What depends on the difference belongs to its grid.
 ///
 /// Infinite friction is infinite where the materials are not coupled. Where they are, it is the limit of
-/// Coulomb's law, with 1e9 for the coefficient. No cell is then in the state [`CellState::Slip`]. Cells
+/// Coulomb's law, with 1e9 for the coefficient. No cell is then in the state [`CellState::Slip`](crate::CellState::Slip). Cells
 /// at the edge that would need tension to stick are dragged along: the surfaces touch there at a pressure
 /// of 1e-9 of the traction, which opposes their displacement. [`ContactState::slip_since`] tells
 /// it, and [`crate::dissipated`] its work.
