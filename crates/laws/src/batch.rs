@@ -13,7 +13,7 @@ const SHARE: usize = 256;
 ///
 /// On a stack of fixed capacity, which keeps a contact in one place, a
 /// [`crate::shift_law::ShiftLaw`] draws turning slip to a tolerance of 1e-2 of the friction limit unless
-/// told otherwise; [`crate::coulomb::CoulombMemory::error_bound`] bounds the error.
+/// told otherwise; [`crate::coulomb::CoulombMemory::error_estimate`] estimates the error.
 ///
 /// ```
 /// use carom_halfspace::operator::Threads;

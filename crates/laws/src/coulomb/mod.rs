@@ -12,9 +12,9 @@
 //! tolerance is split, two pieces that one parabola replaces are joined such that the force stays.
 //! Slip may lie below stick, as the curve may be steeper than the cone, so that all are looked at.
 //!
-//! Each piece carries a bound of the error of its anchors. Laying and joining pieces adds to it. A
+//! Each piece carries an estimate of the error of its anchors. Laying and joining pieces adds to it. A
 //! step does not expand the distance of two anchors of a ring (its map is the play operator), so that
-//! no error grows; slip that turns the traction reduces it. [`CoulombMemory::error_bound`] sums up.
+//! no error grows; slip that turns the traction reduces it. [`CoulombMemory::error_estimate`] sums up.
 //!
 //! Where c_x and c_y differ, a ring slips along its traction in normalised shifts, as chapter 7
 //! scales them, not in lengths; [`crate::sliders`] knows the difference.
@@ -74,7 +74,7 @@ pub struct CoulombMemory<V, S = Growing<V>> {
 /// largest shift since touch: pieces are split and joined such that the force stays within this share
 /// of its limit.
 ///
-/// It steers the law and is no bound of the error: [`CoulombMemory::error_bound`] is.
+/// It steers the law and is no bound of the error; [`CoulombMemory::error_estimate`] estimates that.
 ///
 /// Against rings of sliders on ordinary turning paths the force at 1e-2 was off, over its limit, by
 /// 5e-5 in the mean and 1e-3 at most, with each step in 16 by 3e-4 and 4e-3; at 1e-3 by 4e-6 and 4e-5,

@@ -50,7 +50,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 
     /// Takes the state from numbers that [`CoulombMemory::pack`] wrote. Forces are summed anew and
-    /// may differ by round-off; [`CoulombMemory::error_bound`] counts from here on.
+    /// may differ by round-off; [`CoulombMemory::error_estimate`] counts from here on.
     ///
     /// # Errors
     /// [`RangeError`] for another version, too few numbers, more vertices than the storage has room

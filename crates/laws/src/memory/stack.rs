@@ -172,7 +172,7 @@ impl<V: Lateral> VertexStack<V> for Growing<V> {
 /// When it is full, the law takes out the vertex whose removal may change a load to come least: two
 /// pieces become one that carries the same force, which stays below the friction limit.
 /// [`VertexStack::merges`] counts. In two directions
-/// [`CoulombMemory::error_bound`](crate::coulomb::CoulombMemory::error_bound) says what merges may cost.
+/// [`CoulombMemory::error_estimate`](crate::coulomb::CoulombMemory::error_estimate) says what merges may cost.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct Fixed<V, const N: usize> {
