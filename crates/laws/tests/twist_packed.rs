@@ -200,3 +200,36 @@ fn a_joined_piece_stays_within_the_friction_it_asks_for() {
     }
     assert!(joined > 100 && pieces > 1000, "{joined} {pieces}");
 }
+
+#[test]
+fn what_is_packed_after_long_slides_is_taken_back() {
+    // Steps of all sizes in runs of twenty: contacts that slide until their stick radius is the least
+    // number there is, and that turn back, grow and recede from there.
+    let mut random = Random(7);
+    let mut numbers = vec![0.0; packed_numbers(16)];
+    let mut slid = 0;
+    for _ in 0..150 {
+        let mut history = TwistHistory::new();
+        let size = 10_f64.powf(-5.0 * random.unit());
+        let step = 10_f64.powf(-4.0 * random.unit());
+        let (mut radius, mut twist, mut rates) = (size, 0.0, [0.0; 2]);
+        for k in 0..400 {
+            if k % 20 == 0 {
+                let turn = 10_f64.powf(2.0 * random.unit() - 1.5) * (2.0 * random.unit() - 1.0);
+                rates = [step * (2.0 * random.unit() - 0.9), step * turn];
+            }
+            radius = (radius * (1.0 + rates[0])).clamp(0.01 * size, 50.0 * size);
+            twist += size * rates[1];
+            history.advance(radius, twist).unwrap();
+            history.pack(&mut numbers).unwrap();
+            let mut taken = history.clone();
+            taken.unpack(&numbers).unwrap();
+            assert!(taken.torque().abs() <= sliding_limit(radius));
+            slid += usize::from(numbers[5] < 1e-300);
+            if random.unit() < 0.5 {
+                history = taken;
+            }
+        }
+    }
+    assert!(slid > 500, "{slid}");
+}

@@ -94,8 +94,7 @@ impl TwistHistory {
     ///
     /// # Errors
     /// [`RangeError`] for another version, too few numbers, radii that do not rise, signs that are none, a
-    /// torque above that of sliding, pieces whose twists do not meet, or values out of range; the state is
-    /// then unchanged.
+    /// torque above that of sliding, or values out of range; the state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let room = numbers.len() as f64;
         RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 7")?;
@@ -110,8 +109,17 @@ impl TwistHistory {
         let fits = count >= 0.0 && count == count.floor() && count <= (room - 7.0) / 6.0;
         RangeError::check("pieces", count, fits, "not above the room for them")?;
         let count = count as usize;
-        for number in &numbers[2..HEAD + EACH * count] {
+        let (head, pieces) = numbers[..HEAD + EACH * count].split_at(HEAD);
+        for number in head {
             in_contact("numbers", *number)?;
+        }
+        for piece in pieces.chunks_exact(EACH) {
+            let [from, radius, density, rest @ ..] = piece else { continue };
+            // At the centre of a contact that slid all over, a density may have any size.
+            RangeError::finite("density", *density)?;
+            for number in [from, radius].into_iter().chain(rest) {
+                in_contact("numbers", *number)?;
+            }
         }
         let [radius, twist, torque, stick, ring_steps] =
             [numbers[2], numbers[3], numbers[4], numbers[5], numbers[6]];
