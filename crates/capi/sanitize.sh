@@ -23,7 +23,7 @@ if [ -n "$toolchain" ]; then
     echo "== $calls calls under the address sanitizer of $pinned"
     export RUSTFLAGS="${RUSTFLAGS-} -Zsanitizer=address" CAROM_CALLS=$calls
     cargo "+$toolchain" test --release --package carom-capi --target "$host" --target-dir target/sanitized \
-        --test garbled --test border --test wrong_bodies --test hostile -- --include-ignored --nocapture
+        --test it -- --include-ignored --nocapture garbled:: border:: wrong_bodies:: hostile::
     unset RUSTFLAGS CAROM_CALLS
 else
     echo "== $pinned is not installed: no address sanitizer"
@@ -32,9 +32,9 @@ fi
 
 command -v valgrind >/dev/null || { echo "sanitize.sh: valgrind is not installed" >&2; exit 1; }
 echo "== $few calls under valgrind"
-cargo test --release --package carom-capi --test hostile --test programs --no-run
-built() { cargo test --release --package carom-capi --test "$1" --no-run --message-format=json 2>/dev/null |
-    sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1; }
-CAROM_CALLS=$few valgrind --quiet --error-exitcode=9 "$(built hostile)" --ignored --nocapture
-(cd "$here" && "$(built programs)")
+cargo test --release --package carom-capi --test it --no-run
+tests=$(cargo test --release --package carom-capi --test it --no-run --message-format=json 2>/dev/null |
+    sed -n 's/.*"executable":"\([^"]*\)".*/\1/p' | tail -n 1)
+CAROM_CALLS=$few valgrind --quiet --error-exitcode=9 "$tests" --ignored --nocapture hostile::
+(cd "$here" && "$tests" programs::)
 echo "== the border holds"

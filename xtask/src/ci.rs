@@ -1,7 +1,9 @@
 //! What continuous integration checks.
 
 use crate::outcome::Outcome;
-use crate::{book, browse, cargo, deny, lammps, mutants, python, release, sanitize, test, tidy};
+use crate::{
+    book, browse, cargo, changes, deny, lammps, mutants, python, release, sanitize, test, tidy,
+};
 use anyhow::{Context as _, bail};
 use std::process::Command;
 use std::time::Instant;
@@ -11,41 +13,87 @@ type Step = fn() -> anyhow::Result<Outcome>;
 /// How long the search for a bad path of Coulomb's law takes, in seconds.
 const ADVERSARY: &str = "60";
 
+/// What every change must pass, each test once.
 const STEPS: &[(&str, Step)] = &[
     ("form", form),
     ("index of equations, places of mutants, descriptions of packages", || passed(tidy::run())),
     ("licences, sources and advisories of the dependencies", deny::run),
     ("lints", lints),
-    ("documentation", documentation),
     ("tests, with the examples of README and documentation", || passed(test::run())),
-    ("tests with overflow checks and debug assertions", || passed(test::checked())),
+    ("documentation", documentation),
     ("quick figures", quick_figures),
     ("the report in a browser", browse::run),
     ("the Python module, in an environment of its own", python::run),
     ("the book", book::run),
-    ("packages", || passed(release::pack_quickly())),
 ];
 
-/// The steps that end a run.
-const LAST: &[(&str, Step)] = &[
-    ("the LAMMPS plugin, in the pinned release", || lammps::run(true)),
-    ("mutants, each against the test known to notice it", || passed(mutants::quick())),
+/// What runs where a path that decides on it changed, and where the changes are not known.
+const WHERE_CHANGED: &[(&[&str], &str, Step)] = &[
+    (&["Cargo.toml", "Cargo.lock", "crates/*/Cargo.toml"], "packages", || {
+        passed(release::pack_quickly())
+    }),
+    (
+        &[
+            "plugins",
+            "crates/capi",
+            "crates/laws",
+            "crates/halfspace",
+            "crates/special",
+            "crates/geometry",
+            "crates/impact",
+        ],
+        "the LAMMPS plugin, in the pinned release",
+        || lammps::run(true),
+    ),
+    (
+        &["crates", "verification", "xtask"],
+        "mutants, each against the test known to notice it",
+        || passed(mutants::quick()),
+    ),
 ];
 
-/// The steps that end a long run.
-const LAST_OF_LONG: &[(&str, Step)] = &[
+/// What a long run adds, before a release and on request.
+const LONG: &[(&str, Step)] = &[
+    ("tests with overflow checks and debug assertions", || passed(test::checked())),
     ("the tests that are ignored otherwise", || passed(test::ignored())),
+    ("packages", || passed(release::pack_quickly())),
     ("the LAMMPS plugin, in the pinned release, all tests", || lammps::run(false)),
     ("the C border under sanitizers", sanitize::run),
     ("a search for a bad path of Coulomb's law", adversary),
     ("mutants, each against all tests and pages, those of Python and LAMMPS too", mutants::all),
 ];
 
+/// The steps of this run.
+fn steps(is_long: bool) -> anyhow::Result<Vec<(&'static str, Step)>> {
+    let mut steps = STEPS.to_vec();
+    if is_long {
+        steps.extend(LONG);
+        return Ok(steps);
+    }
+    let paths = changes::paths()?;
+    for &(decisive, name, step) in WHERE_CHANGED {
+        if paths.as_ref().is_none_or(|paths| paths.iter().any(|path| is_among(path, decisive))) {
+            steps.push((name, step));
+        } else {
+            println!("== left out, nothing that decides on it has changed: {name}");
+        }
+    }
+    Ok(steps)
+}
+
+/// Whether the path is one of these or lies below one of these; `*` is any name.
+fn is_among(path: &str, decisive: &[&str]) -> bool {
+    decisive.iter().any(|decisive| {
+        let mut parts = path.split('/');
+        decisive.split('/').all(|part| parts.next().is_some_and(|own| part == "*" || part == own))
+    })
+}
+
 /// Runs every step; stops at the first that fails, or in continuous integration at the first that skips
 /// what may not be skipped.
 pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
     let start = Instant::now();
-    let steps = [STEPS, if is_long { LAST_OF_LONG } else { LAST }].concat();
+    let steps = steps(is_long)?;
     let mut skipped = 0;
     for (i, (name, step)) in steps.iter().enumerate() {
         println!("== {}/{} {name}", i + 1, steps.len());
@@ -76,7 +124,7 @@ fn print_new_regressions() {
         let output = Command::new("git").args(arguments).current_dir(&root).output();
         output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned())
     };
-    let pattern = "*.proptest-regressions";
+    let pattern = "*/proptest-regressions/*.txt";
     let all = ["ls-files", "--modified", "--others", "--exclude-standard", "--", pattern];
     for path in git(&all).unwrap_or_default().lines() {
         if let Ok(text) = std::fs::read_to_string(root.join(path)) {
@@ -112,4 +160,19 @@ fn adversary() -> anyhow::Result<Outcome> {
     let example = ["run", "--release", "--package", "carom-laws", "--example", "adversary"];
     let options = ["--", "--seconds", ADVERSARY, "--seed", &seed];
     passed(cargo::run(&[&example[..], &options[..]].concat()))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn paths_decide_by_their_folders() {
+        let manifests = &["Cargo.toml", "crates/*/Cargo.toml"];
+        assert!(is_among("crates/laws/Cargo.toml", manifests));
+        assert!(is_among("Cargo.toml", manifests));
+        assert!(!is_among("crates/laws/src/lib.rs", manifests));
+        assert!(is_among("plugins/lammps/src/host.h", &["plugins"]));
+        assert!(!is_among("docs/book/src/plugins.md", &["plugins"]));
+    }
 }

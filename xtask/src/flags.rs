@@ -33,8 +33,15 @@ xflags::xflags! {
             optional --time-limit seconds: f64
         }
         /// Runs all tests, documentation examples and example programs, optimised; with
-        /// cargo-nextest if it is installed.
+        /// cargo-nextest if it is installed. `test laws` runs the tests of one crate, `test laws hertz` those
+        /// whose name contains a word.
         cmd test {
+            /// Only the tests of this crate: laws, solver, impact, ...
+            optional package: String
+            /// Only the tests whose name contains this.
+            optional name: String
+            /// Only the crates that changed, and those that depend on them.
+            optional --changed
             /// Also the tests that take minutes, which are ignored otherwise.
             optional --all
         }

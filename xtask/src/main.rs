@@ -8,6 +8,7 @@
 mod book;
 mod browse;
 mod cargo;
+mod changes;
 mod ci;
 mod deny;
 mod flags;
@@ -39,8 +40,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
             let code = cargo::verify(&verify.arguments())?;
             return Ok(ExitCode::from(code));
         }
-        flags::XtaskCmd::Test(test) if test.all => test::all()?,
-        flags::XtaskCmd::Test(_) => test::run()?,
+        flags::XtaskCmd::Test(options) => test::chosen(&options)?,
         flags::XtaskCmd::Mutants(options) => drop(mutants::run(&options)?.accept()?),
         flags::XtaskCmd::Tidy(_) => tidy::run()?,
         flags::XtaskCmd::Browse(_) => drop(browse::run()?.accept()?),

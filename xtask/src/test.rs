@@ -3,13 +3,13 @@
 //! They run optimised, so that tests, figures and the command share one build of the
 //! dependencies.
 
-use crate::cargo;
-use anyhow::{Context as _, bail};
+use crate::{cargo, changes, flags};
+use anyhow::{Context as _, bail, ensure};
 use std::io::{BufRead as _, BufReader};
 use std::process::Stdio;
 use std::time::Instant;
 
-/// Which tests run.
+/// How the tests are built, and which of them run.
 #[derive(Clone, Copy)]
 enum Which {
     /// All but the ignored ones, as in a release.
@@ -22,7 +22,7 @@ enum Which {
 }
 
 impl Which {
-    /// What cargo-nextest is called with.
+    /// The arguments of cargo-nextest.
     fn nextest(self) -> &'static [&'static str] {
         match self {
             Self::Usual => &["--cargo-profile", "release"],
@@ -33,36 +33,59 @@ impl Which {
         }
     }
 
-    /// The crates that are left out.
-    fn without(self) -> &'static [&'static str] {
+    /// The arguments of `cargo test`, and those of the tests themselves.
+    fn cargo(self) -> (&'static [&'static str], &'static [&'static str]) {
         match self {
-            Self::Usual | Self::Ignored => &[],
-            Self::Checked => {
-                &["--exclude", "carom-benches", "--exclude", "carom-python", "--exclude", "xtask"]
-            }
+            Self::Usual => (&["--profile", "release"], &[]),
+            Self::Ignored => (&["--profile", "release"], &["--ignored"]),
+            Self::Checked => (&["--profile", "checked"], &[]),
         }
     }
 
-    /// What `cargo test` is called with.
-    fn cargo(self) -> &'static [&'static str] {
+    /// The packages of the whole workspace.
+    fn workspace(self) -> &'static [&'static str] {
         match self {
-            Self::Usual => &["--profile", "release"],
-            Self::Ignored => &["--profile", "release", "--", "--ignored"],
-            Self::Checked => &["--profile", "checked"],
+            Self::Usual | Self::Ignored => &["--workspace"],
+            Self::Checked => &[
+                "--workspace",
+                "--exclude",
+                "carom-benches",
+                "--exclude",
+                "carom-python",
+                "--exclude",
+                "xtask",
+            ],
         }
+    }
+}
+
+/// Runs what the options choose: the whole workspace, one crate, or the crates that changed.
+pub(crate) fn chosen(options: &flags::Test) -> anyhow::Result<()> {
+    ensure!(
+        options.package.is_none() || !(options.changed || options.all),
+        "a crate is tested alone: leave out --changed and --all"
+    );
+    if let Some(name) = &options.package {
+        let package = changes::package(name)?;
+        return tests(Which::Usual, &["--package", &package], options.name.as_deref());
+    }
+    match (options.changed, options.all) {
+        (true, _) => changed(),
+        (false, true) => all(),
+        (false, false) => run(),
     }
 }
 
 /// Runs all tests, the documentation examples and the example programs, and prints their counts;
 /// the examples run even if a test fails.
 pub(crate) fn run() -> anyhow::Result<()> {
-    let tests = tests(Which::Usual);
+    let tests = of_workspace(Which::Usual);
     let examples = examples();
     tests.and(examples).and(programs())
 }
 
 /// Runs the tests that take minutes too, and says how long they took.
-pub(crate) fn all() -> anyhow::Result<()> {
+fn all() -> anyhow::Result<()> {
     let usual = run();
     println!("== the tests that are ignored otherwise take minutes");
     let start = Instant::now();
@@ -71,25 +94,46 @@ pub(crate) fn all() -> anyhow::Result<()> {
     usual.and(ignored)
 }
 
+/// Runs the tests of the crates that changed since the last commit that was published, and of those that
+/// depend on them.
+fn changed() -> anyhow::Result<()> {
+    let packages = changes::packages()?;
+    if packages.is_empty() {
+        println!("no crate has changed");
+        return Ok(());
+    }
+    println!("changed, or dependent on what changed: {}", packages.join(", "));
+    let arguments: Vec<&str> =
+        packages.iter().flat_map(|package| ["--package", package.as_str()]).collect();
+    tests(Which::Usual, &arguments, None)
+}
+
 /// Runs the tests that are ignored otherwise.
 pub(crate) fn ignored() -> anyhow::Result<()> {
-    tests(Which::Ignored)
+    of_workspace(Which::Ignored)
 }
 
 /// Runs the tests with overflow checks and debug assertions.
 pub(crate) fn checked() -> anyhow::Result<()> {
-    tests(Which::Checked)
+    of_workspace(Which::Checked)
 }
 
-fn tests(which: Which) -> anyhow::Result<()> {
+fn of_workspace(which: Which) -> anyhow::Result<()> {
+    tests(which, which.workspace(), None)
+}
+
+/// Runs the tests of these packages; with a name, those whose name contains it.
+fn tests(which: Which, packages: &[&str], name: Option<&str>) -> anyhow::Result<()> {
     if cargo::has("nextest") {
         // Prints its own count.
-        let run = &["nextest", "run", "--workspace"];
-        return cargo::run(&[run, which.without(), which.nextest()].concat());
+        let name: Vec<&str> = name.into_iter().collect();
+        return cargo::run(&[&["nextest", "run"], packages, which.nextest(), &name].concat());
     }
     println!("cargo-nextest is not installed: using cargo test");
-    let usual = ["test", "--workspace", "--no-fail-fast", "--lib", "--bins", "--tests"];
-    counted("tests", &[&usual, which.without(), which.cargo()].concat())
+    let (build, run) = which.cargo();
+    let usual = &["test", "--no-fail-fast", "--lib", "--bins", "--tests"];
+    let run = [&["--"], run, name.as_slice()].concat();
+    counted("tests", &[usual, packages, build, &run].concat())
 }
 
 fn examples() -> anyhow::Result<()> {

@@ -11,7 +11,7 @@
 //! and fails when an error exceeds three times its estimate.
 
 #[allow(dead_code)] // the tests use the rest
-#[path = "../tests/common/rings.rs"]
+#[path = "../tests/it/common/rings.rs"]
 mod rings;
 
 use std::process::ExitCode;

@@ -30,7 +30,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
 
 /// Draws the book's pictures and writes its case reference anew.
 pub(crate) fn update() -> anyhow::Result<()> {
-    let test = ["test", "--release", "--package", "carom-cli", "--test", "book"];
+    let test = ["test", "--release", "--package", "carom-cli", "--test", "it", "book::"];
     cargo::run_with(&test, "CAROM_BOOK", "update")
 }
 

@@ -1,0 +1,388 @@
+//! One random call of the border.
+
+use std::ffi::CStr;
+use std::mem::{MaybeUninit, size_of, zeroed};
+use std::ptr::{null, null_mut};
+
+use carom_capi::*;
+
+use super::world::{GLASS, World};
+
+/// All functions of the border.
+pub(crate) const NAMES: [&str; 43] = [
+    "carom_contact_advance",
+    "carom_contact_load",
+    "carom_contact_energy",
+    "carom_contact_heat",
+    "carom_contact_report",
+    "carom_contact_turn_frame",
+    "carom_contact_pack",
+    "carom_contact_unpack",
+    "carom_contact_advance_many",
+    "carom_state_advance",
+    "carom_state_load",
+    "carom_state_energy",
+    "carom_state_heat",
+    "carom_state_report",
+    "carom_state_turn_frame",
+    "carom_state_advance_many",
+    "carom_twist_advance",
+    "carom_twist_torque",
+    "carom_twist_energy",
+    "carom_twist_heat",
+    "carom_touch_grains",
+    "carom_touch_wall",
+    "carom_touch_grains_load",
+    "carom_touch_wall_load",
+    "carom_touch_energy",
+    "carom_touch_report",
+    "carom_touch_pack",
+    "carom_touch_unpack",
+    "carom_touch_many",
+    "carom_touch_twist_grains",
+    "carom_touch_twist_wall",
+    "carom_touch_twist_energy",
+    "carom_pair_of_spheres",
+    "carom_pair_of_curvatures",
+    "carom_pair_of_stiffness",
+    "carom_grains_of",
+    "carom_restitution",
+    "carom_restitution_many",
+    "carom_collide",
+    "carom_collide_losing",
+    "carom_status_text",
+    "carom_version",
+    "carom_abi_version",
+];
+
+/// Makes one call, now and then after bytes were garbled, and returns its name.
+pub(crate) fn one(world: &mut World) -> &'static str {
+    if world.chance(0.1) {
+        world.garble();
+    }
+    // Those of microseconds and more are rarer.
+    let which = match world.pick(400) {
+        0 => 38 + world.pick(2),
+        1 => 36 + world.pick(2),
+        2 => 40 + world.pick(3),
+        3..=12 => 32 + world.pick(4),
+        13..=40 => 16 + world.pick(4),
+        41..=60 => 29 + world.pick(3),
+        k if k % 2 == 0 => world.pick(16),
+        _ => 20 + world.pick(9),
+    };
+    let status = match which {
+        0..=8 => contact(world, which),
+        9..=15 => state(world, which),
+        16..=19 => twist(world, which),
+        20..=28 => touch(world, which),
+        29..=31 => touch_twist(world, which),
+        32..=35 => constants(world, which),
+        36..=37 => restitution(world, which),
+        38..=39 => collide(world, which),
+        _ => words(world, which),
+    };
+    world.told[status as usize] += 1;
+    world.called.insert(NAMES[which]);
+    NAMES[which]
+}
+
+fn contact(world: &mut World, which: usize) -> CaromStatus {
+    let (at, of, shift, error) = (world.pick(6), world.pick(5), world.shift(), world.error());
+    let state = world.pick(6);
+    let (mut load, mut number) = (CaromLoad::default(), 0.0);
+    let mut report = MaybeUninit::<CaromReport>::uninit();
+    let (pair, contact) = (&raw mut world.pairs[of], &raw mut world.contacts[at]);
+    let (pair, contact) = (world.point(pair), world.point(contact));
+    let (load, number) = (world.point(&raw mut load), world.point(&raw mut number));
+    let state = &raw mut world.states[state];
+    let (state, size) = (world.point(state), size_of::<CaromContact>());
+    let angle = world.number(-4.0, 4.0);
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        match which {
+            0 => carom_contact_advance(pair, contact, shift, load, error),
+            1 => carom_contact_load(pair, contact, load, error),
+            2 => carom_contact_energy(pair, contact, number, error),
+            3 => carom_contact_heat(pair, contact, shift, number, error),
+            4 => reported(&mut report, |report| carom_contact_report(pair, contact, report, error)),
+            5 => carom_contact_turn_frame(pair, contact, angle, error),
+            6 => carom_contact_pack(pair, contact, state, error),
+            7 => carom_contact_unpack(pair, state, contact, error),
+            _ => {
+                let shifts = [shift; 6];
+                let first = world.contacts.as_mut_ptr();
+                carom_contact_advance_many(
+                    pair,
+                    6,
+                    first,
+                    size,
+                    shifts.as_ptr(),
+                    24,
+                    null_mut(),
+                    0,
+                    error,
+                )
+            }
+        }
+    }
+}
+
+/// A report that was told has a regime that is one.
+fn reported(
+    report: &mut MaybeUninit<CaromReport>,
+    ask: impl FnOnce(*mut CaromReport) -> CaromStatus,
+) -> CaromStatus {
+    let status = ask(report.as_mut_ptr());
+    if status == CaromStatus::Ok {
+        // SAFETY: written, in the layout of C: a double and the number of the regime.
+        let regime = unsafe { report.as_ptr().cast::<u32>().add(2).read() };
+        assert!(regime <= 6, "{regime}");
+    }
+    status
+}
+
+fn state(world: &mut World, which: usize) -> CaromStatus {
+    let (at, of, shift, error) = (world.pick(6), world.pick(5), world.shift(), world.error());
+    let (mut load, mut number) = (CaromLoad::default(), 0.0);
+    let mut report = MaybeUninit::<CaromReport>::uninit();
+    let (pair, state) = (&raw mut world.pairs[of], &raw mut world.states[at]);
+    let (pair, state) = (world.point(pair), world.point(state));
+    let (to, number) = (&raw mut load, world.point(&raw mut number));
+    let angle = world.number(-4.0, 4.0);
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    let status = unsafe {
+        match which {
+            9 => carom_state_advance(pair, state, shift, to, error),
+            10 => carom_state_load(pair, state, to, error),
+            11 => carom_state_energy(pair, state, number, error),
+            12 => carom_state_heat(pair, state, shift, number, error),
+            13 => reported(&mut report, |report| carom_state_report(pair, state, report, error)),
+            14 => carom_state_turn_frame(pair, state, angle, error),
+            _ => {
+                let (shifts, size) = ([shift; 6], size_of::<CaromState>());
+                let first = world.states.as_mut_ptr();
+                carom_state_advance_many(
+                    pair,
+                    6,
+                    first,
+                    size,
+                    shifts.as_ptr(),
+                    24,
+                    null_mut(),
+                    0,
+                    error,
+                )
+            }
+        }
+    };
+    if status == CaromStatus::Ok && which <= 10 && world.are_sound[of] {
+        let numbers = load.f_x.is_nan() || load.f_y.is_nan() || load.f_z.is_nan();
+        assert!(!numbers, "{load:?} of {:?} {:?}", world.states[at], world.pairs[of]);
+    }
+    status
+}
+
+fn twist(world: &mut World, which: usize) -> CaromStatus {
+    let (at, of, error) = (world.pick(4), world.pick(5), world.error());
+    let (zeta, omega) = (world.number(-0.2e-7, 3e-7), world.number(-1e-2, 1e-2));
+    let mut number = 0.0;
+    let (pair, twist) = (&raw mut world.pairs[of], &raw mut world.twists[at]);
+    let (pair, twist, to) = (world.point(pair), world.point(twist), &raw mut number);
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    let status = unsafe {
+        match which {
+            16 => carom_twist_advance(pair, twist, zeta, omega, to, error),
+            17 => carom_twist_torque(pair, twist, to, error),
+            18 => carom_twist_energy(pair, twist, to, error),
+            _ => carom_twist_heat(pair, twist, zeta, omega, to, error),
+        }
+    };
+    let is_number = status != CaromStatus::Ok || !number.is_nan() || !world.are_sound[of];
+    assert!(is_number, "{which}: {:?} {:?}", world.twists[at], world.pairs[of]);
+    status
+}
+
+fn touch(world: &mut World, which: usize) -> CaromStatus {
+    let (at, of, error, kept) = (world.pick(12), world.pick(3), world.error(), world.pick(4));
+    let ([mut one, mut two], dt) = (world.meeting(), world.number(1e-9, 2e-8));
+    let mut wall = CaromWall {
+        place: world.vector(1e-9),
+        normal: [0.0, 0.0, 1.0],
+        velocity: world.vector(0.1),
+    };
+    if which == 21 || which == 23 {
+        one.place[2] -= 1e-3;
+    }
+    if world.chance(0.05) {
+        wall.normal = world.vector(1.0);
+    }
+    let (mut load, mut heats, mut number) = (CaromGrainLoad::default(), CaromHeats::default(), 0.0);
+    let mut report = MaybeUninit::<CaromReport>::uninit();
+    let [radius_1, radius_2] = [world.number(1e-3, 2e-3), world.number(1e-3, 2e-3)];
+    let (grains, touch) = (&raw mut world.grains[of], &raw mut world.touches[at]);
+    let (grains, touch) = (world.point(grains), world.point(touch));
+    let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
+    let wall = world.point(&raw mut wall);
+    let heats = if world.chance(0.7) { null_mut() } else { &raw mut heats };
+    let numbers = &raw mut world.packed[kept];
+    let (load, numbers) = (world.point(&raw mut load), world.point(numbers).cast());
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        match which {
+            20 => carom_touch_grains(grains, touch, one, two, dt, load, heats, error),
+            21 => carom_touch_wall(grains, touch, one, wall, dt, load, heats, error),
+            22 => carom_touch_grains_load(grains, touch, one, two, load, error),
+            23 => carom_touch_wall_load(grains, touch, one, wall, load, error),
+            24 => carom_touch_energy(touch, world.point(&raw mut number), error),
+            25 => reported(&mut report, |report| carom_touch_report(touch, report, error)),
+            26 => carom_touch_pack(touch, numbers, error),
+            27 => carom_touch_unpack(grains, radius_1, radius_2, numbers, touch, error),
+            _ => many(world, grains, dt, heats, error),
+        }
+    }
+}
+
+/// # Safety
+/// As `carom_touch_many`.
+unsafe fn many(
+    world: &mut World,
+    grains: *mut CaromGrains,
+    dt: f64,
+    heats: *mut CaromHeats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    let touches: [*mut CaromTouch; 12] = world.touches.each_mut().map(|touch| &raw mut *touch);
+    let mut all = touches.map(|touch| {
+        let [one, two] = world.meeting();
+        let (grains, touch) = (world.point(grains), world.point(touch));
+        CaromEncounter { grains, touch, one, two, load: CaromGrainLoad::default() }
+    });
+    let first = world.point(all.as_mut_ptr());
+    // SAFETY: the caller's promise.
+    unsafe { carom_touch_many(first, all.len(), dt, heats, error) }
+}
+
+fn touch_twist(world: &mut World, which: usize) -> CaromStatus {
+    let (at, of, error) = (world.pick(4), world.pick(3), world.error());
+    let ([mut one, mut two], dt) = (world.meeting(), world.number(1e-9, 2e-8));
+    let mut wall =
+        CaromWall { place: [0.0; 3], normal: [0.0, 0.0, 1.0], velocity: world.vector(0.1) };
+    if which == 30 {
+        one.place[2] -= 1e-3;
+    }
+    let (mut load, mut heats, mut number) = (CaromGrainLoad::default(), CaromHeats::default(), 0.0);
+    let [radius_1, radius_2] = [world.number(1e-3, 2e-3), world.number(1e-3, 2e-3)];
+    let (grains, twist) = (&raw mut world.grains[of], &raw mut world.twists[at]);
+    let (grains, twist) = (world.point(grains), world.point(twist));
+    let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
+    let heats = if world.chance(0.7) { null_mut() } else { &raw mut heats };
+    let load = world.point(&raw mut load);
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        match which {
+            29 => carom_touch_twist_grains(grains, twist, one, two, dt, load, heats, error),
+            30 => carom_touch_twist_wall(
+                grains,
+                twist,
+                one,
+                world.point(&raw mut wall),
+                dt,
+                load,
+                heats,
+                error,
+            ),
+            _ => carom_touch_twist_energy(grains, twist, radius_1, radius_2, &mut number, error),
+        }
+    }
+}
+
+fn constants(world: &mut World, which: usize) -> CaromStatus {
+    let mut one =
+        CaromMaterial { young_modulus: world.number(1e5, 1e11), poisson: world.number(-0.9, 0.5) };
+    let mut two = if world.chance(0.5) { one } else { GLASS };
+    if world.chance(0.1) {
+        two.young_modulus = f64::INFINITY;
+    }
+    let [a, b, c] = std::array::from_fn(|_| world.number(1e-3, 1.0));
+    let (friction, tolerance) = (world.number(0.0, 1.0), world.number(0.0, 0.1));
+    let (law, error) = ([0, 1, 2, u32::MAX][world.pick(40).min(3)], world.error());
+    let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
+    // SAFETY: all zero are constants that nothing accepts.
+    let (mut pair, mut grains) = unsafe { (zeroed(), zeroed()) };
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        match which {
+            32 => carom_pair_of_spheres(one, two, a, b, friction, law, tolerance, &mut pair, error),
+            33 => {
+                carom_pair_of_curvatures(one, two, a, b, friction, law, tolerance, &mut pair, error)
+            }
+            34 => carom_pair_of_stiffness(a, b, c, friction, law, tolerance, &mut pair, error),
+            _ => carom_grains_of(one, two, friction, law, tolerance, 1e-3 * a, &mut grains, error),
+        }
+    }
+}
+
+fn restitution(world: &mut World, which: usize) -> CaromStatus {
+    let kappa = [world.number(0.75, 1.5), world.number(0.75, 1.5)];
+    let (lambda, method, error) = (world.number(0.0, 9.0), world.pick(3) as u32, world.error());
+    let (mut answer, stride) = ([0.0; 2], world.pick(17));
+    let to = world.point(answer.as_mut_ptr());
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        match which {
+            36 => carom_restitution(kappa[0], lambda, method, to, error),
+            _ => {
+                let stride = if stride > 8 { 8 } else { stride };
+                carom_restitution_many(2, kappa.as_ptr(), 8, &lambda, 0, method, to, stride, error)
+            }
+        }
+    }
+}
+
+fn body(world: &mut World) -> CaromBody {
+    // SAFETY: zeros are a solid sphere at rest.
+    let mut body: CaromBody = unsafe { zeroed() };
+    (body.shape, body.hollow) = (world.pick(8) as u32, (world.pick(9) / 8) as u32);
+    body.sizes = std::array::from_fn(|_| world.number(0.01, 0.03));
+    (body.mass, body.material) = (world.number(0.1, 1.0), GLASS);
+    (body.velocity, body.spin, body.centre) =
+        (world.vector(2.0), world.vector(20.0), world.vector(0.02));
+    if world.chance(0.3) {
+        body.attitude = std::array::from_fn(|_| world.number(-1.0, 1.0));
+    }
+    body
+}
+
+fn collide(world: &mut World, which: usize) -> CaromStatus {
+    let ([mut one, mut two], friction) = ([body(world), body(world)], world.number(0.0, 1.0));
+    // Spheres and planes, but for a few: others take their time.
+    if world.chance(0.9) {
+        (one.shape, two.shape) = (CAROM_SHAPE_SPHERE, world.pick(2) as u32);
+    }
+    let normal = world.vector(1.0);
+    let by = normal.iter().map(|x| x * x).sum::<f64>().sqrt();
+    let normal = if world.chance(0.1) { normal } else { normal.map(|x| x / by) };
+    let normal = if world.chance(0.1) { null() } else { normal.as_ptr() };
+    let (mut rebound, error) = (CaromRebound::default(), world.error());
+    let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
+    let (loss, part) = (world.pick(4) as u32, world.number(0.0, 1.0));
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        match which {
+            38 => carom_collide(one, two, friction, normal, &mut rebound, error),
+            _ => carom_collide_losing(one, two, friction, loss, part, normal, &mut rebound, error),
+        }
+    }
+}
+
+fn words(world: &mut World, which: usize) -> CaromStatus {
+    let text = match which {
+        40 => carom_status_text(world.bits() as i32),
+        41 => carom_version(),
+        _ => carom_status_text((carom_abi_version() + carom_state_version()) as i32),
+    };
+    // SAFETY: ends with a zero.
+    assert!(!unsafe { CStr::from_ptr(text) }.is_empty());
+    CaromStatus::Ok
+}

@@ -1,0 +1,185 @@
+//! The command as a user meets it: results on standard output, exit codes, files.
+
+use crate::common::{carom, case, close, example, fresh, json, stdout};
+use std::path::Path;
+
+#[test]
+fn a_ball_thrown_under_a_book_comes_back() {
+    let table = json(&["impact", &example("rubber_on_table.toml")]);
+    close(&table["R_x"], 0.580998, 5e-7);
+    close(&table["after"]["body_1"]["velocity"][0], 0.548286, 5e-7);
+    let book = json(&["impact", &example("rubber_under_book.toml")]);
+    close(&book["after"]["body_2"]["velocity"][0], -0.05171, 1e-5);
+}
+
+#[test]
+fn a_sweep_gives_an_impact_an_angle() {
+    let records = json(&["impact", &example("alumina_on_plane.toml")]);
+    let records = records.as_array().unwrap();
+    assert_eq!(records.len(), 17);
+    // Independent values of the spin for 5, 20 and 80 degrees.
+    for (index, angle, spin) in [(0, 5.0, 87.84), (3, 20.0, 542.06), (15, 80.0, 124.61)] {
+        close(&records[index]["angle"], angle, 1e-12);
+        close(&records[index]["after"]["body_1"]["spin"][1], spin, 0.01);
+    }
+    assert!(records[0]["warnings"][0].as_str().unwrap().contains("gamma"));
+}
+
+#[test]
+fn energy_and_momentum_balance_in_the_output() {
+    let record = json(&["impact", &example("steel_balls.toml")]);
+    let number = |name: &str| record[name].as_f64().unwrap();
+    let before = number("energy_before");
+    let balance = before - number("energy_after") - number("energy_dissipated");
+    assert!(balance.abs() < 1e-14 * before, "{balance}");
+    let velocity = |when: &str, body: &str, axis: usize| {
+        record[when][body]["velocity"][axis].as_f64().unwrap()
+    };
+    for axis in 0..3 {
+        let sum = |when| velocity(when, "body_1", axis) + velocity(when, "body_2", axis);
+        assert!((sum("before") - sum("after")).abs() < 1e-15);
+    }
+}
+
+#[test]
+fn every_example_runs_in_every_format_and_draws() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples");
+    let mut count = 0;
+    for entry in std::fs::read_dir(folder).unwrap() {
+        let path = entry.unwrap().path();
+        if path.extension().is_none_or(|ending| ending != "toml") {
+            continue; // steps of a history
+        }
+        let plot = fresh(&format!("{}.svg", path.file_stem().unwrap().to_str().unwrap()));
+        let case = path.to_str().unwrap();
+        let name = path.file_name().unwrap().to_str().unwrap();
+        let command = match name.split_once('_') {
+            Some((command @ ("hertz" | "history" | "scene" | "solve" | "roll" | "stress"), _)) => {
+                command
+            }
+            _ => "impact",
+        };
+        for format in ["table", "json", "csv"] {
+            let arguments = [command, case, "--format", format, "--plot", plot.to_str().unwrap()];
+            assert!(!stdout(&arguments).is_empty());
+        }
+        assert!(std::fs::read_to_string(&plot).unwrap().starts_with("<svg"));
+        count += 1;
+    }
+    assert!(count >= 30);
+}
+
+#[test]
+fn a_history_runs_from_touch_to_separation() {
+    let case = example("rubber_on_table.toml");
+    let text = stdout(&["impact", &case, "--history", "101", "--format", "csv"]);
+    let rows: Vec<Vec<&str>> = text.lines().skip(1).map(|row| row.split(',').collect()).collect();
+    assert_eq!(rows.len(), 101);
+    let number = |row: usize, column: usize| rows[row][column].parse::<f64>().unwrap();
+    let heads: Vec<&str> = text.lines().next().unwrap().split(',').collect();
+    let at = |name: &str| heads.iter().position(|head| *head == name).unwrap();
+    let (along, normal) = (at("F_x"), at("F_z"));
+    assert_eq!(number(0, normal), 0.0);
+    assert!(number(100, normal).abs() < 1e-6 * number(50, normal));
+    // Coulomb's bound at every instant.
+    let bound = |i: usize| 0.3 * number(i, normal) * (1.0 + 1e-9);
+    assert!((0..101).all(|i| number(i, along).abs() <= bound(i)));
+    let sweep = carom(&["impact", &example("alumina_on_plane.toml"), "--history", "5"]);
+    assert_eq!(sweep.status.code(), Some(2));
+}
+
+const DROP: &str = "\
+[body_1]
+shape = \"sphere\"
+radius = 0.01
+material = { young_modulus = 2e11, poisson = 0.3 }
+mass = 0.03
+velocity = [0.5, 0, -1]
+spin = [0, 0, 0]
+
+[body_2]
+shape = \"plane\"
+material = { young_modulus = 2e11, poisson = 0.3 }
+fixed = true
+
+[contact]
+friction = 0.2
+";
+
+#[test]
+fn bad_cases_end_with_code_2_and_write_nothing() {
+    for (old, new, expected) in [
+        ("radius = 0.01", "radius = -1", "`body_1.radius` = -1 is out of range: must be"),
+        ("radius = 0.01", "", "`body_1.radius` is missing"),
+        ("radius", "radiuss", "did you mean `radius`?"),
+        ("0.2", "nan", "`contact.friction` = NaN is out of range: must be"),
+        ("fixed = true", "fixed = true\nmass = 1", "cannot stand beside"),
+        ("mass = 0.03", "mass = inf", "a finite mass for at least one of the two bodies"),
+    ] {
+        let case = case("bad-case.toml", &DROP.replacen(old, new, 1));
+        let plot = fresh("bad-case.svg");
+        let output = carom(&["impact", &case, "--plot", plot.to_str().unwrap()]);
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{stderr}");
+        assert!(stderr.contains(expected), "{stderr}");
+        assert!(output.stdout.is_empty() && !plot.exists());
+    }
+}
+
+#[test]
+fn limits_of_friction_and_approach_are_valid() {
+    let impact = |name: &str, old: &str, new: &str| {
+        json(&["impact", &case(name, &DROP.replacen(old, new, 1))])
+    };
+    close(&impact("frictionless.toml", "0.2", "0")["R_x"], -1.0, 0.0);
+    let gripping = impact("gripping.toml", "0.2", "inf");
+    assert!(gripping["R_x"].as_f64().unwrap().is_finite());
+    let away = impact("away.toml", "-1]", "1]");
+    assert_eq!(away["outcome"], "no_impact");
+    assert_eq!(away["after"], away["before"]);
+    let grazing = impact("grazing.toml", "-1]", "-1e-9]");
+    assert_eq!(grazing["outcome"], "rebound");
+}
+
+#[test]
+fn without_an_impact_there_is_nothing_to_draw() {
+    let case = case("resting.toml", &DROP.replacen("-1]", "0]", 1));
+    let plot = fresh("resting.svg");
+    let output = carom(&["impact", &case, "--plot", plot.to_str().unwrap()]);
+    assert!(output.status.success() && !plot.exists());
+    assert!(String::from_utf8_lossy(&output.stderr).contains("nothing to draw"));
+}
+
+#[test]
+fn files_that_cannot_be_read_or_written_end_with_code_1() {
+    let output = carom(&["impact", "no/such/case.toml"]);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(String::from_utf8_lossy(&output.stderr).contains("cannot read no/such/case.toml"));
+    let arguments = ["impact", &example("steel_balls.toml"), "--plot", "no/such/folder/a.svg"];
+    let output = carom(&arguments);
+    assert_eq!(output.status.code(), Some(1));
+    assert!(output.stdout.is_empty());
+}
+
+#[test]
+fn alumina_straight_down_has_the_limit_of_small_angles() {
+    let text = std::fs::read_to_string(example("alumina_on_plane.toml")).unwrap();
+    let at = |angle: &str| {
+        let sweep = "angle = { start = 5, stop = 85, count = 17 }";
+        assert!(text.contains(sweep));
+        let file = case(
+            &format!("alumina_{angle}.toml"),
+            &text.replace(sweep, &format!("angle = {angle}")),
+        );
+        json(&["impact", &file])["R_x"].as_f64().unwrap()
+    };
+    assert!((at("0") - at("1e-14")).abs() < 1e-11);
+    assert!((at("0") + 0.2962).abs() < 5e-5);
+}
+
+#[test]
+fn the_last_regime_of_a_history_is_that_of_the_log() {
+    let record = json(&["impact", &example("rubber_on_table.toml"), "--history", "3"]);
+    let last = |list: &str| record[list].as_array().unwrap().last().unwrap()["regime"].clone();
+    assert_eq!((last("history"), last("events")), ("slide-".into(), "slide-".into()));
+}

@@ -1,0 +1,36 @@
+//! The tests of `carom-cli` that see it as its users do: one executable, a module for each subject.
+
+mod animate;
+mod bodies;
+mod book;
+mod case;
+mod command;
+mod common;
+mod compare;
+mod contact;
+mod contact_point;
+mod curves;
+mod fields;
+mod heights;
+mod history_tractions;
+mod input;
+mod inputs_are_kept;
+mod kept_folders;
+mod manner;
+mod no_way_to_an_input;
+mod output;
+mod pictures;
+mod place;
+mod readme;
+mod refused;
+mod restitution;
+mod roll;
+mod rolling_power;
+mod room;
+mod scene;
+mod solve;
+mod solve_places;
+mod streams;
+mod stress;
+mod uncertain;
+mod units;

@@ -1,0 +1,197 @@
+//! Fields and numbers of an impact that are refused, by line, value and range.
+
+use crate::common::pebble::{changed, refused};
+use std::path::Path;
+
+#[test]
+fn bad_fields_are_refused_with_line_value_and_range() {
+    for (old, new, expected) in [
+        (
+            "\"ellipsoid\"",
+            "\"egg\"",
+            "line 2: `body_1.shape` = \"egg\" is out of range: must be \"sphere\", \"ellipsoid\"",
+        ),
+        (
+            "semi_axes = [0.03, 0.02, 0.015]",
+            "semi_axes = [0.03, -0.02, 0.015]",
+            "line 3: `body_1.semi_axes.y` = -0.02 is out of range: must be finite and > 0",
+        ),
+        (
+            "semi_axes = [0.03, 0.02, 0.015]",
+            "semi_axes = [0.03, 0.02]",
+            "line 3: `body_1.semi_axes` = [0.03, 0.02] is out of range: must be three numbers",
+        ),
+        (
+            "semi_axes = [0.03, 0.02, 0.015]",
+            "",
+            "`body_1.semi_axes` is missing: must be three numbers",
+        ),
+        (
+            "semi_axes",
+            "radius",
+            "line 3: unknown field `body_1.radius`; `body_1` of shape \"ellipsoid\" takes `shape`",
+        ),
+        (
+            "semi_axes",
+            "semi_axis",
+            "line 3: unknown field `body_1.semi_axis`, did you mean `semi_axes`?",
+        ),
+        (
+            "quaternion = [1, 0, 0, 0]",
+            "quaternion = [1, 0, 0.1, 0]",
+            "line 7: `body_1.quaternion` = 1.00498756211",
+        ),
+        (
+            "quaternion = [1, 0, 0, 0]",
+            "quaternion = [1, 0, nan, 0]",
+            "line 7: `body_1.quaternion.j` = NaN is out of range: must be finite",
+        ),
+        (
+            "quaternion = [1, 0, 0, 0]",
+            "angles = [1, inf, 0]",
+            "line 7: `body_1.angles.beta` = inf is out of range: must be finite",
+        ),
+        (
+            "quaternion",
+            "angles = [0, 0, 0]\nquaternion",
+            "line 7: `body_1.angles` cannot stand beside `body_1.quaternion`: give one of them",
+        ),
+        ("quaternion", "normal = [0, 0, 1]\nquaternion", "line 7: unknown field `body_1.normal`"),
+        (
+            "[1.2e-5, 2.2e-5, 2.6e-5]",
+            "[1.2e-5, 2.2e-5, 3.6e-5]",
+            "line 6: `body_1.inertia` = 0.000036 is out of range: must be <= the sum of the other two",
+        ),
+        (
+            "[1.2e-5, 2.2e-5, 2.6e-5]",
+            "[1.2e-5, -2.2e-5, 2.6e-5]",
+            "line 6: `body_1.inertia.y` = -0.000022 is out of range: must be > 0",
+        ),
+        (
+            "[1.2e-5, 2.2e-5, 2.6e-5]",
+            "\"hollow\"",
+            "line 6: `body_1.inertia` = \"hollow\" is out of range: must be \"solid\", \"shell\" or three moments",
+        ),
+        ("mass = 0.1", "mass = -0.1", "line 5: `body_1.mass` = -0.1 is out of range: must be > 0"),
+        (
+            "mass = 0.1",
+            "mass = inf",
+            "line 15: `body_2.fixed` = inf is out of range: must be a finite mass",
+        ),
+        (
+            "mass = 0.1",
+            "density = 2500\nmass = 0.1",
+            "line 5: `body_1.density` cannot stand beside `body_1.mass`: give one of them",
+        ),
+        ("mass = 0.1\n", "", "`body_1.mass` is missing"),
+        (
+            "mass = 0.1\ninertia = [1.2e-5, 2.2e-5, 2.6e-5]",
+            "density = 2500\ninertia = \"shell\"",
+            "line 5: `body_1.density` cannot stand beside `body_1.inertia`: a thin shell",
+        ),
+        (
+            "[0, 0, 0.015]",
+            "[0, nan, 0.015]",
+            "line 8: `body_1.position.y` = NaN is out of range: must be finite",
+        ),
+        (
+            "[contact]",
+            "[approach]\nspeed = 1\nangle = 3\n[contact]",
+            "line 9: `body_1.velocity` cannot stand beside `approach`",
+        ),
+        ("[0.6, 0.4, -2]", "[0.6, 0.4, inf]", "line 9: `body_1.velocity.z` = inf is out of range"),
+        (
+            "spin = [0, 0, 20]",
+            "spinn = [0, 0, 20]",
+            "line 10: unknown field `body_1.spinn`, did you mean `spin`?",
+        ),
+        ("spin = [0, 0, 20]\n", "", "`body_1.spin` is missing"),
+        (
+            "fixed = true",
+            "fixed = true\nvelocity = [0, 0, 0]",
+            "line 16: `body_2.velocity` cannot stand beside `body_2.fixed`",
+        ),
+        (
+            "fixed = true",
+            "fixed = true\ninertia = [1, 1, 1]",
+            "line 16: `body_2.inertia` cannot stand beside `body_2.fixed`",
+        ),
+        (
+            "fixed = true",
+            "density = 1\nvelocity = [0, 0, 0]\nspin = [0, 0, 0]",
+            "line 15: `body_2.density` cannot stand beside `body_2.shape`: it has no volume",
+        ),
+        (
+            "fixed = true",
+            "fixed = true\nnormal = [0, 0, 0]",
+            "line 16: `body_2.normal` = 0 is out of range: must be a vector of finite length > 0",
+        ),
+        (
+            "friction = 0.2",
+            "friction = -0.2",
+            "line 18: `contact.friction` = -0.2 is out of range: must be >= 0",
+        ),
+        (
+            "friction = 0.2",
+            "friction = 0.2\nlaw = \"elastic\"",
+            "line 19: `contact.law` = \"elastic\" is out of range: must be \"coulomb\", \"fixed-direction\" or \"numerical\"",
+        ),
+        (
+            "friction = 0.2",
+            "friction = 0.2\ntorsion = 1",
+            "line 19: `contact.torsion` = 1 is out of range: must be true or false",
+        ),
+        (
+            "friction = 0.2",
+            "friction = 0.2\nsearch = \"near\"",
+            "line 19: `contact.search` = \"near\" is out of range: must be \"touch\"",
+        ),
+        (
+            "friction = 0.2",
+            "friction = 0.2\npoint = [0, 0, 0]\nsearch = \"touch\"",
+            "line 20: `contact.search` cannot stand beside `contact.point`",
+        ),
+        (
+            "friction = 0.2",
+            "friction = 0.2\nnormal_restitution = 0.9\nwave_loss = true",
+            "line 19: `contact.normal_restitution` cannot stand beside `contact.wave_loss`: it is what",
+        ),
+        (
+            "friction = 0.2",
+            "friction = 0.2\npoint_1 = [0, 0, -0.015]",
+            "line 8: `body_1.position` cannot stand beside `contact.point_1`",
+        ),
+        (
+            "friction = 0.2",
+            "friction = 0.2\n[uncertainty]\nsamples = 10\nseed = 1",
+            "line 19: `uncertainty` cannot stand beside `contact.friction`: no field is uncertain",
+        ),
+        (
+            "shape = \"plane\"",
+            "shape = \"torus\"\nradius = 1\ntube_radius = 1",
+            "line 15: `body_2.tube_radius` = 1 is out of range: must be < `radius`",
+        ),
+        (
+            "{ young_modulus = 70e9, poisson = 0.22 }\nmass",
+            "{ young_modulus = 70e9, poisson = 0.6 }\nmass",
+            "line 4: `body_1.material.poisson` = 0.6 is out of range",
+        ),
+    ] {
+        let message = refused("bad-field", &changed(old, new));
+        assert!(message.starts_with(&format!("error: CASE: {expected}")), "{new}: {message}");
+    }
+    let planes =
+        changed("shape = \"ellipsoid\"\nsemi_axes = [0.03, 0.02, 0.015]", "shape = \"plane\"");
+    assert!(refused("planes", &planes).contains("two planes do not meet in a point"));
+}
+
+#[test]
+fn numbers_too_large_together_are_refused() {
+    let example = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../examples/rubber_on_table.toml");
+    let text = std::fs::read_to_string(example).unwrap();
+    let message = refused("stiff", &text.replace("20e6", "1e300"));
+    assert!(message.contains("c_x = 2.6") && message.contains("at most 1e150"), "{message}");
+    let huge = text.replace("density = 1000 ", "density = 1e250 ");
+    let message = refused("huge", &huge.replace("speed = 1.414213562373095 ", "speed = 1e99 "));
+    assert!(message.contains("impulse") && message.contains("must be finite"), "{message}");
+}

@@ -1,0 +1,125 @@
+//! `carom roll` as a user meets it.
+
+use crate::common::{carom, case, close, example, json};
+
+/// A circular contact of radius 1 mm.
+const CASE: &str = r#"
+[body_1]
+material = { shear_modulus = "80 GPa", poisson = 0.25 }
+[body_2]
+material = { shear_modulus = "80 GPa", poisson = 0.25 }
+[contact]
+semi_axes = ["1 mm", "1 mm"]
+F_z = "1 kN"
+friction = 0.3
+[rolling]
+speed = 2
+CREEP
+[grid]
+elements = 16
+"#;
+
+fn with(name: &str, creep: &str) -> String {
+    case(name, &CASE.replace("CREEP", creep))
+}
+
+#[test]
+fn small_creepage_gives_the_creep_coefficients() {
+    let name = "roll_small.toml";
+    let creep = "creepage = [1e-6, 0, 0]\ncreepage_across = [0, 1e-6, 0]\nspin = [0, 0, 1e-3]";
+    let both = json(&["roll", &with(name, creep), "--coefficients"]);
+    let (rows, c) = (&both["rows"], &both["coefficients"]);
+    // Kalker 1990, table E.3.
+    for (name, printed) in [("C11", 4.12), ("C22", 3.67), ("C23", 1.47), ("C32", 1.47)] {
+        close(&c[name], printed, 5e-3 * printed);
+    }
+    let number = |value: &serde_json::Value| value.as_f64().unwrap();
+    let unit = 80e9 * 1e-6 * 1e-6;
+    // First order in the mesh, the area of whose cells is 3.5 % larger than the ellipse.
+    close(&rows[0]["F_x"], unit * number(&c["C11"]), 0.07 * unit * number(&c["C11"]));
+    close(&rows[1]["F_y"], unit * number(&c["C22"]), 0.07 * unit * number(&c["C22"]));
+    close(&rows[2]["F_y"], -unit * number(&c["C23"]), 0.12 * unit * number(&c["C23"]));
+    close(&rows[1]["F_z"], 1000.0, 1e-5);
+    close(&rows[0]["power"], 2.0 * 1e-6 * number(&rows[0]["F_x"]), 1e-12);
+}
+
+#[test]
+fn full_sliding_is_said_and_brings_no_more_force() {
+    let file = with("roll_slides.toml", "creepage = [0.02, 0.05]");
+    let output = carom(&["roll", &file, "--format", "csv"]);
+    assert!(String::from_utf8_lossy(&output.stderr).contains("full sliding in 2 of 2 rows"));
+    let rows = json(&["roll", &file]);
+    for row in rows.as_array().unwrap() {
+        assert_eq!(row["slides"], "yes");
+        close(&row["used"], 1.0, 1e-3);
+        close(&row["stick_area"], 0.0, 0.0);
+    }
+}
+
+#[test]
+fn rolling_from_rest_ends_in_the_steady_state() {
+    let creep = "creepage = 1e-3\nspin = 0.1";
+    let steady = json(&["roll", &with("roll_steady.toml", creep)]);
+    let way = format!("{creep}\ndistance = \"16 mm\"");
+    let rows = json(&["roll", &with("roll_way.toml", &way)]);
+    let rows = rows.as_array().unwrap();
+    assert_eq!(rows.len(), 129);
+    close(&rows[0]["F_x"], 0.0, 1e-9);
+    let last = &rows[128];
+    close(&last["distance"], 0.016, 1e-12);
+    close(&last["time"], 0.008, 1e-12);
+    let limit = 0.3 * 1000.0;
+    for load in ["F_x", "F_y"] {
+        close(&last[load], steady[0][load].as_f64().unwrap(), 1e-6 * limit);
+    }
+}
+
+#[test]
+fn the_wheel_on_the_rail_comes_near_to_fastsim() {
+    let rows = json(&["roll", &example("roll_wheel_on_rail.toml"), "--fastsim"]);
+    for row in rows.as_array().unwrap() {
+        let limit = 0.3 * row["F_z"].as_f64().unwrap();
+        for (own, springs) in [("F_x", "F_x_springs"), ("F_y", "F_y_springs")] {
+            close(&row[own], row[springs].as_f64().unwrap(), 0.1 * limit);
+        }
+    }
+}
+
+#[test]
+fn what_cannot_roll_is_refused_by_name() {
+    for (old, new, parts) in [
+        ("speed = 2", "speed = 0", vec!["`rolling.speed` = 0", "> 0"]),
+        ("F_z = \"1 kN\"", "F_z = 0", vec!["`contact.F_z` = 0"]),
+        ("friction = 0.3", "friction = 0", vec!["`contact.friction` = 0"]),
+        ("CREEP", "spin = nan", vec!["`rolling.spin` = NaN"]),
+        ("CREEP", "spin = [1, 2]\ncreepage = [0, 1, 2]", vec!["rolling.spin", "equally many"]),
+        (
+            "CREEP",
+            "creepage = [0, 1]\ndistance = 0.01",
+            vec!["rolling.distance", "rolling.creepage", "one creepage"],
+        ),
+        ("CREEP", "distance = 1", vec!["`rolling.distance` = 1", "100 lengths"]),
+        ("elements = 16", "elements = 100", vec!["grid.elements", "6 to 40"]),
+        (
+            "friction = 0.3",
+            "friction = 0.3\nradii = [1, 1]",
+            vec!["contact.radii", "contact.semi_axes", "one of the two"],
+        ),
+        ("semi_axes = [\"1 mm\", \"1 mm\"]", "", vec!["contact.semi_axes", "`radii`"]),
+    ] {
+        let file = case("roll_bad.toml", &CASE.replace(old, new).replace("CREEP", ""));
+        let output = carom(&["roll", &file]);
+        let said = String::from_utf8_lossy(&output.stderr).into_owned();
+        assert_eq!(output.status.code(), Some(2), "{new}: {said}");
+        assert!(output.stdout.is_empty());
+        assert!(parts.iter().all(|part| said.contains(part)), "{said} lacks one of {parts:?}");
+    }
+    let file = with("roll_way_springs.toml", "creepage = 1e-3\ndistance = 0.001");
+    let output = carom(&["roll", &file, "--fastsim"]);
+    assert_eq!(output.status.code(), Some(2));
+    // Slender beyond what creep coefficients are found for.
+    let text = CASE.replace("[\"1 mm\", \"1 mm\"]", "[\"1 mm\", \"30 mm\"]").replace("CREEP", "");
+    let output = carom(&["roll", &case("roll_slender.toml", &text), "--coefficients"]);
+    let said = String::from_utf8_lossy(&output.stderr).into_owned();
+    assert!(output.status.code() == Some(2) && said.contains("a/b"), "{said}");
+}

@@ -1,0 +1,108 @@
+//! `carom scene` as a user meets it.
+
+use crate::common::{carom, example, fresh};
+
+fn report(case: &str, more: &[&str]) -> serde_json::Value {
+    let output = carom(&[&["scene", case, "--format", "json"], more].concat());
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    serde_json::from_slice(&output.stdout).unwrap()
+}
+
+#[test]
+fn the_ball_comes_back_from_under_the_book() {
+    let report = report(&example("scene_book.toml"), &["--points", "11"]);
+    let bounces = report["bounces"].as_array().unwrap();
+    assert_eq!(bounces.len(), 3);
+    for (bounce, expected) in bounces.iter().zip([0.54829, -0.05171, -0.17442]) {
+        let v = bounce["velocity"][0].as_f64().unwrap();
+        assert!((v - expected).abs() < 1e-5, "{v} is not {expected}");
+    }
+    assert_eq!(bounces[1]["wall"], "book");
+    assert_eq!(report["path"].as_array().unwrap().len(), 44);
+    assert_eq!(report["ending"], "the time is over");
+}
+
+#[test]
+fn a_superball_hops_to_and_fro_and_loses_energy() {
+    let report = report(&example("scene_superball.toml"), &[]);
+    let bounces = report["bounces"].as_array().unwrap();
+    assert!(bounces.len() >= 4);
+    for bounce in bounces {
+        let number = |name: &str| bounce[name].as_f64().unwrap();
+        let balance = number("energy_before") - number("energy_after");
+        assert!(number("energy_dissipated") >= 0.0);
+        assert!((balance - number("energy_dissipated")).abs() < 1e-12 * number("energy_before"));
+    }
+}
+
+#[test]
+fn a_golf_ball_comes_to_rest_and_its_energy_is_booked() {
+    let report = report(&example("scene_golf_ball.toml"), &[]);
+    let bounces = report["bounces"].as_array().unwrap();
+    assert!(bounces.len() > 8);
+    assert_eq!(report["ending"], "it stays on floor");
+    for bounce in bounces {
+        let number = |name: &str| bounce[name].as_f64().unwrap();
+        let normal = |name: &str| bounce[name][2].as_f64().unwrap();
+        if bounce["wall"] == "floor" {
+            assert!((normal("velocity") + 0.75 * normal("velocity_before")).abs() < 1e-12);
+        }
+        let taken = number("energy_dissipated") + number("energy_lost");
+        let balance = number("energy_before") - number("energy_after") - taken;
+        assert!(number("energy_lost") > 0.0);
+        assert!(balance.abs() < 1e-12 * number("energy_before"));
+    }
+}
+
+#[test]
+fn bad_scenes_end_with_code_2_and_write_nothing() {
+    let book = std::fs::read_to_string(example("scene_book.toml")).unwrap();
+    for (old, new, expected) in [
+        (
+            "start = [-0.06, 0, 0.09]",
+            "start = [-0.06, 0, 0.02]",
+            "`scene.start` = [-0.06, 0, 0.02] is out of range: must be at least the radius 0.022 from \
+             every wall: the ball starts inside table, by 2.000e-3 m",
+        ),
+        ("gravity = [0, 0, 0]", "gravity = [0, 0, nan]", "`scene.gravity.z` = NaN is out of range"),
+        ("gravity = ", "gravty = ", "did you mean `gravity`?"),
+        ("friction = 0.3", "friction = -1", "`wall[0].friction` = -1 is out of range"),
+        (
+            "friction = 0.3",
+            "friction = 0.3\nnormal_restitution = 1.2",
+            "`wall[0].normal_restitution` = 1.2 is out of range",
+        ),
+        ("along = [1, 0, 0]", "along = [0, 0, 2]", "`wall[1].along`"),
+        ("width = 0.17", "", "`wall[1].width` is missing"),
+        ("normal = [0, 0, 1]", "normal = [0, 0, 0]", "`wall[0].normal` = 0 is out of range"),
+        ("length = 0.24", "length = 0", "line 25: `wall[1].length` = 0 is out of range"),
+        ("time = 0.28", "time = inf", "`scene.time` = inf is out of range"),
+        ("bounces = 10", "bounces = 0.5", "a whole number from 1"),
+        ("young_modulus = 20e6, poisson = 0.5", "rigid = true", "wall 0: shear_modulus = inf"),
+        ("density = 1000", "mass = inf", "`ball.mass` = inf is out of range"),
+        ("density = 1000", "fixed = true", "unknown field `ball.fixed`"),
+        ("density = 1000", "mass = 1\nposition = [0, 0, 1]", "beside `scene.start`: give one"),
+        ("start = [-0.06, 0, 0.09]", "", "`scene.start` is missing"),
+        (
+            "shape = \"sphere\"\nradius = 0.022",
+            "shape = \"ellipsoid\"\nsemi_axes = [1, 1, 1]",
+            "`ball.shape` = \"ellipsoid\" is out of range: must be \"sphere\" (the turning of other",
+        ),
+        (
+            "density = 1000",
+            "mass = 1\ninertia = [1, 1, 2]",
+            "`ball.inertia` = 2 is out of range: must be the same about all axes of a ball",
+        ),
+    ] {
+        assert!(book.contains(old), "{old}");
+        let case = fresh("bad-scene.toml");
+        std::fs::write(&case, book.replacen(old, new, 1)).unwrap();
+        let plot = fresh("bad-scene.svg");
+        let (case, drawn) = (case.to_str().unwrap(), plot.to_str().unwrap());
+        let output = carom(&["scene", case, "--plot", drawn]);
+        let stderr = String::from_utf8_lossy(&output.stderr);
+        assert_eq!(output.status.code(), Some(2), "{old}: {stderr}");
+        assert!(stderr.contains(expected), "{stderr}");
+        assert!(output.stdout.is_empty() && !plot.exists());
+    }
+}

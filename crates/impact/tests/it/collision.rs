@@ -1,0 +1,246 @@
+//! Collisions of spheres and planes: reference values, conservation laws, limits, bad input.
+
+use carom_geometry::{FrameError, Inertia, SearchError};
+use carom_halfspace::Material;
+use carom_impact::closed_form::restitution_without_slip;
+use carom_impact::{Body, Collision, CollisionError, Motion, Outcome, Rebound, Warning};
+use carom_laws::friction::Friction;
+use nalgebra::Vector3;
+use proptest::prelude::*;
+use serde_json::Value;
+
+fn vector(row: &Value, key: &str) -> [f64; 3] {
+    std::array::from_fn(|i| row[key][i].as_f64().unwrap())
+}
+
+fn steel() -> Material {
+    Material::from_shear(80e9, 0.3).unwrap()
+}
+
+fn solve(one: Body, two: Body, friction: f64) -> Rebound {
+    let collision = Collision::new(one, two, Friction::new(friction).unwrap()).unwrap();
+    collision.solve().unwrap().rebound().unwrap().clone()
+}
+
+#[test]
+fn full_cases_of_two_spheres() {
+    let data: Value = serde_json::from_str(include_str!("../data/impact.json")).unwrap();
+    for row in data["public"]["two_spheres_full"].as_array().unwrap() {
+        let number = |key: &str| row[key].as_f64().unwrap();
+        let material = Material::from_shear(number("G"), number("nu")).unwrap();
+        let body = |i: usize| {
+            let key = |name: &str| format!("{name}{i}");
+            Body::sphere(number(&key("R")), material, number(&key("m")))
+                .unwrap()
+                .moving(Motion::new(vector(row, &key("v")), vector(row, &key("w"))).unwrap())
+        };
+        let rebound = solve(body(1), body(2), number("f"));
+        assert!((rebound.tangential_restitution.unwrap() - number("Rx")).abs() < 1e-10);
+        for (i, motion) in rebound.motions.iter().enumerate() {
+            let v = Vector3::from(vector(row, &format!("v{}_end", i + 1)));
+            let w = Vector3::from(vector(row, &format!("w{}_end", i + 1)));
+            assert!((motion.velocity - v).norm() < 1e-10, "{motion:?}");
+            assert!((motion.spin - w).norm() < 1e-8, "{motion:?}");
+        }
+        let close = |own: f64, key: &str| {
+            assert!((own / number(key) - 1.0).abs() < 1e-12, "{key}: {own}");
+        };
+        close(rebound.maximal_approach, "zeta_max");
+        close(rebound.duration, "T");
+        close(rebound.maximal_force, "F_max");
+        close(rebound.maximal_contact.semi_axis_b(), "a_max");
+    }
+}
+
+#[test]
+fn alumina_on_a_rigid_plane_follows_published_exact_values() {
+    // Sphere R = 2.5 mm, 3.9 m/s: v_x'/v_x of the centre and spin (rad/s) by an independent program.
+    let cases = [
+        (5.0, 0.74157, 87.84),
+        (10.0, 0.63995, 243.84),
+        (20.0, 0.59362, 542.06),
+        (30.0, 0.68130, 621.46),
+        (40.0, 0.78072, 549.71),
+        (60.0, 0.89377, 358.80),
+        (80.0, 0.96756, 124.61),
+    ];
+    let alumina = Material::from_young(380e9, 0.23).unwrap();
+    let mass = 4000.0 * 4.0 / 3.0 * std::f64::consts::PI * 2.5e-3_f64.powi(3);
+    for (angle, ratio, spin) in cases {
+        let (sin, cos) = f64::to_radians(angle).sin_cos();
+        let motion = Motion::new([3.9 * sin, 0.0, -3.9 * cos], [0.0; 3]).unwrap();
+        let ball = Body::sphere(2.5e-3, alumina, mass).unwrap().moving(motion);
+        let rebound = solve(ball, Body::plane(Material::RIGID), 0.092);
+        let after = rebound.motions[0];
+        assert!((after.velocity.x / (3.9 * sin) - ratio).abs() < 6e-6, "{angle}");
+        assert!((after.spin.norm() - spin).abs() < 6e-3, "{angle} {}", after.spin.norm());
+        assert!(matches!(rebound.warnings[0], Warning::Coupling { gamma, .. } if gamma > 0.0));
+    }
+}
+
+#[test]
+fn limits_of_friction() {
+    let motion = Motion::new([1.0, 0.0, -1.0], [0.0; 3]).unwrap();
+    let ball = Body::sphere(0.01, steel(), 0.03).unwrap().moving(motion);
+    let plane = Body::plane(steel());
+    let none = solve(ball.clone(), plane.clone(), 0.0);
+    assert_eq!(none.tangential_restitution.unwrap(), -1.0);
+    assert_eq!(none.motions[0].velocity, Vector3::new(1.0, 0.0, 1.0));
+    let infinite = solve(ball.clone(), plane.clone(), f64::INFINITY);
+    let chi = 3.5 / (1.7 / 1.4);
+    assert!(
+        (infinite.tangential_restitution.unwrap() - restitution_without_slip(chi)).abs() < 1e-14
+    );
+    let large = solve(ball, plane, 1e9);
+    assert!(
+        (large.tangential_restitution.unwrap() - infinite.tangential_restitution.unwrap()).abs()
+            < 1e-8
+    );
+    let lost = infinite.energy.before - infinite.energy.after;
+    assert!(lost > 0.0 && (lost - infinite.energy.dissipated).abs() < 1e-14 * lost.max(1.0));
+}
+
+#[test]
+fn heavy_rigid_grazing_and_separating_bodies() {
+    let motion = Motion::new([1.0, 0.0, -1e-9], [0.0; 3]).unwrap();
+    let ball = Body::sphere(0.01, steel(), 0.03).unwrap().moving(motion);
+    let grazing = solve(ball.clone(), Body::plane(steel()), 0.3);
+    assert!(grazing.tangential_restitution.unwrap() < -0.999_999);
+    let heavy = Body::sphere(0.01, steel(), f64::INFINITY).unwrap();
+    let rigid = Body::sphere(0.02, Material::RIGID, 1.0).unwrap().moving(motion);
+    assert!(solve(rigid, heavy, 0.3).duration > 0.0);
+    let away = ball.moving(Motion::new([1.0, 0.0, 0.0], [0.0; 3]).unwrap());
+    let collision = Collision::new(away.clone(), Body::plane(steel()), Friction::NONE).unwrap();
+    let outcome = collision.solve().unwrap();
+    assert!(matches!(outcome, Outcome::NoImpact { motions } if motions[0] == away.motion()));
+    assert!(collision.history(10).unwrap().is_empty());
+}
+
+#[test]
+fn impossible_pairs_are_typed() {
+    let ball = Body::sphere(0.01, steel(), 0.03).unwrap();
+    let rigid_ball = Body::sphere(0.01, Material::RIGID, 0.03).unwrap();
+    let rigid = Collision::new(rigid_ball, Body::plane(Material::RIGID), Friction::NONE);
+    assert!(matches!(rigid, Err(CollisionError::Range(e)) if e.field == "shear_modulus"));
+    let held = ball.with_inertia(Inertia::FIXED);
+    let fast = Collision::new(held, Body::plane(steel()), Friction::NONE);
+    assert_eq!(fast.unwrap_err(), CollisionError::BothHeldFast);
+    let planes = Collision::new(
+        Body::plane(steel()).with_inertia(Inertia::solid_sphere(1.0, 1.0).unwrap()),
+        Body::plane(steel()),
+        Friction::NONE,
+    );
+    assert!(matches!(
+        planes,
+        Err(CollisionError::Search(SearchError::Frame(FrameError::Curvature(_))))
+    ));
+    assert_eq!(Body::sphere(-1.0, steel(), 1.0).unwrap_err().field, "radius");
+    assert_eq!(Body::sphere(1.0, steel(), f64::NAN).unwrap_err().field, "mass");
+    assert_eq!(Inertia::new(1.0, [1.0, 1.0, 3.0]).unwrap_err().field, "moment of inertia");
+    assert_eq!(Motion::new([0.0, f64::NAN, 0.0], [0.0; 3]).unwrap_err().field, "velocity");
+}
+
+#[test]
+fn history_starts_and_ends_with_the_outcome() {
+    let motion = Motion::new([0.7, 0.2, -2.0], [0.0, 50.0, 3.0]).unwrap();
+    let ball = Body::sphere(0.01, steel(), 0.03).unwrap().moving(motion);
+    for friction in [0.0, 0.05, 0.15, 1.0, f64::INFINITY] {
+        let friction = Friction::new(friction).unwrap();
+        let collision = Collision::new(ball.clone(), Body::plane(steel()), friction).unwrap();
+        let outcome = collision.solve().unwrap();
+        let rebound = outcome.rebound().unwrap();
+        let history = collision.history(101).unwrap();
+        assert_eq!(history.len(), 101);
+        let (first, middle, last) = (history[0], history[50], history[100]);
+        assert_eq!((first.shift.z, first.time), (0.0, 0.0));
+        assert!((last.time / rebound.duration - 1.0).abs() < 1e-14);
+        assert!((middle.force.z / rebound.maximal_force - 1.0).abs() < 1e-14);
+        assert!((middle.semi_axes[0] / rebound.maximal_contact.semi_axis_b() - 1.0).abs() < 1e-14);
+        let start = first.velocity.xy();
+        let ratio = -last.velocity.xy().dot(&start) / start.norm_squared();
+        assert!(
+            (ratio - rebound.tangential_restitution.unwrap()).abs() < 1e-11,
+            "{friction:?} {ratio} {}",
+            rebound.tangential_restitution.unwrap()
+        );
+        // Newton: the impulse is the integral of the force (trapezoidal rule, smooth at both ends).
+        let step = rebound.duration / 100.0;
+        let impulse: Vector3<f64> = history.iter().map(|p| p.force * step).sum();
+        let off = (impulse - rebound.impulse).xy().norm();
+        assert!(off < 2e-3 * rebound.impulse.xy().norm().max(1e-12), "{friction:?}");
+    }
+}
+
+fn direction() -> impl Strategy<Value = [f64; 3]> {
+    prop::array::uniform3(-1.0..1.0f64).prop_filter("not zero", |v| Vector3::from(*v).norm() > 0.1)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(2000))]
+    #[test]
+    fn conservation_laws(
+        radii in prop::array::uniform2(1e-3..1.0f64),
+        masses in prop::array::uniform2(1e-3..10.0f64),
+        velocities in prop::array::uniform2(prop::array::uniform3(-5.0..5.0f64)),
+        spins in prop::array::uniform2(prop::array::uniform3(-50.0..50.0f64)),
+        normal in direction(),
+        friction in 0.0..2.0f64,
+        poisson in -0.9..0.5f64,
+    ) {
+        let material = Material::from_shear(1e9, poisson).unwrap();
+        let body = |i: usize| {
+            Body::sphere(radii[i], material, masses[i]).unwrap()
+                .moving(Motion::new(velocities[i], spins[i]).unwrap())
+        };
+        let friction = Friction::new(friction).unwrap();
+        let collision = Collision::along(body(0), body(1), normal, friction).unwrap();
+        if let Outcome::Rebound(rebound) = collision.solve().unwrap() {
+            let n = Vector3::from(normal).normalize();
+            let before = [body(0).motion(), body(1).motion()];
+            let momentum = |m: &[Motion; 2]| masses[0] * m[0].velocity + masses[1] * m[1].velocity;
+            let scale = masses[0] * before[0].velocity.norm() + masses[1] * before[1].velocity.norm()
+                + rebound.impulse.norm();
+            prop_assert!((momentum(&rebound.motions) - momentum(&before)).norm() <= 1e-14 * scale);
+            // about the contact point
+            let arms = [-radii[0] * n, radii[1] * n];
+            let turn = |m: &[Motion; 2]| {
+                (0..2).map(|i| {
+                    let theta = 0.4 * masses[i] * radii[i] * radii[i];
+                    theta * m[i].spin - masses[i] * arms[i].cross(&m[i].velocity)
+                }).sum::<Vector3<f64>>()
+            };
+            let scale = (0..2).map(|i| {
+                let theta = 0.4 * masses[i] * radii[i] * radii[i];
+                theta * (before[i].spin.norm() + rebound.motions[i].spin.norm())
+                    + masses[i] * radii[i]
+                        * (before[i].velocity.norm() + rebound.motions[i].velocity.norm())
+            }).sum::<f64>();
+            prop_assert!((turn(&rebound.motions) - turn(&before)).norm() <= 1e-14 * scale);
+            let energy = rebound.energy;
+            prop_assert!(energy.dissipated >= 0.0);
+            let balance = energy.before - energy.after - energy.dissipated;
+            prop_assert!(balance.abs() <= 1e-13 * energy.before.max(1e-300), "{balance:e}");
+            prop_assert!((rebound.velocity_after.dot(&n) + rebound.velocity_before.dot(&n)).abs() < 1e-13);
+            prop_assert!(rebound.tangential_restitution.unwrap().abs() <= 1.0);
+        }
+    }
+}
+
+/// Next to as heavy as numbers go: impulse and energy are none any more, and no NaN is told.
+#[test]
+fn what_overflows_is_refused() {
+    let steel = Material::from_young(208e9, 0.3).unwrap();
+    let solve = |mass: f64, speed: f64| {
+        let ball = Body::sphere(0.02, steel, mass).unwrap();
+        let ball = ball.moving(Motion::new([0.3 * speed, 0.0, -speed], [0.0; 3]).unwrap());
+        let friction = Friction::new(0.3).unwrap();
+        Collision::new(ball, Body::plane(steel), friction).unwrap().solve()
+    };
+    for (mass, speed, field) in [(f64::MAX, 1.0, "impulse"), (1e200, 1e60, "kinetic energy")] {
+        match solve(mass, speed) {
+            Err(CollisionError::Range(error)) => assert_eq!(error.field, field),
+            other => panic!("{mass:e}: {other:?}"),
+        }
+    }
+    assert!(solve(1e200, 1.0).is_ok());
+}

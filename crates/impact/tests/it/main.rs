@@ -1,0 +1,29 @@
+//! The tests of `carom-impact` that see it as its users do: one executable, a module for each subject.
+
+mod bodies;
+mod closed_form;
+mod collision;
+mod columns;
+mod coupled;
+mod coupled_extremes;
+mod encounters;
+mod history_known;
+mod known_values;
+mod levers;
+mod normal_restitution;
+mod normal_spin;
+mod numerical_law;
+mod oblique;
+#[path = "../../../geometry/tests/it/random/mod.rs"]
+mod random;
+mod reference_values;
+mod restitution;
+mod scene;
+mod small_spin;
+mod sphere_pairs;
+mod spheres;
+mod symmetry;
+mod systems_of_units;
+mod torsional;
+mod torsional_collocation;
+mod uncertain;

@@ -1,0 +1,276 @@
+//! Numbers that come from outside: those that a law packed are taken, those that mean nothing are refused.
+
+use carom_laws::coulomb::{Tolerance, packed_numbers};
+use carom_laws::friction::Friction;
+use carom_laws::law::{ContactLaw, Dissipative, Shift};
+use carom_laws::memory::{Fixed, Growing, Lateral, VertexStack};
+use carom_laws::shift_law::ShiftLaw;
+use carom_laws::stiffness::ContactStiffness;
+use carom_laws::torsion::law::{TorsionConstants, TorsionLaw};
+
+use crate::common::Random;
+
+const STIFFNESS: ContactStiffness = ContactStiffness { c_x: 3e9, c_y: 2.6e9, c_z: 4e9 };
+
+fn friction(f: f64) -> Friction {
+    Friction::new(f).unwrap()
+}
+
+/// Steps of many sizes that press, slip, turn, recede, part and touch again, now and then far from the origin.
+fn path(random: &mut Random, steps: usize, drift: f64) -> Vec<Shift> {
+    let mut at = Shift { zeta: -1e-7, xi: drift, eta: -0.3 * drift, omega: 0.0 };
+    let size = 10_f64.powf(-9.0 + 3.0 * random.unit());
+    (0..steps)
+        .map(|_| {
+            let by = size * 10_f64.powf(-4.0 * random.unit() * random.unit());
+            let part = |random: &mut Random| by * (2.0 * random.unit() - 1.0);
+            match (10.0 * random.unit()) as u8 {
+                0..=2 => at.zeta += part(random),
+                3 => at.zeta = (at.zeta * (0.2 + random.unit())).max(1e-12),
+                4 => at.xi += 20.0 * part(random),
+                5 => (at.xi, at.eta) = (at.xi + part(random), at.eta),
+                6 if random.unit() < 0.1 => at.zeta = -part(random).abs(),
+                7 => {
+                    let growth = part(random).abs();
+                    (at.zeta, at.xi) = (at.zeta + growth, at.xi + 0.3 * growth);
+                }
+                _ => (at.xi, at.eta) = (at.xi + part(random), at.eta + part(random)),
+            }
+            at.zeta = at.zeta.min(20.0 * size);
+            at
+        })
+        .collect()
+}
+
+/// Every state on a path is taken, and packs to the same bits again.
+fn all_are_taken<V: Lateral, S: VertexStack<V>>(
+    fresh: &ShiftLaw<V, S>,
+    path: &[Shift],
+    each: usize,
+) {
+    let mut law = fresh.clone();
+    let room = 6 + each * law_room(fresh);
+    let (mut one, mut two) = (vec![0.0; room], vec![0.0; room]);
+    for (i, shift) in path.iter().enumerate() {
+        let shift = if V::DIMENSION == 1 { Shift { eta: 0.0, ..*shift } } else { *shift };
+        law.advance(shift).unwrap();
+        if law.pack(&mut one).is_err() {
+            continue; // a growing one, of more vertices than are asked for here
+        }
+        let mut again = fresh.clone();
+        if let Err(error) = again.unpack(&one) {
+            panic!("step {i}: {error}: {one:?}");
+        }
+        again.pack(&mut two).unwrap();
+        assert!(one.iter().zip(&two).all(|(a, b)| a.to_bits() == b.to_bits()), "{one:?} {two:?}");
+    }
+}
+
+fn law_room<V: Lateral, S: VertexStack<V>>(_: &ShiftLaw<V, S>) -> usize {
+    S::default().capacity().min(90)
+}
+
+fn histories(count: u64) {
+    for seed in 0..count {
+        let random = &mut Random(seed);
+        let drift = [0.0, 1e-6, 1e-3, 1.0][(4.0 * random.unit()) as usize];
+        let f = 10_f64.powf(2.0 * random.unit() - 1.5);
+        let path = path(random, 120, drift);
+        let fine = Tolerance::new(10_f64.powf(-1.0 - 4.0 * random.unit())).unwrap();
+        type Plane<S> = ShiftLaw<[f64; 2], S>;
+        type Few = Fixed<[f64; 2], 4>;
+        type Many = Fixed<[f64; 2], 12>;
+        let (f, free, stuck) = (friction(f), Friction::NONE, Friction::INFINITE);
+        all_are_taken(&Plane::<Few>::of_chapter_7(STIFFNESS, f), &path, 5);
+        all_are_taken(&Plane::<Many>::of_chapter_7(STIFFNESS, f), &path, 5);
+        all_are_taken(&Plane::<Growing<_>>::of_chapter_7(STIFFNESS, f), &path, 5);
+        all_are_taken(&Plane::<Few>::with_tolerance(STIFFNESS, f, fine), &path, 5);
+        all_are_taken(&Plane::<Many>::with_tolerance(STIFFNESS, f, fine), &path, 5);
+        all_are_taken(&Plane::<Many>::new(STIFFNESS, f), &path, 5);
+        all_are_taken(&Plane::<Growing<_>>::with_tolerance(STIFFNESS, f, fine), &path, 5);
+        all_are_taken(&ShiftLaw::<f64, Fixed<f64, 4>>::new(STIFFNESS, f), &path, 5);
+        all_are_taken(&ShiftLaw::<f64, Fixed<f64, 12>>::new(STIFFNESS, f), &path, 5);
+        all_are_taken(&Plane::<Few>::new(STIFFNESS, stuck), &path, 9);
+        all_are_taken(&Plane::<Many>::new(STIFFNESS, stuck), &path, 9);
+        all_are_taken(&Plane::<Growing<_>>::new(STIFFNESS, stuck), &path, 9);
+        all_are_taken(&Plane::<Many>::new(STIFFNESS, free), &path, 5);
+    }
+}
+
+#[test]
+fn every_state_of_a_random_history_is_taken_and_packs_to_the_same_bits() {
+    histories(60);
+}
+
+/// Hours of the same, on request.
+#[test]
+#[ignore = "takes minutes"]
+fn every_state_of_many_random_histories_is_taken() {
+    histories(20_000);
+}
+
+type Law = ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>;
+const NUMBERS: usize = packed_numbers(12);
+
+fn laws(f: f64) -> [Law; 2] {
+    [Law::of_chapter_7(STIFFNESS, friction(f)), Law::new(STIFFNESS, friction(f))]
+}
+
+/// A state that has turned, as numbers.
+fn turned(law: &mut Law) -> [f64; NUMBERS] {
+    for i in 0..9 {
+        let (sin, cos) = f64::from(i).sin_cos();
+        let zeta = 1e-7 * (1.0 + 0.2 * cos);
+        law.advance(Shift { zeta, xi: 3e-8 * sin, eta: 2e-8 * cos, omega: 0.0 }).unwrap();
+    }
+    let mut numbers = [0.0; NUMBERS];
+    law.pack(&mut numbers).unwrap();
+    numbers
+}
+
+#[test]
+fn a_force_beyond_the_limit_is_refused() {
+    let [mut law, _] = laws(0.4);
+    let mut numbers = turned(&mut law);
+    let before = law;
+    // The slope of the force of the lowest ring.
+    for value in [1e30, -1e30, 1.1, -2.0] {
+        numbers[9] = value;
+        assert_eq!(law.unpack(&numbers).unwrap_err().field, "slope of the force");
+        assert_eq!(law, before);
+    }
+}
+
+/// The slip of a contact that grows from next to nothing has turned all the way: its force once was no number.
+#[test]
+fn slip_that_grows_from_next_to_nothing_turns_and_has_a_force() {
+    for first in [5e-324, 1e-320, 1e-310, 1e-300, 1e-100] {
+        let [mut law, _] = laws(0.3);
+        law.advance(Shift { zeta: first, xi: 1e-7, ..Shift::default() }).unwrap();
+        let to = Shift { zeta: 1e-7, xi: 1e-6, eta: 1e-6, omega: 0.0 };
+        let load = law.advance(to).unwrap();
+        // From the touch on it slides along its path, in normalised shifts.
+        let path = [STIFFNESS.c_x * 0.9e-6, STIFFNESS.c_y * 1e-6];
+        let by = 0.3 * load.f_z / path[0].hypot(path[1]);
+        assert!((load.f_x - by * path[0]).abs() <= 1e-12 * load.f_z, "{first:e}: {load:?}");
+        assert!((load.f_y - by * path[1]).abs() <= 1e-12 * load.f_z, "{first:e}: {load:?}");
+    }
+}
+
+#[test]
+fn anchors_beyond_the_friction_cone_are_refused() {
+    let places: [&[(usize, &str)]; 2] = [
+        &[(2, "anchor"), (3, "anchor"), (4, "anchor"), (7, "slope")],
+        &[(2, "anchor"), (3, "anchor"), (7, "anchor"), (4, "front")],
+    ];
+    for (law, places) in laws(0.4).iter_mut().zip(places) {
+        let numbers = turned(law);
+        let before = *law;
+        for &(at, field) in places {
+            let mut wrong = numbers;
+            wrong[at] += if field == "slope" { 3.0 } else { 3.0 * numbers[1] };
+            assert_eq!(law.unpack(&wrong).unwrap_err().field, field, "{at}");
+            assert_eq!(*law, before);
+        }
+    }
+}
+
+/// Any number garbled in any way: refused, or loads that are numbers, within the limit, and steps from there.
+fn garble(cases: u64, mut look: impl FnMut(&mut Random)) {
+    for seed in 0..cases {
+        look(&mut Random(seed ^ 0x9e37_79b9));
+    }
+}
+
+fn garbled(random: &mut Random, value: f64) -> f64 {
+    match (8.0 * random.unit()) as u8 {
+        0 => f64::from_bits((random.unit() * 1.8e19) as u64),
+        1 => f64::from_bits(value.to_bits() ^ (1 << ((64.0 * random.unit()) as u32).min(63))),
+        2 => value * 10_f64.powf(200.0 * random.unit() - 100.0),
+        3 => -value,
+        4 => [f64::NAN, f64::INFINITY, 0.0, -0.0, 1e99, 1e60, f64::MIN_POSITIVE, 5e-324]
+            [(8.0 * random.unit()) as usize],
+        5 => value * (1.0 + 1e-3 * (random.unit() - 0.5)),
+        6 => random.unit(),
+        _ => value * (3.0 * random.unit()),
+    }
+}
+
+fn no_garbled_state_exerts_what_it_cannot(cases: u64) {
+    let (mut taken, mut refused) = (0, 0);
+    garble(cases, |random| {
+        let f = 0.4;
+        for mut law in laws(f) {
+            for shift in path(random, 12, 0.0) {
+                law.advance(shift).unwrap();
+            }
+            let mut numbers = [0.0; NUMBERS];
+            law.pack(&mut numbers).unwrap();
+            for _ in 0..1 + (3.0 * random.unit() * random.unit()) as usize {
+                let at = (numbers.len() as f64 * random.unit() * random.unit()) as usize;
+                numbers[at] = garbled(random, numbers[at]);
+            }
+            let before = law;
+            if law.unpack(&numbers).is_err() {
+                refused += 1;
+                assert_eq!(law, before);
+                continue;
+            }
+            taken += 1;
+            let look = |law: &Law, what: &str| {
+                let load = law.load();
+                let force = load.f_x.hypot(load.f_y);
+                let limit = f * load.f_z;
+                // By the shift's round-off too, where that is far greater than the approach.
+                let zeta = law.shift().zeta.max(0.0);
+                let far = law.shift().xi.abs() + law.shift().eta.abs();
+                let off = 1e-2 * limit + 1e-8 * STIFFNESS.c_x * far * zeta.sqrt();
+                assert!(force <= limit + off, "{what}: {force:e} > {limit:e} {numbers:?}");
+                assert!(
+                    !law.stored_energy().is_nan() && !law.stick_depth().is_nan(),
+                    "{what} {numbers:?}"
+                );
+            };
+            look(&law, "taken");
+            for to in path(random, 4, law.shift().xi) {
+                let heat = law.dissipation(to);
+                if law.advance(to).is_ok() {
+                    look(&law, "stepped");
+                    assert!(!heat.is_nan(), "{numbers:?}");
+                }
+            }
+        }
+    });
+    println!("{taken} taken, {refused} refused");
+    assert!(taken > cases / 4 && refused > cases / 4);
+}
+
+#[test]
+fn garbled_numbers_are_refused_or_exert_no_more_than_friction_can() {
+    no_garbled_state_exerts_what_it_cannot(3000);
+}
+
+#[test]
+#[ignore = "takes minutes"]
+fn many_garbled_numbers_are_refused_or_exert_no_more_than_friction_can() {
+    no_garbled_state_exerts_what_it_cannot(1_000_000);
+}
+
+#[test]
+fn a_twist_beyond_its_sliding_torque_is_refused() {
+    let constants = TorsionConstants { c_z: 4e9, stiffness: 1e5, arm: 0.02 };
+    let mut law = TorsionLaw::from_constants(constants, friction(0.3)).unwrap();
+    for (zeta, omega) in [(1e-7, 0.0), (1e-7, 2e-4), (0.9e-7, 1e-4), (1.1e-7, 1.2e-4)] {
+        law.advance(Shift { zeta, omega, ..Shift::default() }).unwrap();
+    }
+    let mut numbers = [0.0; 4 + 7 + 6 * 12];
+    law.pack(&mut numbers).unwrap();
+    let before = law.clone();
+    for (at, by, field) in [(8, 1e30, "torque"), (8, 1e3, "torque"), (6, 1.01, "radius")] {
+        let mut wrong = numbers;
+        wrong[at] *= by;
+        let error = law.unpack(&wrong).unwrap_err();
+        assert_eq!(error.field, field, "{at} {error}");
+        assert_eq!(law, before);
+    }
+}

@@ -1,0 +1,174 @@
+//! Twisted contacts near complete sliding that recede while they turn back, and the energy of all.
+//!
+//! Reference torques are those of an independent solver of the half-space, as in
+//! `torsion_rings.rs`: fixed rings of one width, 0.06 to 0.015 of the radius, extrapolated.
+
+use carom_laws::torsion::history::{TwistHistory, sliding_limit};
+
+use crate::common::Random;
+
+/// Torques over that of sliding at the corners of a path of radius and twist, each leg in steps.
+fn shares(path: &[(f64, f64)], steps: u32) -> Vec<f64> {
+    let mut history = TwistHistory::new();
+    let leg = |&(radius, twist): &(f64, f64)| {
+        let (from, turn) = (history.radius(), history.twist());
+        for i in 1..=steps {
+            let t = f64::from(i) / f64::from(steps);
+            let (al, bh) = (from + t * (radius - from), turn + t * (twist - turn));
+            let (al, bh) = if i == steps { (radius, twist) } else { (al, bh) };
+            let torque = history.advance(al, bh).unwrap();
+            assert!(torque.abs() <= sliding_limit(al) * (1.0 + 1e-12), "{path:?} {al}: {torque}");
+            let energy = history.stored_energy();
+            assert!(energy.is_finite(), "{path:?} {steps} {history:?}");
+        }
+        history.torque() / sliding_limit(radius)
+    };
+    path.iter().map(leg).collect()
+}
+
+#[test]
+fn twisting_back_after_sliding_agrees_with_rings() {
+    for (path, want) in [
+        (vec![(1.0, 0.0), (1.0, 10.0), (0.5, 9.47), (0.2, 9.056)], 0.6508),
+        (vec![(1.0, 0.0), (1.0, 3.0), (0.5, 2.47), (0.2, 2.056)], 0.6508),
+        (vec![(1.0, 0.0), (1.0, 2.241_962), (0.165_299, 0.983_042)], 0.0888),
+        (vec![(1.0, 0.0), (1.0, 10.0), (0.860_708, 9.831_966)], 0.9756),
+        (vec![(1.0, 0.0), (1.0, 57.968), (0.270_98, 57.0974), (0.086_101_6, 56.438_53)], -0.9934),
+    ] {
+        for steps in [1, 13, 100] {
+            let got = *shares(&path, steps).last().unwrap();
+            assert!((got - want).abs() < 1e-3, "{path:?} in {steps}: {got} {want}");
+        }
+    }
+}
+
+#[test]
+fn twisting_back_just_above_the_threshold_stays_near_sliding() {
+    for steps in [1, 10, 100] {
+        let got = shares(&[(1.0, 0.0), (1.0, 40.0), (0.74, 39.7114)], steps)[2];
+        assert!((got - 0.9998).abs() < 1e-3, "{steps}: {got}");
+    }
+}
+
+#[test]
+fn one_step_just_above_the_threshold_is_as_good_as_many() {
+    let mut random = Random(101);
+    for _ in 0..16 {
+        let twist = 10_f64.powf(random.between(-0.3, 2.0));
+        let (rate, end) = (random.between(1.05, 1.15), random.between(0.1, 0.95));
+        let path = [(1.0, 0.0), (1.0, twist), (end, twist - rate * (1.0 - end))];
+        let [one, few, many] = [1, 30, 300].map(|steps| shares(&path, steps)[2]);
+        assert!((one - many).abs() < 1e-3 && (few - many).abs() < 1e-3, "{path:?} {one} {many}");
+    }
+}
+
+/// A path of steps of every kind: growing, receding, there and back, with ties and closed loops.
+fn random_path(random: &mut Random, deepest: f64) -> Vec<(f64, f64)> {
+    let (mut al, mut bh): (f64, f64) = (1.0, 0.0);
+    let mut path = vec![(al, bh)];
+    let size = 10_f64.powf(random.between(-0.5, 3.0));
+    for _ in 0..5 {
+        let (last, turn) = (al, bh);
+        match random.pick(5) {
+            0 => bh += size * random.between(-1.0, 1.0),
+            1 => al *= 1.0 + random.unit(),
+            2 => bh = path[path.len() / 2].1,
+            _ => al = (al * 10_f64.powf(-random.unit() * random.unit() * 6.0)).max(deepest),
+        }
+        if al != last {
+            let rates = [0.0, 0.5, 1.0, 1.05, 1.2, 1.5, 2.0, 3.0, 8.0];
+            let rate = rates[random.pick(rates.len())];
+            bh = turn - rate * (al - last).abs() * 1.0_f64.copysign(turn);
+        }
+        path.push((al, bh));
+    }
+    path
+}
+
+#[test]
+fn one_step_is_as_good_as_many() {
+    let mut random = Random(77);
+    let mut worst = 0.0_f64;
+    for _ in 0..60 {
+        let path = random_path(&mut random, 1e-6);
+        let (one, many) = (shares(&path, 1), shares(&path, 60));
+        for (one, many) in one.iter().zip(&many) {
+            worst = worst.max((one - many).abs());
+            assert!((one - many).abs() < 1e-3, "{path:?}: {one} {many}");
+        }
+    }
+    assert!(worst > 0.0);
+}
+
+/// What work, stored energy and heat of a path leave over, over the work and heat of sliding.
+fn energy_gap(path: &[(f64, f64)], steps: u32) -> (f64, u32) {
+    // Gauss on each step, three points: loads are smooth but where loops close.
+    let third = 0.6_f64.sqrt();
+    let nodes =
+        [(0.5 - 0.5 * third, 5.0 / 18.0), (0.5, 8.0 / 18.0), (0.5 + 0.5 * third, 5.0 / 18.0)];
+    let mut history = TwistHistory::new();
+    let (mut work, mut heat, mut most) = (0.0, 0.0, 0.0);
+    for &(radius, twist) in path {
+        let (from, turn) = (history.radius(), history.twist());
+        for i in 0..steps {
+            let at = |t: f64| {
+                let part = (f64::from(i) + t) / f64::from(steps);
+                (from + part * (radius - from), turn + part * (twist - turn))
+            };
+            let (al, bh) = at(1.0);
+            heat += history.dissipation(al, bh);
+            let way = bh - history.twist();
+            for (node, weight) in nodes {
+                let mut probe = history.clone();
+                let (al, bh) = at(node);
+                work += weight * way * probe.advance(al, bh).unwrap();
+            }
+            history.advance(al, bh).unwrap();
+            most += way.abs() * sliding_limit(al.max(from));
+        }
+    }
+    let gap: f64 = work - heat - history.stored_energy();
+    (gap.abs() / most.max(sliding_limit(1.0)), history.ring_steps())
+}
+
+#[test]
+fn work_is_stored_or_dissipated() {
+    // Exact ways: constant load, growth in adhesion and slip, and letting go.
+    let path = [(1.0, 0.4), (1.0, 1.1), (1.3, 1.3), (1.5, 1.9), (1.5, 1.0)];
+    let (gap, rings) = energy_gap(&path, 40);
+    assert!(gap < 1e-6 && rings == 0, "{gap:e} {rings}");
+    let (gap, rings) = energy_gap(&[(0.5, 0.3), (1.0, 1.3), (2.0, 4.0), (0.5, 4.2)], 40);
+    assert!(gap < 1e-9 && rings == 0, "{gap:e} {rings}");
+    // With rings, to their width.
+    for path in [
+        [(1.0, 0.0), (1.0, 0.6), (0.8, 0.36)],
+        [(1.0, 0.0), (1.0, 3.0), (0.5, 2.3)],
+        [(1.0, 0.0), (1.0, 40.0), (0.3, 39.0)],
+    ] {
+        let (gap, rings) = energy_gap(&path, 20);
+        assert!(gap < 1e-3 && rings > 0, "{path:?}: {gap:e}");
+    }
+}
+
+#[test]
+fn heat_is_the_same_in_any_steps() {
+    let heat = |steps: u32| {
+        let mut history = TwistHistory::new();
+        let mut heat = 0.0;
+        for (radius, twist) in [(1.0, 1.6), (1.0, -0.2), (1.0, 3.0), (0.4, 3.1)] {
+            let (from, turn) = (history.radius(), history.twist());
+            for i in 1..=steps {
+                let t = f64::from(i) / f64::from(steps);
+                let (al, bh) = (from + t * (radius - from), turn + t * (twist - turn));
+                heat += history.dissipation(al, bh);
+                history.advance(al, bh).unwrap();
+            }
+        }
+        heat
+    };
+    let one = heat(1);
+    assert!((heat(7) - one).abs() < 1e-11 * one, "{:e}", heat(7) - one);
+    let history = TwistHistory::new();
+    assert_eq!(history.dissipation(f64::NAN, 0.0), 0.0);
+    assert_eq!(history.dissipation(-1.0, 0.0), 0.0);
+}

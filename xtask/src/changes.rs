@@ -1,0 +1,163 @@
+//! What has changed since the last commit that was published, and which crates depend on it.
+
+use crate::{cargo, release};
+use anyhow::{Context as _, bail};
+use serde_json::Value;
+use std::collections::BTreeSet;
+use std::path::Path;
+use std::process::Command;
+
+/// Names the commit that changes are counted from, in place of the one that `origin/main` is at.
+const BASE: &str = "CAROM_BASE";
+
+/// The package of a crate's name or folder: `laws` is `carom-laws`.
+pub(crate) fn package(name: &str) -> anyhow::Result<String> {
+    let packages = Package::all()?;
+    let full = format!("carom-{name}");
+    match packages.iter().find(|package| [name, &full].contains(&package.name.as_str())) {
+        Some(package) => Ok(package.name.clone()),
+        None => {
+            let names: Vec<_> =
+                packages.iter().map(|package| package.name.trim_start_matches("carom-")).collect();
+            bail!("no crate is called `{name}`; there are {}", names.join(", "))
+        }
+    }
+}
+
+/// The packages that changed and those that depend on them, sorted; all if a file of the workspace changed
+/// that belongs to no crate and decides on their build.
+pub(crate) fn packages() -> anyhow::Result<Vec<String>> {
+    let all = Package::all()?;
+    let since = base().unwrap_or_else(|| "HEAD".to_owned());
+    Ok(affected(&all, &paths_since(&since)?))
+}
+
+/// The paths that changed since the base, from the root of the workspace; none known without a base.
+pub(crate) fn paths() -> anyhow::Result<Option<Vec<String>>> {
+    base().map(|base| paths_since(&base)).transpose()
+}
+
+/// The commit that changes are counted from: that of the environment, or where this branch left
+/// `origin/main`, if it has commits beyond.
+fn base() -> Option<String> {
+    if let Ok(base) = std::env::var(BASE) {
+        return Some(base);
+    }
+    let merged = git(&["merge-base", "HEAD", "origin/main"]).ok()?;
+    let head = git(&["rev-parse", "HEAD"]).ok()?;
+    (merged != head).then(|| merged.trim().to_owned())
+}
+
+fn paths_since(base: &str) -> anyhow::Result<Vec<String>> {
+    let changed = git(&["diff", "--name-only", base])?;
+    let new = git(&["ls-files", "--others", "--exclude-standard"])?;
+    Ok(changed.lines().chain(new.lines()).map(str::to_owned).collect())
+}
+
+fn git(arguments: &[&str]) -> anyhow::Result<String> {
+    let output = Command::new("git").args(arguments).current_dir(release::root()).output();
+    let output = output.context("cannot start git")?;
+    if !output.status.success() {
+        bail!("`git {}` failed: {}", arguments.join(" "), String::from_utf8_lossy(&output.stderr));
+    }
+    Ok(String::from_utf8_lossy(&output.stdout).into_owned())
+}
+
+/// A package of the workspace.
+struct Package {
+    name: String,
+    /// From the root of the workspace, with a slash at its end.
+    folder: String,
+    dependencies: BTreeSet<String>,
+}
+
+impl Package {
+    fn all() -> anyhow::Result<Vec<Self>> {
+        let arguments = ["metadata", "--no-deps", "--format-version", "1", "--offline"];
+        let output = cargo::command(&arguments).output().context("cannot start cargo")?;
+        let metadata: Value = serde_json::from_slice(&output.stdout)?;
+        let root = metadata["workspace_root"].as_str().context("no root of the workspace")?;
+        let packages = metadata["packages"].as_array().context("no packages")?;
+        packages.iter().map(|package| Self::read(package, Path::new(root))).collect()
+    }
+
+    fn read(package: &Value, root: &Path) -> anyhow::Result<Self> {
+        let manifest = package["manifest_path"].as_str().context("a package without a path")?;
+        let folder = Path::new(manifest).parent().context("a package without a folder")?;
+        let folder = folder.strip_prefix(root)?.to_string_lossy().into_owned() + "/";
+        let name = |value: &Value| value["name"].as_str().map(str::to_owned);
+        let dependencies = package["dependencies"].as_array().into_iter().flatten();
+        Ok(Self {
+            name: name(package).context("a package without a name")?,
+            folder,
+            dependencies: dependencies.filter_map(name).collect(),
+        })
+    }
+}
+
+/// The packages that these paths belong to, and all that depend on them.
+fn affected(packages: &[Package], paths: &[String]) -> Vec<String> {
+    let builds_all = |path: &String| {
+        ["Cargo.toml", "Cargo.lock", "rust-toolchain.toml"].contains(&path.as_str())
+            || path.starts_with(".cargo/")
+    };
+    if paths.iter().any(builds_all) {
+        return packages.iter().map(|package| package.name.clone()).collect();
+    }
+    let is_in = |package: &&Package| paths.iter().any(|path| path.starts_with(&package.folder));
+    let mut found: BTreeSet<String> =
+        packages.iter().filter(is_in).map(|package| package.name.clone()).collect();
+    loop {
+        let depends =
+            |package: &&Package| package.dependencies.iter().any(|name| found.contains(name));
+        let more: Vec<_> = packages
+            .iter()
+            .filter(depends)
+            .filter(|package| !found.contains(&package.name))
+            .map(|package| package.name.clone())
+            .collect();
+        if more.is_empty() {
+            return found.into_iter().collect();
+        }
+        found.extend(more);
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    fn packages() -> Vec<Package> {
+        let package = |name: &str, folder: &str, dependencies: &[&str]| Package {
+            name: name.to_owned(),
+            folder: folder.to_owned(),
+            dependencies: dependencies.iter().map(|&name| name.to_owned()).collect(),
+        };
+        vec![
+            package("carom-special", "crates/special/", &["libm"]),
+            package("carom-laws", "crates/laws/", &["carom-special"]),
+            package("carom-impact", "crates/impact/", &["carom-laws"]),
+            package("carom-plot", "crates/plot/", &[]),
+        ]
+    }
+
+    fn affected_by(path: &str) -> Vec<String> {
+        affected(&packages(), &[path.to_owned()])
+    }
+
+    #[test]
+    fn dependent_crates_are_affected() {
+        assert_eq!(affected_by("crates/laws/src/hertz.rs"), ["carom-impact", "carom-laws"]);
+        assert_eq!(affected_by("crates/plot/src/lib.rs"), ["carom-plot"]);
+        assert!(affected_by("README.md").is_empty());
+        assert_eq!(affected_by("Cargo.lock").len(), 4);
+    }
+
+    #[test]
+    fn crates_are_found_by_their_short_names() {
+        assert_eq!(package("laws").unwrap(), "carom-laws");
+        assert_eq!(package("xtask").unwrap(), "xtask");
+        let error = package("lows").unwrap_err().to_string();
+        assert!(error.starts_with("no crate is called `lows`; there are "), "{error}");
+    }
+}
