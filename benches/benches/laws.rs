@@ -7,12 +7,10 @@
 use std::hint::black_box;
 use std::time::Duration;
 
-use carom_halfspace::operator::Threads;
 use carom_laws::accounted::Accounted;
-use carom_laws::batch::Batch;
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
 use carom_laws::friction::Friction;
-use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::memory::{Fixed, Growing, Lateral, Memory, VertexStack};
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
@@ -133,7 +131,7 @@ fn laws_contact_by_contact<L: ContactLaw>(fresh: &L, paths: &[Vec<Shift>]) -> f6
     sum
 }
 
-/// The memory and the law in SI units on the same paths, contact by contact and in a batch.
+/// The memory and the law in SI units on the same paths, contact by contact.
 fn against_memory<V: Lateral + Send + Sync, S: VertexStack<V> + Send + Sync>(
     c: &mut Criterion,
     name: &str,
@@ -157,23 +155,6 @@ fn against_memory<V: Lateral + Send + Sync, S: VertexStack<V> + Send + Sync>(
     group.bench_function("memory, step by step", |b| {
         b.iter(|| step_by_step(&mut memories, black_box(&normalised)));
     });
-    let steps: Vec<Vec<Shift>> = (0..STEPS)
-        .map(|step| (0..CONTACTS).map(|contact| shifts[contact % PATHS][step]).collect())
-        .collect();
-    for (kind, threads) in [("batch", Threads::One), ("batch on threads", Threads::Pool)] {
-        let mut batch = Batch::new(vec![law.clone(); CONTACTS], threads);
-        let mut loads = vec![ContactLoad::default(); CONTACTS];
-        group.bench_function(kind, |b| {
-            b.iter(|| {
-                for shifts in &steps {
-                    if batch.advance(black_box(shifts), &mut loads).is_err() {
-                        loads.clear();
-                    }
-                }
-                loads.len()
-            });
-        });
-    }
     group.throughput(Throughput::Elements((PATHS * STEPS) as u64));
     let accounted = Accounted::new(law);
     group.bench_function("law with heat", |b| {

@@ -5,12 +5,12 @@
 //! bodies, pressed in five steps and let go in four. All from bodies apart to the last step, each step
 //! to 1e-8. The README beside has the times of 1992.
 
+use carom_classic::jaeger::{DiscGaussSeidel, GaussSeidel, Most};
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::Shift;
-use carom_solver::jaeger::{DiscGaussSeidel, GaussSeidel, Most};
 use carom_solver::{ContactProblem, ContactState, Drive, Frictional, Gap, Method, Outline};
 use criterion::{Criterion, criterion_group, criterion_main};
 

@@ -7,7 +7,9 @@
 //! | floor | module | thesis |
 //! |---|---|---|
 //! | motion | [`impact`] | ch. 8, 9, 10, 15 |
-//! | numbers | [`solver`] | ch. 11-14 |
+//! | rolling | [`rolling`] | 16.2 |
+//! | programs of 1992 | [`classic`] | ch. 11, 12 |
+//! | numerical contact | [`solver`] | ch. 11-14 |
 //! | laws | [`laws`] | ch. 5-7, 10.5, 14.4 |
 //! | geometry | [`geometry`] | 5.1, 8.1 |
 //! | half-space | [`halfspace`] | ch. 4 |
@@ -29,11 +31,13 @@
 //! ```
 #![forbid(unsafe_code)]
 
+pub use carom_classic as classic;
 pub use carom_geometry as geometry;
 pub use carom_geometry::nalgebra;
 pub use carom_halfspace as halfspace;
 pub use carom_impact as impact;
 pub use carom_laws as laws;
+pub use carom_rolling as rolling;
 pub use carom_solver as solver;
 pub use carom_special as special;
 pub use carom_table as table;

@@ -2,13 +2,14 @@
 
 use crate::case::CaseError;
 use crate::command::StepsError;
+use carom_classic::DirectError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
 use carom_impact::{CollisionError, NumericalImpactError};
 use carom_plot::PlotError;
-use carom_solver::rolling::RollingError;
-use carom_solver::{DirectError, FitError, FrictionalError, ProblemError};
+use carom_rolling::RollingError;
+use carom_solver::{FitError, FrictionalError, ProblemError};
 use carom_special::RangeError;
 use carom_special::quadrature::QuadratureError;
 use std::path::{Path, PathBuf};

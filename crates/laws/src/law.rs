@@ -116,7 +116,7 @@ pub trait ImpactLaw: ContactLaw {
 }
 
 /// A law that knows beforehand whether a step is possible, so that many contacts step together or
-/// not at all ([`crate::batch::Batch`]).
+/// not at all.
 pub trait Checked: ContactLaw {
     /// Whether [`ContactLaw::advance`] would go to this shift. Nothing moves.
     ///

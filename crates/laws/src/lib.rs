@@ -10,7 +10,7 @@
 //! - Twist: [`torsion`] and, for sliding as a whole, [`rigid_slip`].
 //! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
 //!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`]. [`accounted`] adds up the heat,
-//!   [`batch`] steps many contacts together, [`grains`] carries them along with spheres and walls.
+//!   [`grains`] carries contacts along with spheres and walls.
 //!
 //! ```
 //! use carom_halfspace::{Material, MaterialPair};
@@ -32,12 +32,12 @@
 #![forbid(unsafe_code)]
 
 pub mod accounted;
-pub mod batch;
 mod bounds;
 pub mod coulomb;
 pub mod ellipse;
 pub mod field;
 pub mod friction;
+mod goodman;
 pub mod grains;
 pub mod hertz;
 pub mod history;
@@ -52,3 +52,4 @@ pub mod stiffness;
 pub mod torsion;
 
 pub use carom_geometry::curvature;
+pub use goodman::goodman_stick_radius;

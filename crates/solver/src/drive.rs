@@ -56,7 +56,8 @@ impl Drive {
     }
 
     /// The given shifts; where a load is given, that before the step.
-    pub(crate) fn shift_after(&self, before: Shift) -> Shift {
+    #[must_use]
+    pub fn shift_after(&self, before: Shift) -> Shift {
         let given = |driven, before| match driven {
             Driven::Shift(shift) => shift,
             Driven::Load(_) => before,

@@ -6,12 +6,10 @@
 //!
 //! | item | what |
 //! |---|---|
-//! | [`Frictional`], [`Frictionless`] | the methods of today |
-//! | [`kalker`], [`jaeger`] | those of chapters 11 and 12, as charts that run ([`Block`]) |
+//! | [`Frictional`], [`Frictionless`] | the methods: with friction and without |
 //! | [`NestedHistory`], [`Accuracy`] | errors by the mesh, and a grid for a wanted accuracy |
-//! | [`rolling`] | rolling step by step and steady, creep coefficients |
 //! | [`NumericalLaw`] | the contact on a grid as a contact law, for impacts |
-//! | [`violations`], [`known`] | how well a state satisfies the conditions; contacts with known solutions |
+//! | [`violations`] | how well a state satisfies the conditions |
 //!
 //! ```
 //! use carom_halfspace::{Grid, Material, MaterialPair};
@@ -31,56 +29,34 @@
 //! ```
 #![forbid(unsafe_code)]
 
-mod anderson;
-mod chart;
-mod contour;
+mod accuracy;
 mod convergence;
-mod coupled;
-mod direct;
-mod doubt;
 mod drive;
-mod estimate;
-mod fit;
 mod friction;
 mod frictional;
 mod frictionless;
 mod gap;
-pub mod jaeger;
-pub mod kalker;
-pub mod known;
 mod law;
-mod limits;
 mod method;
 mod nested;
-mod nested_history;
 mod normal;
 mod problem;
 mod result;
-pub mod rolling;
-mod span;
 mod state;
-mod substeps;
 mod tangential;
-pub mod theory;
-mod window;
 
-pub use chart::{Block, Entry, Step, Trace};
-pub use contour::{Contour, contours};
+pub use accuracy::{
+    Accuracy, Contour, Doubt, Estimated, Estimates, Fit, FitError, NestedError, NestedHistory,
+    Side, Window, contours,
+};
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
-pub use direct::DirectError;
-pub use doubt::{Doubt, Side};
 pub use drive::{Drive, Driven};
-pub use estimate::{Estimated, Estimates};
-pub use fit::{Accuracy, Fit, FitError};
 pub use friction::{CellFriction, SurfaceFriction};
 pub use frictional::{Frictional, FrictionalError, FrictionalScratch};
 pub use frictionless::{Frictionless, NormalError, NormalScratch};
 pub use gap::{Gap, HeightMap, HeightMapError, Outline, SelfAffine, Shape};
 pub use law::{NumericalLaw, NumericalLawError};
 pub use method::Method;
-pub use nested_history::{NestedError, NestedHistory};
 pub use problem::{ContactProblem, PeriodError, ProblemError};
 pub use result::{StepSummary, StoredEnergy, Subsurface, dissipated, violations};
 pub use state::{CellState, ContactState};
-pub use substeps::{SubstepError, Substepped};
-pub use window::Window;

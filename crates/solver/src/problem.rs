@@ -124,12 +124,14 @@ impl ContactProblem {
     }
 
     /// The same without friction.
-    pub(crate) fn without_friction(self) -> Self {
+    #[must_use]
+    pub fn without_friction(self) -> Self {
         Self { friction: Friction::NONE.into(), ..self }
     }
 
     /// The approach after a step that leaves the bodies apart; none if they touch.
-    pub(crate) fn apart(&self, normal: Driven) -> Option<f64> {
+    #[must_use]
+    pub fn apart(&self, normal: Driven) -> Option<f64> {
         let heights = self.gap.heights().values();
         let lowest = heights.iter().copied().fold(f64::INFINITY, f64::min);
         match normal {

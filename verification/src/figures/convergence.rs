@@ -2,13 +2,13 @@
 
 use crate::catalogue::Entry;
 use crate::{Cell, Failure, Figure, FigureResult, Panel, Relative, Series, Table, linspace};
+use carom_classic::jaeger::{GaussSeidel, Most, ProgramStep, SlipStress};
+use carom_classic::kalker::{Panagiotopoulos, ProcessStep};
+use carom_classic::theory::{Bounds, ContactArea};
 use carom_halfspace::operator::HalfSpaceOperator;
 use carom_halfspace::{Field, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
-use carom_solver::jaeger::{GaussSeidel, Most, ProgramStep, SlipStress};
-use carom_solver::kalker::{Panagiotopoulos, ProcessStep};
-use carom_solver::theory::{Bounds, ContactArea};
 use carom_solver::{ContactProblem, ContactState, Drive, Gap, Method as _};
 
 /// The page.

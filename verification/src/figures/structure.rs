@@ -1,7 +1,7 @@
 //! Nassi-Shneiderman charts, drawn from the blocks that a method carries out.
 
 use crate::{Axis, Panel, Series};
-use carom_solver::{Block, Step, Trace};
+use carom_classic::{Block, Step, Trace};
 
 /// Widths in units of a line's height.
 const WIDTH: f64 = 16.0;

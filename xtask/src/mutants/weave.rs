@@ -8,12 +8,14 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The crates with mutants, below the workspace; each gets a switch of its own.
-pub(super) const CRATES: [&str; 9] = [
+pub(super) const CRATES: [&str; 11] = [
     "crates/special",
     "crates/geometry",
     "crates/halfspace",
     "crates/laws",
     "crates/solver",
+    "crates/classic",
+    "crates/rolling",
     "crates/impact",
     "crates/plot",
     "crates/capi",

@@ -10,7 +10,7 @@ use carom_halfspace::MaterialPair;
 use carom_laws::curvature::{CurvatureError, RelativeCurvature};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::hertz::{Hertz, HertzState};
-use carom_solver::rolling::Creepage;
+use carom_rolling::Creepage;
 
 const BODY_1: Field =
     Field::new("body_1", Form::Table(&[MATERIAL]), "the body on the side to which z points");

@@ -1,7 +1,6 @@
 //! The tests of `carom-laws` that see it as its users do: one executable, a module for each subject.
 
 mod bad_input;
-mod batch;
 mod common;
 mod coulomb;
 mod coulomb_capacity;

@@ -3,7 +3,7 @@
 use super::pass::Pass;
 use super::{FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Stop};
-use crate::coupled::{Coupled, CoupledTask};
+use crate::frictional::coupled::{Coupled, CoupledTask};
 use crate::state::ContactState;
 
 /// Rounds of a cone that opens. Where the solution of a blunter cone has just ended, limits creep

@@ -1,8 +1,11 @@
 //! Contact with Coulomb's friction: normal and tangential problem in turn.
 
+mod anderson;
 mod boxed;
 mod cone;
+mod coupled;
 mod displacements;
+mod limits;
 mod pass;
 mod sliding;
 mod turns;
@@ -13,11 +16,11 @@ use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
-use crate::anderson::Mixing;
 use crate::convergence::{Convergence, Observer, Products, Stop};
-use crate::coupled::Coupled;
 use crate::drive::{Drive, Driven};
-use crate::limits::FrictionLimits;
+use crate::frictional::anderson::Mixing;
+use crate::frictional::coupled::Coupled;
+use crate::frictional::limits::FrictionLimits;
 use crate::method::Method;
 use crate::nested;
 use crate::normal::NormalGrids;

@@ -3,8 +3,8 @@
 use carom_laws::law::{ContactLoad, Shift};
 use carom_table::{Column, Value};
 
+use crate::accuracy::{Estimated, Estimates};
 use crate::convergence::{Convergence, Products, Residuals};
-use crate::estimate::{Estimated, Estimates};
 use crate::problem::ContactProblem;
 use crate::result::{StoredEnergy, dissipated};
 use crate::state::{CellState, ContactState};

@@ -2,10 +2,10 @@
 
 use std::f64::consts::PI;
 
+use crate::known_solutions::Known;
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
-use carom_solver::known::Known;
 use carom_solver::{ContactProblem, Doubt, Drive, Estimated, Frictional, Gap, NestedHistory, Side};
 
 /// Places of the contact between the cells, twenty of them, spread evenly.

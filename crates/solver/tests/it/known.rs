@@ -1,6 +1,6 @@
 //! Errors of known contacts by the width of the cells.
 
-use carom_solver::known::Known;
+use crate::known_solutions::Known;
 use carom_solver::{ContactState, Frictional, Method as _};
 
 fn solved(known: Known, cells: usize) -> ContactState {

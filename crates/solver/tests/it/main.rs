@@ -1,16 +1,15 @@
 //! The tests of `carom-solver` that see it as its users do: one executable, a module for each subject.
 
-mod agreement;
 mod any_problem;
 mod boxes;
 mod coupling;
-mod direct_refusals;
 mod estimates;
 mod fit;
 mod friction_law;
 mod gap;
 mod histories;
 mod known;
+mod known_solutions;
 mod large;
 mod law;
 mod loads;
@@ -21,13 +20,10 @@ mod periodic;
 mod products;
 mod pulled;
 mod results;
-mod rolling;
 mod rough_waves;
 mod same_grid;
 mod slender_periods;
 mod strong_coupling;
-mod substeps;
 mod summary;
-mod theory;
 mod torque;
 mod two_frictions;

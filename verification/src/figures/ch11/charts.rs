@@ -3,13 +3,12 @@
 use super::super::mesh::Mesh;
 use super::super::structure;
 use crate::{Absolute, Cell, Failure, Figure, FigureResult, Relative, Table};
-use carom_laws::law::Shift;
-use carom_solver::kalker::{
+use carom_classic::kalker::{
     KalkerScratch, NORM, NormStep, Panagiotopoulos, ProcessStep, TANG, TangStep,
 };
-use carom_solver::{
-    Block, CellState, ContactProblem, ContactState, Convergence, Drive, Method as _, Step, Trace,
-};
+use carom_classic::{Block, Step, Trace};
+use carom_laws::law::Shift;
+use carom_solver::{CellState, ContactProblem, ContactState, Convergence, Drive, Method as _};
 
 /// A step from rest: sphere on half-space, nu 0 and 1/2, pressed and shifted at once.
 struct Run {

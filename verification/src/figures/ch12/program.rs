@@ -3,9 +3,10 @@
 use super::super::mesh::Mesh;
 use super::super::structure;
 use crate::{Absolute, Cell, Figure, FigureResult, Table};
+use carom_classic::Block;
+use carom_classic::jaeger::{GaussSeidel, PROGRAM, ProgramStep};
 use carom_laws::law::Shift;
-use carom_solver::jaeger::{GaussSeidel, PROGRAM, ProgramStep};
-use carom_solver::{Block, ContactState, Drive, Frictional, Method as _};
+use carom_solver::{ContactState, Drive, Frictional, Method as _};
 
 const FRICTION: f64 = 0.3;
 

@@ -4,7 +4,7 @@ use std::f64::consts::PI;
 
 use crate::reference::reader;
 use crate::{Axis, Failure, Figure, FigureResult, Marker, Panel, Relative, Series, Table};
-use carom_solver::rolling::creep_coefficients;
+use carom_rolling::creep_coefficients;
 
 /// The axis ratios a/b that are computed lie between these.
 const RATIOS: [f64; 2] = [0.2, 5.0];

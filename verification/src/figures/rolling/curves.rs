@@ -9,7 +9,7 @@ use crate::{
 use carom_halfspace::operator::{KernelOperator, TabulatedKernel, Threads};
 use carom_halfspace::{Coefficients, Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
-use carom_solver::rolling::{
+use carom_rolling::{
     CreepCoefficients, Creepage, Fastsim, Roll, SteadyRolling, creep_coefficients, roll_steadily,
 };
 use carom_solver::{ContactProblem, ContactState, Driven, Frictional, Gap, Method as _};

@@ -5,7 +5,7 @@ use crate::case::RollCase;
 use crate::error::CliError;
 use carom_halfspace::Grid;
 use carom_laws::friction::Friction;
-use carom_solver::rolling::{
+use carom_rolling::{
     CreepCoefficients, Creepage, Fastsim, Roll, RollingError, creep_coefficients, roll_steadily,
 };
 use carom_solver::{

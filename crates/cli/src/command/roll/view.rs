@@ -1,7 +1,7 @@
 //! The rows and columns of a rolling contact.
 
 use carom_laws::law::ContactLoad;
-use carom_solver::rolling::{CreepCoefficients, Creepage};
+use carom_rolling::{CreepCoefficients, Creepage};
 use carom_solver::{CellState, ContactState, Convergence};
 use carom_table::Column;
 

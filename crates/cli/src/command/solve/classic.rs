@@ -1,10 +1,11 @@
 //! The method of a case: that of today, or those of 1992 and before.
 
 use crate::case::SolveMethod;
-use carom_solver::jaeger::{DiscGaussSeidel, GaussSeidel};
-use carom_solver::kalker::{Johnson, Kombi, Panagiotopoulos};
+use carom_classic::DirectError;
+use carom_classic::jaeger::{DiscGaussSeidel, GaussSeidel};
+use carom_classic::kalker::{Johnson, Kombi, Panagiotopoulos};
 use carom_solver::{
-    ContactProblem, ContactState, Convergence, DirectError, Drive, Frictional, FrictionalError,
+    ContactProblem, ContactState, Convergence, Drive, Frictional, FrictionalError,
     FrictionalScratch, Method, Observer,
 };
 use std::sync::Arc;

@@ -1,0 +1,71 @@
+//! Why a step of a method of chapters 11 and 12 failed.
+
+use carom_halfspace::operator::OperatorError;
+use carom_special::RangeError;
+
+use carom_solver::Convergence;
+
+/// Why a step of a method with direct coefficients failed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum DirectError {
+    /// A value out of range.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// The operator failed.
+    #[error(transparent)]
+    Operator(#[from] OperatorError),
+    /// A motion is driven by its load.
+    #[error("{load} is given: this method takes shifts only; Frictional takes loads")]
+    GivenLoad {
+        /// Which load.
+        load: &'static str,
+    },
+    /// Static and kinetic friction differ.
+    #[error(
+        "static friction {rest} and kinetic friction {motion} differ: this method takes equal ones"
+    )]
+    TwoFrictions {
+        /// At rest.
+        rest: f64,
+        /// In motion.
+        motion: f64,
+    },
+    /// The materials couple normal and tangential displacements.
+    #[error(
+        "normal and tangential displacements are coupled: the {method} process takes bodies of \
+         similar material; Panagiotopoulos, Kombi, GaussSeidel and Frictional take any"
+    )]
+    Coupled {
+        /// The method that does not apply.
+        method: &'static str,
+    },
+    /// A linear system has no solution.
+    #[error("the linear system of {unknowns} unknowns is singular")]
+    Singular {
+        /// Its size.
+        unknowns: usize,
+    },
+    /// More unknowns than a dense matrix is made for.
+    #[error(
+        "{unknowns} unknowns need a dense matrix of more than {allowed} rows; GaussSeidel and \
+         Frictional need none"
+    )]
+    TooMany {
+        /// How many.
+        unknowns: usize,
+        /// The most.
+        allowed: usize,
+    },
+    /// Iterations ended before the tolerance was reached.
+    #[error(
+        "pressures and tractions are not found within {tolerance:.1e}: {:.1e} (normal), {:.1e} \
+         (tangential) after {} iterations ({:?})",
+        .reached.residuals.normal, .reached.residuals.tangential, .reached.iterations, .reached.stop
+    )]
+    NotConverged {
+        /// The tolerance.
+        tolerance: f64,
+        /// How far it got.
+        reached: Convergence,
+    },
+}

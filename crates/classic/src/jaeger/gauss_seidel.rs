@@ -1,0 +1,218 @@
+//! The program's parameters, and its step.
+
+use carom_special::RangeError;
+
+use super::directions::Directions;
+use super::program::{PROGRAM, Program, ProgramStep};
+use crate::chart::{self, Trace};
+use crate::direct::{Demand, DirectError, End, Influence, Outcome, apart, check_tolerance};
+use carom_solver::{
+    ContactProblem, ContactState, Convergence, Drive, Method, Observer, Products, Residuals, Stop,
+};
+
+/// The most rounds of each loop, the thesis's control parameters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Most {
+    /// MaxSeidel: sweeps.
+    pub seidel: usize,
+    /// MaxContact: corrections of the contact area.
+    pub contact: usize,
+    /// Corrections of the directions of slip.
+    pub slip: usize,
+    /// MaxStick: corrections of the stick area.
+    pub stick: usize,
+    /// Rounds of the whole program.
+    pub program: usize,
+}
+
+impl Default for Most {
+    fn default() -> Self {
+        Self { seidel: 30, contact: 8, slip: 3, stick: 8, program: 400 }
+    }
+}
+
+/// When the stresses in the slip area follow their pressures, the second line of (12.17).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+pub enum SlipStress {
+    /// At the end of each sweep, (13.11).
+    #[default]
+    AfterSweep,
+    /// As soon as a pressure is found.
+    AtOnce,
+}
+
+/// The thesis's program of chapter 12: a modified Gauss-Seidel procedure (12.17) inside loops for
+/// the contact area, the directions of slip and the stick area, with coefficients instead of a
+/// matrix. Memory grows with the number of elements, time with its square; for shifts only.
+///
+/// ```
+/// use carom_halfspace::{Grid, Material, MaterialPair};
+/// use carom_laws::{curvature::RelativeCurvature, friction::Friction, law::Shift};
+/// use carom_classic::jaeger::{GaussSeidel, ProgramStep};
+/// use carom_solver::{ContactProblem, ContactState, Drive, Gap, Method};
+/// let grid = Grid::new(16, 16, 0.14, 0.14)?;
+/// let gap = Gap::of_curvature(grid, &RelativeCurvature::from_coefficients(0.5, 0.5)?);
+/// let body = Material::from_shear(1.0, 0.0)?;
+/// let problem =
+///     ContactProblem::of_half_spaces(gap, MaterialPair::new(body, body)?, Friction::new(0.4)?)?;
+/// let method = GaussSeidel::default().over_relaxed(1.5)?;
+/// let mut scratch = method.scratch(&problem)?;
+/// let apart = ContactState::apart(grid);
+/// let mut state = apart.clone();
+/// let drive = Drive::by_shift(Shift { zeta: 1.0, xi: 0.2, ..Shift::default() });
+/// let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+/// assert_eq!(scratch.trace().count(ProgramStep::Sweep), went.iterations);
+/// // Cattaneo at half the shift of full slip.
+/// let load = state.load();
+/// assert!((load.f_x / (0.4 * load.f_z) - (1.0 - 0.5_f64.powf(1.5))).abs() < 2e-2);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct GaussSeidel {
+    tolerance: f64,
+    relaxation: f64,
+    columns: usize,
+    most: Most,
+    slip_stress: SlipStress,
+}
+
+impl Default for GaussSeidel {
+    /// To 1e-10, without over-relaxation, with 80 columns in a slip matrix.
+    fn default() -> Self {
+        let slip_stress = SlipStress::default();
+        Self { tolerance: 1e-10, relaxation: 1.0, columns: 80, most: Most::default(), slip_stress }
+    }
+}
+
+impl GaussSeidel {
+    /// To another tolerance: violations of the normal conditions over the greatest displacement, and
+    /// of the friction law over the greatest friction limit.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it lies in 1e-13 to 0.01.
+    pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
+        check_tolerance(tolerance)?;
+        Ok(Self { tolerance, ..self })
+    }
+
+    /// With an over-relaxation factor; 1 is Gauss and Seidel's.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it lies between 0 and 2, where no sweep converges.
+    pub fn over_relaxed(self, factor: f64) -> Result<Self, RangeError> {
+        let holds = factor > 0.0 && factor < 2.0;
+        RangeError::check("over-relaxation", factor, holds, "between 0 and 2, both excluded")?;
+        Ok(Self { relaxation: factor, ..self })
+    }
+
+    /// With at most as many rounds of each loop.
+    #[must_use]
+    pub const fn at_most(self, most: Most) -> Self {
+        Self { most, ..self }
+    }
+
+    /// With slip matrices of at most as many columns (SMColMax); a row of elements is never parted.
+    #[must_use]
+    pub const fn in_blocks_of(self, columns: usize) -> Self {
+        Self { columns, ..self }
+    }
+
+    /// With stresses in the slip area that follow their pressures like this.
+    #[must_use]
+    pub const fn with_slip_stress(self, slip_stress: SlipStress) -> Self {
+        Self { slip_stress, ..self }
+    }
+
+    pub(super) const fn tolerance(&self) -> f64 {
+        self.tolerance
+    }
+
+    pub(super) const fn relaxation(&self) -> f64 {
+        self.relaxation
+    }
+
+    pub(super) const fn columns(&self) -> usize {
+        self.columns
+    }
+
+    pub(super) const fn most(&self) -> Most {
+        self.most
+    }
+
+    pub(super) const fn slip_stress(&self) -> SlipStress {
+        self.slip_stress
+    }
+}
+
+/// The working memory of [`GaussSeidel`].
+#[derive(Clone)]
+pub struct GaussSeidelScratch {
+    influence: Influence,
+    outcome: Outcome,
+    directions: Directions,
+    trace: Trace<ProgramStep>,
+}
+
+impl GaussSeidelScratch {
+    /// What the program did in the last step.
+    #[must_use]
+    pub const fn trace(&self) -> &Trace<ProgramStep> {
+        &self.trace
+    }
+}
+
+impl Method for GaussSeidel {
+    type Error = DirectError;
+    type Scratch = GaussSeidelScratch;
+
+    fn scratch(&self, problem: &ContactProblem) -> Result<GaussSeidelScratch, DirectError> {
+        Demand::check(problem)?;
+        let cells = problem.grid().cells();
+        Ok(GaussSeidelScratch {
+            influence: Influence::new(problem.operator()),
+            outcome: Outcome::new(cells),
+            directions: Directions::new(cells),
+            trace: Trace::default(),
+        })
+    }
+
+    fn step(
+        &self,
+        problem: &ContactProblem,
+        from: &ContactState,
+        drive: &Drive,
+        to: &mut ContactState,
+        scratch: &mut GaussSeidelScratch,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, DirectError> {
+        let GaussSeidelScratch { influence, outcome, directions, trace } = scratch;
+        let demand = Demand::new(problem, influence.own(), from, drive)?;
+        trace.clear();
+        if let Some(convergence) = apart(problem, drive, from, to) {
+            return Ok(convergence);
+        }
+        outcome.start(from);
+        if outcome.touching().next().is_none() {
+            outcome.touch_where(|cell| demand.target[2][cell] > 0.0);
+        }
+        directions.start(|cell| outcome.direction(cell));
+        let mut program = Program {
+            method: self,
+            influence,
+            demand: &demand,
+            outcome,
+            directions,
+            observer,
+            sweeps: 0,
+            residuals: Residuals::default(),
+            stopped: false,
+            amount: 0.0,
+            moved: 0.0,
+        };
+        chart::run(&mut program, PROGRAM, trace)?;
+        let (iterations, residuals) = (program.sweeps, program.residuals);
+        let stop = if program.stopped { Stop::Observer } else { Stop::Exhausted };
+        let reached = Convergence { iterations, products: Products::default(), residuals, stop };
+        outcome.end(End { tolerance: self.tolerance, reached, from, drive }, to)
+    }
+}

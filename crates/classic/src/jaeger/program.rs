@@ -1,0 +1,274 @@
+//! The main part of the program, fig. 12.3.
+
+use std::fmt;
+
+use super::directions::Directions;
+use super::gauss_seidel::GaussSeidel;
+use super::sweep;
+use crate::chart::{Block, Machine};
+use crate::direct::{Demand, DirectError, Influence, Outcome};
+use carom_solver::{CellState, Observer, Progress, Residuals};
+
+/// A violation below this part of its scale is rounding.
+const ROUNDING: f64 = 1e-13;
+
+/// The modules and questions of [`PROGRAM`].
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum ProgramStep {
+    /// One sweep of (12.17).
+    Sweep,
+    /// Whether the stresses stand.
+    StressesStand,
+    /// The displacements (12.10).
+    Displacements,
+    /// Tests (12.3) and (12.6) and corrects the contact area.
+    TestContact,
+    /// Whether it stands.
+    ContactStands,
+    /// Corrects the directions of slip, (12.21).
+    SlipAlgorithm,
+    /// Whether they stand.
+    DirectionsStand,
+    /// Puts elements that slip along their stress into the stick area.
+    TestSign,
+    /// Takes elements with too large a stress out of the stick area.
+    DefineStickArea,
+    /// Coulomb's stress in the slip area.
+    DefineSlipStress,
+    /// Whether the stick area stands.
+    StickAreaStands,
+    /// Tests all conditions.
+    TestAll,
+    /// Whether all hold.
+    AllHold,
+}
+
+impl fmt::Display for ProgramStep {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(match self {
+            Self::Sweep => "SeidTang: one sweep of (12.17)",
+            Self::StressesStand => "stresses stand, or MaxSeidel",
+            Self::Displacements => "Displacements (12.10)",
+            Self::TestContact => "TestContact (12.3), (12.6)",
+            Self::ContactStands => "contact area stands, or MaxContact",
+            Self::SlipAlgorithm => "SlipAlgorithm (12.21): blocks of rows",
+            Self::DirectionsStand => "slip directions stand, or MaxSlip",
+            Self::TestSign => "Testsign: slip along the stress sticks",
+            Self::DefineStickArea => "DefineStickArea: too large a stress slips",
+            Self::DefineSlipStress => "DefineSlipStress",
+            Self::StickAreaStands => "stick area stands, or MaxStick",
+            Self::TestAll => "test all conditions",
+            Self::AllHold => "all hold, or MaxProgram",
+        })
+    }
+}
+
+/// The chart of the program. The constants of the stick area, which the thesis defines in a module of
+/// their own at the end of the loops, are those of the step and need no correction here; `TestSign`
+/// comes before `DefineStickArea`, so that it tests elements which have slipped.
+pub const PROGRAM: &[Block<ProgramStep>] = &[Block::Until {
+    body: &[
+        Block::Until {
+            body: &[
+                Block::Until {
+                    body: &[
+                        Block::Until {
+                            body: &[
+                                Block::Until {
+                                    body: &[Block::Do(ProgramStep::Sweep)],
+                                    done: ProgramStep::StressesStand,
+                                },
+                                Block::Do(ProgramStep::Displacements),
+                                Block::Do(ProgramStep::TestContact),
+                            ],
+                            done: ProgramStep::ContactStands,
+                        },
+                        Block::Do(ProgramStep::SlipAlgorithm),
+                    ],
+                    done: ProgramStep::DirectionsStand,
+                },
+                Block::Do(ProgramStep::TestSign),
+                Block::Do(ProgramStep::DefineStickArea),
+                Block::Do(ProgramStep::DefineSlipStress),
+            ],
+            done: ProgramStep::StickAreaStands,
+        },
+        Block::Do(ProgramStep::TestAll),
+    ],
+    done: ProgramStep::AllHold,
+}];
+
+/// The program at work on one step.
+pub(super) struct Program<'a> {
+    pub(super) method: &'a GaussSeidel,
+    pub(super) influence: &'a Influence,
+    pub(super) demand: &'a Demand,
+    pub(super) outcome: &'a mut Outcome,
+    /// Unit vectors of the stress in the slip area.
+    pub(super) directions: &'a mut Directions,
+    pub(super) observer: &'a mut dyn Observer,
+    pub(super) sweeps: usize,
+    pub(super) residuals: Residuals,
+    pub(super) stopped: bool,
+    /// What the last step changed.
+    pub(super) amount: f64,
+    /// Cells that entered or left the stick area in this round.
+    pub(super) moved: f64,
+}
+
+impl Program<'_> {
+    fn sweep(&mut self) -> f64 {
+        self.sweeps += 1;
+        sweep::over(self)
+    }
+
+    fn displace(&mut self) {
+        self.influence.displacements(&self.outcome.traction, &mut self.outcome.displacement);
+    }
+
+    fn test_contact(&mut self) -> f64 {
+        let least = ROUNDING * self.demand.depth();
+        let mut count = 0.0;
+        for cell in 0..self.outcome.cells.len() {
+            let overlap = self.demand.target[2][cell] - self.outcome.displacement[2][cell];
+            let outside = self.outcome.cells[cell] == CellState::Exterior;
+            if outside && overlap > least {
+                // One that left while it slipped comes back so: sticking, it would pull again.
+                let slipped = self.directions.left_slipping(cell);
+                self.outcome.cells[cell] = if slipped { CellState::Slip } else { CellState::Stick };
+            } else if !outside && self.outcome.traction[2][cell] < 0.0 {
+                self.let_go(cell);
+            } else {
+                continue;
+            }
+            count += 1.0;
+        }
+        count
+    }
+
+    /// An element that pulls while it sticks may press once it slips: it slips first, and leaves the
+    /// contact if it still pulls.
+    fn let_go(&mut self, cell: usize) {
+        let limit = self.demand.limit(cell, -self.outcome.traction[2][cell]);
+        let slips = self.outcome.cells[cell] == CellState::Slip;
+        if slips || limit == 0.0 || limit.is_infinite() {
+            self.directions.leave(cell, slips);
+            self.outcome.release(cell);
+        } else {
+            self.directions.set(cell, self.outcome.direction(cell));
+            self.outcome.cells[cell] = CellState::Slip;
+            self.slip_stress(cell);
+        }
+    }
+
+    fn test_sign(&mut self) -> f64 {
+        let least = ROUNDING * self.demand.depth();
+        let mut count = 0.0;
+        for cell in 0..self.outcome.cells.len() {
+            if self.outcome.cells[cell] != CellState::Slip || self.demand.friction[cell] == 0.0 {
+                continue;
+            }
+            let slip = self.demand.slip(cell, &self.outcome.displacement);
+            let [x, y] = self.directions.of(cell);
+            if slip[0] * x + slip[1] * y > least {
+                self.outcome.cells[cell] = CellState::Stick;
+                count += 1.0;
+            }
+        }
+        count
+    }
+
+    fn define_stick_area(&mut self) -> f64 {
+        let mut count = 0.0;
+        for cell in 0..self.outcome.cells.len() {
+            if self.outcome.cells[cell] != CellState::Stick {
+                continue;
+            }
+            let limit = self.demand.limit(cell, self.outcome.traction[2][cell]);
+            let [x, y] = self.outcome.tangent(cell);
+            let smooth = self.demand.friction[cell] == 0.0;
+            if smooth || x.hypot(y) > limit * (1.0 + ROUNDING) {
+                self.directions.set(cell, self.outcome.direction(cell));
+                self.outcome.cells[cell] = CellState::Slip;
+                count += 1.0;
+            }
+        }
+        count
+    }
+
+    /// Coulomb's law (12.4) in the slip area.
+    pub(super) fn define_slip_stress(&mut self) {
+        for cell in 0..self.outcome.cells.len() {
+            if self.outcome.cells[cell] == CellState::Slip {
+                self.slip_stress(cell);
+            }
+        }
+    }
+
+    pub(super) fn slip_stress(&mut self, cell: usize) {
+        let size = self.demand.friction[cell] * self.outcome.traction[2][cell];
+        self.outcome.pull(cell, size, self.directions.of(cell));
+    }
+
+    fn test_all(&mut self) {
+        self.displace();
+        let Outcome { traction, displacement, .. } = &*self.outcome;
+        self.residuals = self.demand.residuals(traction, displacement);
+        let touching = self.outcome.touching().count();
+        let progress = Progress {
+            iteration: self.sweeps,
+            cells: self.outcome.cells.len(),
+            touching,
+            residuals: self.residuals,
+        };
+        self.stopped = self.observer.see(&progress).is_break();
+    }
+}
+
+impl Machine for Program<'_> {
+    type Step = ProgramStep;
+    type Error = DirectError;
+
+    fn perform(&mut self, step: ProgramStep) -> Result<f64, DirectError> {
+        self.amount = match step {
+            ProgramStep::Sweep => self.sweep(),
+            ProgramStep::TestContact => self.test_contact(),
+            ProgramStep::SlipAlgorithm => self.correct_directions()?,
+            ProgramStep::TestSign => {
+                self.moved = self.test_sign();
+                self.moved
+            }
+            ProgramStep::DefineStickArea => {
+                let count = self.define_stick_area();
+                self.moved += count;
+                count
+            }
+            ProgramStep::Displacements => {
+                self.displace();
+                0.0
+            }
+            ProgramStep::DefineSlipStress => {
+                self.define_slip_stress();
+                0.0
+            }
+            ProgramStep::TestAll => {
+                self.test_all();
+                self.residuals.worst()
+            }
+            _ => 0.0,
+        };
+        Ok(self.amount)
+    }
+
+    fn is_done(&mut self, question: ProgramStep, round: usize) -> Result<bool, DirectError> {
+        let most = self.method.most();
+        let tolerance = self.method.tolerance();
+        Ok(match question {
+            ProgramStep::StressesStand => self.amount <= 0.1 * tolerance || round >= most.seidel,
+            ProgramStep::ContactStands => self.amount == 0.0 || round >= most.contact,
+            ProgramStep::DirectionsStand => self.amount <= 0.1 * tolerance || round >= most.slip,
+            ProgramStep::StickAreaStands => self.moved == 0.0 || round >= most.stick,
+            _ => self.amount <= tolerance || self.stopped || round >= most.program,
+        })
+    }
+}

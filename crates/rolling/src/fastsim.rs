@@ -1,0 +1,99 @@
+//! FASTSIM: rolling on springs, the approximation that people know.
+
+use carom_special::RangeError;
+
+use super::{CreepCoefficients, Creepage};
+
+/// Kalker's simplified theory: each particle on springs of its own, three flexibilities from the
+/// creep coefficients, and a parabolic limit of friction. Two equal bodies.
+///
+/// Beside the solver on a circle at nu = 0.25 the forces are off by up to 0.05 f F_z without spin; spin
+/// pushes across with up to 0.1 f F_z too much.
+///
+/// ```
+/// use carom_rolling::{Creepage, Fastsim, creep_coefficients_on};
+/// let coefficients = creep_coefficients_on([8, 8], 1.0, 0.25)?;
+/// let springs = Fastsim {
+///     semi_axes: [1.0, 1.0],
+///     shear_modulus: 1.0,
+///     coefficients,
+///     force: 1.0,
+///     friction: 0.3,
+///     mesh: [50, 50],
+/// };
+/// // A little creepage: F_x = G a b C11 xi.
+/// let forces = springs.forces(Creepage { along: 1e-4, ..Creepage::default() })?;
+/// assert!((forces.f_x / (1e-4 * coefficients.c11) - 1.0).abs() < 2e-3);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Fastsim {
+    /// Semi-axes along and across the direction of rolling.
+    pub semi_axes: [f64; 2],
+    /// Shear modulus of each body.
+    pub shear_modulus: f64,
+    /// Creep coefficients of the contact.
+    pub coefficients: CreepCoefficients,
+    /// Normal force.
+    pub force: f64,
+    /// Coefficient of friction.
+    pub friction: f64,
+    /// Strips, and elements of each.
+    pub mesh: [usize; 2],
+}
+
+/// Tangential forces.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub struct FastsimForces {
+    /// Along the direction of rolling.
+    pub f_x: f64,
+    /// Across it.
+    pub f_y: f64,
+}
+
+impl Fastsim {
+    /// Forces at a creepage.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless lengths, modulus, force, friction and mesh are positive and the creepage
+    /// is finite.
+    pub fn forces(&self, creepage: Creepage) -> Result<FastsimForces, RangeError> {
+        let ([a, b], g) = (self.semi_axes, self.shear_modulus);
+        for (field, value) in [("a", a), ("b", b), ("shear_modulus", g), ("force", self.force)] {
+            RangeError::positive(field, value)?;
+        }
+        RangeError::positive("friction", self.friction)?;
+        let [strips, elements] = self.mesh;
+        let mesh = strips.min(elements);
+        RangeError::check("mesh", mesh as f64, mesh > 0, "at least one strip and element")?;
+        creepage.check()?;
+        let CreepCoefficients { c11, c22, c23, .. } = self.coefficients;
+        let along = creepage.along * 3.0 * g * c11 / (8.0 * a);
+        let across = creepage.across * 3.0 * g * c22 / (8.0 * a);
+        let spin = creepage.spin * 4.0 * g * (a * b).sqrt() * c23 / (std::f64::consts::PI * a * a);
+        let top = 2.0 * self.friction * self.force / (std::f64::consts::PI * a * b);
+        let height = 2.0 * b / strips as f64;
+        let mut sum = FastsimForces::default();
+        for strip in 0..strips {
+            let y = (strip as f64 + 0.5) * height - b;
+            let half = a * (1.0 - (y / b) * (y / b)).sqrt();
+            let width = 2.0 * half / elements as f64;
+            let mut t = [0.0; 2];
+            for element in 0..elements {
+                // From the leading edge backwards, from middle to middle of the elements.
+                let x = half - (element as f64 + 0.5) * width;
+                let way = if element == 0 { 0.5 * width } else { width };
+                let between = x + 0.5 * way;
+                t = [t[0] + way * (along + y * spin), t[1] + way * (across - between * spin)];
+                let limit = top * (1.0 - (x / a) * (x / a) - (y / b) * (y / b));
+                let size = t[0].hypot(t[1]);
+                if size > limit {
+                    t = t.map(|part| part * limit / size);
+                }
+                sum.f_x += t[0] * width * height;
+                sum.f_y += t[1] * width * height;
+            }
+        }
+        Ok(sum)
+    }
+}

@@ -1,0 +1,91 @@
+//! Rolling step by step.
+
+use super::{Creepage, RollingError, check_room, columns};
+use carom_solver::Method as _;
+use carom_solver::{
+    ContactProblem, ContactState, Convergence, Drive, Driven, Frictional, FrictionalScratch,
+    Observer,
+};
+
+/// A step of rolling: how far, with which creepage, under which approach or normal force.
+///
+/// ```
+/// use carom_halfspace::{Grid, Material, MaterialPair};
+/// use carom_laws::{curvature::RelativeCurvature, friction::Friction};
+/// use carom_rolling::{Creepage, Roll};
+/// use carom_solver::{ContactProblem, ContactState, Driven, Frictional, Gap, Method};
+/// let grid = Grid::new(16, 16, 0.15, 0.15)?;
+/// let gap = Gap::of_curvature(grid, &RelativeCurvature::from_coefficients(0.5, 0.5)?);
+/// let body = Material::from_shear(1.0, 0.3)?;
+/// let pair = MaterialPair::new(body, body)?;
+/// let problem = ContactProblem::of_half_spaces(gap, pair, Friction::new(0.3)?)?;
+/// let method = Frictional::default();
+/// let mut scratch = method.scratch(&problem)?;
+/// let creepage = Creepage { along: 0.05, ..Creepage::default() };
+/// let roll = Roll { distance: grid.dx(), creepage, normal: Driven::Shift(1.0) };
+/// let mut state = ContactState::apart(grid);
+/// let mut last = 0.0;
+/// for _ in 0..10 {
+///     let before = state.clone();
+///     roll.step(&method, &problem, &before, &mut state, &mut scratch, &mut ())?;
+///     assert!(state.load().f_x > last); // it builds up over the length of the contact
+///     last = state.load().f_x;
+/// }
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Roll {
+    /// How far the contact moves along +x.
+    pub distance: f64,
+    /// The creepage meanwhile.
+    pub creepage: Creepage,
+    /// Approach or normal force at the end.
+    pub normal: Driven,
+}
+
+impl Roll {
+    /// Rolls on from one state to the next.
+    ///
+    /// # Errors
+    /// [`RollingError`] for a distance that is not positive, a contact too close to the leading
+    /// border, and where the method fails.
+    pub fn step(
+        &self,
+        method: &Frictional,
+        problem: &ContactProblem,
+        from: &ContactState,
+        to: &mut ContactState,
+        scratch: &mut FrictionalScratch,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, RollingError> {
+        self.creepage.check()?;
+        let shift = columns(problem, self.distance)?;
+        let before = ahead(from, shift);
+        let Creepage { along, across, spin } = self.creepage;
+        let drive = Drive {
+            normal: self.normal,
+            x: Driven::Shift(from.shift.xi + along * self.distance),
+            y: Driven::Shift(from.shift.eta + across * self.distance),
+            twist: Driven::Shift(from.shift.omega + spin * self.distance),
+        };
+        let went = method.step(problem, &before, &drive, to, scratch, observer)?;
+        check_room(to, shift)?;
+        Ok(went)
+    }
+}
+
+/// The state with the displacements that particles bring along from so many columns ahead.
+fn ahead(from: &ContactState, shift: f64) -> ContactState {
+    let nx = from.pressure.grid().nx();
+    let (whole, part) = (shift.floor() as usize, shift - shift.floor());
+    let mut before = from.clone();
+    for field in [&mut before.displacement_x, &mut before.displacement_y] {
+        for row in field.values_mut().chunks_exact_mut(nx) {
+            for i in 0..nx {
+                let at = |column: usize| row[column.min(nx - 1)];
+                row[i] = (1.0 - part) * at(i + whole) + part * at(i + whole + 1);
+            }
+        }
+    }
+    before
+}

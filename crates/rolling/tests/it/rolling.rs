@@ -1,0 +1,362 @@
+//! Rolling: step by step and at once, creep coefficients, Carter, FASTSIM.
+
+use std::f64::consts::PI;
+use std::sync::Arc;
+
+use carom_halfspace::operator::{KernelOperator, TabulatedKernel, Threads};
+use carom_halfspace::{Coefficients, Grid, Material, MaterialPair};
+use carom_laws::friction::Friction;
+use carom_rolling::{
+    CreepCoefficients, Creepage, Fastsim, Roll, RollingError, creep_coefficients,
+    creep_coefficients_on, roll_steadily,
+};
+use carom_solver::{
+    CellState, ContactProblem, ContactState, Drive, Driven, Frictional, Frictionless, Gap,
+    Method as _,
+};
+
+const FRICTION: f64 = 0.3;
+
+fn sphere(n: usize, poisson: [f64; 2]) -> ContactProblem {
+    let width = 2.4 / n as f64;
+    let grid = Grid::new(n + 2, n, width, width).unwrap();
+    let gap = Gap::from_function(grid, |x, y| 0.5 * (x * x + y * y)).unwrap();
+    let [one, two] = poisson.map(|nu| Material::from_shear(1.0, nu).unwrap());
+    let pair = MaterialPair::new(one, two).unwrap();
+    ContactProblem::of_half_spaces(gap, pair, Friction::new(FRICTION).unwrap()).unwrap()
+}
+
+fn roll_on(
+    problem: &ContactProblem,
+    distance: f64,
+    creepage: Creepage,
+    steps: usize,
+) -> ContactState {
+    let method = Frictional::default().within(1e-11).unwrap();
+    let mut scratch = method.scratch(problem).unwrap();
+    let mut state = ContactState::apart(problem.grid());
+    let roll = Roll { distance, creepage, normal: Driven::Shift(1.0) };
+    for _ in 0..steps {
+        let before = state.clone();
+        roll.step(&method, problem, &before, &mut state, &mut scratch, &mut ()).unwrap();
+    }
+    state
+}
+
+#[test]
+fn rolling_on_tends_to_steady_rolling() {
+    for poisson in [[0.3, 0.3], [0.0, 0.5]] {
+        let problem = sphere(12, poisson);
+        for (columns, steps) in [(1.0, 160), (2.0, 80), (0.5, 320), (1.3, 120)] {
+            for creepage in [
+                Creepage { along: 0.06, across: 0.02, spin: 0.0 },
+                Creepage { along: -0.03, across: 0.0, spin: 0.1 },
+                Creepage { along: 0.5, across: 0.0, spin: 0.0 },
+            ] {
+                let distance = columns * problem.grid().dx();
+                let steady =
+                    roll_steadily(&problem, Driven::Shift(1.0), distance, creepage).unwrap();
+                let state = roll_on(&problem, distance, creepage, steps);
+                let (a, b) = (state.load(), steady.state.load());
+                let scale = FRICTION * b.f_z;
+                let worst = [a.f_x - b.f_x, a.f_y - b.f_y, a.m_z - b.m_z, a.f_z - b.f_z]
+                    .map(|difference| (difference / scale).abs())
+                    .into_iter()
+                    .fold(0.0, f64::max);
+                println!(
+                    "{poisson:?} {columns} {creepage:?}: {worst:.1e}, F_x {:.4} F_y {:.4}",
+                    b.f_x / scale,
+                    b.f_y / scale
+                );
+                assert!(worst < 1e-9, "{poisson:?} {columns} {creepage:?}: {worst:.1e}");
+                assert_eq!(steady.slides, state.count(CellState::Stick) == 0);
+            }
+        }
+    }
+}
+
+#[test]
+fn creep_coefficients_of_a_circle_without_poissons_ratio_are_closed_forms() {
+    let c = creep_coefficients(1.0, 0.0).unwrap();
+    let exact = 32.0 / (3.0 * PI);
+    assert!((c.c11 / exact - 1.0).abs() < 3e-5 && (c.c22 / exact - 1.0).abs() < 3e-5);
+    assert!((c.c23 / (4.0 / 3.0) - 1.0).abs() < 3e-5 && (c.c32 / (4.0 / 3.0) - 1.0).abs() < 3e-5);
+}
+
+#[test]
+fn creep_coefficients_agree_with_an_independent_calculation() {
+    // a/b, nu; C11, C22, C23, C33
+    let table = [
+        ([0.2, 0.25], [3.3754, 2.6328, 0.6028, 4.2942]),
+        ([0.5, 0.5], [4.8682, 3.1445, 1.0725, 2.2281]),
+        ([1.0, 0.25], [4.1131, 3.6686, 1.4663, 1.1842]),
+        ([2.0, 0.25], [5.1005, 4.9093, 2.6245, 0.8195]),
+        ([5.0, 0.5], [8.8380, 9.8707, 7.9040, 0.3420]),
+    ];
+    for ([ratio, poisson], want) in table {
+        let CreepCoefficients { c11, c22, c23, c32, c33 } =
+            creep_coefficients(ratio, poisson).unwrap();
+        let got = [c11, c22, 0.5 * (c23 + c32), c33];
+        let off: Vec<String> =
+            got.iter().zip(want).map(|(g, w)| format!("{:.2e}", g / w - 1.0)).collect();
+        println!("{ratio} {poisson}: {got:?} {off:?}");
+        // Reciprocal in the continuum, not on a mesh.
+        assert!((c23 / c32 - 1.0).abs() < 1e-4, "a/b {ratio} nu {poisson}: {c23} {c32}");
+        for (i, (got, want)) in got.into_iter().zip(want).enumerate() {
+            let allowed = if i == 3 { 5e-3 } else { 2e-3 };
+            assert!((got / want - 1.0).abs() < allowed, "a/b {ratio} nu {poisson}: {got} {want}");
+        }
+    }
+}
+
+/// Rolling cylinders: one row of elements of a plane half-space, by its logarithmic kernel.
+fn cylinders(n: usize) -> ContactProblem {
+    let width = 2.2 / n as f64;
+    let grid = Grid::new(n, 1, width, 1.0).unwrap();
+    // Two bodies of G = 1 and nu = 0.3; the unit of the logarithm is far away.
+    let stiffness = 2.0 * (1.0 - 0.3) / PI;
+    let integral = |x: f64| if x == 0.0 { 0.0 } else { x * (x.abs().ln() - 1.0) };
+    let kernel = TabulatedKernel::from_function(grid, |columns, _| {
+        let x = f64::from(columns) * width;
+        let log = integral(x + 0.5 * width) - integral(x - 0.5 * width);
+        let value = stiffness * (100.0_f64.ln() * width - log);
+        Coefficients { rows: [[value, 0.0, 0.0], [0.0, value, 0.0], [0.0, 0.0, value]] }
+    })
+    .unwrap();
+    let operator = Arc::new(KernelOperator::new(kernel, Threads::One).unwrap());
+    let gap = Gap::from_function(grid, |x, _| 0.5 * x * x).unwrap();
+    ContactProblem::new(gap, operator, Friction::new(FRICTION).unwrap()).unwrap()
+}
+
+#[test]
+fn cylinders_roll_as_carter_says() {
+    let mut errors = Vec::new();
+    for n in [44, 88, 176] {
+        let problem = cylinders(n);
+        // Semi-width 1 at radius 1: P = pi a^2/(2 (1 - nu) R) for G = 1 each ... by the pressure p0 a pi/2.
+        let smooth = ContactProblem::new(
+            problem.gap().clone(),
+            Arc::new(Plane(problem.clone())),
+            Friction::NONE,
+        )
+        .unwrap();
+        let method = Frictionless::default();
+        let mut scratch = method.scratch(&smooth).unwrap();
+        let apart = ContactState::apart(problem.grid());
+        let mut state = apart.clone();
+        let force = PI / (4.0 * (1.0 - 0.3));
+        let drive = Drive { normal: Driven::Load(force), ..Drive::default() };
+        method.step(&smooth, &apart, &drive, &mut state, &mut scratch, &mut ()).unwrap();
+        let approach = state.shift.zeta;
+        let half_width = 0.5 * problem.grid().dx() * (n - state.count(CellState::Exterior)) as f64;
+        for part in [0.2, 0.5, 0.8] {
+            let creepage = Creepage { along: FRICTION * part, ..Creepage::default() };
+            let rolled =
+                roll_steadily(&problem, Driven::Shift(approach), problem.grid().dx(), creepage)
+                    .unwrap();
+            let load = rolled.state.load();
+            let want = 1.0 - (1.0 - part) * (1.0 - part);
+            let got = load.f_x / (FRICTION * load.f_z);
+            println!(
+                "{n} {part}: {got:.5} {want:.5}, a = {half_width:.3}, F_z {:.4}",
+                load.f_z / force
+            );
+            errors.push((got - want).abs());
+        }
+        let beyond = Creepage { along: 1.2 * FRICTION, ..Creepage::default() };
+        assert!(
+            roll_steadily(&problem, Driven::Shift(approach), problem.grid().dx(), beyond)
+                .unwrap()
+                .slides
+        );
+    }
+    // First order in the width of an element.
+    for part in 0..3 {
+        assert!(errors[6 + part] < 0.6 * errors[part] && errors[6 + part] < 0.02, "{errors:?}");
+    }
+}
+
+/// The operator of another problem.
+struct Plane(ContactProblem);
+
+impl carom_halfspace::operator::SurfaceOperator for Plane {
+    fn grid(&self) -> Grid {
+        self.0.grid()
+    }
+    fn is_coupled(&self) -> bool {
+        false
+    }
+    fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
+        self.0.operator().coefficients(columns, rows)
+    }
+    fn workspace(&self) -> carom_halfspace::operator::Workspace {
+        self.0.operator().workspace()
+    }
+    fn apply(
+        &self,
+        tractions: carom_halfspace::operator::TractionField<'_>,
+        displacements: carom_halfspace::operator::DisplacementField<'_>,
+        workspace: &mut carom_halfspace::operator::Workspace,
+    ) -> Result<(), carom_halfspace::operator::OperatorError> {
+        self.0.operator().apply(tractions, displacements, workspace)
+    }
+}
+
+#[test]
+fn springs_come_near_in_the_middle_and_agree_at_both_ends() {
+    let problem = sphere(20, [0.25, 0.25]);
+    let coefficients = creep_coefficients_on([16, 16], 1.0, 0.25).unwrap();
+    let dx = problem.grid().dx();
+    for part in [0.01, 0.3, 0.7, 3.0] {
+        let creepage = Creepage { along: 0.2 * part, ..Creepage::default() };
+        let steady = roll_steadily(&problem, Driven::Shift(1.0), dx, creepage).unwrap();
+        let load = steady.state.load();
+        let limit = FRICTION * load.f_z;
+        let fastsim = Fastsim {
+            semi_axes: [1.0, 1.0],
+            shear_modulus: 1.0,
+            coefficients,
+            force: load.f_z,
+            friction: FRICTION,
+            mesh: [50, 50],
+        };
+        let springs = fastsim.forces(creepage).unwrap().f_x;
+        println!("{part}: {:.4} {:.4}", load.f_x / limit, springs / limit);
+        assert!((load.f_x - springs).abs() < 0.1 * limit);
+        assert!(load.f_x <= limit * (1.0 + 1e-9) && springs <= limit * 1.001);
+    }
+}
+
+#[test]
+fn springs_start_with_the_creep_coefficients() {
+    for semi_axes in [[1.0, 1.0], [0.4, 1.5], [3.0, 0.7]] {
+        let ([a, b], friction) = (semi_axes, f64::from(1_u32 << 30));
+        let coefficients = CreepCoefficients { c11: 4.0, c22: 3.0, c23: 1.5, c32: 1.5, c33: 1.2 };
+        let (shear_modulus, force, mesh) = (2.0, 1.0, [200, 200]);
+        let springs = Fastsim { semi_axes, shear_modulus, coefficients, force, friction, mesh };
+        let forces =
+            |along, across, spin| springs.forces(Creepage { along, across, spin }).unwrap();
+        let unit = shear_modulus * a * b;
+        let pairs = [
+            (forces(0.1, 0.0, 0.0).f_x, 0.1 * unit * 4.0),
+            (forces(0.0, 0.1, 0.0).f_y, 0.1 * unit * 3.0),
+            (forces(0.0, 0.0, 0.1).f_y, -0.1 * unit * (a * b).sqrt() * 1.5),
+        ];
+        for (got, want) in pairs {
+            assert!((got / want - 1.0).abs() < 1e-4, "{semi_axes:?}: {got} {want}");
+        }
+    }
+}
+
+#[test]
+fn rolling_that_makes_no_sense_is_named() {
+    let problem = sphere(8, [0.3, 0.3]);
+    let creepage = Creepage { along: 0.01, ..Creepage::default() };
+    for distance in [0.0, -0.1, f64::NAN, f64::INFINITY, 1e3] {
+        let error = roll_steadily(&problem, Driven::Shift(1.0), distance, creepage).unwrap_err();
+        assert!(matches!(error, RollingError::Range(e) if e.field == "rolling distance"));
+    }
+    let broken = Creepage { spin: f64::NAN, ..creepage };
+    let error = roll_steadily(&problem, Driven::Shift(1.0), 0.1, broken).unwrap_err();
+    assert!(matches!(error, RollingError::Range(e) if e.field == "spin"));
+    let far = 4.0 * problem.grid().dx();
+    let error = roll_steadily(&problem, Driven::Shift(1.0), far, creepage).unwrap_err();
+    assert!(matches!(error, RollingError::NoRoomAhead { needed: 4, .. }), "{error}");
+    for (field, error) in [
+        ("a/b", creep_coefficients(0.01, 0.3).unwrap_err()),
+        ("a/b", creep_coefficients(f64::NAN, 0.3).unwrap_err()),
+        ("poisson", creep_coefficients(1.0, 0.6).unwrap_err()),
+        ("strips", creep_coefficients_on([7, 8], 1.0, 0.3).unwrap_err()),
+        ("elements of a strip", creep_coefficients_on([100, 100], 1.0, 0.3).unwrap_err()),
+    ] {
+        assert!(matches!(&error, RollingError::Range(e) if e.field == field), "{field}: {error}");
+    }
+}
+
+#[test]
+fn a_normal_force_is_met_with_and_without_coupling() {
+    for poisson in [[0.3, 0.3], [0.0, 0.5], [0.5, 0.0]] {
+        let problem = sphere(12, poisson);
+        let dx = problem.grid().dx();
+        let creepage = Creepage { along: 0.06, across: 0.02, spin: 0.05 };
+        let want = roll_steadily(&problem, Driven::Shift(0.9), dx, creepage).unwrap().state;
+        let force = want.load().f_z;
+        let got = roll_steadily(&problem, Driven::Load(force), dx, creepage).unwrap().state;
+        assert!((got.shift.zeta - 0.9).abs() < 1e-8, "{poisson:?}: {}", got.shift.zeta);
+        assert!((got.load().f_x - want.load().f_x).abs() < 1e-8 * force);
+        for force in [0.0, -1.0, f64::NAN, f64::INFINITY] {
+            let error = roll_steadily(&problem, Driven::Load(force), dx, creepage).unwrap_err();
+            assert!(matches!(error, RollingError::Range(e) if e.field == "normal force"));
+        }
+    }
+}
+
+/// Random creepages of all sizes, both signs and any mixture.
+fn creepages(seed: u64, count: usize) -> Vec<Creepage> {
+    let mut state = seed;
+    let mut next = || {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        (state >> 11) as f64 / (1_u64 << 53) as f64
+    };
+    let mut any = || {
+        let size = 10.0_f64.powf(-12.0 + 16.0 * next());
+        let part = next();
+        if part < 0.2 { 0.0 } else { size * if part < 0.6 { -1.0 } else { 1.0 } }
+    };
+    (0..count).map(|_| Creepage { along: any(), across: any(), spin: any() }).collect()
+}
+
+#[test]
+fn mirrored_and_reversed_creepages_mirror_and_reverse_the_forces() {
+    for poisson in [[0.3, 0.3], [0.0, 0.5]] {
+        let problem = sphere(10, poisson);
+        let dx = problem.grid().dx();
+        let load = |creepage| {
+            roll_steadily(&problem, Driven::Shift(1.0), dx, creepage)
+                .unwrap_or_else(|error| panic!("{poisson:?} {creepage:?}: {error}"))
+                .state
+                .load()
+        };
+        for creepage in creepages(7, 60) {
+            let Creepage { along, across, spin } = creepage;
+            let own = load(creepage);
+            let limit = FRICTION * own.f_z;
+            let mirrored = load(Creepage { along, across: -across, spin: -spin });
+            let off = [
+                own.f_x - mirrored.f_x,
+                own.f_y + mirrored.f_y,
+                own.m_z + mirrored.m_z,
+                own.f_z - mirrored.f_z,
+            ];
+            assert!(off.iter().all(|off| off.abs() < 1e-8 * limit), "{creepage:?}: {off:?}");
+            assert!(own.f_x.hypot(own.f_y) <= limit * (1.0 + 1e-9), "{creepage:?}");
+            if !problem.operator().is_coupled() {
+                let reversed = load(Creepage { along: -along, across: -across, spin: -spin });
+                let off = [own.f_x + reversed.f_x, own.f_y + reversed.f_y, own.m_z + reversed.m_z];
+                assert!(off.iter().all(|off| off.abs() < 1e-8 * limit), "{creepage:?}: {off:?}");
+                // Friction takes, never gives.
+                let power = own.f_x * along + own.f_y * across + own.m_z * spin;
+                assert!(power >= -1e-12 * limit, "{creepage:?}: {power}");
+            }
+        }
+    }
+}
+
+#[test]
+fn random_rolling_on_tends_to_steady_rolling() {
+    let problem = sphere(10, [0.3, 0.3]);
+    let distance = problem.grid().dx();
+    for creepage in creepages(3, 12) {
+        // Larger ones slide at once.
+        let creepage = Creepage {
+            along: creepage.along.clamp(-0.5, 0.5),
+            across: creepage.across.clamp(-0.5, 0.5),
+            spin: creepage.spin.clamp(-2.0, 2.0),
+        };
+        let steady = roll_steadily(&problem, Driven::Shift(1.0), distance, creepage).unwrap();
+        let (a, b) = (roll_on(&problem, distance, creepage, 140).load(), steady.state.load());
+        let off = (a.f_x - b.f_x).hypot(a.f_y - b.f_y) / (FRICTION * b.f_z);
+        assert!(off < 1e-8, "{creepage:?}: {off:.1e}");
+    }
+}

@@ -1,0 +1,167 @@
+//! The same history on three grids.
+
+use carom_halfspace::Grid;
+use carom_special::RangeError;
+
+use super::estimate::Estimates;
+use crate::convergence::{Convergence, Observer};
+use crate::drive::Drive;
+use crate::method::Method;
+use crate::problem::{ContactProblem, ProblemError};
+use crate::state::ContactState;
+
+/// A history on a grid and on two coarser ones, for a third more than on the one.
+///
+/// ```
+/// use carom_halfspace::{Grid, Material, MaterialPair};
+/// use carom_laws::{friction::Friction, law::Shift};
+/// use carom_solver::{ContactProblem, Drive, Frictional, Gap, NestedHistory};
+/// let body = Material::from_shear(2.0, 0.3)?;
+/// let pair = MaterialPair::new(body, body)?;
+/// let make = |grid: Grid| {
+///     let gap = Gap::sphere(grid, 100.0).map_err(carom_halfspace::operator::OperatorError::from)?;
+///     ContactProblem::of_half_spaces(gap, pair, Friction::NONE)
+/// };
+/// let grid = Grid::new(64, 64, 0.04, 0.04)?;
+/// let mut history = NestedHistory::new(Frictional::default(), grid, make)?;
+/// history.step(&Drive::by_shift(Shift { zeta: 0.01, ..Shift::default() }), &mut ())?;
+/// let force = history.estimates().map(|all| all.f_z).unwrap_or_default();
+/// let exact = 4.0 / 3.0 * (2.0 / 0.7) * 0.01;
+/// assert!((force.value - exact).abs() < 4.0 * force.error && force.error < 1e-3 * exact);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+pub struct NestedHistory<M: Method> {
+    method: M,
+    finest: Level<M>,
+    /// Cells twice and four times as wide; none from the step on that could not be solved on them.
+    coarse: [Option<Level<M>>; 2],
+}
+
+struct Level<M: Method> {
+    problem: ContactProblem,
+    state: ContactState,
+    scratch: M::Scratch,
+}
+
+/// Why a history on three grids cannot begin.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum NestedError<E> {
+    /// A problem cannot be built.
+    #[error(transparent)]
+    Problem(#[from] ProblemError),
+    /// The method does not take the problem.
+    #[error(transparent)]
+    Method(E),
+}
+
+impl<M: Method> Level<M> {
+    fn new(method: &M, problem: ContactProblem) -> Result<Self, NestedError<M::Error>> {
+        let scratch = method.scratch(&problem).map_err(NestedError::Method)?;
+        Ok(Self { state: ContactState::apart(problem.grid()), problem, scratch })
+    }
+
+    fn stepped(
+        &mut self,
+        method: &M,
+        drive: &Drive,
+        observer: &mut dyn Observer,
+    ) -> Result<(ContactState, Convergence), M::Error> {
+        let (problem, from) = (&self.problem, &self.state);
+        let mut to = from.clone();
+        let went = method.step(problem, from, drive, &mut to, &mut self.scratch, observer)?;
+        Ok((to, went))
+    }
+}
+
+impl<M: Method> NestedHistory<M> {
+    /// Bodies apart, on `grid` and on two coarser ones, for each of which `make` makes the problem;
+    /// where it cannot on a coarser one, there are no estimates.
+    ///
+    /// # Errors
+    /// [`NestedError`] of problem and method on `grid`.
+    pub fn new(
+        method: M,
+        grid: Grid,
+        make: impl Fn(Grid) -> Result<ContactProblem, ProblemError>,
+    ) -> Result<Self, NestedError<M::Error>> {
+        let finest = Level::new(&method, make(grid)?)?;
+        let below = |grid: Option<Grid>| grid.and_then(|grid| grid.coarser().ok());
+        let grids = [below(Some(grid)), below(below(Some(grid)))];
+        let coarse = grids.map(|grid| Level::new(&method, make(grid?).ok()?).ok());
+        Ok(Self { method, finest, coarse })
+    }
+
+    /// Goes on to the end of a step on all grids. A step that cannot be solved on a coarser grid ends
+    /// the estimates.
+    ///
+    /// # Errors
+    /// The method's on the finest grid; all states are then as they were.
+    pub fn step(
+        &mut self,
+        drive: &Drive,
+        observer: &mut dyn Observer,
+    ) -> Result<Convergence, M::Error> {
+        let (state, went) = self.finest.stepped(&self.method, drive, observer)?;
+        self.finest.state = state;
+        for place in &mut self.coarse {
+            let next = place.as_mut().map(|level| level.stepped(&self.method, drive, &mut ()));
+            match (place.as_mut(), next) {
+                (Some(level), Some(Ok((state, _)))) => level.state = state,
+                _ => *place = None,
+            }
+        }
+        Ok(went)
+    }
+
+    /// The problem on the finest grid.
+    #[must_use]
+    pub const fn problem(&self) -> &ContactProblem {
+        &self.finest.problem
+    }
+
+    /// The state on the finest grid.
+    #[must_use]
+    pub const fn state(&self) -> &ContactState {
+        &self.finest.state
+    }
+
+    /// The states on the coarser grids, where the history could be solved there.
+    #[must_use]
+    pub fn coarse_states(&self) -> [Option<&ContactState>; 2] {
+        self.coarse.each_ref().map(|level| level.as_ref().map(|level| &level.state))
+    }
+
+    /// Goes on from saved states: the same bits as without the interruption. A coarse state that is
+    /// not there ends the estimates.
+    ///
+    /// # Errors
+    /// [`RangeError`] where a state is one of another grid; nothing is changed then.
+    pub fn restore(
+        &mut self,
+        state: ContactState,
+        coarse: [Option<ContactState>; 2],
+    ) -> Result<(), RangeError> {
+        state.check_grid(self.finest.problem.grid())?;
+        for (level, state) in self.coarse.iter().zip(&coarse) {
+            if let (Some(level), Some(state)) = (level, state) {
+                state.check_grid(level.problem.grid())?;
+            }
+        }
+        self.finest.state = state;
+        for (place, state) in self.coarse.iter_mut().zip(coarse) {
+            match (place.as_mut(), state) {
+                (Some(level), Some(state)) => level.state = state,
+                _ => *place = None,
+            }
+        }
+        Ok(())
+    }
+
+    /// Values on the finest grid with their errors by the mesh; none where a step could not be
+    /// solved on a coarser one.
+    #[must_use]
+    pub fn estimates(&self) -> Option<Estimates> {
+        let [coarse, coarsest] = self.coarse_states();
+        Some(Estimates::of([self.state(), coarse?, coarsest?]))
+    }
+}
