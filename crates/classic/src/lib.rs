@@ -1,7 +1,7 @@
-//! The contact programs of 1992: the algorithms of Kalker (chapter 11) and Jaeger (chapter 12) as the thesis
-//! states them, for comparison with the solver of `carom-solver`.
+//! The algorithms of 1992 as the thesis states them, for comparison with the laws and the solver of today:
+//! the contact programs of Kalker (chapter 11) and Jaeger (chapter 12), and formulas of chapters 6, 7 and 14.
 //!
-//! They solve a step of the same [`carom_solver::ContactProblem`] through the same
+//! The programs solve a step of the same [`carom_solver::ContactProblem`] through the same
 //! [`carom_solver::Method`], by dense influence coefficients instead of Fourier transforms.
 //!
 //! | item | what |
@@ -9,13 +9,17 @@
 //! | [`kalker`] | NORM, TANG, and the processes of Johnson and Panagiotopoulos built of them (chapter 11) |
 //! | [`jaeger`] | Gauss-Seidel sweeps over the elements (chapter 12) |
 //! | [`Block`] | a structured program, which runs and can be drawn |
+//! | [`history`] | the formulas of chapters 6 and 7 for the force after any history of shifts |
+//! | [`rigid_slip`] | force and torque of a contact that slides and turns as a whole (14.3) |
 //! | [`theory`] | bounds of the convergence of these iterations |
 #![forbid(unsafe_code)]
 
 mod chart;
 mod direct;
+pub mod history;
 pub mod jaeger;
 pub mod kalker;
+pub mod rigid_slip;
 pub mod theory;
 
 pub use chart::{Block, Entry, Step, Trace};

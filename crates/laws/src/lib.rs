@@ -5,9 +5,9 @@
 //!
 //! - Statics: [`curvature`], [`ellipse`], [`stiffness`], [`hertz`], [`shift`], [`field`].
 //! - Memory: [`memory`] is the law of load histories, exact in one direction, growing or of fixed
-//!   capacity; [`coulomb`] is the law where the direction turns. Beside them stand [`history`], the
-//!   thesis's own formulas, [`sliders`], springs that slip, and [`profile`], other indenters.
-//! - Twist: [`torsion`] and, for sliding as a whole, [`rigid_slip`].
+//!   capacity; [`coulomb`] is the law where the direction turns. Beside them stand [`sliders`], springs
+//!   that slip, and [`profile`], other indenters.
+//! - Twist: [`torsion`].
 //! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
 //!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`]. [`accounted`] adds up the heat,
 //!   [`grains`] carries contacts along with spheres and walls.
@@ -40,11 +40,9 @@ pub mod friction;
 mod goodman;
 pub mod grains;
 pub mod hertz;
-pub mod history;
 pub mod law;
 pub mod memory;
 pub mod profile;
-pub mod rigid_slip;
 pub mod shift;
 pub mod shift_law;
 pub mod sliders;

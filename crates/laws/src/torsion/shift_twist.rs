@@ -11,8 +11,8 @@ use crate::shift_law::ShiftLaw;
 /// Shift and twist together, each by its own law as if the other were absent.
 ///
 /// An approximation: both draw on the same friction. It is right as long as at least one of them is
-/// small; where both approach their limits the true load is smaller, up to the limit surface of
-/// [`crate::rigid_slip`].
+/// small; where both approach their limits the true load is smaller, up to the limit surface of a
+/// contact that slides as a rigid body (14.3).
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShiftTwistLaw {
     tangential: ShiftLaw<[f64; 2]>,

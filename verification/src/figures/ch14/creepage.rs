@@ -1,8 +1,8 @@
 //! Fig. 14.30: force and moment of a contact that slides and spins as a whole.
 
 use crate::{Absolute, Figure, FigureResult, Panel, Series, linspace};
+use carom_classic::rigid_slip::{RigidSlip, pole_of, spin_about};
 use carom_laws::ellipse::ContactEllipse;
-use carom_laws::rigid_slip::{RigidSlip, pole_of, spin_about};
 use std::f64::consts::PI;
 
 /// Pole distance, angle in degrees, force over f F_z and moment for a/b = 1/10.

@@ -2,8 +2,8 @@
 
 use super::super::mesh::{APPROACH, Mesh, Step, Touching, steps};
 use crate::{Absolute, Failure, Figure, FigureResult, Marker, Panel, Series};
+use carom_classic::rigid_slip::spin_about;
 use carom_laws::law::Shift;
-use carom_laws::rigid_slip::spin_about;
 
 const INDEPENDENT: &str = "an independent half-space program";
 const AXES: [f64; 2] = [10.0, 1.0];

@@ -1,14 +1,14 @@
 //! Corrections of chapters 5 to 7 and 14.
 
 use crate::Failure;
+use carom_classic::history::ellipse::EllipseHistory;
+use carom_classic::rigid_slip::spin_about;
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::{PrincipalRadii, RelativeCurvature};
 use carom_laws::ellipse::ContactEllipse;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
-use carom_laws::history::ellipse::EllipseHistory;
 use carom_laws::law::{ContactLaw, Shift};
-use carom_laws::rigid_slip::spin_about;
 use carom_laws::shift_law::ShiftLaw;
 use carom_laws::stiffness::ContactStiffness;
 use carom_laws::torsion::adhesion::AdhesiveTorsion;

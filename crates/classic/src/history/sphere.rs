@@ -15,10 +15,10 @@ struct Level {
 /// The load history of two spheres by points of instantaneous adhesion.
 ///
 /// Covers partial slip only: steps into complete adhesion or gross sliding return None and leave
-/// the state as it was. Normalised as [`crate::memory::Memory`].
+/// the state as it was. Normalised as [`carom_laws::memory::Memory`].
 ///
 /// ```
-/// use carom_laws::history::sphere::SphereHistory;
+/// use carom_classic::history::sphere::SphereHistory;
 /// use carom_laws::memory::ScalarMemory;
 /// let mut literal = SphereHistory::new(1.0);
 /// let mut memory = ScalarMemory::new();

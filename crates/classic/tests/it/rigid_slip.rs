@@ -1,9 +1,9 @@
 //! Rigid slip against reference values of chapter 14.
 
+use carom_classic::rigid_slip::{pole_of, spin_about};
 use carom_laws::ellipse::ContactEllipse;
-use carom_laws::rigid_slip::{pole_of, spin_about};
 
-use crate::common::{num, tables};
+use crate::reference::{num, tables};
 
 #[test]
 fn any_pole() {

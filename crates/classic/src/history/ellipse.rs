@@ -1,6 +1,6 @@
 //! The N-th decrease of chapter 7 in two directions, literally (7.55)-(7.64), corrected.
 
-use crate::memory::Lateral;
+use carom_laws::memory::Lateral;
 
 /// A slip ring: the traction added from `star` to the edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -17,10 +17,10 @@ struct Level {
 /// The load history of an elliptical contact by points of instantaneous adhesion.
 ///
 /// Covers partial slip only: steps into complete adhesion or gross sliding return None and leave
-/// the state as it was. Normalised as [`crate::memory::Memory`].
+/// the state as it was. Normalised as [`carom_laws::memory::Memory`].
 ///
 /// ```
-/// use carom_laws::history::ellipse::EllipseHistory;
+/// use carom_classic::history::ellipse::EllipseHistory;
 /// use carom_laws::memory::VectorMemory;
 /// let mut literal = EllipseHistory::new(1.0);
 /// let mut memory = VectorMemory::new();

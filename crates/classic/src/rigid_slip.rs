@@ -6,7 +6,7 @@ use std::sync::LazyLock;
 use carom_special::RangeError;
 use carom_special::quadrature::GaussLegendre;
 
-use crate::ellipse::ContactEllipse;
+use carom_laws::ellipse::ContactEllipse;
 
 /// Points of the periodic rule for a pole inside, and twice the nodes of Gauss for one outside, on
 /// a circle; slender ellipses take more.
@@ -39,7 +39,7 @@ pub struct RigidSlip {
 ///
 /// ```
 /// use carom_laws::ellipse::ContactEllipse;
-/// use carom_laws::rigid_slip::rigid_slip;
+/// use carom_classic::rigid_slip::rigid_slip;
 /// let circle = ContactEllipse::circle(1.0)?;
 /// let slide = rigid_slip(&circle, [3.0, 0.0], 0.0)?;
 /// assert_eq!((slide.force_x, slide.torque), (1.0, 0.0));

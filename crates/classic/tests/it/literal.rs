@@ -1,10 +1,10 @@
 //! The thesis's formulas against the memory polyline on random histories of partial slip.
 
-use carom_laws::history::ellipse::EllipseHistory;
-use carom_laws::history::sphere::SphereHistory;
+use carom_classic::history::ellipse::EllipseHistory;
+use carom_classic::history::sphere::SphereHistory;
 use carom_laws::memory::{ScalarMemory, VectorMemory};
 
-use crate::common::Random;
+use crate::random::Random;
 
 #[test]
 fn chapter_6_is_the_polyline() {
