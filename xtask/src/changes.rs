@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
-/// Names the commit that changes are counted from, in place of the one that `origin/main` is at.
+/// Names the commit that changes are counted from, in place of the default.
 const BASE: &str = "CAROM_BASE";
 
 /// The package of a crate's name or folder: `laws` is `carom-laws`.
@@ -27,25 +27,29 @@ pub(crate) fn package(name: &str) -> anyhow::Result<String> {
 /// The packages that changed and those that depend on them, sorted; all if a file of the workspace changed
 /// that belongs to no crate and decides on their build.
 pub(crate) fn packages() -> anyhow::Result<Vec<String>> {
-    let all = Package::all()?;
-    let since = base().unwrap_or_else(|| "HEAD".to_owned());
-    Ok(affected(&all, &paths_since(&since)?))
+    Ok(affected(&Package::all()?, &paths()?))
 }
 
-/// The paths that changed since the base, from the root of the workspace; none known without a base.
-pub(crate) fn paths() -> anyhow::Result<Option<Vec<String>>> {
-    base().map(|base| paths_since(&base)).transpose()
+/// The paths that changed since the base, from the root of the workspace.
+pub(crate) fn paths() -> anyhow::Result<Vec<String>> {
+    let base = base()?;
+    println!("== changes are counted from {base}");
+    paths_since(&base)
 }
 
-/// The commit that changes are counted from: that of the environment, or where this branch left
-/// `origin/main`, if it has commits beyond.
-fn base() -> Option<String> {
+/// The commit that changes are counted from: that of the environment; where this branch left `origin/main`, if
+/// it has commits beyond; else the one before the last.
+fn base() -> anyhow::Result<String> {
     if let Ok(base) = std::env::var(BASE) {
-        return Some(base);
+        return Ok(base);
     }
-    let merged = git(&["merge-base", "HEAD", "origin/main"]).ok()?;
-    let head = git(&["rev-parse", "HEAD"]).ok()?;
-    (merged != head).then(|| merged.trim().to_owned())
+    let head = git(&["rev-parse", "HEAD"])?;
+    let merged = git(&["merge-base", "HEAD", "origin/main"]).ok();
+    let base = match merged.filter(|merged| *merged != head) {
+        Some(merged) => merged,
+        None => git(&["rev-parse", "HEAD^"]).unwrap_or(head),
+    };
+    Ok(base.trim().to_owned())
 }
 
 fn paths_since(base: &str) -> anyhow::Result<Vec<String>> {

@@ -17,21 +17,22 @@ const ADVERSARY: &str = "60";
 const STEPS: &[(&str, Step)] = &[
     ("form", form),
     ("index of equations, places of mutants, descriptions of packages", || passed(tidy::run())),
-    ("licences, sources and advisories of the dependencies", deny::run),
     ("lints", lints),
     ("tests, with the examples of README and documentation", || passed(test::run())),
     ("documentation", documentation),
     ("quick figures", quick_figures),
     ("the report in a browser", browse::run),
     ("the Python module, in an environment of its own", python::run),
-    ("the book", book::run),
 ];
 
-/// What runs where a path that decides on it changed, and where the changes are not known.
+/// Paths that say what the packages are made of.
+const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/Cargo.toml"];
+
+/// What runs where one of the paths changed that decide on it, and in every long run.
 const WHERE_CHANGED: &[(&[&str], &str, Step)] = &[
-    (&["Cargo.toml", "Cargo.lock", "crates/*/Cargo.toml"], "packages", || {
-        passed(release::pack_quickly())
-    }),
+    (MANIFESTS, "licences, sources and advisories of the dependencies", deny::run),
+    (MANIFESTS, "packages", || passed(release::pack_quickly())),
+    (&["docs"], "the book", book::run),
     (
         &[
             "plugins",
@@ -56,7 +57,9 @@ const WHERE_CHANGED: &[(&[&str], &str, Step)] = &[
 const LONG: &[(&str, Step)] = &[
     ("tests with overflow checks and debug assertions", || passed(test::checked())),
     ("the tests that are ignored otherwise", || passed(test::ignored())),
+    ("licences, sources and advisories of the dependencies", deny::run),
     ("packages", || passed(release::pack_quickly())),
+    ("the book", book::run),
     ("the LAMMPS plugin, in the pinned release, all tests", || lammps::run(false)),
     ("the C border under sanitizers", sanitize::run),
     ("a search for a bad path of Coulomb's law", adversary),
@@ -72,7 +75,7 @@ fn steps(is_long: bool) -> anyhow::Result<Vec<(&'static str, Step)>> {
     }
     let paths = changes::paths()?;
     for &(decisive, name, step) in WHERE_CHANGED {
-        if paths.as_ref().is_none_or(|paths| paths.iter().any(|path| is_among(path, decisive))) {
+        if paths.iter().any(|path| is_among(path, decisive)) {
             steps.push((name, step));
         } else {
             println!("== left out, nothing that decides on it has changed: {name}");

@@ -2,16 +2,14 @@
 
 use crate::cargo;
 use crate::outcome::{Outcome, Part};
+use crate::tools::CARGO_DENY;
 use std::path::PathBuf;
 use std::process::Stdio;
 
 /// Checks licences, bans and sources, and the advisories where their database can be fetched.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
-    if !cargo::has("deny") {
-        return Ok(Outcome::skipped(
-            Part::Dependencies,
-            "cargo-deny is not installed; `cargo install cargo-deny --locked` installs it",
-        ));
+    if !CARGO_DENY.is_there()? {
+        return Ok(Outcome::skipped(Part::Dependencies, CARGO_DENY.advice()));
     }
     let quiet = ["deny", "--locked", "check", "--hide-inclusion-graph", "-D", "warnings"];
     cargo::run(&[&quiet[..], &["licenses", "bans", "sources"]].concat())?;

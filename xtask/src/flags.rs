@@ -100,13 +100,15 @@ xflags::xflags! {
         /// Holds the dependencies against deny.toml by cargo-deny: licences, bans, sources, and advisories where
         /// their database can be fetched.
         cmd deny {}
-        /// What continuous integration checks: form, the index of equations, the dependencies, lints,
-        /// documentation, tests, tests with overflow checks, the quick figures, the report in a browser, the
-        /// Python module, the book, the packages, the LAMMPS plugin, and the mutants. Where CI is set, a part
-        /// that is skipped is a failure, but for those listed in xtask/src/outcome.rs.
+        /// What continuous integration checks for every change: form, the index of equations, lints, tests,
+        /// documentation, the quick figures, the report in a browser, the Python module; and, where paths that
+        /// decide on them changed, the dependencies, the packages, the book, the LAMMPS plugin and the mutants.
+        /// Changes are counted from the commit CAROM_BASE, else from origin/main, else from the commit before.
+        /// Where CI is set, a part that is skipped is a failure, but for those in xtask/src/outcome.rs.
         cmd ci {
-            /// Also what takes long: the ignored tests, all tests of the LAMMPS plugin, the C border under
-            /// sanitizers, a search for a bad path of Coulomb's law, every mutant against all tests.
+            /// All of this whatever changed, and what takes long: tests with overflow checks, the ignored
+            /// tests, all tests of the LAMMPS plugin, the C border under sanitizers, a search for a bad path of
+            /// Coulomb's law, every mutant against all tests.
             optional --long
         }
         /// Runs the benchmarks.

@@ -20,6 +20,7 @@ mod release;
 mod sanitize;
 mod test;
 mod tidy;
+mod tools;
 
 use std::process::ExitCode;
 

@@ -229,6 +229,7 @@ impl CliError {
             Self::Fit { source, .. } => match **source {
                 FitError::Range(_)
                 | FitError::Problem(_)
+                | FitError::NoWindow { .. }
                 | FitError::Endless { .. }
                 | FitError::Method(
                     FrictionalError::Range(_)

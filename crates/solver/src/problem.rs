@@ -104,6 +104,15 @@ impl ContactProblem {
         Ok(Self { gap, operator, friction })
     }
 
+    /// A problem of parts that are known to have one grid.
+    pub(crate) const fn of_parts(
+        gap: Gap,
+        operator: Arc<dyn SurfaceOperator>,
+        friction: SurfaceFriction,
+    ) -> Self {
+        Self { gap, operator, friction }
+    }
+
     /// A problem of two elastic half-spaces.
     ///
     /// # Errors

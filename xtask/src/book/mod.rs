@@ -4,20 +4,19 @@ mod links;
 
 use crate::cargo;
 use crate::outcome::{Outcome, Part};
+use crate::tools::MDBOOK;
 use anyhow::{Context as _, ensure};
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::process::{Command, Stdio};
+use std::process::Command;
 
 const SOURCES: &str = "docs/book/src";
 
 /// Checks the book and, where there is an mdBook, makes its pages in target/book/.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
     check(&root())?;
-    let has_mdbook = Command::new("mdbook").arg("--version").stdout(Stdio::null()).status().is_ok();
-    if !has_mdbook {
-        let reason = "mdbook is not installed; `cargo install mdbook` installs it";
-        return Ok(Outcome::skipped(Part::BookPages, reason));
+    if !MDBOOK.is_there()? {
+        return Ok(Outcome::skipped(Part::BookPages, MDBOOK.advice()));
     }
     let status =
         Command::new("mdbook").arg("build").current_dir(root().join("docs/book")).status()?;

@@ -94,6 +94,12 @@ pub enum FitError<E> {
     /// A step cannot be solved, on any grid that was tried.
     #[error(transparent)]
     Method(E),
+    /// No window was found that holds the contact and is not much larger.
+    #[error("no window that fits the contact was found in {tried} trials")]
+    NoWindow {
+        /// The windows that were tried.
+        tried: usize,
+    },
     /// However large the window, the contact reaches its border.
     #[error("the contact reaches the {side:?} border of every window")]
     Endless {
@@ -278,7 +284,7 @@ fn scout<E>(
             return Ok(Some(found.kept(twists)));
         }
     }
-    Err(reached.map_or(FitError::Scouts(NormalError::Friction), |side| FitError::Endless { side }))
+    Err(reached.map_or(FitError::NoWindow { tried: TRIES }, |side| FitError::Endless { side }))
 }
 
 /// A side that the contact reaches.

@@ -1,13 +1,15 @@
-//! A step on a box about the contact: the same solution for the cost of the box.
+//! A step on a box of cells about the contact: the same solution for the cost of the box.
 //!
-//! What lies outside carries nothing, so that it need not take part; whether it may touch is seen once
-//! all displacements are known. Where the contact will be is found on coarse cells, from the problem
-//! and the drive alone: a step remembers nothing but the state before it.
+//! Cells outside the box carry no traction, so they are left out of the iterations. Once the step is solved,
+//! one product on all cells shows whether the bodies overlap outside the box; then the step is solved on all
+//! cells. A pilot solution on coarse cells chooses the box from the problem, the state before the step and
+//! the drive alone, so that a step depends on nothing else.
 
 use std::sync::Arc;
 
 use carom_halfspace::operator::{DisplacementField, SurfaceOperator, TractionField};
 use carom_halfspace::{Field, Grid};
+use carom_special::RangeError;
 
 use super::{Frictional, FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Observer, Products, Stop};
@@ -18,14 +20,25 @@ use crate::normal::Target;
 use crate::problem::ContactProblem;
 use crate::state::ContactState;
 
-/// Grids of fewer cells are solved as they are.
-const MANY: usize = 96 * 96;
-/// A box with more than this part of the cells does not pay.
-const PAYS: f64 = 0.7;
-/// Coarse cells left free on each side of the contact.
-const FREE: usize = 2;
-/// The least side of a box.
-const LEAST: usize = 32;
+/// A box is used on grids of at least so many cells.
+const CELLS_FOR_A_BOX: usize = 96 * 96;
+/// A box is used if it holds at most this fraction of the cells.
+const LARGEST_FRACTION: f64 = 0.7;
+/// Coarse cells between the contact and each side of the box.
+const MARGIN: usize = 2;
+/// The shortest side of a box, in cells.
+const SHORTEST_SIDE: usize = 32;
+
+/// How a step on a box ended.
+pub(super) enum InBox {
+    /// It is the solution on all cells.
+    Solved(Convergence),
+    /// No box was used: the grid is small, the box would be nearly as large, or the operator has no smaller
+    /// one.
+    NotWorthIt,
+    /// The contact does not fit into the box, or the iterations on the box did not converge.
+    Escaped,
+}
 
 /// Some columns and rows of a grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -56,7 +69,7 @@ impl Cut {
                 ((low + high) / 2).saturating_sub(sides[axis] / 2).min(room)
             }
         });
-        if (sides[0] * sides[1]) as f64 > PAYS * all.cells() as f64 {
+        if (sides[0] * sides[1]) as f64 > LARGEST_FRACTION * all.cells() as f64 {
             return None;
         }
         let own = Grid::new(sides[0], sides[1], all.dx(), all.dy()).ok()?;
@@ -69,10 +82,10 @@ impl Cut {
         (0..own.ny()).map(move |row| all.index(corner[0], corner[1] + row))
     }
 
-    fn take<T: Clone>(&self, field: &Field<T>) -> Option<Field<T>> {
+    fn take<T: Clone>(&self, field: &Field<T>) -> Result<Field<T>, RangeError> {
         let rows =
             self.rows().flat_map(|at| field.values()[at..at + self.own.nx()].iter().cloned());
-        Field::new(self.own, rows.collect()).ok()
+        Field::new(self.own, rows.collect())
     }
 
     fn give<T: Clone>(&self, own: &Field<T>, field: &mut Field<T>) {
@@ -81,8 +94,8 @@ impl Cut {
         }
     }
 
-    fn state(&self, all: &ContactState) -> Option<ContactState> {
-        Some(ContactState {
+    fn state(&self, all: &ContactState) -> Result<ContactState, RangeError> {
+        Ok(ContactState {
             shift: all.shift,
             pressure: self.take(&all.pressure)?,
             traction_x: self.take(&all.traction_x)?,
@@ -102,7 +115,7 @@ impl Cut {
 
 /// The next of the lengths 4, 5, 6, 7 times a power of two.
 fn ladder(least: usize) -> usize {
-    let least = least.max(LEAST);
+    let least = least.max(SHORTEST_SIDE);
     let step = (least.next_power_of_two() / 8).max(1);
     least.next_multiple_of(step)
 }
@@ -118,7 +131,8 @@ pub(super) struct Boxed {
 }
 
 impl Boxed {
-    /// The last one, if it will do, or its operator; none where the operator knows no part of itself.
+    /// The problem on this box. It is the last one if that was on the same box, and shares the operator of one
+    /// on a box of the same size. None if the operator has no smaller one.
     fn new(
         method: &Frictional,
         problem: &ContactProblem,
@@ -139,22 +153,24 @@ impl Boxed {
             let coarser = crate::nested::coarser_operators(&*operator)?;
             (operator, coarser)
         };
-        let Some(heights) = cut.take(problem.gap().heights()) else { return Ok(None) };
+        // A box in which neither body is has no gap.
+        let Ok(gap) = Gap::new(cut.take(problem.gap().heights())?) else { return Ok(None) };
         let friction = match problem.friction() {
-            SurfaceFriction::ByCell(field) => cut.take(field).map(SurfaceFriction::from),
-            uniform @ SurfaceFriction::Uniform(_) => Some(uniform.clone()),
+            SurfaceFriction::ByCell(field) => cut.take(field)?.into(),
+            uniform @ SurfaceFriction::Uniform(_) => uniform.clone(),
         };
-        let (Ok(gap), Some(friction)) = (Gap::new(heights), friction) else { return Ok(None) };
-        let Ok(problem) = ContactProblem::new(gap, Arc::clone(&operator), friction) else {
-            return Ok(None);
-        };
+        let problem = ContactProblem::of_parts(gap, Arc::clone(&operator), friction);
         let scratch = method.scratch_with(&problem, &coarser)?;
         Ok(Some(Box::new(Self { cut, problem, operator, coarser, scratch })))
     }
 }
 
 impl Frictional {
-    /// A step on a box; none where there is none that pays, or that holds the contact.
+    /// Solves a step on a box about the contact, where that saves work. `to` is the state after the step only if
+    /// the step is solved.
+    ///
+    /// # Errors
+    /// Those of the step, unless all cells may lead to a solution where the box does not.
     pub(super) fn step_in_a_box(
         &self,
         problem: &ContactProblem,
@@ -163,17 +179,21 @@ impl Frictional {
         to: &mut ContactState,
         scratch: &mut FrictionalScratch,
         observer: &mut dyn Observer,
-    ) -> Result<Option<Convergence>, FrictionalError> {
-        let Some(cut) = self.cut(problem, from, drive, scratch)? else { return Ok(None) };
+    ) -> Result<InBox, FrictionalError> {
+        let Some(cut) = self.cut(problem, from, drive, scratch)? else {
+            return Ok(InBox::NotWorthIt);
+        };
         let last = scratch.boxed.take();
-        let Some(boxed) = Boxed::new(self, problem, cut, last)? else { return Ok(None) };
+        let Some(boxed) = Boxed::new(self, problem, cut, last)? else {
+            return Ok(InBox::NotWorthIt);
+        };
         let boxed = scratch.boxed.insert(boxed);
-        let Some(own_from) = cut.state(from) else { return Ok(None) };
+        let own_from = cut.state(from)?;
         if boxed.problem.apart(drive.normal).is_some() {
-            return Ok(None);
+            return Ok(InBox::Escaped);
         }
         let mut own = ContactState::apart(cut.own);
-        let went = self.step_on_all(
+        let solved = self.step_on_all(
             &boxed.problem,
             &own_from,
             drive,
@@ -181,15 +201,10 @@ impl Frictional {
             &mut boxed.scratch,
             observer,
         );
-        let went = match went {
-            Ok(went) => went,
-            Err(FrictionalError::NotConverged { what, tolerance, reached })
-                if reached.stop == Stop::Observer =>
-            {
-                return Err(FrictionalError::NotConverged { what, tolerance, reached });
-            }
-            // All cells may know better.
-            Err(_) => return Ok(None),
+        let solved = match solved {
+            Ok(solved) => solved,
+            Err(error) if may_depend_on_the_box(&error) => return Ok(InBox::Escaped),
+            Err(error) => return Err(error),
         };
         *to = ContactState::apart(cut.all);
         to.shift = own.shift;
@@ -198,14 +213,14 @@ impl Frictional {
         cut.give(&own.traction_y, &mut to.traction_y);
         cut.give(&own.cells, &mut to.cells);
         let part = cut.own.cells() as f64 / cut.all.cells() as f64;
-        let products = went.products.times(part).plus(self.displace(problem, to, scratch)?);
+        let products = solved.products.times(part).plus(self.displace(problem, to, scratch)?);
         if self.overlaps_outside(problem, cut, to, scratch) {
-            return Ok(None);
+            return Ok(InBox::Escaped);
         }
-        Ok(Some(Convergence { products, ..went }))
+        Ok(InBox::Solved(Convergence { products, ..solved }))
     }
 
-    /// Where the contact of a drive is, by coarse cells.
+    /// The box about the contact that the drive leads to, found on coarse cells; none if it is not worth using.
     fn cut(
         &self,
         problem: &ContactProblem,
@@ -214,7 +229,7 @@ impl Frictional {
         scratch: &mut FrictionalScratch,
     ) -> Result<Option<Cut>, FrictionalError> {
         let grid = problem.grid();
-        if grid.cells() < MANY || !problem.operator().displaces_on_average() {
+        if grid.cells() < CELLS_FOR_A_BOX || !problem.operator().displaces_on_average() {
             return Ok(None);
         }
         let target = Target { tolerance: self.tolerance, iterations: self.iterations };
@@ -226,8 +241,8 @@ impl Frictional {
         // Both grids have the same middle.
         let fine = |[low, high]: [usize; 2], coarse: usize, count: usize, times: f64| {
             let place = |edge: f64| times * (edge - 0.5 * coarse as f64) + 0.5 * count as f64;
-            let low = place(low as f64 - FREE as f64).floor().max(0.0) as usize;
-            let high = place((high + 1 + FREE) as f64).ceil().max(0.0) as usize;
+            let low = place(low as f64 - MARGIN as f64).floor().max(0.0) as usize;
+            let high = place((high + 1 + MARGIN) as f64).ceil().max(0.0) as usize;
             [low.min(count - 1), high.min(count)]
         };
         let times = [coarse.dx() / grid.dx(), coarse.dy() / grid.dy()];
@@ -274,6 +289,18 @@ impl Frictional {
         let least = -self.tolerance * scale;
         let gaps = scratch.sunk.iter().zip(heights).map(|(w, height)| w + height - zeta);
         gaps.enumerate().any(|(cell, gap)| gap < least && !cut.holds(cell))
+    }
+}
+
+/// Whether a step that fails on a box with this error may succeed on all cells: the pressures, and with them
+/// the friction limit, are others if the contact does not fit into the box.
+fn may_depend_on_the_box(error: &FrictionalError) -> bool {
+    match error {
+        FrictionalError::NotConverged { reached, .. } => reached.stop != Stop::Observer,
+        FrictionalError::Slides { .. } | FrictionalError::Turns { .. } => true,
+        FrictionalError::Range(_) | FrictionalError::Operator(_) | FrictionalError::Period(_) => {
+            false
+        }
     }
 }
 

@@ -32,7 +32,7 @@ impl Pass<'_> {
             let kept = self.keep(to, scratch);
             let inner = (1e-2 * change).clamp(1e-5, 1e-3).max(tolerance);
             let reached =
-                match self.until_the_pressures_stand(fresh && round == 0, inner, to, scratch) {
+                match self.alternate_to_convergence(fresh && round == 0, inner, to, scratch) {
                     Err(FrictionalError::NotConverged { .. }) if most > least => {
                         self.go_back(kept, to, scratch);
                         most *= 0.5;

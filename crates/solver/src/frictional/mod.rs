@@ -1,5 +1,6 @@
 //! Contact with Coulomb's friction: normal and tangential problem in turn.
 
+mod alternation;
 mod anderson;
 mod boxed;
 mod cone;
@@ -8,7 +9,6 @@ mod displacements;
 mod limits;
 mod pass;
 mod sliding;
-mod turns;
 
 use std::sync::Arc;
 
@@ -27,7 +27,7 @@ use crate::normal::NormalGrids;
 use crate::problem::{ContactProblem, PeriodError};
 use crate::state::ContactState;
 use crate::tangential::{LimitSurface, Rigid, TangentialScratch};
-use boxed::Boxed;
+use boxed::{Boxed, InBox};
 use pass::Pass;
 
 /// Contact with Coulomb's friction, one step at a time: pressures at the last tractions, tractions
@@ -159,10 +159,14 @@ impl Frictional {
         Ok(Self { tolerance, ..self })
     }
 
-    /// With at most as many iterations of each problem on each grid, and as many passes.
-    #[must_use]
-    pub const fn at_most(self, iterations: usize, passes: usize) -> Self {
-        Self { iterations, passes, ..self }
+    /// With at most so many iterations of each problem on each grid, and so many passes.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless there is at least one of each.
+    pub fn at_most(self, iterations: usize, passes: usize) -> Result<Self, RangeError> {
+        RangeError::check("iterations", iterations as f64, iterations > 0, "at least 1")?;
+        RangeError::check("passes", passes as f64, passes > 0, "at least 1")?;
+        Ok(Self { iterations, passes, ..self })
     }
 }
 
@@ -218,8 +222,12 @@ impl Method for Frictional {
             return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
         }
         problem.check_approach(drive.normal)?;
-        let boxed = self.step_in_a_box(problem, from, drive, to, scratch, observer)?;
-        boxed.map_or_else(|| self.step_on_all(problem, from, drive, to, scratch, observer), Ok)
+        match self.step_in_a_box(problem, from, drive, to, scratch, observer)? {
+            InBox::Solved(convergence) => Ok(convergence),
+            InBox::NotWorthIt | InBox::Escaped => {
+                self.step_on_all(problem, from, drive, to, scratch, observer)
+            }
+        }
     }
 }
 

@@ -107,12 +107,12 @@ impl Pass<'_> {
         self.together = false;
         let tolerance = self.method.tolerance;
         if !self.problem.operator().is_coupled() {
-            return self.until_the_pressures_stand(fresh, tolerance, to, scratch);
+            return self.alternate_to_convergence(fresh, tolerance, to, scratch);
         }
         let (greatest, strong) = (scratch.limits.greatest_friction(), STRONG / self.gamma());
         if greatest <= strong {
             let start = self.keep(to, scratch);
-            match self.until_the_pressures_stand(fresh, tolerance, to, scratch) {
+            match self.alternate_to_convergence(fresh, tolerance, to, scratch) {
                 Err(FrictionalError::NotConverged { .. }) => self.go_back(start, to, scratch),
                 done => return done,
             }

@@ -1,7 +1,6 @@
 //! Pressures at the last tractions, tractions at these pressures, in turn.
 
 use carom_halfspace::operator::{DisplacementField, TractionField};
-use carom_special::RangeError;
 
 use super::pass::Pass;
 use super::{FrictionalError, FrictionalScratch, converged};
@@ -17,12 +16,12 @@ const SMALL_STEP: f64 = 0.1;
 /// Passes that may go by before the least change is halved.
 const PATIENCE: usize = 40;
 /// Passes after which Newton's method is tried.
-const MANY: usize = 35;
+const PASSES_BEFORE_NEWTON: usize = 35;
 /// Passes that change the displacements by more than this part of the last change are mixed.
 const SLOW: f64 = 0.25;
 
 impl Pass<'_> {
-    pub(super) fn until_the_pressures_stand(
+    pub(super) fn alternate_to_convergence(
         &mut self,
         fresh: bool,
         tolerance: f64,
@@ -34,10 +33,12 @@ impl Pass<'_> {
         let (mut iterations, mut last_change, mut mixes) = (0, f64::INFINITY, false);
         let mut least = (0, f64::INFINITY);
         scratch.mixing.clear();
-        for pass in 1..=self.method.passes {
+        let mut pass = 0;
+        loop {
+            pass += 1;
             let first = fresh && pass == 1;
-            let normal_part = self.press(inner, first, to, scratch)?;
-            let tangential_part = self.rub(inner, first, to, scratch)?;
+            let normal_part = self.solve_normal(inner, first, to, scratch)?;
+            let tangential_part = self.solve_tangential(inner, first, to, scratch)?;
             iterations += normal_part.iterations + tangential_part.iterations;
             let change = if coupled { self.change(to, scratch)? } else { 0.0 };
             let residuals = Residuals {
@@ -55,14 +56,14 @@ impl Pass<'_> {
                 least = (pass, change);
             }
             let stalls = !change.is_finite() || pass > least.0 + PATIENCE;
-            if stalls || pass == self.method.passes {
+            if stalls || pass >= self.method.passes {
                 let stop = if stalls { Stop::Stalled } else { Stop::Exhausted };
                 let products = self.spent;
                 let reached = Convergence { iterations, products, residuals, stop };
                 let what = "pressures and tractions together";
                 return Err(FrictionalError::NotConverged { what, tolerance, reached });
             }
-            if pass == MANY
+            if pass == PASSES_BEFORE_NEWTON
                 && self.slides.is_none()
                 && let Some(reached) = self.solve_together(to, scratch)?
             {
@@ -75,7 +76,6 @@ impl Pass<'_> {
             }
             inner = (0.1 * change).clamp(0.3 * tolerance, 1e-3_f64.max(0.3 * tolerance));
         }
-        Err(RangeError::new("passes", 0.0, "at least 1").into())
     }
 
     /// Whether the last pressures are a better start than coarse grids.
@@ -88,7 +88,7 @@ impl Pass<'_> {
             && self.from.pressure.values().iter().any(|pressure| *pressure > 0.0)
     }
 
-    fn press(
+    fn solve_normal(
         &mut self,
         tolerance: f64,
         first: bool,
@@ -116,7 +116,7 @@ impl Pass<'_> {
         converged("pressures", tolerance, reached)
     }
 
-    fn rub(
+    fn solve_tangential(
         &mut self,
         tolerance: f64,
         first: bool,

@@ -1,0 +1,59 @@
+//! Tools of cargo that some tasks call and a machine may lack.
+
+use crate::{cargo, release};
+use anyhow::Context as _;
+use std::process::{Command, Stdio};
+
+/// A tool that `cargo install` installs.
+pub(crate) struct Tool {
+    name: &'static str,
+    version: &'static str,
+    options: &'static [&'static str],
+}
+
+/// Makes the pages of the book.
+pub(crate) const MDBOOK: Tool =
+    Tool { name: "mdbook", version: "0.5.4", options: &["--no-default-features"] };
+
+/// Checks licences, sources and advisories of the dependencies.
+pub(crate) const CARGO_DENY: Tool = Tool { name: "cargo-deny", version: "0.20.2", options: &[] };
+
+impl Tool {
+    /// Whether the tool can be called. In continuous integration a missing one is installed into
+    /// `target/tools`, whose programs `.ci/run` puts on the path, and is kept there: mdbook takes two minutes
+    /// on two cores, cargo-deny 75 s.
+    ///
+    /// # Errors
+    /// If it cannot be installed.
+    pub(crate) fn is_there(&self) -> anyhow::Result<bool> {
+        if !self.answers() && std::env::var_os("CI").is_some() {
+            self.install()?;
+        }
+        Ok(self.answers())
+    }
+
+    /// How a user installs it.
+    pub(crate) fn advice(&self) -> String {
+        format!("{0} is not installed; `cargo install {0} --locked` installs it", self.name)
+    }
+
+    fn answers(&self) -> bool {
+        let mut command = Command::new(self.name);
+        command.arg("--version").stdout(Stdio::null()).stderr(Stdio::null());
+        command.status().is_ok_and(|status| status.success())
+    }
+
+    fn install(&self) -> anyhow::Result<()> {
+        println!("installing {} {}", self.name, self.version);
+        let tools = release::root().join("target/tools");
+        let mut command = cargo::command(&["install", self.name, "--version", self.version]);
+        command.args(["--locked", "--quiet"]).args(self.options);
+        command.arg("--root").arg(&tools).arg("--target-dir").arg(tools.join("build"));
+        for (name, value) in [("LTO", "off"), ("CODEGEN_UNITS", "16"), ("OPT_LEVEL", "1")] {
+            command.env(format!("CARGO_PROFILE_RELEASE_{name}"), value);
+        }
+        let status = command.status().context("cannot start cargo")?;
+        anyhow::ensure!(status.success(), "cannot install {}", self.name);
+        Ok(())
+    }
+}
