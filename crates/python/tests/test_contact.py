@@ -72,8 +72,8 @@ def test_results_go_to_pandas_and_xarray():
     rebound = carom.collide(ball, carom.plane(STEEL), F)
     frame = rebound.to_pandas()
     assert set(frame.attrs["units"]) == set(frame.columns)
-    assert frame.attrs["units"]["velocity_1_x"] == "m/s"
-    assert float(rebound.to_xarray()["velocity_1"].sel(axis="z")) == frame["velocity_1_z"][0]
+    assert frame.attrs["units"]["body_1_velocity_x"] == "m/s"
+    assert float(rebound.to_xarray()["body_1_velocity"].sel(axis="z")) == frame["body_1_velocity_z"][0]
 
 
 @pytest.mark.parametrize("law", ["coulomb", "chapter 7"])

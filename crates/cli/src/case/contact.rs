@@ -74,6 +74,16 @@ pub struct Contact {
 }
 
 impl Contact {
+    /// The word for the law.
+    #[must_use]
+    pub const fn law_name(&self) -> &'static str {
+        match (self.is_numerical, self.law) {
+            (true, _) => NUMERICAL,
+            (false, VectorLaw::Coulomb) => COULOMB,
+            (false, VectorLaw::FixedDirection) => FIXED_DIRECTION,
+        }
+    }
+
     /// Reads the fields.
     pub(super) fn read(contact: &Section<'_>) -> Result<Self, CaseError> {
         let friction = contact.number(&FRICTION)?;

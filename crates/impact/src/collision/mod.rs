@@ -3,7 +3,6 @@
 mod aftermath;
 mod columns;
 mod history;
-mod method;
 
 use carom_geometry::{ContactFrame, ContactPoint, SearchError};
 use carom_halfspace::MaterialPair;
@@ -20,7 +19,8 @@ use crate::normal_spin::NormalSpinError;
 use crate::oblique::ObliqueError;
 use crate::outcome::{Outcome, TorsionMode};
 
-pub(crate) use method::{Passed, log};
+/// Differences of D between tangents below this part of it are round-off.
+const EVEN: f64 = 1e-12;
 
 /// Why two bodies have no collision that can be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -346,6 +346,9 @@ impl Collision {
         }
         let stiffness = self.hertz.stiffness();
         let mut impact = CoupledImpact::new(self.mobility, stiffness, self.friction, velocity)?;
+        if self.is_symmetric() {
+            impact = impact.of_symmetric_bodies();
+        }
         if let Some(tolerance) = self.tolerance {
             impact = impact.within(tolerance)?;
         }
@@ -362,13 +365,17 @@ impl Collision {
     /// followed, [`CollisionError::Range`] if a derived quantity overflows,
     /// [`CollisionError::NormalSpin`] if torsion was asked for and cannot be given.
     pub fn solve(&self) -> Result<Outcome, CollisionError> {
-        match self.method()? {
-            None => Ok(self.missed()),
-            Some(method) => {
-                let passed = method.follow(self.law)?;
-                Ok(Outcome::Rebound(Box::new(self.rebound(passed)?)))
-            }
-        }
+        let Some(impact) = self.impact()? else { return Ok(self.missed()) };
+        let (outcome, log) = impact.solve_with_log(self.law)?;
+        Ok(Outcome::Rebound(Box::new(self.rebound(outcome, log)?)))
+    }
+
+    /// Whether spheres and planes turn as easily about all tangents: their tangential motion keeps its
+    /// direction and stays exactly apart from the normal one.
+    fn is_symmetric(&self) -> bool {
+        let d = self.mobility.matrix();
+        let skew = (d.m11 - d.m22).abs().max(2.0 * d.m12.abs());
+        self.bodies.iter().all(|body| body.height().is_some()) && skew <= EVEN * d.m11
     }
 
     // The bodies do not approach each other.

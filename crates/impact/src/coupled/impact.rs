@@ -6,6 +6,7 @@ use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
 use super::any_law::AnyLaw;
+use super::exact::{length_and_direction, log};
 use super::limits::Limits;
 use super::log::Log;
 use super::refine::{Failure, Level, Problem, Settled};
@@ -14,7 +15,7 @@ use super::{
     CoupledError, CoupledOutcome, ImpactLaw, ImpactMethod, Point, Sample, Staged, VectorLaw,
 };
 use crate::mobility::Mobility;
-use crate::normal::NormalImpact;
+use crate::normal::{self, NormalImpact};
 use crate::oblique::{Event, ObliqueImpact, Regime};
 use crate::outcome::LogEntry;
 
@@ -47,6 +48,7 @@ pub struct CoupledImpact {
     pub(super) friction: Friction,
     pub(super) velocity: Vector3<f64>,
     pub(super) normal: NormalImpact,
+    pub(super) is_symmetric: bool,
     tolerance: Option<f64>,
     unsettled: Unsettled,
 }
@@ -79,6 +81,7 @@ impl CoupledImpact {
             friction,
             velocity,
             normal,
+            is_symmetric: false,
             tolerance: None,
             unsettled: Unsettled::Refused,
         })
@@ -104,6 +107,12 @@ impl CoupledImpact {
         Self { unsettled: Unsettled::Accepted, ..self }
     }
 
+    /// The same impact of bodies whose shapes make D and the stiffness alike in all tangential directions and
+    /// keep normal and tangential motion apart: what is round-off of that is left out.
+    pub(crate) const fn of_symmetric_bodies(self) -> Self {
+        Self { is_symmetric: true, ..self }
+    }
+
     pub(super) fn tolerance(&self) -> f64 {
         let spatial = matches!(self.method(), ImpactMethod::Spatial { .. });
         self.tolerance.unwrap_or(if spatial { SPATIAL } else { PLANAR })
@@ -115,7 +124,11 @@ impl CoupledImpact {
         if self.friction.get() == 0.0 {
             return ImpactMethod::Frictionless;
         }
-        match ImpactMethod::of(self.mobility.matrix(), &self.stiffness, &self.velocity) {
+        let method = match self.is_symmetric {
+            true => ImpactMethod::Uncoupled { direction: length_and_direction(&self.velocity).1 },
+            false => ImpactMethod::of(self.mobility.matrix(), &self.stiffness, &self.velocity),
+        };
+        match method {
             // Beyond the range of the exact walk (chi) the memory is stepped.
             ImpactMethod::Uncoupled { direction } if self.groups(&direction).is_err() => {
                 ImpactMethod::Planar { direction }
@@ -214,7 +227,7 @@ impl CoupledImpact {
             }
             ImpactMethod::Uncoupled { direction } => {
                 let oblique = ObliqueImpact::new(self.groups(&direction)?)?;
-                let log = crate::collision::log(&self.normal, &oblique);
+                let log = log(&self.normal, &oblique);
                 Ok((self.uncoupled(&oblique, &direction), log))
             }
             _ => {
@@ -230,13 +243,17 @@ impl CoupledImpact {
     }
 
     /// Every instant of the finest run in order, touch and separation included. Between two of
-    /// them the law's path is straight. An uncoupled impact gives 201 instants of the exact walk.
+    /// them the law's path is straight. An exact impact gives 201 instants.
     ///
     /// # Errors
     /// As [`CoupledImpact::solve`].
     pub fn history(&self, law: VectorLaw) -> Result<Vec<Sample>, CoupledError> {
-        if let ImpactMethod::Uncoupled { direction } = self.method() {
-            return self.traced(&direction);
+        const COUNT: usize = 200;
+        if let Some(direction) = self.exact_direction() {
+            let step = normal::DURATION / COUNT as f64;
+            let times: Vec<f64> = (0..=COUNT).map(|i| step * i as f64).collect();
+            let traced = self.traced(&direction, &times)?;
+            return Ok(traced.into_iter().map(|instant| instant.sample).collect());
         }
         let settled = self.settled(law)?;
         self.samples(&settled, |level| self.law(law, level), self.view())

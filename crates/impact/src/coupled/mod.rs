@@ -32,6 +32,7 @@ mod trajectory;
 pub use any_law::VectorLaw;
 pub use carom_laws::law::ImpactLaw;
 pub use error::CoupledError;
+pub(crate) use exact::Traced;
 pub use impact::CoupledImpact;
 pub(crate) use impact::Unsettled;
 pub use method::ImpactMethod;

@@ -20,7 +20,7 @@ fn study(sampling: Sampling, input: Distribution, tangential: f64) -> Study {
 
 fn restitution(friction: f64, tangential: f64) -> f64 {
     let outcome = collision(friction, tangential, 0.01).unwrap().solve().unwrap();
-    outcome.rebound().unwrap().tangential_restitution.unwrap()
+    outcome.rebound().unwrap().r_x.unwrap()
 }
 
 #[test]

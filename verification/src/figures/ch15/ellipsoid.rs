@@ -195,7 +195,7 @@ fn restitution(figure: &mut Figure) -> Result<(), Failure> {
         let (chi, stiffness) = (body.chi()?, body.stiffness_ratio()?);
         let solved = |lambda: f64| -> Result<f64, Failure> {
             let outcome = body.encounter(lambda * FRICTION * APPROACH)?.solve()?;
-            Ok(outcome.rebound().and_then(|r| r.tangential_restitution).ok_or("the body falls")?)
+            Ok(outcome.rebound().and_then(|r| r.r_x).ok_or("the body falls")?)
         };
         for psi in [0.4, 1.5, 3.0] {
             stepped.push((solved(psi / stiffness)?, spring_impact::restitution(chi, psi)));
@@ -206,7 +206,7 @@ fn restitution(figure: &mut Figure) -> Result<(), Failure> {
     for lambda in [0.5, 2.0, 5.0] {
         let ball = Ellipsoid::of_revolution(1.0).encounter(lambda * FRICTION * APPROACH)?;
         let outcome = ball.solve()?;
-        let r = outcome.rebound().and_then(|r| r.tangential_restitution).ok_or("the ball falls")?;
+        let r = outcome.rebound().and_then(|r| r.r_x).ok_or("the ball falls")?;
         sphere.push((r, carom_impact::restitution::of_spheres(1.5, lambda)?));
     }
     energy_claim(figure)?;
