@@ -72,7 +72,7 @@
 
 // The law of chapter 7 of the thesis: one direction of traction in a slip ring. Exact on straight
 // paths; where the direction turns, off by 5 % of the friction limit in the mean. Faster.
-#define CAROM_LAW_CHAPTER_7 1
+#define CAROM_LAW_FIXED_DIRECTION 1
 
 // R_x from the table: within 1e-8 of the exact impact, in tens of nanoseconds.
 #define CAROM_BY_TABLE 0
@@ -177,7 +177,7 @@ typedef struct carom_pair {
   double torsion_stiffness;
   // The torque of sliding over friction times F_z, over zeta^0.5, m^0.5; 0 if it is not known.
   double torsion_arm;
-  // CAROM_LAW_COULOMB or CAROM_LAW_CHAPTER_7.
+  // CAROM_LAW_COULOMB or CAROM_LAW_FIXED_DIRECTION.
   uint32_t law;
   // CAROM_ABI_VERSION of the library that made it.
   uint32_t version;

@@ -5,7 +5,7 @@
 //!
 //! - Statics: [`curvature`], [`ellipse`], [`stiffness`], [`hertz`], [`shift`], [`field`].
 //! - Memory: [`memory`] is the law of load histories, exact in one direction, growing or of fixed
-//!   capacity; [`coulomb`] is the law where the direction turns. Beside them stand [`history`], the
+//!   capacity; [`coulomb`] is the law where the direction turns, [`turning_law`] the choice between them. Beside them stand [`history`], the
 //!   thesis's own formulas, [`sliders`], springs that slip, and [`profile`], other indenters.
 //! - Twist: [`torsion`] and, for sliding as a whole, [`rigid_slip`].
 //! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
@@ -50,5 +50,6 @@ pub mod shift_law;
 pub mod sliders;
 pub mod stiffness;
 pub mod torsion;
+pub mod turning_law;
 
 pub use carom_geometry::curvature;

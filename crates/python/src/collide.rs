@@ -1,14 +1,14 @@
 //! Collisions, one and many.
 
-use carom::impact::coupled::VectorLaw;
+use carom::impact::coupled::TurningLaw;
 use carom::impact::{Body as Colliding, Collision, HistoryPoint, NormalRestitution, Outcome};
 use carom::prelude::Friction;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::{Numbers, Rows, map_by, same_length};
 use crate::bodies::{Body, motion};
+use crate::contact::turning_law;
 use crate::error::Fault;
 use crate::records::{self, arrays};
 use crate::room;
@@ -21,7 +21,7 @@ const SHARE: usize = 8;
 struct Way {
     normal: Option<[f64; 3]>,
     torsion: bool,
-    law: VectorLaw,
+    law: TurningLaw,
     tolerance: Option<f64>,
     loss: NormalRestitution,
 }
@@ -33,14 +33,7 @@ impl Way {
         law: &str,
         tolerance: Option<f64>,
     ) -> PyResult<Self> {
-        let law = match law {
-            "coulomb" => VectorLaw::Coulomb,
-            "chapter 8" => VectorLaw::FixedDirection,
-            _ => {
-                let text = format!("law = '{law}': must be 'coulomb' or 'chapter 8'");
-                return Err(PyValueError::new_err(text));
-            }
-        };
+        let law = turning_law(law)?;
         Ok(Self { normal, torsion, law, tolerance, loss: NormalRestitution::ELASTIC })
     }
 

@@ -140,7 +140,7 @@ proptest! {
 /// Work done on a closed way is heat and what is stored.
 #[test]
 fn energies_balance() {
-    for law in [CAROM_LAW_COULOMB, CAROM_LAW_CHAPTER_7] {
+    for law in [CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION] {
         let pair = pair(0.3, law);
         let mut state = state();
         let (mut work, mut heat, mut last) = (0.0, 0.0, [0.0; 6]);

@@ -216,7 +216,7 @@ fn the_constants_of_a_pair_are_those_of_hertz_and_mindlin() {
     let mut pair: CaromPair = unsafe { zeroed() };
     // SAFETY: all pointers are references.
     let status = unsafe {
-        let law = CAROM_LAW_CHAPTER_7;
+        let law = CAROM_LAW_FIXED_DIRECTION;
         let (pair, error) = (&raw mut pair, null_mut());
         carom_pair_of_spheres(&GLASS, &GLASS, 0.01, 0.03, 0.35, law, 1e-3, pair, error)
     };
@@ -233,7 +233,7 @@ fn the_constants_of_a_pair_are_those_of_hertz_and_mindlin() {
     near(pair.torsion_stiffness, 16.0 / 3.0 * 0.5 * shear * radius.powf(1.5));
     // (3 pi/16) a f F_z is the torque of complete sliding.
     near(pair.torsion_arm, 3.0 * std::f64::consts::PI / 16.0 * radius.sqrt());
-    assert_eq!((pair.friction, pair.law, pair.tolerance), (0.35, CAROM_LAW_CHAPTER_7, 1e-3));
+    assert_eq!((pair.friction, pair.law, pair.tolerance), (0.35, CAROM_LAW_FIXED_DIRECTION, 1e-3));
 }
 
 #[test]

@@ -12,7 +12,7 @@ use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::body::Body;
-use crate::coupled::{CoupledError, CoupledImpact, Unsettled, VectorLaw};
+use crate::coupled::{CoupledError, CoupledImpact, TurningLaw, Unsettled};
 use crate::mobility::{Lever, Mobility};
 use crate::normal_restitution::NormalRestitution;
 use crate::normal_spin::NormalSpinError;
@@ -97,7 +97,7 @@ impl From<CoupledError> for CollisionError {
 pub struct Collision {
     bodies: [Body; 2],
     friction: Friction,
-    law: VectorLaw,
+    law: TurningLaw,
     torsion: TorsionMode,
     normal_restitution: NormalRestitution,
     tolerance: Option<f64>,
@@ -213,7 +213,7 @@ impl Collision {
         Ok(Self {
             bodies,
             friction,
-            law: VectorLaw::default(),
+            law: TurningLaw::default(),
             torsion: TorsionMode::default(),
             normal_restitution: NormalRestitution::ELASTIC,
             tolerance: None,
@@ -228,7 +228,7 @@ impl Collision {
 
     /// The same collision with another law for turning directions.
     #[must_use]
-    pub fn with_law(self, law: VectorLaw) -> Self {
+    pub fn with_law(self, law: TurningLaw) -> Self {
         Self { law, ..self }
     }
 

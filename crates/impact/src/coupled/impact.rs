@@ -12,7 +12,7 @@ use super::log::Log;
 use super::refine::{Failure, Level, Problem, Settled};
 use super::scaled::{Units, View};
 use super::{
-    CoupledError, CoupledOutcome, ImpactLaw, ImpactMethod, Point, Sample, Staged, VectorLaw,
+    CoupledError, CoupledOutcome, ImpactLaw, ImpactMethod, Point, Sample, Staged, TurningLaw,
 };
 use crate::mobility::Mobility;
 use crate::normal::{self, NormalImpact};
@@ -28,7 +28,7 @@ const SPATIAL: f64 = 5e-6;
 ///
 /// ```
 /// use carom_impact::Mobility;
-/// use carom_impact::coupled::{CoupledImpact, VectorLaw};
+/// use carom_impact::coupled::{CoupledImpact, TurningLaw};
 /// use carom_laws::friction::Friction;
 /// use carom_laws::stiffness::ContactStiffness;
 /// use nalgebra::{Matrix3, Vector3};
@@ -36,7 +36,7 @@ const SPATIAL: f64 = 5e-6;
 /// let stiffness = ContactStiffness::new(0.9, 0.8, 1.1)?;
 /// let velocity = Vector3::new(0.3, 0.5, 1.0);
 /// let impact = CoupledImpact::new(d, stiffness, Friction::new(0.2)?, velocity)?;
-/// let outcome = impact.solve(VectorLaw::Coulomb)?;
+/// let outcome = impact.solve(TurningLaw::Coulomb)?;
 /// assert!(outcome.velocity.z < 0.0);
 /// assert!(d.energy(&outcome.velocity) < d.energy(&velocity));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -150,7 +150,7 @@ impl CoupledImpact {
     ///
     /// # Errors
     /// [`CoupledError`] if the walk fails or does not settle to the tolerance.
-    pub fn solve(&self, law: VectorLaw) -> Result<CoupledOutcome, CoupledError> {
+    pub fn solve(&self, law: TurningLaw) -> Result<CoupledOutcome, CoupledError> {
         match self.method() {
             ImpactMethod::Frictionless => Ok(self.frictionless()),
             ImpactMethod::Uncoupled { direction } => {
@@ -217,7 +217,7 @@ impl CoupledImpact {
     /// As [`CoupledImpact::solve`].
     pub fn solve_with_log(
         &self,
-        law: VectorLaw,
+        law: TurningLaw,
     ) -> Result<(CoupledOutcome, Vec<LogEntry>), CoupledError> {
         match self.method() {
             ImpactMethod::Frictionless => {
@@ -247,7 +247,7 @@ impl CoupledImpact {
     ///
     /// # Errors
     /// As [`CoupledImpact::solve`].
-    pub fn history(&self, law: VectorLaw) -> Result<Vec<Sample>, CoupledError> {
+    pub fn history(&self, law: TurningLaw) -> Result<Vec<Sample>, CoupledError> {
         const COUNT: usize = 200;
         if let Some(direction) = self.exact_direction() {
             let step = normal::DURATION / COUNT as f64;
@@ -261,7 +261,7 @@ impl CoupledImpact {
 }
 
 impl CoupledImpact {
-    fn settled(&self, law: VectorLaw) -> Result<Settled, CoupledError> {
+    fn settled(&self, law: TurningLaw) -> Result<Settled, CoupledError> {
         let problem = self.problem();
         let apart = self.method() == ImpactMethod::Spatial { coupled: false };
         let limits = Limits::new(&problem.mobility, self.friction, &problem.velocity, apart);
@@ -338,7 +338,7 @@ impl CoupledImpact {
         Ok(samples)
     }
 
-    fn law(&self, law: VectorLaw, level: Level) -> AnyLaw {
+    fn law(&self, law: TurningLaw, level: Level) -> AnyLaw {
         let (stiffness, friction) = (self.scaled(), self.friction);
         match self.method() {
             ImpactMethod::Planar { .. } => AnyLaw::in_line(stiffness, friction),

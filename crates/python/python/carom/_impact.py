@@ -68,7 +68,7 @@ def collide(
     """Two bodies collide: body 1 is put on body 2 with this common normal, from body 2 into body 1.
 
     With `normal=None` they touch where they are; of bodies with a centre one or the other must be said. `torsion`
-    takes the spin about the normal along. Where the direction of slip turns, `law` is 'coulomb' or 'chapter 8',
+    takes the spin about the normal along. Where the direction of slip turns, `law` is 'coulomb' or 'fixed-direction',
     one direction for each ring. With a `normal_restitution` below 1 the material takes a part, beyond the elastic
     theory; with `wave_loss` as much as elastic waves carry away; duration and greatest force are those of the
     elastic impact. A body held fast that moves, as a racket does, works on the other: the energies do not add up

@@ -2,7 +2,7 @@
 
 use carom_geometry::{Attitude, Surface};
 use carom_halfspace::Material;
-use carom_impact::coupled::{Sample, VectorLaw};
+use carom_impact::coupled::{Sample, TurningLaw};
 use carom_impact::{Body, Collision, Lever, Motion, Rebound};
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
@@ -72,7 +72,7 @@ fn relative(levers: &[Lever; 2], motions: &[Motion; 2]) -> Vector3<f64> {
 /// Every instant that was computed.
 fn history(encounter: &Collision) -> Result<Vec<Sample>, Failure> {
     let impact = encounter.impact()?.ok_or("they approach each other")?;
-    Ok(impact.history(VectorLaw::default())?)
+    Ok(impact.history(TurningLaw::default())?)
 }
 
 /// Kinetic energy of both bodies.

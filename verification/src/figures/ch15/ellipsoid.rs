@@ -3,7 +3,7 @@
 use carom_geometry::Surface;
 use carom_halfspace::Material;
 use carom_impact::closed_form::phi;
-use carom_impact::coupled::VectorLaw;
+use carom_impact::coupled::TurningLaw;
 use carom_impact::restitution::of_groups;
 use carom_impact::{Body, Collision, Motion};
 use carom_laws::friction::Friction;
@@ -265,7 +265,7 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
         )
         .source("energy (2/5) F ζ = m v²/2; T_N of (9.8)");
     let impact = body.encounter(slip)?.impact()?.ok_or("they approach each other")?;
-    let course = impact.history(VectorLaw::default())?;
+    let course = impact.history(TurningLaw::default())?;
     let (mut tangential, mut normal) = (0.0, 0.0);
     for pair in course.windows(2) {
         let impulse = 0.5 * (pair[0].force + pair[1].force) * (pair[1].time - pair[0].time);

@@ -1,6 +1,6 @@
 //! One encounter of spheres held against the collision of the same.
 
-use carom_impact::coupled::{CoupledImpact, VectorLaw};
+use carom_impact::coupled::{CoupledImpact, TurningLaw};
 use carom_impact::{Collision, Rebound};
 use carom_laws::friction::Friction;
 use nalgebra::Vector3;
@@ -62,7 +62,7 @@ pub(crate) fn same(
     let (mobility, stiffness) = (*encounter.mobility(), encounter.hertz().stiffness());
     let impact =
         CoupledImpact::new(mobility, stiffness, encounter.friction(), encounter.velocity());
-    let by_matrices = impact.unwrap().solve(VectorLaw::Coulomb).unwrap().velocity;
+    let by_matrices = impact.unwrap().solve(TurningLaw::Coulomb).unwrap().velocity;
     let off = encounter.frame().to_space(&by_matrices) - own.contact_velocity_after;
     let slip = own.contact_velocity_before
         - encounter.frame().z() * own.contact_velocity_before.dot(&encounter.frame().z());
