@@ -35,6 +35,7 @@ mod normal_restitution;
 mod normal_spin;
 mod numerical;
 mod outcome;
+mod outcome_columns;
 mod wave_share;
 
 pub mod closed_form;

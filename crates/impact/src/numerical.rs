@@ -3,7 +3,7 @@
 use carom_solver::{CellState, NumericalLaw, NumericalLawError};
 use carom_special::RangeError;
 
-use crate::collision::{Collision, CollisionError, Passed};
+use crate::collision::{Collision, CollisionError};
 use crate::coupled::{
     CoupledImpact, CoupledOutcome, ImpactMethod, LawFailure, Point, Sample, Stage, Staged,
     Trajectory,
@@ -53,7 +53,7 @@ pub enum NumericalImpactError {
 /// let outcome = NumericalImpact::new(&collision).with(12, 40)?.solve()?;
 /// let rebound = outcome.rebound().ok_or("they meet")?;
 /// // Alike they would slide back a little; unlike they are thrown back (0.317 on finer grids).
-/// assert!((rebound.tangential_restitution.unwrap_or(0.0) - 0.317).abs() < 0.02);
+/// assert!((rebound.r_x.unwrap_or(0.0) - 0.317).abs() < 0.02);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy)]
@@ -108,12 +108,11 @@ impl<'a> NumericalImpact<'a> {
             maximal_approach: fine.peak,
             maximal_force: fine.force,
             compressions: fine.compressions,
-            method: ImpactMethod::Spatial { coupled: true },
+            method: ImpactMethod::Numerical,
             error_estimate: change / before.norm(),
             warning: None,
         };
-        let passed = Passed::coupled(before, outcome, Vec::new());
-        let mut rebound = self.collision.rebound(passed)?;
+        let mut rebound = self.collision.rebound(outcome, Vec::new())?;
         rebound.warnings.retain(|warning| !matches!(warning, Warning::Coupling { .. }));
         Ok(Outcome::Rebound(Box::new(rebound)))
     }

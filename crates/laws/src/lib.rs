@@ -5,8 +5,8 @@
 //!
 //! - Statics: [`curvature`], [`ellipse`], [`stiffness`], [`hertz`], [`shift`], [`field`].
 //! - Memory: [`memory`] is the law of load histories, exact in one direction, growing or of fixed
-//!   capacity; [`coulomb`] is the law where the direction turns. Beside them stand [`sliders`], springs
-//!   that slip, and [`profile`], other indenters.
+//!   capacity; [`coulomb`] is the law where the direction turns, [`turning_law`] the choice between them.
+//!   Beside them stand [`sliders`], springs that slip, and [`profile`], other indenters.
 //! - Twist: [`torsion`].
 //! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
 //!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`]. [`accounted`] adds up the heat,
@@ -48,6 +48,7 @@ pub mod shift_law;
 pub mod sliders;
 pub mod stiffness;
 pub mod torsion;
+pub mod turning_law;
 
 pub use carom_geometry::curvature;
 pub use goodman::goodman_stick_radius;

@@ -16,17 +16,18 @@ use crate::memory::{
 };
 use crate::profile::{Hertzian, NormalProfile};
 use crate::stiffness::ContactStiffness;
+use crate::turning_law::TurningLaw;
 
 /// The law of normal and tangential load: `V = [f64; 2]` in two directions, `V = f64` along x.
 ///
 /// Exact for uncoupled pairs (epsilon = 0, (5.20)) on straight paths within Cattaneo's and
 /// Mindlin's assumptions. Where the direction turns, each ring slips by itself
-/// ([`crate::coulomb`]), to a [`Tolerance`]; [`ShiftLaw::of_chapter_7`] is the law of the thesis,
+/// ([`crate::coulomb`]), to a [`Tolerance`]; [`ShiftLaw::with_fixed_direction`] is the law of the thesis,
 /// one direction of traction in a slip ring. Where c_x differs from c_y, slip is along the traction
 /// in normalised shifts, not in lengths. The twist Omega is carried along without effect.
 ///
 /// Heat is for those who ask: [`crate::accounted::Accounted`] adds it up. It is not negative, but
-/// in chapter 7's law where c_x differs from c_y: a step of turning direction may then give some
+/// in the law of fixed directions where c_x differs from c_y: a step of turning direction may then give some
 /// back.
 ///
 /// On a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices 936 bytes
@@ -97,15 +98,29 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         tolerance: Tolerance,
     ) -> Self {
         match V::DIMENSION {
-            1 => Self::of_chapter_7(stiffness, friction),
+            1 => Self::with_fixed_direction(stiffness, friction),
             _ => Self::of(stiffness, friction, || State::Turning(CoulombMemory::new(tolerance))),
         }
     }
 
-    /// The law of chapter 7, at rest: one direction of traction in a slip ring. In one direction
-    /// there is no other.
+    /// The chosen law, at rest; the tolerance is that of [`TurningLaw::Coulomb`].
     #[must_use]
-    pub fn of_chapter_7(stiffness: ContactStiffness, friction: Friction) -> Self {
+    pub fn chosen(
+        law: TurningLaw,
+        stiffness: ContactStiffness,
+        friction: Friction,
+        tolerance: Tolerance,
+    ) -> Self {
+        match law {
+            TurningLaw::Coulomb => Self::with_tolerance(stiffness, friction, tolerance),
+            TurningLaw::FixedDirection => Self::with_fixed_direction(stiffness, friction),
+        }
+    }
+
+    /// [`TurningLaw::FixedDirection`], at rest: one direction of traction in a slip ring, the law of
+    /// chapter 7. In one direction there is no other.
+    #[must_use]
+    pub fn with_fixed_direction(stiffness: ContactStiffness, friction: Friction) -> Self {
         Self::of(stiffness, friction, || State::Rubbing(Memory::new()))
     }
 

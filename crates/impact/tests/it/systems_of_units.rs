@@ -52,7 +52,7 @@ fn collision(units: Units, round: bool, unlike: f64) -> Collision {
 /// Every number of a rebound with its dimensions: powers of length, mass and time.
 fn numbers(r: &Rebound) -> Vec<(&'static str, f64, [i32; 3])> {
     let mut all = vec![
-        ("restitution", r.tangential_restitution.unwrap(), [0, 0, 0]),
+        ("restitution", r.r_x.unwrap(), [0, 0, 0]),
         ("duration", r.duration, [0, 0, 1]),
         ("maximal force", r.maximal_force, [1, 1, -2]),
         ("maximal approach", r.maximal_approach, [1, 0, 0]),
@@ -65,7 +65,7 @@ fn numbers(r: &Rebound) -> Vec<(&'static str, f64, [i32; 3])> {
     ];
     for axis in 0..3 {
         all.push(("impulse", r.impulse[axis], [1, 1, -1]));
-        all.push(("velocity after", r.velocity_after[axis], [1, 0, -1]));
+        all.push(("velocity after", r.contact_velocity_after[axis], [1, 0, -1]));
         for body in 0..2 {
             all.push(("velocity", r.motions[body].velocity[axis], [1, 0, -1]));
             all.push(("spin", r.motions[body].spin[axis], [0, 0, -1]));

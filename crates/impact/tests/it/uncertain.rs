@@ -20,7 +20,7 @@ fn study(sampling: Sampling, input: Distribution, tangential: f64) -> Study {
 
 fn restitution(friction: f64, tangential: f64) -> f64 {
     let outcome = collision(friction, tangential, 0.01).unwrap().solve().unwrap();
-    outcome.rebound().unwrap().tangential_restitution.unwrap()
+    outcome.rebound().unwrap().r_x.unwrap()
 }
 
 #[test]
@@ -208,7 +208,7 @@ fn each_quantity_is_that_of_the_rebound_that_its_name_says() {
         let got = study.summary(quantity).unwrap().mean();
         let name = quantity.name();
         let want = match name.split_at(name.len().min(7)) {
-            ("R_x", "") => rebound.tangential_restitution.unwrap(),
+            ("R_x", "") => rebound.r_x.unwrap(),
             (body @ ("body_1_" | "body_2_"), of) => {
                 let motion = &rebound.motions[usize::from(body == "body_2_")];
                 let away = if body == "body_1_" { 1.0 } else { -1.0 };
