@@ -11,7 +11,6 @@
 //! | [`oblique`] | the exact impact of spheres and planes, in two dimensionless groups |
 //! | [`restitution`], [`closed_form`] | R_x as one number, as a table and as a tensor; its limits |
 //! | [`torsional`] | the impact of a spin about the normal |
-//! | [`NumericalImpact`] | an impact of unlike materials, on a grid |
 //! | [`scene`], [`uncertain`] | repeated bounces between walls; inputs that are not known exactly |
 //!
 //! ```
@@ -33,7 +32,6 @@ mod collision;
 mod mobility;
 mod normal_restitution;
 mod normal_spin;
-mod numerical;
 mod outcome;
 mod outcome_columns;
 mod wave_share;
@@ -52,5 +50,4 @@ pub use collision::{Collision, CollisionError};
 pub use mobility::{Lever, Mobility};
 pub use normal_restitution::NormalRestitution;
 pub use normal_spin::NormalSpinError;
-pub use numerical::{NumericalImpact, NumericalImpactError};
 pub use outcome::{EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Torsion, Warning};

@@ -24,8 +24,13 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 const EVEN: f64 = 1e-12;
 
 impl Collision {
-    /// What an impact in contact axes leaves of the bodies.
-    pub(crate) fn rebound(
+    /// The rebound of the bodies after an impact that was followed in contact axes, here or by other means:
+    /// motions, energies, torsion and warnings.
+    ///
+    /// # Errors
+    /// [`CollisionError::Range`] if impulse or energy overflow; [`CollisionError::NormalSpin`] for torsion
+    /// that cannot be computed.
+    pub fn rebound_of(
         &self,
         outcome: CoupledOutcome,
         log: Vec<LogEntry>,
@@ -63,6 +68,9 @@ impl Collision {
         RangeError::finite("kinetic energy", energy.before + energy.after)?;
         let maximal_contact = self.hertz.ellipse(outcome.maximal_approach)?;
         let mut warnings = self.warnings(maximal_contact.semi_axis_b(), before.z, share);
+        if outcome.method.counts_coupling() {
+            warnings.retain(|warning| !matches!(warning, Warning::Coupling { .. }));
+        }
         warnings.extend(outcome.warning);
         Ok(Rebound {
             motions,

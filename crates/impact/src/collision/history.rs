@@ -37,8 +37,12 @@ impl Collision {
         impact.traced(&direction, &times)?.into_iter().map(point).collect()
     }
 
-    /// `count` instants, straight between those that were computed.
-    pub(crate) fn sampled(
+    /// `count` instants of an impact that was followed otherwise, equally spaced in time and interpolated
+    /// linearly between the computed ones; `initial` is the velocity before, in contact axes.
+    ///
+    /// # Errors
+    /// [`RangeError`] for fewer than two instants, and for an approach that has no ellipse.
+    pub fn sampled(
         &self,
         computed: &[Sample],
         count: usize,

@@ -367,7 +367,7 @@ impl Collision {
     pub fn solve(&self) -> Result<Outcome, CollisionError> {
         let Some(impact) = self.impact()? else { return Ok(self.missed()) };
         let (outcome, log) = impact.solve_with_log(self.law)?;
-        Ok(Outcome::Rebound(Box::new(self.rebound(outcome, log)?)))
+        Ok(Outcome::Rebound(Box::new(self.rebound_of(outcome, log)?)))
     }
 
     /// Whether spheres and planes turn as easily about all tangents: their tangential motion keeps its
@@ -378,8 +378,9 @@ impl Collision {
         self.bodies.iter().all(|body| body.height().is_some()) && skew <= EVEN * d.m11
     }
 
-    // The bodies do not approach each other.
-    pub(crate) fn missed(&self) -> Outcome {
+    /// The outcome of bodies that do not approach each other: the motions they have.
+    #[must_use]
+    pub fn missed(&self) -> Outcome {
         Outcome::NoImpact { motions: self.bodies.each_ref().map(Body::motion) }
     }
 }

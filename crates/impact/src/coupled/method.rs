@@ -64,6 +64,12 @@ impl ImpactMethod {
         }
     }
 
+    /// Whether the coupling of normal and tangential displacements of dissimilar bodies counts.
+    #[must_use]
+    pub const fn counts_coupling(&self) -> bool {
+        matches!(self, Self::Numerical)
+    }
+
     /// A word for it.
     #[must_use]
     pub const fn name(&self) -> &'static str {

@@ -12,7 +12,6 @@ mod known_values;
 mod levers;
 mod normal_restitution;
 mod normal_spin;
-mod numerical_law;
 mod oblique;
 #[path = "../../../geometry/tests/it/random/mod.rs"]
 mod random;
@@ -27,3 +26,4 @@ mod systems_of_units;
 mod torsional;
 mod torsional_collocation;
 mod uncertain;
+mod units;
