@@ -5,7 +5,7 @@ use crate::spheres::{chi_of_sphere, collided, conserves, friction, met, same};
 use carom_geometry::{Attitude, Inertia, Surface};
 use carom_halfspace::Material;
 use carom_impact::closed_form::restitution_without_slip;
-use carom_impact::coupled::ImpactMethod;
+use carom_impact::coupled::{CoupledImpact, ImpactMethod};
 use carom_impact::oblique::{Groups, ObliqueImpact};
 use carom_impact::restitution::{RestitutionTable, of_groups, restitution_map};
 use carom_impact::scene::{Ball, Limits, Scene, Wall};
