@@ -45,6 +45,7 @@ pub mod law;
 pub mod memory;
 pub mod profile;
 pub mod rigid_slip;
+pub mod rings;
 pub mod shift;
 pub mod shift_law;
 pub mod sliders;

@@ -1,0 +1,242 @@
+//! Tractions of a step: within their limits, and slip along those that reach them.
+//!
+//! `min q M q/2 - q c` over discs, by splitting: the quadratic form and the discs in turn, with one
+//! inverse that is made once. The multiplier of a disc is the slip.
+
+use super::pair::{Block, Pair, PressBlock, RimBlock};
+use super::transform::{Field, parts, transform};
+
+/// Over-relaxation.
+const RELAX: f64 = 1.6;
+/// The iterations after which the added pressures are brought up to date: the first and each fourth.
+const PRESS_EACH: usize = 3;
+/// The most iterations; 19 are the mean of large steps at a tolerance of 1e-4.
+const MOST: usize = 400;
+/// Hertz's pressure in the middle of a contact of radius 1.
+const PEAK: f64 = 4.0 / std::f64::consts::PI;
+
+/// What is sought: tractions z over the contact radius, and y, the slip over sigma a^2.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Tractions<const N: usize, const M: usize> {
+    pub(super) z: Field<N, M>,
+    pub(super) y: Field<N, M>,
+    /// The limits that z keeps: Hertz's pressure and what tractions add.
+    pub(super) limit: [[f64; N]; M],
+    /// The displacement of the rim over a^2, radial and circumferential.
+    pub(super) rim: [[f64; 2]; M],
+}
+
+/// How rings that come into contact follow the displacement of the rim.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Entering<const N: usize, const M: usize> {
+    /// By blocks, the inverse times the share that a ring has of the rim, for each part of a block.
+    columns: [[[[f64; N]; 2]; 2]; M],
+    /// By blocks, `(1 - Rim columns)^-1`.
+    small: [[[f64; 2]; 2]; M],
+}
+
+impl<const N: usize, const M: usize> Entering<N, M> {
+    /// With the share of each ring.
+    pub(super) fn new(pair: &Pair<N, M>, share: &[f64; N]) -> Self {
+        let mut out = Self { columns: [[[[0.0; N]; 2]; 2]; M], small: [[[0.0; 2]; 2]; M] };
+        for (b, (inverse, rim)) in pair.inverse.iter().zip(&pair.rim).enumerate() {
+            let mut small = [[0.0; 2]; 2];
+            for part in 0..2 {
+                let mut sources = [[0.0; N]; 2];
+                sources[part] = *share;
+                let column = applied(inverse, &sources);
+                let at_rim = seen(rim, &column);
+                for out in 0..2 {
+                    small[out][part] = f64::from(u8::from(out == part)) - at_rim[out];
+                }
+                out.columns[b][part] = column;
+            }
+            let [[p, q], [r, s]] = small;
+            let scale = 1.0 / (p * s - q * r);
+            out.small[b] = [[s * scale, -q * scale], [-r * scale, p * scale]];
+        }
+        out
+    }
+}
+
+/// A block times the tractions of its parts.
+#[inline(always)]
+fn applied<const N: usize>(block: &Block<N>, of: &[[f64; N]; 2]) -> [[f64; N]; 2] {
+    let mut out = [[0.0; N]; 2];
+    for (columns, part) in block.iter().zip(of) {
+        for (column, value) in columns.iter().zip(part) {
+            for c in 0..2 {
+                for i in 0..N {
+                    out[c][i] += column[c][i] * value;
+                }
+            }
+        }
+    }
+    out
+}
+
+#[inline(always)]
+fn seen<const N: usize>(rim: &RimBlock<N>, of: &[[f64; N]; 2]) -> [f64; 2] {
+    std::array::from_fn(|out| {
+        (0..2).map(|part| (0..N).map(|i| rim[out][part][i] * of[part][i]).sum::<f64>()).sum()
+    })
+}
+
+#[inline(always)]
+fn pressed<const N: usize>(press: &PressBlock<N>, of: &[[f64; N]; 2]) -> [f64; N] {
+    let mut out = [0.0; N];
+    for (columns, part) in press.iter().zip(of) {
+        for (column, value) in columns.iter().zip(part) {
+            for i in 0..N {
+                out[i] += column[i] * value;
+            }
+        }
+    }
+    out
+}
+
+#[inline(always)]
+fn block_of<const N: usize, const M: usize>(hat: &Field<N, M>, block: usize) -> [[f64; N]; 2] {
+    parts::<M>(block).map(|(k, c)| hat[k][c])
+}
+
+impl<const N: usize, const M: usize> Pair<N, M> {
+    /// `(M + sigma)^-1` of a right side, by harmonics; its spectrum stays in `hat`.
+    #[inline(always)]
+    fn divided(&self, hat: &mut Field<N, M>, entering: Option<&Entering<N, M>>) -> Field<N, M> {
+        transform(hat, &self.directions, -1.0);
+        let scale = 1.0 / M as f64;
+        for (b, inverse) in self.inverse.iter().enumerate() {
+            let places = parts::<M>(b);
+            let mut sources = places.map(|(k, c)| hat[k][c]);
+            sources.iter_mut().flatten().for_each(|x| *x *= scale);
+            let mut q = applied(inverse, &sources);
+            if let Some(entering) = entering {
+                let at_rim = seen(&self.rim[b], &q);
+                let by = entering.small[b].map(|row| row[0] * at_rim[0] + row[1] * at_rim[1]);
+                for (column, by) in entering.columns[b].iter().zip(by) {
+                    for c in 0..2 {
+                        for i in 0..N {
+                            q[c][i] += column[c][i] * by;
+                        }
+                    }
+                }
+            }
+            for ((k, c), part) in places.into_iter().zip(q) {
+                hat[k][c] = part;
+            }
+        }
+        let mut q = *hat;
+        transform(&mut q, &self.directions, 1.0);
+        q
+    }
+
+    /// The limits with the pressures that tractions of this spectrum add.
+    #[inline(always)]
+    fn limits(&self, hat: &Field<N, M>) -> [[f64; N]; M] {
+        let mut added: Field<N, M> = [[[0.0; N]; 2]; M];
+        for (b, press) in self.press.iter().enumerate() {
+            let [(k, _), (mirror, _)] = parts::<M>(b);
+            let p = pressed(press, &block_of(hat, b));
+            match b {
+                0 | 1 => added[k][0] = p,
+                _ if b % 2 == 0 => (added[k][0], added[mirror][0]) = (p, p),
+                _ => (added[k][1], added[mirror][1]) = (p, p.map(|x| -x)),
+            }
+        }
+        transform(&mut added, &self.directions, 1.0);
+        added.map(|[p, _]| {
+            std::array::from_fn(|i| (self.layout.pressure[i] + self.lift * p[i]).max(0.0))
+        })
+    }
+
+    /// The displacement of the rim by tractions of this spectrum.
+    #[inline(always)]
+    fn at_rim(&self, hat: &Field<N, M>) -> [[f64; 2]; M] {
+        let mut out: Field<1, M> = [[[0.0; 1]; 2]; M];
+        for (b, rim) in self.rim.iter().enumerate() {
+            let u = seen(rim, &block_of(hat, b));
+            for ((k, c), u) in parts::<M>(b).into_iter().zip(u) {
+                out[k][c] = [u];
+            }
+        }
+        transform(&mut out, &self.directions, 1.0);
+        out.map(|parts| parts.map(|[u]| u))
+    }
+
+    /// Finds the tractions that balance `c = M q + sigma y`, from those of before; how many iterations
+    /// that took.
+    pub(super) fn solve(
+        &self,
+        c: &Field<N, M>,
+        entering: Option<&Entering<N, M>>,
+        tolerance: f64,
+        now: &mut Tractions<N, M>,
+    ) -> usize {
+        if !self.slips {
+            let mut hat = *c;
+            now.z = self.divided(&mut hat, entering);
+            (now.limit, now.rim) = (self.limits(&hat), self.at_rim(&hat));
+            return 1;
+        }
+        let close = tolerance * PEAK;
+        let couples = self.lift != 0.0;
+        if !couples {
+            now.limit = [self.layout.pressure; M];
+        }
+        for iteration in 0..MOST {
+            let mut hat = *c;
+            for j in 0..M {
+                for d in 0..2 {
+                    for i in 0..N {
+                        hat[j][d][i] += self.sigma[i] * (now.z[j][d][i] - now.y[j][d][i]);
+                    }
+                }
+            }
+            let q = self.divided(&mut hat, entering);
+            if couples && iteration % PRESS_EACH == 0 {
+                now.limit = self.limits(&hat);
+            }
+            let change = cut(&q, now);
+            if change < close * close {
+                now.rim = self.at_rim(&hat);
+                return iteration + 1;
+            }
+            if iteration + 1 == MOST {
+                now.rim = self.at_rim(&hat);
+            }
+        }
+        MOST
+    }
+}
+
+/// Cuts to the limits; the square of the greatest change.
+#[inline(always)]
+fn cut<const N: usize, const M: usize>(q: &Field<N, M>, now: &mut Tractions<N, M>) -> f64 {
+    let mut greatest = [0.0_f64; N];
+    for j in 0..M {
+        let ([zx, zy], [yx, yy]) = (&mut now.z[j], &mut now.y[j]);
+        let [qx, qy] = &q[j];
+        for i in 0..N {
+            let vx = RELAX * qx[i] + (1.0 - RELAX) * zx[i] + yx[i];
+            let vy = RELAX * qy[i] + (1.0 - RELAX) * zy[i] + yy[i];
+            let limit = now.limit[j][i];
+            let square = vx * vx + vy * vy;
+            let part = if square > limit * limit { limit / square.sqrt() } else { 1.0 };
+            let (nx, ny) = (part * vx, part * vy);
+            let moved = (nx - zx[i]) * (nx - zx[i]) + (ny - zy[i]) * (ny - zy[i]);
+            let apart = (nx - qx[i]) * (nx - qx[i]) + (ny - qy[i]) * (ny - qy[i]);
+            greatest[i] = greatest[i].max(moved).max(apart);
+            (zx[i], zy[i]) = (nx, ny);
+            (yx[i], yy[i]) = (vx - nx, vy - ny);
+        }
+    }
+    greatest.into_iter().fold(0.0, f64::max)
+}
+
+impl<const N: usize, const M: usize> Default for Tractions<N, M> {
+    fn default() -> Self {
+        let none = [[[0.0; N]; 2]; M];
+        Self { z: none, y: none, limit: [[0.0; N]; M], rim: [[0.0; 2]; M] }
+    }
+}
