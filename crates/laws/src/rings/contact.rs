@@ -19,8 +19,6 @@ pub(super) struct Contact<const N: usize, const M: usize> {
     pub(super) radius: f64,
     /// What has slipped at each place, against the rigid shift and twist of now.
     pub(super) slip: Field<N, M>,
-    /// What slipped in the last step; 0 where nothing did.
-    pub(super) last: Field<N, M>,
     /// As `slip`, at the rim.
     pub(super) rim: [[f64; 2]; M],
     pub(super) tractions: Tractions<N, M>,
@@ -51,7 +49,7 @@ impl<const N: usize, const M: usize> Default for Contact<N, M> {
     fn default() -> Self {
         let none = [[[0.0; N]; 2]; M];
         let tractions = Tractions::default();
-        Self { radius: 0.0, slip: none, last: none, rim: [[0.0; 2]; M], tractions, length: 0.0 }
+        Self { radius: 0.0, slip: none, rim: [[0.0; 2]; M], tractions, length: 0.0 }
     }
 }
 
@@ -70,7 +68,9 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         let [x, y] = step.shifted;
         let length =
             (way(step.approached) + way(x) + way(y) + way(radius * step.twisted)).sqrt();
-        let ahead = self.ahead(length);
+        let part = self.radius / radius;
+        let by = self.ahead(length) * part * part;
+        let ahead = self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| by * y)));
         // Slip before the step, on the rings of now.
         let mut before = match radius == self.radius {
             true => self.slip,
@@ -78,7 +78,7 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         };
         let share = self.share(pair, radius);
         let enters = share[N - 1] > 0.0;
-        let rim_spread = pair.spread * square * pair.layout.spread_at_rim;
+        let rim_spread = pair.spread * square * pair.spread_at_rim;
         let mut c = before;
         for (j, [cosine, sine]) in pair.directions.iter().enumerate() {
             let along = [x * cosine + y * sine, y * cosine - x * sine];
@@ -86,16 +86,15 @@ impl<const N: usize, const M: usize> Contact<N, M> {
                 let keeps = 1.0 - share[i];
                 let turned = step.twisted * radius * pair.layout.radius[i];
                 let [radial, around] = &mut before[j];
-                radial[i] = keeps * (radial[i] - along[0]) + share[i] * rim_spread
-                    + ahead * self.last[j][0][i];
-                around[i] = keeps * (around[i] - along[1] - turned) + ahead * self.last[j][1][i];
+                radial[i] = keeps * (radial[i] - along[0]) + share[i] * rim_spread;
+                around[i] = keeps * (around[i] - along[1] - turned);
                 let spread = pair.spread * square * pair.layout.spread[i];
                 c[j][0][i] = (spread - radial[i]) / square;
                 c[j][1][i] = -around[i] / square;
             }
         }
         let entering = enters.then(|| Entering::new(pair, &share));
-        let count = pair.solve(&c, entering.as_ref(), tolerance, &mut self.tractions);
+        let count = pair.solve(&c, &ahead, entering.as_ref(), tolerance, &mut self.tractions);
         let now = &self.tractions;
         let mut heat = 0.0;
         for j in 0..M {
@@ -104,16 +103,13 @@ impl<const N: usize, const M: usize> Contact<N, M> {
                     let slipped = square * pair.sigma[i] * now.y[j][d][i];
                     heat += pair.layout.area[i] * now.z[j][d][i] * slipped;
                     let from_rim = share[i] * square * now.rim[j][d];
-                    let was = self.last[j][d][i];
-                    let slips = now.y[j][0][i] != 0.0 || now.y[j][1][i] != 0.0;
                     self.slip[j][d][i] = before[j][d][i] - from_rim + slipped;
-                    self.last[j][d][i] = if slips { slipped + ahead * was } else { 0.0 };
                 }
             }
             self.rim[j] = [rim_spread - square * now.rim[j][0], -square * now.rim[j][1]];
         }
         (self.radius, self.length) = (radius, length);
-        (count, heat * square * radius / (square * M as f64) )
+        (count, heat * square * radius / M as f64)
     }
 
     /// The part of the rim's slip that each ring takes which comes into contact.

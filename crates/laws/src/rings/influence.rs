@@ -4,9 +4,15 @@ use std::any::Any;
 use std::collections::BTreeMap;
 use std::sync::{Arc, Mutex, OnceLock};
 
-use super::dense::Rows;
+use super::dense::{Rows, inverse};
 use super::kernel::{at_radius, between_rings};
 use super::layout::Layout;
+
+/// Between which parts of the outermost width beyond the contact the rim is looked for.
+const NEAR_RIM: [f64; 2] = [0.01, 0.1];
+const ROOT_STEPS: usize = 40;
+/// How close the force in adhesion comes, of 8/3.
+const CLOSE: f64 = 1e-12;
 
 /// The influences of one harmonic k, of means over rings.
 #[derive(Debug, Clone)]
@@ -27,6 +33,8 @@ pub(super) struct Harmonic {
 #[derive(Debug)]
 pub(super) struct Influence<const N: usize> {
     pub(super) layout: Layout<N>,
+    /// The radius at which the rim is looked at.
+    pub(super) rim_radius: f64,
     pub(super) rings: Vec<Harmonic>,
     /// As `rings`, of displacements at the rim: `normal_inverse` and `lift` are those of the rings.
     pub(super) rim: Vec<Harmonic>,
@@ -35,10 +43,11 @@ pub(super) struct Influence<const N: usize> {
 impl<const N: usize> Influence<N> {
     fn new(angles: usize) -> Self {
         let layout = Layout::<N>::new();
+        let rim_radius = rim_radius(&layout);
         let mut kept: BTreeMap<([usize; 2], bool), Rows> = BTreeMap::new();
         let mut of = |m: usize, n: usize, at_rim: bool| {
             let make = || match at_rim {
-                true => vec![at_radius([m, n], layout.rim, &layout.edges)],
+                true => vec![at_radius([m, n], rim_radius, &layout.edges)],
                 false => between_rings([m, n], &layout.edges),
             };
             kept.entry(([m, n], at_rim)).or_insert_with(make).clone()
@@ -50,7 +59,7 @@ impl<const N: usize> Influence<N> {
                     Harmonic {
                         own: [of(up, up, at_rim), of(down, down, at_rim)],
                         other: [of(up, down, at_rim), of(down, up, at_rim)],
-                        normal_inverse: super::dense::inverse(&of(k, k, false)),
+                        normal_inverse: inverse(&of(k, k, false)),
                         spread: [of(up, k, at_rim), of(down, k, at_rim)],
                         lift: [of(k, up, false), of(k, down, false)],
                     }
@@ -58,7 +67,7 @@ impl<const N: usize> Influence<N> {
                 .collect()
         };
         let (rings, rim) = (harmonics(false), harmonics(true));
-        Self { layout, rings, rim }
+        Self { layout, rim_radius, rings, rim }
     }
 
     /// That of so many angles, computed once per process.
@@ -71,5 +80,59 @@ impl<const N: usize> Influence<N> {
         let entry = kept.entry((N, angles)).or_insert_with(|| Arc::new(Self::new(angles)));
         // The entry of (N, ..) is an Influence<N>.
         Arc::clone(entry).downcast().unwrap_or_else(|_| Arc::new(Self::new(angles)))
+    }
+}
+
+/// Where the rim is looked at: just outside the contact, such that two alike bodies which stick while
+/// approach and shift grow in proportion have the force that they must, (2/3) c_x zeta^(1/2) xi.
+///
+/// At 1 itself the condition would be empty, as a displacement that grows as r^2 has any value there.
+fn rim_radius<const N: usize>(layout: &Layout<N>) -> f64 {
+    let inverse = inverse(&between_rings([0, 0], &layout.edges));
+    let by = |u: &dyn Fn(usize) -> f64| -> Vec<f64> {
+        inverse.iter().map(|row| row.iter().enumerate().map(|(i, x)| x * u(i)).sum()).collect()
+    };
+    let load = |q: &[f64]| q.iter().zip(&layout.area).map(|(q, area)| q * area).sum::<f64>();
+    let (steady, growing) = (by(&|i| 1.0 - layout.square[i]), by(&|i| layout.square[i]));
+    let excess = |r: f64| {
+        let row = at_radius([0, 0], r, &layout.edges);
+        let seen = |q: &[f64]| q.iter().zip(&row).map(|(q, x)| q * x).sum::<f64>();
+        let of_rim = seen(&steady) / (1.0 - seen(&growing));
+        load(&steady) + of_rim * load(&growing) - 8.0 / 3.0
+    };
+    let width = 1.0 - layout.edges[N - 1];
+    let [mut low, mut high] = NEAR_RIM.map(|part| 1.0 + part * width);
+    let [mut of_low, mut of_high] = [excess(low), excess(high)];
+    // Regula falsi, the end that stays weakened (Illinois).
+    for _ in 0..ROOT_STEPS {
+        let middle = (low * of_high - high * of_low) / (of_high - of_low);
+        let here = excess(middle);
+        if here * of_high > 0.0 {
+            (high, of_high) = (middle, here);
+            of_low *= 0.5;
+        } else {
+            (low, of_low) = (high, of_high);
+            (high, of_high) = (middle, here);
+        }
+        if here.abs() < CLOSE {
+            return middle;
+        }
+    }
+    high
+}
+#[cfg(test)]
+mod tests {
+    use super::*;
+    #[test]
+    fn show() {
+        fn one<const N: usize>() {
+            let layout = Layout::<N>::new();
+            println!("{N} {}", (rim_radius(&layout) - 1.0) / (1.0 - layout.edges[N - 1]));
+        }
+        one::<4>();
+        one::<6>();
+        one::<8>();
+        one::<12>();
+        one::<16>();
     }
 }

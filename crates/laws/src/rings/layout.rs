@@ -8,9 +8,6 @@ use super::kernel;
 const CROWDING: f64 = 0.8;
 /// By how much the outermost ring is wider than the contact.
 const WIDER: f64 = 0.13;
-/// Where the rim is looked at, outside the contact, in widths of the outermost ring: there a load in
-/// adhesion from touch on has the right force.
-const RIM: f64 = 0.04;
 
 /// Rings of a contact of radius 1, and what does not depend on the materials.
 #[derive(Debug, Clone, PartialEq)]
@@ -27,9 +24,6 @@ pub(super) struct Layout<const N: usize> {
     pub(super) pressure: [f64; N],
     /// The mean of the radial spread by Hertz's pressure.
     pub(super) spread: [f64; N],
-    /// The radius at which the rim is looked at, and the spread there.
-    pub(super) rim: f64,
-    pub(super) spread_at_rim: f64,
 }
 
 impl<const N: usize> Layout<N> {
@@ -45,15 +39,12 @@ impl<const N: usize> Layout<N> {
         let half_area = |low: f64, high: f64| 0.5 * (high - low) * (high + low);
         let load = |low: f64, high: f64| kernel::load_beyond(low) - kernel::load_beyond(high);
         let spread = |low, high| kernel::spread_of_hertz(high) - kernel::spread_of_hertz(low);
-        let rim = 1.0 + RIM * last;
         Self {
             radius: ring(&|low, high| (high.powi(3) - low.powi(3)) / 3.0 / half_area(low, high)),
             square: ring(&|low, high| 0.5 * (low * low + high * high)),
             area: ring(&|low, high| 2.0 * PI * half_area(low, high)),
             pressure: ring(&|low, high| load(low, high) / (2.0 * PI * half_area(low, high))),
             spread: ring(&|low, high| 4.0 / (3.0 * PI) * spread(low, high) / half_area(low, high)),
-            rim,
-            spread_at_rim: kernel::spread_at(rim),
             edges,
         }
     }

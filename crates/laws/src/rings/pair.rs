@@ -13,6 +13,7 @@
 
 use super::dense::{Rows, combined, inverse, product, zeros};
 use super::influence::{Harmonic, Influence};
+use super::kernel::spread_at;
 use super::layout::Layout;
 use super::transform::{directions, parts};
 
@@ -27,6 +28,8 @@ pub(super) type PressBlock<const N: usize> = [[[f64; N]; N]; 2];
 #[derive(Debug, Clone)]
 pub(super) struct Pair<const N: usize, const M: usize> {
     pub(super) layout: Layout<N>,
+    /// The spread at the rim, as `Layout::spread`.
+    pub(super) spread_at_rim: f64,
     pub(super) directions: [[f64; 2]; M],
     /// The preconditioner, a ring's own displacement.
     pub(super) sigma: [f64; N],
@@ -66,6 +69,7 @@ impl<const N: usize, const M: usize> Pair<N, M> {
         }
         Self {
             layout: influence.layout.clone(),
+            spread_at_rim: spread_at(influence.rim_radius),
             directions: directions(),
             inverse: whole.iter().map(|block| inverted(block, &sigma)).collect(),
             sigma,

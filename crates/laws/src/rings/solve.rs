@@ -12,6 +12,8 @@ const RELAX: f64 = 1.6;
 const PRESS_EACH: usize = 3;
 /// The most iterations; 19 are the mean of large steps at a tolerance of 1e-4.
 const MOST: usize = 400;
+/// After so many iterations less and less slip is taken ahead: some points would else go to and fro.
+const PATIENCE: usize = 16;
 /// Hertz's pressure in the middle of a contact of radius 1.
 const PEAK: f64 = 4.0 / std::f64::consts::PI;
 
@@ -165,10 +167,11 @@ impl<const N: usize, const M: usize> Pair<N, M> {
     }
 
     /// Finds the tractions that balance `c = M q + sigma y`, from those of before; how many iterations
-    /// that took.
+    /// that took. Slip begins with `ahead`, in the unit of y.
     pub(super) fn solve(
         &self,
         c: &Field<N, M>,
+        ahead: &Field<N, M>,
         entering: Option<&Entering<N, M>>,
         tolerance: f64,
         now: &mut Tractions<N, M>,
@@ -184,6 +187,7 @@ impl<const N: usize, const M: usize> Pair<N, M> {
         if !couples {
             now.limit = [self.layout.pressure; M];
         }
+        let mut part = 1.0;
         for iteration in 0..MOST {
             let mut hat = *c;
             for j in 0..M {
@@ -197,7 +201,10 @@ impl<const N: usize, const M: usize> Pair<N, M> {
             if couples && iteration % PRESS_EACH == 0 {
                 now.limit = self.limits(&hat);
             }
-            let change = cut(&q, now);
+            if iteration >= PATIENCE {
+                part *= 0.75;
+            }
+            let change = cut(&q, ahead, part, now);
             if change < close * close {
                 now.rim = self.at_rim(&hat);
                 return iteration + 1;
@@ -212,8 +219,13 @@ impl<const N: usize, const M: usize> Pair<N, M> {
 
 /// Cuts to the limits; the square of the greatest change.
 #[inline(always)]
-fn cut<const N: usize, const M: usize>(q: &Field<N, M>, now: &mut Tractions<N, M>) -> f64 {
-    let mut greatest = [0.0_f64; N];
+fn cut<const N: usize, const M: usize>(
+    q: &Field<N, M>,
+    ahead: &Field<N, M>,
+    part: f64,
+    now: &mut Tractions<N, M>,
+) -> f64 {
+    let mut greatest = 0.0_f64;
     for j in 0..M {
         let ([zx, zy], [yx, yy]) = (&mut now.z[j], &mut now.y[j]);
         let [qx, qy] = &q[j];
@@ -221,17 +233,46 @@ fn cut<const N: usize, const M: usize>(q: &Field<N, M>, now: &mut Tractions<N, M
             let vx = RELAX * qx[i] + (1.0 - RELAX) * zx[i] + yx[i];
             let vy = RELAX * qy[i] + (1.0 - RELAX) * zy[i] + yy[i];
             let limit = now.limit[j][i];
-            let square = vx * vx + vy * vy;
-            let part = if square > limit * limit { limit / square.sqrt() } else { 1.0 };
-            let (nx, ny) = (part * vx, part * vy);
+            let mut at = [vx, vy];
+            if vx * vx + vy * vy > limit * limit {
+                at = on_limit(at, [part * ahead[j][0][i], part * ahead[j][1][i]], limit);
+            }
+            let [nx, ny] = at;
             let moved = (nx - zx[i]) * (nx - zx[i]) + (ny - zy[i]) * (ny - zy[i]);
             let apart = (nx - qx[i]) * (nx - qx[i]) + (ny - qy[i]) * (ny - qy[i]);
-            greatest[i] = greatest[i].max(moved).max(apart);
+            greatest = greatest.max(moved).max(apart);
             (zx[i], zy[i]) = (nx, ny);
             (yx[i], yy[i]) = (vx - nx, vy - ny);
         }
     }
-    greatest.into_iter().fold(0.0, f64::max)
+    greatest
+}
+
+/// The traction at its limit that slips by what v has beyond it: first by what slip was ahead, then along
+/// itself. It takes no work.
+#[inline(always)]
+fn on_limit(v: [f64; 2], ahead: [f64; 2], limit: f64) -> [f64; 2] {
+    let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+    let square = dot(v, v);
+    let along = dot(v, ahead);
+    if along > 0.0 {
+        let beyond = [v[0] - ahead[0], v[1] - ahead[1]];
+        let rest = dot(beyond, beyond);
+        if rest <= limit * limit {
+            // Less than what was ahead is enough: |v - part ahead| = limit.
+            let size = dot(ahead, ahead);
+            let over = square - limit * limit;
+            let part = over / (along + (along * along - size * over).max(0.0).sqrt());
+            return [v[0] - part * ahead[0], v[1] - part * ahead[1]];
+        }
+        let scale = limit / rest.sqrt();
+        let z = beyond.map(|x| scale * x);
+        if dot(z, v) >= limit * limit {
+            return z;
+        }
+    }
+    let scale = limit / square.sqrt();
+    v.map(|x| scale * x)
 }
 
 impl<const N: usize, const M: usize> Default for Tractions<N, M> {

@@ -1,0 +1,3 @@
+//! The law of rings against closed forms, other laws and invariants.
+
+mod measure;
