@@ -6,7 +6,7 @@
 
 use super::carry::Nodes;
 use super::pair::Pair;
-use super::solve::{Entering, Tractions};
+use super::solve::Tractions;
 use super::transform::Field;
 
 /// A ratio of steps above which slip is not looked ahead any further.
@@ -93,8 +93,7 @@ impl<const N: usize, const M: usize> Contact<N, M> {
                 c[j][1][i] = -around[i] / square;
             }
         }
-        let entering = enters.then(|| Entering::new(pair, &share));
-        let count = pair.solve(&c, &ahead, entering.as_ref(), tolerance, &mut self.tractions);
+        let count = pair.solve(&c, &ahead, enters.then_some(&share), tolerance, &mut self.tractions);
         let now = &self.tractions;
         let mut heat = 0.0;
         for j in 0..M {

@@ -119,6 +119,12 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
         self.iterations
     }
 
+    /// For each ring its edges and the share of angles that slip.
+    pub fn slipping(&self) -> Vec<f64> {
+        let Some(pair) = &self.pair else { return vec![] };
+        (0..N).filter(|&i| self.contact.tractions.y[0][0][i] != 0.0 || self.contact.tractions.y[0][1][i] != 0.0).map(|i| pair.layout.edges[i]).take(1).collect()
+    }
+
     fn go(&mut self, to: Shift) -> f64 {
         let from = std::mem::replace(&mut self.shift, to);
         self.iterations = 0;

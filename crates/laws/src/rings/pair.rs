@@ -24,6 +24,11 @@ pub(super) type RimBlock<const N: usize> = [[[f64; N]; 2]; 2];
 /// Pressures of a harmonic by the tractions of a block: `[in part][in ring][out ring]`.
 pub(super) type PressBlock<const N: usize> = [[[f64; N]; N]; 2];
 
+/// Hertz's pressure in the middle of a contact of radius 1.
+const PEAK: f64 = 4.0 / std::f64::consts::PI;
+/// Above this friction, tractions are held against the pressure, not against what friction could carry.
+const MOST_CARRIED: f64 = 3.0;
+
 /// The matrices of a pair.
 #[derive(Debug, Clone)]
 pub(super) struct Pair<const N: usize, const M: usize> {
@@ -35,6 +40,8 @@ pub(super) struct Pair<const N: usize, const M: usize> {
     pub(super) sigma: [f64; N],
     /// `(M + sigma)^-1` by blocks.
     pub(super) inverse: Vec<Block<N>>,
+    /// `M^-1` by blocks: tractions that stick.
+    pub(super) sticking: Vec<Block<N>>,
     pub(super) rim: Vec<RimBlock<N>>,
     /// Pressures by tractions over gamma f; block b gives the harmonic of its first part, real if even.
     pub(super) press: Vec<PressBlock<N>>,
@@ -42,6 +49,9 @@ pub(super) struct Pair<const N: usize, const M: usize> {
     pub(super) spread: f64,
     /// Gamma f: pressure by tractions over f.
     pub(super) lift: f64,
+    /// The scale of tractions, over f: Hertz's peak pressure, or what is a few times a force of the size
+    /// of the normal one where friction could carry more.
+    pub(super) scale: f64,
     /// Whether tractions have a limit.
     pub(super) slips: bool,
 }
@@ -61,18 +71,18 @@ impl<const N: usize, const M: usize> Pair<N, M> {
         };
         let whole = blocks(&influence.rings);
         let mut sigma = [0.0; N];
-        if slips {
-            for (i, sigma) in sigma.iter_mut().enumerate() {
-                let own = |b: &Blocks| b.0[0][0][i][i] + b.0[1][1][i][i];
-                *sigma = whole.iter().map(own).sum::<f64>() / (2 * M) as f64;
-            }
+        for (i, sigma) in sigma.iter_mut().enumerate() {
+            let own = |b: &Blocks| b.0[0][0][i][i] + b.0[1][1][i][i];
+            *sigma = whole.iter().map(own).sum::<f64>() / (2 * M) as f64;
         }
         Self {
             layout: influence.layout.clone(),
             spread_at_rim: spread_at(influence.rim_radius),
             directions: directions(),
             inverse: whole.iter().map(|block| inverted(block, &sigma)).collect(),
+            sticking: whole.iter().map(|block| inverted(block, &[0.0; N])).collect(),
             sigma,
+            scale: PEAK * (MOST_CARRIED / friction).min(1.0),
             rim: blocks(&influence.rim).iter().map(rim_block).collect(),
             press: (0..M).map(|block| press_block::<N, M>(&influence.rings, block)).collect(),
             spread,
@@ -178,7 +188,7 @@ mod tests {
         let mut load = 0.0;
         for j in 0..N {
             for i in 0..N {
-                let q = pair.inverse[block][part][j][part][i] * u(layout.radius[j]);
+                let q = pair.sticking[block][part][j][part][i] * u(layout.radius[j]);
                 load += layout.area[i] * u(layout.radius[i]) * q;
             }
         }

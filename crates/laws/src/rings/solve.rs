@@ -14,8 +14,6 @@ const PRESS_EACH: usize = 3;
 const MOST: usize = 400;
 /// After so many iterations less and less slip is taken ahead: some points would else go to and fro.
 const PATIENCE: usize = 16;
-/// Hertz's pressure in the middle of a contact of radius 1.
-const PEAK: f64 = 4.0 / std::f64::consts::PI;
 
 /// What is sought: tractions z over the contact radius, and y, the slip over sigma a^2.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -30,7 +28,7 @@ pub(super) struct Tractions<const N: usize, const M: usize> {
 
 /// How rings that come into contact follow the displacement of the rim.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Entering<const N: usize, const M: usize> {
+struct Entering<const N: usize, const M: usize> {
     /// By blocks, the inverse times the share that a ring has of the rim, for each part of a block.
     columns: [[[[f64; N]; 2]; 2]; M],
     /// By blocks, `(1 - Rim columns)^-1`.
@@ -38,10 +36,11 @@ pub(super) struct Entering<const N: usize, const M: usize> {
 }
 
 impl<const N: usize, const M: usize> Entering<N, M> {
-    /// With the share of each ring.
-    pub(super) fn new(pair: &Pair<N, M>, share: &[f64; N]) -> Self {
+    /// With the share of each ring, by one of the inverses of a pair.
+    #[inline(never)]
+    fn new(inverses: &[Block<N>], rims: &[RimBlock<N>], share: &[f64; N]) -> Self {
         let mut out = Self { columns: [[[[0.0; N]; 2]; 2]; M], small: [[[0.0; 2]; 2]; M] };
-        for (b, (inverse, rim)) in pair.inverse.iter().zip(&pair.rim).enumerate() {
+        for (b, (inverse, rim)) in inverses.iter().zip(rims).enumerate() {
             let mut small = [[0.0; 2]; 2];
             for part in 0..2 {
                 let mut sources = [[0.0; N]; 2];
@@ -103,12 +102,17 @@ fn block_of<const N: usize, const M: usize>(hat: &Field<N, M>, block: usize) -> 
 }
 
 impl<const N: usize, const M: usize> Pair<N, M> {
-    /// `(M + sigma)^-1` of a right side, by harmonics; its spectrum stays in `hat`.
+    /// An inverse of the pair times a right side, by harmonics; the spectrum stays in `hat`.
     #[inline(always)]
-    fn divided(&self, hat: &mut Field<N, M>, entering: Option<&Entering<N, M>>) -> Field<N, M> {
+    fn divided(
+        &self,
+        inverses: &[Block<N>],
+        hat: &mut Field<N, M>,
+        entering: Option<&Entering<N, M>>,
+    ) -> Field<N, M> {
         transform(hat, &self.directions, -1.0);
         let scale = 1.0 / M as f64;
-        for (b, inverse) in self.inverse.iter().enumerate() {
+        for (b, inverse) in inverses.iter().enumerate() {
             let places = parts::<M>(b);
             let mut sources = places.map(|(k, c)| hat[k][c]);
             sources.iter_mut().flatten().for_each(|x| *x *= scale);
@@ -166,23 +170,42 @@ impl<const N: usize, const M: usize> Pair<N, M> {
         out.map(|parts| parts.map(|[u]| u))
     }
 
+    /// Where nothing slipped before: the tractions that stick, if they keep their limits.
+    fn stuck(&self, c: &Field<N, M>, share: Option<&[f64; N]>, now: &mut Tractions<N, M>) -> bool {
+        let slipped = now.y.iter().flatten().flatten().any(|&y| y != 0.0);
+        if self.slips && slipped {
+            return false;
+        }
+        let mut hat = *c;
+        let entering = share.map(|share| Entering::new(&self.sticking, &self.rim, share));
+        let q = self.divided(&self.sticking, &mut hat, entering.as_ref());
+        let limit = self.limits(&hat);
+        let within = |([x, y], limit): (&[[f64; N]; 2], &[f64; N])| {
+            (0..N).all(|i| x[i] * x[i] + y[i] * y[i] <= limit[i] * limit[i])
+        };
+        if self.slips && !q.iter().zip(&limit).all(within) {
+            return false;
+        }
+        (now.z, now.limit, now.rim) = (q, limit, self.at_rim(&hat));
+        true
+    }
+
     /// Finds the tractions that balance `c = M q + sigma y`, from those of before; how many iterations
-    /// that took. Slip begins with `ahead`, in the unit of y.
+    /// that took. Slip begins with `ahead`, in the unit of y; rings that come
+    /// into contact have a share of the rim's slip.
     pub(super) fn solve(
         &self,
         c: &Field<N, M>,
         ahead: &Field<N, M>,
-        entering: Option<&Entering<N, M>>,
+        share: Option<&[f64; N]>,
         tolerance: f64,
         now: &mut Tractions<N, M>,
     ) -> usize {
-        if !self.slips {
-            let mut hat = *c;
-            now.z = self.divided(&mut hat, entering);
-            (now.limit, now.rim) = (self.limits(&hat), self.at_rim(&hat));
+        if self.stuck(c, share, now) {
             return 1;
         }
-        let close = tolerance * PEAK;
+        let entering = share.map(|share| Entering::new(&self.inverse, &self.rim, share));
+        let close = tolerance * self.scale;
         let couples = self.lift != 0.0;
         if !couples {
             now.limit = [self.layout.pressure; M];
@@ -197,7 +220,7 @@ impl<const N: usize, const M: usize> Pair<N, M> {
                     }
                 }
             }
-            let q = self.divided(&mut hat, entering);
+            let q = self.divided(&self.inverse, &mut hat, entering.as_ref());
             if couples && iteration % PRESS_EACH == 0 {
                 now.limit = self.limits(&hat);
             }

@@ -272,3 +272,27 @@ fn cattaneo() {
     run::<12>(&hertz, f);
     run::<16>(&hertz, f);
 }
+
+#[test]
+fn pressing() {
+    // kappa 1.125: nu_combined = 0.2; gamma as asked.
+    fn run<const N: usize>() {
+        let hertz = hertz([2.0, 2.0], [0.2, 0.2]);
+        println!("kappa {}", hertz.materials().kappa());
+        for ratio in [0.5, 0.8, 1.0, 1.5, 2.0, 3.0, 5.0] {
+            for gamma in [0.01, 0.2] {
+            for steps in [1, 50] {
+                let f = Friction::new(gamma / ratio).unwrap();
+                let mut law = RingLaw::<N, 8>::with_coupling(&hertz, f, Tolerance::new(1e-4).unwrap(), gamma).unwrap();
+                for k in 1..=steps {
+                    law.advance(Shift { zeta: k as f64 / steps as f64, ..Shift::default() }).unwrap();
+                }
+                let load = law.load();
+                println!("press {N} G {ratio} gamma {gamma} steps {steps}: {:.3?} F_z {:.5} its {}", law.slipping(), load.f_z / hertz.force(1.0), law.iterations());
+            }
+            }
+        }
+    }
+    run::<6>();
+    run::<16>();
+}
