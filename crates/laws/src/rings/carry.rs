@@ -1,45 +1,74 @@
-//! Slip carried along with rings that move: cubic interpolation over the radius.
+//! Slip carried along with rings that move: interpolation over the radius by six neighbours.
+//!
+//! With four, paths of 800 steps lost twice the accuracy to the many interpolations that ones of 100 did.
 
 use super::transform::Field;
 
 /// The largest number of rings.
 pub(super) const MOST_RINGS: usize = 24;
+/// Neighbours of a place.
+const NEAR: usize = 6;
+/// Rings beyond the middle.
+const BEYOND: usize = NEAR / 2;
+/// The most nodes: those beyond the middle, the rings, the rim.
+const NODES: usize = BEYOND + MOST_RINGS + 1;
 
-/// Four neighbours of a place and their weights.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
+/// The neighbours of a place and their weights.
+#[derive(Debug, Clone, Copy)]
 struct Stencil {
     first: usize,
-    weights: [f64; 4],
+    weights: [f64; NEAR],
 }
 
-/// The nodes of a contact of radius 1: two rings beyond the middle, the rings, the rim.
-#[derive(Debug, Clone, Copy, PartialEq)]
+/// The nodes of a contact of radius 1: rings beyond the middle, the rings, the rim.
+#[derive(Debug, Clone, PartialEq)]
 pub(super) struct Nodes<const N: usize> {
-    at: [f64; MOST_RINGS + 3],
+    at: [f64; NODES],
+    /// For each first neighbour, the constant factors of Lagrange's polynomials.
+    factors: Vec<[f64; NEAR]>,
 }
 
 impl<const N: usize> Nodes<N> {
     pub(super) fn new(radius: &[f64; N]) -> Self {
-        const { assert!(N >= 3 && N <= MOST_RINGS, "3 to 24 rings") }
-        let mut at = [1.0; MOST_RINGS + 3];
-        at[0] = -radius[1];
-        at[1] = -radius[0];
-        at[2..N + 2].copy_from_slice(radius);
-        Self { at }
+        const { assert!(N >= 4 && N <= MOST_RINGS, "4 to 24 rings") }
+        let mut at = [1.0; NODES];
+        for i in 0..BEYOND {
+            at[i] = -radius[BEYOND - 1 - i];
+        }
+        at[BEYOND..N + BEYOND].copy_from_slice(radius);
+        let factor = |first: usize, k: usize| {
+            let others = (0..NEAR).filter(|&m| m != k);
+            1.0 / others.map(|m| at[first + k] - at[first + m]).product::<f64>()
+        };
+        let factors =
+            (0..=Self::last()).map(|first| std::array::from_fn(|k| factor(first, k))).collect();
+        Self { at, factors }
     }
 
+    /// The first neighbour next to the rim.
+    const fn last() -> usize {
+        N + BEYOND + 1 - NEAR
+    }
+
+    /// That of a place; `near` is a first neighbour not far from it.
     #[inline]
-    fn stencil(&self, x: f64) -> Stencil {
-        // Between nodes j + 1 and j + 2 of the stencil, where there are as many.
-        let first = (0..N - 1).take_while(|&j| self.at[j + 2] <= x).last().unwrap_or(0);
-        let at: [f64; 4] = std::array::from_fn(|k| self.at[first + k]);
-        let [a, b, c, d] = at.map(|node| x - node);
-        let weights = [
-            b * c * d / ((at[0] - at[1]) * (at[0] - at[2]) * (at[0] - at[3])),
-            a * c * d / ((at[1] - at[0]) * (at[1] - at[2]) * (at[1] - at[3])),
-            a * b * d / ((at[2] - at[0]) * (at[2] - at[1]) * (at[2] - at[3])),
-            a * b * c / ((at[3] - at[0]) * (at[3] - at[1]) * (at[3] - at[2])),
-        ];
+    fn stencil(&self, x: f64, near: usize) -> Stencil {
+        let mut first = near.min(Self::last());
+        while first < Self::last() && self.at[first + NEAR / 2] <= x {
+            first += 1;
+        }
+        while first > 0 && self.at[first + NEAR / 2 - 1] > x {
+            first -= 1;
+        }
+        let off: [f64; NEAR] = std::array::from_fn(|k| x - self.at[first + k]);
+        let mut weights = self.factors[first];
+        let (mut below, mut above) = (1.0, 1.0);
+        for k in 0..NEAR {
+            weights[k] *= below;
+            below *= off[k];
+            weights[NEAR - 1 - k] *= above;
+            above *= off[NEAR - 1 - k];
+        }
         Stencil { first, weights }
     }
 
@@ -52,27 +81,28 @@ impl<const N: usize> Nodes<N> {
         rim: &[[f64; 2]; M],
         factor: f64,
     ) -> Field<N, M> {
-        let mut stencils = [Stencil::default(); N];
-        for (stencil, node) in stencils.iter_mut().zip(&self.at[2..]) {
-            let x = node * factor;
-            *stencil = if x >= 1.0 {
-                Stencil { first: N - 1, weights: [0.0, 0.0, 0.0, 1.0] }
-            } else {
-                self.stencil(x)
-            };
-        }
+        let mut at_rim = [0.0; NEAR];
+        at_rim[NEAR - 1] = 1.0;
+        let stencils: [Stencil; N] = std::array::from_fn(|i| {
+            let x = self.at[BEYOND + i] * factor;
+            if x >= 1.0 {
+                return Stencil { first: Self::last(), weights: at_rim };
+            }
+            self.stencil(x, i)
+        });
         let mut out = [[[0.0; N]; 2]; M];
-        let mut line = [0.0; MOST_RINGS + 3];
+        let mut line = [0.0; NODES];
         for (j, parts) in out.iter_mut().enumerate() {
             for (c, part) in parts.iter_mut().enumerate() {
                 // Beyond the middle both directions of the frame are reversed.
                 let across = &field[(j + M / 2) % M][c];
-                line[0] = -across[1];
-                line[1] = -across[0];
-                line[2..N + 2].copy_from_slice(&field[j][c]);
-                line[N + 2] = rim[j][c];
+                for i in 0..BEYOND {
+                    line[i] = -across[BEYOND - 1 - i];
+                }
+                line[BEYOND..N + BEYOND].copy_from_slice(&field[j][c]);
+                line[N + BEYOND] = rim[j][c];
                 for (value, Stencil { first, weights }) in part.iter_mut().zip(&stencils) {
-                    let near = &line[*first..first + 4];
+                    let near = &line[*first..first + NEAR];
                     *value = weights.iter().zip(near).map(|(w, x)| w * x).sum();
                 }
             }
@@ -88,14 +118,14 @@ mod tests {
     use crate::rings::transform::directions;
 
     #[test]
-    fn a_cubic_field_is_carried_exactly() {
+    fn a_smooth_field_is_carried_exactly() {
         let layout = Layout::<6>::new();
         let nodes = Nodes::new(&layout.radius);
         let turns = directions::<8>();
-        // A vector field of second order in x and y, in the turning frame.
+        // A vector field of fifth order in x and y, in the turning frame.
         let at = |r: f64, [c, s]: [f64; 2]| {
             let (x, y) = (r * c, r * s);
-            let (u, v) = (0.3 + x - 2.0 * y + x * y, 0.1 + y * y * y - x);
+            let (u, v) = (0.3 + x - 2.0 * y + x * y, 0.1 + y * y * y * x * x - x);
             [c * u + s * v, c * v - s * u]
         };
         let field_at = |factor: f64| -> Field<6, 8> {
@@ -106,7 +136,7 @@ mod tests {
             })
         };
         let rim: [[f64; 2]; 8] = std::array::from_fn(|j| at(1.0, turns[j]));
-        for factor in [1.0, 1.01, 0.97, 0.5, 0.02, 1.6] {
+        for factor in [1.0, 1.01, 0.97, 0.5, 0.02, 1e-9, 1.6] {
             let got = nodes.carried(&field_at(1.0), &rim, factor);
             let want = field_at(factor);
             for j in 0..8 {

@@ -4,7 +4,6 @@
 //! times the modulus (1 - nu)/G = 1, so that Hertz's pressure `(4/pi) sqrt(a^2 - r^2)` is their limit.
 //! Vectors stand in the radial and circumferential direction. Twists are counter-clockwise.
 
-use super::carry::Nodes;
 use super::pair::Pair;
 use super::solve::Tractions;
 use super::transform::Field;
@@ -58,7 +57,6 @@ impl<const N: usize, const M: usize> Contact<N, M> {
     pub(super) fn advance(
         &mut self,
         pair: &Pair<N, M>,
-        nodes: &Nodes<N>,
         tolerance: f64,
         step: &Step,
     ) -> (usize, f64) {
@@ -74,7 +72,8 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         // Slip before the step, on the rings of now.
         let mut before = match radius == self.radius {
             true => self.slip,
-            false => nodes.carried(&self.slip, &self.rim, if self.radius > 0.0 { radius / self.radius } else { f64::INFINITY }),
+            // Nothing has slipped where the bodies just touch.
+            false => pair.nodes.carried(&self.slip, &self.rim, radius / self.radius.max(f64::MIN_POSITIVE)),
         };
         let share = self.share(pair, radius);
         let enters = share[N - 1] > 0.0;

@@ -4,7 +4,6 @@ use std::sync::Arc;
 
 use carom_special::RangeError;
 
-use super::carry::Nodes;
 use super::contact::{Contact, Step, Sums};
 use super::pair::Pair;
 use crate::bounds::in_contact;
@@ -51,7 +50,6 @@ struct Units {
 pub struct RingLaw<const N: usize = 6, const M: usize = 8> {
     /// None without friction.
     pair: Option<Arc<Pair<N, M>>>,
-    nodes: Nodes<N>,
     units: Units,
     tolerance: f64,
     contact: Contact<N, M>,
@@ -100,10 +98,8 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
             energy: force * f,
         };
         let pair = (f > 0.0).then(|| Arc::new(Pair::new(kappa, gamma, friction.get())));
-        let layout = super::layout::Layout::<N>::new();
         Ok(Self {
             pair,
-            nodes: Nodes::new(&layout.radius),
             units,
             tolerance: tolerance.0,
             contact: Contact::default(),
@@ -143,7 +139,7 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
             shifted: [(to.xi - from.xi) * part * shift, (to.eta - from.eta) * part * shift],
             twisted: -(to.omega - from.omega) * part * twist,
         };
-        let (count, heat) = self.contact.advance(pair, &self.nodes, self.tolerance, &step);
+        let (count, heat) = self.contact.advance(pair, self.tolerance, &step);
         self.iterations = count;
         self.sums = self.contact.sums(pair);
         self.sums.heat = heat;

@@ -11,6 +11,7 @@
 //! where gamma P is the pressure that tractions add so that the bodies do not overlap. What is even under
 //! reflection is real, what is odd imaginary: two real blocks a harmonic.
 
+use super::carry::Nodes;
 use super::dense::{Rows, combined, inverse, product, zeros};
 use super::influence::{Harmonic, Influence};
 use super::kernel::spread_at;
@@ -33,6 +34,7 @@ const MOST_CARRIED: f64 = 3.0;
 #[derive(Debug, Clone)]
 pub(super) struct Pair<const N: usize, const M: usize> {
     pub(super) layout: Layout<N>,
+    pub(super) nodes: Nodes<N>,
     /// The spread at the rim, as `Layout::spread`.
     pub(super) spread_at_rim: f64,
     pub(super) directions: [[f64; 2]; M],
@@ -76,6 +78,7 @@ impl<const N: usize, const M: usize> Pair<N, M> {
             *sigma = whole.iter().map(own).sum::<f64>() / (2 * M) as f64;
         }
         Self {
+            nodes: Nodes::new(&influence.layout.radius),
             layout: influence.layout.clone(),
             spread_at_rim: spread_at(influence.rim_radius),
             directions: directions(),

@@ -296,3 +296,60 @@ fn pressing() {
     run::<6>();
     run::<16>();
 }
+
+#[test]
+fn energy() {
+    use carom_laws::law::Dissipative;
+    for (name, nu, twist, steps, constant) in [
+        ("alike", [0.3, 0.3], 0.0, 100, true),
+        ("alike", [0.3, 0.3], 0.0, 800, true),
+        ("unlike", [0.0, 0.5], 1.0, 800, true),
+        ("alike", [0.3, 0.3], 0.0, 100, false),
+        ("alike", [0.3, 0.3], 0.0, 800, false),
+        ("alike", [0.3, 0.3], 0.0, 6400, false),
+        ("unlike", [0.0, 0.5], 0.0, 100, false),
+        ("unlike", [0.0, 0.5], 0.0, 800, false),
+        ("unlike", [0.0, 0.5], 0.0, 6400, false),
+        ("unlike", [0.0, 0.5], 1.0, 800, false),
+    ] {
+        let hertz = hertz([2.0, 2.0], nu);
+        let f = Friction::new(0.3).unwrap();
+        for tol in [1e-2, 1e-4] {
+        let mut random = Random(11);
+        let mut law = RingLaw::<6, 8>::new(&hertz, f, Tolerance::new(tol).unwrap()).unwrap();
+        let mut at = [0.0; 4];
+        if constant { law.advance(Shift { zeta: 1.0, ..Shift::default() }).unwrap(); at[0] = 1.0; }
+        let mut old = law.load();
+        let (mut work, mut heat, mut trap, mut path) = (law.stored_energy(), 0.0, 0.0, 0.0);
+        let (mut least, mut worst) = (0.0_f64, 0.0_f64);
+        for _ in 0..10 {
+            let to = [if constant { 1.0 } else { 0.2 + 0.8 * random.next() }, 0.4 * random.sym(), 0.4 * random.sym(), 0.4 * twist * random.sym()];
+            let mut prev = at;
+            for k in 1..=steps / 10 {
+                let p = k as f64 * 10.0 / steps as f64;
+                let v: [f64; 4] = std::array::from_fn(|i| at[i] + p * (to[i] - at[i]));
+                let shift = Shift { zeta: v[0], xi: v[1], eta: v[2], omega: v[3] };
+                let before = law.stored_energy();
+                let h = law.dissipation(shift);
+                let new = law.advance(shift).unwrap();
+                let d: [f64; 4] = std::array::from_fn(|i| v[i] - prev[i]);
+                // normal work of Hertz exact, the rest by trapezoid
+                let hz = |z: f64| 2.0/3.0*hertz.stiffness().c_z * z.max(0.0).powf(1.5);
+                let ez = |z: f64| 4.0/15.0*hertz.stiffness().c_z * z.max(0.0).powf(2.5);
+                let w = ez(v[0]) - ez(prev[0]) + 0.5 * ((new.f_z - hz(v[0])) + (old.f_z - hz(prev[0]))) * d[0] + 0.5 * (new.f_x + old.f_x) * d[1] + 0.5 * (new.f_y + old.f_y) * d[2] + 0.5 * (new.m_z + old.m_z) * d[3];
+                work += w;
+                heat += h;
+                trap += w - (law.stored_energy() - before);
+                least = least.min(w - (law.stored_energy() - before));
+                path += 0.3 * hertz.force(1.0) * d[1].hypot(d[2]);
+                prev = v;
+                old = new;
+                let off: f64 = work - heat - law.stored_energy();
+                worst = worst.max(off.abs());
+            }
+            at = to;
+        }
+        println!("energy {name} twist {twist} steps {steps} const {constant} tol {tol}: heat/path {:.4} by work {:.4} least {:.2e} worst off {:.4}", heat / path, trap / path, least / path, worst / path);
+        }
+    }
+}
