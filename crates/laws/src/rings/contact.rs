@@ -10,6 +10,8 @@ use super::transform::Field;
 
 /// A ratio of steps above which slip is not looked ahead any further.
 const FARTHEST: f64 = 2.0;
+/// Way of a step over the approach beyond which it only slides: it is taken in this length.
+const LONGEST: f64 = 1e3;
 
 /// The contact since it touched.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -34,96 +36,167 @@ pub(super) struct Step {
     pub(super) twisted: f64,
 }
 
-/// Loads in normalised units, tangential ones over f; and the heat of the step.
+/// What a step did.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Done {
+    pub(super) iterations: usize,
+    /// In the unit of energy.
+    pub(super) heat: f64,
+}
+
+/// Loads and energy in normalised units, tangential ones over f.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(super) struct Sums {
     pub(super) force: [f64; 2],
     pub(super) torque: f64,
     pub(super) normal: f64,
-    pub(super) heat: f64,
+    /// Of the tangential tractions.
     pub(super) stored: f64,
 }
 
 impl<const N: usize, const M: usize> Default for Contact<N, M> {
     fn default() -> Self {
-        let none = [[[0.0; N]; 2]; M];
-        let tractions = Tractions::default();
-        Self { radius: 0.0, slip: none, rim: [[0.0; 2]; M], tractions, length: 0.0 }
+        let slip = [[[0.0; N]; 2]; M];
+        let (tractions, rim) = (Tractions::default(), [[0.0; 2]; M]);
+        Self { radius: 0.0, slip, rim, tractions, length: 0.0 }
+    }
+}
+
+impl Step {
+    /// The tangential way at the rim of a contact of this radius.
+    fn way(&self, radius: f64) -> f64 {
+        let [x, y] = self.shifted;
+        libm::hypot(libm::hypot(x, y), radius * self.twisted)
+    }
+
+    /// The same direction, this part of the way.
+    fn shortened(&self, part: f64) -> Self {
+        let (shifted, twisted) = (self.shifted.map(|x| part * x), part * self.twisted);
+        Self { shifted, twisted, ..*self }
     }
 }
 
 impl<const N: usize, const M: usize> Contact<N, M> {
-    /// Goes straight to a positive approach; how many iterations that took.
-    pub(super) fn advance(
-        &mut self,
-        pair: &Pair<N, M>,
-        tolerance: f64,
-        step: &Step,
-    ) -> (usize, f64) {
+    /// Goes straight to a positive approach.
+    pub(super) fn advance(&mut self, pair: &Pair<N, M>, tolerance: f64, step: &Step) -> Done {
         let radius = step.approach.sqrt();
+        let way = step.way(radius);
+        let longest = LONGEST * step.approach;
+        if pair.slips && way > longest {
+            let part = longest / way;
+            let done = self.go(pair, tolerance, radius, &step.shortened(part));
+            // All slides on the rest of the way.
+            let sums = self.sums(pair);
+            let [x, y] = sums.force;
+            let along = x * step.shifted[0] + y * step.shifted[1] + sums.torque * step.twisted;
+            return Done { heat: done.heat + ((1.0 - part) * along).max(0.0), ..done };
+        }
+        self.go(pair, tolerance, radius, step)
+    }
+
+    fn go(&mut self, pair: &Pair<N, M>, tolerance: f64, radius: f64, step: &Step) -> Done {
         let square = step.approach;
-        let way = |by: f64| by * by;
-        let [x, y] = step.shifted;
-        let length =
-            (way(step.approached) + way(x) + way(y) + way(radius * step.twisted)).sqrt();
-        let part = self.radius / radius;
-        let by = self.ahead(length) * part * part;
-        let ahead = self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| by * y)));
-        // Slip before the step, on the rings of now.
-        let mut before = match radius == self.radius {
-            true => self.slip,
-            // Nothing has slipped where the bodies just touch.
-            false => pair.nodes.carried(&self.slip, &self.rim, radius / self.radius.max(f64::MIN_POSITIVE)),
+        let length = libm::hypot(step.way(radius), step.approached);
+        let factor = self.radius / radius;
+        let ahead = {
+            let by = self.ahead(length) * factor * factor;
+            self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| by * y)))
         };
-        let share = self.share(pair, radius);
+        let share = self.share(pair, factor);
         let enters = share[N - 1] > 0.0;
-        let rim_spread = pair.spread * square * pair.spread_at_rim;
+        let mut before = self.carried(pair, radius);
+        self.move_along(pair, (radius, &share), step, &mut before);
         let mut c = before;
-        for (j, [cosine, sine]) in pair.directions.iter().enumerate() {
+        for [radial, around] in &mut c {
+            for i in 0..N {
+                radial[i] = pair.spread * pair.layout.spread[i] - radial[i] / square;
+                around[i] = -around[i] / square;
+            }
+        }
+        let share_of = enters.then_some(&share);
+        let iterations = pair.solve(&c, &ahead, share_of, tolerance, &mut self.tractions);
+        let heat = self.settle(pair, (square, &share), &before);
+        (self.radius, self.length) = (radius, length);
+        Done { iterations, heat: heat * radius * square * square / M as f64 }
+    }
+
+    /// Slip before the step on the rings of a contact of this radius.
+    #[inline(always)]
+    fn carried(&self, pair: &Pair<N, M>, radius: f64) -> Field<N, M> {
+        if radius == self.radius {
+            return self.slip;
+        }
+        // Where the bodies just touch all rings are beyond the old rim.
+        pair.nodes.carried(&self.slip, &self.rim, radius / self.radius.max(f64::MIN_POSITIVE))
+    }
+
+    /// The slip against the shift and twist of after the step; rings that enter begin with their share of
+    /// what the rim slips by Hertz's pressure.
+    #[inline(always)]
+    fn move_along(
+        &self,
+        pair: &Pair<N, M>,
+        (radius, share): (f64, &[f64; N]),
+        step: &Step,
+        slip: &mut Field<N, M>,
+    ) {
+        let rim = pair.spread * step.approach * pair.spread_at_rim;
+        let [x, y] = step.shifted;
+        for ([radial, around], [cosine, sine]) in slip.iter_mut().zip(&pair.directions) {
             let along = [x * cosine + y * sine, y * cosine - x * sine];
             for i in 0..N {
                 let keeps = 1.0 - share[i];
                 let turned = step.twisted * radius * pair.layout.radius[i];
-                let [radial, around] = &mut before[j];
-                radial[i] = keeps * (radial[i] - along[0]) + share[i] * rim_spread;
+                radial[i] = keeps * (radial[i] - along[0]) + share[i] * rim;
                 around[i] = keeps * (around[i] - along[1] - turned);
-                let spread = pair.spread * square * pair.layout.spread[i];
-                c[j][0][i] = (spread - radial[i]) / square;
-                c[j][1][i] = -around[i] / square;
             }
         }
-        let count = pair.solve(&c, &ahead, enters.then_some(&share), tolerance, &mut self.tractions);
+    }
+
+    /// The slip after the step and at the rim; the heat over a^5/M.
+    #[inline(always)]
+    fn settle(
+        &mut self,
+        pair: &Pair<N, M>,
+        (square, share): (f64, &[f64; N]),
+        before: &Field<N, M>,
+    ) -> f64 {
         let now = &self.tractions;
         let mut heat = 0.0;
         for j in 0..M {
             for d in 0..2 {
                 for i in 0..N {
-                    let slipped = square * pair.sigma[i] * now.y[j][d][i];
+                    let slipped = pair.sigma[i] * now.y[j][d][i];
                     heat += pair.layout.area[i] * now.z[j][d][i] * slipped;
-                    let from_rim = share[i] * square * now.rim[j][d];
-                    self.slip[j][d][i] = before[j][d][i] - from_rim + slipped;
+                    self.slip[j][d][i] =
+                        before[j][d][i] + square * (slipped - share[i] * now.rim[j][d]);
                 }
             }
-            self.rim[j] = [rim_spread - square * now.rim[j][0], -square * now.rim[j][1]];
         }
-        (self.radius, self.length) = (radius, length);
-        (count, heat * square * radius / M as f64)
+        self.rim = self.at_rim(pair, square);
+        heat
     }
 
-    /// The part of the rim's slip that each ring takes which comes into contact.
+    /// The slip of the rim: its spread without what tractions displace.
+    pub(super) fn at_rim(&self, pair: &Pair<N, M>, square: f64) -> [[f64; 2]; M] {
+        let spread = pair.spread * pair.spread_at_rim;
+        self.tractions.rim.map(|[radial, around]| [square * (spread - radial), -square * around])
+    }
+
+    /// The part of the rim's slip that each ring takes which comes into contact; `old` is the old radius
+    /// over the new one.
     #[inline]
-    fn share(&self, pair: &Pair<N, M>, radius: f64) -> [f64; N] {
-        let part = self.radius / radius;
+    fn share(&self, pair: &Pair<N, M>, old: f64) -> [f64; N] {
+        let square = old * old;
         std::array::from_fn(|i| {
-            if pair.layout.radius[i] <= part {
+            if pair.layout.radius[i] <= old {
                 return 0.0;
             }
-            let old = part * part;
-            ((pair.layout.square[i] - old) / (1.0 - old)).clamp(0.0, 1.0)
+            ((pair.layout.square[i] - square) / (1.0 - square)).clamp(0.0, 1.0)
         })
     }
 
-    /// By how much of the last slip this step begins ahead: of second order in the step.
+    /// By how much of the last slip this step begins ahead, the second-order backward difference.
     #[inline]
     fn ahead(&self, length: f64) -> f64 {
         if self.length == 0.0 {
@@ -131,6 +204,13 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         }
         let ratio = (length / self.length).min(FARTHEST);
         ratio * ratio / (1.0 + 2.0 * ratio)
+    }
+
+    /// The elastic displacement at a place, over f.
+    #[inline(always)]
+    pub(super) fn stretch(&self, pair: &Pair<N, M>, j: usize, i: usize) -> [f64; 2] {
+        let spread = pair.spread * self.radius * self.radius * pair.layout.spread[i];
+        [spread - self.slip[j][0][i], -self.slip[j][1][i]]
     }
 
     /// Loads and stored energy of the tangential tractions.
@@ -146,8 +226,7 @@ impl<const N: usize, const M: usize> Contact<N, M> {
                 of[1] += area * around[i];
                 sums.torque += area * layout.radius[i] * around[i];
                 sums.normal += area * self.tractions.limit[j][i];
-                let spread = pair.spread * a * a * layout.spread[i];
-                let stretch = [spread - self.slip[j][0][i], -self.slip[j][1][i]];
+                let stretch = self.stretch(pair, j, i);
                 sums.stored += area * (radial[i] * stretch[0] + around[i] * stretch[1]);
             }
             sums.force[0] += cosine * of[0] - sine * of[1];

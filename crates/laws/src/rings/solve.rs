@@ -186,7 +186,8 @@ impl<const N: usize, const M: usize> Pair<N, M> {
         if self.slips && !q.iter().zip(&limit).all(within) {
             return false;
         }
-        (now.z, now.limit, now.rim) = (q, limit, self.at_rim(&hat));
+        (now.z, now.limit) = (q, limit);
+        now.rim = self.at_rim(&self.spectrum(&now.z));
         true
     }
 
@@ -211,6 +212,7 @@ impl<const N: usize, const M: usize> Pair<N, M> {
             now.limit = [self.layout.pressure; M];
         }
         let mut part = 1.0;
+        let mut count = MOST;
         for iteration in 0..MOST {
             let mut hat = *c;
             for j in 0..M {
@@ -227,16 +229,32 @@ impl<const N: usize, const M: usize> Pair<N, M> {
             if iteration >= PATIENCE {
                 part *= 0.75;
             }
-            let change = cut(&q, ahead, part, now);
-            if change < close * close {
-                now.rim = self.at_rim(&hat);
-                return iteration + 1;
-            }
-            if iteration + 1 == MOST {
-                now.rim = self.at_rim(&hat);
+            if cut(&q, ahead, part, now) < close * close {
+                count = iteration + 1;
+                break;
             }
         }
-        MOST
+        now.rim = self.at_rim(&self.spectrum(&now.z));
+        count
+    }
+
+    /// Harmonics of tractions.
+    #[inline(always)]
+    fn spectrum(&self, z: &Field<N, M>) -> Field<N, M> {
+        let mut hat = *z;
+        transform(&mut hat, &self.directions, -1.0);
+        hat.map(|parts| parts.map(|ring| ring.map(|x| x / M as f64)))
+    }
+
+    /// What follows from tractions that were kept: the displacement of the rim, and the limits.
+    pub(super) fn follow(&self, now: &mut Tractions<N, M>) {
+        let hat = self.spectrum(&now.z);
+        (now.rim, now.limit) = (self.at_rim(&hat), self.limits(&hat));
+    }
+
+    /// Tractions that stick to these displacements.
+    pub(super) fn sticking_to(&self, u: &Field<N, M>) -> Field<N, M> {
+        self.divided(&self.sticking, &mut u.clone(), None)
     }
 }
 
