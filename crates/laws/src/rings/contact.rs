@@ -5,11 +5,13 @@
 //! Vectors stand in the radial and circumferential direction. Twists are counter-clockwise.
 
 use super::pair::Pair;
-use super::solve::Tractions;
+use super::solve::{Share, Tractions};
 use super::transform::Field;
 
 /// A ratio of steps above which slip is not looked ahead any further.
 const FARTHEST: f64 = 2.0;
+/// Below this part of its radius a contact that recedes has forgotten all: what it carries along is rounding.
+const FORGOTTEN: f64 = 1e-7;
 /// Way of a step over the approach beyond which it only slides: it is taken in this length.
 const LONGEST: f64 = 1e3;
 
@@ -80,6 +82,11 @@ impl<const N: usize, const M: usize> Contact<N, M> {
     /// Goes straight to a positive approach.
     pub(super) fn advance(&mut self, pair: &Pair<N, M>, tolerance: f64, step: &Step) -> Done {
         let radius = step.approach.sqrt();
+        if radius < FORGOTTEN * self.radius {
+            *self = Self::default();
+            let still = Step { shifted: [0.0; 2], twisted: 0.0, ..*step };
+            return self.go(pair, tolerance, radius, &still);
+        }
         let way = step.way(radius);
         let longest = LONGEST * step.approach;
         if pair.slips && way > longest {
@@ -102,8 +109,8 @@ impl<const N: usize, const M: usize> Contact<N, M> {
             let by = self.ahead(length) * factor * factor;
             self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| by * y)))
         };
-        let share = self.share(pair, factor);
-        let enters = share[N - 1] > 0.0;
+        let share = Self::share(pair, factor);
+        let enters = share.of_rim[N - 1] > 0.0;
         let mut before = self.carried(pair, radius);
         self.move_along(pair, (radius, &share), step, &mut before);
         let mut c = before;
@@ -136,19 +143,26 @@ impl<const N: usize, const M: usize> Contact<N, M> {
     fn move_along(
         &self,
         pair: &Pair<N, M>,
-        (radius, share): (f64, &[f64; N]),
+        (radius, share): (f64, &Share<N>),
         step: &Step,
         slip: &mut Field<N, M>,
     ) {
         let rim = pair.spread * step.approach * pair.spread_at_rim;
         let [x, y] = step.shifted;
+        // A twist of the old rim, in proportion to the radius.
+        let twist = mean_around(&self.rim);
+        let outside = |i: usize| match share.of_rim[i] > 0.0 && self.radius > 0.0 {
+            true => twist * (pair.layout.radius[i] * radius / self.radius - 1.0),
+            false => 0.0,
+        };
+        let outside: [f64; N] = std::array::from_fn(outside);
         for ([radial, around], [cosine, sine]) in slip.iter_mut().zip(&pair.directions) {
             let along = [x * cosine + y * sine, y * cosine - x * sine];
             for i in 0..N {
-                let keeps = 1.0 - share[i];
+                let keeps = 1.0 - share.of_rim[i];
                 let turned = step.twisted * radius * pair.layout.radius[i];
-                radial[i] = keeps * (radial[i] - along[0]) + share[i] * rim;
-                around[i] = keeps * (around[i] - along[1] - turned);
+                radial[i] = keeps * (radial[i] - along[0]) + share.of_rim[i] * rim;
+                around[i] = keeps * (around[i] + outside[i] - along[1] - turned);
             }
         }
     }
@@ -158,18 +172,22 @@ impl<const N: usize, const M: usize> Contact<N, M> {
     fn settle(
         &mut self,
         pair: &Pair<N, M>,
-        (square, share): (f64, &[f64; N]),
+        (square, share): (f64, &Share<N>),
         before: &Field<N, M>,
     ) -> f64 {
         let now = &self.tractions;
+        let twist = mean_around(&now.rim);
         let mut heat = 0.0;
         for j in 0..M {
             for d in 0..2 {
                 for i in 0..N {
                     let slipped = pair.sigma[i] * now.y[j][d][i];
                     heat += pair.layout.area[i] * now.z[j][d][i] * slipped;
-                    self.slip[j][d][i] =
-                        before[j][d][i] + square * (slipped - share[i] * now.rim[j][d]);
+                    let mut of_rim = share.of_rim[i] * now.rim[j][d];
+                    if d == 1 {
+                        of_rim += (share.of_twist[i] - share.of_rim[i]) * twist;
+                    }
+                    self.slip[j][d][i] = before[j][d][i] + square * (slipped - of_rim);
                 }
             }
         }
@@ -183,17 +201,18 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         self.tractions.rim.map(|[radial, around]| [square * (spread - radial), -square * around])
     }
 
-    /// The part of the rim's slip that each ring takes which comes into contact; `old` is the old radius
-    /// over the new one.
+    /// `old` is the old radius over the new one.
     #[inline]
-    fn share(&self, pair: &Pair<N, M>, old: f64) -> [f64; N] {
+    fn share(pair: &Pair<N, M>, old: f64) -> Share<N> {
         let square = old * old;
-        std::array::from_fn(|i| {
+        let of_rim: [f64; N] = std::array::from_fn(|i| {
             if pair.layout.radius[i] <= old {
                 return 0.0;
             }
             ((pair.layout.square[i] - square) / (1.0 - square)).clamp(0.0, 1.0)
-        })
+        });
+        let of_twist = std::array::from_fn(|i| of_rim[i] * pair.layout.radius[i]);
+        Share { of_rim, of_twist }
     }
 
     /// By how much of the last slip this step begins ahead, the second-order backward difference.
@@ -236,7 +255,13 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         sums.force = sums.force.map(|f| part * f);
         sums.torque *= part * a;
         sums.normal *= part;
-        sums.stored *= 0.5 * part;
+        sums.stored = (0.5 * part * sums.stored).max(0.0);
         sums
     }
+}
+
+/// The mean circumferential component.
+#[inline(always)]
+fn mean_around<const M: usize>(of: &[[f64; 2]; M]) -> f64 {
+    of.iter().map(|[_, around]| around).sum::<f64>() / M as f64
 }

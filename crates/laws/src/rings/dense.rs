@@ -23,7 +23,8 @@ pub(super) fn product(left: &Rows, right: &Rows) -> Rows {
 
 /// `p left + q right`.
 pub(super) fn combined(p: f64, left: &Rows, q: f64, right: &Rows) -> Rows {
-    let row = |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(x, y)| p * x + q * y).collect();
+    let row =
+        |(a, b): (&Vec<f64>, &Vec<f64>)| a.iter().zip(b).map(|(x, y)| p * x + q * y).collect();
     left.iter().zip(right).map(row).collect()
 }
 

@@ -9,7 +9,7 @@ use super::kernel::{at_radius, between_rings};
 use super::layout::Layout;
 
 /// Between which parts of the outermost width beyond the contact the rim is looked for.
-const NEAR_RIM: [f64; 2] = [0.01, 0.1];
+const NEAR_RIM: [f64; 2] = [0.01, 0.2];
 const ROOT_STEPS: usize = 40;
 /// How close the force in adhesion comes, of 8/3.
 const CLOSE: f64 = 1e-12;
@@ -17,7 +17,8 @@ const CLOSE: f64 = 1e-12;
 /// The influences of one harmonic k, of means over rings.
 #[derive(Debug, Clone)]
 pub(super) struct Harmonic {
-    /// W(k+1, k+1) and W(|k-1|, |k-1|): traction to displacement of the harmonics k and -k.
+    /// W(k+1, k+1) and W(|k-1|, |k-1|): traction to displacement of the harmonics k and -k; of k = 0, radial
+    /// and circumferential.
     pub(super) own: [Rows; 2],
     /// W(k+1, |k-1|) and back.
     pub(super) other: [Rows; 2],
@@ -43,7 +44,7 @@ pub(super) struct Influence<const N: usize> {
 impl<const N: usize> Influence<N> {
     fn new(angles: usize) -> Self {
         let layout = Layout::<N>::new();
-        let rim_radius = rim_radius(&layout);
+        let (rim_radius, twist_radius) = (rim_radius(&layout, 0), rim_radius(&layout, 1));
         let mut kept: BTreeMap<([usize; 2], bool), Rows> = BTreeMap::new();
         let mut of = |m: usize, n: usize, at_rim: bool| {
             let make = || match at_rim {
@@ -66,7 +67,8 @@ impl<const N: usize> Influence<N> {
                 })
                 .collect()
         };
-        let (rings, rim) = (harmonics(false), harmonics(true));
+        let (rings, mut rim) = (harmonics(false), harmonics(true));
+        rim[0].own[1] = vec![at_radius([1, 1], twist_radius, &layout.edges)];
         Self { layout, rim_radius, rings, rim }
     }
 
@@ -83,22 +85,26 @@ impl<const N: usize> Influence<N> {
     }
 }
 
-/// Where the rim is looked at: just outside the contact, such that two alike bodies which stick while
-/// approach and shift grow in proportion have the force that they must, (2/3) c_x zeta^(1/2) xi.
+/// Where the rim is looked at: just outside the contact, such that two alike bodies which stick from touch
+/// on, while approach and shift, or twist, grow in proportion, have the load that they must: 2/3 or 2/5 of
+/// that of the stiffness at the end.
 ///
-/// At 1 itself the condition would be empty, as a displacement that grows as r^2 has any value there.
-fn rim_radius<const N: usize>(layout: &Layout<N>) -> f64 {
-    let inverse = inverse(&between_rings([0, 0], &layout.edges));
+/// At 1 itself the condition would be empty, as a displacement that grows as r^2 (r^3) has any value there.
+fn rim_radius<const N: usize>(layout: &Layout<N>, order: usize) -> f64 {
+    let inverse = inverse(&between_rings([order, order], &layout.edges));
     let by = |u: &dyn Fn(usize) -> f64| -> Vec<f64> {
         inverse.iter().map(|row| row.iter().enumerate().map(|(i, x)| x * u(i)).sum()).collect()
     };
-    let load = |q: &[f64]| q.iter().zip(&layout.area).map(|(q, area)| q * area).sum::<f64>();
-    let (steady, growing) = (by(&|i| 1.0 - layout.square[i]), by(&|i| layout.square[i]));
+    let arm = |i: usize| if order == 1 { layout.radius[i] } else { 1.0 };
+    let want = if order == 1 { 0.4 * 16.0 / 3.0 } else { 8.0 / 3.0 };
+    let load = |q: &[f64]| (0..N).map(|i| arm(i) * q[i] * layout.area[i]).sum::<f64>();
+    let steady = by(&|i| arm(i) * (1.0 - layout.square[i]));
+    let growing = by(&|i| arm(i) * layout.square[i]);
     let excess = |r: f64| {
-        let row = at_radius([0, 0], r, &layout.edges);
+        let row = at_radius([order, order], r, &layout.edges);
         let seen = |q: &[f64]| q.iter().zip(&row).map(|(q, x)| q * x).sum::<f64>();
         let of_rim = seen(&steady) / (1.0 - seen(&growing));
-        load(&steady) + of_rim * load(&growing) - 8.0 / 3.0
+        load(&steady) + of_rim * load(&growing) - want
     };
     let width = 1.0 - layout.edges[N - 1];
     let [mut low, mut high] = NEAR_RIM.map(|part| 1.0 + part * width);
@@ -120,6 +126,7 @@ fn rim_radius<const N: usize>(layout: &Layout<N>) -> f64 {
     }
     high
 }
+
 #[cfg(test)]
 mod tests {
     use super::*;
@@ -127,7 +134,11 @@ mod tests {
     fn show() {
         fn one<const N: usize>() {
             let layout = Layout::<N>::new();
-            println!("{N} {}", (rim_radius(&layout) - 1.0) / (1.0 - layout.edges[N - 1]));
+            println!(
+                "{N} {} {}",
+                (rim_radius(&layout, 1) - 1.0) / (1.0 - layout.edges[N - 1]),
+                (rim_radius(&layout, 0) - 1.0) / (1.0 - layout.edges[N - 1])
+            );
         }
         one::<4>();
         one::<6>();

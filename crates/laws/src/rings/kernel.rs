@@ -220,7 +220,9 @@ mod tests {
     #[test]
     fn a_mean_over_a_narrow_ring_is_the_value_there() {
         let edges = [0.0, 0.3, 0.47, 0.499, 0.501, 0.53, 0.8];
-        for orders in [[0, 0], [1, 1], [2, 0], [0, 2], [3, 1], [1, 0], [0, 1], [2, 3], [2, 1], [1, 2]] {
+        for orders in
+            [[0, 0], [1, 1], [2, 0], [0, 2], [3, 1], [1, 0], [0, 1], [2, 3], [2, 1], [1, 2]]
+        {
             let means = between_rings(orders, &edges);
             let here = at_radius(orders, 0.5, &edges);
             for j in [0, 1, 5] {

@@ -77,7 +77,11 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
     ///
     /// # Errors
     /// [`RangeError`] unless the contact is a circle.
-    pub fn new(hertz: &Hertz, friction: Friction, tolerance: Tolerance) -> Result<Self, RangeError> {
+    pub fn new(
+        hertz: &Hertz,
+        friction: Friction,
+        tolerance: Tolerance,
+    ) -> Result<Self, RangeError> {
         Self::from_constants(RingConstants::of(hertz)?, friction, tolerance)
     }
 
@@ -126,13 +130,14 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
     /// Edges and state of the rings, from the middle: the outer edge over the contact radius (the last
     /// lies outside), and the share of its angles that slipped in the last step.
     pub fn slipping(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
-        let slips = move |j: usize, i: usize| {
-            self.contact.tractions.y[j].iter().any(|part| part[i] != 0.0)
-        };
-        self.pair.iter().flat_map(|pair| &pair.layout.edges[1..]).enumerate().map(move |(i, &edge)| {
-            let count = (0..M).filter(|&j| slips(j, i)).count();
-            (edge, count as f64 / M as f64)
-        })
+        let slips =
+            move |j: usize, i: usize| self.contact.tractions.y[j].iter().any(|part| part[i] != 0.0);
+        self.pair.iter().flat_map(|pair| &pair.layout.edges[1..]).enumerate().map(
+            move |(i, &edge)| {
+                let count = (0..M).filter(|&j| slips(j, i)).count();
+                (edge, count as f64 / M as f64)
+            },
+        )
     }
 
     /// The traction on body 1, radial (outwards) and circumferential (counter-clockwise): its mean over a

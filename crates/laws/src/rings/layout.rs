@@ -35,7 +35,8 @@ impl<const N: usize> Layout<N> {
         let mut edges: Vec<f64> = (0..N).map(edge).collect();
         let last = 1.0 - edges[N - 1];
         edges.push(1.0 + WIDER * last);
-        let ring = |of: &dyn Fn(f64, f64) -> f64| std::array::from_fn(|i| of(edges[i], edges[i + 1]));
+        let ring =
+            |of: &dyn Fn(f64, f64) -> f64| std::array::from_fn(|i| of(edges[i], edges[i + 1]));
         let half_area = |low: f64, high: f64| 0.5 * (high - low) * (high + low);
         let load = |low: f64, high: f64| kernel::load_beyond(low) - kernel::load_beyond(high);
         let spread = |low, high| kernel::spread_of_hertz(high) - kernel::spread_of_hertz(low);

@@ -35,7 +35,9 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
         let head = [zeta, xi, eta, omega, self.contact.length, self.sums.normal];
         numbers[..HEAD].copy_from_slice(&head);
         let Contact { slip, tractions, .. } = &self.contact;
-        for (field, part) in [slip, &tractions.z, &tractions.y].into_iter().zip(parts::<N, M>(numbers)) {
+        for (field, part) in
+            [slip, &tractions.z, &tractions.y].into_iter().zip(parts::<N, M>(numbers))
+        {
             part.copy_from_slice(field.as_flattened().as_flattened());
         }
         Ok(())
@@ -70,7 +72,8 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
             sums = contact.sums(pair);
             let least = sums.force[0].hypot(sums.force[1]) * (1.0 - 1e-9);
             let off = (normal - sums.normal).abs();
-            let holds = !pair.slips || (normal >= least && off <= OFF * self.tolerance * sums.normal);
+            let holds =
+                !pair.slips || (normal >= least && off <= OFF * self.tolerance * sums.normal);
             RangeError::check("normal force", normal, holds, "that of the tractions")?;
             sums.normal = normal;
         } else {

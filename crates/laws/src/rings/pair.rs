@@ -67,7 +67,8 @@ impl<const N: usize, const M: usize> Pair<N, M> {
     pub(super) fn new(kappa: f64, gamma: f64, friction: f64) -> Self {
         let influence = Influence::<N>::shared(M);
         let slips = friction.is_finite();
-        let (spread, lift) = if slips { (gamma / friction, gamma * friction) } else { (gamma, gamma) };
+        let (spread, lift) =
+            if slips { (gamma / friction, gamma * friction) } else { (gamma, gamma) };
         let blocks = |of: &[Harmonic]| -> Vec<Blocks> {
             (0..M).map(|block| matrix::<M>(of, kappa, gamma, block)).collect()
         };
@@ -112,7 +113,7 @@ fn matrix<const M: usize>(of: &[Harmonic], kappa: f64, gamma: f64, block: usize)
     if block == 0 {
         let pressed = through(&at.spread[0], &at.lift[0]);
         let radial = combined(1.0, &at.own[0], -square, &pressed);
-        let around = combined(2.0 * kappa - 1.0, &at.own[0], 0.0, &pressed);
+        let around = combined(2.0 * kappa - 1.0, &at.own[1], 0.0, &pressed);
         return Blocks([[radial, none()], [none(), around]]);
     }
     if block == 1 {
@@ -185,7 +186,12 @@ mod tests {
     use approx::assert_relative_eq;
 
     /// The traction that sticks to a displacement of a block's first part, and its load.
-    fn stiffness<const N: usize>(kappa: f64, block: usize, part: usize, u: impl Fn(f64) -> f64) -> f64 {
+    fn stiffness<const N: usize>(
+        kappa: f64,
+        block: usize,
+        part: usize,
+        u: impl Fn(f64) -> f64,
+    ) -> f64 {
         let pair = Pair::<N, 8>::new(kappa, 0.0, f64::INFINITY);
         let layout = &pair.layout;
         let mut load = 0.0;
@@ -221,7 +227,10 @@ mod tests {
                     for j in 0..12 {
                         let one = inverse[j / 6][j % 6][i / 6][i % 6] * pair.layout.area[i % 6];
                         let two = inverse[i / 6][i % 6][j / 6][j % 6] * pair.layout.area[j % 6];
-                        assert!((one - two).abs() < 1e-9 * pair.layout.area[5].max(one.abs()), "{block}");
+                        assert!(
+                            (one - two).abs() < 1e-9 * pair.layout.area[5].max(one.abs()),
+                            "{block}"
+                        );
                     }
                 }
             }

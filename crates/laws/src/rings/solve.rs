@@ -26,6 +26,14 @@ pub(super) struct Tractions<const N: usize, const M: usize> {
     pub(super) rim: [[f64; 2]; M],
 }
 
+/// The part of the rim's slip that each ring takes which comes into contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Share<const N: usize> {
+    pub(super) of_rim: [f64; N],
+    /// The same of its mean circumferential slip: that grows as the radius, too.
+    pub(super) of_twist: [f64; N],
+}
+
 /// How rings that come into contact follow the displacement of the rim.
 #[derive(Debug, Clone, Copy)]
 struct Entering<const N: usize, const M: usize> {
@@ -38,13 +46,14 @@ struct Entering<const N: usize, const M: usize> {
 impl<const N: usize, const M: usize> Entering<N, M> {
     /// With the share of each ring, by one of the inverses of a pair.
     #[inline(never)]
-    fn new(inverses: &[Block<N>], rims: &[RimBlock<N>], share: &[f64; N]) -> Self {
+    fn new(inverses: &[Block<N>], rims: &[RimBlock<N>], share: &Share<N>) -> Self {
         let mut out = Self { columns: [[[[0.0; N]; 2]; 2]; M], small: [[[0.0; 2]; 2]; M] };
         for (b, (inverse, rim)) in inverses.iter().zip(rims).enumerate() {
             let mut small = [[0.0; 2]; 2];
             for part in 0..2 {
                 let mut sources = [[0.0; N]; 2];
-                sources[part] = *share;
+                // The second part of the first block is the twist.
+                sources[part] = if (b, part) == (0, 1) { share.of_twist } else { share.of_rim };
                 let column = applied(inverse, &sources);
                 let at_rim = seen(rim, &column);
                 for out in 0..2 {
@@ -171,7 +180,7 @@ impl<const N: usize, const M: usize> Pair<N, M> {
     }
 
     /// Where nothing slipped before: the tractions that stick, if they keep their limits.
-    fn stuck(&self, c: &Field<N, M>, share: Option<&[f64; N]>, now: &mut Tractions<N, M>) -> bool {
+    fn stuck(&self, c: &Field<N, M>, share: Option<&Share<N>>, now: &mut Tractions<N, M>) -> bool {
         let slipped = now.y.iter().flatten().flatten().any(|&y| y != 0.0);
         if self.slips && slipped {
             return false;
@@ -198,7 +207,7 @@ impl<const N: usize, const M: usize> Pair<N, M> {
         &self,
         c: &Field<N, M>,
         ahead: &Field<N, M>,
-        share: Option<&[f64; N]>,
+        share: Option<&Share<N>>,
         tolerance: f64,
         now: &mut Tractions<N, M>,
     ) -> usize {

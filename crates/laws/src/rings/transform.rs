@@ -98,7 +98,9 @@ mod tests {
         let directions = directions::<M>();
         let mut seed = 1_u64;
         let mut random = || {
-            seed = seed.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+            seed = seed
+                .wrapping_mul(6_364_136_223_846_793_005)
+                .wrapping_add(1_442_695_040_888_963_407);
             (seed >> 11) as f64 / (1_u64 << 53) as f64 - 0.5
         };
         let field: Field<3, M> = std::array::from_fn(|_| [[random(); 3], [random(); 3]]);
@@ -111,7 +113,9 @@ mod tests {
                 want[0] += c * re[0] + s * im[0];
                 want[1] += c * im[0] - s * re[0];
             }
-            assert!((hat[k][0][0] - want[0]).abs() < 1e-13 && (hat[k][1][2] - want[1]).abs() < 1e-13);
+            assert!(
+                (hat[k][0][0] - want[0]).abs() < 1e-13 && (hat[k][1][2] - want[1]).abs() < 1e-13
+            );
         }
         transform(&mut hat, &directions, 1.0);
         for (got, want) in hat.iter().zip(&field) {

@@ -11,7 +11,8 @@ fn oblique<const N: usize>(within: f64) {
             let mut law = law_of::<N, 8>([kappa, 0.0, friction], 1e-4);
             let load = law.advance(shift([0.7, 1.1, 0.5, 0.0])).unwrap();
             let want = 2.0 / 3.0 * 4.0 / kappa * 0.7_f64.sqrt();
-            let off = (load.f_x / (want * 1.1) - 1.0).abs().max((load.f_y / (want * 0.5) - 1.0).abs());
+            let off =
+                (load.f_x / (want * 1.1) - 1.0).abs().max((load.f_y / (want * 0.5) - 1.0).abs());
             assert!(off < within, "{N} rings, kappa {kappa}, f {friction}: {off:e}");
             // In ten steps as in one.
             let mut law = law_of::<N, 8>([kappa, 0.0, friction], 1e-4);

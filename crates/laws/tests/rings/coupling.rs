@@ -36,9 +36,12 @@ fn friction_on_the_body_that_is_drawn_inwards_acts_outwards() {
         let load = PointLoad::new(body, Force { z: 1.0, ..Force::default() }).unwrap();
         -load.displacement(Point::on_surface(1.0, 0.0)).unwrap().u
     };
-    for (moduli, poisson) in
-        [([2.0, 2.0], [0.0, 0.5]), ([2.0, 2.0], [0.5, 0.0]), ([1.0, 5.0], [0.3, 0.3]), ([5.0, 1.0], [0.2, 0.3])]
-    {
+    for (moduli, poisson) in [
+        ([2.0, 2.0], [0.0, 0.5]),
+        ([2.0, 2.0], [0.5, 0.0]),
+        ([1.0, 5.0], [0.3, 0.3]),
+        ([5.0, 1.0], [0.2, 0.3]),
+    ] {
         let body = |i: usize| Material::from_shear(moduli[i], poisson[i]).unwrap();
         // The other body comes outwards against body 1 if that is drawn inwards more, and takes it along.
         let outwards = (inwards(body(0)) - inwards(body(1))).signum();

@@ -9,7 +9,11 @@ fn follow(law: &RingLaw<6, 8>, path: &[Shift], by: impl Fn(&Shift) -> Shift) -> 
     path.iter().map(|at| law.advance(by(at)).unwrap()).collect()
 }
 
-fn greatest(one: &[ContactLoad], two: &[ContactLoad], of: impl Fn(&ContactLoad) -> [f64; 4]) -> f64 {
+fn greatest(
+    one: &[ContactLoad],
+    two: &[ContactLoad],
+    of: impl Fn(&ContactLoad) -> [f64; 4],
+) -> f64 {
     let mut worst = 0.0_f64;
     for (a, b) in one.iter().zip(two) {
         let want = of(a);
@@ -54,13 +58,17 @@ fn bodies_exchanged_feel_the_opposite() {
     // are (-xi, eta) of 2 against 1, and the twist changes neither its sign nor its vector.
     let path = Random(5).path(6, 10, [0.4, 0.4]);
     let one = follow(&law_of([7.0 / 6.0, 0.3, 0.3], 1e-3), &path, |at| *at);
-    let two = follow(&law_of([7.0 / 6.0, -0.3, 0.3], 1e-3), &path, |at| {
-        Shift { xi: -at.xi, eta: at.eta, zeta: at.zeta, omega: at.omega }
+    let two = follow(&law_of([7.0 / 6.0, -0.3, 0.3], 1e-3), &path, |at| Shift {
+        xi: -at.xi,
+        eta: at.eta,
+        zeta: at.zeta,
+        omega: at.omega,
     });
     let off = greatest(&one, &two, |load| [-load.f_x, load.f_y, load.f_z, load.m_z]);
     assert!(off < 1e-10, "{off:e}");
     // The same sign instead is another contact.
-    let same = follow(&law_of([7.0 / 6.0, 0.3, 0.3], 1e-3), &path, |at| Shift { xi: -at.xi, ..*at });
+    let same =
+        follow(&law_of([7.0 / 6.0, 0.3, 0.3], 1e-3), &path, |at| Shift { xi: -at.xi, ..*at });
     let off = greatest(&one, &same, |load| [-load.f_x, load.f_y, load.f_z, load.m_z]);
     assert!(off > 0.01, "{off:e}");
 }
@@ -73,8 +81,11 @@ fn where_the_bodies_touch_does_not_matter() {
     let mut there = law;
     there.advance(shift([-1.0, 5.0, -7.0, 3.0])).unwrap();
     there.advance(shift([0.0, 5.0, -7.0, 3.0])).unwrap();
-    let there = follow(&there, &path, |at| {
-        Shift { xi: at.xi + 5.0, eta: at.eta - 7.0, omega: at.omega + 3.0, ..*at }
+    let there = follow(&there, &path, |at| Shift {
+        xi: at.xi + 5.0,
+        eta: at.eta - 7.0,
+        omega: at.omega + 3.0,
+        ..*at
     });
     assert!(greatest(&here, &there, |load| [load.f_x, load.f_y, load.f_z, load.m_z]) < 1e-10);
 }
@@ -85,9 +96,8 @@ fn size_does_not_matter() {
     let law = law_of::<6, 8>([1.2, 0.2, 0.3], 1e-3);
     let here = follow(&law, &path, |at| *at);
     // Approach and shifts 4 times, the radius and the twist by it 2 times, forces 8 times as large.
-    let large = follow(&law, &path, |at| {
-        shift([4.0 * at.zeta, 4.0 * at.xi, 4.0 * at.eta, 2.0 * at.omega])
-    });
+    let large =
+        follow(&law, &path, |at| shift([4.0 * at.zeta, 4.0 * at.xi, 4.0 * at.eta, 2.0 * at.omega]));
     let off = greatest(&here, &large, |load| {
         [8.0 * load.f_x, 8.0 * load.f_y, 8.0 * load.f_z, 16.0 * load.m_z]
     });

@@ -34,8 +34,14 @@ fn loads_are_finite_and_within_the_friction_limit_at_all_limits() {
                     assert!(is_finite(&load) && heat.is_finite() && heat >= 0.0, "{name}");
                     assert!(law.stored_energy().is_finite(), "{name}");
                     let force = load.f_x.hypot(load.f_y);
-                    assert!(force <= friction * load.f_z * (1.0 + 1e-9) || load.f_z == force, "{name}");
-                    assert!(load.f_z >= 0.0 && (at.zeta > 0.0 || load == ContactLoad::default()), "{name}");
+                    assert!(
+                        force <= friction * load.f_z * (1.0 + 1e-9) || load.f_z == force,
+                        "{name}"
+                    );
+                    assert!(
+                        load.f_z >= 0.0 && (at.zeta > 0.0 || load == ContactLoad::default()),
+                        "{name}"
+                    );
                 }
             }
         }
