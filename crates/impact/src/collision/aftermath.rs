@@ -40,7 +40,10 @@ impl Collision {
             passed.dissipated.unwrap_or_else(|| 0.5 * whole.dot(&(before + elastic)));
         dissipated *= damped.part;
         let mut lost = damped.lost(0.5 * whole.dot(&(before - elastic)));
-        let mut torsion = self.torsion(before.z)?;
+        let mut torsion = match passed.torsion {
+            None => self.torsion(before.z)?,
+            known => known,
+        };
         if let Some(torsion) = &mut torsion {
             let spin = self.normal_spin(before.z);
             lost += damped.lost(spin.exchanged(torsion));

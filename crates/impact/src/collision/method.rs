@@ -8,7 +8,7 @@ use super::{Collision, CollisionError};
 use crate::coupled::{CoupledImpact, CoupledOutcome, ImpactMethod, VectorLaw};
 use crate::normal::{self, NormalImpact};
 use crate::oblique::{Groups, ObliqueImpact};
-use crate::outcome::{LogEntry, Warning};
+use crate::outcome::{LogEntry, Torsion, Warning};
 
 /// Differences of D between tangents below this part of it are round-off.
 const EVEN: f64 = 1e-12;
@@ -45,7 +45,9 @@ pub(crate) struct Passed {
     /// What friction took; none where it follows from the velocities.
     pub(super) dissipated: Option<f64>,
     /// R_x, where the method itself knows it.
-    pub(super) restitution: Option<f64>,
+    pub(crate) restitution: Option<f64>,
+    /// What became of the spin about the normal, where the method itself knows it.
+    pub(crate) torsion: Option<Torsion>,
     pub(super) duration: f64,
     pub(super) maximal_force: f64,
     pub(super) maximal_approach: f64,
@@ -122,6 +124,7 @@ impl Passed {
             impulse: outcome.impulse,
             dissipated: None,
             restitution: None,
+            torsion: None,
             duration: outcome.duration,
             maximal_force: outcome.maximal_force,
             maximal_approach: outcome.maximal_approach,
@@ -152,6 +155,7 @@ impl Symmetric {
             impulse,
             dissipated: Some(lost),
             restitution: Some(restitution),
+            torsion: None,
             duration: normal.duration(),
             maximal_force: normal.maximal_force(),
             maximal_approach: normal.maximal_approach(),

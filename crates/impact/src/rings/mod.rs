@@ -1,0 +1,283 @@
+//! Impacts of spheres and planes of unlike materials, with spin about the normal, by the law of rings.
+
+mod motion;
+
+use carom_laws::friction::Friction;
+use carom_laws::rings::{RingConstants, RingLaw, Tolerance};
+use carom_special::RangeError;
+use nalgebra::Vector3;
+
+use crate::collision::{Collision, CollisionError, Passed};
+use crate::coupled::{CoupledOutcome, ImpactMethod};
+use crate::normal::NormalImpact;
+use crate::outcome::{Outcome, Rebound, Torsion, Warning};
+use motion::{Motion, Passage, Rates};
+
+/// The tangential velocity over f times that of approach at which the limit for vanishing ones is taken.
+const PROBE: f64 = 0.02;
+/// Mobilities of two tangents that differ by less than this part are the same.
+const EVEN: f64 = 1e-12;
+/// By how much the change under the last refinement counts for the error of the finer run.
+const LEFT: f64 = 0.5;
+/// What is left in the velocity over f v_z where that change happens to be small.
+const FLOOR: f64 = 3e-4;
+
+/// Why an impact by rings failed.
+#[derive(Debug, Clone, PartialEq, thiserror::Error)]
+pub enum RingImpactError {
+    /// A value out of range, or bodies that are not spheres or planes.
+    #[error(transparent)]
+    Range(#[from] RangeError),
+    /// The collision itself cannot be computed.
+    #[error(transparent)]
+    Collision(#[from] CollisionError),
+    /// The bodies do not part.
+    #[error("the bodies do not separate within 64 times the duration of a free impact")]
+    NoSeparation,
+}
+
+/// A collision of spheres or planes whose contact is [`RingLaw`]'s: the coupling of dissimilar bodies and
+/// the spin about the normal count.
+///
+/// It is followed with ever finer rings and steps until the estimate of its error is below the tolerance.
+/// The same impact of alike bodies without spin, which is known exactly, is followed beside it, and what
+/// the rings miss there is taken off where that brings two finenesses closer to each other.
+///
+/// ```
+/// use carom_halfspace::Material;
+/// use carom_impact::{Body, Collision, Motion, RingImpact};
+/// use carom_laws::friction::Friction;
+/// let ball = |nu| Body::sphere(0.0405, Material::from_shear(82e9, nu)?, 2.188);
+/// let upper = ball(0.0)?.moving(Motion::new([-0.05, 0.0, -1.0], [0.0; 3])?);
+/// let collision = Collision::new(upper, ball(0.5)?, Friction::new(0.1)?)?;
+/// let outcome = RingImpact::new(&collision).solve()?;
+/// let rebound = outcome.rebound().ok_or("they meet")?;
+/// // Alike they would slide back a little; unlike they are thrown back.
+/// assert!((rebound.tangential_restitution.unwrap_or(0.0) - 0.317).abs() < 0.005);
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+#[derive(Debug, Clone, Copy)]
+pub struct RingImpact<'a> {
+    collision: &'a Collision,
+    tolerance: f64,
+}
+
+/// Rings, angles, steps and tolerance of a run, coarse to fine.
+const LEVELS: [Run; 4] = [
+    run::<6, 8, 32, 1000>,
+    run::<8, 8, 64, 1000>,
+    run::<12, 8, 128, 10_000>,
+    run::<16, 16, 256, 10_000>,
+];
+
+type Run = fn(&Problem) -> Result<Passage, RingImpactError>;
+
+/// The impact in contact axes.
+#[derive(Debug, Clone, Copy)]
+struct Problem {
+    motion: Motion,
+    constants: RingConstants,
+    friction: Friction,
+}
+
+/// Rates after the impact and how far they may be off, over f v_z.
+struct Found {
+    passage: Passage,
+    estimate: f64,
+}
+
+impl<'a> RingImpact<'a> {
+    /// The default tolerance: 1e-2.
+    pub const TOLERANCE: f64 = 1e-2;
+
+    /// With the default tolerance: the tangential velocity may be off by 1e-2 of f times the velocity of
+    /// approach.
+    #[must_use]
+    pub const fn new(collision: &'a Collision) -> Self {
+        Self { collision, tolerance: Self::TOLERANCE }
+    }
+
+    /// With another tolerance. Where the finest rings do not meet it the outcome says so by its error
+    /// estimate.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless it is finite and positive.
+    pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
+        RangeError::positive("tolerance", tolerance)?;
+        Ok(Self { tolerance, ..self })
+    }
+
+    /// Follows the impact to separation.
+    ///
+    /// The spin about the normal changes, where there is one, and [`Rebound::torsion`] says by how much.
+    ///
+    /// # Errors
+    /// [`RingImpactError::Range`] unless both bodies are spheres or planes that turn as easily about all
+    /// tangents; else as [`Collision::solve`].
+    pub fn solve(&self) -> Result<Outcome, RingImpactError> {
+        let Some(problem) = self.problem()? else { return Ok(self.collision.missed()) };
+        let found = self.found(&problem, self.exact(&problem)?)?;
+        let [speed, xi, eta, omega] = problem.motion.before;
+        let [zeta_after, xi_after, eta_after, omega_after] = found.passage.after;
+        let before = Vector3::new(xi, eta, speed);
+        let velocity = Vector3::new(xi_after, eta_after, zeta_after);
+        let scale = problem.scale() * speed;
+        let outcome = CoupledOutcome {
+            velocity,
+            impulse: self.collision.mobility().impulse(&before, &velocity),
+            duration: found.passage.duration,
+            maximal_approach: found.passage.maximal_approach,
+            maximal_force: found.passage.maximal_force,
+            compressions: found.passage.compressions,
+            method: ImpactMethod::Spatial { coupled: true },
+            error_estimate: found.estimate * scale / before.norm(),
+            warning: None,
+        };
+        let mut passed = Passed::coupled(before, outcome, Vec::new());
+        if xi == 0.0 && eta == 0.0 {
+            passed.restitution = Some(self.limit(&problem)?);
+        }
+        let about = problem.motion.mobility[2];
+        if omega != 0.0 && about > 0.0 {
+            let torque_impulse = (omega_after - omega) / about;
+            passed.torsion = Some(Torsion {
+                spin_ratio: omega_after / omega,
+                torque_impulse,
+                dissipated: -0.5 * torque_impulse * (omega + omega_after),
+                error_estimate: found.estimate,
+            });
+        }
+        let mut rebound: Rebound = self.collision.rebound(passed)?;
+        let counts = |warning: &Warning| {
+            !matches!(warning, Warning::Coupling { .. } | Warning::SpinLeftAlone { .. })
+        };
+        rebound.warnings.retain(counts);
+        Ok(Outcome::Rebound(Box::new(rebound)))
+    }
+
+    /// None if the bodies do not approach each other.
+    fn problem(&self) -> Result<Option<Problem>, RingImpactError> {
+        let collision = self.collision;
+        let Some(impact) = collision.impact()? else { return Ok(None) };
+        let mobility = collision.mobility().matrix();
+        let skew = (mobility.m11 - mobility.m22).abs().max(2.0 * mobility.m12.abs());
+        let is_round = collision.bodies().iter().all(|body| body.height().is_some());
+        let holds = is_round && skew <= EVEN * mobility.m11;
+        RangeError::check(
+            "bodies",
+            skew,
+            holds,
+            "spheres or planes that turn alike about tangents",
+        )?;
+        let (hertz, velocity, z) = (collision.hertz(), impact.velocity(), collision.frame().z());
+        let normal = NormalImpact::new(mobility.m33, hertz.stiffness().c_z, velocity.z)?;
+        let about = |i: usize| z.dot(&(collision.levers()[i].inverse_tensor() * z));
+        let spin = |i: usize| collision.bodies()[i].motion().spin.dot(&z);
+        let motion = Motion {
+            mobility: [mobility.m33, mobility.m11, about(0) + about(1)],
+            before: [velocity.z, velocity.x, velocity.y, spin(0) - spin(1)],
+            duration: normal.duration(),
+        };
+        let friction = collision.friction();
+        Ok(Some(Problem { motion, constants: RingConstants::of(hertz)?, friction }))
+    }
+
+    /// The rates after the same impact of alike bodies without spin.
+    fn exact(&self, problem: &Problem) -> Result<Rates, RingImpactError> {
+        let [speed, xi, eta, _] = problem.motion.before;
+        let restitution = exact_restitution(problem)?;
+        Ok([-speed, -restitution * xi, -restitution * eta, 0.0])
+    }
+
+    /// Refines until the estimate is below the tolerance.
+    fn found(&self, problem: &Problem, exact: Rates) -> Result<Found, RingImpactError> {
+        let alike = problem.alike();
+        let mut last: Option<[Passage; 2]> = None;
+        let mut best = None;
+        for run in LEVELS {
+            let now = [run(problem)?, run(&alike)?];
+            if let Some(old) = &last {
+                let found = problem.judged(old, &now, exact);
+                let enough = found.estimate <= self.tolerance;
+                best = Some(found);
+                if enough {
+                    break;
+                }
+            }
+            last = Some(now);
+        }
+        best.ok_or(RingImpactError::NoSeparation)
+    }
+
+    /// R_x of vanishing tangential velocities.
+    fn limit(&self, problem: &Problem) -> Result<f64, RingImpactError> {
+        let mut probe = *problem;
+        let slip = PROBE * problem.scale() * problem.motion.before[0];
+        (probe.motion.before[1], probe.motion.before[2]) = (slip, 0.0);
+        let found = self.found(&probe, self.exact(&probe)?)?;
+        Ok((-found.passage.after[1] / slip).clamp(-1.0, 1.0))
+    }
+}
+
+impl Problem {
+    /// Alike bodies without spin.
+    fn alike(&self) -> Self {
+        let mut alike = *self;
+        alike.constants.gamma = 0.0;
+        alike.motion.before[3] = 0.0;
+        alike
+    }
+
+    /// f, or 1 where that is no measure of velocities.
+    fn scale(&self) -> f64 {
+        match self.friction.get() {
+            f if f > 0.0 && f < 1.0 => f,
+            _ => 1.0,
+        }
+    }
+
+    /// The finer of two runs, alone or with what is known of alike bodies, whichever changed less.
+    fn judged(&self, [old, old_alike]: &[Passage; 2], now: &[Passage; 2], exact: Rates) -> Found {
+        let [new, new_alike] = now;
+        let over = self.scale() * self.motion.before[0];
+        let change = |part: f64| {
+            let of = |i: usize| {
+                let alike = if i < 3 { new_alike.after[i] - old_alike.after[i] } else { 0.0 };
+                new.after[i] - old.after[i] - part * alike
+            };
+            of(1).hypot(of(2)).hypot(of(0)) / over
+        };
+        let [alone, controlled] = [change(0.0), change(1.0)];
+        let part = if controlled <= alone { 1.0 } else { 0.0 };
+        let mut passage = *new;
+        for i in 0..3 {
+            passage.after[i] += part * (exact[i] - new_alike.after[i]);
+        }
+        Found { passage, estimate: LEFT * alone.min(controlled) + FLOOR }
+    }
+}
+
+/// R_x of the impact of alike bodies.
+fn exact_restitution(problem: &Problem) -> Result<f64, RingImpactError> {
+    let [speed, xi, eta, _] = problem.motion.before;
+    let [along, across, _] = problem.motion.mobility;
+    let chi = across / (along * problem.constants.kappa);
+    let slip = xi.hypot(eta);
+    let psi = match problem.friction.coefficient() {
+        None => 0.0,
+        Some(0.0) => f64::INFINITY,
+        Some(f) => slip / (problem.constants.kappa * speed * f),
+    };
+    let groups = crate::oblique::Groups::new(chi, psi)?;
+    let impact = crate::oblique::ObliqueImpact::new(groups).map_err(CollisionError::from)?;
+    Ok(impact.restitution())
+}
+
+/// One run of so many steps; `FINE` is one over the tolerance of the law.
+fn run<const N: usize, const M: usize, const STEPS: usize, const FINE: usize>(
+    problem: &Problem,
+) -> Result<Passage, RingImpactError> {
+    let tolerance = Tolerance::new(1.0 / FINE as f64)?;
+    let law = RingLaw::<N, M>::from_constants(problem.constants, problem.friction, tolerance)?;
+    problem.motion.follow(law, STEPS)?.ok_or(RingImpactError::NoSeparation)
+}
