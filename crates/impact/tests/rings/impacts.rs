@@ -8,7 +8,7 @@ use std::time::Instant;
 fn material(name: &str) -> Material {
     let (e, nu) = match name {
         "alumina" => (380e9, 0.23),
-        "glass" => (70e9, 0.25),
+        "glass" => (71e9, 0.22),
         "steel" => (208e9, 0.3),
         "silica" => (72e9, 0.17),
         "aluminium" => (70e9, 0.33),

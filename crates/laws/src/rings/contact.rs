@@ -105,10 +105,11 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         let square = step.approach;
         let length = libm::hypot(step.way(radius), step.approached);
         let factor = self.radius / radius;
-        let ahead = {
-            let by = self.ahead(length) * factor * factor;
-            self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| by * y)))
-        };
+        let [by, further] = self.ahead(length).map(|by| by * factor * factor);
+        let ahead = self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| by * y)));
+        // Slip that goes on at its rate is the first guess.
+        self.tractions.y =
+            self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| further * y)));
         let share = Self::share(pair, factor);
         let enters = share.of_rim[N - 1] > 0.0;
         let mut before = self.carried(pair, radius);
@@ -215,14 +216,15 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         Share { of_rim, of_twist }
     }
 
-    /// By how much of the last slip this step begins ahead, the second-order backward difference.
+    /// By how much of the last slip this step begins ahead, the second-order backward difference; and the
+    /// length of this step over that of the last.
     #[inline]
-    fn ahead(&self, length: f64) -> f64 {
+    fn ahead(&self, length: f64) -> [f64; 2] {
         if self.length == 0.0 {
-            return 0.0;
+            return [0.0; 2];
         }
         let ratio = (length / self.length).min(FARTHEST);
-        ratio * ratio / (1.0 + 2.0 * ratio)
+        [ratio * ratio / (1.0 + 2.0 * ratio), ratio]
     }
 
     /// The elastic displacement at a place, over f.

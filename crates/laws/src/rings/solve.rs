@@ -12,6 +12,8 @@ const RELAX: f64 = 1.6;
 const PRESS_EACH: usize = 3;
 /// The most iterations; 19 are the mean of large steps at a tolerance of 1e-4.
 const MOST: usize = 400;
+/// About the greatest displacement by tractions at their limits, over a^2.
+const STICKING: f64 = 1.5;
 /// After so many iterations less and less slip is taken ahead: some points would else go to and fro.
 const PATIENCE: usize = 16;
 
@@ -220,6 +222,9 @@ impl<const N: usize, const M: usize> Pair<N, M> {
         if !couples {
             now.limit = [self.layout.pressure; M];
         }
+        if now.y.iter().flatten().flatten().all(|&y| y == 0.0) {
+            self.slide(c, now);
+        }
         let mut part = 1.0;
         let mut count = MOST;
         for iteration in 0..MOST {
@@ -245,6 +250,24 @@ impl<const N: usize, const M: usize> Pair<N, M> {
         }
         now.rim = self.at_rim(&self.spectrum(&now.z));
         count
+    }
+
+    /// Begins where a step from rest is far beyond what sticks: there it slides.
+    #[cold]
+    fn slide(&self, c: &Field<N, M>, now: &mut Tractions<N, M>) {
+        for (j, [x, y]) in c.iter().enumerate() {
+            for i in 0..N {
+                let size = x[i].hypot(y[i]);
+                if size <= STICKING {
+                    continue;
+                }
+                let [slip, traction] =
+                    [(1.0 - STICKING / size) / self.sigma[i], self.layout.pressure[i] / size];
+                for (d, c) in [x[i], y[i]].into_iter().enumerate() {
+                    (now.y[j][d][i], now.z[j][d][i]) = (slip * c, traction * c);
+                }
+            }
+        }
     }
 
     /// Harmonics of tractions.
