@@ -17,10 +17,8 @@ use motion::{Motion, Passage, Rates};
 const PROBE: f64 = 0.02;
 /// Mobilities of two tangents that differ by less than this part are the same.
 const EVEN: f64 = 1e-12;
-/// By how much the change under the last refinement counts for the error of the finer run.
-const LEFT: f64 = 0.5;
-/// What is left in the velocity over f v_z where that change happens to be small.
-const FLOOR: f64 = 3e-4;
+/// Gamma/f at which half of what the rings miss of alike bodies is taken off.
+const HALF: f64 = 2.0;
 
 /// Why an impact by rings failed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
@@ -39,9 +37,11 @@ pub enum RingImpactError {
 /// A collision of spheres or planes whose contact is [`RingLaw`]'s: the coupling of dissimilar bodies and
 /// the spin about the normal count.
 ///
+/// The spin about the normal changes with the rest, at no cost of its own.
+///
 /// It is followed with ever finer rings and steps until the estimate of its error is below the tolerance.
 /// The same impact of alike bodies without spin, which is known exactly, is followed beside it, and what
-/// the rings miss there is taken off where that brings two finenesses closer to each other.
+/// the rings miss there is taken off, in part where coupling makes most of the slip.
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -62,14 +62,28 @@ pub struct RingImpact<'a> {
     tolerance: f64,
 }
 
-/// Rings, angles, steps and tolerance of a run, coarse to fine.
-const LEVELS: [Run; 4] = [
-    run::<6, 8, 32, 1000>,
-    run::<8, 8, 64, 1000>,
-    run::<12, 8, 128, 10_000>,
-    run::<16, 16, 256, 10_000>,
+/// A fineness.
+#[derive(Debug, Clone, Copy)]
+struct Level {
+    run: Run,
+    /// What part of the change from the coarser level counts for its error.
+    left: f64,
+    /// What is left in the velocity over f v_z where that change happens to be small.
+    floor: f64,
+}
+
+/// Coarse to fine. In 80 drawn impacts of unlike spheres (gamma up to 0.24, f from 0.04 to 0.48, lambda from
+/// 0.05 to 5) against 24 x 16 rings in 256 steps the tangential velocities of the second were off, over f v_z, by
+/// 7e-4 in the median and 4.5e-3 at worst, those of the third by 2e-4 and 2.8e-3; those of the last are known
+/// of alike bodies only, 5e-4 and 2e-3 before what is missed there is taken off.
+const LEVELS: [Level; 4] = [
+    Level { run: run::<4, 8, 32, 300>, left: 1.0, floor: 1e-2 },
+    Level { run: run::<8, 8, 64, 500>, left: 0.6, floor: 1.3e-3 },
+    Level { run: run::<16, 16, 128, 2000>, left: 0.8, floor: 5e-4 },
+    Level { run: run::<24, 16, 256, 10_000>, left: 1.0, floor: 3e-4 },
 ];
 
+/// A run of a fineness.
 type Run = fn(&Problem) -> Result<Passage, RingImpactError>;
 
 /// The impact in contact axes.
@@ -84,13 +98,15 @@ struct Problem {
 struct Found {
     passage: Passage,
     estimate: f64,
+    /// The same of the spin about the normal, over that before.
+    spin: f64,
 }
 
 impl<'a> RingImpact<'a> {
-    /// The default tolerance: 1e-2.
-    pub const TOLERANCE: f64 = 1e-2;
+    /// The default tolerance: 5e-3.
+    pub const TOLERANCE: f64 = 5e-3;
 
-    /// With the default tolerance: the tangential velocity may be off by 1e-2 of f times the velocity of
+    /// With the default tolerance: the tangential velocity may be off by 5e-3 of f times the velocity of
     /// approach.
     #[must_use]
     pub const fn new(collision: &'a Collision) -> Self {
@@ -144,7 +160,7 @@ impl<'a> RingImpact<'a> {
                 spin_ratio: omega_after / omega,
                 torque_impulse,
                 dissipated: -0.5 * torque_impulse * (omega + omega_after),
-                error_estimate: found.estimate,
+                error_estimate: found.spin,
             });
         }
         let mut rebound: Rebound = self.collision.rebound(passed)?;
@@ -194,10 +210,10 @@ impl<'a> RingImpact<'a> {
         let alike = problem.alike();
         let mut last: Option<[Passage; 2]> = None;
         let mut best = None;
-        for run in LEVELS {
-            let now = [run(problem)?, run(&alike)?];
+        for level in LEVELS {
+            let now = [(level.run)(problem)?, (level.run)(&alike)?];
             if let Some(old) = &last {
-                let found = problem.judged(old, &now, exact);
+                let found = problem.judged(&level, old, &now, exact);
                 let enough = found.estimate <= self.tolerance;
                 best = Some(found);
                 if enough {
@@ -236,24 +252,30 @@ impl Problem {
         }
     }
 
-    /// The finer of two runs, alone or with what is known of alike bodies, whichever changed less.
-    fn judged(&self, [old, old_alike]: &[Passage; 2], now: &[Passage; 2], exact: Rates) -> Found {
-        let [new, new_alike] = now;
-        let over = self.scale() * self.motion.before[0];
-        let change = |part: f64| {
-            let of = |i: usize| {
-                let alike = if i < 3 { new_alike.after[i] - old_alike.after[i] } else { 0.0 };
-                new.after[i] - old.after[i] - part * alike
-            };
-            of(1).hypot(of(2)).hypot(of(0)) / over
+    /// The finer of two runs, without what is missed of alike bodies: all of it where slip is that by
+    /// shift, less where it is that by coupling.
+    fn judged(
+        &self,
+        level: &Level,
+        [old, old_alike]: &[Passage; 2],
+        [new, new_alike]: &[Passage; 2],
+        exact: Rates,
+    ) -> Found {
+        let ratio = self.constants.gamma / (HALF * self.friction.get());
+        let part = if ratio.is_finite() { 1.0 / (1.0 + ratio * ratio) } else { 0.0 };
+        let without = |run: &Passage, alike: &Passage, i: usize| match i {
+            3 => run.after[i],
+            _ => run.after[i] + part * (exact[i] - alike.after[i]),
         };
-        let [alone, controlled] = [change(0.0), change(1.0)];
-        let part = if controlled <= alone { 1.0 } else { 0.0 };
         let mut passage = *new;
-        for i in 0..3 {
-            passage.after[i] += part * (exact[i] - new_alike.after[i]);
-        }
-        Found { passage, estimate: LEFT * alone.min(controlled) + FLOOR }
+        passage.after = std::array::from_fn(|i| without(new, new_alike, i));
+        let change: Rates =
+            std::array::from_fn(|i| (passage.after[i] - without(old, old_alike, i)).abs());
+        let over = self.scale() * self.motion.before[0];
+        let estimate =
+            level.left * change[0].hypot(change[1]).hypot(change[2]) / over + level.floor;
+        let spin = level.left * change[3] / self.motion.before[3].abs() + level.floor;
+        Found { passage, estimate, spin }
     }
 }
 
