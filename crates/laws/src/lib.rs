@@ -8,8 +8,9 @@
 //!   capacity; [`coulomb`] is the law where the direction turns. Beside them stand [`history`], the
 //!   thesis's own formulas, [`sliders`], springs that slip, and [`profile`], other indenters.
 //! - Twist: [`torsion`] and, for sliding as a whole, [`rigid_slip`].
+//! - Unlike bodies: [`rings`], shift, twist and their coupling with the approach at once.
 //! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
-//!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`]. [`accounted`] adds up the heat,
+//!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`], [`rings::RingLaw`]. [`accounted`] adds up the heat,
 //!   [`batch`] steps many contacts together, [`grains`] carries them along with spheres and walls.
 //!
 //! ```

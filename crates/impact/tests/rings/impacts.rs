@@ -4,8 +4,8 @@ use carom_halfspace::Material;
 use carom_impact::{Body, Collision, Motion, RingImpact, Warning};
 use carom_laws::friction::Friction;
 
-const STEEL: [f64; 2] = [208e9, 0.3];
-const GLASS: [f64; 2] = [71e9, 0.22];
+const STEEL: [f64; 2] = [210e9, 0.3];
+const GLASS: [f64; 2] = [70e9, 0.22];
 const ALUMINA: [f64; 2] = [380e9, 0.23];
 const SILICA: [f64; 2] = [72e9, 0.17];
 const ALUMINIUM: [f64; 2] = [70e9, 0.33];
@@ -56,9 +56,10 @@ fn everyday_pairs_come_back_as_on_a_fine_grid() {
             let [coarse, _] = by_rings(&collision, 1.0);
             let [fine, _] = by_rings(&collision, 2e-3);
             let name = format!("{pair:?} {angle}: {coarse}, {fine}, {grid}");
-            assert!((coarse - grid).abs() < 0.012, "{name}");
-            assert!((fine - grid).abs() < 0.0075, "{name}");
-            println!("{name}, exact {}", exact(&collision));
+            // What the exact impact of alike bodies misses is far more.
+            assert!(angle > 10.0 || (exact(&collision) - grid).abs() > 0.009, "{name}");
+            assert!((coarse - grid).abs() < 0.008, "{name}");
+            assert!((fine - grid).abs() < 0.004, "{name}");
         }
     }
 }

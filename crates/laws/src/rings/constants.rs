@@ -72,10 +72,10 @@ impl Tolerance {
     /// A tolerance.
     ///
     /// # Errors
-    /// [`RangeError`] unless it is from 1e-10 to 0.1.
+    /// [`RangeError`] unless it is from 1e-6 to 0.1.
     pub fn new(tolerance: f64) -> Result<Self, RangeError> {
-        let holds = (1e-10..=0.1).contains(&tolerance);
-        RangeError::check("tolerance", tolerance, holds, "from 1e-10 to 0.1").map(Self)
+        let holds = (1e-6..=0.1).contains(&tolerance);
+        RangeError::check("tolerance", tolerance, holds, "from 1e-6 to 0.1").map(Self)
     }
 
     /// The number.

@@ -179,16 +179,17 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         let now = &self.tractions;
         let twist = mean_around(&now.rim);
         let mut heat = 0.0;
-        for j in 0..M {
+        let all = self.slip.iter_mut().zip(before).zip(now.z.iter().zip(&now.y)).zip(&now.rim);
+        for (((slip, before), (z, y)), rim) in all {
             for d in 0..2 {
                 for i in 0..N {
-                    let slipped = pair.sigma[i] * now.y[j][d][i];
-                    heat += pair.layout.area[i] * now.z[j][d][i] * slipped;
-                    let mut of_rim = share.of_rim[i] * now.rim[j][d];
+                    let slipped = pair.sigma[i] * y[d][i];
+                    heat += pair.layout.area[i] * z[d][i] * slipped;
+                    let mut of_rim = share.of_rim[i] * rim[d];
                     if d == 1 {
                         of_rim += (share.of_twist[i] - share.of_rim[i]) * twist;
                     }
-                    self.slip[j][d][i] = before[j][d][i] + square * (slipped - of_rim);
+                    slip[d][i] = before[d][i] + square * (slipped - of_rim);
                 }
             }
         }

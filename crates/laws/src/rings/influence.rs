@@ -130,20 +130,28 @@ fn rim_radius<const N: usize>(layout: &Layout<N>, order: usize) -> f64 {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    /// Where the rim is looked at, in widths of the outermost ring, for shifts and twists.
+    fn rim<const N: usize>() -> [f64; 2] {
+        let layout = Layout::<N>::new();
+        let width = 1.0 - layout.edges[N - 1];
+        [0, 1].map(|order| (rim_radius(&layout, order) - 1.0) / width)
+    }
+
     #[test]
-    fn show() {
-        fn one<const N: usize>() {
-            let layout = Layout::<N>::new();
-            println!(
-                "{N} {} {}",
-                (rim_radius(&layout, 1) - 1.0) / (1.0 - layout.edges[N - 1]),
-                (rim_radius(&layout, 0) - 1.0) / (1.0 - layout.edges[N - 1])
-            );
+    fn the_rim_lies_just_outside_and_the_nearer_the_finer_the_rings() {
+        let found = [rim::<4>(), rim::<6>(), rim::<8>(), rim::<12>(), rim::<16>(), rim::<24>()];
+        for pair in found.windows(2) {
+            for (coarse, fine) in pair[0].into_iter().zip(pair[1]) {
+                assert!(fine > 0.0 && fine < coarse && coarse < 0.15, "{found:?}");
+            }
         }
-        one::<4>();
-        one::<6>();
-        one::<8>();
-        one::<12>();
-        one::<16>();
+    }
+
+    #[test]
+    fn influences_are_computed_once() {
+        let [one, two] = [0, 1].map(|_| Influence::<6>::shared(8));
+        assert!(Arc::ptr_eq(&one, &two));
+        assert_eq!(Influence::<6>::shared(16).rings.len(), 9);
     }
 }

@@ -229,11 +229,10 @@ impl<const N: usize, const M: usize> Pair<N, M> {
         let mut count = MOST;
         for iteration in 0..MOST {
             let mut hat = *c;
-            for j in 0..M {
-                for d in 0..2 {
-                    for i in 0..N {
-                        hat[j][d][i] += self.sigma[i] * (now.z[j][d][i] - now.y[j][d][i]);
-                    }
+            let places = now.z.as_flattened().iter().zip(now.y.as_flattened());
+            for (hat, (z, y)) in hat.as_flattened_mut().iter_mut().zip(places) {
+                for i in 0..N {
+                    hat[i] += self.sigma[i] * (z[i] - y[i]);
                 }
             }
             let q = self.divided(&self.inverse, &mut hat, entering.as_ref());
