@@ -8,8 +8,10 @@
 //!   capacity; [`coulomb`] is the law where the direction turns, [`turning_law`] the choice between them.
 //!   Beside them stand [`sliders`], springs that slip, and [`profile`], other indenters.
 //! - Twist: [`torsion`].
+//! - Dissimilar bodies: [`rings`], shift, twist and their coupling with the approach at once.
 //! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
-//!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`]. [`accounted`] adds up the heat,
+//!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`],
+//!   [`rings::RingLaw`]. [`accounted`] adds up the heat,
 //!   [`grains`] carries contacts along with spheres and walls.
 //!
 //! ```
@@ -43,6 +45,7 @@ pub mod hertz;
 pub mod law;
 pub mod memory;
 pub mod profile;
+pub mod rings;
 pub mod shift;
 pub mod shift_law;
 pub mod sliders;

@@ -23,6 +23,15 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Differences of chi between directions below this part of it are round-off.
 const EVEN: f64 = 1e-12;
 
+/// What a method knows of an impact beyond velocities and impulse.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Known {
+    /// R_x of an elastic impact.
+    pub(crate) r_x: Option<f64>,
+    /// What became of the spin about the normal.
+    pub(crate) torsion: Option<Torsion>,
+}
+
 impl Collision {
     /// The rebound of the bodies after an impact that was followed in contact axes, here or by other means:
     /// motions, energies, torsion and warnings.
@@ -35,6 +44,16 @@ impl Collision {
         outcome: CoupledOutcome,
         log: Vec<LogEntry>,
     ) -> Result<Rebound, CollisionError> {
+        self.rebound_with(outcome, log, Known::default())
+    }
+
+    /// The same where the method itself knows what else follows from velocities and shapes.
+    pub(crate) fn rebound_with(
+        &self,
+        outcome: CoupledOutcome,
+        log: Vec<LogEntry>,
+        known: Known,
+    ) -> Result<Rebound, CollisionError> {
         let (before, elastic, whole) = (self.velocity(), outcome.velocity, outcome.impulse);
         let share = self.wave_share(before.z)?;
         let damped = self.normal_restitution.damped(share, [before.z, elastic.z]);
@@ -46,7 +65,10 @@ impl Collision {
         // E_A - E_E of the relative motion, without its cancellation.
         let mut dissipated = damped.part * (0.5 * whole.dot(&(before + elastic)));
         let mut lost = damped.lost(0.5 * whole.dot(&(before - elastic)));
-        let mut torsion = self.torsion(before.z)?;
+        let mut torsion = match known.torsion {
+            None => self.torsion(before.z)?,
+            torsion => torsion,
+        };
         if let Some(torsion) = &mut torsion {
             let spin = self.normal_spin(before.z);
             lost += damped.lost(spin.exchanged(torsion));
@@ -71,13 +93,19 @@ impl Collision {
         if outcome.method.counts_coupling() {
             warnings.retain(|warning| !matches!(warning, Warning::Coupling { .. }));
         }
+        if known.torsion.is_some() {
+            warnings.retain(|warning| !matches!(warning, Warning::SpinLeftAlone { .. }));
+        }
         warnings.extend(outcome.warning);
         Ok(Rebound {
             motions,
             impulse: self.frame().to_space(&impulse),
             contact_velocity_before: self.frame().to_space(&before),
             contact_velocity_after: self.frame().to_space(&after),
-            r_x: self.restitution(&before, &elastic).map(|elastic| damped.restitution(elastic)),
+            r_x: known
+                .r_x
+                .or_else(|| self.restitution(&before, &elastic))
+                .map(|elastic| damped.restitution(elastic)),
             duration: outcome.duration,
             maximal_force: outcome.maximal_force,
             maximal_approach: outcome.maximal_approach,

@@ -19,6 +19,8 @@ use crate::normal_spin::NormalSpinError;
 use crate::oblique::ObliqueError;
 use crate::outcome::{Outcome, TorsionMode};
 
+pub(crate) use aftermath::Known;
+
 /// Differences of D between tangents below this part of it are round-off.
 const EVEN: f64 = 1e-12;
 

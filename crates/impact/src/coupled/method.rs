@@ -35,6 +35,8 @@ pub enum ImpactMethod {
         /// Whether the normal motion is coupled to the tangential one.
         coupled: bool,
     },
+    /// The contact of spheres or planes of dissimilar materials is solved on rings, step by step.
+    Rings,
     /// The contact is solved on a grid, step by step.
     Numerical,
 }
@@ -67,7 +69,7 @@ impl ImpactMethod {
     /// Whether the coupling of normal and tangential displacements of dissimilar bodies counts.
     #[must_use]
     pub const fn counts_coupling(&self) -> bool {
-        matches!(self, Self::Numerical)
+        matches!(self, Self::Rings | Self::Numerical)
     }
 
     /// A word for it.
@@ -78,6 +80,7 @@ impl ImpactMethod {
             Self::Uncoupled { .. } => "uncoupled",
             Self::Planar { .. } => "planar",
             Self::Spatial { .. } => "spatial",
+            Self::Rings => "rings",
             Self::Numerical => "numerical",
         }
     }

@@ -17,6 +17,7 @@ mod oblique;
 mod random;
 mod reference_values;
 mod restitution;
+mod rings;
 mod scene;
 mod small_spin;
 mod sphere_pairs;
