@@ -77,7 +77,7 @@ pub(super) struct Pair<V> {
 }
 
 impl<V: Lateral> Pair<V> {
-    #[inline]
+    #[inline(always)]
     pub(super) fn at<S: VertexStack<V>>(stack: &S, i: usize, tip: End<V>) -> Self {
         let (below, here) = (Knot::of(stack.get(i - 1)), Knot::of(stack.get(i)));
         let end = if i + 1 < stack.len() { Knot::of(stack.get(i + 1)).end() } else { tip };
@@ -92,21 +92,21 @@ impl<V: Lateral> Pair<V> {
     }
 
     /// The rises of both together and of the lower one.
-    #[inline]
+    #[inline(always)]
     fn rises(&self) -> [V; 2] {
         let foot = self.below.low.anchor;
         [self.above.high.anchor.minus(foot), self.below.high.anchor.minus(foot)]
     }
 
     /// The share of the lower one in the depth.
-    #[inline]
+    #[inline(always)]
     fn part(&self) -> f64 {
         let (low, high) = (self.below.low.depth, self.above.high.depth);
         (self.below.high.depth - low) / (high - low)
     }
 
     /// Whether both are straight and on one line, to and fro, as all are on a collinear path.
-    #[inline]
+    #[inline(always)]
     fn in_line(&self, exact: f64) -> bool {
         if self.below.bubble != V::default() || self.above.bubble != V::default() {
             return false;
@@ -127,7 +127,7 @@ impl<V: Lateral> Pair<V> {
     }
 
     /// The places whose moves count: the vertex taken out and both middles.
-    #[inline]
+    #[inline(always)]
     pub(super) fn places(&self) -> [Place<V>; 3] {
         let part = self.part();
         let rest = 1.0 - part;
@@ -142,7 +142,7 @@ impl<V: Lateral> Pair<V> {
     }
 
     /// The square of how far the curve moves.
-    #[inline]
+    #[inline(always)]
     pub(super) fn move_by(places: &[Place<V>; 3], bubble: V) -> f64 {
         let [vertex, below, above] = places.each_ref().map(|place| {
             let by = place.off.minus(bubble.times(place.weight));
@@ -152,7 +152,7 @@ impl<V: Lateral> Pair<V> {
     }
 
     /// How far apart the vertex and a middle are from one parabola, times what is second.
-    #[inline]
+    #[inline(always)]
     fn gap(vertex: &Place<V>, middle: &Place<V>) -> [f64; 2] {
         let gap = vertex.off.times(middle.weight).minus(middle.off.times(vertex.weight));
         let weight = vertex.weight + middle.weight;
@@ -170,7 +170,7 @@ impl<V: Lateral> Pair<V> {
     }
 
     /// Whether no bubble that is allowed keeps the moves within a length.
-    #[inline]
+    #[inline(always)]
     fn is_hopeless([vertex, below, above]: &[Place<V>; 3], miss: f64, bulge: f64) -> bool {
         let reach = miss + vertex.weight * bulge;
         let square = miss * miss;
@@ -183,7 +183,7 @@ impl<V: Lateral> Pair<V> {
 
     /// The bubble of one piece in the place of both, if it may take it, and how far their anchors
     /// move at most.
-    #[inline]
+    #[inline(always)]
     fn joint(&self, sizes: &Sizes) -> Option<(V, f64)> {
         let places = self.places();
         if self.in_line(sizes.exact) {
@@ -221,7 +221,7 @@ impl<V: Lateral> Pair<V> {
 }
 
 /// Joins the piece below vertex i and that above, if they may be.
-#[inline]
+#[inline(always)]
 pub(super) fn join<V: Lateral, S: VertexStack<V>>(
     stack: &mut S,
     i: usize,

@@ -25,6 +25,7 @@ mod energy;
 mod heat;
 mod join;
 mod lay;
+mod left;
 mod pack;
 mod piece;
 mod report;

@@ -4,7 +4,7 @@ use super::CoulombMemory;
 use super::drag::{BEYOND, Step, grain};
 use super::energy::{Notes, Unnoted};
 use super::join::{Sizes, join};
-use super::lay::HALVINGS;
+use super::lay::{Dragged, HALVINGS};
 use super::piece::{End, Knot, Piece};
 use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 
@@ -207,13 +207,16 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         }
         for i in 0..len {
             let piece = Piece::new(&knot, self.end_of(i, old));
-            if step.is_beyond(piece.middle_depth(), piece.middle()) {
+            let excess = step.excess(piece.middle_depth(), piece.middle());
+            if step.counts(excess, piece.middle_depth()) {
                 return Front::On { piece: i, within: 0.0, beyond: 0.5 };
             }
             let high = piece.high;
             let beyond = step.is_beyond(high.depth, high.anchor);
             // Before the upper end there may be a band that no end and no middle sees.
-            if let Some([within, beyond]) = piece.hidden_slip(step) {
+            if piece.may_slip(step, excess)
+                && let Some([within, beyond]) = piece.look_for_slip(step)
+            {
                 return Front::On { piece: i, within, beyond };
             }
             if beyond {
@@ -299,27 +302,26 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
                 continue;
             }
             let sticks = sticks && i == first;
-            let (low, left) = if sticks {
-                (knot.anchor, knot.error)
-            } else {
-                step.drag_with(knot.depth, knot.anchor, knot.error)
-            };
-            let (middle, left_there) =
-                step.drag_with(piece.middle_depth(), piece.middle(), knot.error);
-            let left = if left > left_there { left } else { left_there };
+            let low = if sticks { knot.anchor } else { step.drag(knot.depth, knot.anchor) };
+            let middle = step.drag(piece.middle_depth(), piece.middle());
             in_line = in_line
                 && near(knot.depth, low)
                 && (knot.depth >= self.zeta || near(piece.middle_depth(), middle));
             if in_line {
+                let left = step.left(&piece, [low, middle]);
                 error = if left > error { left } else { error };
                 self.lay_line(i, low, error);
             } else {
                 let new = [low, middle, new];
                 let ways = piece.ways(new);
                 slides = slides && ways[0] > 0.0 && ways[1] > 0.0;
-                let left = if ways[2] > 0.0 { left } else { knot.error };
+                let slips = ways[0] > 0.0 && ways[1] > 0.0 && ways[2] > 0.0;
+                let left = if slips { step.left(&piece, [low, middle]) } else { knot.error };
                 let ways = if sticks { [ways[1], ways[1], ways[2]] } else { ways };
-                self.lay(i, (&piece, ways, left), new, step, (sizes, HALVINGS));
+                let excess = piece.excesses(step);
+                let at_front = ways[0] == ways[1];
+                let dragged = Dragged { old: &piece, new, excess, ways, at_front, left };
+                self.lay(i, &dragged, step, (sizes, HALVINGS));
             }
             (old, new) = (piece.low, low);
         }
