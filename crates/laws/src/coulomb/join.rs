@@ -3,7 +3,8 @@
 use super::drag::cross;
 use super::energy::Notes;
 use super::piece::{End, Knot, Piece, weights};
-use crate::memory::{Lateral, VertexStack};
+use super::storage::Vertices;
+use crate::memory::Lateral;
 
 /// Lengths that count in a step.
 #[derive(Debug, Clone, Copy)]
@@ -78,7 +79,7 @@ pub(super) struct Pair<V> {
 
 impl<V: Lateral> Pair<V> {
     #[inline(always)]
-    pub(super) fn at<S: VertexStack<V>>(stack: &S, i: usize, tip: End<V>) -> Self {
+    pub(super) fn at<S: Vertices<V>>(stack: &S, i: usize, tip: End<V>) -> Self {
         let (below, here) = (Knot::of(stack.get(i - 1)), Knot::of(stack.get(i)));
         let end = if i + 1 < stack.len() { Knot::of(stack.get(i + 1)).end() } else { tip };
         Self { below: Piece::new(&below, here.end()), above: Piece::new(&here, end) }
@@ -204,7 +205,7 @@ impl<V: Lateral> Pair<V> {
 impl<V: Lateral> Pair<V> {
     /// One piece in the place of both, between which vertex i lies, that moves their anchors so far.
     #[inline]
-    pub(super) fn replace<S: VertexStack<V>>(
+    pub(super) fn replace<S: Vertices<V>>(
         &self,
         stack: &mut S,
         i: usize,
@@ -222,7 +223,7 @@ impl<V: Lateral> Pair<V> {
 
 /// Joins the piece below vertex i and that above, if they may be.
 #[inline(always)]
-pub(super) fn join<V: Lateral, S: VertexStack<V>>(
+pub(super) fn join<V: Lateral, S: Vertices<V>>(
     stack: &mut S,
     i: usize,
     tip: End<V>,

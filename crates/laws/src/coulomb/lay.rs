@@ -4,7 +4,8 @@ use super::CoulombMemory;
 use super::drag::{Step, cross};
 use super::join::Sizes;
 use super::piece::{Knot, Piece};
-use crate::memory::{Lateral, VertexStack};
+use super::storage::Vertices;
+use crate::memory::Lateral;
 
 /// How far a parabola may be off in a boundary layer, as a share of what a join may move.
 const LAYER: f64 = 0.8;
@@ -29,6 +30,8 @@ const EXPECTED: f64 = 0.25;
 const RIM: f64 = 0.1;
 /// How far a piece that begins at the front may be off, over the growth of its bubble.
 const AT_FRONT: f64 = 0.5;
+/// How far a piece is off its parabola, over its bubble, where it is looked at since it decays.
+const DECAYS: f64 = 0.1;
 /// How far a piece may be off over what is seen at one place.
 const TWICE: f64 = 2.0;
 /// Below which root of its lower end, over that of its upper, a flat parabola is not believed.
@@ -47,6 +50,8 @@ pub(super) struct Dragged<'a, V> {
     pub(super) ways: [f64; 3],
     /// Whether the lower end is the front, at its limit: from there the ways grow.
     pub(super) at_front: bool,
+    /// Their stretches across the step.
+    pub(super) across: [f64; 3],
     /// What is left of the error of the old piece.
     pub(super) left: f64,
 }
@@ -55,11 +60,12 @@ impl<'a, V: Lateral> Dragged<'a, V> {
     /// A part of a piece.
     fn part_of(old: &'a Piece<V>, new: [V; 3], step: &Step<V>, left: f64) -> Self {
         let ways = old.ways(new);
-        Self { old, new, excess: old.excesses(step), ways, at_front: ways[0] == ways[1], left }
+        let (excess, at_front) = (old.excesses(step), ways[0] == ways[1]);
+        Self { old, new, excess, ways, at_front, across: step.across(new), left }
     }
 }
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
     /// The piece in the place of one that was dragged, above vertex i; or several.
     #[inline(always)]
     pub(super) fn lay(
@@ -69,7 +75,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         step: &Step<V>,
         (sizes, halvings): (&Sizes, u32),
     ) {
-        let Dragged { old, new, ways, left, .. } = dragged;
+        let Dragged { old, new, left, .. } = dragged;
         let bubble = self.draw(i, *new, sizes.straight(&old.high));
         let square = bubble.dot(bubble);
         let [miss, bulge] = sizes.allowed(&old.low, &old.high);
@@ -88,7 +94,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         {
             return;
         }
-        let error = left + missed + left_out(old, *ways, bubble, step);
+        let error = left + missed + dragged.left_out(bubble, step);
         self.stack.get_mut(i).force_slope = V::from_components([error, 0.0]);
     }
 
@@ -152,27 +158,41 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 }
 
-/// How far the dragged anchors may be off a parabola through three of them, all of which slip, given
-/// the squares of their ways and of its bubble: of third order in the angle by which the tractions
-/// differ, and in proportion to the way.
-#[inline(always)]
-fn left_out<V: Lateral>(old: &Piece<V>, ways: [f64; 3], bubble: V, step: &Step<V>) -> f64 {
-    let larger = |a: f64, b: f64| if a > b { a } else { b };
-    let way = larger(ways[0], larger(ways[1], ways[2]));
-    let limit = step.zeta - old.low.depth;
-    let limit = limit * limit;
-    let bent = larger(bubble.dot(bubble), old.bubble.dot(old.bubble)) / limit;
-    let way = if way < limit { way } else { limit };
-    let smooth = (bent * bent.sqrt() * way).sqrt();
-    // The way grows to one end as no parabola does.
-    let uneven = UNEVEN * ways[1];
-    if ways[2] > uneven || ways[0] > uneven {
-        return smooth + 2.0 * bubble.minus(old.bubble).length();
-    }
-    smooth
-}
-
 impl<V: Lateral> Dragged<'_, V> {
+    /// How far the stretch across the step is off its parabola at a quarter, over its bubble, where it decays
+    /// from one end to the other as an exponential, by `s^2` in each half:
+    /// `(1 - s)(3 + s)/(4 (1 + s)^2)`, and not more than this.
+    #[inline(always)]
+    fn decays(&self) -> f64 {
+        let [low, middle, high] = self.across;
+        let end = if low > high { low } else { high };
+        if end > middle { 0.75 * (end - middle) / (end + 5.0 * middle) } else { 0.0 }
+    }
+
+    /// How far the dragged anchors may be off a parabola of this bubble through three of them, all of which
+    /// slip: of third order in the angle by which the tractions differ, or as they decay, and in proportion
+    /// to the way.
+    #[inline(always)]
+    fn left_out(&self, bubble: V, step: &Step<V>) -> f64 {
+        let larger = |a: f64, b: f64| if a > b { a } else { b };
+        let (old, ways) = (self.old, self.ways);
+        let way = larger(ways[0], larger(ways[1], ways[2]));
+        let limit = step.zeta - old.low.depth;
+        let limit = limit * limit;
+        let inverse = 1.0 / limit;
+        let square = bubble.dot(bubble);
+        let bent = larger(square, old.bubble.dot(old.bubble)) * inverse;
+        let decays = self.decays();
+        let share = larger(bent * bent.sqrt(), 4.0 * decays * decays * square * inverse);
+        let smooth = (share * if way < limit { way } else { limit }).sqrt();
+        // The way grows to one end as no parabola does.
+        let uneven = UNEVEN * ways[1];
+        if ways[2] > uneven || ways[0] > uneven {
+            return smooth + 2.0 * bubble.minus(old.bubble).length();
+        }
+        smooth
+    }
+
     /// Where the piece is to be split since a part of it sticks and a part slips, and how far it is off if
     /// it is not split: slip may lie below stick, and in several zones.
     #[inline(always)]
@@ -261,6 +281,14 @@ impl<V: Lateral> Drawn<'_, V> {
         if self.dragged.at_front {
             hidden = hidden.max(AT_FRONT * self.bubble.minus(old.bubble).length());
         }
+        let decays = self.dragged.decays();
+        if decays > DECAYS && self.square * (decays * decays) > allowed * allowed {
+            let [low, _, high] = self.dragged.across;
+            let off = self.off(step, if low > high { 1.0 - NEAR } else { NEAR });
+            if off > allowed {
+                return (Some(0.5), off);
+            }
+        }
         if hidden > allowed {
             let off = self.off(step, NEAR);
             if off > allowed {
@@ -292,7 +320,7 @@ impl<V: Lateral> Drawn<'_, V> {
     /// at the middle.
     #[inline(always)]
     fn at_rim(&self, step: &Step<V>, [low, high]: [f64; 2]) -> f64 {
-        let across = cross(step.ahead, step.shift.minus(self.dragged.new[1])).abs();
+        let [_, across, _] = self.dragged.across;
         let (way, middle) = (step.length, 0.5 * (low + high));
         RIM * across * if way < middle { way / middle } else { 1.0 }
     }

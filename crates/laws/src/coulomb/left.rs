@@ -20,17 +20,21 @@ const LARGEST_TURN: f64 = 0.5;
 const ACROSS: f64 = 1e6;
 
 impl<V: Lateral> Step<V> {
-    /// What is left of the error of a piece all of whose rings slip, from its lower end and its middle
-    /// to others.
-    #[inline]
-    pub(super) fn left(&self, piece: &Piece<V>, [low, middle]: [V; 2]) -> f64 {
+    /// The stretches of rings across the step.
+    #[inline(always)]
+    pub(super) fn across(&self, anchors: [V; 3]) -> [f64; 3] {
+        anchors.map(|anchor| cross(self.ahead, self.shift.minus(anchor)).abs())
+    }
+
+    /// What is left of the error of a piece all of whose rings slip, from its lower end and its middle, to
+    /// stretches across the step of these sizes.
+    #[inline(always)]
+    pub(super) fn left(&self, piece: &Piece<V>, [new, new_there, _]: [f64; 3]) -> f64 {
         let error = piece.error;
         if error == 0.0 {
             return 0.0;
         }
-        let across = |anchor: V| cross(self.ahead, self.shift.minus(anchor)).abs();
-        let (old, new) = (across(piece.low.anchor), across(low));
-        let (old_there, new_there) = (across(piece.middle()), across(middle));
+        let [old, old_there, _] = self.across([piece.low.anchor, piece.middle(), piece.low.anchor]);
         let least = ACROSS * self.grain;
         if old <= least || old_there <= least {
             let [end, there] =

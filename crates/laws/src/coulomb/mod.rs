@@ -31,6 +31,7 @@ mod piece;
 mod report;
 mod room;
 mod step;
+mod storage;
 mod zones;
 
 pub(crate) use drag::Step;

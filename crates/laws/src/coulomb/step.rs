@@ -6,6 +6,7 @@ use super::energy::{Notes, Unnoted};
 use super::join::{Sizes, join};
 use super::lay::{Dragged, HALVINGS};
 use super::piece::{End, Knot, Piece};
+use super::storage::Vertices;
 use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 
 /// What counts as no length at all, over the approach and over the shift.
@@ -48,25 +49,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         if square > self.extent * self.extent {
             self.extent = square.sqrt();
         }
-        if self.is_short() {
-            self.step_with_room(zeta, shift, notes);
-        } else {
-            self.go(zeta, shift, notes);
-        }
-    }
-
-    /// A step of a pair in contact, in storage that has room.
-    #[inline]
-    pub(super) fn go(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
-        let (dz, dx) = (zeta - self.zeta, shift.minus(self.shift));
-        // On the cone itself, to round-off, the rings that touch may as well slip.
-        let clear = dz - grain(zeta, shift);
-        if clear > 0.0 && dx.dot(dx) <= clear * clear {
-            self.adhere(zeta, shift, notes);
-        } else {
-            self.slip(zeta, shift, notes);
-        }
-        (self.zeta, self.shift) = (zeta, shift);
+        self.step_within_room(zeta, shift, notes);
     }
 
     #[cold]
@@ -84,6 +67,22 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         (self.zeta, self.root, self.force) = (0.0, 0.0, V::default());
         self.extent = 0.0;
         self.stack.push(self.tip().vertex());
+    }
+}
+
+impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
+    /// A step of a pair in contact, in storage that has room.
+    #[inline]
+    pub(super) fn go(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
+        let (dz, dx) = (zeta - self.zeta, shift.minus(self.shift));
+        // On the cone itself, to round-off, the rings that touch may as well slip.
+        let clear = dz - grain(zeta, shift);
+        if clear > 0.0 && dx.dot(dx) <= clear * clear {
+            self.adhere(zeta, shift, notes);
+        } else {
+            self.slip(zeta, shift, notes);
+        }
+        (self.zeta, self.shift) = (zeta, shift);
     }
 
     #[inline]
@@ -308,19 +307,20 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
                 && near(knot.depth, low)
                 && (knot.depth >= self.zeta || near(piece.middle_depth(), middle));
             if in_line {
-                let left = step.left(&piece, [low, middle]);
+                let left = step.left(&piece, step.across([low, middle, new]));
                 error = if left > error { left } else { error };
                 self.lay_line(i, low, error);
             } else {
                 let new = [low, middle, new];
                 let ways = piece.ways(new);
                 slides = slides && ways[0] > 0.0 && ways[1] > 0.0;
+                let across = step.across(new);
                 let slips = ways[0] > 0.0 && ways[1] > 0.0 && ways[2] > 0.0;
-                let left = if slips { step.left(&piece, [low, middle]) } else { knot.error };
+                let left = if slips { step.left(&piece, across) } else { knot.error };
                 let ways = if sticks { [ways[1], ways[1], ways[2]] } else { ways };
                 let excess = piece.excesses(step);
                 let at_front = ways[0] == ways[1];
-                let dragged = Dragged { old: &piece, new, excess, ways, at_front, left };
+                let dragged = Dragged { old: &piece, new, excess, ways, at_front, across, left };
                 self.lay(i, &dragged, step, (sizes, HALVINGS));
             }
             (old, new) = (piece.low, low);
