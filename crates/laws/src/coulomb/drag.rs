@@ -111,14 +111,30 @@ impl<V: Lateral> Step<V> {
     /// A ring within its limit at both ends never slipped, since the limit is a convex cone. Else
     /// it leaves its limit once, and from there the traction's direction turns towards that of the
     /// step, `tan(theta/2)` falling as `exp(-int dl/r)`, r the limit (8.56).
-    #[inline(never)]
+    #[inline(always)]
     pub(crate) fn drag(&self, depth: f64, anchor: V) -> V {
+        let [x, y] = anchor.components();
+        let (x, y) = self.drag_parts(depth, x, y);
+        V::from_components([x, y])
+    }
+
+    /// The same of the parts of an anchor, which stay in registers.
+    #[inline(never)]
+    fn drag_parts(&self, depth: f64, x: f64, y: f64) -> (f64, f64) {
+        let anchor = V::from_components([x, y]);
         let limit = self.zeta - depth;
         let stretch = self.shift.minus(anchor);
         let square = stretch.dot(stretch);
         if square <= limit * limit {
-            return anchor;
+            return (x, y);
         }
+        let [x, y] = self.slipped((depth, anchor), stretch, square, limit).components();
+        (x, y)
+    }
+
+    /// The same of a ring that is beyond its limit.
+    #[inline(always)]
+    fn slipped(&self, (depth, anchor): (f64, V), stretch: V, square: f64, limit: f64) -> V {
         if limit <= 0.0 {
             return self.shift;
         }

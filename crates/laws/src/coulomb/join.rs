@@ -203,7 +203,7 @@ impl<V: Lateral> Pair<V> {
 }
 
 impl<V: Lateral> Pair<V> {
-    /// One piece in the place of both, between which vertex i lies, that moves their anchors so far.
+    /// One piece in the place of both, between which vertex i lies, that moves their anchors so far; returns it.
     #[inline]
     pub(super) fn replace<S: Vertices<V>>(
         &self,
@@ -212,28 +212,40 @@ impl<V: Lateral> Pair<V> {
         (bubble, moved): (V, f64),
         shift: V,
         notes: &mut impl Notes<V>,
-    ) {
+    ) -> Piece<V> {
         let one = self.one(bubble);
         notes.joined([&self.below, &self.above], &one, shift);
         stack.get_mut(i - 1).slope = bubble;
         stack.get_mut(i - 1).force_slope = V::from_components([one.error + moved, 0.0]);
         stack.remove(i);
+        Piece { error: one.error + moved, ..one }
     }
 }
 
-/// Joins the piece below vertex i and that above, if they may be.
-#[inline(always)]
-pub(super) fn join<V: Lateral, S: Vertices<V>>(
+/// Joins what may be joined of the pieces from that below vertex i on.
+#[inline]
+pub(super) fn join_from<V: Lateral, S: Vertices<V>>(
     stack: &mut S,
-    i: usize,
+    mut i: usize,
     tip: End<V>,
     sizes: &Sizes,
     notes: &mut impl Notes<V>,
-) -> bool {
-    let pair = Pair::at(stack, i, tip);
-    let joint = pair.joint(sizes);
-    if let Some((bubble, moved)) = joint {
-        pair.replace(stack, i, (bubble, moved), tip.anchor, notes);
+) {
+    let mut here = Knot::of(stack.get(i));
+    let mut below = Piece::new(&Knot::of(stack.get(i - 1)), here.end());
+    loop {
+        let next = (i + 1 < stack.len()).then(|| Knot::of(stack.get(i + 1)));
+        let high = next.map_or(tip, |next| next.end());
+        let pair = Pair { below, above: Piece::new(&here, high) };
+        if let Some((bubble, moved)) = pair.joint(sizes) {
+            below = pair.replace(stack, i, (bubble, moved), tip.anchor, notes);
+        } else {
+            below = pair.above;
+            i += 1;
+        }
+        match next {
+            Some(next) => here = next,
+            None => return,
+        }
     }
-    joint.is_some()
 }

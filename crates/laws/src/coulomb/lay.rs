@@ -44,8 +44,6 @@ const HIGHEST: f64 = 0.8;
 pub(super) struct Dragged<'a, V> {
     pub(super) old: &'a Piece<V>,
     pub(super) new: [V; 3],
-    /// By how much they were beyond their limits.
-    pub(super) excess: [f64; 3],
     /// The squares of their ways.
     pub(super) ways: [f64; 3],
     /// Whether the lower end is the front, at its limit: from there the ways grow.
@@ -60,8 +58,7 @@ impl<'a, V: Lateral> Dragged<'a, V> {
     /// A part of a piece.
     fn part_of(old: &'a Piece<V>, new: [V; 3], step: &Step<V>, left: f64) -> Self {
         let ways = old.ways(new);
-        let (excess, at_front) = (old.excesses(step), ways[0] == ways[1]);
-        Self { old, new, excess, ways, at_front, across: step.across(new), left }
+        Self { old, new, ways, at_front: ways[0] == ways[1], across: step.across(new), left }
     }
 }
 
@@ -201,7 +198,7 @@ impl<V: Lateral> Dragged<'_, V> {
         if slips[0] != slips[1] || slips[1] != slips[2] {
             return self.kink_between(step, miss);
         }
-        if self.old.may_hide(step, self.excess, slips[0]) {
+        if self.old.may_hide(step, slips[0]) {
             return self.kink_hidden(step, miss, slips[0]);
         }
         (None, 0.0)

@@ -12,6 +12,12 @@ use crate::memory::{Lateral, VertexStack};
 
 /// From this capacity on there is room enough.
 const MUCH: usize = 64;
+/// How many vertices a step adds at most, but rarely, before it joins pieces: at a coarse tolerance, and
+/// above a fine one.
+const FEW: usize = 4;
+const MORE: usize = 16;
+const COARSE: f64 = 5e-3;
+const FINE: f64 = 5e-4;
 
 /// Storage with less room than this is full.
 const FULL: usize = 3;
@@ -23,7 +29,13 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     /// A step of a pair in contact, whatever room there is.
     #[inline]
     pub(super) fn step_within_room(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
-        if VertexStack::capacity(&self.stack) < MUCH {
+        let room = VertexStack::capacity(&self.stack);
+        let needs = match self.tolerance {
+            COARSE.. => FEW,
+            FINE.. => MORE,
+            _ => room,
+        };
+        if room < MUCH && VertexStack::len(&self.stack) + needs > room {
             self.step_with_spare(zeta, shift, notes);
         } else {
             self.go(zeta, shift, notes);
@@ -31,7 +43,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 
     /// A step with room to spare, then merges until the vertices fit.
-    #[inline]
+    #[inline(never)]
     fn step_with_spare(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
         let (mut tolerance, mut bulge) = (self.tolerance, self.bulge);
         let room = VertexStack::capacity(&self.stack);

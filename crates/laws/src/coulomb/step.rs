@@ -3,7 +3,7 @@
 use super::CoulombMemory;
 use super::drag::{BEYOND, Step, grain};
 use super::energy::{Notes, Unnoted};
-use super::join::{Sizes, join};
+use super::join::{Sizes, join_from};
 use super::lay::{Dragged, HALVINGS};
 use super::piece::{End, Knot, Piece};
 use super::storage::Vertices;
@@ -118,7 +118,7 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
         if top > 0 {
             let sizes = self.sizes(end);
             notes.drawn(self.chain_to(end), shift);
-            join(&mut self.stack, top, end, &sizes, notes);
+            join_from(&mut self.stack, top, end, &sizes, notes);
         }
         (self.root, self.regime, self.front) = (end.root, Regime::Adhesion, self.zeta);
         self.hold_limit(end);
@@ -318,9 +318,8 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
                 let slips = ways[0] > 0.0 && ways[1] > 0.0 && ways[2] > 0.0;
                 let left = if slips { step.left(&piece, across) } else { knot.error };
                 let ways = if sticks { [ways[1], ways[1], ways[2]] } else { ways };
-                let excess = piece.excesses(step);
                 let at_front = ways[0] == ways[1];
-                let dragged = Dragged { old: &piece, new, excess, ways, at_front, across, left };
+                let dragged = Dragged { old: &piece, new, ways, at_front, across, left };
                 self.lay(i, &dragged, step, (sizes, HALVINGS));
             }
             (old, new) = (piece.low, low);
@@ -341,16 +340,13 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
     #[inline]
     pub(super) fn finish(&mut self, end: End<V>, first: usize) {
         let mut knot = Knot::of(self.stack.get(first));
-        for i in first..self.stack.len() {
-            let high = self.end_of(i, end);
-            let force = knot.force.plus(Piece::new(&knot, high).force());
-            if i + 1 < self.stack.len() {
-                self.stack.get_mut(i + 1).force = force;
-                knot = Knot::of(self.stack.get(i + 1));
-            } else {
-                self.force = force;
-            }
+        for i in first + 1..self.stack.len() {
+            let next = Knot::of(self.stack.get(i));
+            let force = knot.force.plus(Piece::new(&knot, next.end()).force());
+            self.stack.get_mut(i).force = force;
+            knot = Knot { force, ..next };
         }
+        self.force = knot.force.plus(Piece::new(&knot, end).force());
         self.root = end.root;
         self.hold_limit(end);
     }
@@ -368,12 +364,9 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
     /// Joins what can be joined from a vertex up.
     #[inline]
     fn join_from(&mut self, first: usize, end: End<V>, notes: &mut impl Notes<V>) {
-        let sizes = self.sizes(end);
-        let mut i = first;
-        while i < self.stack.len() {
-            if !join(&mut self.stack, i, end, &sizes, notes) {
-                i += 1;
-            }
+        if first < self.stack.len() {
+            let sizes = self.sizes(end);
+            join_from(&mut self.stack, first, end, &sizes, notes);
         }
     }
 

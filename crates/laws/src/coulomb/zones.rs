@@ -5,7 +5,7 @@
 //! that slip, one may stick where the piece is steeper than the cone.
 
 use super::drag::{BEYOND, Step};
-use super::piece::Piece;
+use super::piece::{End, Piece};
 use crate::memory::Lateral;
 
 /// Steps from the middle of a half to its extreme, and what is no step.
@@ -15,13 +15,6 @@ const NEAR: f64 = 1e-6;
 const HALVES: [[f64; 2]; 2] = [[0.0, 0.5], [0.5, 1.0]];
 
 impl<V: Lateral> Piece<V> {
-    /// By how much its ends and its middle are beyond their limits.
-    #[inline]
-    pub(super) fn excesses(&self, step: &Step<V>) -> [f64; 3] {
-        let [low, high] = [self.low, self.high].map(|end| step.excess(end.depth, end.anchor));
-        [low, step.excess(self.middle_depth(), self.middle()), high]
-    }
-
     /// Whether the piece may bend out of the cone, if its lower end and its middle, which is in excess by
     /// so much, stick.
     #[inline(always)]
@@ -60,11 +53,12 @@ impl<V: Lateral> Piece<V> {
         ])
     }
 
-    /// Whether a dragged piece whose ends and middle, of these excesses, all stick or all slip may do the
-    /// other between.
+    /// Whether a dragged piece whose ends and middle all stick, or all slip, may do the other between.
     #[inline(always)]
-    pub(super) fn may_hide(&self, step: &Step<V>, excess: [f64; 3], slips: bool) -> bool {
-        let [low, middle, high] = excess;
+    pub(super) fn may_hide(&self, step: &Step<V>, slips: bool) -> bool {
+        let stretch = step.shift.minus(self.middle());
+        let limit = step.zeta - self.middle_depth();
+        let middle = stretch.dot(stretch) - limit * limit;
         if !slips {
             return self.may_slip(step, middle);
         }
@@ -72,12 +66,21 @@ impl<V: Lateral> Piece<V> {
         let length = self.high.depth - self.low.depth;
         let bubble = self.bubble;
         // A half bends by its steepness and its bubble: four times the sag of its excess below the chord.
-        let bent = step.shift.minus(self.middle()).dot(bubble).abs();
         let turned = 3.0 * rise.dot(bubble).abs() + 6.0 * bubble.dot(bubble);
-        let sag = 0.25 * (rise.dot(rise) - length * length) + 2.0 * bent + turned;
-        // Between a and b it vanishes where the sag is above (sqrt(a) + sqrt(b))^2.
-        let held = |a: f64, b: f64| if a < b { b + 3.0 * a } else { a + 3.0 * b };
-        sag > held(low, middle) || sag > held(middle, high)
+        let bent = 2.0 * stretch.dot(bubble).abs() + turned;
+        let sag = 0.25 * (rise.dot(rise) - length * length) + bent;
+        sag > middle && self.sags(step, sag, middle)
+    }
+
+    /// Whether the excess, its value at the middle given, may vanish by such a sag: between two places where it
+    /// is a and b it does above `(sqrt(a) + sqrt(b))^2`.
+    #[inline]
+    fn sags(&self, step: &Step<V>, sag: f64, middle: f64) -> bool {
+        let held = |end: End<V>| {
+            let end = step.excess(end.depth, end.anchor);
+            if end < middle { middle + 3.0 * end } else { end + 3.0 * middle }
+        };
+        sag > held(self.low) || sag > held(self.high)
     }
 
     /// The part of a dragged piece whose ends and middle all stick, or all slip, at which it does the
