@@ -30,6 +30,8 @@ const EXPECTED: f64 = 0.25;
 const RIM: f64 = 0.1;
 /// How far a piece that begins at the front may be off, over the growth of its bubble.
 const AT_FRONT: f64 = 0.5;
+/// How far a piece may be off, over the growth of its bubble, where all its rings slip alike.
+const OF_GROWTH: f64 = 0.125;
 /// How far a piece is off its parabola, over its bubble, where it is looked at since it decays.
 const DECAYS: f64 = 0.1;
 /// How far a piece may be off over what is seen at one place.
@@ -181,13 +183,12 @@ impl<V: Lateral> Dragged<'_, V> {
         let bent = larger(square, old.bubble.dot(old.bubble)) * inverse;
         let decays = self.decays();
         let share = larger(bent * bent.sqrt(), 4.0 * decays * decays * square * inverse);
-        let smooth = (share * if way < limit { way } else { limit }).sqrt();
-        // The way grows to one end as no parabola does.
+        let smooth = share * if way < limit { way } else { limit };
+        // Its bubble has grown, with what a parabola does not show: more where the way grows to one end.
+        let grown = bubble.minus(old.bubble);
         let uneven = UNEVEN * ways[1];
-        if ways[2] > uneven || ways[0] > uneven {
-            return smooth + 2.0 * bubble.minus(old.bubble).length();
-        }
-        smooth
+        let unseen = if ways[2] > uneven || ways[0] > uneven { 2.0 } else { OF_GROWTH };
+        larger(smooth, unseen * unseen * grown.dot(grown)).sqrt()
     }
 
     /// Where the piece is to be split since a part of it sticks and a part slips, and how far it is off if
