@@ -30,8 +30,11 @@ const EXPECTED: f64 = 0.25;
 const RIM: f64 = 0.1;
 /// How far a piece that begins at the front may be off, over the growth of its bubble.
 const AT_FRONT: f64 = 0.5;
+/// Below which way of the tip beside the line of the tractions, over twice the largest limit, a layer at the
+/// edge is thin.
+const THIN: f64 = 0.06;
 /// How far a piece may be off, over the growth of its bubble, where all its rings slip alike.
-const OF_GROWTH: f64 = 0.125;
+const OF_GROWTH: f64 = 0.2;
 /// How far a piece is off its parabola, over its bubble, where it is looked at since it decays.
 const DECAYS: f64 = 0.1;
 /// How far a piece may be off over what is seen at one place.
@@ -187,7 +190,11 @@ impl<V: Lateral> Dragged<'_, V> {
         // Its bubble has grown, with what a parabola does not show: more where the way grows to one end.
         let grown = bubble.minus(old.bubble);
         let uneven = UNEVEN * ways[1];
-        let unseen = if ways[2] > uneven || ways[0] > uneven { 2.0 } else { OF_GROWTH };
+        let unseen = match self.at_front {
+            _ if ways[2] > uneven || ways[0] > uneven => 2.0,
+            true => AT_FRONT,
+            false => OF_GROWTH,
+        };
         larger(smooth, unseen * unseen * grown.dot(grown)).sqrt()
     }
 
@@ -264,6 +271,14 @@ impl<V: Lateral> Drawn<'_, V> {
                 }
                 (seen, looked) = (off, true);
             }
+            if limits[1] <= 0.0
+                && let Some((part, off)) = self.at_tip(step, limits[0], allowed)
+            {
+                if off > allowed {
+                    return (Some(part), off);
+                }
+                seen = off.max(seen);
+            }
         }
         if bent && old.low.root < LOW * old.high.root {
             let off = self.off(step, DEEP);
@@ -321,6 +336,21 @@ impl<V: Lateral> Drawn<'_, V> {
         let [_, across, _] = self.dragged.across;
         let (way, middle) = (step.length, 0.5 * (low + high));
         RIM * across * if way < middle { way / middle } else { 1.0 }
+    }
+
+    /// How far the parabola is off at the edge of the contact, and where: the tip lies beside the line of the
+    /// tractions below, and only rings of limits about as small as that have turned to it.
+    #[inline(always)]
+    fn at_tip(&self, step: &Step<V>, limit: f64, allowed: f64) -> Option<(f64, f64)> {
+        let Dragged { old, new, .. } = self.dragged;
+        let [middle, high] = [new[1], old.high.anchor].map(|anchor| step.shift.minus(anchor));
+        // Its way beside the line, times half the limit.
+        let beside = cross(middle, high).abs();
+        if beside <= 0.5 * allowed * limit || beside > THIN * limit * limit {
+            return None;
+        }
+        let part = 1.0 - 4.0 * beside / (limit * limit);
+        Some((part, self.off(step, part)))
     }
 
     /// How far the parabola is off near its upper end, and where: rings of limits below the length of

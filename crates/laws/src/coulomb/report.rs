@@ -21,6 +21,10 @@ pub struct Arc<V> {
 
 /// The error of the force over its limit by round-off alone, where the shift is small.
 const ROUND_OFF: f64 = 1e-12;
+/// Below this tolerance the sum of the errors of the pieces counts so often: pieces are then drawn until what is
+/// seen at a few of their rings is small, and what lies between counts for more.
+const COARSE: f64 = 5e-3;
+const AT_FINE: f64 = 2.0;
 
 impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     /// The approach zeta; negative while the bodies are apart.
@@ -96,7 +100,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         }
         let error: f64 = self.chain().map(|piece| piece.force_error(self.zeta)).sum();
         let round_off = ROUND_OFF * (1.0 + self.shift.length() / self.zeta);
-        let share = error / limit;
+        let share = if self.tolerance < COARSE { AT_FINE } else { 1.0 } * error / limit;
         let unseen = if share > round_off { self.tolerance } else { 0.0 };
         (share + unseen + round_off).min(2.0)
     }

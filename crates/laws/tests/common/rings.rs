@@ -152,7 +152,7 @@ pub(crate) fn force_at_end(path: &[(f64, [f64; 2])], count: usize) -> [f64; 2] {
 }
 
 /// The anchor of the ring of a depth at the end of a path in contact.
-pub(crate) fn anchor_at_end(path: &[(f64, [f64; 2])], depth: f64) -> [f64; 2] {
+fn anchor_at_end(path: &[(f64, [f64; 2])], depth: f64) -> [f64; 2] {
     let (mut zeta, mut x) = (0.0, [0.0; 2]);
     let mut anchor = [0.0; 2];
     for &(to, end) in path {
