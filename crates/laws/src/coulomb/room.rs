@@ -125,8 +125,9 @@ fn merge_until<V: Lateral, S: Vertices<V>>(
         // The pairs below and above now end elsewhere.
         effects.copy_within(best + 1..len, best);
         len -= 1;
-        for i in best.max(2) - 1..(best + 1).min(len) {
-            effects[i] = effect(stack, i, tip);
+        let (from, to) = (best.max(2) - 1, (best + 1).min(len));
+        for (i, at) in effects.iter_mut().enumerate().take(to).skip(from) {
+            *at = effect(stack, i, tip);
         }
     }
 }
