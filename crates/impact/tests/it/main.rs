@@ -17,7 +17,7 @@ mod oblique;
 mod random;
 mod reference_values;
 mod restitution;
-mod rings;
+mod ring_impacts;
 mod scene;
 mod small_spin;
 mod sphere_pairs;

@@ -1,9 +1,7 @@
 //! Limits of friction, coupling and steps; what is refused.
 
 use super::common::{Random, alike, hertz, law, law_of, shift};
-use carom_halfspace::operator::Threads;
 use carom_halfspace::{Material, MaterialPair};
-use carom_laws::batch::Batch;
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
@@ -141,20 +139,4 @@ fn bad_input_is_named_and_leaves_the_law_as_it_was() {
         assert_eq!(wrong.field, field);
     }
     assert_eq!(Tolerance::new(0.2).unwrap_err().field, "tolerance");
-}
-
-#[test]
-fn batches_give_the_same_bits_on_any_number_of_threads() {
-    let law = law::<6, 8>(&hertz([2.0, 2.0], [0.0, 0.5]), 0.3, 1e-2);
-    let paths: Vec<Vec<Shift>> = (0..600).map(|seed| Random(seed).path(2, 5, [0.4, 0.4])).collect();
-    let run = |threads| {
-        let mut batch = Batch::new(vec![law.clone(); paths.len()], threads);
-        let mut loads = vec![ContactLoad::default(); paths.len()];
-        for k in 0..10 {
-            let shifts: Vec<Shift> = paths.iter().map(|path| path[k]).collect();
-            batch.advance(&shifts, &mut loads).unwrap();
-        }
-        loads
-    };
-    assert_eq!(run(Threads::One), run(Threads::Pool));
 }
