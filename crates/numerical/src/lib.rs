@@ -4,6 +4,10 @@
 //! analytic law.
 #![forbid(unsafe_code)]
 
+mod law;
+
+pub use law::{CollisionLaw, CollisionLawError};
+
 use carom_impact::coupled::{
     CoupledImpact, CoupledOutcome, ImpactMethod, LawFailure, Point, Sample, Stage, Trajectory,
 };
