@@ -52,8 +52,8 @@ pub enum RingImpactError {
 /// let collision = Collision::new(upper, ball(0.5)?, Friction::new(0.1)?)?;
 /// let outcome = RingImpact::new(&collision).solve()?;
 /// let rebound = outcome.rebound().ok_or("they meet")?;
-/// // Alike they would slide back a little; unlike they are thrown back.
-/// assert!((rebound.tangential_restitution.unwrap_or(0.0) - 0.317).abs() < 0.005);
+/// // Alike they would slide back a little; unlike they are thrown back (0.3117 on a fine grid).
+/// assert!((rebound.tangential_restitution.unwrap_or(0.0) - 0.3117).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy)]

@@ -55,9 +55,9 @@ pub(super) struct Units {
 /// let hertz = Hertz::new(gap, MaterialPair::new(ball, plate)?)?;
 /// let mut law = RingLaw::<6, 8>::new(&hertz, Friction::new(0.1)?, Tolerance::PARTICLES)?;
 /// law.advance(Shift { zeta: 1e-6, ..Shift::default() })?;
-/// let load = law.advance(Shift { zeta: 1e-6, xi: 5e-8, omega: 1e-5, ..Shift::default() })?;
+/// let load = law.advance(Shift { zeta: 1e-6, xi: 3e-8, omega: 5e-4, ..Shift::default() })?;
 /// // Twist and coupling together push the bodies sideways.
-/// assert!(load.f_x > 0.0 && load.m_z > 0.0 && load.f_y.abs() > 1e-3 * load.f_x);
+/// assert!(load.f_x > 0.0 && load.m_z > 0.0 && load.f_y.abs() > 5e-4 * load.f_x);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
