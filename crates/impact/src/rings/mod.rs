@@ -52,8 +52,8 @@ pub enum RingImpactError {
 /// let collision = Collision::new(upper, ball(0.5)?, Friction::new(0.1)?)?;
 /// let outcome = RingImpact::new(&collision).solve()?;
 /// let rebound = outcome.rebound().ok_or("they meet")?;
-/// // Alike they would slide back a little; unlike they are thrown back.
-/// assert!((rebound.r_x.unwrap_or(0.0) - 0.317).abs() < 0.005);
+/// // Alike they would slide back a little; unlike they are thrown back (0.3117 on a fine grid).
+/// assert!((rebound.r_x.unwrap_or(0.0) - 0.3117).abs() < 1e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy)]
@@ -73,9 +73,10 @@ struct Level {
 }
 
 /// Coarse to fine. In 80 drawn impacts of unlike spheres (gamma up to 0.24, f from 0.04 to 0.48, lambda from
-/// 0.05 to 5) against 24 x 16 rings in 256 steps the tangential velocities of the second were off, over f v_z, by
-/// 7e-4 in the median and 4.5e-3 at worst, those of the third by 2e-4 and 2.8e-3; those of the last are known
-/// of alike bodies only, 5e-4 and 2e-3 before what is missed there is taken off.
+/// 0.05 to 5) against the last level, tangential velocities of the second, with half its tolerance, were off by
+/// 7e-4 f v_z in the median and 4.5e-3 at worst, those of the third by 2e-4 and 2.8e-3. The estimate of the second
+/// covered the change in nine of ten or more; what the last level itself misses is known of alike bodies only, 5e-4
+/// in the median and 2.2e-3 at worst, before it is taken off.
 const LEVELS: [Level; 4] = [
     Level { run: run::<4, 8, 32, 300>, left: 1.0, floor: 1e-2 },
     Level { run: run::<8, 8, 64, 500>, left: 0.6, floor: 1.3e-3 },
