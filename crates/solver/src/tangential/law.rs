@@ -1,28 +1,28 @@
-//! Coulomb's law in each cell: what breaks it, how far, and the state that it gives.
+//! Coulomb's law in each cell: its violation, and the state of the cell.
 
 use super::active_set::{ActiveSet, TangentialTask};
 use crate::state::CellState;
 
-/// A cell whose traction is within this part of its limit has reached it.
+/// A traction above this fraction of its bound has reached it.
 pub(super) const REACHED: f64 = 1.0 - 1e-9;
 
-/// How far tractions are from the law.
+/// The violation of Coulomb's law.
 #[derive(Clone, Copy)]
 pub(super) struct Off {
-    /// The norm of what breaks the law: tractions beyond their discs, or in them where the cell is
-    /// said to slip, and slip along the traction, as tractions.
+    /// The norm of the violations, as tractions: tractions outside their discs, tractions inside
+    /// their discs in cells marked as slipping, and slip in the direction of the traction.
     pub(super) violation: f64,
-    /// The greatest distance of a traction from where the slip would take it and its disc hold it; not
-    /// a number if one is none.
+    /// The greatest distance of a traction from its image under slip and projection onto its disc;
+    /// NaN if any value is NaN.
     pub(super) distance: f64,
 }
 
 impl Off {
-    /// Tractions that have left their discs for good.
+    /// Tractions have left their discs and will not return.
     pub(super) const LOST: Self = Self { violation: f64::INFINITY, distance: f64::INFINITY };
 }
 
-/// The sums that lead there, cell by cell.
+/// Sums over the cells.
 #[derive(Default)]
 pub(super) struct Sums {
     violations: f64,
@@ -31,7 +31,7 @@ pub(super) struct Sums {
 }
 
 impl Sums {
-    /// A cell with its traction, its slip over its own influence, and its rim.
+    /// Adds a cell with its traction, its slip divided by its own influence, and its rim direction.
     #[inline]
     pub(super) fn add(
         &mut self,
@@ -55,7 +55,7 @@ impl Sums {
         let (dx, dy) = (x - part * x_pulled, y - part * y_pulled);
         let distance = dx * dx + dy * dy;
         self.farthest = self.farthest.max(distance);
-        // The maximum would leave out what is not a number.
+        // The maximum would skip NaN.
         self.all += distance;
     }
 
@@ -66,7 +66,7 @@ impl Sums {
 }
 
 impl ActiveSet {
-    /// What breaks the law.
+    /// The violation of the law.
     pub(super) fn look(&self, task: &TangentialTask<'_>) -> Off {
         let (mut off, per_own) = (Sums::default(), 1.0 / self.own);
         for (i, limit) in task.limits.iter().enumerate() {
@@ -77,7 +77,7 @@ impl ActiveSet {
         off.all()
     }
 
-    /// Tractions in their discs, and what the cells do.
+    /// Projects tractions onto their discs and sets the states of the cells.
     pub(super) fn finish(&self, task: &mut TangentialTask<'_>) {
         for (i, &limit) in task.limits.iter().enumerate() {
             let slips = task.cells[i] == CellState::Slip;
@@ -96,7 +96,7 @@ impl ActiveSet {
     }
 }
 
-/// Whether tractions have left their discs for good.
+/// Whether tractions have left their discs and will not return.
 pub(super) fn is_lost(task: &TangentialTask<'_>, violation: f64) -> bool {
     let size: f64 = task.limits.iter().filter(|r| r.is_finite()).map(|r| r * r).sum();
     size > 0.0 && violation > 10.0 * size.sqrt()
@@ -108,7 +108,7 @@ pub(crate) fn within([x, y]: [f64; 2], limit: f64) -> [f64; 2] {
     if norm > limit { [limit * (x / norm), limit * (y / norm)] } else { [x, y] }
 }
 
-/// The greatest limit; where that is above all pressures and above what the offset asks for, the
+/// The greatest bound; if it exceeds all pressures and the tractions that the offset needs, the
 /// greater of these.
 pub(super) fn force_scale(task: &TangentialTask<'_>) -> f64 {
     let finite = task.limits.iter().copied().filter(|limit| limit.is_finite());

@@ -6,7 +6,9 @@ use crate::known_solutions::Known;
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
-use carom_solver::{ContactProblem, Doubt, Drive, Estimated, Frictional, Gap, NestedHistory, Side};
+use carom_solver::{
+    ContactProblem, Drive, Estimated, Frictional, Gap, GridWarning, NestedHistory, Side,
+};
 
 /// Places of the contact between the cells, twenty of them, spread evenly.
 fn offsets() -> impl Iterator<Item = [f64; 2]> {
@@ -91,12 +93,12 @@ fn a_contact_at_the_border_or_of_few_cells_is_in_doubt() {
         let grid = known.problem(cells, offset).unwrap().grid();
         let mut history = NestedHistory::new(Frictional::default(), grid, make).unwrap();
         history.step(&known.drives(cells).unwrap()[0], &mut ()).unwrap();
-        history.state().doubts()
+        history.state().warnings()
     };
     assert_eq!(pressed(48, [0.0, 0.0]), []);
-    assert_eq!(pressed(48, [8.0, 0.0]), [Doubt::Border { side: Side::Right }]);
-    assert_eq!(pressed(48, [0.0, -8.0]), [Doubt::Border { side: Side::Bottom }]);
-    assert!(matches!(pressed(10, [0.0, 0.0])[..], [Doubt::FewCells { across: 8 }]));
+    assert_eq!(pressed(48, [8.0, 0.0]), [GridWarning::Border { side: Side::Right }]);
+    assert_eq!(pressed(48, [0.0, -8.0]), [GridWarning::Border { side: Side::Bottom }]);
+    assert!(matches!(pressed(10, [0.0, 0.0])[..], [GridWarning::FewCells { across: 8 }]));
 }
 
 /// A few cells stick, or none, and have no outline: their area is not known exactly.
