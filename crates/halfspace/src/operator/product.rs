@@ -1,4 +1,4 @@
-//! The product of a block matrix of spectra with the fields that are given and wanted.
+//! The product of a block matrix of spectra with the given fields, for the requested results.
 
 use super::plan::Plan;
 use super::spectrum::Spectrum;
@@ -11,10 +11,10 @@ pub(crate) struct Term<'a> {
     pub(crate) sign: f64,
 }
 
-/// The terms of a product: `terms[output][input]`; `None` is zero.
+/// The terms of a product: `terms[output][input]`; `None` means zero.
 pub(crate) type Terms<'a> = [[Option<Term<'a>>; 3]; 3];
 
-/// Checks the fields and forms the product.
+/// Checks the fields and computes the product.
 pub(crate) fn apply<'s>(
     plan: &Plan,
     term: impl Fn(Axis, Axis) -> Result<Option<Term<'s>>, OperatorError>,
@@ -46,13 +46,13 @@ pub(crate) fn apply<'s>(
         outputs[wanted] = field;
         wanted += 1;
     }
-    // From here on nothing can fail.
+    // Nothing below this line can fail.
     reduced(plan, &inputs[..given], &terms, &mut outputs[..wanted], workspace);
     Ok(())
 }
 
-/// The product without the fields that vanish and without the results that no other field reaches: a
-/// shift along one axis costs half where the other tangential traction is zero everywhere.
+/// The product without inputs that are zero and without outputs that no other input affects: if one
+/// tangential traction is zero everywhere, a shift along the other axis costs half.
 pub(crate) fn reduced(
     plan: &Plan,
     inputs: &[&[f64]],
@@ -64,7 +64,7 @@ pub(crate) fn reduced(
     let mut columns = [0; 3];
     let mut given = 0;
     for (column, &values) in inputs.iter().enumerate() {
-        // What is not a number is not zero, either.
+        // NaN does not count as zero.
         if values.iter().any(|&value| value != 0.0) {
             (fields[given], columns[given]) = (values, column);
             given += 1;

@@ -2,7 +2,7 @@
 
 use crate::RangeError;
 
-/// An angle from 0 to pi/2, kept as sine and cosine so that both of its ends are exact.
+/// An angle from 0 to pi/2, stored as sine and cosine so that both ends of the range are exact.
 ///
 /// ```
 /// use carom_special::elliptic::Amplitude;
