@@ -1,16 +1,17 @@
-//! Floor 3 of carom: contact laws with memory (chapters 3, 5, 6, 7, 10.5 and 14.4 of the thesis).
+//! Layer 3 of carom: contact laws with memory (chapters 3, 5, 6, 7, 10.5 and 14.4 of the thesis).
 //!
-//! Curvatures and materials make a [`hertz::Hertz`] contact; a law turns a history of rigid
-//! shifts into loads. The code is unit-free: any consistent set of units will do.
+//! Curvatures and materials define a [`hertz::Hertz`] contact; a contact law maps a history of
+//! rigid shifts to loads. Any consistent system of units may be used.
 //!
 //! - Statics: [`curvature`], [`ellipse`], [`stiffness`], [`hertz`], [`shift`], [`field`].
-//! - Memory: [`memory`] is the law of load histories, exact in one direction, growing or of fixed
-//!   capacity; [`coulomb`] is the law where the direction turns. Beside them stand [`sliders`], springs
-//!   that slip, and [`profile`], other indenters.
+//! - Load histories: [`memory`] is the law of the thesis, exact in one direction, with storage that
+//!   grows or has a fixed capacity; [`coulomb`] is the law for shifts whose direction changes.
+//!   [`sliders`] is an alternative with springs and sliders, and [`profile`] contains other
+//!   indenters.
 //! - Twist: [`torsion`].
-//! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
-//!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`]. [`accounted`] adds up the heat,
-//!   [`grains`] carries contacts along with spheres and walls.
+//! - [`law::ContactLaw`] is the interface for the higher layers: [`shift_law::ShiftLaw`],
+//!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`]. [`accounted`] sums up the heat,
+//!   [`grains`] moves contacts along with spheres and walls.
 //!
 //! ```
 //! use carom_halfspace::{Material, MaterialPair};

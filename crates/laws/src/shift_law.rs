@@ -17,20 +17,22 @@ use crate::memory::{
 use crate::profile::{Hertzian, NormalProfile};
 use crate::stiffness::ContactStiffness;
 
-/// The law of normal and tangential load: `V = [f64; 2]` in two directions, `V = f64` along x.
+/// The contact law for shifts: normal force by Hertz, tangential force by Coulomb friction with
+/// memory. `V = [f64; 2]` for two directions, `V = f64` for shifts along x.
 ///
-/// Exact for uncoupled pairs (epsilon = 0, (5.20)) on straight paths within Cattaneo's and
-/// Mindlin's assumptions. Where the direction turns, each ring slips by itself
-/// ([`crate::coulomb`]), to a [`Tolerance`]; [`ShiftLaw::of_chapter_7`] is the law of the thesis,
-/// one direction of traction in a slip ring. Where c_x differs from c_y, slip is along the traction
-/// in normalised shifts, not in lengths. The twist Omega is carried along without effect.
+/// It is exact for uncoupled pairs (epsilon = 0, (5.20)) on straight paths, within the assumptions
+/// of Cattaneo and Mindlin. If the direction of the shift changes, each annulus slips by itself
+/// ([`crate::coulomb`]), to a given [`Tolerance`]; [`ShiftLaw::of_chapter_7`] is the law of the
+/// thesis, with one direction of traction in a slip annulus. If c_x differs from c_y, slip is
+/// parallel to the traction in normalised shifts, not in lengths. The twist Omega is stored but has
+/// no effect.
 ///
-/// Heat is for those who ask: [`crate::accounted::Accounted`] adds it up. It is not negative, but
-/// in chapter 7's law where c_x differs from c_y: a step of turning direction may then give some
-/// back.
+/// The friction heat is not summed up by default; [`crate::accounted::Accounted`] does that. It is
+/// not negative, except in the law of chapter 7 if c_x differs from c_y: a step whose direction
+/// changes may then return some heat.
 ///
-/// On a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices 936 bytes
-/// in one direction and 1472 in two.
+/// With a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices it
+/// takes 936 bytes in one direction and 1472 in two.
 ///
 /// ```
 /// use carom_laws::friction::Friction;
@@ -52,36 +54,37 @@ pub struct ShiftLaw<V, S = Growing<V>> {
     shift: Shift,
 }
 
-/// Between physical and normalised quantities, per direction.
+/// Conversion between physical and normalised quantities, per direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Scale<V> {
     /// X = shift times this.
     shift: V,
     /// F = Phi times this.
     force: f64,
-    /// The friction limit over sqrt(zeta) dzeta, f c_z; 1 where there is none.
+    /// The friction limit divided by sqrt(zeta) dzeta: f c_z; 1 without a limit.
     limit: f64,
 }
 
-/// The place of its tag is known, so that bytes from outside can be looked at before they are taken for one.
+/// The offset of its tag is known, so that bytes from outside can be checked before they are used
+/// as a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, u8)]
 enum State<V, S> {
     /// No friction: no tangential load.
     Free = tags::FREE,
-    /// Coulomb's friction, one direction of traction in a slip ring.
+    /// Coulomb friction with one direction of traction in a slip annulus.
     Rubbing(Memory<V, S>) = tags::RUBBING,
-    /// Coulomb's friction in two directions, ring by ring.
+    /// Coulomb friction in two directions, annulus by annulus.
     Turning(CoulombMemory<V, S>) = tags::TURNING,
     /// Infinite friction.
     Stuck(AdhesionMemory<V, S>) = tags::STUCK,
 }
 
 impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
-    /// A law at rest, the bodies just touching and unshifted.
+    /// A law in its initial state: bodies at first contact, without shift.
     ///
-    /// The tolerance of turning shifts is [`Tolerance::FINE`], on a stack of fixed capacity
-    /// [`Tolerance::PARTICLES`].
+    /// The tolerance for shifts whose direction changes is [`Tolerance::FINE`]; with a stack of
+    /// fixed capacity [`Tolerance::PARTICLES`].
     #[must_use]
     pub fn new(stiffness: ContactStiffness, friction: Friction) -> Self {
         let grows = S::default().capacity() == usize::MAX;
@@ -89,7 +92,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         Self::with_tolerance(stiffness, friction, tolerance)
     }
 
-    /// A law at rest, with the tolerance of shifts whose direction turns.
+    /// A law in its initial state, with a tolerance for shifts whose direction changes.
     #[must_use]
     pub fn with_tolerance(
         stiffness: ContactStiffness,
@@ -102,8 +105,8 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
-    /// The law of chapter 7, at rest: one direction of traction in a slip ring. In one direction
-    /// there is no other.
+    /// The law of chapter 7 in its initial state: one direction of traction in a slip annulus. In
+    /// one direction it is the same as [`ShiftLaw::new`].
     #[must_use]
     pub fn of_chapter_7(stiffness: ContactStiffness, friction: Friction) -> Self {
         Self::of(stiffness, friction, || State::Rubbing(Memory::new()))
@@ -130,7 +133,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         self.stiffness
     }
 
-    /// Coulomb's memory in two directions, if the friction is neither zero nor infinite.
+    /// The Coulomb memory in two directions, if friction is neither zero nor infinite.
     #[must_use]
     pub fn coulomb(&self) -> Option<&CoulombMemory<V, S>> {
         match &self.state {
@@ -139,8 +142,8 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
-    /// The traction in units of the greatest friction, at the elliptical radius squared
-    /// `q = (x/a)^2 + (y/b)^2` of the present contact; none without friction or without slip.
+    /// The traction in units of the greatest traction limit, at the squared elliptical radius `q =
+    /// (x/a)^2 + (y/b)^2` of the present contact; `None` for zero or infinite friction.
     #[must_use]
     pub fn traction(&self, q: f64) -> Option<V> {
         match &self.state {
@@ -150,7 +153,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
-    /// The memory of one direction, or of chapter 7, if the friction is neither zero nor infinite.
+    /// The memory of one direction, or of chapter 7, if friction is neither zero nor infinite.
     #[must_use]
     pub fn memory(&self) -> Option<&Memory<V, S>> {
         match &self.state {
@@ -159,7 +162,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
-    /// What the last step did.
+    /// The contact state after the last step.
     #[must_use]
     pub fn regime(&self) -> Regime {
         match &self.state {
@@ -171,7 +174,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
-    /// `zeta*/zeta = (a*/a)^2`: how much of the contact sticks.
+    /// `zeta*/zeta = (a*/a)^2`: the relative area of the stick zone.
     #[must_use]
     pub fn stick_depth(&self) -> f64 {
         match &self.state {
@@ -183,8 +186,8 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
-    /// The consistent tangent of the last step: derivatives of (F_x, F_y, F_z) (rows) by
-    /// (xi, eta, zeta) (columns).
+    /// The consistent tangent of the last step: derivatives of (F_x, F_y, F_z) (rows) with respect
+    /// to (xi, eta, zeta) (columns).
     #[must_use]
     pub fn tangent(&self) -> [[f64; 3]; 3] {
         let zeta = self.shift.zeta.max(0.0);
@@ -206,13 +209,13 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         [row(0), row(1), [0.0, 0.0, normal]]
     }
 
-    /// Normalised shifts over shifts.
+    /// Normalised shift divided by shift.
     #[inline]
     pub(crate) fn scale_of_shifts(&self) -> V {
         self.scale.shift
     }
 
-    /// Energy over normalised energy, per direction.
+    /// Energy divided by normalised energy, per direction.
     fn scale_of_energies(&self) -> V {
         let ContactStiffness { c_x, c_y, .. } = self.stiffness;
         V::from_components([1.0 / c_x, 1.0 / c_y]).times(self.scale.force * self.scale.limit)
@@ -230,7 +233,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         V::from_components([shift.xi, shift.eta]).by_component(self.scale.shift)
     }
 
-    /// The normalised shift, if the law can go there.
+    /// The normalised shift, if the law allows it.
     #[inline]
     pub(crate) fn reachable(&self, shift: Shift) -> Result<V, RangeError> {
         shift.check_finite()?;
@@ -244,7 +247,8 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         Ok(to)
     }
 
-    /// Goes to a shift that was found reachable, `to` in normalised shifts: the tangential force there.
+    /// Advances to a shift that was checked, `to` in normalised shifts; returns the tangential
+    /// force.
     #[inline(always)]
     pub(crate) fn go(&mut self, shift: Shift, to: V) -> [f64; 2] {
         self.shift = shift;
@@ -331,12 +335,12 @@ impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
 }
 
 impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
-    /// Turns the frame in the contact plane: shift and tractions are expressed in axes that are
-    /// rotated by `angle` (radians, counter-clockwise).
+    /// Rotates the frame in the contact plane: shift and tractions are then given in axes rotated
+    /// by `angle` (radians, counterclockwise).
     ///
-    /// Carries the law along when the contact frame of two rolling bodies turns, and the contact
-    /// ellipse with it. Loads are the same vectors as before; so is the stored energy where
-    /// c_x = c_y, else the ellipse turns beneath its tractions.
+    /// Keeps the law valid when the contact frame of two rolling bodies rotates, and the contact
+    /// ellipse with it. Loads are the same vectors as before; so is the stored energy if c_x = c_y.
+    /// Otherwise the ellipse rotates relative to its tractions.
     pub fn turn_frame(&mut self, angle: f64) {
         let [xi, eta] = Turn::by(angle).of([self.shift.xi, self.shift.eta]);
         self.shift = Shift { xi, eta, ..self.shift };
@@ -360,7 +364,7 @@ impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
 }
 
 impl<V: Lateral, S: VertexStack<V>> ImpactLaw for ShiftLaw<V, S> {
-    // All vertices are looked at where one may slip.
+    // All vertices are examined if any may slip.
     fn rings(&self) -> Option<usize> {
         self.coulomb().map(|memory| memory.stack().len())
     }

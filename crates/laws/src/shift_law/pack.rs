@@ -1,4 +1,4 @@
-//! The state of the law as plain numbers, to be kept elsewhere.
+//! Stores the state of the law as plain numbers.
 
 use carom_special::RangeError;
 
@@ -7,15 +7,15 @@ use crate::bounds::{in_contact, in_memory};
 use crate::law::Shift;
 use crate::memory::{Lateral, VertexStack};
 
-/// The mark of a frictionless contact, whose state is its shift.
+/// The mark of a frictionless contact, whose state is its shift only.
 const FREE: f64 = 3e4;
 const HEAD: usize = 6;
 
 impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
-    /// Writes what the law remembers into numbers: as many as
-    /// [`crate::coulomb::packed_numbers`] says for the vertices that its storage has room for are always
-    /// enough, but for infinite friction, which takes 6 and 9 per vertex. All zeros are two bodies apart. The constants of the contact are not among
-    /// them, nor is the twist.
+    /// Writes the history of the law as numbers. [`crate::coulomb::packed_numbers`] for the
+    /// capacity of its storage is always sufficient, except for infinite friction, which needs 6
+    /// and 9 per vertex. All zeros represent two separated bodies. Neither the constants of the
+    /// contact nor the twist are stored.
     ///
     /// ```
     /// use carom_laws::coulomb::packed_numbers;
@@ -38,7 +38,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] if there is no room for the vertices; nothing is then written.
+    /// [`RangeError`] if the slice is too short for the vertices; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
         match &self.state {
             State::Rubbing(memory) => memory.pack(numbers),
@@ -55,11 +55,11 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
-    /// Takes up what [`ShiftLaw::pack`] of a law of the same constants wrote. Forces are summed anew
-    /// and may differ by round-off.
+    /// Restores what [`ShiftLaw::pack`] of a law with the same constants wrote. Forces are summed
+    /// up again and may differ by rounding.
     ///
     /// # Errors
-    /// [`RangeError`] for numbers that are no state of this law; the law is then unchanged.
+    /// [`RangeError`] for numbers that are not a state of this law; the law is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let shift = self.shift_in(numbers);
         match &mut self.state {
@@ -72,7 +72,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         Ok(())
     }
 
-    /// The shift that the numbers of a memory tell, normalised there.
+    /// The shift of a stored memory, which is normalised there.
     fn shift_in(&self, numbers: &[f64]) -> Result<Shift, RangeError> {
         let Some(&[_, zeta, xi, eta]) = numbers.first_chunk() else {
             return Err(RangeError::new("numbers", numbers.len() as f64, ">= 6"));

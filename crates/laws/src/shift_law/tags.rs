@@ -1,4 +1,4 @@
-//! Whether bytes that may have been changed outside are still a law.
+//! Checks whether bytes that may have been changed elsewhere are a valid law.
 
 use std::mem::offset_of;
 
@@ -13,9 +13,10 @@ pub(super) const TURNING: u8 = 2;
 pub(super) const STUCK: u8 = 3;
 
 impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
-    /// Whether bytes are a law, given the byte at each place: they are if the tags of its state and of its
-    /// regime are known ones. All else in a law on a [`Fixed`] stack are numbers, and any bytes are numbers; what
-    /// these mean is not looked at ([`ShiftLaw::fits`]). At most two bytes are asked for.
+    /// Whether bytes form a law, given the byte at each offset: they do if the tags of its state
+    /// and of its regime are valid. All other parts of a law on a [`Fixed`] stack are numbers, for
+    /// which any bytes are valid; [`ShiftLaw::fits`] checks their number. At most two bytes are
+    /// read.
     #[inline(always)]
     #[must_use]
     pub fn is_in(byte: impl Fn(usize) -> u8) -> bool {
@@ -30,8 +31,8 @@ impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
         byte(memory + regime) < MemoryRegime::COUNT
     }
 
-    /// Whether its vertices are not more than there is room for, and none only where the bodies are apart: so it
-    /// is but in bytes that were changed outside.
+    /// Whether the number of vertices is at most the capacity, and zero only for separated bodies.
+    /// It can be false only if the bytes were changed elsewhere.
     #[inline(always)]
     #[must_use]
     pub fn fits(&self) -> bool {

@@ -1,8 +1,9 @@
-//! A part of a step in which slip rings may lie apart.
+//! A substep in which several disjoint slip annuli may occur.
 //!
-//! The stack's own solutions are tried first and held against the friction law on rings of finite
-//! width: traction within its limit, and slip along it. Where none holds the rings themselves are
-//! solved, for any pattern of slip, and their densities are laid on the stack.
+//! The solutions with one slip annulus are tried first and checked against the friction law on
+//! rings of finite width: tractions within their limits, and slip in their direction. If none
+//! satisfies it, the rings themselves are solved for any pattern of slip, and their densities
+//! replace those of the stack.
 
 use super::heat::{Meter, RingHeat};
 use super::history::{TwistHistory, Way};
@@ -11,23 +12,25 @@ use super::rings::{RingSolution, Rings};
 use super::segment::{Density, Segment};
 use super::sliding::{sliding_torque, sliding_twist};
 
-/// Rings reach at least to this part of the radius at which slip may go on, but not below
-/// [`LOWEST`] of the contact radius: the torque of what lies there is below 3e-5 of that of
-/// sliding, and it slips as a whole.
+/// The rings extend at least down to this fraction of the radius outside which slip may continue,
+/// but not below [`LOWEST`] times the contact radius. The torque of the contact inside is below
+/// 3e-5 of the sliding torque, and it slips as a whole.
 const MARGIN: f64 = 0.8;
 const LOWEST: f64 = 0.0302;
 
-/// By how much of its limit a traction may be off in the stack's solution.
+/// Relative excess of a traction over its limit that is accepted in a solution with one slip
+/// annulus.
 const TRACTION: f64 = 1e-4;
-/// The slip against its sense, over the step's, that is put down to the width of rings.
+/// Slip in the wrong direction, relative to the greatest slip, that is attributed to the width of
+/// rings.
 const SLIP: f64 = 1e-4;
 
-/// A change of density that counts.
+/// Changes of density below this count as zero.
 const CHANGE: f64 = 1e-11;
 
 impl TwistHistory {
-    /// Goes through a part of a step; whether rings lay apart. None if the rings do not settle:
-    /// nothing has moved then.
+    /// Tries one substep. Returns whether several slip annuli occurred, or `None` if the ring solve
+    /// did not converge; the state is then unchanged.
     pub(super) fn tried(
         &mut self,
         radius: f64,
@@ -61,14 +64,14 @@ impl TwistHistory {
         }
     }
 
-    /// The radius outside which slip may go on as the contact recedes.
+    /// The radius outside which slip may continue while the contact recedes.
     fn restless(&self) -> f64 {
         let calm = self.segments.partition_point(|segment| segment.demand < self.radius);
         self.segments.get(calm).map_or(self.stick, |segment| segment.from)
     }
 
-    /// A way with one slip ring that obeys the friction law on rings: None if there is none, and
-    /// Some(None) for growth.
+    /// A path with one slip annulus that satisfies the friction law on rings: `None` if there is
+    /// none, `Some(None)` for growth.
     fn way_on(
         &self,
         rings: &Rings,
@@ -92,7 +95,7 @@ impl TwistHistory {
         moved.obeys(rings, before).then_some(Some(way))
     }
 
-    /// Whether this state may follow that of the cells.
+    /// Whether this state, following that of the cells, satisfies the friction law.
     fn obeys(&self, rings: &Rings, before: &Cells) -> bool {
         if !self.is_admissible() {
             return false;
@@ -112,8 +115,9 @@ impl TwistHistory {
         slips.iter().all(|slip| sign * slip >= -SLIP * most)
     }
 
-    /// Puts new densities on the rings, and on the outer slip ring that of sliding itself, down to
-    /// where the twist demands: within a ring, so that one narrower than a ring has its place.
+    /// Sets new densities on the rings. In the outer slip annulus the sliding density itself is
+    /// used, down to the radius that the twist requires; this radius may lie inside a ring, so that
+    /// an annulus narrower than a ring is represented.
     fn lay(&mut self, rings: &Rings, before: &Cells, solution: &RingSolution, twist: f64) {
         let edges = rings.edges();
         let changed = solution.changes.iter().rposition(|change| change.abs() > CHANGE);
@@ -163,7 +167,7 @@ impl TwistHistory {
         (self.radius, self.twist) = (radius, twist);
     }
 
-    /// Lays the densities of another state from a radius outwards.
+    /// Copies the densities of another state from a radius outwards.
     fn lay_old(&mut self, old: &Self, from: f64, (twist, torque): (f64, f64)) {
         let (lift, gain) = (twist - old.twist_below(from), torque - old.torque_below(from));
         let first = old.segments.partition_point(|segment| segment.from <= from);
@@ -173,7 +177,8 @@ impl TwistHistory {
             if start >= end {
                 continue;
             }
-            // A constant density counts from where it begins, that of sliding from its rim.
+            // A constant density is measured from where it begins, the sliding density from its
+            // outer radius.
             let (twist, torque) = match segment.density {
                 Density::Stick(_) => (segment.twist_to(start), segment.torque_to(start)),
                 Density::Slip { .. } => (segment.twist, segment.torque),
@@ -183,8 +188,8 @@ impl TwistHistory {
         }
     }
 
-    /// Below the rings slip goes on down to a stick radius that takes the twist. The torque of what
-    /// lies there.
+    /// Inside the rings slip extends down to a stick radius that gives the required twist. Returns
+    /// the torque of that part.
     fn slip_in_core(&mut self, twist: f64, rings: &Rings) -> f64 {
         let (radius, edge) = (rings.radius(), rings.edges()[rings.edges().len() - 1]);
         let sign = 1.0_f64.copysign(twist - self.twist_below(edge));
@@ -193,7 +198,7 @@ impl TwistHistory {
     }
 }
 
-/// How many rings from the rim inwards slip in one sense.
+/// The number of rings, from the edge inwards, that slip in the same direction.
 fn outer_ring(slips: &[f64]) -> usize {
     if slips[0] == 0.0 {
         return 0;
@@ -201,15 +206,15 @@ fn outer_ring(slips: &[f64]) -> usize {
     slips.iter().position(|slip| *slip != slips[0]).unwrap_or(slips.len())
 }
 
-/// `int s^3 b ds` of a ring over the mean density, for densities that fall as 1/s.
+/// `int s^3 b ds` of a ring divided by the mean density, for densities that decrease as 1/s.
 fn moment(outer: f64, inner: f64) -> f64 {
     let width = outer - inner;
     let cubes = width * (outer * outer + outer * inner + inner * inner) / 3.0;
     cubes * width / libm::log(outer / inner)
 }
 
-/// A contact radius at which sliding has a density of at least this between the edges of a ring,
-/// from what it has at another one.
+/// A contact radius at which the sliding density exceeds this density between the edges of a ring,
+/// from its value at another radius.
 fn demand_of(density: f64, sliding: f64, radius: f64, edge: f64) -> f64 {
     let over = density - sliding;
     if over <= 1e-9 * sliding {
@@ -219,7 +224,7 @@ fn demand_of(density: f64, sliding: f64, radius: f64, edge: f64) -> f64 {
     (radius + 2.0 * edge * over).min(std::f64::consts::FRAC_PI_2 * density * edge)
 }
 
-/// Densities averaged over rings, and the twist of all discs below their edges.
+/// Densities averaged over rings, and the twist of all discs inside their edges.
 struct Cells {
     below: Vec<f64>,
     densities: Vec<f64>,
@@ -233,7 +238,7 @@ impl Cells {
         Self { below, densities }
     }
 
-    /// The twist below all rings.
+    /// The twist inside all rings.
     fn core(&self) -> f64 {
         self.below[self.below.len() - 1]
     }
