@@ -6,7 +6,7 @@ use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 use crate::surface::perpendicular;
 
 /// Greatest deviation of the norm of a quaternion from one; a smaller one is normalised.
-const UNIT: f64 = 1e-6;
+const NORM_TOLERANCE: f64 = 1e-6;
 
 /// The rotation between a body's axes (a, b, c) and the axes of space (x, y, z).
 ///
@@ -43,7 +43,12 @@ impl Attitude {
         let [w, i, j, k] = components;
         let quaternion = Quaternion::new(w, i, j, k);
         let norm = quaternion.norm();
-        RangeError::check("quaternion norm", norm, (norm - 1.0).abs() <= UNIT, "1 to within 1e-6")?;
+        RangeError::check(
+            "quaternion norm",
+            norm,
+            (norm - 1.0).abs() <= NORM_TOLERANCE,
+            "1 to within 1e-6",
+        )?;
         let unit = UnitQuaternion::from_quaternion(quaternion);
         Ok(Self { rotation: unit.to_rotation_matrix().into_inner() })
     }
@@ -99,7 +104,7 @@ impl Attitude {
     pub fn from_matrix(to_body: Matrix3<f64>) -> Result<Self, RangeError> {
         let residue = (to_body * to_body.transpose() - Matrix3::identity()).amax();
         let allowed = "orthogonal to within 1e-6";
-        RangeError::check("rotation matrix residue", residue, residue <= UNIT, allowed)?;
+        RangeError::check("rotation matrix residue", residue, residue <= NORM_TOLERANCE, allowed)?;
         let determinant = to_body.determinant();
         RangeError::check("rotation determinant", determinant, determinant > 0.0, "+1")?;
         Ok(Self { rotation: orthonormal(&to_body).transpose() })

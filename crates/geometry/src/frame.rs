@@ -7,7 +7,7 @@ use crate::surface::LocalSurface;
 
 /// Greatest angle between the outward normal of one body and the reversed normal of the other,
 /// radians.
-const OPPOSITE: f64 = 1e-5;
+const NORMAL_TOLERANCE: f64 = 1e-5;
 
 /// Why two surfaces have no contact frame.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -16,7 +16,7 @@ pub enum FrameError {
     #[error(transparent)]
     Curvature(#[from] CurvatureError),
     /// The surfaces do not face each other.
-    #[error("the outward normals are {angle} rad from opposite, more than {OPPOSITE}")]
+    #[error("the outward normals are {angle} rad from opposite, more than {NORMAL_TOLERANCE}")]
     NotOpposed {
         /// Angle between the normal of body 2 and the reversed normal of body 1, radians.
         angle: f64,
@@ -58,7 +58,7 @@ impl ContactFrame {
     pub fn new(one: &LocalSurface, two: &LocalSurface) -> Result<Self, FrameError> {
         let into_one = two.normal() - one.normal();
         let angle = libm::asin((0.5 * (two.normal() + one.normal()).norm()).min(1.0)) * 2.0;
-        if angle.is_nan() || angle > OPPOSITE {
+        if angle.is_nan() || angle > NORMAL_TOLERANCE {
             return Err(FrameError::NotOpposed { angle });
         }
         let z = into_one.normalize();

@@ -15,7 +15,7 @@ const STRIPS: f64 = 10.0;
 /// Approximate number of strips of the meshes relative to the finest.
 const PARTS: [f64; 4] = [0.35, 0.5, 0.7, 1.0];
 /// Greatest number of elements; two matrices with this number of rows are solved.
-const MOST: usize = 5000;
+const MOST_ELEMENTS: usize = 5000;
 
 /// Creep coefficients: forces for vanishing creepage of two equal bodies of shear modulus G each,
 /// on a contact with semi-axes a along the direction of rolling and b across it. F_x = G a b C11
@@ -111,7 +111,7 @@ pub fn creep_coefficients_on(
     let [strips, along] = mesh;
     let fits = (2..=200).contains(&strips) && strips % 2 == 0;
     RangeError::check("strips", strips as f64, fits, "an even number from 2 to 200")?;
-    let fits = (2..=400).contains(&along) && strips * along <= MOST;
+    let fits = (2..=400).contains(&along) && strips * along <= MOST_ELEMENTS;
     RangeError::check("elements of a strip", along as f64, fits, "from 2 to 400, 5000 in all")?;
     check_ratio(ratio)?;
     // a b = 1, G = 1

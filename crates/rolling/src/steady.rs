@@ -14,7 +14,7 @@ use carom_solver::{
 /// Relative accuracy of a prescribed normal force.
 const FORCE_TOLERANCE: f64 = 1e-9;
 /// Greatest number of approaches tried for a normal force.
-const SECANTS: usize = 20;
+const MOST_SECANTS: usize = 20;
 
 /// Steady rolling.
 #[derive(Debug, Clone)]
@@ -98,9 +98,9 @@ impl Rolling<'_> {
             omega: creepage.spin * distance,
         });
         let (method, scratch) = (Panagiotopoulos::default(), &mut self.scratch);
-        let went = method.step(problem, &apart, &drive, &mut state, scratch, &mut ())?;
+        let convergence = method.step(problem, &apart, &drive, &mut state, scratch, &mut ())?;
         check_room(&state, self.shift)?;
-        self.iterations += went.iterations;
+        self.iterations += convergence.iterations;
         let load = TractionField::full(
             state.traction_x.values(),
             state.traction_y.values(),
@@ -113,7 +113,7 @@ impl Rolling<'_> {
         let operator = problem.operator();
         operator.apply(load, out, &mut operator.workspace())?;
         let slides = state.count(CellState::Stick) == 0 && state.count(CellState::Slip) > 0;
-        let convergence = Convergence { iterations: self.iterations, ..went };
+        let convergence = Convergence { iterations: self.iterations, ..convergence };
         Ok(SteadyRolling { state, convergence, slides })
     }
 
@@ -122,7 +122,7 @@ impl Rolling<'_> {
         let mut approach = approach_without_friction(self.problem, force)?;
         let mut last: Option<[f64; 2]> = None;
         let mut reached = 0.0;
-        for _ in 0..SECANTS {
+        for _ in 0..MOST_SECANTS {
             let rolling = self.at(approach)?;
             reached = rolling.state.load().f_z;
             let missing = force - reached;

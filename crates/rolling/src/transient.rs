@@ -68,9 +68,9 @@ impl Roll {
             y: Driven::Shift(from.shift.eta + across * self.distance),
             twist: Driven::Shift(from.shift.omega + spin * self.distance),
         };
-        let went = method.step(problem, &before, &drive, to, scratch, observer)?;
+        let convergence = method.step(problem, &before, &drive, to, scratch, observer)?;
         check_room(to, shift)?;
-        Ok(went)
+        Ok(convergence)
     }
 }
 

@@ -9,11 +9,11 @@ use carom_special::RangeError;
 /// pull the surfaces apart, if it separates they would overlap. In the limit of an infinite
 /// coefficient such a cell is dragged along: it keeps a finite traction at a pressure that vanishes
 /// as traction over coefficient.
-pub(crate) const FIRM: f64 = 1e9;
+pub(crate) const COEFFICIENT_FOR_INFINITE: f64 = 1e9;
 
-/// The coefficient, or [`FIRM`] for infinite friction.
-pub(crate) const fn firm(friction: f64) -> f64 {
-    friction.min(FIRM)
+/// The coefficient, or [`COEFFICIENT_FOR_INFINITE`] for infinite friction.
+pub(crate) const fn finite_coefficient(friction: f64) -> f64 {
+    friction.min(COEFFICIENT_FOR_INFINITE)
 }
 
 /// Coulomb friction of a cell: it sticks up to `rest` times its pressure (static friction) and

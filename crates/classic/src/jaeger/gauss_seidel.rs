@@ -61,8 +61,8 @@ pub enum SlipStress {
 /// let apart = ContactState::apart(grid);
 /// let mut state = apart.clone();
 /// let drive = Drive::by_shift(Shift { zeta: 1.0, xi: 0.2, ..Shift::default() });
-/// let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
-/// assert_eq!(scratch.trace().count(ProgramStep::Sweep), went.iterations);
+/// let convergence = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+/// assert_eq!(scratch.trace().count(ProgramStep::Sweep), convergence.iterations);
 /// // Cattaneo at half the shift of full slip.
 /// let load = state.load();
 /// assert!((load.f_x / (0.4 * load.f_z) - (1.0 - 0.5_f64.powf(1.5))).abs() < 2e-2);

@@ -182,8 +182,8 @@ impl Machine for Work<'_, '_> {
 /// let apart = ContactState::apart(grid);
 /// let mut state = apart.clone();
 /// let drive = Drive::by_shift(Shift { zeta: 1.0, xi: 0.2, ..Shift::default() });
-/// let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
-/// assert!(went.residuals.normal < 1e-10 && state.load().f_x > 0.0);
+/// let convergence = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+/// assert!(convergence.residuals.normal < 1e-10 && state.load().f_x > 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]

@@ -12,7 +12,7 @@ use crate::surface::{Kind, perpendicular};
 const PARALLEL: f64 = 1e-7;
 
 /// Greatest number of alternating projections between two overlapping faces.
-const MEETINGS: usize = 40;
+const MOST_PROJECTIONS: usize = 40;
 
 /// The extent of a face.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -90,7 +90,7 @@ impl Face {
             return None;
         }
         let mut point = other.clamp(&self.centre);
-        for _ in 0..MEETINGS {
+        for _ in 0..MOST_PROJECTIONS {
             point = other.clamp(&self.clamp(&point));
         }
         Some(self.under(&point))

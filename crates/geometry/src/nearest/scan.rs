@@ -12,7 +12,7 @@ use super::{Nearest, Touch};
 use crate::placed::Placed;
 
 /// Slopes of the distance along the curve below this count as zero: parallel lines.
-const LEVEL: f64 = 1e-12;
+const ZERO_SLOPE: f64 = 1e-12;
 
 /// Sample points along a curve that may have many minima.
 const SAMPLES: i32 = 96;
@@ -99,8 +99,8 @@ impl Rail<'_> {
         let closest = other.closest(&self.body.space_point(&point))?;
         let slope = closest.normal.dot(&self.body.attitude().to_space(&tangent));
         Some(match slope {
-            _ if slope < -LEVEL => Trend::Falling,
-            _ if slope > LEVEL => Trend::Rising,
+            _ if slope < -ZERO_SLOPE => Trend::Falling,
+            _ if slope > ZERO_SLOPE => Trend::Rising,
             _ => Trend::Level,
         })
     }

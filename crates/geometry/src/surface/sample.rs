@@ -18,7 +18,7 @@ const RAY_START: f64 = 0.043;
 
 /// Range of a and b in which an explicit surface is sampled, relative to its size, and lines along
 /// each.
-const SPAN: f64 = 2.0;
+const SAMPLED_RANGE: f64 = 2.0;
 const LINES: i32 = 12;
 
 impl Surface {
@@ -33,7 +33,7 @@ impl Surface {
                 directions().flat_map(|ray| crossings(function, &ray, *size)).collect()
             }
             Kind::Explicit { size, .. } => {
-                let step = SPAN * size / f64::from(LINES);
+                let step = SAMPLED_RANGE * size / f64::from(LINES);
                 let at = |i: i32| f64::from(i) * step;
                 let square = (-LINES..=LINES).flat_map(|i| (-LINES..=LINES).map(move |j| (i, j)));
                 square.filter_map(|(i, j)| self.above(at(i), at(j))).collect()

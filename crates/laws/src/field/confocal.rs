@@ -11,7 +11,7 @@ use crate::ellipse::ContactEllipse;
 
 /// Above this axis ratio, outside the larger axis, the differences would cancel and a Gauss rule is
 /// exact to rounding.
-const ROUND: f64 = 0.7;
+const NEARLY_CIRCULAR: f64 = 0.7;
 
 static RULE: FixedRule<24> = FixedRule::fixed();
 
@@ -51,7 +51,7 @@ impl Integrals {
         let by_a = 2.0 / (a * a * a) * incomplete::d(ratio.inverse(), at_a);
         let by_b = 2.0 / (b * b * b) * incomplete::d(ratio, at_b);
         let mut all = Self { f, a: by_a, b: by_b, aa: 0.0, bb: 0.0, ab: 0.0 };
-        if ratio.get() >= ROUND || root >= b {
+        if ratio.get() >= NEARLY_CIRCULAR || root >= b {
             all.by_quadrature(b, ratio.get(), libm::atan2(b, root));
         } else {
             all.by_differences(a, b, lambda);

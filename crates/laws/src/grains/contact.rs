@@ -98,7 +98,7 @@ impl Step {
 }
 
 /// Friction is averaged if the gap opens within this number of steps.
-const LEAVES_IN: f64 = 4.0;
+const STEPS_TO_OPENING: f64 = 4.0;
 
 impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// A contact without history, from a law in its initial state and a viscous relaxation time A
@@ -358,7 +358,7 @@ fn leaves(meeting: &Meeting, dt: f64) -> bool {
 /// The growth of the approach in this number of steps.
 #[inline(always)]
 pub(super) fn parting<T: Number>(meeting: &Meeting<T>, dt: f64) -> T {
-    T::of(LEAVES_IN * dt) * dot(meeting.velocity, meeting.normal)
+    T::of(STEPS_TO_OPENING * dt) * dot(meeting.velocity, meeting.normal)
 }
 
 /// The positions one step before, where first contact is searched from.

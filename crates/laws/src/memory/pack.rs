@@ -118,9 +118,9 @@ fn chain<V: Lateral, P: NormalProfile>(
 
 /// Relative tolerance of slopes and of their ends: rounding of slopes that were divided by the
 /// width of thin annuli.
-const OFF: f64 = 1e-9;
+const SLOPE_TOLERANCE: f64 = 1e-9;
 /// Largest slope of an annulus so thin that its slope is meaningless.
-const STEEPEST: f64 = 1e3;
+const LARGEST_SLOPE: f64 = 1e3;
 
 /// Checks that all annuli are within the friction cone: anchors and forces with slopes at most 1,
 /// and the anchor at the edge equal to the shift.
@@ -140,14 +140,14 @@ fn within_cone<V: Lateral, P: NormalProfile>(
         let depth = vertex[0].abs();
         let top = vertices.get(EACH * (i + 1)).map_or(numbers[1], |depth| depth.abs());
         let squares = [1, 3].map(|k| vertex[k] * vertex[k] + vertex[k + 1] * vertex[k + 1]);
-        if !squares.iter().all(|square| *square <= 1.0 + OFF) {
+        if !squares.iter().all(|square| *square <= 1.0 + SLOPE_TOLERANCE) {
             let limits = [size, profile.force(numbers[1])];
             check_steep(squares, [top - depth, profile.growth(depth, top - depth)], limits)?;
         }
         anchor = anchor.plus(V::from_components([vertex[1], vertex[2]]).times(top - depth));
     }
     let gap = anchor.minus(shift).length();
-    RangeError::check("anchor", gap, gap <= OFF * size, "the shift, at the edge")?;
+    RangeError::check("anchor", gap, gap <= SLOPE_TOLERANCE * size, "the shift, at the edge")?;
     Ok(())
 }
 
@@ -156,8 +156,9 @@ fn within_cone<V: Lateral, P: NormalProfile>(
 fn check_steep(squares: [f64; 2], parts: [f64; 2], wholes: [f64; 2]) -> Result<(), RangeError> {
     for (k, field) in ["slope", "slope of the force"].into_iter().enumerate() {
         let slope = squares[k].sqrt();
-        let by_round_off = slope * parts[k] <= parts[k] + OFF * wholes[k] && slope <= STEEPEST;
-        RangeError::check(field, slope, slope <= 1.0 + OFF || by_round_off, "<= 1")?;
+        let by_round_off =
+            slope * parts[k] <= parts[k] + SLOPE_TOLERANCE * wholes[k] && slope <= LARGEST_SLOPE;
+        RangeError::check(field, slope, slope <= 1.0 + SLOPE_TOLERANCE || by_round_off, "<= 1")?;
     }
     Ok(())
 }

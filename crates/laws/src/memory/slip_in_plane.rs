@@ -13,11 +13,11 @@ use super::{Lateral, Memory, VertexStack};
 use crate::profile::NormalProfile;
 
 /// Allowed error of the heat of a part of the step, relative to it.
-const RELATIVE: f64 = 1e-13;
+const ERROR_OF_PART: f64 = 1e-13;
 /// The same, relative to the heat if the whole motion were slip of the widest annulus.
-const OF_RING: f64 = 1e-15;
+const ERROR_OF_ANNULUS: f64 = 1e-15;
 /// The same, relative to friction limit times motion: below it the heat is rounding error.
-const OF_LIMIT: f64 = 1e-20;
+const ERROR_OF_LIMIT: f64 = 1e-20;
 
 /// Fraction at which an integral is divided to confirm it, and greatest number of divisions.
 const UNEVEN: f64 = 0.382;
@@ -159,8 +159,8 @@ impl<V: Lateral> Path<V> {
         let [x, y] = unit.components().map(f64::abs);
         let limit = profile.force(self.zeta.max(self.end));
         let motion = (self.dx.length() + self.dz.abs()) * x.max(y);
-        let largest = (OF_RING * widest).max(OF_LIMIT * limit) * motion;
-        let Ok(tolerance) = Tolerance::new(largest, RELATIVE) else {
+        let largest = (ERROR_OF_ANNULUS * widest).max(ERROR_OF_LIMIT * limit) * motion;
+        let Ok(tolerance) = Tolerance::new(largest, ERROR_OF_PART) else {
             return 0.0; // not finite: refused before
         };
         let rate = |v: f64| {
@@ -220,7 +220,7 @@ fn settled(
     };
     let [Ok(one), Ok(two)] = parts.map(over) else { return whole };
     let sum = one.value + two.value;
-    if left == 0 || (sum - whole).abs() <= 2.0 * (RELATIVE * sum.abs()).max(least) {
+    if left == 0 || (sum - whole).abs() <= 2.0 * (ERROR_OF_PART * sum.abs()).max(least) {
         return sum;
     }
     parts.map(|part| settled(rate, part, tolerance, least, left - 1)).iter().sum()

@@ -27,7 +27,7 @@ const HALVINGS: u32 = 60;
 /// this.
 const ACCURACY: f64 = 1e-13;
 /// Relative accuracy of the contact radius at a given position of the edge.
-const PLACED: f64 = 1e-11;
+const RADIUS_ACCURACY: f64 = 1e-11;
 /// Iterations for the fraction of the step; the last of them are bisections.
 const ITERATIONS: u32 = 80;
 const NEWTON: u32 = 30;
@@ -66,7 +66,7 @@ enum Fixed {
     /// At a radius c.
     Edge(f64),
     /// At `exp(-w)`.
-    Way(f64),
+    SlipPath(f64),
 }
 
 /// A slip annulus that spreads inwards.
@@ -162,7 +162,7 @@ impl<'a> Front<'a> {
             } else {
                 let at = from.at + f64::from(i) / panels * (to.at - from.at);
                 let range = [low.share, to.share];
-                let share = self.passing(segment, Fixed::Way(at), range[0], range[0])?.share;
+                let share = self.passing(segment, Fixed::SlipPath(at), range[0], range[0])?.share;
                 Place { share: share.min(range[1]), at }
             };
             *sum += self.panel(segment, low, high)?;
@@ -183,7 +183,7 @@ impl<'a> Front<'a> {
         let (mut guess, mut at) = (low.share, low.at);
         for (place, (node, weight)) in heats.iter_mut().zip(GAUSS) {
             let next = low.at + node * length;
-            let passing = self.passing(segment, Fixed::Way(next), low.share, guess)?;
+            let passing = self.passing(segment, Fixed::SlipPath(next), low.share, guess)?;
             let rate = passing.rate()?;
             *place = self.power(&passing) * rate;
             heat += weight * *place;
@@ -206,7 +206,7 @@ impl<'a> Front<'a> {
         }
         self.halvings -= 1;
         let at = 0.5 * (low.at + high.at);
-        let middle = self.passing(segment, Fixed::Way(at), low.share, low.share)?.share;
+        let middle = self.passing(segment, Fixed::SlipPath(at), low.share, low.share)?.share;
         let middle = Place { share: middle.min(high.share), at };
         let one = self.panel(segment, low, middle)?;
         Some(one + self.panel(segment, middle, high)?)
@@ -226,13 +226,13 @@ impl<'a> Front<'a> {
         // `exp(-w)` or the radius itself.
         let held = match place {
             Fixed::Edge(edge) => edge,
-            Fixed::Way(at) => libm::exp(-at),
+            Fixed::SlipPath(at) => libm::exp(-at),
         };
         let (mut low, mut high, mut share) = (lowest, 1.0 + f64::EPSILON, guess);
         for iteration in 0..ITERATIONS {
-            let (passing, lacks) = self.lacking(segment, place, held, share);
+            let (passing, lacks) = self.deficit_at(segment, place, held, share);
             let step = -lacks / passing.slope;
-            if (step * self.grown).abs() <= PLACED * passing.radius {
+            if (step * self.grown).abs() <= RADIUS_ACCURACY * passing.radius {
                 return Some(Passing { share: (share + step).clamp(lowest, 1.0), ..passing });
             }
             if lacks < 0.0 {
@@ -253,11 +253,11 @@ impl<'a> Front<'a> {
 
     /// The deficit of the twist of the discs inside a position, `sign (bh - T) - B`, at a fraction
     /// of the step.
-    fn lacking(&self, segment: &Segment, place: Fixed, held: f64, share: f64) -> (Passing, f64) {
+    fn deficit_at(&self, segment: &Segment, place: Fixed, held: f64, share: f64) -> (Passing, f64) {
         let radius = self.radius(share);
         let (edge, depth, drawn) = match place {
             Fixed::Edge(edge) => (edge, libm::log(radius / edge), 0.0),
-            Fixed::Way(at) => {
+            Fixed::SlipPath(at) => {
                 let edge = match self.sense {
                     1.0 => held * radius,
                     -1.0 => held / radius,

@@ -11,7 +11,7 @@ use carom_special::elliptic::complete;
 use carom_special::roots::bisect;
 
 use super::heat::Meter;
-use super::history::{TwistHistory, Way};
+use super::history::{SlipPath, TwistHistory};
 use super::segment::{Density, Segment};
 use super::sliding::{sliding_torque, sliding_twist, with_ratio};
 
@@ -20,7 +20,7 @@ const DEEPEST: f64 = 690.0;
 /// An annulus whose inner radius is this close to that of the steady annulus is replaced by it. The
 /// error of twist and torque is the square of this, and rounding of the rate moves the radius by
 /// less.
-const STEADY: f64 = 1e-7;
+const STEADY_TOLERANCE: f64 = 1e-7;
 /// Number of bisections of a growth: to rounding.
 const HALVINGS: usize = 50;
 
@@ -51,18 +51,18 @@ impl TwistHistory {
         let depth = steady_depth(rate.abs());
         let ratio = if depth < DEEPEST { libm::exp(-depth) } else { 0.0 };
         let slips = self.radius == 0.0 || self.slip_sign() == Some(sign);
-        let deeper = ratio == 0.0 || self.stick > (1.0 + STEADY) * ratio * self.radius;
+        let deeper = ratio == 0.0 || self.stick > (1.0 + STEADY_TOLERANCE) * ratio * self.radius;
         if !slips || deeper {
             let turn = self.turns_outward(radius, rate, ratio);
             let between = self.twist + rate * (turn - self.radius);
             if turn >= radius {
-                return self.metered(Way::FromRim, radius, twist, meter);
+                return self.metered(SlipPath::FromRim, radius, twist, meter);
             }
             if turn > self.radius {
-                self.metered(Way::FromRim, turn, between, meter);
+                self.metered(SlipPath::FromRim, turn, between, meter);
             }
         }
-        self.metered(Way::Outward { sign, depth }, radius, twist, meter);
+        self.metered(SlipPath::Outward { sign, depth }, radius, twist, meter);
     }
 
     /// The contact radius, up to `radius`, at which the inner radius of the annulus begins to move
@@ -86,7 +86,7 @@ impl TwistHistory {
     }
 
     /// The inner radius of the slip annulus moves outwards with the contact.
-    pub(super) fn lay_out(&mut self, radius: f64, twist: f64, sign: f64, depth: f64) {
+    pub(super) fn move_outwards(&mut self, radius: f64, twist: f64, sign: f64, depth: f64) {
         let ratio = libm::exp(-depth);
         let (start, end) = (ratio * self.radius, ratio * radius);
         let density = Density::Stick(sign * FRAC_2_PI * with_ratio(ratio, complete::e) / ratio);

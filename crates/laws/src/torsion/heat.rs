@@ -10,7 +10,7 @@
 use carom_special::quadrature::FixedRule;
 
 use super::front::Front;
-use super::history::{TwistHistory, Way};
+use super::history::{SlipPath, TwistHistory};
 use super::rings::Rings;
 use super::sliding::{heat_of_growth, heat_of_twist};
 
@@ -23,7 +23,7 @@ pub(super) trait Meter {
     const LOOKS: bool;
 
     /// A path between two states.
-    fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: Way);
+    fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: SlipPath);
     /// A part that was solved by rings.
     fn slides(&mut self, heat: RingHeat<'_>);
 }
@@ -34,7 +34,7 @@ pub(super) struct Unmetered;
 impl Meter for Unmetered {
     const LOOKS: bool = false;
 
-    fn follows(&mut self, _: &TwistHistory, _: &TwistHistory, _: Way) {}
+    fn follows(&mut self, _: &TwistHistory, _: &TwistHistory, _: SlipPath) {}
     fn slides(&mut self, _: RingHeat<'_>) {}
 }
 
@@ -45,11 +45,11 @@ pub(super) struct Heat(pub(super) f64);
 impl Meter for Heat {
     const LOOKS: bool = true;
 
-    fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: Way) {
+    fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: SlipPath) {
         self.0 += match way {
-            Way::Adhere => 0.0,
-            Way::Outward { depth, .. } => of_steady_ring(before, after, depth),
-            Way::FromRim | Way::Inward(_) => of_ring(before, after, way),
+            SlipPath::Adhere => 0.0,
+            SlipPath::Outward { depth, .. } => of_steady_ring(before, after, depth),
+            SlipPath::FromRim | SlipPath::Inward(_) => of_ring(before, after, way),
         };
     }
 
@@ -72,13 +72,13 @@ pub(super) fn mean_of_fourth_powers(a: f64, b: f64) -> f64 {
 }
 
 /// A substep with one slip annulus that spreads inwards.
-fn of_ring(before: &TwistHistory, after: &TwistHistory, way: Way) -> f64 {
+fn of_ring(before: &TwistHistory, after: &TwistHistory, way: SlipPath) -> f64 {
     let Some(sign) = after.slip_sign().filter(|_| after.stick < after.radius) else {
         return of_edge(before, after);
     };
     let turns_on = after.radius >= before.radius && sign * (after.twist - before.twist) > 0.0;
     let slipped = before.slip_sign() == Some(sign);
-    let goes_on = slipped && (turns_on || matches!(way, Way::Inward(_)));
+    let goes_on = slipped && (turns_on || matches!(way, SlipPath::Inward(_)));
     let start = if goes_on { before.stick } else { before.radius };
     // An annulus that begins anew inside one of its own sign moves outwards.
     let heat = (goes_on == slipped).then(|| Front::new(before, after, sign));
@@ -109,7 +109,7 @@ fn of_edge(before: &TwistHistory, after: &TwistHistory) -> f64 {
 
 /// A substep with one slip annulus, by Gauss quadrature over the step. If rings were needed before,
 /// the inner radius may move outwards.
-fn by_parts(before: &TwistHistory, after: &TwistHistory, way: Way) -> f64 {
+fn by_parts(before: &TwistHistory, after: &TwistHistory, way: SlipPath) -> f64 {
     let (grown, turned) = (after.radius - before.radius, after.twist - before.twist);
     let rate = |t: f64| {
         let mut at = before.clone();

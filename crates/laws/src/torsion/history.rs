@@ -23,7 +23,7 @@ const LAST_TOUCH: [f64; 2] = [0.3, 1e-2];
 
 /// A slip annulus narrower than this fraction of the radius is left out, and its twist stays at the
 /// edge. The relative error of the torque is the square of this.
-const THIN: f64 = 1e-9;
+const NEGLIGIBLE_WIDTH: f64 = 1e-9;
 
 /// Ratio of radii of the panels for the stored energy, as a logarithm, and number of panels that
 /// matter.
@@ -34,7 +34,7 @@ static RULE: FixedRule<16> = FixedRule::fixed();
 
 /// The kind of a path on which the pattern of slip is known.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) enum Way {
+pub(super) enum SlipPath {
     /// Growth in complete adhesion.
     Adhere,
     /// One slip annulus from the edge inwards, over the existing densities.
@@ -269,12 +269,12 @@ impl TwistHistory {
     }
 
     /// A substep whose pattern of slip is known.
-    pub(super) fn follow(&mut self, way: Way, radius: f64, twist: f64) {
+    pub(super) fn follow(&mut self, way: SlipPath, radius: f64, twist: f64) {
         match way {
-            Way::Adhere => self.adhere(radius, twist),
-            Way::FromRim => self.slip_from_rim(radius, twist),
-            Way::Inward(sign) => self.cut(radius, twist, sign, radius.min(self.stick)),
-            Way::Outward { sign, depth } => self.lay_out(radius, twist, sign, depth),
+            SlipPath::Adhere => self.adhere(radius, twist),
+            SlipPath::FromRim => self.slip_from_rim(radius, twist),
+            SlipPath::Inward(sign) => self.cut(radius, twist, sign, radius.min(self.stick)),
+            SlipPath::Outward { sign, depth } => self.move_outwards(radius, twist, sign, depth),
         }
         (self.radius, self.twist) = (radius, twist);
     }
@@ -310,7 +310,7 @@ impl TwistHistory {
             }
         };
         self.segments.truncate(i + 1);
-        if stick > (1.0 - THIN) * radius {
+        if stick > (1.0 - NEGLIGIBLE_WIDTH) * radius {
             let rest = twist - segment.twist_to(radius);
             self.set_torque(segment.torque_to(radius) + radius * radius * radius * rest, radius);
             self.stick = radius;

@@ -86,7 +86,7 @@ impl TorsionConstants {
 #[derive(Debug, Clone, PartialEq)]
 pub struct TorsionLaw {
     c_z: f64,
-    /// bh = Omega times this, M_z = mu times the second value.
+    /// bh = Omega times `per_twist`, M_z = mu times `per_torque`.
     per_twist: f64,
     per_torque: f64,
     state: State,
@@ -227,14 +227,14 @@ impl TorsionLaw {
     }
 
     /// The part of the straight path to a shift on which the bodies are in contact.
-    fn way(&self, to: Shift) -> Way {
+    fn way(&self, to: Shift) -> SlipPath {
         let from = self.shift;
         let crossing = || {
             let part = from.zeta / (from.zeta - to.zeta);
             (from.omega + part * (to.omega - from.omega)) * self.per_twist
         };
         let parts = from.zeta > 0.0 && to.zeta < 0.0;
-        Way {
+        SlipPath {
             touch: (from.zeta < 0.0 && to.zeta > 0.0).then(crossing),
             radius: to.zeta.max(0.0).sqrt(),
             twist: if parts { crossing() } else { to.omega * self.per_twist },
@@ -255,7 +255,7 @@ impl TorsionLaw {
     ) -> Result<f64, RangeError> {
         to.check_finite()?;
         in_contact("omega", to.omega * self.per_twist)?;
-        let Way { touch, radius, twist } = self.way(to);
+        let SlipPath { touch, radius, twist } = self.way(to);
         let heat = match &mut self.state {
             State::Free => 0.0,
             State::Rubbing(history) => {
@@ -304,7 +304,7 @@ impl TorsionLaw {
 }
 
 /// The part of a step with the bodies in contact, in the units of the history.
-struct Way {
+struct SlipPath {
     /// The twist at first contact, if the bodies were separated before.
     touch: Option<f64>,
     /// Radius and twist at the end.

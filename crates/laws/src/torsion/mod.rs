@@ -5,9 +5,9 @@
 //! (y t_x - x t_y) dS`, and have the same sign. G and nu are the combined constants (4.7).
 
 pub mod adhesion;
-mod apart;
 mod check;
 mod complementarity;
+mod disjoint_annuli;
 pub mod ellipse;
 mod front;
 mod grow;

@@ -16,7 +16,7 @@ const HEAD: usize = 7;
 /// Numbers per piece.
 const EACH: usize = 6;
 /// Least number of pieces that a stored state must have room for.
-const FEWEST: usize = 4;
+const FEWEST_PIECES: usize = 4;
 
 /// Number of values of a stored twist with this many pieces of density, [`TwistHistory::pack`].
 #[must_use]
@@ -60,7 +60,7 @@ impl TwistHistory {
     /// [`RangeError`] if there is room for fewer than four pieces; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<f64, RangeError> {
         let room = numbers.len() as f64;
-        let holds = numbers.len() >= packed_numbers(FEWEST);
+        let holds = numbers.len() >= packed_numbers(FEWEST_PIECES);
         RangeError::check("numbers", room, holds, ">= 31, room for four pieces")?;
         let capacity = (numbers.len() - HEAD) / EACH;
         if self.segments.len() <= capacity {
@@ -149,7 +149,7 @@ impl TwistHistory {
     /// Returns the greatest jump of the torque.
     fn thin(&mut self, pieces: usize) -> f64 {
         let mut worst: f64 = 0.0;
-        while self.segments.len() > pieces.max(FEWEST) {
+        while self.segments.len() > pieces.max(FEWEST_PIECES) {
             // The outermost piece may still be sliding.
             let joints = 0..self.segments.len() - 2;
             let jumps = joints.map(|i| (i, self.jump(i)));

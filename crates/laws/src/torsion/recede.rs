@@ -3,18 +3,18 @@
 use carom_special::RangeError;
 
 use super::heat::Meter;
-use super::history::{TwistHistory, Way};
+use super::history::{SlipPath, TwistHistory};
 use super::sliding::{sliding_limit, sliding_twist, threshold};
 
 /// An upper bound of [`threshold`].
 const GREATEST_THRESHOLD: f64 = 1.103;
 
 /// The rate of twist per growth up to which new area sticks: 1, with an allowance for rounding.
-const ADHESION: f64 = 1.0 + 1e-12;
+const LARGEST_ADHESION_RATE: f64 = 1.0 + 1e-12;
 
 /// The greatest relative change of radius in a substep for which a single slip annulus is not
 /// guaranteed.
-const PART: f64 = 1.0 / 40.0;
+const LARGEST_SUBSTEP: f64 = 1.0 / 40.0;
 
 /// Greatest number of halvings of a substep whose ring solve does not converge; none was needed in
 /// 6000 random paths.
@@ -35,11 +35,11 @@ impl TwistHistory {
         let mut start = None;
         let mut apart = false;
         while radius != self.radius || twist != self.twist {
-            if self.is_sure(radius, twist, meter) {
+            if self.try_single_annulus(radius, twist, meter) {
                 break;
             }
             start.get_or_insert_with(|| self.clone());
-            let Some(rings) = self.go_a_part(radius, twist, meter) else {
+            let Some(rings) = self.make_substep(radius, twist, meter) else {
                 *self = start.unwrap_or_default();
                 return RangeError::check(
                     "twist",
@@ -57,13 +57,13 @@ impl TwistHistory {
 
     /// Makes the next substep, which is shorter the more difficult it is. Returns whether several
     /// slip annuli occurred.
-    fn go_a_part(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) -> Option<bool> {
+    fn make_substep(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) -> Option<bool> {
         let [mut radius, mut twist] = self.part_of(radius, twist);
         for _ in 0..HALVINGS {
-            if self.is_sure(radius, twist, meter) {
+            if self.try_single_annulus(radius, twist, meter) {
                 return Some(false);
             }
-            if let Some(rings) = self.tried(radius, twist, meter) {
+            if let Some(rings) = self.try_substep(radius, twist, meter) {
                 return Some(rings);
             }
             radius = 0.5 * (self.radius + radius);
@@ -73,10 +73,10 @@ impl TwistHistory {
     }
 
     /// Makes a step if it is known to have a single slip annulus. Returns whether it was made.
-    fn is_sure(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) -> bool {
+    fn try_single_annulus(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) -> bool {
         let (grown, turned) = (radius - self.radius, twist - self.twist);
-        if grown > 0.0 && turned.abs() <= ADHESION * grown {
-            self.metered(Way::Adhere, radius, twist, meter);
+        if grown > 0.0 && turned.abs() <= LARGEST_ADHESION_RATE * grown {
+            self.metered(SlipPath::Adhere, radius, twist, meter);
             return true;
         }
         if grown > 0.0 {
@@ -87,9 +87,9 @@ impl TwistHistory {
             return sure;
         }
         let way = if grown < 0.0 {
-            self.sure_way_back(radius, twist)
+            self.single_annulus_back(radius, twist)
         } else {
-            (self.demand() <= radius).then_some(Way::FromRim)
+            (self.demand() <= radius).then_some(SlipPath::FromRim)
         };
         if let Some(way) = way {
             self.metered(way, radius, twist, meter);
@@ -98,10 +98,10 @@ impl TwistHistory {
     }
 
     /// The path of a receding step with a single slip annulus; `None` if that is not guaranteed.
-    fn sure_way_back(&self, radius: f64, twist: f64) -> Option<Way> {
+    fn single_annulus_back(&self, radius: f64, twist: f64) -> Option<SlipPath> {
         let Some(sign) = self.slip_sign() else {
             let short = radius >= self.next_rim();
-            return (short && self.demand() <= radius).then_some(Way::FromRim);
+            return (short && self.demand() <= radius).then_some(SlipPath::FromRim);
         };
         // The contact inside the slip annulus stays within friction.
         let below = self.segments.len().checked_sub(2).map_or(0.0, |i| self.segments[i].demand);
@@ -114,16 +114,16 @@ impl TwistHistory {
                 && self.goes_on_slipping(radius, twist, sign)
                 && (back <= 1.0 || {
                     let mut after = self.clone();
-                    after.follow(Way::Inward(sign), radius, twist);
+                    after.follow(SlipPath::Inward(sign), radius, twist);
                     back <= lowest_rate(back, after.stick / radius)
                 });
-            return sure.then_some(Way::Inward(sign));
+            return sure.then_some(SlipPath::Inward(sign));
         }
         // If the whole contact stuck, its traction would decrease as back * rho/sqrt(al^2 - rho^2)
         // and its limit as al/sqrt(al^2 - rho^2): the annulus would continue to slip only inside
         // al/back.
         let sticks = back * self.stick >= self.radius && radius >= self.stick;
-        sticks.then_some(Way::FromRim)
+        sticks.then_some(SlipPath::FromRim)
     }
 
     /// Whether the annulus of the present sign continues to slip inwards.
@@ -134,7 +134,11 @@ impl TwistHistory {
 
     /// The end of a substep in which the radius changes little.
     fn part_of(&self, radius: f64, twist: f64) -> [f64; 2] {
-        let next = if radius > self.radius { self.radius * (1.0 + PART) } else { self.next_rim() };
+        let next = if radius > self.radius {
+            self.radius * (1.0 + LARGEST_SUBSTEP)
+        } else {
+            self.next_rim()
+        };
         let whole = if radius > self.radius { radius <= next } else { radius >= next };
         if whole || self.radius == 0.0 {
             return [radius, twist];
@@ -145,7 +149,7 @@ impl TwistHistory {
 
     /// The radius to which a substep may recede: not beyond the segment at the edge.
     fn next_rim(&self) -> f64 {
-        let least = (1.0 - PART) * self.radius;
+        let least = (1.0 - LARGEST_SUBSTEP) * self.radius;
         match self.segments.last() {
             Some(last) if self.slip_sign().is_none() && last.from < self.radius => {
                 least.max(last.from)
@@ -155,7 +159,13 @@ impl TwistHistory {
     }
 
     /// Follows a path and reports it to the meter.
-    pub(super) fn metered<M: Meter>(&mut self, way: Way, radius: f64, twist: f64, meter: &mut M) {
+    pub(super) fn metered<M: Meter>(
+        &mut self,
+        way: SlipPath,
+        radius: f64,
+        twist: f64,
+        meter: &mut M,
+    ) {
         let before = M::LOOKS.then(|| self.clone());
         self.follow(way, radius, twist);
         if let Some(before) = before {

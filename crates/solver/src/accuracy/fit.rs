@@ -26,7 +26,7 @@ const FIRST_CELLS: usize = 48;
 /// Cells kept free on each side of the contact: one cell of the coarsest grid.
 pub(crate) const FREE_CELLS: usize = 4;
 /// Bounds on the order of convergence: the error falls with this power of the cell width.
-const ORDERS: [f64; 2] = [0.5, 2.0];
+const CONVERGENCE_ORDERS: [f64; 2] = [0.5, 2.0];
 
 /// Solves a history to a required accuracy instead of on a given grid. Window and cell width are
 /// chosen so that the estimated error of every load and shift that follows from the drives, in
@@ -224,7 +224,11 @@ fn finer(cells: usize, error: f64, before: Option<[f64; 2]>, wanted: f64) -> usi
     let order = before.map_or(1.5, |[cells_before, error_before]| {
         libm::log(error_before / error) / libm::log(cells as f64 / cells_before)
     });
-    let order = if order.is_nan() { ORDERS[0] } else { order.clamp(ORDERS[0], ORDERS[1]) };
+    let order = if order.is_nan() {
+        CONVERGENCE_ORDERS[0]
+    } else {
+        order.clamp(CONVERGENCE_ORDERS[0], CONVERGENCE_ORDERS[1])
+    };
     let times = 1.1 * libm::pow(error / wanted, 1.0 / order);
     let times = if times.is_nan() { 2.0 } else { times.clamp(1.25, 4.0) };
     fast((times * cells as f64) as usize)

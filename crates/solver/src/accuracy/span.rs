@@ -9,7 +9,7 @@ use crate::problem::ContactProblem;
 use crate::state::ContactState;
 
 /// A rectangle with a side outside this range is rejected as no contact.
-const SENSIBLE: [f64; 2] = [1e-18, 1e18];
+const ALLOWED_SIDES: [f64; 2] = [1e-18, 1e18];
 
 /// Lower and upper bounds along x and along y.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -96,7 +96,7 @@ impl Span {
     }
 
     pub(crate) fn is_sensible(&self) -> bool {
-        let inside = |side: f64| (SENSIBLE[0]..=SENSIBLE[1]).contains(&side);
+        let inside = |side: f64| (ALLOWED_SIDES[0]..=ALLOWED_SIDES[1]).contains(&side);
         self.sides().into_iter().all(inside)
     }
 

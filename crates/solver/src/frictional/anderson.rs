@@ -3,9 +3,9 @@
 use nalgebra::{DMatrix, DVector};
 
 /// Number of passes kept.
-const MEMORY: usize = 10;
+const KEPT_PASSES: usize = 10;
 /// The memory is cleared if the residual exceeds this many times the least one.
-const GROWTH: f64 = 10.0;
+const LARGEST_GROWTH: f64 = 10.0;
 
 /// The last arguments x and residuals G(x) - x of a map G whose fixed point is sought.
 #[derive(Debug, Clone, Default)]
@@ -26,11 +26,11 @@ impl Mixing {
     pub(crate) fn mix(&mut self, argument: &[f64], image: &mut [f64]) {
         let residual: Vec<f64> = image.iter().zip(argument).map(|(g, x)| g - x).collect();
         let size = dot(&residual, &residual).sqrt();
-        if self.least.is_some_and(|least| size > GROWTH * least) {
+        if self.least.is_some_and(|least| size > LARGEST_GROWTH * least) {
             self.clear();
         }
         self.least = Some(self.least.map_or(size, |least| least.min(size)));
-        if self.residuals.len() > MEMORY {
+        if self.residuals.len() > KEPT_PASSES {
             self.arguments.remove(0);
             self.residuals.remove(0);
         }

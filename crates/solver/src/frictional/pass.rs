@@ -3,7 +3,7 @@
 use super::{Frictional, FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Observer, Products};
 use crate::drive::Drive;
-use crate::friction::FIRM;
+use crate::friction::COEFFICIENT_FOR_INFINITE;
 use crate::problem::ContactProblem;
 use crate::state::{CellState, ContactState};
 use crate::tangential::Rigid;
@@ -73,7 +73,7 @@ impl Pass<'_> {
         let tractions = to.traction_x.values().iter().zip(to.traction_y.values());
         let pressed = tractions.zip(to.pressure.values());
         for (i, (((x, y), p), cell)) in pressed.zip(to.cells.values_mut()).enumerate() {
-            let all = *p > 0.0 && x.hypot(*y) >= DRAGGED_FRACTION * FIRM * p;
+            let all = *p > 0.0 && x.hypot(*y) >= DRAGGED_FRACTION * COEFFICIENT_FOR_INFINITE * p;
             if all && friction.at(i).motion().get().is_infinite() {
                 *cell = state;
             }

@@ -3,7 +3,7 @@
 use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField};
 
 use crate::convergence::Residuals;
-use crate::friction::firm;
+use crate::friction::finite_coefficient;
 use crate::problem::ContactProblem;
 use crate::state::{CellState, ContactState};
 
@@ -45,7 +45,7 @@ pub fn violations(
         let slips = [before, after].map(|state| state.cells.values()[i] == CellState::Slip);
         let friction = problem.friction().at(i);
         let friction = if slips.contains(&true) { friction.motion() } else { friction.rest() };
-        let limit = firm(friction.get()) * pressure[i].max(0.0);
+        let limit = finite_coefficient(friction.get()) * pressure[i].max(0.0);
         most = most.max(limit);
         reached = reached.max(pressure[i]).max(x[i].hypot(y[i]));
         // One compliance for both directions: slip opposite to the traction pulls along it.

@@ -32,7 +32,7 @@ pub(crate) use rigid::Rigid;
 /// fraction, on the coarsest grid by less than a tenth of it.
 const COARSE_CHANGE: f64 = 1e-2;
 /// Number of rings of cells around the contact to which the ratio of traction to bound is extended.
-const RINGS: usize = 2;
+const EXTENSION_RINGS: usize = 2;
 
 /// The coarser grids of the problem, finest first, and the working memory of all grids.
 #[derive(Clone)]
@@ -118,7 +118,7 @@ impl Level {
         let spread = |value: &dyn Fn(usize) -> f64| {
             let value = |i: usize| if known[i] { value(i) } else { 0.0 };
             let mut values: Vec<f64> = (0..known.len()).map(value).collect();
-            nested::extended(self.grid, &mut values, &known, RINGS);
+            nested::extended(self.grid, &mut values, &known, EXTENSION_RINGS);
             values
         };
         let ratio = |axis: usize| spread(&|i| self.traction[axis][i] / unit(self.limits[i]));

@@ -75,12 +75,12 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         let size = below.force.length() + grown.length() + above.force.length();
         let ways =
             below.anchor.length() + below.anchor_at(above.depth).length() + above.anchor.length();
-        off <= OFF * (size + stiffness * ways)
+        off <= FORCE_TOLERANCE * (size + stiffness * ways)
     }
 }
 
 /// Relative tolerance of a force, compared with the terms of its sum.
-const OFF: f64 = 1e-9;
+const FORCE_TOLERANCE: f64 = 1e-9;
 
 /// The vertex that nine numbers represent.
 fn vertex<V: Lateral>(numbers: &[f64]) -> Vertex<V> {

@@ -6,10 +6,10 @@ use super::super::ring::SlipStep;
 use super::vertex::{Resolution, Slipped, Vertex, front};
 
 /// Greatest number of halvings of the interval between two annuli in one step.
-const HALVED: u32 = 6;
+const MOST_HALVINGS: u32 = 6;
 /// An annulus is removed only if the loss is below this fraction of the loss that would insert it.
 /// Otherwise annuli would be inserted and removed repeatedly, each time with a small error.
-const LOSS: f64 = 1.0 / 8.0;
+const REMOVAL_FRACTION: f64 = 1.0 / 8.0;
 
 /// A straight step between two shifts in which annuli slip.
 pub(super) struct Drag<'a> {
@@ -44,7 +44,7 @@ impl Drag<'_> {
             let now = self.dragged(vertex, &mut laid);
             if let Some((before, last)) = last {
                 let between = Between { before: [before, vertex], after: [&last, &now] };
-                self.fill(&between, HALVED, &mut laid);
+                self.fill(&between, MOST_HALVINGS, &mut laid);
             }
             self.put(now.after, &mut laid);
             last = Some((vertex, now));
@@ -54,7 +54,7 @@ impl Drag<'_> {
         {
             let now = Slipped::at(front, self.step, self.to);
             let between = Between { before: [before, above], after: [&last, &now] };
-            self.fill(&between, HALVED, &mut laid);
+            self.fill(&between, MOST_HALVINGS, &mut laid);
             self.put(front, &mut laid);
         }
         laid.dragged
@@ -70,7 +70,7 @@ impl Drag<'_> {
         let fresh = &mut laid.fresh;
         let before = fresh.len().checked_sub(2).map_or(laid.below, |i| Some(&fresh[i]));
         if let (Some(before), Some(last)) = (before, fresh.last())
-            && self.resolution.finer(LOSS).spares(before, last, &vertex)
+            && self.resolution.finer(REMOVAL_FRACTION).spares(before, last, &vertex)
         {
             fresh.pop();
         }

@@ -5,7 +5,7 @@ use carom_halfspace::operator::SurfaceOperator;
 use super::CoupledTask;
 use super::system::System;
 use crate::convergence::Residuals;
-use crate::friction::firm;
+use crate::friction::finite_coefficient;
 use crate::state::CellState;
 use crate::tangential::within;
 
@@ -69,7 +69,7 @@ impl Cells {
                 (-gap).max(-pressure * self.own[0]).max(0.0)
             };
             let at = [task.traction[0][i], task.traction[1][i]];
-            let limit = firm(task.friction[i]) * pressure.max(0.0);
+            let limit = finite_coefficient(task.friction[i]) * pressure.max(0.0);
             let pulled = [0, 1].map(|axis| at[axis] - system.slip[axis][i] / self.own[1]);
             let to = within(pulled, limit);
             let distance = (at[0] - to[0]).hypot(at[1] - to[1]);
@@ -128,7 +128,7 @@ impl Cells {
             let pressure = task.pressure[i].max(0.0);
             task.pressure[i] = pressure;
             let at = [task.traction[0][i], task.traction[1][i]];
-            let [x, y] = within(at, firm(task.friction[i]) * pressure);
+            let [x, y] = within(at, finite_coefficient(task.friction[i]) * pressure);
             (task.traction[0][i], task.traction[1][i]) = (x, y);
             if pressure == 0.0 {
                 task.cells[i] = CellState::Exterior;
@@ -169,7 +169,7 @@ impl Cells {
 
     fn wanted(&self, task: &CoupledTask<'_>, system: &System, i: usize) -> Wanted {
         let nothing = |state| Wanted { state, rim: [0.0; 2], length: 0.0, bend: 0.0 };
-        let friction = firm(task.friction[i]);
+        let friction = finite_coefficient(task.friction[i]);
         let [cos, sin] = ray(friction);
         let slip = [system.slip[0][i], system.slip[1][i]];
         let at = [task.traction[0][i], task.traction[1][i]];
@@ -222,7 +222,7 @@ impl Cells {
 
 /// (cos, sin) of the half angle of Coulomb's cone.
 fn ray(friction: f64) -> [f64; 2] {
-    let friction = firm(friction);
+    let friction = finite_coefficient(friction);
     let over = (1.0 + friction * friction).sqrt();
     [1.0 / over, friction / over]
 }

@@ -6,51 +6,59 @@
 //! replace those of the stack.
 
 use super::heat::{Meter, RingHeat};
-use super::history::{TwistHistory, Way};
+use super::history::{SlipPath, TwistHistory};
 use super::recede::lowest_rate;
 use super::rings::{RingSolution, Rings};
 use super::segment::{Density, Segment};
 use super::sliding::{sliding_torque, sliding_twist};
 
 /// The rings extend at least down to this fraction of the radius outside which slip may continue,
-/// but not below [`LOWEST`] times the contact radius. The torque of the contact inside is below
+/// but not below [`INNERMOST_RING`] times the contact radius. The torque of the contact inside is below
 /// 3e-5 of the sliding torque, and it slips as a whole.
-const MARGIN: f64 = 0.8;
-const LOWEST: f64 = 0.0302;
+const RING_MARGIN: f64 = 0.8;
+const INNERMOST_RING: f64 = 0.0302;
 
 /// Relative excess of a traction over its limit that is accepted in a solution with one slip
 /// annulus.
-const TRACTION: f64 = 1e-4;
+const TRACTION_TOLERANCE: f64 = 1e-4;
 /// Slip in the wrong direction, relative to the greatest slip, that is attributed to the width of
 /// rings.
-const SLIP: f64 = 1e-4;
+const SLIP_TOLERANCE: f64 = 1e-4;
 
 /// Changes of density below this count as zero.
-const CHANGE: f64 = 1e-11;
+const NEGLIGIBLE_CHANGE: f64 = 1e-11;
+
+/// A solution of a substep with one slip annulus.
+enum SingleAnnulus {
+    /// Growth, whose path [`TwistHistory::grow`] finds.
+    Growth,
+    /// A known path.
+    Path(SlipPath),
+}
 
 impl TwistHistory {
     /// Tries one substep. Returns whether several slip annuli occurred, or `None` if the ring solve
     /// did not converge; the state is then unchanged.
-    pub(super) fn tried(
+    pub(super) fn try_substep(
         &mut self,
         radius: f64,
         twist: f64,
         meter: &mut impl Meter,
     ) -> Option<bool> {
-        let mut lowest = MARGIN * self.restless().min(radius).min(self.stick);
+        let mut lowest = RING_MARGIN * self.innermost_slip().min(radius).min(self.stick);
         loop {
-            let rings = Rings::new(radius, lowest.max(LOWEST * radius), self.level);
+            let rings = Rings::new(radius, lowest.max(INNERMOST_RING * radius), self.level);
             let before = Cells::averaged(rings.edges(), self);
-            if let Some(way) = self.way_on(&rings, &before, radius, twist) {
-                match way {
-                    Some(way) => self.metered(way, radius, twist, meter),
-                    None => self.grow(radius, twist, meter),
+            if let Some(solution) = self.single_annulus(&rings, &before, radius, twist) {
+                match solution {
+                    SingleAnnulus::Path(path) => self.metered(path, radius, twist, meter),
+                    SingleAnnulus::Growth => self.grow(radius, twist, meter),
                 }
                 return Some(false);
             }
             let solution = rings.turn(&before.densities, twist - before.below[0])?;
             if solution.slips[solution.slips.len() - 3..].iter().any(|slip| *slip != 0.0)
-                && lowest > LOWEST * radius
+                && lowest > INNERMOST_RING * radius
             {
                 lowest *= 0.4;
                 continue;
@@ -59,40 +67,39 @@ impl TwistHistory {
             let slips = rings.slips(&solution.changes, solution.core);
             let signs = &solution.slips;
             meter.slides(RingHeat { rings: &rings, from: self.radius, signs, slips: &slips });
-            self.lay(&rings, &before, &solution, twist);
+            self.set_ring_densities(&rings, &before, &solution, twist);
             return Some(true);
         }
     }
 
     /// The radius outside which slip may continue while the contact recedes.
-    fn restless(&self) -> f64 {
+    fn innermost_slip(&self) -> f64 {
         let calm = self.segments.partition_point(|segment| segment.demand < self.radius);
         self.segments.get(calm).map_or(self.stick, |segment| segment.from)
     }
 
-    /// A path with one slip annulus that satisfies the friction law on rings: `None` if there is
-    /// none, `Some(None)` for growth.
-    fn way_on(
+    /// A solution with one slip annulus that satisfies the friction law on rings, if there is one.
+    fn single_annulus(
         &self,
         rings: &Rings,
         before: &Cells,
         radius: f64,
         twist: f64,
-    ) -> Option<Option<Way>> {
+    ) -> Option<SingleAnnulus> {
         if radius > self.radius {
             let mut grown = self.clone();
             grown.grow(radius, twist, &mut super::heat::Unmetered);
-            return grown.obeys(rings, before).then_some(None);
+            return grown.obeys(rings, before).then_some(SingleAnnulus::Growth);
         }
         let inward = self.slip_sign().filter(|sign| {
             let back = -sign * (twist - self.twist) / (self.radius - radius);
             back <= lowest_rate(back, self.stick / self.radius)
                 && self.goes_on_slipping(radius, twist, *sign)
         });
-        let way = inward.map_or(Way::FromRim, Way::Inward);
+        let path = inward.map_or(SlipPath::FromRim, SlipPath::Inward);
         let mut moved = self.clone();
-        moved.follow(way, radius, twist);
-        moved.obeys(rings, before).then_some(Some(way))
+        moved.follow(path, radius, twist);
+        moved.obeys(rings, before).then_some(SingleAnnulus::Path(path))
     }
 
     /// Whether this state, following that of the cells, satisfies the friction law.
@@ -102,7 +109,8 @@ impl TwistHistory {
         }
         let after = Cells::averaged(rings.edges(), self);
         let tractions = rings.tractions(&after.densities);
-        let within = |(traction, limit): (&f64, &f64)| traction.abs() <= (1.0 + TRACTION) * limit;
+        let within =
+            |(traction, limit): (&f64, &f64)| traction.abs() <= (1.0 + TRACTION_TOLERANCE) * limit;
         if !tractions.iter().zip(rings.limits()).all(within) {
             return false;
         }
@@ -112,15 +120,21 @@ impl TwistHistory {
         let core = after.core() - before.core();
         let slips = rings.slips(&changes, core);
         let most = slips.iter().fold(0.0_f64, |most, slip| most.max(slip.abs()));
-        slips.iter().all(|slip| sign * slip >= -SLIP * most)
+        slips.iter().all(|slip| sign * slip >= -SLIP_TOLERANCE * most)
     }
 
     /// Sets new densities on the rings. In the outer slip annulus the sliding density itself is
     /// used, down to the radius that the twist requires; this radius may lie inside a ring, so that
     /// an annulus narrower than a ring is represented.
-    fn lay(&mut self, rings: &Rings, before: &Cells, solution: &RingSolution, twist: f64) {
+    fn set_ring_densities(
+        &mut self,
+        rings: &Rings,
+        before: &Cells,
+        solution: &RingSolution,
+        twist: f64,
+    ) {
         let edges = rings.edges();
-        let changed = solution.changes.iter().rposition(|change| change.abs() > CHANGE);
+        let changed = solution.changes.iter().rposition(|change| change.abs() > NEGLIGIBLE_CHANGE);
         let lowest = changed.map_or(0, |i| i + 1);
         let outer = outer_ring(&solution.slips).min(lowest);
         let old = self.clone();
@@ -145,10 +159,10 @@ impl TwistHistory {
         for i in (outer + 1..lowest).rev() {
             start = ring(self, i);
         }
-        self.lay_old(&old, edges[lowest.min(outer + 1)], start);
+        self.copy_densities(&old, edges[lowest.min(outer + 1)], start);
         let radius = rings.radius();
         if outer == 0 {
-            return self.follow(Way::FromRim, radius, twist);
+            return self.follow(SlipPath::FromRim, radius, twist);
         }
         let (sign, edge) = (solution.slips[0], edges[outer]);
         let outside = sign * sliding_twist(edge, radius);
@@ -168,7 +182,7 @@ impl TwistHistory {
     }
 
     /// Copies the densities of another state from a radius outwards.
-    fn lay_old(&mut self, old: &Self, from: f64, (twist, torque): (f64, f64)) {
+    fn copy_densities(&mut self, old: &Self, from: f64, (twist, torque): (f64, f64)) {
         let (lift, gain) = (twist - old.twist_below(from), torque - old.torque_below(from));
         let first = old.segments.partition_point(|segment| segment.from <= from);
         for (i, segment) in old.segments.iter().enumerate().skip(first.saturating_sub(1)) {
