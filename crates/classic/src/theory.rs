@@ -23,7 +23,7 @@ pub enum TheoryError {
     #[error(transparent)]
     Range(#[from] RangeError),
     /// The eigenvalues of a matrix did not converge, or the matrix was singular.
-    #[error("the eigenvalues of a matrix of {rows} rows are not found")]
+    #[error("the eigenvalues of a matrix with {rows} rows did not converge")]
     NoEigenvalues {
         /// The number of its rows.
         rows: usize,

@@ -4,7 +4,7 @@ use carom_special::RangeError;
 
 /// Checks an approach or shift of a memory, whose energy is of the order 5/2.
 pub(crate) fn in_memory(field: &'static str, value: f64) -> Result<f64, RangeError> {
-    RangeError::check(field, value, value.abs() <= LARGEST_IN_MEMORY, "of size up to 1e100")
+    RangeError::check(field, value, value.abs() <= LARGEST_IN_MEMORY, "at most 1e100 in magnitude")
 }
 
 /// The largest magnitude in a memory.
@@ -16,5 +16,5 @@ pub(crate) const LARGEST: f64 = 1e60;
 /// Checks a shift, twist or contact radius in the units of the user; energies are of the order 5 in
 /// the radius.
 pub(crate) fn in_contact(field: &'static str, value: f64) -> Result<f64, RangeError> {
-    RangeError::check(field, value, value.abs() <= LARGEST, "of size up to 1e60")
+    RangeError::check(field, value, value.abs() <= LARGEST, "at most 1e60 in magnitude")
 }

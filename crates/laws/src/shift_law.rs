@@ -71,13 +71,13 @@ struct Scale<V> {
 #[repr(C, u8)]
 enum State<V, S> {
     /// No friction: no tangential load.
-    Free = tags::FREE,
+    Frictionless = tags::FRICTIONLESS,
     /// Coulomb friction with one direction of traction in a slip annulus.
-    Rubbing(Memory<V, S>) = tags::RUBBING,
+    Chapter7(Memory<V, S>) = tags::CHAPTER_7,
     /// Coulomb friction in two directions, annulus by annulus.
-    Turning(CoulombMemory<V, S>) = tags::TURNING,
+    Coulomb(CoulombMemory<V, S>) = tags::COULOMB,
     /// Infinite friction.
-    Stuck(AdhesionMemory<V, S>) = tags::STUCK,
+    Adhesion(AdhesionMemory<V, S>) = tags::ADHESION,
 }
 
 impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
@@ -101,7 +101,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     ) -> Self {
         match V::DIMENSION {
             1 => Self::of_chapter_7(stiffness, friction),
-            _ => Self::of(stiffness, friction, || State::Turning(CoulombMemory::new(tolerance))),
+            _ => Self::of(stiffness, friction, || State::Coulomb(CoulombMemory::new(tolerance))),
         }
     }
 
@@ -109,7 +109,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// one direction it is the same as [`ShiftLaw::new`].
     #[must_use]
     pub fn of_chapter_7(stiffness: ContactStiffness, friction: Friction) -> Self {
-        Self::of(stiffness, friction, || State::Rubbing(Memory::new()))
+        Self::of(stiffness, friction, || State::Chapter7(Memory::new()))
     }
 
     fn of(
@@ -119,8 +119,8 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     ) -> Self {
         let along = V::from_components([stiffness.c_x, stiffness.c_y]);
         let (state, limit) = match friction.coefficient() {
-            None => (State::Stuck(AdhesionMemory::new()), 1.0),
-            Some(0.0) => (State::Free, 1.0),
+            None => (State::Adhesion(AdhesionMemory::new()), 1.0),
+            Some(0.0) => (State::Frictionless, 1.0),
             Some(f) => (rubbing(), f * stiffness.c_z),
         };
         let scale = Scale { shift: along.times(1.0 / limit), force: 2.0 / 3.0 * limit, limit };
@@ -137,7 +137,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     #[must_use]
     pub fn coulomb(&self) -> Option<&CoulombMemory<V, S>> {
         match &self.state {
-            State::Turning(memory) => Some(memory),
+            State::Coulomb(memory) => Some(memory),
             _ => None,
         }
     }
@@ -147,9 +147,9 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     #[must_use]
     pub fn traction(&self, q: f64) -> Option<V> {
         match &self.state {
-            State::Free | State::Stuck(_) => None,
-            State::Rubbing(memory) => Some(memory.traction(q)),
-            State::Turning(memory) => Some(memory.traction(q)),
+            State::Frictionless | State::Adhesion(_) => None,
+            State::Chapter7(memory) => Some(memory.traction(q)),
+            State::Coulomb(memory) => Some(memory.traction(q)),
         }
     }
 
@@ -157,7 +157,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     #[must_use]
     pub fn memory(&self) -> Option<&Memory<V, S>> {
         match &self.state {
-            State::Rubbing(memory) => Some(memory),
+            State::Chapter7(memory) => Some(memory),
             _ => None,
         }
     }
@@ -167,10 +167,10 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     pub fn regime(&self) -> Regime {
         match &self.state {
             _ if self.shift.zeta <= 0.0 => Regime::Separated,
-            State::Free => Regime::Sliding,
-            State::Stuck(_) => Regime::Adhesion,
-            State::Rubbing(memory) => memory.regime(),
-            State::Turning(memory) => memory.regime(),
+            State::Frictionless => Regime::Sliding,
+            State::Adhesion(_) => Regime::Adhesion,
+            State::Chapter7(memory) => memory.regime(),
+            State::Coulomb(memory) => memory.regime(),
         }
     }
 
@@ -179,10 +179,10 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     pub fn stick_depth(&self) -> f64 {
         match &self.state {
             _ if self.shift.zeta <= 0.0 => 0.0,
-            State::Free => 0.0,
-            State::Stuck(_) => 1.0,
-            State::Rubbing(memory) => memory.stick_depth() / memory.zeta(),
-            State::Turning(memory) => memory.sticking(),
+            State::Frictionless => 0.0,
+            State::Adhesion(_) => 1.0,
+            State::Chapter7(memory) => memory.stick_depth() / memory.zeta(),
+            State::Coulomb(memory) => memory.sticking(),
         }
     }
 
@@ -193,10 +193,10 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         let zeta = self.shift.zeta.max(0.0);
         let normal = self.stiffness.c_z * zeta.sqrt();
         let tangent = match &self.state {
-            State::Free => Tangent { by_shift: [[0.0; 2]; 2], by_approach: [0.0; 2] },
-            State::Rubbing(memory) => memory.tangent(),
-            State::Turning(memory) => memory.tangent(),
-            State::Stuck(_) => {
+            State::Frictionless => Tangent { by_shift: [[0.0; 2]; 2], by_approach: [0.0; 2] },
+            State::Chapter7(memory) => memory.tangent(),
+            State::Coulomb(memory) => memory.tangent(),
+            State::Adhesion(_) => {
                 let k = Hertzian.stiffness(zeta);
                 Tangent { by_shift: [[k, 0.0], [0.0, k]], by_approach: [0.0; 2] }
             }
@@ -238,7 +238,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     pub(crate) fn reachable(&self, shift: Shift) -> Result<V, RangeError> {
         shift.check_finite()?;
         if V::DIMENSION == 1 && shift.eta != 0.0 {
-            return Err(RangeError::new("eta", shift.eta, "0 in a law of one direction"));
+            return Err(RangeError::new("eta", shift.eta, "0 in a law for one direction"));
         }
         let to = self.normalised(shift);
         let [x, y] = to.components();
@@ -253,16 +253,16 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     pub(crate) fn go(&mut self, shift: Shift, to: V) -> [f64; 2] {
         self.shift = shift;
         let phi = match &mut self.state {
-            State::Free => V::default(),
-            State::Rubbing(memory) => {
+            State::Frictionless => V::default(),
+            State::Chapter7(memory) => {
                 memory.step(shift.zeta, to);
                 memory.force()
             }
-            State::Turning(memory) => {
+            State::Coulomb(memory) => {
                 memory.step(shift.zeta, to);
                 memory.force()
             }
-            State::Stuck(memory) => {
+            State::Adhesion(memory) => {
                 memory.step(shift.zeta, to);
                 memory.force()
             }
@@ -273,10 +273,10 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     #[inline]
     fn force(&self) -> [f64; 2] {
         let phi = match &self.state {
-            State::Free => V::default(),
-            State::Rubbing(memory) => memory.force(),
-            State::Turning(memory) => memory.force(),
-            State::Stuck(memory) => memory.force(),
+            State::Frictionless => V::default(),
+            State::Chapter7(memory) => memory.force(),
+            State::Coulomb(memory) => memory.force(),
+            State::Adhesion(memory) => memory.force(),
         };
         phi.times(self.scale.force).components()
     }
@@ -313,10 +313,10 @@ impl<V: Lateral, S: VertexStack<V>> Checked for ShiftLaw<V, S> {
 impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
     fn stored_energy(&self) -> f64 {
         let tangential = match &self.state {
-            State::Free => V::default(),
-            State::Rubbing(memory) => memory.stored_energy(),
-            State::Turning(memory) => memory.stored_energy(),
-            State::Stuck(memory) => memory.stored_energy(),
+            State::Frictionless => V::default(),
+            State::Chapter7(memory) => memory.stored_energy(),
+            State::Coulomb(memory) => memory.stored_energy(),
+            State::Adhesion(memory) => memory.stored_energy(),
         };
         let zeta = self.shift.zeta.max(0.0);
         let normal = 4.0 / 15.0 * self.stiffness.c_z * (zeta * zeta * zeta.sqrt());
@@ -326,10 +326,10 @@ impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
     fn dissipation(&self, to: Shift) -> f64 {
         let unit = self.scale_of_energies();
         match (self.reachable(to), &self.state) {
-            (Err(_), _) | (_, State::Free) => 0.0,
-            (Ok(x), State::Rubbing(memory)) => memory.heat(to.zeta, x, unit),
-            (Ok(x), State::Turning(memory)) => memory.heat(to.zeta, x, unit),
-            (Ok(x), State::Stuck(memory)) => memory.dissipation(to.zeta, x).dot(unit),
+            (Err(_), _) | (_, State::Frictionless) => 0.0,
+            (Ok(x), State::Chapter7(memory)) => memory.heat(to.zeta, x, unit),
+            (Ok(x), State::Coulomb(memory)) => memory.heat(to.zeta, x, unit),
+            (Ok(x), State::Adhesion(memory)) => memory.dissipation(to.zeta, x).dot(unit),
         }
     }
 }
@@ -346,16 +346,16 @@ impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
         self.shift = Shift { xi, eta, ..self.shift };
         let to = self.normalised(self.shift);
         match &mut self.state {
-            State::Free => {}
-            State::Rubbing(memory) => {
+            State::Frictionless => {}
+            State::Chapter7(memory) => {
                 memory.turn_frame(angle);
                 memory.translate(to.minus(memory.shift()));
             }
-            State::Turning(memory) => {
+            State::Coulomb(memory) => {
                 memory.turn_frame(angle);
                 memory.translate(to.minus(memory.shift()));
             }
-            State::Stuck(memory) => {
+            State::Adhesion(memory) => {
                 memory.turn_frame(angle);
                 memory.translate(to.minus(memory.shift()));
             }

@@ -61,7 +61,7 @@ pub enum RollingError {
     #[error(transparent)]
     Normal(#[from] NormalError),
     /// No approach was found that gives the normal force.
-    #[error("the normal force {force} is not reached: {reached} after all trials of the approach")]
+    #[error("no approach found for the normal force {force}: the last trial gave {reached}")]
     NormalForce {
         /// The prescribed force.
         force: f64,

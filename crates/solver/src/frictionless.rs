@@ -54,11 +54,11 @@ pub enum NormalError {
     #[error(transparent)]
     Period(#[from] PeriodError),
     /// The problem has friction, which this method does not treat.
-    #[error("the surfaces have friction: this method takes frictionless ones only")]
+    #[error("the surfaces have friction, which this method does not support")]
     Friction,
     /// The iterations ended before the tolerance was reached.
     #[error(
-        "the pressure is not found within {:.1e}: {:.1e} after {} iterations ({:?})",
+        "the pressure did not converge to {:.1e}: {:.1e} after {} iterations ({:?})",
         .tolerance, .reached.residuals.normal, .reached.iterations, .reached.stop
     )]
     NotConverged {

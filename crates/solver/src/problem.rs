@@ -35,8 +35,8 @@ pub enum ProblemError {
 pub enum PeriodError {
     /// The approach is above the mean of the gap.
     #[error(
-        "the approach {approach} is above the mean of the gap, {mean}: there all of the period touches, \
-         and no load takes the mean planes nearer"
+        "the approach {approach} is above the mean of the gap, {mean}: the whole period is then in contact, \
+         and no load moves the mean planes closer"
     )]
     AllTouches {
         /// The approach.
@@ -46,8 +46,8 @@ pub enum PeriodError {
     },
     /// A tangential shift is prescribed where all cells are in contact and friction is infinite.
     #[error(
-        "a shift by {shift} along {axis}: all of the period sticks, and no load moves the mean planes \
-         against each other"
+        "a shift by {shift} along {axis}: the whole period sticks, and no load moves the mean planes \
+         relative to each other"
     )]
     AllSticks {
         /// The axis.

@@ -15,14 +15,14 @@ pub enum DirectError {
     #[error(transparent)]
     Operator(#[from] OperatorError),
     /// The load of a motion is prescribed.
-    #[error("{load} is given: this method takes shifts only; Frictional takes loads")]
+    #[error("{load} is prescribed, but this method allows shifts only; `Frictional` allows loads")]
     GivenLoad {
         /// The prescribed load.
         load: &'static str,
     },
     /// Static and kinetic friction differ.
     #[error(
-        "static friction {rest} and kinetic friction {motion} differ: this method takes equal ones"
+        "static friction {rest} and kinetic friction {motion} differ: this method requires equal ones"
     )]
     TwoFrictions {
         /// The static coefficient.
@@ -58,7 +58,7 @@ pub enum DirectError {
     },
     /// The iterations ended before the tolerance was reached.
     #[error(
-        "pressures and tractions are not found within {tolerance:.1e}: {:.1e} (normal), {:.1e} \
+        "pressures and tractions did not converge to {tolerance:.1e}: {:.1e} (normal), {:.1e} \
          (tangential) after {} iterations ({:?})",
         .reached.residuals.normal, .reached.residuals.tangential, .reached.iterations, .reached.stop
     )]

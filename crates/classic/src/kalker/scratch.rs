@@ -108,7 +108,7 @@ impl KalkerScratch {
     /// The data of the present step.
     pub(super) fn work(&mut self) -> Result<(Sets<'_>, &mut Traces), DirectError> {
         let Self { influence, demand, outcome, traces } = self;
-        let none = RangeError::new("step", f64::NAN, "one that has begun");
+        let none = RangeError::new("step", f64::NAN, "a step that was begun");
         let demand = demand.as_ref().ok_or(none)?;
         Ok((Sets { influence, demand, outcome, solved: 0 }, traces))
     }

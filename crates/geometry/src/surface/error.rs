@@ -28,7 +28,7 @@ pub enum SurfaceError {
         part: &'static str,
     },
     /// The curvature jumps at the point.
-    #[error("the curvature jumps at {part}: the contact there is no ellipse")]
+    #[error("the curvature jumps at {part}: the contact there is not elliptical")]
     Seam {
         /// The part of the surface.
         part: &'static str,
@@ -40,6 +40,6 @@ pub enum SurfaceError {
         point: [f64; 3],
     },
     /// The interior of this kind of surface is not defined.
-    #[error("this shape has no inertia of its own: give mass and moments")]
+    #[error("the interior of this surface is not defined: give mass and moments of inertia")]
     NoInertia,
 }

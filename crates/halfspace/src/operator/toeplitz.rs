@@ -188,7 +188,12 @@ impl SurfaceOperator for HalfSpaceOperator {
             let (pair, all) = (self.pair(), self.grid);
             for (field, cells, most) in [("nx", nx, all.nx()), ("ny", ny, all.ny())] {
                 let holds = (1..=most).contains(&cells);
-                RangeError::check(field, cells as f64, holds, "from 1 to that of the operator")?;
+                RangeError::check(
+                    field,
+                    cells as f64,
+                    holds,
+                    "from 1 to the number of the operator",
+                )?;
             }
             let (grid, threads) = (Grid::new(nx, ny, all.dx(), all.dy())?, self.plan.threads);
             memory::check(Self::bytes(&pair, grid, self.blocks, threads))?;

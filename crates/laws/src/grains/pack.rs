@@ -30,7 +30,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// [`RangeError`] if `numbers` is too short; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
         let room = numbers.len();
-        RangeError::check("numbers", room as f64, room >= BESIDE, "with room for the contact")?;
+        RangeError::check("numbers", room as f64, room >= BESIDE, "enough for the contact")?;
         let (law, beside) = numbers.split_at_mut(room - BESIDE);
         self.law.pack(law)?;
         beside[..3].copy_from_slice(&self.tangent);
@@ -49,7 +49,7 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// [`RangeError`] for numbers that are not a stored contact; the contact is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let room = numbers.len();
-        RangeError::check("numbers", room as f64, room >= BESIDE, "with room for the contact")?;
+        RangeError::check("numbers", room as f64, room >= BESIDE, "enough for the contact")?;
         let (law, beside) = numbers.split_at(room - BESIDE);
         let vector = |i: usize| [beside[i], beside[i + 1], beside[i + 2]];
         let (tangent, normal): (Vector, Vector) = (vector(0), vector(3));

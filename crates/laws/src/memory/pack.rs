@@ -147,7 +147,12 @@ fn within_cone<V: Lateral, P: NormalProfile>(
         anchor = anchor.plus(V::from_components([vertex[1], vertex[2]]).times(top - depth));
     }
     let gap = anchor.minus(shift).length();
-    RangeError::check("anchor", gap, gap <= SLOPE_TOLERANCE * size, "the shift, at the edge")?;
+    RangeError::check(
+        "anchor",
+        gap,
+        gap <= SLOPE_TOLERANCE * size,
+        "equal to the shift at the edge",
+    )?;
     Ok(())
 }
 
@@ -193,7 +198,12 @@ pub(super) fn check(
     let regime = known.ok_or(RangeError::new("mark", mark, of_version))?;
     let len = len as usize;
     let holds = len <= capacity && numbers.len() >= HEAD + each * len;
-    RangeError::check("vertices", len as f64, holds, "not above the room for them")?;
+    RangeError::check(
+        "vertices",
+        len as f64,
+        holds,
+        "at most the number that the storage can hold",
+    )?;
     for value in &numbers[1..HEAD + each * len] {
         in_memory("numbers", *value)?;
     }

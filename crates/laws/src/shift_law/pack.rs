@@ -8,7 +8,7 @@ use crate::law::Shift;
 use crate::memory::{Lateral, VertexStack};
 
 /// The mark of a frictionless contact, whose state is its shift only.
-const FREE: f64 = 3e4;
+const FRICTIONLESS: f64 = 3e4;
 const HEAD: usize = 6;
 
 impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
@@ -41,17 +41,17 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// [`RangeError`] if the slice is too short for the vertices; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
         match &self.state {
-            State::Rubbing(memory) => memory.pack(numbers),
-            State::Turning(memory) => memory.pack(numbers),
-            State::Free => {
+            State::Chapter7(memory) => memory.pack(numbers),
+            State::Coulomb(memory) => memory.pack(numbers),
+            State::Frictionless => {
                 let room = numbers.len() as f64;
                 RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
                 numbers.fill(0.0);
                 let Shift { zeta, xi, eta, .. } = self.shift;
-                numbers[..4].copy_from_slice(&[FREE, zeta, xi, eta]);
+                numbers[..4].copy_from_slice(&[FRICTIONLESS, zeta, xi, eta]);
                 Ok(())
             }
-            State::Stuck(memory) => memory.pack(numbers),
+            State::Adhesion(memory) => memory.pack(numbers),
         }
     }
 
@@ -63,10 +63,10 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let shift = self.shift_in(numbers);
         match &mut self.state {
-            State::Free => return self.unpack_free(numbers),
-            State::Rubbing(memory) => shift.and_then(|_| memory.unpack(numbers))?,
-            State::Turning(memory) => shift.and_then(|_| memory.unpack(numbers))?,
-            State::Stuck(memory) => shift.and_then(|_| memory.unpack(numbers))?,
+            State::Frictionless => return self.unpack_free(numbers),
+            State::Chapter7(memory) => shift.and_then(|_| memory.unpack(numbers))?,
+            State::Coulomb(memory) => shift.and_then(|_| memory.unpack(numbers))?,
+            State::Adhesion(memory) => shift.and_then(|_| memory.unpack(numbers))?,
         }
         self.shift = shift?;
         Ok(())
@@ -90,7 +90,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     fn unpack_free(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let room = numbers.len() as f64;
         RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
-        let known = numbers[0] == 0.0 || numbers[0] == FREE;
+        let known = numbers[0] == 0.0 || numbers[0] == FRICTIONLESS;
         RangeError::check("mark", numbers[0], known, "that of a contact without friction")?;
         let zeta = in_contact("approach", numbers[1])?;
         let xi = in_contact("shift", numbers[2])?;

@@ -7,10 +7,10 @@ use crate::coulomb::CoulombMemory;
 use crate::memory::{Fixed, Lateral, Memory, MemoryRegime, VertexStack};
 
 /// The tags of [`State`].
-pub(super) const FREE: u8 = 0;
-pub(super) const RUBBING: u8 = 1;
-pub(super) const TURNING: u8 = 2;
-pub(super) const STUCK: u8 = 3;
+pub(super) const FRICTIONLESS: u8 = 0;
+pub(super) const CHAPTER_7: u8 = 1;
+pub(super) const COULOMB: u8 = 2;
+pub(super) const ADHESION: u8 = 3;
 
 impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
     /// Whether bytes form a law, given the byte at each offset: they do if the tags of its state
@@ -23,9 +23,9 @@ impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
         let tag = offset_of!(Self, state);
         let memory = tag + align_of::<State<V, Fixed<V, N>>>();
         let regime = match byte(tag) {
-            FREE | STUCK => return true,
-            RUBBING => Memory::<V, Fixed<V, N>>::REGIME_AT,
-            TURNING => CoulombMemory::<V, Fixed<V, N>>::REGIME_AT,
+            FRICTIONLESS | ADHESION => return true,
+            CHAPTER_7 => Memory::<V, Fixed<V, N>>::REGIME_AT,
+            COULOMB => CoulombMemory::<V, Fixed<V, N>>::REGIME_AT,
             _ => return false,
         };
         byte(memory + regime) < MemoryRegime::COUNT
@@ -37,10 +37,10 @@ impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
     #[must_use]
     pub fn fits(&self) -> bool {
         let (zeta, len) = match &self.state {
-            State::Free => return true,
-            State::Rubbing(memory) => (memory.zeta(), memory.stack().len()),
-            State::Turning(memory) => (memory.zeta(), memory.stack().len()),
-            State::Stuck(memory) => (memory.zeta(), memory.stack().len()),
+            State::Frictionless => return true,
+            State::Chapter7(memory) => (memory.zeta(), memory.stack().len()),
+            State::Coulomb(memory) => (memory.zeta(), memory.stack().len()),
+            State::Adhesion(memory) => (memory.zeta(), memory.stack().len()),
         };
         len <= N && (len == 0) != (zeta > 0.0)
     }

@@ -189,7 +189,7 @@ impl SliderLaw {
         in_memory("shift", shift[1])?;
         let deepest = self.springs.len() as f64 * self.spacing;
         let holds = zeta <= deepest * deepest * (1.0 + 1e-12);
-        RangeError::check("zeta", zeta, holds, "not above the deepest spring")?;
+        RangeError::check("zeta", zeta, holds, "at most the depth of the deepest spring")?;
         Ok(())
     }
 

@@ -14,11 +14,16 @@ impl TwistHistory {
     /// joined because the storage was full keep their twist but not their torque.
     pub(super) fn check_meaning(&self) -> Result<(), RangeError> {
         let holds = self.torque.abs() <= sliding_limit(self.radius);
-        RangeError::check("torque", self.torque, holds, "within that of sliding")?;
+        RangeError::check("torque", self.torque, holds, "at most the sliding torque")?;
         for (i, segment) in self.segments.iter().enumerate() {
             let end = self.segments.get(i + 1).map_or(self.radius, |next| next.from);
             if let Density::Slip { radius, .. } = segment.density {
-                RangeError::check("slip radius", radius, radius >= end, "not inside its piece")?;
+                RangeError::check(
+                    "slip radius",
+                    radius,
+                    radius >= end,
+                    "at least the outer radius of its piece",
+                )?;
             }
             RangeError::non_negative("demand", segment.demand)?;
         }

@@ -95,9 +95,9 @@ pub struct TorsionLaw {
 
 #[derive(Debug, Clone, PartialEq)]
 enum State {
-    Free,
-    Rubbing(TwistHistory),
-    Stuck(Box<AdhesionMemory<f64, Growing<f64>, PowerLaw>>),
+    Frictionless,
+    Lubkin(TwistHistory),
+    Adhesion(Box<AdhesionMemory<f64, Growing<f64>, PowerLaw>>),
 }
 
 impl TorsionLaw {
@@ -122,17 +122,17 @@ impl TorsionLaw {
         RangeError::positive("torsional stiffness", stiffness)?;
         RangeError::positive("torsional arm", arm)?;
         let (state, per_twist, per_torque) = match friction.coefficient() {
-            Some(0.0) => (State::Free, 0.0, 0.0),
+            Some(0.0) => (State::Frictionless, 0.0, 0.0),
             Some(f) => {
                 let sliding = f * 2.0 / 3.0 * c_z * arm;
                 let per_torque = sliding * 32.0 / (3.0 * PI);
-                (State::Rubbing(TwistHistory::new()), stiffness / per_torque, per_torque)
+                (State::Lubkin(TwistHistory::new()), stiffness / per_torque, per_torque)
             }
             None => {
                 // Discs of radius a carry a^3: a force a^4, whose derivative has the factor 4.
                 let profile = PowerLaw::of_shape(1.0 / 3.0)?;
                 let memory = Box::new(AdhesionMemory::with_profile(profile));
-                (State::Stuck(memory), 1.0, stiffness / 4.0)
+                (State::Adhesion(memory), 1.0, stiffness / 4.0)
             }
         };
         let shift = Shift::default();
@@ -143,7 +143,7 @@ impl TorsionLaw {
     #[must_use]
     pub fn history(&self) -> Option<&TwistHistory> {
         match &self.state {
-            State::Rubbing(history) => Some(history),
+            State::Lubkin(history) => Some(history),
             _ => None,
         }
     }
@@ -161,12 +161,12 @@ impl TorsionLaw {
         RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 4")?;
         let (head, rest) = numbers.split_at_mut(HEAD);
         let jump = match &self.state {
-            State::Free => {
+            State::Frictionless => {
                 rest.fill(0.0);
                 0.0
             }
-            State::Rubbing(history) => history.pack(rest)? * self.per_torque,
-            State::Stuck(memory) => {
+            State::Lubkin(history) => history.pack(rest)? * self.per_torque,
+            State::Adhesion(memory) => {
                 memory.pack(rest)?;
                 0.0
             }
@@ -187,14 +187,14 @@ impl TorsionLaw {
         let shift = Shift { zeta: head[0], xi: head[1], eta: head[2], omega: head[3] };
         shift.check_finite()?;
         match &mut self.state {
-            State::Free => {}
-            State::Rubbing(history) => {
+            State::Frictionless => {}
+            State::Lubkin(history) => {
                 let mut read = history.clone();
                 read.unpack(rest)?;
                 check_approach(shift.zeta, read.radius())?;
                 *history = read;
             }
-            State::Stuck(memory) => {
+            State::Adhesion(memory) => {
                 let mut read = memory.clone();
                 read.unpack(rest)?;
                 check_approach(shift.zeta, read.zeta())?;
@@ -210,9 +210,9 @@ impl TorsionLaw {
     pub fn stick_radius(&self) -> f64 {
         match &self.state {
             _ if self.shift.zeta <= 0.0 => 0.0,
-            State::Free => 0.0,
-            State::Rubbing(history) => history.stick_radius() / history.radius(),
-            State::Stuck(_) => 1.0,
+            State::Frictionless => 0.0,
+            State::Lubkin(history) => history.stick_radius() / history.radius(),
+            State::Adhesion(_) => 1.0,
         }
     }
 
@@ -220,9 +220,9 @@ impl TorsionLaw {
     #[must_use]
     pub fn twist_energy(&self) -> f64 {
         match &self.state {
-            State::Free => 0.0,
-            State::Rubbing(history) => history.stored_energy() * self.per_torque / self.per_twist,
-            State::Stuck(memory) => memory.stored_energy() * self.per_torque,
+            State::Frictionless => 0.0,
+            State::Lubkin(history) => history.stored_energy() * self.per_torque / self.per_twist,
+            State::Adhesion(memory) => memory.stored_energy() * self.per_torque,
         }
     }
 
@@ -257,14 +257,14 @@ impl TorsionLaw {
         in_contact("omega", to.omega * self.per_twist)?;
         let SlipPath { touch, radius, twist } = self.way(to);
         let heat = match &mut self.state {
-            State::Free => 0.0,
-            State::Rubbing(history) => {
+            State::Frictionless => 0.0,
+            State::Lubkin(history) => {
                 if let Some(touch) = touch {
                     history.separate(touch);
                 }
                 advance(history, radius, twist)? * self.per_torque / self.per_twist
             }
-            State::Stuck(memory) => {
+            State::Adhesion(memory) => {
                 if let Some(touch) = touch {
                     memory.advance(0.0, touch)?;
                 }
@@ -284,9 +284,9 @@ impl TorsionLaw {
     fn separate(&mut self, omega: f64) -> Result<(), RangeError> {
         let twist = omega * self.per_twist;
         match &mut self.state {
-            State::Free => {}
-            State::Rubbing(history) => history.separate(twist),
-            State::Stuck(memory) => {
+            State::Frictionless => {}
+            State::Lubkin(history) => history.separate(twist),
+            State::Adhesion(memory) => {
                 memory.advance(0.0, twist)?;
             }
         }
@@ -296,9 +296,9 @@ impl TorsionLaw {
     /// The torque in physical units.
     fn torque(&self) -> f64 {
         match &self.state {
-            State::Free => 0.0,
-            State::Rubbing(history) => history.torque(),
-            State::Stuck(memory) => memory.force(),
+            State::Frictionless => 0.0,
+            State::Lubkin(history) => history.torque(),
+            State::Adhesion(memory) => memory.force(),
         }
     }
 }
@@ -318,7 +318,7 @@ fn check_approach(zeta: f64, radius: f64) -> Result<(), RangeError> {
     RangeError::check("approach", zeta, touches, "> 0 in contact")?;
     let off = radius * radius - zeta.max(0.0);
     let holds = off.abs() <= 1e-9 * zeta.max(0.0);
-    RangeError::check("radius", radius, holds, "the root of the approach")?;
+    RangeError::check("radius", radius, holds, "the square root of the approach")?;
     Ok(())
 }
 

@@ -108,7 +108,7 @@ impl TwistHistory {
         RangeError::check("mark", numbers[0], known, "of version 5")?;
         let count = numbers[1];
         let fits = count >= 0.0 && count == count.floor() && count <= (room - 7.0) / 6.0;
-        RangeError::check("pieces", count, fits, "not above the room for them")?;
+        RangeError::check("pieces", count, fits, "at most the number that the storage can hold")?;
         let count = count as usize;
         let (head, pieces) = numbers[..HEAD + EACH * count].split_at(HEAD);
         for number in head {

@@ -36,7 +36,12 @@ impl ShiftTwistLaw {
     /// [`RangeError`] unless both have the same shift.
     pub fn of(tangential: ShiftLaw<[f64; 2]>, torsion: TorsionLaw) -> Result<Self, RangeError> {
         let (one, other) = (tangential.shift(), torsion.shift());
-        RangeError::check("approach", other.zeta, one.zeta == other.zeta, "that of the shift")?;
+        RangeError::check(
+            "approach",
+            other.zeta,
+            one.zeta == other.zeta,
+            "equal to that of the shift law",
+        )?;
         Ok(Self { tangential, torsion })
     }
 

@@ -105,7 +105,7 @@ pub enum FrictionalError {
     Period(#[from] PeriodError),
     /// The prescribed tangential force exceeds what friction can hold: the bodies slide.
     #[error(
-        "the tangential force {force} is not below what friction can hold, {limit}: the bodies slide"
+        "the tangential force {force} is not below the friction limit {limit}: the bodies slide"
     )]
     Slides {
         /// The tangential force.
@@ -117,7 +117,7 @@ pub enum FrictionalError {
     /// The prescribed torque, alone or with a force, exceeds what friction can hold: the bodies
     /// rotate on each other.
     #[error(
-        "friction holds loads below {part} times the torque {torque} and the tangential force {force}: \
+        "friction can hold less than {part} times the torque {torque} and the tangential force {force}: \
          the bodies slide"
     )]
     Turns {
@@ -130,7 +130,7 @@ pub enum FrictionalError {
     },
     /// The iterations ended before the tolerance was reached.
     #[error(
-        "the {what} are not found within {tolerance:.1e}: {:.1e} (normal), {:.1e} (tangential) after \
+        "the {what} did not converge to {tolerance:.1e}: {:.1e} (normal), {:.1e} (tangential) after \
          {} iterations ({:?})",
         .reached.residuals.normal, .reached.residuals.tangential, .reached.iterations, .reached.stop
     )]

@@ -17,10 +17,10 @@ use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use nalgebra::Vector3;
 
 use super::compressed::Compressed;
-use super::contact::Within;
+use super::contact::ContactInfluence;
 use super::descent::Descent;
 use super::iteration_state::IterationState;
-use super::law::{Off, Sums, force_scale, is_lost};
+use super::law::{Violation, ViolationSums, force_scale, is_lost};
 use super::rigid::{self, Deflation, Rigid};
 use super::search::Search;
 use crate::convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
@@ -65,7 +65,7 @@ pub(super) type Plane = [Vec<f64>; 2];
 /// contact.
 #[derive(Clone)]
 pub(super) struct ActiveSet {
-    pub(super) within: Within,
+    pub(super) influence: ContactInfluence,
     compressed: Compressed,
     pub(super) centres: Plane,
     pub(super) deflation: Deflation,
@@ -93,7 +93,7 @@ impl ActiveSet {
     pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
         let own = operator.coefficients(0, 0).rows;
         Self {
-            within: Within::new(),
+            influence: ContactInfluence::new(),
             compressed: Compressed::default(),
             centres: Plane::default(),
             deflation: Deflation::default(),
@@ -147,21 +147,21 @@ impl ActiveSet {
             usize,
         ) -> Result<Convergence, OperatorError>,
     ) -> Result<Convergence, OperatorError> {
-        self.within.enter(task.operator, task.limits);
+        self.influence.enter(task.operator, task.limits);
         let mut compressed = std::mem::take(&mut self.compressed);
-        compressed.take(task, &self.within.contact);
+        compressed.take(task, &self.influence.contact);
         self.make_room(task.operator.grid());
         let mut own = compressed.task(task);
         let convergence = solver(self, &mut own, task.limits.len());
         task.rigid = own.rigid;
-        compressed.give(task, &self.within.contact);
+        compressed.give(task, &self.influence.contact);
         self.compressed = compressed;
         convergence
     }
 
     fn make_room(&mut self, grid: Grid) {
-        self.within.contact.centres(grid, &mut self.centres);
-        let cells = self.within.contact.cells();
+        self.influence.contact.centres(grid, &mut self.centres);
+        let cells = self.influence.contact.cells();
         let planes = [
             &mut self.slip,
             &mut self.rim,
@@ -187,7 +187,7 @@ impl ActiveSet {
         let (scale, touching) = (force_scale(task), task.limits.len());
         self.begin(task, &mut state)?;
         let mut iteration = 0;
-        let mut off = self.look(task);
+        let mut off = self.check_law(task);
         loop {
             iteration += 1;
             if state.slow_changes >= 4 || is_lost(task, off.violation) {
@@ -197,7 +197,7 @@ impl ActiveSet {
                     slow_changes: 2,
                     ..IterationState::default()
                 };
-                off = self.look(task);
+                off = self.check_law(task);
                 off = self.change_sets(task, off.violation, &mut state)?;
             } else if iteration == 1 || state.asks_for_change(off.violation) {
                 off = self.change_sets(task, off.violation, &mut state)?;
@@ -266,7 +266,7 @@ impl ActiveSet {
         task: &mut TangentialTask<'_>,
         power: f64,
         state: &mut IterationState,
-    ) -> Result<Off, OperatorError> {
+    ) -> Result<Violation, OperatorError> {
         let share = state.power.map_or(0.0, |last| power / last);
         for axis in 0..2 {
             let steps = self.direction[axis].iter_mut().zip(&self.preconditioned[axis]);
@@ -274,7 +274,7 @@ impl ActiveSet {
         }
         state.power = Some(power);
         if self.runs_away() {
-            return Ok(Off::LOST);
+            return Ok(Violation::LOST);
         }
         self.multiply(task.operator, &mut state.products)?;
         let (mut down, mut bend, mut alone) = (0.0, 0.0, 0.0);
@@ -306,8 +306,8 @@ impl ActiveSet {
         task: &mut TangentialTask<'_>,
         length: f64,
         state: &mut IterationState,
-    ) -> Off {
-        let (mut square, mut off) = (0.0, Sums::default());
+    ) -> Violation {
+        let (mut square, mut off) = (0.0, ViolationSums::default());
         let [tractions_x, tractions_y] = &mut task.traction;
         let [slips_x, slips_y] = &mut self.slip;
         let steps = self.direction[0].iter().zip(&self.direction[1]);
@@ -337,7 +337,7 @@ impl ActiveSet {
         operator: &dyn SurfaceOperator,
         products: &mut Products,
     ) -> Result<(), OperatorError> {
-        self.within.displace(operator, &self.direction, &mut self.image, products)
+        self.influence.displace(operator, &self.direction, &mut self.image, products)
     }
 }
 

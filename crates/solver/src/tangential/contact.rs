@@ -113,7 +113,7 @@ impl Contact {
 
 /// Influence within a contact, with its working memory.
 #[derive(Clone)]
-pub(super) struct Within {
+pub(super) struct ContactInfluence {
     pub(super) contact: Contact,
     /// The operator on a box around the contact; `None` if the whole grid is used.
     fewer: Option<Arc<dyn SurfaceOperator>>,
@@ -128,7 +128,7 @@ pub(super) struct Within {
     back: [Vec<f64>; 2],
 }
 
-impl Within {
+impl ContactInfluence {
     pub(super) fn new() -> Self {
         Self {
             contact: Contact::default(),

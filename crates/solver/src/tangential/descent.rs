@@ -8,7 +8,7 @@ use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use nalgebra::{Matrix3, Vector3};
 
 use super::active_set::{ActiveSet, Plane, TangentialTask};
-use super::law::within;
+use super::law::project_to_disc;
 use super::rigid;
 use crate::convergence::Products;
 use crate::state::CellState;
@@ -39,7 +39,8 @@ impl Descent {
     ) -> Result<(), OperatorError> {
         let count = task.limits.len();
         for i in 0..count {
-            let inside = within([task.traction[0][i], task.traction[1][i]], task.limits[i]);
+            let inside =
+                project_to_disc([task.traction[0][i], task.traction[1][i]], task.limits[i]);
             (task.traction[0][i], task.traction[1][i]) = (inside[0], inside[1]);
         }
         let mut ahead = [task.traction[0].to_vec(), task.traction[1].to_vec()];
@@ -54,7 +55,7 @@ impl Descent {
             for (i, (x, y)) in ahead_x.iter_mut().zip(ahead_y).enumerate() {
                 let slip = [set.slip[0][i], set.slip[1][i]];
                 let pulled = [*x - self.length * slip[0], *y - self.length * slip[1]];
-                let next = within(pulled, task.limits[i]);
+                let next = project_to_disc(pulled, task.limits[i]);
                 let moved = [next[0] - task.traction[0][i], next[1] - task.traction[1][i]];
                 uphill += slip[0] * moved[0] + slip[1] * moved[1];
                 (task.traction[0][i], task.traction[1][i]) = (next[0], next[1]);
@@ -87,9 +88,9 @@ impl Descent {
         if !task.rigid.is_loaded() {
             return;
         }
-        let mut wrong = self.loads_off(set, task, ahead);
+        let mut wrong = self.load_error(set, task, ahead);
         let bound = wrong.bound.try_inverse().unwrap_or_default();
-        let size = |wrong: &LoadsOff| wrong.loads.dot(&(bound * wrong.loads));
+        let size = |wrong: &LoadError| wrong.loads.dot(&(bound * wrong.loads));
         let enough = LOAD_REDUCTION * size(&wrong);
         for _ in 0..NEWTON_STEPS {
             if size(&wrong) <= enough {
@@ -97,25 +98,25 @@ impl Descent {
             }
             let newton = wrong.slope.try_inverse().unwrap_or_default() * wrong.loads;
             move_rigidly(set, task, &-newton);
-            let next = self.loads_off(set, task, ahead);
+            let next = self.load_error(set, task, ahead);
             if size(&next) < size(&wrong) {
                 wrong = next;
                 continue;
             }
             let sure = bound * wrong.loads;
             move_rigidly(set, task, &(newton - sure));
-            wrong = self.loads_off(set, task, ahead);
+            wrong = self.load_error(set, task, ahead);
         }
     }
 
     /// The error of the loads in the next step.
-    fn loads_off(&self, set: &ActiveSet, task: &TangentialTask<'_>, ahead: &Plane) -> LoadsOff {
-        let mut off = LoadsOff::default();
+    fn load_error(&self, set: &ActiveSet, task: &TangentialTask<'_>, ahead: &Plane) -> LoadError {
+        let mut off = LoadError::default();
         for (i, &limit) in task.limits.iter().enumerate() {
             let (x, y) = (set.centres[0][i], set.centres[1][i]);
             let [u, v] = [Vector3::new(1.0, 0.0, y), Vector3::new(0.0, 1.0, -x)];
             let q = [0, 1].map(|axis| ahead[axis][i] - self.length * set.slip[axis][i]);
-            let t = within(q, limit);
+            let t = project_to_disc(q, limit);
             off.loads += u * t[0] + v * t[1];
             off.bound += self.length * (u * u.transpose() + v * v.transpose());
             let size = q[0].hypot(q[1]);
@@ -159,7 +160,7 @@ impl Descent {
 
 /// Error of the loads, its derivative with respect to the shifts, and a bound on that derivative.
 #[derive(Default)]
-struct LoadsOff {
+struct LoadError {
     loads: Vector3<f64>,
     slope: Matrix3<f64>,
     bound: Matrix3<f64>,

@@ -8,7 +8,7 @@ pub(super) const REACHED: f64 = 1.0 - 1e-9;
 
 /// The violation of Coulomb's law.
 #[derive(Clone, Copy)]
-pub(super) struct Off {
+pub(super) struct Violation {
     /// The norm of the violations, as tractions: tractions outside their discs, tractions inside
     /// their discs in cells marked as slipping, and slip in the direction of the traction.
     pub(super) violation: f64,
@@ -17,20 +17,20 @@ pub(super) struct Off {
     pub(super) distance: f64,
 }
 
-impl Off {
+impl Violation {
     /// Tractions have left their discs and will not return.
     pub(super) const LOST: Self = Self { violation: f64::INFINITY, distance: f64::INFINITY };
 }
 
-/// Sums over the cells.
+/// ViolationSums over the cells.
 #[derive(Default)]
-pub(super) struct Sums {
+pub(super) struct ViolationSums {
     violations: f64,
     farthest: f64,
     all: f64,
 }
 
-impl Sums {
+impl ViolationSums {
     /// Adds a cell with its traction, its slip divided by its own influence, and its rim direction.
     #[inline]
     pub(super) fn add(
@@ -59,16 +59,16 @@ impl Sums {
         self.all += distance;
     }
 
-    pub(super) fn all(&self) -> Off {
+    pub(super) fn all(&self) -> Violation {
         let distance = if self.all.is_nan() { self.all } else { self.farthest.sqrt() };
-        Off { violation: self.violations.sqrt(), distance }
+        Violation { violation: self.violations.sqrt(), distance }
     }
 }
 
 impl ActiveSet {
     /// The violation of the law.
-    pub(super) fn look(&self, task: &TangentialTask<'_>) -> Off {
-        let (mut off, per_own) = (Sums::default(), 1.0 / self.own);
+    pub(super) fn check_law(&self, task: &TangentialTask<'_>) -> Violation {
+        let (mut off, per_own) = (ViolationSums::default(), 1.0 / self.own);
         for (i, limit) in task.limits.iter().enumerate() {
             let traction = [task.traction[0][i], task.traction[1][i]];
             let slip = [self.slip[0][i] * per_own, self.slip[1][i] * per_own];
@@ -86,7 +86,7 @@ impl ActiveSet {
             let [x, y] = if slips && norm > 0.0 {
                 at.map(|t| limit * (t / norm))
             } else {
-                within(at, limit)
+                project_to_disc(at, limit)
             };
             (task.traction[0][i], task.traction[1][i]) = (x, y);
             let along = self.slip[0][i] * x + self.slip[1][i] * y;
@@ -103,7 +103,7 @@ pub(super) fn is_lost(task: &TangentialTask<'_>, violation: f64) -> bool {
 }
 
 /// The nearest point of a disc.
-pub(crate) fn within([x, y]: [f64; 2], limit: f64) -> [f64; 2] {
+pub(crate) fn project_to_disc([x, y]: [f64; 2], limit: f64) -> [f64; 2] {
     let norm = (x * x + y * y).sqrt();
     if norm > limit { [limit * (x / norm), limit * (y / norm)] } else { [x, y] }
 }

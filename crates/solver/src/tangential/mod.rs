@@ -24,7 +24,7 @@ use crate::state::CellState;
 use active_set::{ActiveSet, Limits, Plane};
 
 pub(crate) use active_set::TangentialTask;
-pub(crate) use law::within;
+pub(crate) use law::project_to_disc;
 pub(crate) use limit_surface::LimitSurface;
 pub(crate) use rigid::Rigid;
 

@@ -50,7 +50,7 @@ impl ActiveSet {
 
     /// The weights of the preconditioner, from the curvature terms.
     pub(super) fn weigh(&mut self) {
-        let takes_alone = self.within.has_inverse();
+        let takes_alone = self.influence.has_inverse();
         for ((bend, root), alone) in self.bend.iter().zip(&mut self.root).zip(&mut self.alone) {
             (*root, *alone) = (1.0, 0.0);
             if *bend > 0.0 {
@@ -72,7 +72,7 @@ impl ActiveSet {
                 *step = root * rest;
             }
         }
-        self.within.invert(&mut self.preconditioned, &mut state.products);
+        self.influence.invert(&mut self.preconditioned, &mut state.products);
         let mut power = 0.0;
         for (i, state) in cells.iter().enumerate() {
             let step = [self.preconditioned[0][i], self.preconditioned[1][i]];

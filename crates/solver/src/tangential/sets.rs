@@ -4,7 +4,7 @@ use carom_halfspace::operator::OperatorError;
 
 use super::active_set::{ActiveSet, TangentialTask};
 use super::iteration_state::IterationState;
-use super::law::{Off, REACHED};
+use super::law::{REACHED, Violation};
 use crate::state::CellState;
 
 /// Fraction of a preconditioned step that is made together with a projection.
@@ -19,7 +19,7 @@ impl ActiveSet {
         task: &mut TangentialTask<'_>,
         violation: f64,
         state: &mut IterationState,
-    ) -> Result<Off, OperatorError> {
+    ) -> Result<Violation, OperatorError> {
         let damping = if state.careful(violation) { 0.0 } else { DAMPING };
         state.changes(violation);
         let projected = self.project(task);
@@ -34,7 +34,7 @@ impl ActiveSet {
             }
             self.restore_loads(task);
             if self.runs_away() {
-                return Ok(Off::LOST);
+                return Ok(Violation::LOST);
             }
             self.multiply(task.operator, &mut state.products)?;
             Ok(self.correct(task, 1.0, state))

@@ -57,7 +57,7 @@ impl Amplitude {
         RangeError::non_negative("opposite", opposite)?;
         RangeError::non_negative("adjacent", adjacent)?;
         let larger = opposite.max(adjacent);
-        RangeError::check("adjacent", adjacent, larger > 0.0, "> 0 where opposite is 0")?;
+        RangeError::check("adjacent", adjacent, larger > 0.0, "> 0 if opposite is 0")?;
         let (s, c) = (opposite / larger, adjacent / larger);
         let hypotenuse = (s * s + c * c).sqrt();
         Ok(Self { sine: s / hypotenuse, cosine: c / hypotenuse })

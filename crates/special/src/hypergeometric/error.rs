@@ -18,7 +18,7 @@ pub enum HypergeometricError {
     #[error("the value overflows")]
     Overflow,
     /// Cancellation between the terms leaves fewer correct digits than specified.
-    #[error("cancellation: the value {value} has an estimated error of {bound}")]
+    #[error("the terms cancel: the value {value} has an estimated error of {bound}")]
     Cancellation {
         /// The computed value.
         value: f64,

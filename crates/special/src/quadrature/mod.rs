@@ -38,7 +38,12 @@ impl Tolerance {
         RangeError::non_negative("absolute_tolerance", absolute)?;
         RangeError::non_negative("relative_tolerance", relative)?;
         let holds = absolute > 0.0 || relative > 0.0;
-        RangeError::check("relative_tolerance", relative, holds, "> 0 where the absolute is 0")?;
+        RangeError::check(
+            "relative_tolerance",
+            relative,
+            holds,
+            "> 0 if the absolute tolerance is 0",
+        )?;
         Ok(Self { absolute, relative })
     }
 
@@ -99,6 +104,6 @@ fn finite(value: f64, position: f64) -> Result<f64, QuadratureError> {
 fn check_bounds(lower: f64, upper: f64) -> Result<(), RangeError> {
     RangeError::finite("lower", lower)?;
     let holds = upper.is_finite() && (upper - lower).is_finite();
-    RangeError::check("upper", upper, holds, "finite, and so its distance to lower")?;
+    RangeError::check("upper", upper, holds, "finite, with a finite distance to lower")?;
     Ok(())
 }

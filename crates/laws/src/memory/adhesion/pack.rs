@@ -56,7 +56,12 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
             let above = if i < len { vertex(i) } else { tip };
             let begins = i == 0 && above.force == V::default();
             let holds = begins || i > 0 && self.carries(&below, &above);
-            RangeError::check("force", above.force.length(), holds, "that of the anchors below")?;
+            RangeError::check(
+                "force",
+                above.force.length(),
+                holds,
+                "the force of the anchors below",
+            )?;
             below = above;
         }
         (self.zeta, self.shift, self.force) = (zeta, shift, force);

@@ -7,7 +7,7 @@ use super::system::System;
 use crate::convergence::Residuals;
 use crate::friction::finite_coefficient;
 use crate::state::CellState;
-use crate::tangential::within;
+use crate::tangential::project_to_disc;
 
 /// The states of the cells, and the cone rays of those that slip.
 #[derive(Clone)]
@@ -71,7 +71,7 @@ impl Cells {
             let at = [task.traction[0][i], task.traction[1][i]];
             let limit = finite_coefficient(task.friction[i]) * pressure.max(0.0);
             let pulled = [0, 1].map(|axis| at[axis] - system.slip[axis][i] / self.own[1]);
-            let to = within(pulled, limit);
+            let to = project_to_disc(pulled, limit);
             let distance = (at[0] - to[0]).hypot(at[1] - to[1]);
             if off.is_nan() || distance.is_nan() {
                 return Residuals { normal: f64::NAN, tangential: f64::NAN };
@@ -128,7 +128,7 @@ impl Cells {
             let pressure = task.pressure[i].max(0.0);
             task.pressure[i] = pressure;
             let at = [task.traction[0][i], task.traction[1][i]];
-            let [x, y] = within(at, finite_coefficient(task.friction[i]) * pressure);
+            let [x, y] = project_to_disc(at, finite_coefficient(task.friction[i]) * pressure);
             (task.traction[0][i], task.traction[1][i]) = (x, y);
             if pressure == 0.0 {
                 task.cells[i] = CellState::Exterior;
