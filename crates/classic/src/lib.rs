@@ -5,14 +5,14 @@
 //! The programs solve steps of the same [`carom_solver::ContactProblem`] through the same trait
 //! [`carom_solver::Method`], with dense influence coefficients instead of Fourier transforms.
 //!
-//! || item | content |
+//! | item | content |
 //! |---|---|
-//! || [`kalker`] | NORM, TANG, and the processes of Johnson and Panagiotopoulos that use them (chapter 11) |
+//! | [`kalker`] | NORM, TANG, and the processes of Johnson and Panagiotopoulos that use them (chapter 11) |
 //! | [`jaeger`] | Gauss-Seidel sweeps over the elements (chapter 12) |
-//! || [`Block`] | a structured program that can be executed and drawn |
+//! | [`Block`] | a structured program that can be executed and drawn |
 //! | [`history`] | the formulas of chapters 6 and 7 for the force after any history of shifts |
-//! || [`rigid_slip`] | force and torque of a contact that slides and spins as a whole (14.3) |
-//! || [`theory`] | bounds on the convergence of these iterations |
+//! | [`rigid_slip`] | force and torque of a contact that slides and spins as a whole (14.3) |
+//! | [`theory`] | bounds on the convergence of these iterations |
 #![forbid(unsafe_code)]
 
 mod chart;

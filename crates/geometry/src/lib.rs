@@ -4,13 +4,13 @@
 //!
 //! | item | what |
 //! |---|---|
-//! || [`Surface`] | spheres, ellipsoids, planes, cylinders, capsules, tori, boxes, functions |
-//! || [`LocalSurface`] | normal, principal curvatures and directions at a point of a surface |
-//! || [`Placed`], [`Attitude`] | a surface with its position and attitude in space |
-//! || [`nearest_points`] | the nearest points of two bodies, in contact or not |
-//! || [`ContactPoint`] | the contact point of two bodies, with its axes [`ContactFrame`] |
-//! || [`curvature`] | the gap A x^2 + B y^2 from the principal radii of both bodies |
-//! || [`Inertia`] | mass and moments of inertia of solids and shells |
+//! | [`Surface`] | spheres, ellipsoids, planes, cylinders, capsules, tori, boxes, functions |
+//! | [`LocalSurface`] | normal, principal curvatures and directions at a point of a surface |
+//! | [`Placed`], [`Attitude`] | a surface with its position and attitude in space |
+//! | [`nearest_points`] | the nearest points of two bodies, in contact or not |
+//! | [`ContactPoint`] | the contact point of two bodies, with its axes [`ContactFrame`] |
+//! | [`curvature`] | the gap A x^2 + B y^2 from the principal radii of both bodies |
+//! | [`Inertia`] | mass and moments of inertia of solids and shells |
 //!
 //! ```
 //! use carom_geometry::curvature::{PrincipalRadii, RelativeCurvature};

@@ -8,9 +8,9 @@
 //! | item | what |
 //! |---|---|
 //! | [`Frictional`], [`Frictionless`] | the methods: with friction and without |
-//! || [`NestedHistory`], [`Accuracy`] | discretisation errors, and the grid for a required accuracy |
-//! || [`NumericalLaw`] | the contact on a grid as a contact law, for impacts |
-//! || [`violations`] | how well a state satisfies the contact conditions |
+//! | [`NestedHistory`], [`Accuracy`] | discretisation errors, and the grid for a required accuracy |
+//! | [`NumericalLaw`] | the contact on a grid as a contact law, for impacts |
+//! | [`violations`] | how well a state satisfies the contact conditions |
 //!
 //! ```
 //! use carom_halfspace::{Grid, Material, MaterialPair};

@@ -1,6 +1,6 @@
 //! Layer 1 of carom: special functions and numerical tools. It contains no mechanics.
 //!
-//! || module | content |
+//! | module | content |
 //! |---|---|
 //! | [`elliptic`] | complete K, E, D, B, C and incomplete F, E, D of the axis ratio |
 //! | [`hypergeometric`] | 2F1 and 3F2(s, a, b; s + 1, c) on the unit interval |

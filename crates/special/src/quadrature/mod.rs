@@ -3,8 +3,8 @@
 //! | rule | use |
 //! |---|---|
 //! | [`GaussLegendre`] | smooth integrand, known order; nothing allocated while integrating |
-//! || [`FixedRule`] | the same, with the order fixed at compile time |
-//! || [`adaptive`] | piecewise smooth, unknown difficulty; with an error estimate |
+//! | [`FixedRule`] | the same, with the order fixed at compile time |
+//! | [`adaptive`] | piecewise smooth, unknown difficulty; with an error estimate |
 //! | [`tanh_sinh`] | algebraic or logarithmic singularities at the ends |
 //!
 //! If the tolerance is not met, the last two return an error that contains the value and the

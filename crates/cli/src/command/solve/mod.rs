@@ -119,7 +119,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     if followed.found > 0 {
         warnings.push(format!("{} of {} steps were there already", followed.found, steps.len()));
     }
-    warnings.extend(warnings(&followed));
+    warnings.extend(few_cells(&followed));
     warnings.extend(unreached(&case, steps));
     let picture = match plot {
         Some(to) => Some((to, plot::draw(&followed, &case)?)),
@@ -156,7 +156,7 @@ pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<Solved, CliError
 }
 
 /// A warning if few cells lie across the contact.
-fn warnings(followed: &Followed) -> Option<String> {
+fn few_cells(followed: &Followed) -> Option<String> {
     let across = followed.state.warnings().into_iter().find_map(|warning| match warning {
         GridWarning::FewCells { across } => Some(across),
         GridWarning::Border { .. } => None,
