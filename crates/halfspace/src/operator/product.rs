@@ -122,7 +122,7 @@ mod tests {
         })
     }
 
-    /// What a fresh workspace has room for after a product.
+    /// The numbers of fields for which a fresh workspace has room after a product.
     fn counts(workspace: &Workspace, sizes: Sizes) -> Counts {
         let field = sizes.columns() * sizes.ny;
         (workspace.rows.len() / field, workspace.columns.len() / field)
@@ -130,7 +130,7 @@ mod tests {
 
     /// All displacements, and how many fields were transformed.
     fn displaced(operator: &dyn SurfaceOperator, sizes: Sizes, load: &Fields) -> (Fields, Counts) {
-        // What is left out is written all the same.
+        // Results that are left out are written nevertheless.
         let mut fields = [(); 3].map(|()| vec![f64::NAN; grid().cells()]);
         let [u, v, w] = &mut fields;
         let displacements = DisplacementField::full(u, v, w);
@@ -160,8 +160,8 @@ mod tests {
         }
     }
 
-    /// What each drive loads, and what that reaches: a normal force alone, a shift along x alone, both,
-    /// and a shift in any direction.
+    /// The loaded components of each drive, and the displacements that they cause: a normal force,
+    /// a shift along x, both, and a shift in any direction.
     fn drives(poisson: [f64; 2], expected: [(&[Axis], &[Axis]); 5]) {
         let half_space = HalfSpaceOperator::new(pair(poisson), grid()).unwrap();
         let periodic = PeriodicOperator::new(pair(poisson), grid(), Threads::One).unwrap();

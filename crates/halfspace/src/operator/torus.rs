@@ -247,8 +247,7 @@ mod tests {
     use crate::Material;
     use crate::operator::{DisplacementField, HalfSpaceOperator, SurfaceOperator, TractionField};
 
-    /// A load that ends far inside the grid comes back but for what the torus lacks: waves longer
-    /// than itself.
+    /// The inverse recovers a load well inside the grid, except for waves longer than the torus.
     #[test]
     fn undoes_a_product_away_from_the_borders() {
         let body = Material::from_shear(2.0, 0.3).unwrap();
