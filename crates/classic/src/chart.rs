@@ -1,50 +1,50 @@
-//! Structured programs: a chart of nested loops is what runs, and what is drawn.
+//! Structured programs: a Nassi-Shneiderman chart that is both executed and drawn.
 
 use std::fmt::Display;
 
 /// A part of a structured program, as in a Nassi-Shneiderman chart.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Block<S: 'static> {
-    /// Does one step.
+    /// Performs one step.
     Do(S),
-    /// Does all parts, again and again until the question is answered with yes.
+    /// Repeats all parts until the question is answered with yes.
     Until {
-        /// What is repeated.
+        /// The repeated parts.
         body: &'static [Self],
-        /// The question asked after each round.
+        /// The question asked after each pass.
         done: S,
     },
 }
 
-/// A step or question of a chart, which says what it does.
+/// A step or question of a chart; its `Display` text describes it.
 pub trait Step: Copy + PartialEq + Display + 'static {}
 
 impl<S: Copy + PartialEq + Display + 'static> Step for S {}
 
-/// What a chart is carried out on.
+/// The object on which a chart is executed.
 pub(crate) trait Machine {
     type Step: Step;
     type Error;
 
-    /// Does a step; a number says how much it did.
+    /// Performs a step; returns a number that describes its effect.
     fn perform(&mut self, step: Self::Step) -> Result<f64, Self::Error>;
 
-    /// Answers the question asked after this round, the first being 1.
+    /// Answers the question asked after this pass; the first pass is 1.
     fn is_done(&mut self, question: Self::Step, round: usize) -> Result<bool, Self::Error>;
 }
 
-/// What a program did, step by step.
+/// The record of a program: its steps in order.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Trace<S> {
     entries: Vec<Entry<S>>,
 }
 
-/// One step that was done, or one question that was asked.
+/// A step that was performed, or a question that was asked.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Entry<S> {
-    /// Which.
+    /// The step or question.
     pub step: S,
-    /// How much it did: sweeps, cells that changed, a correction. For a question 1 is yes, 0 no.
+    /// The effect: sweeps, cells that changed, a correction. For a question 1 is yes, 0 is no.
     pub amount: f64,
 }
 
@@ -61,19 +61,19 @@ impl<S: Step> Trace<S> {
         &self.entries
     }
 
-    /// How often a step was done.
+    /// How often a step was performed.
     #[must_use]
     pub fn count(&self, step: S) -> usize {
         self.entries.iter().filter(|entry| entry.step == step).count()
     }
 
-    /// The amounts of a step, summed.
+    /// The sum of the effects of a step.
     #[must_use]
     pub fn total(&self, step: S) -> f64 {
         self.entries.iter().filter(|entry| entry.step == step).map(|entry| entry.amount).sum()
     }
 
-    /// Whether a program of this chart can have left this trace.
+    /// Whether a program with this chart can have produced this trace.
     #[must_use]
     pub fn follows(&self, chart: &[Block<S>]) -> bool {
         walk(&self.entries, chart).is_some_and(<[Entry<S>]>::is_empty)
@@ -84,7 +84,7 @@ impl<S: Step> Trace<S> {
     }
 }
 
-/// What is left of the entries after the parts of a chart were walked through.
+/// The entries that remain after those of the given parts of a chart.
 fn walk<'a, S: Step>(mut entries: &'a [Entry<S>], blocks: &[Block<S>]) -> Option<&'a [Entry<S>]> {
     for block in blocks {
         entries = match block {
@@ -104,7 +104,7 @@ fn walk<'a, S: Step>(mut entries: &'a [Entry<S>], blocks: &[Block<S>]) -> Option
     Some(entries)
 }
 
-/// Carries out the parts of a chart one after the other.
+/// Executes the parts of a chart one after the other.
 pub(crate) fn run<M: Machine>(
     machine: &mut M,
     blocks: &[Block<M::Step>],

@@ -1,17 +1,18 @@
-//! The algorithms of 1992 as the thesis states them, for comparison with the laws and the solver of today:
-//! the contact programs of Kalker (chapter 11) and Jaeger (chapter 12), and formulas of chapters 6, 7 and 14.
+//! The algorithms of 1992 as stated in the thesis, for comparison with the present laws and solver:
+//! the contact programs of Kalker (chapter 11) and Jaeger (chapter 12), and formulas of chapters 6,
+//! 7 and 14.
 //!
-//! The programs solve a step of the same [`carom_solver::ContactProblem`] through the same
-//! [`carom_solver::Method`], by dense influence coefficients instead of Fourier transforms.
+//! The programs solve steps of the same [`carom_solver::ContactProblem`] through the same trait
+//! [`carom_solver::Method`], with dense influence coefficients instead of Fourier transforms.
 //!
-//! | item | what |
+//! | item | content |
 //! |---|---|
-//! | [`kalker`] | NORM, TANG, and the processes of Johnson and Panagiotopoulos built of them (chapter 11) |
+//! | [`kalker`] | NORM, TANG, and the processes of Johnson and Panagiotopoulos that use them (chapter 11) |
 //! | [`jaeger`] | Gauss-Seidel sweeps over the elements (chapter 12) |
-//! | [`Block`] | a structured program, which runs and can be drawn |
+//! | [`Block`] | a structured program that can be executed and drawn |
 //! | [`history`] | the formulas of chapters 6 and 7 for the force after any history of shifts |
-//! | [`rigid_slip`] | force and torque of a contact that slides and turns as a whole (14.3) |
-//! | [`theory`] | bounds of the convergence of these iterations |
+//! | [`rigid_slip`] | force and torque of a contact that slides and spins as a whole (14.3) |
+//! | [`theory`] | bounds on the convergence of these iterations |
 #![forbid(unsafe_code)]
 
 mod chart;

@@ -8,11 +8,11 @@ use carom_special::quadrature::GaussLegendre;
 
 use carom_laws::ellipse::ContactEllipse;
 
-/// Points of the periodic rule for a pole inside, and twice the nodes of Gauss for one outside, on
-/// a circle; slender ellipses take more.
+/// Points of the periodic rule for a pole inside a circle, and twice the number of Gauss nodes for
+/// one outside; slender ellipses need more.
 const BASE_POINTS: f64 = 32.0;
 const POINTS_PER_RATIO: f64 = 14.0;
-/// Orders of Gauss at hand, for poles outside ellipses of growing slenderness.
+/// Available Gauss orders, for poles outside ellipses of increasing slenderness.
 const ORDERS: [usize; 5] = [48, 96, 192, 384, 768];
 
 static RULES: LazyLock<Vec<GaussLegendre>> =
@@ -20,8 +20,8 @@ static RULES: LazyLock<Vec<GaussLegendre>> =
 
 /// The friction of a contact that slides and spins, in units of f F_z.
 ///
-/// The sense is that of [`crate::law::Shift`]: relative velocity
-/// `u = xi + y Omega, v = eta - x Omega` of body 2, load on body 1, `M_z = int (y t_x - x t_y) dS`.
+/// Signs are those of [`carom_laws::law::Shift`]: relative velocity `u = xi + y Omega, v = eta - x
+/// Omega` of body 2, load on body 1, `M_z = int (y t_x - x t_y) dS`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RigidSlip {
     /// F_x/(f F_z).
@@ -34,8 +34,8 @@ pub struct RigidSlip {
 
 /// The load of complete sliding with the given velocity (xi, eta) and spin Omega.
 ///
-/// Traction everywhere has the size `f p_z` and the direction of the local relative velocity.
-/// No motion gives no load.
+/// The traction has the magnitude `f p_z` everywhere and the direction of the local relative
+/// velocity. Without motion the load is zero.
 ///
 /// ```
 /// use carom_laws::ellipse::ContactEllipse;
@@ -75,7 +75,7 @@ pub fn rigid_slip(
     })
 }
 
-/// The load of a positive spin about the pole (x, y) (14.3).
+/// The load for a positive spin about the pole (x, y) (14.3).
 ///
 /// # Errors
 /// [`RangeError`] for a pole that is not finite.
@@ -94,8 +94,8 @@ pub fn pole_of(ellipse: &ContactEllipse, distance: f64, alpha: f64) -> [f64; 2] 
     [-size * s, size * c]
 }
 
-/// Polar integration about the pole in the disc that the ellipse is an affine image of: the
-/// integrals along each chord are closed.
+/// Polar integration about the pole in the disc of which the ellipse is an affine image: the
+/// integrals along each chord are in closed form.
 fn about_pole(ellipse: &ContactEllipse, x: f64, y: f64) -> RigidSlip {
     let (a, b) = (ellipse.semi_axis_a(), ellipse.semi_axis_b());
     let (u, v) = (x / a, y / b);
@@ -146,8 +146,8 @@ struct Chords {
 }
 
 impl Chords {
-    /// What the chord of direction (cos, sin) adds to f_x, f_y and m_z: `middle` is the distance
-    /// of its mid point from the pole, `distance` its own from the centre.
+    /// The contribution of the chord with direction (cos, sin) to f_x, f_y and m_z. `middle` is the
+    /// distance of its mid point from the pole, `distance` its distance from the centre.
     fn part(&self, direction: [f64; 2], middle: f64, distance: f64, half_square: f64) -> [f64; 3] {
         let Self { a, b } = *self;
         let [c, s] = direction;

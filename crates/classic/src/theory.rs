@@ -1,8 +1,8 @@
 //! The theory of convergence of chapter 13: iteration matrices of the methods of chapters 11 and 12
-//! on any contact area, and their spectra.
+//! for any contact area, and their spectra.
 //!
-//! The area is that of a flat punch: all its elements touch. Either all stick (13.2) or all slip
-//! along x (13.1), (13.3).
+//! The area is that of a flat punch: all its elements are in contact. Either all stick (13.2) or
+//! all slip along x (13.1), (13.3).
 
 use carom_halfspace::operator::SurfaceOperator;
 use carom_halfspace::{Field, MaterialPair};
@@ -13,19 +13,19 @@ use faer::linalg::solvers::Solve as _;
 use crate::direct::Influence;
 use crate::jaeger::SlipStress;
 
-/// The most elements of an area: three times as many rows has the largest matrix.
-const MOST: usize = 1000;
+/// Greatest number of elements of an area; the largest matrix has three times as many rows.
+const MOST_ELEMENTS: usize = 1000;
 
-/// Why a spectrum was not found.
+/// Why a spectrum could not be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum TheoryError {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// The eigenvalues of a matrix did not converge, or it was singular.
-    #[error("the eigenvalues of a matrix of {rows} rows are not found")]
+    /// The eigenvalues of a matrix did not converge, or the matrix was singular.
+    #[error("the eigenvalues of a matrix with {rows} rows did not converge")]
     NoEigenvalues {
-        /// Its size.
+        /// The number of its rows.
         rows: usize,
     },
 }
@@ -38,7 +38,7 @@ pub struct Spectrum {
 }
 
 impl Spectrum {
-    /// The spectral radius: the factor by which an error falls in each iteration, in the end.
+    /// The spectral radius: the asymptotic factor by which the error falls in each iteration.
     #[must_use]
     pub fn radius(&self) -> f64 {
         self.eigenvalues.iter().map(|[re, im]| re.hypot(*im)).fold(0.0, f64::max)
@@ -66,27 +66,28 @@ pub struct ContactArea {
 }
 
 impl ContactArea {
-    /// The elements where `touches` is true.
+    /// The area of the elements for which `touches` is true.
     ///
     /// # Errors
-    /// [`TheoryError::Range`] if they are none or more than 1000, or on another grid.
+    /// [`TheoryError::Range`] for no or more than 1000 elements, or if `touches` is on another
+    /// grid.
     pub fn new(operator: &dyn SurfaceOperator, touches: &Field<bool>) -> Result<Self, TheoryError> {
         let (cells, same) = (touches.values().len() as f64, touches.grid() == operator.grid());
         RangeError::check("contact area", cells, same, "on the grid of the operator")?;
         let cells: Vec<usize> =
             (0..touches.values().len()).filter(|&i| touches.values()[i]).collect();
-        let holds = (1..=MOST).contains(&cells.len());
+        let holds = (1..=MOST_ELEMENTS).contains(&cells.len());
         RangeError::check("elements", cells.len() as f64, holds, "from 1 to 1000")?;
         Ok(Self { influence: Influence::new(operator), cells })
     }
 
-    /// How many elements it has.
+    /// The number of elements.
     #[must_use]
     pub fn elements(&self) -> usize {
         self.cells.len()
     }
 
-    /// A part of A (12.15): displacements `of` by tractions `by`.
+    /// A block of A (12.15): displacements `of` due to tractions `by`.
     fn part(&self, of: usize, by: usize) -> Mat<f64> {
         let count = self.cells.len();
         Mat::from_fn(count, count, |i, k| {
@@ -94,7 +95,7 @@ impl ContactArea {
         })
     }
 
-    /// Several parts side by side and one above the other.
+    /// Several blocks, side by side and one above the other.
     fn parts(&self, of: &[usize], by: &[usize]) -> Mat<f64> {
         let count = self.cells.len();
         Mat::from_fn(of.len() * count, by.len() * count, |i, k| {
@@ -103,11 +104,11 @@ impl ContactArea {
         })
     }
 
-    /// T (13.12): sweeps of (12.17) where all elements slip along x with this coefficient of
-    /// friction, negative for slip to the other side.
+    /// T (13.12): sweeps of (12.17) if all elements slip along x with this coefficient of friction;
+    /// negative for slip in the opposite direction.
     ///
     /// # Errors
-    /// [`TheoryError`] for a friction that is not finite, and where eigenvalues are not found.
+    /// [`TheoryError`] if the friction coefficient is not finite or eigenvalues do not converge.
     pub fn sliding_sweep(
         &self,
         friction: f64,
@@ -117,7 +118,7 @@ impl ContactArea {
         let (a33, a31) = (self.part(2, 2), self.part(2, 0));
         let count = self.cells.len();
         let sum = Mat::from_fn(count, count, |i, k| a33[(i, k)] + friction * a31[(i, k)]);
-        // What is found in this sweep, and what is left of the last one.
+        // The part computed in this sweep, and the part taken from the last one.
         let (new, old) = match slip_stress {
             SlipStress::AfterSweep => {
                 let new = Mat::from_fn(count, count, |i, k| if k <= i { a33[(i, k)] } else { 0.0 });
@@ -129,7 +130,7 @@ impl ContactArea {
         eigenvalues(&new.partial_piv_lu().solve(&old))
     }
 
-    /// Sweeps of (12.17) where all elements stick: Gauss and Seidel's for the whole of A.
+    /// Sweeps of (12.17) if all elements stick: Gauss-Seidel for the whole of A.
     ///
     /// # Errors
     /// [`TheoryError::NoEigenvalues`].
@@ -138,7 +139,7 @@ impl ContactArea {
         eigenvalues(&new.partial_piv_lu().solve(&old))
     }
 
-    /// T (13.25): the block iteration, one component after the other, where all elements stick.
+    /// T (13.25): the block iteration, one component after the other, if all elements stick.
     ///
     /// # Errors
     /// [`TheoryError::NoEigenvalues`].
@@ -152,7 +153,7 @@ impl ContactArea {
         eigenvalues(&left.partial_piv_lu().solve(&right))
     }
 
-    /// M1 (13.32): pressures and tractions along x in turn, where all elements stick.
+    /// M1 (13.32): pressures and tractions along x alternately, if all elements stick.
     ///
     /// # Errors
     /// [`TheoryError::NoEigenvalues`].
@@ -160,7 +161,7 @@ impl ContactArea {
         self.adhesion(&[0])
     }
 
-    /// M1 (13.32) with tractions along x and y: passes of Panagiotopoulos's process where all elements
+    /// M1 (13.32) with tractions along x and y: passes of Panagiotopoulos's process if all elements
     /// stick.
     ///
     /// # Errors
@@ -176,10 +177,10 @@ impl ContactArea {
         eigenvalues(&self.part(2, 2).partial_piv_lu().solve(&back))
     }
 
-    /// M2 (13.34): passes of Panagiotopoulos's process where all elements slip along x.
+    /// M2 (13.34): passes of Panagiotopoulos's process if all elements slip along x.
     ///
     /// # Errors
-    /// [`TheoryError`] for a friction that is not finite, and where eigenvalues are not found.
+    /// [`TheoryError`] if the friction coefficient is not finite or eigenvalues do not converge.
     pub fn sliding_pass(&self, friction: f64) -> Result<Spectrum, TheoryError> {
         RangeError::finite("friction", friction)?;
         let solved = self.part(2, 2).partial_piv_lu().solve(&self.part(2, 0));
@@ -191,7 +192,7 @@ impl ContactArea {
     }
 }
 
-/// The lower triangle with its diagonal, and the rest with the opposite sign.
+/// The lower triangle with its diagonal, and the rest with opposite sign.
 fn lower_and_rest(matrix: &Mat<f64>) -> (Mat<f64>, Mat<f64>) {
     let rows = matrix.nrows();
     let lower = Mat::from_fn(rows, rows, |i, k| if k <= i { matrix[(i, k)] } else { 0.0 });
@@ -209,10 +210,10 @@ fn eigenvalues(matrix: &Mat<f64>) -> Result<Spectrum, TheoryError> {
     Ok(Spectrum { eigenvalues: values.into_iter().map(|value| [value.re, value.im]).collect() })
 }
 
-/// What chapter 13 says of a pair of materials, and what holds for any contact area.
+/// The bounds of chapter 13 for a pair of materials, and bounds valid for any contact area.
 ///
-/// On the half-space A33 and A11 along the slip have the symbol c/|k|, A31 has i gamma c k_x/k^2: no
-/// pass can shrink an error by less than these numbers say, whatever the area.
+/// On the half-space A33 and A11 along the slip have the symbol c/|k|, A31 has i gamma c k_x/k^2:
+/// these are upper bounds on the spectral radius for any contact area.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Bounds {
     gamma: f64,
@@ -220,28 +221,30 @@ pub struct Bounds {
 }
 
 impl Bounds {
-    /// Those of a pair.
+    /// The bounds for a pair of materials.
     #[must_use]
     pub fn of(pair: &MaterialPair) -> Self {
         // (13.40) with (4.7)
         Self { gamma: pair.gamma(), epsilon_1: 1.0 / (1.0 - pair.poisson()) }
     }
 
-    /// epsilon_1 (13.40): A11 over A33 in one line.
+    /// epsilon_1 (13.40): the ratio of A11 to A33 for a single line of elements.
     #[must_use]
     pub const fn epsilon_1(&self) -> f64 {
         self.epsilon_1
     }
 
-    /// Whether (13.22) lets sweeps converge, 0 < f gamma < 1: proved for one line and coefficients as
-    /// simple as (13.17), too wide for an area and too narrow for a line.
+    /// Whether (13.22) implies that sweeps converge, 0 < f gamma < 1. It was proved for one line of
+    /// elements and the simple coefficients of (13.17); it is too weak for an area and too strict
+    /// for a line.
     #[must_use]
     pub fn sweeps_converge(&self, friction: f64) -> bool {
         let product = friction * self.gamma;
         product > 0.0 && product < 1.0
     }
 
-    /// (13.43) with lambda_1 = 1: the spectral radius of M2 is at most f times the root of epsilon_1.
+    /// (13.43) with lambda_1 = 1: the spectral radius of M2 is at most f times the square root of
+    /// epsilon_1.
     #[must_use]
     pub fn sliding_pass_printed(&self, friction: f64) -> f64 {
         friction.abs() * self.epsilon_1.sqrt()
@@ -253,7 +256,7 @@ impl Bounds {
         (friction * self.gamma).abs()
     }
 
-    /// The spectral radius of M1, with tractions along both axes too, is at most gamma^2.
+    /// The spectral radius of M1 is at most gamma^2, also with tractions along both axes.
     #[must_use]
     pub fn adhesion_pass(&self) -> f64 {
         self.gamma * self.gamma

@@ -1,14 +1,14 @@
-//! The attitude of a body: how its axes lie in space.
+//! The attitude of a body: the directions of its axes in space.
 
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
 
 use crate::surface::perpendicular;
 
-/// How far the norm of a quaternion may be from one; the rest is normalised away.
-const UNIT: f64 = 1e-6;
+/// Greatest deviation of the norm of a quaternion from one; a smaller one is normalised.
+const NORM_TOLERANCE: f64 = 1e-6;
 
-/// The rotation that takes a body's axes (a, b, c) to the axes of space (x, y, z).
+/// The rotation between a body's axes (a, b, c) and the axes of space (x, y, z).
 ///
 /// ```
 /// use carom_geometry::Attitude;
@@ -31,24 +31,29 @@ impl Default for Attitude {
 }
 
 impl Attitude {
-    /// The body's axes lie along those of space.
+    /// The body's axes are parallel to those of space.
     pub const ALIGNED: Self =
         Self { rotation: Matrix3::new(1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0) };
 
-    /// From a unit quaternion (w, i, j, k) that turns body components into space components.
+    /// From a unit quaternion (w, i, j, k) that rotates body components into space components.
     ///
     /// # Errors
-    /// [`RangeError`] if its norm is not 1 to within 1e-6.
+    /// [`RangeError`] unless its norm is 1 to within 1e-6.
     pub fn from_quaternion(components: [f64; 4]) -> Result<Self, RangeError> {
         let [w, i, j, k] = components;
         let quaternion = Quaternion::new(w, i, j, k);
         let norm = quaternion.norm();
-        RangeError::check("quaternion norm", norm, (norm - 1.0).abs() <= UNIT, "1 to within 1e-6")?;
+        RangeError::check(
+            "quaternion norm",
+            norm,
+            (norm - 1.0).abs() <= NORM_TOLERANCE,
+            "1 to within 1e-6",
+        )?;
         let unit = UnitQuaternion::from_quaternion(quaternion);
         Ok(Self { rotation: unit.to_rotation_matrix().into_inner() })
     }
 
-    /// From the three angles of the thesis, radians: beginning with the axes of space, turn by
+    /// From the three angles of the thesis, in radians: starting from the axes of space, rotate by
     /// gamma about z, by beta about the new y, by alpha about the newest x (8.3), corrected.
     ///
     /// # Errors
@@ -60,10 +65,10 @@ impl Attitude {
         Ok(Self { rotation: angle_matrix(alpha, beta, gamma).transpose() })
     }
 
-    /// From a rotation axis and an angle about it, radians.
+    /// From a rotation axis and an angle about it, in radians.
     ///
     /// # Errors
-    /// [`RangeError`] unless the axis is finite and not zero and the angle finite.
+    /// [`RangeError`] unless the axis is finite and not zero and the angle is finite.
     pub fn about(axis: [f64; 3], angle: f64) -> Result<Self, RangeError> {
         let axis = Vector3::from(axis);
         RangeError::positive("rotation axis", axis.norm())?;
@@ -74,7 +79,7 @@ impl Attitude {
         Ok(Self { rotation: unit.to_rotation_matrix().into_inner() })
     }
 
-    /// With the body's axis c along this direction.
+    /// An attitude with the body's axis c in this direction.
     ///
     /// # Errors
     /// [`RangeError`] unless the direction is finite and not zero.
@@ -85,13 +90,13 @@ impl Attitude {
         Ok(Self::along(&(vector / length)))
     }
 
-    /// The same for a unit vector.
+    /// [`Attitude::facing`] for a unit vector.
     pub(crate) fn along(direction: &Vector3<f64>) -> Self {
         let first = perpendicular(direction);
         Self { rotation: Matrix3::from_columns(&[first, direction.cross(&first), *direction]) }
     }
 
-    /// From the matrix of (8.1) that turns space components into body components; its rows are
+    /// From the matrix of (8.1), which rotates space components into body components. Its rows are
     /// the body's axes in space.
     ///
     /// # Errors
@@ -99,13 +104,13 @@ impl Attitude {
     pub fn from_matrix(to_body: Matrix3<f64>) -> Result<Self, RangeError> {
         let residue = (to_body * to_body.transpose() - Matrix3::identity()).amax();
         let allowed = "orthogonal to within 1e-6";
-        RangeError::check("rotation matrix residue", residue, residue <= UNIT, allowed)?;
+        RangeError::check("rotation matrix residue", residue, residue <= NORM_TOLERANCE, allowed)?;
         let determinant = to_body.determinant();
         RangeError::check("rotation determinant", determinant, determinant > 0.0, "+1")?;
         Ok(Self { rotation: orthonormal(&to_body).transpose() })
     }
 
-    /// The matrix that turns body components into space components.
+    /// The matrix that rotates space components into body components.
     #[must_use]
     pub const fn matrix(&self) -> &Matrix3<f64> {
         &self.rotation
@@ -124,7 +129,7 @@ impl Attitude {
     }
 }
 
-/// Pi of (8.5), corrected: turns components in (x, y, z) into components in (a, b, c).
+/// Pi of (8.5), corrected: rotates components in (x, y, z) into components in (a, b, c).
 ///
 /// ```
 /// let pi = carom_geometry::angle_matrix(0.4, 0.3, 1.2);

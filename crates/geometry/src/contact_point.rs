@@ -1,4 +1,4 @@
-//! Where two surfaces touch: the point, its axes and the arms to it.
+//! The contact point of two surfaces: its position, axes and lever arms.
 
 use carom_special::RangeError;
 use nalgebra::Vector3;
@@ -8,7 +8,8 @@ use crate::nearest::{Certainty, SearchError, approach, nearest_points, origin_of
 use crate::placed::Placed;
 use crate::surface::{LocalSurface, SurfaceError};
 
-/// How far apart (or into each other) surfaces that touch may be, over the smaller one's size.
+/// Greatest gap or overlap at which surfaces count as touching, relative to the size of the smaller
+/// body.
 pub const TOUCH_TOLERANCE: f64 = 1e-6;
 
 /// The point where two surfaces touch.
@@ -34,11 +35,12 @@ pub struct ContactPoint {
 }
 
 impl ContactPoint {
-    /// Searches for it. z will point from surface 2 into surface 1.
+    /// Finds the contact point of two placed surfaces. The z axis points from surface 2 into
+    /// surface 1.
     ///
     /// # Errors
-    /// [`SearchError`] if the surfaces do not touch, if they touch with an edge, or if no search
-    /// is known for the pair; else as [`ContactPoint::at`].
+    /// [`SearchError`] if the surfaces do not touch, if one touches with an edge, or if no search
+    /// exists for the pair; otherwise as [`ContactPoint::at`].
     pub fn find(one: &Placed, two: &Placed) -> Result<Self, SearchError> {
         let origin = origin_of_search(one, two);
         let seen = [one.seen_from(&origin), two.seen_from(&origin)];
@@ -53,11 +55,11 @@ impl ContactPoint {
         Ok(Self { certainty: found.certainty, ..Self::of(&locals, origin + point, arms)? })
     }
 
-    /// A given point of space; it needs no proof.
+    /// The contact at a given point of space; the point is not searched for.
     ///
     /// # Errors
     /// [`SearchError::Surface`] if the point does not lie on both surfaces or one has no tangent
-    /// plane there, [`SearchError::Frame`] if the normals are not opposite or the surfaces conform
+    /// plane there, [`SearchError::Frame`] if the normals are not opposite, or the surfaces conform
     /// or touch along a line.
     pub fn at(one: &Placed, two: &Placed, point: [f64; 3]) -> Result<Self, SearchError> {
         let point = Vector3::from(point);
@@ -65,11 +67,11 @@ impl ContactPoint {
         Self::of(&locals, point, [point - one.centre(), point - two.centre()])
     }
 
-    /// The places in which they touch with a given common normal, from surface 2 into surface 1:
-    /// surface 2 stays and surface 1 is put on it; a plane is turned to face the other.
+    /// Moves the bodies into contact with a given common normal, from surface 2 into surface 1.
+    /// Surface 2 stays, surface 1 is translated; a plane is rotated to face the other surface.
     ///
     /// # Errors
-    /// [`SearchError::Range`] unless the normal is finite and not zero; else as
+    /// [`SearchError::Range`] unless the normal is finite and not zero; otherwise as
     /// [`ContactPoint::find`].
     pub fn along(
         one: &Placed,
@@ -84,8 +86,8 @@ impl ContactPoint {
         Ok(([one, two], touch))
     }
 
-    /// The place of surface 1 with which both touch with given points, each in its own axes, and
-    /// the contact point there. Their centres need not be known; surface 2 keeps its place.
+    /// Moves surface 1 so that both touch at given points, each in the axes of its own body. The
+    /// centres need not be known; surface 2 stays.
     ///
     /// # Errors
     /// As [`ContactPoint::at`].
@@ -106,18 +108,17 @@ impl ContactPoint {
         Ok((one, touch))
     }
 
-    /// The place where surface 1, moved straight along `course` and not turned, first touches
-    /// surface 2, and the contact point there.
+    /// Moves surface 1 along `course`, without rotation, until it first touches surface 2.
     ///
     /// # Errors
-    /// [`SearchError::NotTouching`] if they overlap or pass each other; else as
+    /// [`SearchError::NotTouching`] if they overlap or miss each other; otherwise as
     /// [`ContactPoint::find`].
     pub fn approaching(
         one: &Placed,
         two: &Placed,
         course: &Vector3<f64>,
     ) -> Result<(Placed, Self), SearchError> {
-        // The last digits of the way are those of the touch.
+        // The last digits of the distance decide whether the surfaces touch.
         let allowed = 1e-6 * allowed_gap(one, two);
         let origin = two.centre();
         let two = two.seen_from(&origin);
@@ -137,7 +138,7 @@ impl ContactPoint {
         Ok(Self { point, frame, arms, sharpest, certainty: Certainty::Proven })
     }
 
-    /// The point in space.
+    /// The contact point in space.
     #[must_use]
     pub const fn point(&self) -> Vector3<f64> {
         self.point
@@ -149,26 +150,26 @@ impl ContactPoint {
         &self.frame
     }
 
-    /// From the centre of each surface to the point, in space.
+    /// Vectors from the centre of each surface to the contact point, in space.
     #[must_use]
     pub const fn arms(&self) -> &[Vector3<f64>; 2] {
         &self.arms
     }
 
-    /// The smallest radius of curvature of both surfaces there.
+    /// The smallest radius of curvature of the two surfaces at the contact point.
     #[must_use]
     pub fn smallest_radius(&self) -> f64 {
         1.0 / self.sharpest
     }
 
-    /// Whether they may touch elsewhere too.
+    /// Whether the bodies may also touch elsewhere.
     #[must_use]
     pub const fn certainty(&self) -> Certainty {
         self.certainty
     }
 }
 
-// The largest gap or overlap that counts as touch.
+// The largest gap or overlap that counts as contact.
 fn allowed_gap(one: &Placed, two: &Placed) -> f64 {
     let sizes = [one, two].map(|placed| placed.surface().size());
     let size = sizes.into_iter().filter(|size| *size > 0.0).fold(f64::INFINITY, f64::min);

@@ -1,14 +1,14 @@
-//! Relative curvature of two bodies at their point of contact (5.1)-(5.5).
+//! Relative curvature of two bodies at their contact point (5.1)-(5.5).
 
 use carom_special::{RangeError, Readable};
 
-/// Below this B/A two cylinders count as parallel: round-off in the angle alone reaches 1e-31.
+/// If B/A is below this, two cylinders are parallel: rounding of the angle alone gives up to 1e-31.
 const LINE_CONTACT: f64 = 1e-30;
 
-/// The two principal radii of a surface at the contact point, in any order of size.
+/// The two principal radii of curvature of a surface at the contact point, in any order.
 ///
 /// A radius is positive where the surface is convex, negative where it is concave and infinite
-/// where it is straight. The first radius belongs to the direction from which angles count.
+/// where it is straight. Angles are measured from the direction of the first radius.
 ///
 /// ```
 /// use carom_geometry::curvature::PrincipalRadii;
@@ -42,7 +42,7 @@ impl PrincipalRadii {
         })
     }
 
-    /// A sphere, or with a negative radius a spherical socket.
+    /// A sphere or, with a negative radius, a spherical socket.
     ///
     /// # Errors
     /// As [`PrincipalRadii::new`].
@@ -74,7 +74,7 @@ impl PrincipalRadii {
 fn curvature_of(field: &'static str, radius: f64) -> Result<f64, RangeError> {
     let curvature = 1.0 / radius;
     RangeError::check(field, radius, curvature.is_finite(), "nonzero and not NaN (inf: straight)")?;
-    // 1/-inf = -0: a straight line has no side.
+    // 1/-inf = -0: a straight line has no sign of curvature.
     Ok(if curvature == 0.0 { 0.0 } else { curvature })
 }
 
@@ -84,8 +84,8 @@ pub enum CurvatureError {
     /// An angle or coefficient is out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// The smaller coefficient B vanishes: parallel cylinders (or two planes) touch along a line
-    /// (or an area), and the Hertz ellipse degenerates.
+    /// The smaller coefficient B is zero: parallel cylinders (or two planes) touch along a line (or
+    /// over an area), and the Hertz ellipse degenerates.
     #[error(
         "the surfaces touch along a line or an area, not at a point: A = {}, B = {}, \
          and B must exceed 1e-30 A for an elliptical contact",
@@ -115,8 +115,8 @@ pub enum CurvatureError {
 
 /// The gap `z = A x^2 + B y^2` between two undeformed surfaces (5.2).
 ///
-/// [`RelativeCurvature::new`] turns the axes so that A >= B > 0, with x along the larger relative
-/// curvature and so along the smaller semi-axis a of the contact ellipse.
+/// [`RelativeCurvature::new`] orients the axes so that A >= B > 0. Then x points along the larger
+/// relative curvature, which is the direction of the smaller semi-axis a of the contact ellipse.
 ///
 /// ```
 /// use carom_geometry::curvature::{PrincipalRadii, RelativeCurvature};
@@ -134,15 +134,15 @@ pub struct RelativeCurvature {
 }
 
 impl RelativeCurvature {
-    /// The relative curvature of two bodies, `omega` (radians) being the angle from the first
-    /// principal direction of body 1 to the first principal direction of body 2.
+    /// The relative curvature of two bodies. `omega` (radians) is the angle from the first
+    /// principal direction of body 1 to that of body 2.
     ///
     /// A and B are the eigenvalues of the sum of both quadratic forms (5.3), corrected. B is
-    /// found as (AB)/A, which keeps its digits for nearly parallel cylinders.
+    /// computed as (AB)/A, which is accurate for nearly parallel cylinders.
     ///
     /// # Errors
     /// [`CurvatureError::LineContact`] for parallel cylinders and for two planes,
-    /// [`CurvatureError::Conforming`] where a hollow surface is too tight, and
+    /// [`CurvatureError::Conforming`] if a concave surface is curved too strongly, and
     /// [`CurvatureError::Range`] for an angle that is not finite.
     pub fn new(
         body_1: PrincipalRadii,
@@ -169,7 +169,7 @@ impl RelativeCurvature {
         Self::checked(a, b.min(a), angle)
     }
 
-    /// The relative curvature of given coefficients, A along x and B along y, in either order.
+    /// From coefficients A along x and B along y; either may be the larger one.
     ///
     /// # Errors
     /// As [`RelativeCurvature::new`].
@@ -202,8 +202,8 @@ impl RelativeCurvature {
         self.b
     }
 
-    /// The angle alpha (radians, in (-pi/2, pi/2]) from the first principal direction of body 1
-    /// to the x-axis, in the sense in which omega counts; zero where every direction is principal.
+    /// The angle alpha (radians, in (-pi/2, pi/2]) from the first principal direction of body 1 to
+    /// the x-axis, measured in the same sense as omega; zero if every direction is principal.
     #[must_use]
     pub const fn angle(&self) -> f64 {
         self.angle

@@ -5,17 +5,18 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::surface::LocalSurface;
 
-/// How far the two outward normals may be from opposite, radians.
-const OPPOSITE: f64 = 1e-5;
+/// Greatest angle between the outward normal of one body and the reversed normal of the other,
+/// radians.
+const NORMAL_TOLERANCE: f64 = 1e-5;
 
 /// Why two surfaces have no contact frame.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum FrameError {
-    /// Conforming surfaces, or contact along a line.
+    /// The surfaces conform, or touch along a line.
     #[error(transparent)]
     Curvature(#[from] CurvatureError),
     /// The surfaces do not face each other.
-    #[error("the outward normals are {angle} rad from opposite, more than {OPPOSITE}")]
+    #[error("the outward normals are {angle} rad from opposite, more than {NORMAL_TOLERANCE}")]
     NotOpposed {
         /// Angle between the normal of body 2 and the reversed normal of body 1, radians.
         angle: f64,
@@ -23,9 +24,10 @@ pub enum FrameError {
 }
 
 /// The axes of a contact: z along the common normal into body 1, x along the larger relative
-/// curvature 2A, y along the smaller 2B.
+/// curvature 2A, y along the smaller one 2B.
 ///
-/// The gap between the undeformed surfaces is A x^2 + B y^2. Where A = B any x serves.
+/// The gap between the undeformed surfaces is A x^2 + B y^2. If A = B, x is any tangential
+/// direction.
 ///
 /// ```
 /// use carom_geometry::{Attitude, ContactFrame, Surface};
@@ -45,10 +47,10 @@ pub struct ContactFrame {
 }
 
 impl ContactFrame {
-    /// The frame of two surfaces at the point where they touch, both given in space.
+    /// The contact frame of two surfaces at the point where they touch, both given in space.
     ///
-    /// The shape operators of both bodies, each along its own inward normal, are added; x is the
-    /// direction of the larger eigenvalue.
+    /// The shape operators of both bodies, each relative to its own inward normal, are added; x is
+    /// the direction of the larger eigenvalue.
     ///
     /// # Errors
     /// [`FrameError::Curvature`] if B <= 0 (conforming surfaces, line contact),
@@ -56,7 +58,7 @@ impl ContactFrame {
     pub fn new(one: &LocalSurface, two: &LocalSurface) -> Result<Self, FrameError> {
         let into_one = two.normal() - one.normal();
         let angle = libm::asin((0.5 * (two.normal() + one.normal()).norm()).min(1.0)) * 2.0;
-        if angle.is_nan() || angle > OPPOSITE {
+        if angle.is_nan() || angle > NORMAL_TOLERANCE {
             return Err(FrameError::NotOpposed { angle });
         }
         let z = into_one.normalize();
@@ -69,7 +71,7 @@ impl ContactFrame {
         Ok(Self { axes: Matrix3::from_columns(&[x, z.cross(&x), z]), relative })
     }
 
-    /// The axes as columns: turns contact components into space components.
+    /// The axes as columns: rotates contact components into space components.
     #[must_use]
     pub const fn axes(&self) -> &Matrix3<f64> {
         &self.axes

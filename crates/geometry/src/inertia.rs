@@ -3,7 +3,7 @@
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-/// Mass and principal moments of inertia; infinite ones hold the body fast.
+/// Mass and principal moments of inertia; infinite values mean that the body is fixed.
 ///
 /// ```
 /// use carom_geometry::Inertia;
@@ -18,18 +18,18 @@ pub struct Inertia {
 }
 
 impl Inertia {
-    /// A body that nothing moves.
+    /// A body that does not move.
     pub const FIXED: Self = Self { mass: f64::INFINITY, moments: [f64::INFINITY; 3] };
 
     /// From mass and principal moments; infinite values are allowed.
     ///
     /// # Errors
     /// [`RangeError`] unless the mass and all moments are positive and the moments satisfy the
-    /// triangle inequality that every mass distribution obeys.
+    /// triangle inequality of every mass distribution.
     pub fn new(mass: f64, moments: [f64; 3]) -> Result<Self, RangeError> {
-        RangeError::check("mass", mass, mass > 0.0, "> 0 (inf: held fast)")?;
+        RangeError::check("mass", mass, mass > 0.0, "> 0 (inf: fixed)")?;
         for moment in moments {
-            RangeError::check("moment of inertia", moment, moment > 0.0, "> 0 (inf: held fast)")?;
+            RangeError::check("moment of inertia", moment, moment > 0.0, "> 0 (inf: fixed)")?;
         }
         let [a, b, c] = moments;
         let slack = 1.0 + 1e-12;
@@ -61,7 +61,7 @@ impl Inertia {
         Self::new(mass, [share * mass * radius * radius; 3])
     }
 
-    /// The mass; infinite if nothing moves the body's centre.
+    /// The mass; infinite if the centre of the body is fixed.
     #[must_use]
     pub const fn mass(&self) -> f64 {
         self.mass

@@ -1,15 +1,16 @@
-//! Geometry of bodies that touch: surfaces, places and attitudes, curvatures of pairs, the search
-//! for nearest and contact points, inertia (section 5.1, section 8.1). It knows no mechanics.
+//! Geometry of two bodies in contact: surfaces, positions and attitudes, relative curvature, the
+//! search for nearest and contact points, inertia (section 5.1, section 8.1). It contains no
+//! mechanics.
 //!
 //! | item | what |
 //! |---|---|
 //! | [`Surface`] | spheres, ellipsoids, planes, cylinders, capsules, tori, boxes, functions |
-//! | [`LocalSurface`] | normal, principal curvatures and directions at a point of one |
-//! | [`Placed`], [`Attitude`] | a surface somewhere in space |
-//! | [`nearest_points`] | where two of them are nearest, touching or not |
-//! | [`ContactPoint`] | where two of them touch, with its axes [`ContactFrame`] |
-//! | [`curvature`] | the gap A x^2 + B y^2 from the principal radii of both |
-//! | [`Inertia`] | mass and moments, of solids and shells of the known shapes |
+//! | [`LocalSurface`] | normal, principal curvatures and directions at a point of a surface |
+//! | [`Placed`], [`Attitude`] | a surface with its position and attitude in space |
+//! | [`nearest_points`] | the nearest points of two bodies, in contact or not |
+//! | [`ContactPoint`] | the contact point of two bodies, with its axes [`ContactFrame`] |
+//! | [`curvature`] | the gap A x^2 + B y^2 from the principal radii of both bodies |
+//! | [`Inertia`] | mass and moments of inertia of solids and shells |
 //!
 //! ```
 //! use carom_geometry::curvature::{PrincipalRadii, RelativeCurvature};
@@ -21,7 +22,7 @@
 //! ```
 #![forbid(unsafe_code)]
 
-/// The vectors and matrices of the signatures, for users without a dependency of their own.
+/// The vector and matrix types of the interface.
 pub use nalgebra;
 
 mod attitude;

@@ -1,4 +1,4 @@
-//! A surface somewhere in space.
+//! A surface with its position and attitude in space.
 
 use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
@@ -7,12 +7,12 @@ use crate::attitude::Attitude;
 use crate::nearest::{SearchError, nearest_points};
 use crate::surface::{Kind, LocalSurface, Surface, SurfaceError, support_of_ellipsoid};
 
-/// The first step of a search along a line, over the body's size.
+/// The first step of a search along a line, relative to the size of the body.
 const FIRST_STEP: f64 = 1e-8;
-/// Halvings of a crossing's bracket: down to the last digit.
+/// Greatest number of bisections of a crossing: down to the last digit.
 const HALVINGS: usize = 70;
 
-/// A surface with its place and attitude.
+/// A surface with its position and attitude in space.
 ///
 /// ```
 /// use carom_geometry::{Attitude, Placed, Surface};
@@ -31,16 +31,16 @@ pub struct Placed {
 }
 
 impl Placed {
-    /// At the origin, its axes along those of space.
+    /// The surface at the origin, with its axes parallel to those of space.
     #[must_use]
     pub fn new(surface: Surface) -> Self {
         Self { surface, centre: Vector3::zeros(), attitude: Attitude::ALIGNED }
     }
 
-    /// The same with its centre there; for a plane, any of its points.
+    /// Moves the centre to this point; for a plane, any of its points.
     ///
     /// # Errors
-    /// [`RangeError`] unless the components are finite.
+    /// [`RangeError`] unless the coordinates are finite.
     pub fn at(self, centre: [f64; 3]) -> Result<Self, RangeError> {
         for value in centre {
             RangeError::finite("centre", value)?;
@@ -48,7 +48,7 @@ impl Placed {
         Ok(self.moved_to(centre.into()))
     }
 
-    /// The same in this attitude.
+    /// Sets the attitude.
     #[must_use]
     pub fn turned(self, attitude: Attitude) -> Self {
         Self { attitude, ..self }
@@ -72,7 +72,7 @@ impl Placed {
         &self.attitude
     }
 
-    /// Normal, principal curvatures and directions at a point of the surface, all in space.
+    /// Normal, principal curvatures and directions at a point of the surface, in space.
     ///
     /// # Errors
     /// As [`Surface::local`].
@@ -81,7 +81,7 @@ impl Placed {
         Ok(local.placed(&self.centre, &self.attitude))
     }
 
-    /// The point farthest in a unit direction, in the surface's axes.
+    /// The support point in a unit direction, in the axes of the surface.
     fn farthest(&self, direction: &Vector3<f64>) -> Result<Vector3<f64>, SearchError> {
         let own = self.attitude.to_body(direction);
         match self.surface.kind() {
@@ -89,7 +89,7 @@ impl Placed {
             Kind::Ellipsoid { semi_axes } => Ok(support_of_ellipsoid(semi_axes, &own).point),
             Kind::Plane => Ok(Vector3::zeros()),
             _ => {
-                // The nearest to a plane beyond.
+                // The point nearest to a plane beyond the body.
                 let beyond = self.centre + direction * (2.0 * self.surface.size());
                 let attitude = Attitude::along(&-direction);
                 let plane = Self { surface: Surface::plane(), centre: beyond, attitude };
@@ -98,8 +98,9 @@ impl Placed {
         }
     }
 
-    /// Ready to touch with its outward normal along a unit vector: a plane is turned to face that
-    /// way, any other surface stays. With the point that touches, in the surface's axes.
+    /// Orients the surface for contact with its outward normal along a unit vector: a plane is
+    /// rotated, any other surface stays. Returns also the point that touches, in the axes of the
+    /// surface.
     pub(crate) fn facing(
         &self,
         outward: &Vector3<f64>,
@@ -112,9 +113,10 @@ impl Placed {
         Ok((turned, point))
     }
 
-    /// How far from a point near the surface the line along `direction` enters the body: the crossing
-    /// nearest to the point, behind it if the point lies inside. None if the line has not met the
-    /// surface within twice the body's size (of a plane: 1e6 times the point's distance).
+    /// The distance along `direction` from a point near the surface to the place where the line
+    /// enters the body: the nearest crossing, which lies behind the point if the point is inside.
+    /// `None` if the line does not meet the surface within twice the size of the body (for a plane:
+    /// 1e6 times the distance of the point).
     ///
     /// ```
     /// use carom_geometry::{Placed, Surface};
@@ -135,7 +137,7 @@ impl Placed {
         }
         let size = if self.surface.size() > 0.0 { self.surface.size() } else { 1e6 * here.abs() };
         let course = here.signum();
-        // Steps that double from next to nothing find the nearest crossing of smooth surfaces.
+        // Steps that double from a very small one find the nearest crossing of a smooth surface.
         let (mut near, mut far) = (0.0, FIRST_STEP * size * course);
         while outside(far) * here > 0.0 {
             if far.abs() > 2.0 * size {
@@ -159,7 +161,7 @@ impl Placed {
         Self { centre, ..self }
     }
 
-    /// The same in space whose origin lies there.
+    /// The same surface relative to another origin.
     pub(crate) fn seen_from(&self, origin: &Vector3<f64>) -> Self {
         self.clone().moved_to(self.centre - origin)
     }

@@ -1,8 +1,8 @@
-//! Integrals of 1/r and its relatives over an interval, as differences that do not cancel.
+//! Integrals of 1/r and related functions over an interval, evaluated without cancellation.
 //!
-//! The closed forms of (4.29) subtract values of one function at both ends of an edge. Here
-//! every such difference is taken analytically, so that it keeps full relative accuracy however
-//! short the interval or far away it is.
+//! The closed forms of (4.29) subtract values of one function at both ends of an edge. Here each
+//! difference is evaluated analytically. It keeps full relative accuracy for short and for distant
+//! intervals.
 
 /// The interval (centre - half, centre + half), half > 0.
 #[derive(Debug, Clone, Copy)]
@@ -29,8 +29,8 @@ impl Interval {
         4.0 * self.centre * self.half
     }
 
-    /// Integral of dx / sqrt(x^2 + c^2), the difference of asinh(x/c); infinite for c = 0 if
-    /// the interval holds 0.
+    /// Integral of dx / sqrt(x^2 + c^2), the difference of asinh(x/c); infinite if c = 0 and the
+    /// interval contains 0.
     pub(crate) fn inverse_distance(self, c: f64) -> f64 {
         let right = self.mirrored_right();
         let (a, b) = (right.lower(), right.upper());
@@ -71,7 +71,7 @@ impl Interval {
         value.copysign(self.centre)
     }
 
-    /// Integral of c dx / (x^2 + c^2) for c >= 0, the angle of view: 0 to pi.
+    /// Integral of c dx / (x^2 + c^2) for c >= 0: the angle subtended by the interval, 0 to pi.
     pub(crate) fn angle(self, c: f64) -> f64 {
         libm::atan2(2.0 * self.half * c, c * c + self.lower() * self.upper())
     }

@@ -4,8 +4,8 @@ use carom_special::RangeError;
 
 use crate::Grid;
 
-/// One value for each cell of a grid, which it carries: a field cannot be read with the indices of
-/// another grid, and whoever takes two of them can see whether they belong together.
+/// One value for each cell of a grid. The field carries its grid, so that it cannot be indexed with
+/// another one, and functions of two fields can check that they match.
 ///
 /// ```
 /// use carom_halfspace::{Field, Grid};
@@ -27,7 +27,7 @@ impl<T: Clone> Clone for Field<T> {
         Self { grid: self.grid, values: self.values.clone() }
     }
 
-    // What is there already is used again.
+    // Reuses the memory that is already allocated.
     fn clone_from(&mut self, source: &Self) {
         self.grid = source.grid;
         self.values.clone_from(&source.values);
@@ -35,7 +35,7 @@ impl<T: Clone> Clone for Field<T> {
 }
 
 impl<T> Field<T> {
-    /// The given values, x running fastest.
+    /// From values in the order of the cells, x running fastest.
     ///
     /// # Errors
     /// [`RangeError`] unless there is one value for each cell.
@@ -45,7 +45,7 @@ impl<T> Field<T> {
         Ok(Self { grid, values })
     }
 
-    /// The values of a function at the centres of the cells, (x, y) from the middle of the grid.
+    /// The values of a function at the cell centres, (x, y) from the centre of the grid.
     #[must_use]
     pub fn from_function(grid: Grid, value: impl Fn(f64, f64) -> T) -> Self {
         let values = grid.centres().map(|(x, y)| value(x, y)).collect();
@@ -58,7 +58,7 @@ impl<T> Field<T> {
         self.grid
     }
 
-    /// The value in a column and a row, none beyond the grid.
+    /// The value in a column and a row; `None` beyond the grid.
     #[must_use]
     pub fn get(&self, column: usize, row: usize) -> Option<&T> {
         let inside = column < self.grid.nx() && row < self.grid.ny();
@@ -71,13 +71,13 @@ impl<T> Field<T> {
         &self.values
     }
 
-    /// All values, to be changed.
+    /// All values, mutable.
     #[must_use]
     pub fn values_mut(&mut self) -> &mut [T] {
         &mut self.values
     }
 
-    /// Another field of the same grid, value by value.
+    /// A field on the same grid with a function applied to each value.
     #[must_use]
     pub fn map<U>(&self, change: impl Fn(&T) -> U) -> Field<U> {
         Field { grid: self.grid, values: self.values.iter().map(change).collect() }

@@ -1,4 +1,4 @@
-//! Which rule of Gauss is accurate to rounding for the coefficients of a cell.
+//! Selects the shortest Gauss rule that is accurate to rounding for the coefficients of a cell.
 
 use carom_special::quadrature::{FixedRule, Node};
 
@@ -8,7 +8,7 @@ use carom_special::quadrature::{FixedRule, Node};
 /// The error falls as rho^(-2n) with rho = |w| + sqrt(w^2 - 1); the bounds are rho^(2n) = 1e17.
 const REACH: [f64; 11] = [8900.0, 341.0, 66.7, 25.1, 13.1, 8.24, 5.82, 4.46, 3.62, 3.05, 2.65];
 
-/// The distance |w| from which on some tabulated rule is accurate to rounding.
+/// The distance |w| from which some tabulated rule is accurate to rounding.
 pub(crate) const NEAREST: f64 = REACH[REACH.len() - 1];
 
 /// The shortest rule that is accurate to rounding for a singularity at distance `w` >= [`NEAREST`].

@@ -23,8 +23,8 @@ pub struct Grid {
     cell: Rectangle,
 }
 
-/// More cells than this along an axis cannot be addressed.
-const MOST: usize = 1 << 30;
+/// Greatest number of cells along an axis.
+const MOST_CELLS: usize = 1 << 30;
 
 impl Grid {
     /// A grid of `nx` by `ny` cells of full widths `dx` by `dy`.
@@ -33,7 +33,7 @@ impl Grid {
     /// [`RangeError`] if a count is zero or above 2^30 or a width not finite and positive.
     pub fn new(nx: usize, ny: usize, dx: f64, dy: f64) -> Result<Self, RangeError> {
         let count = |field, n: usize| {
-            RangeError::check(field, n as f64, (1..=MOST).contains(&n), "in 1..=2^30")
+            RangeError::check(field, n as f64, (1..=MOST_CELLS).contains(&n), "in 1..=2^30")
         };
         count("nx", nx)?;
         count("ny", ny)?;
@@ -90,19 +90,20 @@ impl Grid {
         ix + self.nx * iy
     }
 
-    /// Coordinate x of the centres of column `ix`, from the middle of the grid.
+    /// Coordinate x of the centres of column `ix`, from the centre of the grid.
     #[must_use]
     pub fn centred_x(&self, ix: usize) -> f64 {
         (ix as f64 - 0.5 * (self.nx as f64 - 1.0)) * self.dx()
     }
 
-    /// Coordinate y of the centres of row `iy`, from the middle of the grid.
+    /// Coordinate y of the centres of row `iy`, from the centre of the grid.
     #[must_use]
     pub fn centred_y(&self, iy: usize) -> f64 {
         (iy as f64 - 0.5 * (self.ny as f64 - 1.0)) * self.dy()
     }
 
-    /// Cells twice as wide, half as many (rounded up) along each axis, about the same middle.
+    /// A grid with the same centre and cells twice as wide, half as many (rounded up) along each
+    /// axis.
     ///
     /// # Errors
     /// [`RangeError`] if a width overflows.
@@ -110,7 +111,7 @@ impl Grid {
         Self::new(self.nx.div_ceil(2), self.ny.div_ceil(2), 2.0 * self.dx(), 2.0 * self.dy())
     }
 
-    /// The centres (x, y) of all cells from the middle of the grid, in the order of their indices.
+    /// The centres (x, y) of all cells, from the centre of the grid, in the order of their indices.
     pub fn centres(self) -> impl Iterator<Item = (f64, f64)> {
         let row = move |iy| (0..self.nx).map(move |ix| (self.centred_x(ix), self.centred_y(iy)));
         (0..self.ny).flat_map(row)

@@ -6,25 +6,25 @@ use carom_special::RangeError;
 
 use crate::{Displacement, MaterialPair, Offset, Rectangle, RectangleIntegrals, Traction};
 
-/// The displacements of a point due to unit tractions on one rectangle, A of (4.14).
+/// The displacements at a point due to unit tractions on a rectangle: the matrix A of (4.14).
 ///
 /// Rows are the displacements u = u1 - u2, v = v1 - v2, w = w1 + w2 of (4.6); columns the
 /// tractions on body 1 along x, y and the pressure. For nu = 0 the three on the diagonal are equal (14.5).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Coefficients {
-    /// `rows[i][l]`: displacement i by traction l.
+    /// `rows[i][l]`: displacement i due to traction l.
     pub rows: [[f64; 3]; 3],
 }
 
 impl Coefficients {
-    /// The displacement by the tractions `load` on the rectangle.
+    /// The displacement due to the tractions `load` on the rectangle.
     #[must_use]
     pub fn displacement(&self, load: Traction) -> Displacement {
         let row = |r: &[f64; 3]| r[0] * load.x + r[1] * load.y + r[2] * load.normal;
         Displacement { u: row(&self.rows[0]), v: row(&self.rows[1]), w: row(&self.rows[2]) }
     }
 
-    /// The largest magnitude of the nine.
+    /// The largest magnitude of the nine coefficients.
     #[must_use]
     pub fn largest(&self) -> f64 {
         self.rows.iter().flatten().fold(0.0, |largest, value| largest.max(value.abs()))
@@ -51,7 +51,8 @@ pub struct RectangleInfluence {
 
 /// The influence of a point load on the surfaces of two elastic bodies: the integrands of (4.14).
 ///
-/// What a rectangle's coefficients are at a distance, divided by its area; per unit force.
+/// At large distances it equals the coefficients of a rectangle divided by its area; per unit
+/// force.
 ///
 /// ```
 /// use carom_halfspace::{Material, MaterialPair, Offset, PointInfluence};
@@ -74,10 +75,11 @@ impl PointInfluence {
         Self { pair }
     }
 
-    /// The displacements (4.8), (4.9) by unit forces at `offset`, source minus receiver.
+    /// The displacements (4.8), (4.9) due to unit forces at `offset`, source minus receiver.
     ///
     /// # Errors
-    /// [`RangeError`] unless the offset is finite and not 0, where they are infinite.
+    /// [`RangeError`] unless the offset is finite and not zero, where the displacements are
+    /// infinite.
     pub fn coefficients(&self, offset: Offset) -> Result<Coefficients, RangeError> {
         let Offset { x, y } = offset;
         RangeError::finite("offset x", x)?;
@@ -98,7 +100,7 @@ impl PointInfluence {
     }
 }
 
-/// The six independent values of (4.14): the other three follow from (4.23).
+/// The six independent coefficients of (4.14); the other three follow from (4.23).
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Independent {
     pub(crate) xx: f64,
@@ -161,7 +163,7 @@ impl Independent {
         }
     }
 
-    /// All nine, the others by (4.23).
+    /// All nine coefficients; three of them by (4.23).
     fn nine(self) -> Coefficients {
         let Self { xx, yy, zz, xy, xz, yz } = self;
         Coefficients { rows: [[xx, xy, xz], [xy, yy, yz], [-xz, -yz, zz]] }

@@ -1,4 +1,4 @@
-//! Displacement and stress inside the body under a rectangle of constant traction.
+//! Displacement and stress inside a body under a rectangle of constant traction.
 //!
 //! Love (1929) for the pressure, Kalker (1986) for tangential tractions. All quantities are
 //! derivatives of the potentials of (4.4a) integrated over the rectangle: with r the distance to
@@ -18,15 +18,15 @@ use crate::{Displacement, Force, Material, Point, Rectangle, Stress, Traction};
 
 /// A rectangle of constant traction on the surface of one elastic half-space.
 ///
-/// Points are relative to the centre of the rectangle. For body 2 of a pair count z into it and
-/// turn the tangential tractions around.
+/// Points are relative to the centre of the rectangle. For body 2 of a pair z points into body 2
+/// and the tangential tractions change sign.
 ///
 /// ```
 /// use carom_halfspace::{LoadedRectangle, Material, Point, Rectangle, Traction};
 /// let body = Material::from_young(208e3, 0.3)?;
 /// let square = LoadedRectangle::new(body, Rectangle::new(2.0, 2.0)?)?;
 /// let load = Traction { normal: 1.0, ..Traction::default() };
-/// // Just below the surface the pressure is felt whole, with sigma_xx = -(1 + 2 nu)/2.
+/// Just below the surface the normal stress equals the pressure, with sigma_xx = -(1 + 2 nu)/2.
 /// let stress = square.stress(load, Point::default())?;
 /// assert!((stress.zz + 1.0).abs() < 1e-15);
 /// assert!((stress.xx + 0.8).abs() < 1e-15);
@@ -49,7 +49,7 @@ impl LoadedRectangle {
         Ok(Self { shear_modulus, poisson: material.poisson(), rectangle })
     }
 
-    /// The displacement at a point of the body, its surface included.
+    /// The displacement at a point of the body, including its surface.
     ///
     /// # Errors
     /// [`RangeError`] for a point outside the half-space and for a load that is not finite.
@@ -62,13 +62,13 @@ impl LoadedRectangle {
 
     /// The stress at a point of the body; on the surface the limit from inside.
     ///
-    /// At the edges of the rectangle on the surface, where the stress by the pressure jumps, the
-    /// mean of both sides is returned.
+    /// On the surface, at the edges of the rectangle, the stress due to the pressure jumps; there
+    /// the mean of both sides is returned.
     ///
     /// # Errors
-    /// [`RangeError`] for a point outside the half-space, for a load that is not finite, and
-    /// where the stress is infinite: on the surface at the edges under tangential load and at
-    /// the corners.
+    /// [`RangeError`] for a point outside the half-space, for a load that is not finite, and for
+    /// points at which the stress is infinite: on the surface at the edges under tangential load,
+    /// and at the corners.
     pub fn stress(&self, load: Traction, at: Point) -> Result<Stress, RangeError> {
         let load = load.checked()?;
         let [x, y, normal] = self.unit_stresses(at.checked()?);
@@ -79,7 +79,7 @@ impl LoadedRectangle {
         sum.finite_at("z", at.z)
     }
 
-    /// The stresses by unit tractions along x, along y, and by unit pressure.
+    /// The stresses due to unit tractions along x, along y, and to unit pressure.
     pub(crate) fn unit_stresses(&self, at: Point) -> [Stress; 3] {
         let mut sum = [Stress::default(); 3];
         let nu = self.poisson;
@@ -100,7 +100,7 @@ impl LoadedRectangle {
         sum
     }
 
-    /// The displacements by unit tractions along x, along y, and by unit pressure.
+    /// The displacements due to unit tractions along x, along y, and to unit pressure.
     fn unit_displacements(&self, at: Point) -> [Displacement; 3] {
         let mut sum = [Displacement::default(); 3];
         let nu = self.poisson;
@@ -148,7 +148,7 @@ fn direction(x: f64, y: f64, z: f64) -> (f64, Direction) {
     (inverse, Direction { a: x * inverse, b: y * inverse, c: z * inverse })
 }
 
-/// The length in which the pieces are given: a power of two near the larger width.
+/// The unit of length of the pieces: a power of two near the larger width.
 fn unit_length(rectangle: Rectangle) -> f64 {
     let largest = rectangle.width_x().max(rectangle.width_y());
     libm::ldexp(0.5, libm::frexp(largest).1.clamp(-1000, 1000))
@@ -156,20 +156,21 @@ fn unit_length(rectangle: Rectangle) -> f64 {
 
 /// A part of the rectangle; coordinates are receiver minus source in units of length.
 enum Piece {
-    /// So near that the closed form keeps its digits.
+    /// Close enough for the closed form to be accurate.
     Near(Interval, Interval),
-    /// A node of a Gauss rule over a part that is far enough.
+    /// A node of a Gauss rule over a part that is far enough away.
     Node { x: f64, y: f64, weight: f64 },
 }
 
-/// Offset in widths from which the rectangle acts as a point, to rounding.
+/// Distance in widths from which the rectangle acts as a point load, to rounding.
 const POINT_LIKE: f64 = 1e9;
 
-/// Hands the rectangle to `use_piece(piece, z)`, cut where it is slender for its distance.
+/// Calls `use_piece(piece, z)` for each piece of the rectangle, which is divided if it is slender
+/// compared with its distance.
 fn pieces(rectangle: Rectangle, at: Point, use_piece: &mut impl FnMut(Piece, f64)) {
     let unit = unit_length(rectangle);
     let half = |width: f64| (0.5 * width / unit).max(f64::MIN_POSITIVE);
-    // So far away that squares overflow, the stress and displacement vanish.
+    // Farther away squares would overflow; stress and displacement vanish there.
     let far = |value: f64| (value / unit).clamp(-1e100, 1e100);
     let x = Interval { centre: far(at.x), half: half(rectangle.width_x()) };
     let y = Interval { centre: far(at.y), half: half(rectangle.width_y()) };
@@ -225,7 +226,8 @@ struct Derivatives {
     v_x: f64,
     v_y: f64,
     v_z: f64,
-    /// z times the second derivatives of V, which are bounded where those are not.
+    /// z times the second derivatives of V; these products are bounded where the derivatives are
+    /// not.
     zv_xx: f64,
     zv_yy: f64,
     zv_xy: f64,
@@ -252,7 +254,7 @@ impl Derivatives {
             let upper = at(x.upper(), y.upper()) - at(x.lower(), y.upper());
             upper - (at(x.upper(), y.lower()) - at(x.lower(), y.lower()))
         };
-        // Differences over the ends of x (y) of what is integrated along y (x).
+        // Differences between the ends of x (y) of functions integrated along y (x).
         let over_x = |f: &dyn Fn(f64) -> f64| f(x.upper()) - f(x.lower());
         let over_y = |f: &dyn Fn(f64) -> f64| f(y.upper()) - f(y.lower());
         let distance = |a: f64| (a * a + z * z).sqrt();
@@ -269,7 +271,7 @@ impl Derivatives {
         let b_log = corner(&|_, b, r| zero_or(b, || libm::log(z + r)));
         let a_log = corner(&|a, _, r| zero_or(a, || libm::log(z + r)));
         let l_xx = z * chi_xx - a_v_x;
-        // z times a derivative, zero on the surface
+        // z times a derivative; zero on the surface.
         let times_z = |f: &dyn Fn() -> f64| if z == 0.0 { 0.0 } else { z * f() };
         Self {
             z,
@@ -296,7 +298,7 @@ impl Derivatives {
         }
     }
 
-    /// 4 pi G times the displacement by unit pressure, (4.4b).
+    /// 4 pi G times the displacement due to unit pressure, (4.4b).
     fn normal_displacement(&self, nu: f64) -> Displacement {
         let shrink = 1.0 - 2.0 * nu;
         let z_times = |value: f64| if self.z == 0.0 { 0.0 } else { self.z * value };
@@ -307,7 +309,7 @@ impl Derivatives {
         }
     }
 
-    /// 4 pi G times the displacement by unit traction along x, (4.4b) corrected.
+    /// 4 pi G times the displacement due to unit traction along x, (4.4b) corrected.
     fn tangential_displacement(&self, nu: f64) -> Displacement {
         let z_times = |value: f64| if self.z == 0.0 { 0.0 } else { self.z * value };
         Displacement {
@@ -317,7 +319,7 @@ impl Derivatives {
         }
     }
 
-    /// 2 pi times the stress by unit pressure.
+    /// 2 pi times the stress due to unit pressure.
     fn normal_stress(&self, nu: f64) -> Stress {
         let shrink = 1.0 - 2.0 * nu;
         let coupled = |chi: f64| if shrink == 0.0 { 0.0 } else { shrink * chi };
@@ -331,7 +333,7 @@ impl Derivatives {
         }
     }
 
-    /// 2 pi times the stress by unit traction along x, Hooke's law of (4.4b).
+    /// 2 pi times the stress due to unit traction along x, from Hooke's law and (4.4b).
     fn tangential_stress(&self, nu: f64) -> Stress {
         // chi and L are harmonic: L_xxx = -L_xyy - V_x, chi_xxx = -chi_xyy - V_xz.
         Stress {

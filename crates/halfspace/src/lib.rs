@@ -1,18 +1,17 @@
-//! Floor 2 of carom: the elastic half-space (chapter 4).
+//! Layer 2 of carom: the elastic half-space (chapter 4).
 //!
-//! | module | what it gives |
+//! | item | content |
 //! |---|---|
 //! | [`Material`], [`MaterialPair`] | elastic constants of a body and of two in contact (4.7) |
 //! | [`PointLoad`] | displacement and stress of Boussinesq and Cerruti (4.1)-(4.5) |
-//! | [`PointInfluence`] | the same on the surfaces of two bodies (4.8) |
+//! | [`PointInfluence`] | displacements of the surfaces of two bodies by point forces (4.8) |
 //! | [`Rectangle`], [`RectangleInfluence`] | the nine coefficients of a loaded cell (4.14), (4.29) |
 //! | [`LoadedRectangle`], [`Stress`] | displacement and stress inside the body under a cell |
 //! | [`Grid`], [`Field`], [`operator`] | products of whole fields by fast convolution (4.13) |
-//! | [`room`] | how much memory a computation may take |
+//! | [`room`] | the memory available to a computation |
 //!
-//! z points into the body; tractions are those that act on it, pressures are positive in
-//! compression; lengths, forces and moduli are in any consistent units.
-//!
+//! z points into the body. Tractions act on the body; pressure is positive in compression. Lengths,
+//! forces and moduli may be in any consistent units.
 //! ```
 //! use carom_halfspace::{Force, Material, Point, PointLoad};
 //! // A force of 1 presses a body with G = 1, nu = 1/2: (1 - nu)/(2 pi G r) at the distance r.

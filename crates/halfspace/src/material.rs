@@ -1,4 +1,4 @@
-//! Elastic materials and the combined moduli of a pair of them.
+//! Elastic materials and the combined moduli of a pair.
 
 use carom_special::RangeError;
 
@@ -100,7 +100,7 @@ pub struct MaterialPair {
 }
 
 impl MaterialPair {
-    /// The pair of the material of body 1 (into which z points) and that of body 2.
+    /// The pair of two materials; z points into body 1.
     ///
     /// # Errors
     /// [`RangeError`] if both bodies are rigid, or if the combined modulus overflows.

@@ -15,7 +15,7 @@ use crate::{Displacement, Force, Material, Point, Stress};
 /// use carom_halfspace::{Force, Material, Point, PointLoad};
 /// let body = Material::from_shear(1.0, 0.5)?;
 /// let load = PointLoad::new(body, Force { z: 4.0 * std::f64::consts::PI, ..Force::default() })?;
-/// // Incompressible: the surface sinks by F_z (1 - nu)/(2 pi G r) and does not spread.
+/// Incompressible: the surface sinks by F_z (1 - nu)/(2 pi G r) without tangential displacement.
 /// let surface = load.displacement(Point::on_surface(2.0, 0.0))?;
 /// assert!((surface.w - 0.5).abs() < 1e-15);
 /// assert_eq!(surface.u, 0.0);
@@ -85,7 +85,7 @@ impl Direction {
         let Self { a, b, c } = self;
         let (nu, q) = (poisson, 1.0 / (1.0 + c));
         let t = a * force.x + b * force.y;
-        // What multiplies F_x (F_y) alone, and what multiplies the radial direction a (b).
+        // The factor of F_x (F_y), and the factor of the radial direction a (b).
         let along = (2.0 * (1.0 - nu) + c) * q;
         let radial = t * q * q * (2.0 * nu + c * (2.0 + c)) + force.z * (c - (1.0 - 2.0 * nu) * q);
         Displacement {

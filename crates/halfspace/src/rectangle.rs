@@ -1,10 +1,10 @@
 //! Integrals of the surface influence functions over a rectangle (4.29), at any offset.
 //!
-//! Three regions share the work. Near the cell the closed form, written with the differences
-//! along its edges taken analytically; beyond, where one coordinate is several half-widths
-//! away, the closed form along the other axis and a Gauss rule across; where both are, a tensor
-//! Gauss rule of the lowest order that is accurate to rounding. The plain closed form loses
-//! eight digits at 2000 cells.
+//! Three regions are treated differently. Near the cell the closed form is used, with the
+//! differences along its edges taken analytically. Where one coordinate is several half-widths
+//! away, the closed form along the other axis is combined with a Gauss rule across it. Where both
+//! are, a tensor Gauss rule is used, of the lowest order that is accurate to rounding. The plain
+//! closed form would lose eight digits at a distance of 2000 cells.
 
 use carom_special::RangeError;
 use carom_special::quadrature::Node;
@@ -61,7 +61,7 @@ pub struct RectangleIntegrals {
     pub log_y: f64,
 }
 
-/// Offset over the larger width from which the cell acts as a point, to rounding.
+/// Offset relative to the larger width from which the cell acts as a point load, to rounding.
 const POINT_LIKE: f64 = 1e9;
 
 impl Rectangle {
@@ -99,8 +99,8 @@ impl Rectangle {
     /// The integrals (4.29), which are those of (4.24), (4.26) and (11.3), for a receiving point at
     /// `-offset` from the rectangle's centre.
     ///
-    /// Accurate to about 1e-15 of [`RectangleIntegrals::inverse_distance`] for any ratio of the
-    /// sides and any offset, points of the edge and the corners included.
+    /// The error is about 1e-15 of [`RectangleIntegrals::inverse_distance`] for any aspect ratio
+    /// and any offset, including points on the edge and at the corners.
     ///
     /// # Errors
     /// [`RangeError`] unless the offset is finite.
@@ -162,7 +162,7 @@ impl Rectangle {
     }
 }
 
-/// The sign of an offset, 0 at 0: there an odd integral vanishes exactly.
+/// The sign of an offset; 0 at 0, where an odd integral vanishes exactly.
 fn sign(offset: f64) -> f64 {
     if offset == 0.0 { 0.0 } else { 1f64.copysign(offset) }
 }

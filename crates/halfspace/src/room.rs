@@ -1,18 +1,19 @@
-//! Room in memory: how many bytes a process may still take.
+//! The memory that a process may still allocate.
 //!
-//! A computation that knows its needs asks here before it allocates, so that too large a grid is an
-//! error and not the end of the process.
+//! A computation that knows how much memory it needs checks here before it allocates: too large a
+//! grid is then an error instead of the end of the process.
 
-/// Bytes where the system tells nothing: more than any machine has.
+/// The value returned if the system gives no information, in bytes: more than any machine has.
 const UNKNOWN: u128 = 1 << 40;
 
-/// Bytes that this process can allocate now: the smallest of
+/// The number of bytes that this process can allocate now: the smallest of
 ///
 /// - the memory that the system can give without swapping (`MemAvailable` of `/proc/meminfo`),
-/// - the limit of its address space (`ulimit -v`) less what it has mapped,
-/// - the limit of its data (`ulimit -d`) less its data.
+/// - the limit of its address space (`ulimit -v`) minus what it has mapped,
+/// - the limit of its data (`ulimit -d`) minus its data.
 ///
-/// A number of the moment, of Linux; 2^40 where the system tells none of them.
+/// The value holds for the moment. On systems without this information (other than Linux) it is
+/// 2^40.
 ///
 /// ```
 /// use carom_halfspace::room;
@@ -26,7 +27,7 @@ pub fn available() -> u128 {
     least(&memory, &limits, &status)
 }
 
-/// The room that the texts of `/proc/meminfo`, `/proc/self/limits` and `/proc/self/status` leave.
+/// The memory available according to `/proc/meminfo`, `/proc/self/limits`, `/proc/self/status`.
 fn least(memory: &str, limits: &str, status: &str) -> u128 {
     let under = |limit: &str, used: &str| {
         let limit = number(limits, limit)?;
@@ -40,12 +41,12 @@ fn least(memory: &str, limits: &str, status: &str) -> u128 {
     rooms.into_iter().flatten().min().unwrap_or(UNKNOWN)
 }
 
-/// Bytes on the line that begins with `name` and tells kilobytes.
+/// The value in bytes of the line that begins with `name` and is given in kilobytes.
 fn kilobytes(text: &str, name: &str) -> Option<u128> {
     Some(1024 * number(text, name)?)
 }
 
-/// The first number on the line that begins with `name`; none where it is another word, as
+/// The first number on the line that begins with `name`; `None` if there is a word instead, such as
 /// `unlimited`.
 fn number(text: &str, name: &str) -> Option<u128> {
     let rest = text.lines().find_map(|line| line.strip_prefix(name))?;

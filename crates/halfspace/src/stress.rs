@@ -65,8 +65,8 @@ impl Stress {
 
     /// The three principal stresses, accurate to rounding of the largest component.
     ///
-    /// Jacobi rotations; the cubic's trigonometric solution loses half the digits of two nearly
-    /// equal principal stresses, which is the rule on an axis of symmetry.
+    /// By Jacobi rotations. The trigonometric solution of the cubic would lose half the digits if
+    /// two principal stresses are nearly equal, which is common on an axis of symmetry.
     #[must_use]
     pub fn principal(&self) -> PrincipalStresses {
         let mut a =

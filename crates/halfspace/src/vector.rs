@@ -22,7 +22,7 @@ impl Point {
         Self { x, y, z: 0.0 }
     }
 
-    /// The point itself if it lies in the half-space.
+    /// The point, if it lies in the half-space.
     pub(crate) fn checked(self) -> Result<Self, RangeError> {
         RangeError::finite("x", self.x)?;
         RangeError::finite("y", self.y)?;
@@ -53,8 +53,9 @@ impl Force {
 
 /// A traction (force/area) that acts on the surface of the body.
 ///
-/// `x` and `y` push along the axes, `normal` is the pressure p_z, positive in compression. As
-/// components of the stress tensor at z = 0 these are -sigma_zx, -sigma_zy and -sigma_zz.
+/// `x` and `y` are components along the axes, `normal` is the pressure p_z, positive in
+/// compression. As components of the stress tensor at z = 0 these are -sigma_zx, -sigma_zy and
+/// -sigma_zz.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Traction {
     /// Tangential traction along x.
@@ -86,7 +87,7 @@ pub struct Displacement {
 }
 
 impl Displacement {
-    /// The displacement itself if it is finite; else the point was too near a singularity.
+    /// The displacement, if it is finite; otherwise the point is too close to a singularity.
     pub(crate) fn finite_at(self, field: &'static str, at: f64) -> Result<Self, RangeError> {
         let finite = self.u.is_finite() && self.v.is_finite() && self.w.is_finite();
         RangeError::check(field, at, finite, "where the displacement is finite").map(|_| self)

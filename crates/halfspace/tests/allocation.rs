@@ -1,7 +1,7 @@
 //! A repeated product allocates nothing.
 //!
-//! Calls are counted for each thread alone: the test's own harness allocates beside it, and on a
-//! loaded machine within the product.
+//! Allocations are counted for this thread only, because the test harness allocates at the same
+//! time.
 
 use std::alloc::{GlobalAlloc, Layout, System};
 use std::cell::Cell;

@@ -1,13 +1,13 @@
-//! A contact law with an account of the heat.
+//! A contact law that also sums up the friction heat.
 
 use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, Energies, Shift};
 use crate::memory::VertexStack;
 use crate::shift_law::ShiftLaw;
 
-/// A law that adds up the heat of its steps.
+/// A contact law with an account of its dissipated energy.
 ///
-/// Every step costs the heat beside the force: several times the bare law in one direction, far more
-/// in two.
+/// Every step computes the heat as well as the force. This takes several times as long as the law
+/// alone in one direction, and much longer in two.
 ///
 /// ```
 /// use carom_laws::accounted::Accounted;
@@ -31,19 +31,20 @@ pub struct Accounted<L> {
 }
 
 impl<L: Dissipative> Accounted<L> {
-    /// The law from here on, with nothing dissipated yet.
+    /// Starts the account at zero, from the present state of the law.
     #[must_use]
     pub const fn new(law: L) -> Self {
         Self::going_on(law, 0.0)
     }
 
-    /// The law from here on, with so much dissipated before: what was kept goes on.
+    /// Continues an account: from the present state of the law, with this energy already
+    /// dissipated.
     #[must_use]
     pub const fn going_on(law: L, dissipated: f64) -> Self {
         Self { law, dissipated }
     }
 
-    /// The law itself.
+    /// The contact law.
     #[must_use]
     pub const fn law(&self) -> &L {
         &self.law
@@ -86,7 +87,7 @@ impl<L: Dissipative + Checked> Checked for Accounted<L> {
 }
 
 impl<S: VertexStack<[f64; 2]>> Accounted<ShiftLaw<[f64; 2], S>> {
-    /// Turns the frame of the law, [`ShiftLaw::turn_frame`]; no heat is made.
+    /// Rotates the frame of the law, [`ShiftLaw::turn_frame`]; this dissipates nothing.
     pub fn turn_frame(&mut self, angle: f64) {
         self.law.turn_frame(angle);
     }

@@ -1,19 +1,20 @@
-//! Bounds of what a law is told, within which forces and energies cannot overflow.
+//! Bounds on arguments within which forces and energies cannot overflow.
 
 use carom_special::RangeError;
 
-/// Approaches and shifts of a memory: energies go as their power 5/2 together.
+/// Checks an approach or shift of a memory, whose energy is of the order 5/2.
 pub(crate) fn in_memory(field: &'static str, value: f64) -> Result<f64, RangeError> {
-    RangeError::check(field, value, value.abs() <= LARGEST_IN_MEMORY, "of size up to 1e100")
+    RangeError::check(field, value, value.abs() <= LARGEST_IN_MEMORY, "at most 1e100 in magnitude")
 }
 
-/// The largest of a memory's.
+/// The largest magnitude in a memory.
 pub(crate) const LARGEST_IN_MEMORY: f64 = 1e100;
 
-/// The largest of the user's own units.
+/// The largest magnitude in the units of the user.
 pub(crate) const LARGEST: f64 = 1e60;
 
-/// Shifts and twists in the user's units, and contact radii, of which energies are fifth powers.
+/// Checks a shift, twist or contact radius in the units of the user; energies are of the order 5 in
+/// the radius.
 pub(crate) fn in_contact(field: &'static str, value: f64) -> Result<f64, RangeError> {
-    RangeError::check(field, value, value.abs() <= LARGEST, "of size up to 1e60")
+    RangeError::check(field, value, value.abs() <= LARGEST, "at most 1e60 in magnitude")
 }

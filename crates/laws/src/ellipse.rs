@@ -1,4 +1,4 @@
-//! The contact ellipse (5.9): semi-axis a along x, b along y, in either order of size.
+//! The contact ellipse (5.9): semi-axis a along x, b along y; either may be the larger.
 
 use carom_special::{AxisRatio, RangeError};
 
@@ -19,7 +19,7 @@ pub struct ContactEllipse {
 }
 
 impl ContactEllipse {
-    /// The ellipse of semi-axes a along x and b along y.
+    /// The ellipse with semi-axes a along x and b along y.
     ///
     /// # Errors
     /// [`RangeError`] unless both and their ratio are finite and positive.
@@ -74,7 +74,7 @@ impl ContactEllipse {
         self.radius_squared(x, y) <= 1.0
     }
 
-    /// The ellipse with both semi-axes multiplied by `factor`: the stick area is one of these.
+    /// The ellipse with both semi-axes multiplied by `factor`; the stick area is such an ellipse.
     ///
     /// # Errors
     /// [`RangeError`] unless the scaled semi-axes are finite and positive.

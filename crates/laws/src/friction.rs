@@ -1,8 +1,8 @@
-//! The coefficient of friction, with its two limits.
+//! The coefficient of friction, including the limits zero and infinity.
 
 use carom_special::RangeError;
 
-/// Coulomb's coefficient of friction f, the same at rest and in motion.
+/// Coulomb's coefficient of friction f, the same for static and kinetic friction.
 ///
 /// Zero (no tangential force) and infinity (no slip) are valid limits.
 ///
@@ -22,11 +22,11 @@ impl Friction {
     /// Bodies that never slip.
     pub const INFINITE: Self = Self(f64::INFINITY);
 
-    /// A coefficient of friction, zero and infinity included.
+    /// From a coefficient of friction; zero and infinity are allowed.
     ///
     /// # Errors
-    /// [`RangeError`] if it is negative or not a number, or finite and so small or large that
-    /// displacements over it would overflow: below 1e-30 or above 1e30.
+    /// [`RangeError`] if it is negative or NaN, or finite but below 1e-30 or above 1e30, where
+    /// displacements divided by it could overflow.
     pub fn new(coefficient: f64) -> Result<Self, RangeError> {
         let limit = coefficient == 0.0 || coefficient == f64::INFINITY;
         let holds = limit || (1e-30..=1e30).contains(&coefficient);
@@ -45,7 +45,7 @@ impl Friction {
         self.0
     }
 
-    /// The coefficient if it is finite, none if the bodies never slip.
+    /// The coefficient if it is finite; `None` for bodies that never slip.
     #[must_use]
     pub fn coefficient(self) -> Option<f64> {
         self.0.is_finite().then_some(self.0)

@@ -1,10 +1,10 @@
-//! The stick radius of a contact of dissimilar bodies that is pressed only.
+//! The stick radius of a contact of dissimilar bodies under normal load only.
 
 use carom_special::elliptic::complete;
 use carom_special::{AxisRatio, RangeError};
 
-/// Goodman's stick radius c/a of a sphere or round punch pressed on a dissimilar body, the pressure
-/// that of Hertz: `1/(2 c) ln((1 + c)/(1 - c)) = (f/gamma) K(sqrt(1 - c^2))`.
+/// Goodman's stick radius c/a of a sphere or round punch pressed on a dissimilar body, assuming
+/// Hertz's pressure: `1/(2 c) ln((1 + c)/(1 - c)) = (f/gamma) K(sqrt(1 - c^2))`.
 ///
 /// ```
 /// let stick = carom_laws::goodman_stick_radius(1.0)?;
@@ -13,7 +13,7 @@ use carom_special::{AxisRatio, RangeError};
 /// ```
 ///
 /// # Errors
-/// [`RangeError`] unless f over |gamma| is finite and positive.
+/// [`RangeError`] unless f/|gamma| is finite and positive.
 pub fn goodman_stick_radius(friction_over_gamma: f64) -> Result<f64, RangeError> {
     RangeError::positive("friction over gamma", friction_over_gamma)?;
     let excess = |c: f64| {
@@ -21,7 +21,7 @@ pub fn goodman_stick_radius(friction_over_gamma: f64) -> Result<f64, RangeError>
     };
     let (mut low, mut high) = (f64::MIN_POSITIVE, 1.0 - f64::EPSILON);
     for _ in 0..1100 {
-        // By halves of the exponent far below, of the interval above.
+        // Bisection of the exponent for very small values, otherwise of the interval.
         let middle = if low < 0.01 * high { (low * high).sqrt() } else { 0.5 * (low + high) };
         if middle <= low || middle >= high {
             break;

@@ -11,7 +11,8 @@ use crate::curvature::{CurvatureError, RelativeCurvature};
 use crate::ellipse::ContactEllipse;
 use crate::stiffness::ContactStiffness;
 
-/// Newton steps that bring any A/B to round-off; six are seen at the slender end.
+/// Greatest number of Newton steps for any A/B to rounding; at most six occur, for slender
+/// ellipses.
 const NEWTON_STEPS: usize = 40;
 
 /// The dimensionless parameters of (5.12) and (5.25a), functions of the axis ratio alone.
@@ -35,7 +36,7 @@ pub struct HertzParameters {
 }
 
 impl HertzParameters {
-    /// The parameters of an ellipse of axis ratio a/b; a > b is valid.
+    /// The parameters for the axis ratio a/b; a > b is allowed.
     #[must_use]
     pub fn of(ratio: AxisRatio) -> Self {
         let (k, e) = (complete::k(ratio), complete::e(ratio));
@@ -48,7 +49,7 @@ impl HertzParameters {
     }
 }
 
-/// A Hertz contact between two bodies: all that does not depend on the load.
+/// A Hertz contact between two bodies: everything that does not depend on the load.
 ///
 /// ```
 /// use carom_halfspace::{Material, MaterialPair};
@@ -77,7 +78,7 @@ pub struct Hertz {
 /// A Hertz contact under load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HertzState {
-    /// The approach zeta of distant points.
+    /// The approach zeta of points far from the contact.
     pub approach: f64,
     /// The normal force F_z.
     pub force: f64,
@@ -90,7 +91,7 @@ pub struct HertzState {
 }
 
 impl HertzState {
-    /// Its quantities in SI units, for whoever shows or stores it.
+    /// The quantities of a loaded contact, in SI units.
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::new("force", "N", "normal force F_z", |state| state.force.into()),
         Column::new("approach", "m", "of distant points, zeta", |state| state.approach.into()),
@@ -116,7 +117,7 @@ impl HertzState {
 }
 
 impl Hertz {
-    /// What does not depend on the load.
+    /// The quantities that do not depend on the load.
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::new("axis_ratio", "", "a/b of the contact ellipse", |h| {
             h.axis_ratio().get().into()
@@ -129,7 +130,7 @@ impl Hertz {
         Column::new("c_z", "N/m^1.5", "F_z = (2/3) c_z zeta^1.5", |h| h.stiffness().c_z.into()),
     ];
 
-    /// The contact of two bodies of given relative curvature and materials.
+    /// The contact of two bodies with given relative curvature and materials.
     ///
     /// # Errors
     /// [`RangeError`] if a stiffness coefficient over- or underflows.
@@ -138,8 +139,8 @@ impl Hertz {
         Self::of_ratio(curvature, ratio, materials)
     }
 
-    /// The contact whose ellipse under the given approach is known: the curvatures follow
-    /// (5.14). Either semi-axis may be the larger one.
+    /// The contact with a given ellipse at a given approach; the curvatures follow from (5.14).
+    /// Either semi-axis may be the larger one.
     ///
     /// # Errors
     /// [`CurvatureError`] for an approach that is not positive or curvatures out of range.
@@ -159,7 +160,7 @@ impl Hertz {
         Ok(Self::of_ratio(curvature, ratio, materials)?)
     }
 
-    /// The contact whose ellipse under the given force is known.
+    /// The contact with a given ellipse under a given force.
     ///
     /// # Errors
     /// As [`Hertz::from_ellipse`], with the force.
@@ -222,7 +223,7 @@ impl Hertz {
         HertzParameters::of(self.ratio)
     }
 
-    /// The normal force `(2/3) c_z zeta^(3/2)` (5.27); zero when the bodies are apart.
+    /// The normal force `(2/3) c_z zeta^(3/2)` (5.27); zero for separated bodies.
     #[must_use]
     pub fn force(&self, approach: f64) -> f64 {
         if approach > 0.0 {
@@ -232,7 +233,7 @@ impl Hertz {
         }
     }
 
-    /// The tangent dF_z/dzeta = c_z sqrt(zeta); zero when the bodies are apart.
+    /// The tangent dF_z/dzeta = c_z sqrt(zeta); zero for separated bodies.
     #[must_use]
     pub fn normal_stiffness(&self, approach: f64) -> f64 {
         if approach > 0.0 { self.stiffness.c_z * approach.sqrt() } else { 0.0 }
@@ -244,7 +245,7 @@ impl Hertz {
         0.4 * self.force(approach) * approach.max(0.0)
     }
 
-    /// The approach under a compressive force; zero for none.
+    /// The approach under a compressive force; zero without force.
     #[must_use]
     pub fn approach(&self, force: f64) -> f64 {
         let root = libm::cbrt(1.5 * force.max(0.0) / self.stiffness.c_z);
@@ -269,7 +270,7 @@ impl Hertz {
         self.state(self.approach(force), force)
     }
 
-    /// The loaded contact whose semi-axis along x is given.
+    /// The loaded contact with a given semi-axis along x.
     ///
     /// # Errors
     /// [`RangeError`] unless the semi-axis is finite and positive.
@@ -278,7 +279,7 @@ impl Hertz {
         self.at_approach(a * a / self.squares[0])
     }
 
-    /// The loaded contact whose semi-axis along y is given.
+    /// The loaded contact with a given semi-axis along y.
     ///
     /// # Errors
     /// [`RangeError`] unless the semi-axis is finite and positive.
@@ -308,11 +309,11 @@ impl Hertz {
         })
     }
 
-    /// The height z of the deformed contact surface inside the ellipse, where the undeformed
-    /// bodies lie at `z_1` and `z_2` from the tangent plane, each along its own normal:
-    /// `(theta_1 + theta_2) z = theta_2 z_1 - theta_1 z_2 + theta_1 zeta` (5.17), corrected.
+    /// The height z of the deformed contact surface inside the ellipse. The undeformed surfaces are
+    /// at `z_1` and `z_2` from the tangent plane, each measured along its own normal: `(theta_1 +
+    /// theta_2) z = theta_2 z_1 - theta_1 z_2 + theta_1 zeta` (5.17), corrected.
     ///
-    /// The surface adapts to the harder body, and is plane for two equal ones.
+    /// The surface follows that of the harder body, and is plane for two equal bodies.
     #[must_use]
     pub fn contact_surface(&self, approach: f64, z_1: f64, z_2: f64) -> f64 {
         let compliance = |body: Material| (1.0 - body.poisson()) / body.shear_modulus();
@@ -322,15 +323,15 @@ impl Hertz {
     }
 }
 
-/// The axis ratio k' = a/b of the ellipse of given curvatures: the root of
-/// `A/B = (K - D)/(k'^2 D)`, from (5.12) and (5.14).
+/// The axis ratio k' = a/b of the ellipse for given curvatures: the root of `A/B = (K - D)/(k'^2
+/// D)`, from (5.12) and (5.14).
 fn axis_ratio_of(a: f64, b: f64) -> Result<AxisRatio, RangeError> {
     if a < b {
         return Ok(axis_ratio_of(b, a)?.inverse());
     }
     let target = a / b;
-    // On a log-log scale the slope is monotone, from -3/2 at the circle to -2 for a line, so
-    // that Newton's steps from the circle's asymptote stay on one side of the root.
+    // On a log-log scale the slope is monotone, from -3/2 at the circle to -2 for a line, so that
+    // Newton steps from the asymptote of the circle stay on one side of the root.
     let mut ratio = AxisRatio::new(libm::pow(target, -2.0 / 3.0))?;
     let mut best = (f64::INFINITY, ratio);
     for _ in 0..NEWTON_STEPS {

@@ -1,10 +1,10 @@
-//! The contact law as the rest of carom sees it: rigid shifts in, loads out.
+//! The interface of all contact laws: from rigid shifts to loads.
 
 use carom_special::RangeError;
 
 use crate::bounds::{LARGEST, in_contact};
 
-/// The rigid shift of body 2 against body 1 in the contact frame (z into body 1).
+/// The rigid shift of body 2 relative to body 1 in the contact frame (z into body 1).
 ///
 /// ```
 /// use carom_laws::law::Shift;
@@ -24,10 +24,11 @@ pub struct Shift {
 }
 
 impl Shift {
-    /// Checks that all components are finite and of size up to 1e60, so that no energy overflows.
+    /// Checks that all components are finite and at most 1e60 in magnitude, so that no energy
+    /// overflows.
     ///
     /// # Errors
-    /// [`RangeError`] that names the first one that is not.
+    /// [`RangeError`] that names the first component out of range.
     #[inline]
     pub fn check_finite(&self) -> Result<(), RangeError> {
         let size = |value: f64| value.abs() <= LARGEST;
@@ -60,10 +61,10 @@ pub struct ContactLoad {
     pub m_z: f64,
 }
 
-/// A law that turns a history of rigid shifts into loads; its energies are traits on top of it.
+/// A contact law: maps a history of rigid shifts to loads. Energies are given by further traits.
 ///
-/// The state clones cheaply, so that a step can be tried and thrown away. A failed step leaves
-/// the state as it was.
+/// Clones are cheap, so that a step can be tried and discarded. A failed step leaves the state
+/// unchanged.
 ///
 /// ```
 /// use carom_laws::friction::Friction;
@@ -91,12 +92,12 @@ pub trait ContactLaw: Clone {
     /// Why a step failed.
     type Error: std::error::Error + Send + Sync + 'static;
 
-    /// Goes straight from the present shift to a new one and returns the load there.
+    /// Advances on a straight path from the present shift to a new one and returns the load there.
     ///
-    /// An approach that is not positive separates the bodies.
+    /// The bodies separate if the new approach is not positive.
     ///
     /// # Errors
-    /// The law's own; the state is then unchanged.
+    /// The error of the law; the state is then unchanged.
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, Self::Error>;
 
     /// The present shift.
@@ -106,42 +107,44 @@ pub trait ContactLaw: Clone {
     fn load(&self) -> ContactLoad;
 }
 
-/// A contact law that an impact can follow; one with nothing to say beside its loads is
+/// A contact law that can be used in an impact. A law without further information implements it as
 /// `impl ImpactLaw for MyLaw {}`.
 pub trait ImpactLaw: ContactLaw {
-    /// The rings it is made of, if it is: the work of a step is counted by them.
+    /// The number of annuli of the law, if it has any, as a measure of the work of a step.
     fn rings(&self) -> Option<usize> {
         None
     }
 }
 
-/// A law that knows beforehand whether a step is possible, so that many contacts step together or
-/// not at all.
+/// A contact law that can check a step beforehand, so that several contacts advance together or not
+/// at all.
 pub trait Checked: ContactLaw {
-    /// Whether [`ContactLaw::advance`] would go to this shift. Nothing moves.
+    /// Checks whether [`ContactLaw::advance`] would accept this shift; the state does not change.
     ///
     /// # Errors
-    /// Those of `advance`.
+    /// The errors of `advance`.
     fn check(&self, to: Shift) -> Result<(), Self::Error>;
 }
 
-/// A law that knows its elastic energy, and the heat of a step before it is taken.
+/// A contact law with an elastic energy, and with the heat of a step before it is made.
 ///
-/// Heat costs more than force; [`crate::accounted::Accounted`] adds it up for those who ask.
+/// The heat takes longer to compute than the force; [`crate::accounted::Accounted`] sums it up
+/// where it is needed.
 pub trait Dissipative: ContactLaw {
-    /// The elastic energy of the contact, compression included.
+    /// The elastic energy of the contact, including compression.
     fn stored_energy(&self) -> f64;
 
-    /// The energy that the straight step to a new shift would turn into heat, or release at a
-    /// receding edge. Nothing moves; a step that would fail gives zero.
+    /// The energy that a straight step to a new shift would dissipate by slip or release at a
+    /// receding edge. The state does not change; a step that would fail gives zero.
     fn dissipation(&self, to: Shift) -> f64;
 }
 
-/// A law that keeps account of its energies: work is what is stored and what is dissipated.
+/// A contact law with an account of its energies: the work done equals stored plus dissipated
+/// energy.
 pub trait Energies: ContactLaw {
-    /// The elastic energy of the contact, compression included.
+    /// The elastic energy of the contact, including compression.
     fn stored_energy(&self) -> f64;
 
-    /// The energy turned into heat, or released by a receding edge, since the beginning.
+    /// The energy dissipated by slip or released at a receding edge since the beginning.
     fn dissipated(&self) -> f64;
 }

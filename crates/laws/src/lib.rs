@@ -1,18 +1,20 @@
-//! Floor 3 of carom: contact laws with memory (chapters 3, 5, 6, 7, 10.5 and 14.4 of the thesis).
+//! Layer 3 of carom: contact laws with memory (chapters 3, 5, 6, 7, 10.5 and 14.4 of the thesis).
 //!
-//! Curvatures and materials make a [`hertz::Hertz`] contact; a law turns a history of rigid
-//! shifts into loads. The code is unit-free: any consistent set of units will do.
+//! Curvatures and materials define a [`hertz::Hertz`] contact; a contact law maps a history of
+//! rigid shifts to loads. Any consistent system of units may be used.
 //!
 //! - Statics: [`curvature`], [`ellipse`], [`stiffness`], [`hertz`], [`shift`], [`field`].
-//! - Memory: [`memory`] is the law of load histories, exact in one direction, growing or of fixed
-//!   capacity; [`coulomb`] is the law where the direction turns, [`turning_law`] the choice between them.
-//!   Beside them stand [`sliders`], springs that slip, and [`profile`], other indenters.
+//! - Load histories: [`memory`] is the law of the thesis, exact in one direction, with storage that
+//!   grows or has a fixed capacity; [`coulomb`] is the law for shifts whose direction changes,
+//!   [`turning_law`] the choice between them.
+//!   [`sliders`] is an alternative with springs and sliders, and [`profile`] contains other
+//!   indenters.
 //! - Twist: [`torsion`].
-//! - Dissimilar bodies: [`rings`], shift, twist and their coupling with the approach at once.
-//! - [`law::ContactLaw`] is what the floors above see: [`shift_law::ShiftLaw`],
+//! - Dissimilar bodies: [`rings`], shift, twist and their coupling with the approach together.
+//! - [`law::ContactLaw`] is the interface for the higher layers: [`shift_law::ShiftLaw`],
 //!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`],
-//!   [`rings::RingLaw`]. [`accounted`] adds up the heat,
-//!   [`grains`] carries contacts along with spheres and walls.
+//!   [`rings::RingLaw`]. [`accounted`] sums up the heat,
+//!   [`grains`] moves contacts along with spheres and walls.
 //!
 //! ```
 //! use carom_halfspace::{Material, MaterialPair};

@@ -1,20 +1,20 @@
-//! Axisymmetric indenters: the normal force that the memory law needs, and the pressure.
+//! Axisymmetric indenters: their normal force, which the memory law needs, and their pressure.
 //!
-//! By Ciavarella's and Jaeger's theorem the tangential problem of any axisymmetric contact is
-//! a difference of normal ones, so that the memory of chapter 6 carries over with F_z(zeta) in
-//! place of zeta^(3/2).
+//! By the theorem of Ciavarella and Jaeger the tangential problem of any axisymmetric contact is a
+//! difference of normal ones. The memory of chapter 6 therefore holds with F_z(zeta) in place of
+//! zeta^(3/2).
 
 use carom_special::RangeError;
 use carom_special::quadrature::FixedRule;
 
-/// Gauss's nodes and weights on (0, 1), eight points: exact to round-off for F' over a tenth of the
+/// Gauss nodes and weights on (0, 1), eight points: exact to rounding for F' over a tenth of the
 /// depth.
 pub(crate) const GAUSS: [(f64, f64); 8] = FixedRule::parts();
 
-/// A dimensionless normal law: `force(zeta)` is F_z over a constant of the contact.
+/// A dimensionless normal law: `force(zeta)` is F_z divided by a constant of the contact.
 ///
-/// The second derivative of the force is the density of the springs of the equivalent
-/// one-dimensional foundation and is not negative.
+/// The second derivative of the force is the density of springs of the equivalent one-dimensional
+/// foundation; it is not negative.
 pub trait NormalProfile: Copy {
     /// F_z at an approach zeta >= 0; zero at zero.
     fn force(&self, zeta: f64) -> f64;
@@ -22,7 +22,7 @@ pub trait NormalProfile: Copy {
     /// dF_z/dzeta.
     fn stiffness(&self, zeta: f64) -> f64;
 
-    /// F_z(from + by) - F_z(from), for by >= 0 and not both zero.
+    /// F_z(from + by) - F_z(from), without cancellation; by >= 0, and not both are zero.
     fn growth(&self, from: f64, by: f64) -> f64 {
         self.force(from + by) - self.force(from)
     }
@@ -48,7 +48,8 @@ pub trait NormalProfile: Copy {
         let (slope_u, slope_v) = ((u[1] - u[0]) / length, (v[1] - v[0]) / length);
         let slope_of_product = |i: usize| slope_u * v[i] + slope_v * u[i];
         if length < 0.1 * upper {
-            // By parts once, against F' - F'(lower): nothing is divided by a small length twice.
+            // Integrated once by parts, against F' - F'(lower), to avoid dividing twice by a small
+            // length.
             let growth = |s: f64| self.stiffness(s) - self.stiffness(lower);
             let [low, high] = [slope_of_product(0), slope_of_product(1)];
             let rest = GAUSS.iter().fold(0.0, |sum, &(part, weight)| {
@@ -84,7 +85,7 @@ impl NormalProfile for Hertzian {
 
     #[inline]
     fn growth(&self, from: f64, by: f64) -> f64 {
-        // a^3 - b^3 = (a^2 - b^2) (a + b - a b/(a + b)) keeps the digits of a small step.
+        // a^3 - b^3 = (a^2 - b^2) (a + b - a b/(a + b)) is accurate for small steps.
         let (a, b) = ((from + by).sqrt(), from.sqrt());
         let sum = a + b;
         by * (sum - a * b / sum)
@@ -109,8 +110,8 @@ impl NormalProfile for Hertzian {
         if length <= 0.0 {
             return 0.0;
         }
-        // In t = sqrt(s) the density is constant, 3/2, and the product a quartic: three points of
-        // Gauss are exact and, for u = v, add positive terms only.
+        // In t = sqrt(s) the density is constant, 3/2, and the product a quartic: three Gauss
+        // points are exact and, for u = v, add positive terms only.
         let (a, b) = (lower.sqrt(), upper.sqrt());
         let (half, middle) = (0.5 * length / (a + b), 0.5 * (a + b));
         let at = |ends: [f64; 2], part: f64| ends[0] + (ends[1] - ends[0]) * part;
@@ -166,10 +167,10 @@ impl NormalProfile for PowerLaw {
     }
 }
 
-/// A punch with a flat end of radius `flat` and a parabolic flank: in a contact of radius a
-/// `zeta = a sqrt(a^2 - flat^2)/R`.
+/// A punch with a flat end of radius `flat` and parabolic flanks: for a contact of radius a, `zeta
+/// = a sqrt(a^2 - flat^2)/R`.
 ///
-/// The force is scaled so that it tends to that of [`Hertzian`] for a vanishing flat with R = 1.
+/// The force is scaled such that for R = 1 and a vanishing flat end it equals that of [`Hertzian`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct RoundedFlat {
     flat: f64,
@@ -191,7 +192,7 @@ impl RoundedFlat {
         0.5 * (square + libm::hypot(square, 2.0 * zeta))
     }
 
-    /// `sqrt(a^2 - flat^2)`, the larger root's partner, without cancellation.
+    /// `sqrt(a^2 - flat^2)` without cancellation.
     fn flank(&self, zeta: f64) -> f64 {
         zeta / self.radius_squared(zeta).sqrt()
     }

@@ -1,7 +1,7 @@
-//! Partial slip under one tangential load, by Cattaneo and Mindlin (5.22)-(5.30).
+//! Partial slip under a single tangential load, by Cattaneo and Mindlin (5.22)-(5.30).
 //!
-//! The normal load is applied first, then a shift (or force) of one direction. For histories see
-//! the memory law, of which this is the first loading.
+//! The normal load is applied first, then a shift (or force) in one direction. The memory laws
+//! extend it to load histories.
 
 use carom_special::RangeError;
 
@@ -9,16 +9,16 @@ use crate::ellipse::ContactEllipse;
 use crate::friction::Friction;
 use crate::stiffness::ContactStiffness;
 
-/// Why a shift could not be found.
+/// Why a shift could not be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum ShiftError {
     /// An argument is out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// The tangential force exceeds f F_z: no equilibrium.
+    /// The tangential force exceeds f F_z: there is no equilibrium.
     #[error("the tangential force {force} exceeds the friction limit f F_z = {limit}")]
     BeyondFriction {
-        /// The magnitude T of the force asked for.
+        /// The magnitude T of the given force.
         force: f64,
         /// The limit f F_z.
         limit: f64,
@@ -44,23 +44,23 @@ pub struct CattaneoMindlin {
     friction: Friction,
 }
 
-/// A contact under one tangential load.
+/// A contact under a single tangential load.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct ShiftState {
-    /// The rigid shift (xi, eta). In complete sliding, where it is not determined by the force,
-    /// the shift at which sliding begins ([`CattaneoMindlin::at_force`]) or the given one.
+    /// The rigid shift (xi, eta). In complete sliding the force does not determine it: it is then
+    /// the given shift, or the shift at the onset of sliding ([`CattaneoMindlin::at_force`]).
     pub shift: [f64; 2],
     /// The tangential force (F_x, F_y) on body 1.
     pub force: [f64; 2],
     /// The normal force F_z.
     pub normal_force: f64,
-    /// The direction (p, q) of the traction (5.26); (0, 0) for no load.
+    /// The direction (p, q) of the traction (5.26); (0, 0) without load.
     pub direction: [f64; 2],
-    /// `1 - zeta*/zeta`, which keeps its digits for small loads; 1 when no stick area is left.
+    /// `1 - zeta*/zeta`, accurate for small loads; 1 without a stick area.
     pub slip_depth: f64,
     /// The friction coefficient.
     friction: Friction,
-    /// `f (1 - zeta*/zeta)`, which stays finite for infinite friction.
+    /// `f (1 - zeta*/zeta)`, which is finite also for infinite friction.
     drive: f64,
 }
 
@@ -71,7 +71,7 @@ impl ShiftState {
         1.0 - self.slip_depth
     }
 
-    /// `a*/a = b*/b`, the size of the stick area.
+    /// `a*/a = b*/b`, the relative size of the stick area.
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         self.stick_depth().sqrt()
@@ -94,8 +94,8 @@ impl ShiftState {
         self.direction.map(|p| p * size)
     }
 
-    /// Traction over `sigma_z0`: `f [sqrt(1 - q) - sqrt(zeta*/zeta - q)]`, written without the
-    /// difference.
+    /// Traction divided by `sigma_z0`: `f [sqrt(1 - q) - sqrt(zeta*/zeta - q)]`, written without
+    /// cancellation.
     fn relative_traction(&self, q: f64) -> f64 {
         if q > 1.0 {
             return 0.0;
@@ -110,7 +110,7 @@ impl ShiftState {
 }
 
 impl CattaneoMindlin {
-    /// The law for given stiffness coefficients and friction.
+    /// From stiffness coefficients and friction.
     #[must_use]
     pub const fn new(stiffness: ContactStiffness, friction: Friction) -> Self {
         Self { stiffness, friction }
@@ -210,10 +210,10 @@ fn polar(x: f64, y: f64) -> (f64, [f64; 2]) {
     if size == 0.0 { (0.0, [0.0, 0.0]) } else { (size, [x / size, y / size]) }
 }
 
-/// The tangential stiffness of a contact whose frame is turned by `angle` (radians)
-/// from the axes of the ellipse: a second-order tensor (proposition 1), in force/length^(3/2).
+/// The tangential stiffness of a contact in a frame rotated by `angle` (radians) from the axes of
+/// the ellipse: a second-order tensor (proposition 1), in force/length^(3/2).
 ///
-/// Rows are forces and columns shifts in the turned frame, to be multiplied by sqrt(zeta).
+/// Rows are forces and columns shifts in the rotated frame; multiply by sqrt(zeta).
 #[must_use]
 pub fn turned_stiffness(stiffness: &ContactStiffness, angle: f64) -> [[f64; 2]; 2] {
     let (s, c) = libm::sincos(angle);

@@ -18,20 +18,22 @@ use crate::profile::{Hertzian, NormalProfile};
 use crate::stiffness::ContactStiffness;
 use crate::turning_law::TurningLaw;
 
-/// The law of normal and tangential load: `V = [f64; 2]` in two directions, `V = f64` along x.
+/// The contact law for shifts: normal force by Hertz, tangential force by Coulomb friction with
+/// memory. `V = [f64; 2]` for two directions, `V = f64` for shifts along x.
 ///
-/// Exact for uncoupled pairs (epsilon = 0, (5.20)) on straight paths within Cattaneo's and
-/// Mindlin's assumptions. Where the direction turns, each ring slips by itself
-/// ([`crate::coulomb`]), to a [`Tolerance`]; [`ShiftLaw::with_fixed_direction`] is the law of the thesis,
-/// one direction of traction in a slip ring. Where c_x differs from c_y, slip is along the traction
-/// in normalised shifts, not in lengths. The twist Omega is carried along without effect.
+/// It is exact for uncoupled pairs (epsilon = 0, (5.20)) on straight paths, within the assumptions
+/// of Cattaneo and Mindlin. If the direction of the shift changes, each annulus slips by itself
+/// ([`crate::coulomb`]), to a given [`Tolerance`]; [`ShiftLaw::with_fixed_direction`] is the law of the
+/// thesis, with one direction of traction in a slip annulus. If c_x differs from c_y, slip is
+/// parallel to the traction in normalised shifts, not in lengths. The twist Omega is stored but has
+/// no effect.
 ///
-/// Heat is for those who ask: [`crate::accounted::Accounted`] adds it up. It is not negative, but
-/// in the law of fixed directions where c_x differs from c_y: a step of turning direction may then give some
-/// back.
+/// The friction heat is not summed up by default; [`crate::accounted::Accounted`] does that. It is
+/// not negative, except in the law of fixed directions if c_x differs from c_y: a step whose direction
+/// changes may then return some heat.
 ///
-/// On a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices 936 bytes
-/// in one direction and 1472 in two.
+/// With a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices it
+/// takes 936 bytes in one direction and 1472 in two.
 ///
 /// ```
 /// use carom_laws::friction::Friction;
@@ -53,36 +55,37 @@ pub struct ShiftLaw<V, S = Growing<V>> {
     shift: Shift,
 }
 
-/// Between physical and normalised quantities, per direction.
+/// Conversion between physical and normalised quantities, per direction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Scale<V> {
     /// X = shift times this.
     shift: V,
     /// F = Phi times this.
     force: f64,
-    /// The friction limit over sqrt(zeta) dzeta, f c_z; 1 where there is none.
+    /// The friction limit divided by sqrt(zeta) dzeta: f c_z; 1 without a limit.
     limit: f64,
 }
 
-/// The place of its tag is known, so that bytes from outside can be looked at before they are taken for one.
+/// The offset of its tag is known, so that bytes from outside can be checked before they are used
+/// as a law.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C, u8)]
 enum State<V, S> {
     /// No friction: no tangential load.
-    Free = tags::FREE,
-    /// Coulomb's friction, one direction of traction in a slip ring.
-    Rubbing(Memory<V, S>) = tags::RUBBING,
-    /// Coulomb's friction in two directions, ring by ring.
-    Turning(CoulombMemory<V, S>) = tags::TURNING,
+    Frictionless = tags::FRICTIONLESS,
+    /// Coulomb friction with one direction of traction in a slip annulus.
+    Chapter7(Memory<V, S>) = tags::CHAPTER_7,
+    /// Coulomb friction in two directions, annulus by annulus.
+    Coulomb(CoulombMemory<V, S>) = tags::COULOMB,
     /// Infinite friction.
-    Stuck(AdhesionMemory<V, S>) = tags::STUCK,
+    Adhesion(AdhesionMemory<V, S>) = tags::ADHESION,
 }
 
 impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
-    /// A law at rest, the bodies just touching and unshifted.
+    /// A law in its initial state: bodies at first contact, without shift.
     ///
-    /// The tolerance of turning shifts is [`Tolerance::FINE`], on a stack of fixed capacity
-    /// [`Tolerance::PARTICLES`].
+    /// The tolerance for shifts whose direction changes is [`Tolerance::FINE`]; with a stack of
+    /// fixed capacity [`Tolerance::PARTICLES`].
     #[must_use]
     pub fn new(stiffness: ContactStiffness, friction: Friction) -> Self {
         let grows = S::default().capacity() == usize::MAX;
@@ -90,7 +93,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         Self::with_tolerance(stiffness, friction, tolerance)
     }
 
-    /// A law at rest, with the tolerance of shifts whose direction turns.
+    /// A law in its initial state, with a tolerance for shifts whose direction changes.
     #[must_use]
     pub fn with_tolerance(
         stiffness: ContactStiffness,
@@ -99,7 +102,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     ) -> Self {
         match V::DIMENSION {
             1 => Self::with_fixed_direction(stiffness, friction),
-            _ => Self::of(stiffness, friction, || State::Turning(CoulombMemory::new(tolerance))),
+            _ => Self::of(stiffness, friction, || State::Coulomb(CoulombMemory::new(tolerance))),
         }
     }
 
@@ -121,7 +124,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// chapter 7. In one direction there is no other.
     #[must_use]
     pub fn with_fixed_direction(stiffness: ContactStiffness, friction: Friction) -> Self {
-        Self::of(stiffness, friction, || State::Rubbing(Memory::new()))
+        Self::of(stiffness, friction, || State::Chapter7(Memory::new()))
     }
 
     fn of(
@@ -131,8 +134,8 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     ) -> Self {
         let along = V::from_components([stiffness.c_x, stiffness.c_y]);
         let (state, limit) = match friction.coefficient() {
-            None => (State::Stuck(AdhesionMemory::new()), 1.0),
-            Some(0.0) => (State::Free, 1.0),
+            None => (State::Adhesion(AdhesionMemory::new()), 1.0),
+            Some(0.0) => (State::Frictionless, 1.0),
             Some(f) => (rubbing(), f * stiffness.c_z),
         };
         let scale = Scale { shift: along.times(1.0 / limit), force: 2.0 / 3.0 * limit, limit };
@@ -145,70 +148,70 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         self.stiffness
     }
 
-    /// Coulomb's memory in two directions, if the friction is neither zero nor infinite.
+    /// The Coulomb memory in two directions, if friction is neither zero nor infinite.
     #[must_use]
     pub fn coulomb(&self) -> Option<&CoulombMemory<V, S>> {
         match &self.state {
-            State::Turning(memory) => Some(memory),
+            State::Coulomb(memory) => Some(memory),
             _ => None,
         }
     }
 
-    /// The traction in units of the greatest friction, at the elliptical radius squared
-    /// `q = (x/a)^2 + (y/b)^2` of the present contact; none without friction or without slip.
+    /// The traction in units of the greatest traction limit, at the squared elliptical radius `q =
+    /// (x/a)^2 + (y/b)^2` of the present contact; `None` for zero or infinite friction.
     #[must_use]
     pub fn traction(&self, q: f64) -> Option<V> {
         match &self.state {
-            State::Free | State::Stuck(_) => None,
-            State::Rubbing(memory) => Some(memory.traction(q)),
-            State::Turning(memory) => Some(memory.traction(q)),
+            State::Frictionless | State::Adhesion(_) => None,
+            State::Chapter7(memory) => Some(memory.traction(q)),
+            State::Coulomb(memory) => Some(memory.traction(q)),
         }
     }
 
-    /// The memory of one direction, or of chapter 7, if the friction is neither zero nor infinite.
+    /// The memory of one direction, or of chapter 7, if friction is neither zero nor infinite.
     #[must_use]
     pub fn memory(&self) -> Option<&Memory<V, S>> {
         match &self.state {
-            State::Rubbing(memory) => Some(memory),
+            State::Chapter7(memory) => Some(memory),
             _ => None,
         }
     }
 
-    /// What the last step did.
+    /// The contact state after the last step.
     #[must_use]
     pub fn regime(&self) -> Regime {
         match &self.state {
             _ if self.shift.zeta <= 0.0 => Regime::Separated,
-            State::Free => Regime::Sliding,
-            State::Stuck(_) => Regime::Adhesion,
-            State::Rubbing(memory) => memory.regime(),
-            State::Turning(memory) => memory.regime(),
+            State::Frictionless => Regime::Sliding,
+            State::Adhesion(_) => Regime::Adhesion,
+            State::Chapter7(memory) => memory.regime(),
+            State::Coulomb(memory) => memory.regime(),
         }
     }
 
-    /// `zeta*/zeta = (a*/a)^2`: how much of the contact sticks.
+    /// `zeta*/zeta = (a*/a)^2`: the relative area of the stick zone.
     #[must_use]
     pub fn stick_depth(&self) -> f64 {
         match &self.state {
             _ if self.shift.zeta <= 0.0 => 0.0,
-            State::Free => 0.0,
-            State::Stuck(_) => 1.0,
-            State::Rubbing(memory) => memory.stick_depth() / memory.zeta(),
-            State::Turning(memory) => memory.sticking(),
+            State::Frictionless => 0.0,
+            State::Adhesion(_) => 1.0,
+            State::Chapter7(memory) => memory.stick_depth() / memory.zeta(),
+            State::Coulomb(memory) => memory.sticking(),
         }
     }
 
-    /// The consistent tangent of the last step: derivatives of (F_x, F_y, F_z) (rows) by
-    /// (xi, eta, zeta) (columns).
+    /// The consistent tangent of the last step: derivatives of (F_x, F_y, F_z) (rows) with respect
+    /// to (xi, eta, zeta) (columns).
     #[must_use]
     pub fn tangent(&self) -> [[f64; 3]; 3] {
         let zeta = self.shift.zeta.max(0.0);
         let normal = self.stiffness.c_z * zeta.sqrt();
         let tangent = match &self.state {
-            State::Free => Tangent { by_shift: [[0.0; 2]; 2], by_approach: [0.0; 2] },
-            State::Rubbing(memory) => memory.tangent(),
-            State::Turning(memory) => memory.tangent(),
-            State::Stuck(_) => {
+            State::Frictionless => Tangent { by_shift: [[0.0; 2]; 2], by_approach: [0.0; 2] },
+            State::Chapter7(memory) => memory.tangent(),
+            State::Coulomb(memory) => memory.tangent(),
+            State::Adhesion(_) => {
                 let k = Hertzian.stiffness(zeta);
                 Tangent { by_shift: [[k, 0.0], [0.0, k]], by_approach: [0.0; 2] }
             }
@@ -221,13 +224,13 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         [row(0), row(1), [0.0, 0.0, normal]]
     }
 
-    /// Normalised shifts over shifts.
+    /// Normalised shift divided by shift.
     #[inline]
     pub(crate) fn scale_of_shifts(&self) -> V {
         self.scale.shift
     }
 
-    /// Energy over normalised energy, per direction.
+    /// Energy divided by normalised energy, per direction.
     fn scale_of_energies(&self) -> V {
         let ContactStiffness { c_x, c_y, .. } = self.stiffness;
         V::from_components([1.0 / c_x, 1.0 / c_y]).times(self.scale.force * self.scale.limit)
@@ -245,12 +248,12 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         V::from_components([shift.xi, shift.eta]).by_component(self.scale.shift)
     }
 
-    /// The normalised shift, if the law can go there.
+    /// The normalised shift, if the law allows it.
     #[inline]
     pub(crate) fn reachable(&self, shift: Shift) -> Result<V, RangeError> {
         shift.check_finite()?;
         if V::DIMENSION == 1 && shift.eta != 0.0 {
-            return Err(RangeError::new("eta", shift.eta, "0 in a law of one direction"));
+            return Err(RangeError::new("eta", shift.eta, "0 in a law for one direction"));
         }
         let to = self.normalised(shift);
         let [x, y] = to.components();
@@ -259,21 +262,22 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         Ok(to)
     }
 
-    /// Goes to a shift that was found reachable, `to` in normalised shifts: the tangential force there.
+    /// Advances to a shift that was checked, `to` in normalised shifts; returns the tangential
+    /// force.
     #[inline(always)]
     pub(crate) fn go(&mut self, shift: Shift, to: V) -> [f64; 2] {
         self.shift = shift;
         let phi = match &mut self.state {
-            State::Free => V::default(),
-            State::Rubbing(memory) => {
+            State::Frictionless => V::default(),
+            State::Chapter7(memory) => {
                 memory.step(shift.zeta, to);
                 memory.force()
             }
-            State::Turning(memory) => {
+            State::Coulomb(memory) => {
                 memory.step(shift.zeta, to);
                 memory.force()
             }
-            State::Stuck(memory) => {
+            State::Adhesion(memory) => {
                 memory.step(shift.zeta, to);
                 memory.force()
             }
@@ -284,10 +288,10 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     #[inline]
     fn force(&self) -> [f64; 2] {
         let phi = match &self.state {
-            State::Free => V::default(),
-            State::Rubbing(memory) => memory.force(),
-            State::Turning(memory) => memory.force(),
-            State::Stuck(memory) => memory.force(),
+            State::Frictionless => V::default(),
+            State::Chapter7(memory) => memory.force(),
+            State::Coulomb(memory) => memory.force(),
+            State::Adhesion(memory) => memory.force(),
         };
         phi.times(self.scale.force).components()
     }
@@ -324,10 +328,10 @@ impl<V: Lateral, S: VertexStack<V>> Checked for ShiftLaw<V, S> {
 impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
     fn stored_energy(&self) -> f64 {
         let tangential = match &self.state {
-            State::Free => V::default(),
-            State::Rubbing(memory) => memory.stored_energy(),
-            State::Turning(memory) => memory.stored_energy(),
-            State::Stuck(memory) => memory.stored_energy(),
+            State::Frictionless => V::default(),
+            State::Chapter7(memory) => memory.stored_energy(),
+            State::Coulomb(memory) => memory.stored_energy(),
+            State::Adhesion(memory) => memory.stored_energy(),
         };
         let zeta = self.shift.zeta.max(0.0);
         let normal = 4.0 / 15.0 * self.stiffness.c_z * (zeta * zeta * zeta.sqrt());
@@ -337,36 +341,36 @@ impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
     fn dissipation(&self, to: Shift) -> f64 {
         let unit = self.scale_of_energies();
         match (self.reachable(to), &self.state) {
-            (Err(_), _) | (_, State::Free) => 0.0,
-            (Ok(x), State::Rubbing(memory)) => memory.heat(to.zeta, x, unit),
-            (Ok(x), State::Turning(memory)) => memory.heat(to.zeta, x, unit),
-            (Ok(x), State::Stuck(memory)) => memory.dissipation(to.zeta, x).dot(unit),
+            (Err(_), _) | (_, State::Frictionless) => 0.0,
+            (Ok(x), State::Chapter7(memory)) => memory.heat(to.zeta, x, unit),
+            (Ok(x), State::Coulomb(memory)) => memory.heat(to.zeta, x, unit),
+            (Ok(x), State::Adhesion(memory)) => memory.dissipation(to.zeta, x).dot(unit),
         }
     }
 }
 
 impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
-    /// Turns the frame in the contact plane: shift and tractions are expressed in axes that are
-    /// rotated by `angle` (radians, counter-clockwise).
+    /// Rotates the frame in the contact plane: shift and tractions are then given in axes rotated
+    /// by `angle` (radians, counterclockwise).
     ///
-    /// Carries the law along when the contact frame of two rolling bodies turns, and the contact
-    /// ellipse with it. Loads are the same vectors as before; so is the stored energy where
-    /// c_x = c_y, else the ellipse turns beneath its tractions.
+    /// Keeps the law valid when the contact frame of two rolling bodies rotates, and the contact
+    /// ellipse with it. Loads are the same vectors as before; so is the stored energy if c_x = c_y.
+    /// Otherwise the ellipse rotates relative to its tractions.
     pub fn turn_frame(&mut self, angle: f64) {
         let [xi, eta] = Turn::by(angle).of([self.shift.xi, self.shift.eta]);
         self.shift = Shift { xi, eta, ..self.shift };
         let to = self.normalised(self.shift);
         match &mut self.state {
-            State::Free => {}
-            State::Rubbing(memory) => {
+            State::Frictionless => {}
+            State::Chapter7(memory) => {
                 memory.turn_frame(angle);
                 memory.translate(to.minus(memory.shift()));
             }
-            State::Turning(memory) => {
+            State::Coulomb(memory) => {
                 memory.turn_frame(angle);
                 memory.translate(to.minus(memory.shift()));
             }
-            State::Stuck(memory) => {
+            State::Adhesion(memory) => {
                 memory.turn_frame(angle);
                 memory.translate(to.minus(memory.shift()));
             }
@@ -375,7 +379,7 @@ impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
 }
 
 impl<V: Lateral, S: VertexStack<V>> ImpactLaw for ShiftLaw<V, S> {
-    // All vertices are looked at where one may slip.
+    // All vertices are examined if any may slip.
     fn rings(&self) -> Option<usize> {
         self.coulomb().map(|memory| memory.stack().len())
     }

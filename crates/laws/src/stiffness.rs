@@ -19,7 +19,7 @@ pub struct ContactStiffness {
 }
 
 impl ContactStiffness {
-    /// Given coefficients, for instance measured ones.
+    /// From given coefficients, for example measured ones.
     ///
     /// # Errors
     /// [`RangeError`] unless all are positive and at most 1e150.
@@ -31,11 +31,11 @@ impl ContactStiffness {
         Ok(Self { c_x, c_y, c_z })
     }
 
-    /// The coefficients of a contact of given axis ratio, combined Poisson's ratio and c_z:
-    /// `c_x = c_z (1 - nu)/(1 - nu delta)`, `c_y = c_z (1 - nu)/(1 - nu + nu delta)` (5.25a).
+    /// From the axis ratio of the contact, the combined Poisson's ratio and c_z: `c_x = c_z (1 -
+    /// nu)/(1 - nu delta)`, `c_y = c_z (1 - nu)/(1 - nu + nu delta)` (5.25a).
     ///
     /// # Errors
-    /// [`RangeError`] unless c_z is finite and positive and nu lies in (-1, 0.5].
+    /// [`RangeError`] unless c_z is finite and positive and nu is in (-1, 0.5].
     pub fn from_axis_ratio(c_z: f64, ratio: AxisRatio, poisson: f64) -> Result<Self, RangeError> {
         RangeError::check("poisson", poisson, poisson > -1.0 && poisson <= 0.5, "in (-1, 0.5]")?;
         let k = complete::k(ratio);
@@ -45,8 +45,8 @@ impl ContactStiffness {
         Self::new(c_x, c_y, c_z)
     }
 
-    /// The coefficients of two curved bodies, `c_z` by (5.25b):
-    /// `c_z = 2 pi sqrt(D)/(sqrt(B) K^(3/2)) G/(1 - nu)`.
+    /// For two bodies with curved surfaces, with `c_z` by (5.25b): `c_z = 2 pi sqrt(D)/(sqrt(B)
+    /// K^(3/2)) G/(1 - nu)`.
     ///
     /// # Errors
     /// [`RangeError`] if a coefficient over- or underflows.

@@ -9,7 +9,7 @@ pub(crate) type Line = Vec<(f64, f64)>;
 /// An edge of the triangles, by the numbers of its ends, the smaller one first.
 type Edge = (usize, usize);
 
-/// A corner of a triangle: its number, place and value.
+/// A corner of a triangle: its number, position and value.
 #[derive(Clone, Copy)]
 struct Corner {
     number: usize,
@@ -18,8 +18,8 @@ struct Corner {
     value: f64,
 }
 
-/// The contour lines of `level`: straight across the triangles of each cell, whose middle has the
-/// mean of its corners.
+/// The contour lines at `level`: straight across the triangles of each cell, whose centre has the
+/// mean value of the corners.
 pub(crate) fn contours(field: &Field, level: f64) -> Vec<Line> {
     let mut pieces = Pieces::default();
     let columns = field.x().len();
@@ -51,14 +51,14 @@ pub(crate) fn contours(field: &Field, level: f64) -> Vec<Line> {
     pieces.joined()
 }
 
-/// Where the level crosses an edge, and with which pieces: two, or one at the rim.
+/// The point where the level crosses an edge, and its segments: two, or one at the border.
 #[derive(Clone, Copy)]
 struct Crossing {
     at: (f64, f64),
     pieces: [Option<usize>; 2],
 }
 
-/// Straight pieces across triangles, each from one of their edges to another.
+/// Segments across triangles, each from one of their edges to another.
 #[derive(Default)]
 struct Pieces {
     pieces: Vec<[Edge; 2]>,
@@ -66,7 +66,7 @@ struct Pieces {
 }
 
 impl Pieces {
-    /// Adds the piece across a triangle, if the level crosses it.
+    /// Adds the segment across a triangle, if the level crosses it.
     fn cross(&mut self, corners: [Corner; 3], level: f64) {
         let mut ends = [0, 1, 2].into_iter().filter_map(|i| {
             let (one, two) = (corners[i], corners[(i + 1) % 3]);
@@ -90,7 +90,7 @@ impl Pieces {
         }
     }
 
-    /// The pieces joined to lines where they share an edge.
+    /// The segments joined to lines where they share an edge.
     fn joined(&self) -> Vec<Line> {
         let mut is_used = vec![false; self.pieces.len()];
         let mut lines = Vec::new();
@@ -107,7 +107,7 @@ impl Pieces {
         lines
     }
 
-    /// The crossings from `edge` of a piece on, away from it.
+    /// The crossings from `edge` of a segment onwards.
     fn walk(&self, piece: usize, edge: Edge, is_used: &mut [bool]) -> Line {
         is_used[piece] = true;
         let mut line = Line::new();

@@ -13,18 +13,18 @@ const PALETTE: [&str; 7] =
 /// Half the size of a marker, in pixels.
 pub(crate) const MARKER: f64 = 3.6;
 
-/// More markers than these are drawn as one path, a few bytes each.
-const MANY: usize = 40;
+/// From this number on, markers are drawn as one path, which needs a few bytes each.
+const MARKERS_FOR_ONE_PATH: usize = 40;
 
-/// Points on a line that are closer than this to the last one drawn are left out.
-const CLOSE: f64 = 0.25;
+/// Points of a line closer than this to the last one drawn are omitted, in pixels.
+const LEAST_DISTANCE: f64 = 0.25;
 
 /// The colour of a series that is the `index`-th of its panel.
 pub(crate) fn colour(series: &Series, index: usize) -> &'static str {
     PALETTE[series.colour.unwrap_or(index) % PALETTE.len()]
 }
 
-/// Draws the series whose points stand at `pixels`; what lies outside `frame` is cut.
+/// Draws the series whose points are at `pixels`, clipped to `frame`.
 pub(crate) fn series(
     svg: &mut Svg,
     series: &Series,
@@ -63,7 +63,7 @@ pub(crate) fn series(
         Style::Note => {
             svg.open(&format!("fill=\"{colour}\""));
             for pixel in pixels.into_iter().filter(|pixel| frame.holds(*pixel)) {
-                // Above the point, and towards the middle of the frame.
+                // Above the point, towards the middle of the frame.
                 let is_right = pixel.x > frame.x + 0.8 * frame.width;
                 let (anchor, aside) =
                     if is_right { (Anchor::End, -4.0) } else { (Anchor::Start, 4.0) };
@@ -113,12 +113,12 @@ pub(crate) fn area_look(colour: &str) -> String {
     format!("fill=\"{colour}\" fill-opacity=\"0.18\" stroke=\"{colour}\"")
 }
 
-/// Without the points that nobody could tell from the one before.
+/// Without the points that cannot be distinguished from the one before.
 pub(crate) fn thinned(pixels: &[Pixel]) -> Vec<Pixel> {
     let mut last: Option<Pixel> = None;
     let kept = pixels.iter().enumerate().filter_map(|(i, pixel)| {
         let is_close = last.is_some_and(|last| {
-            (pixel.x - last.x).abs() < CLOSE && (pixel.y - last.y).abs() < CLOSE
+            (pixel.x - last.x).abs() < LEAST_DISTANCE && (pixel.y - last.y).abs() < LEAST_DISTANCE
         });
         if is_close && i + 1 < pixels.len() {
             return None;
@@ -130,21 +130,21 @@ pub(crate) fn thinned(pixels: &[Pixel]) -> Vec<Pixel> {
 }
 
 fn markers(svg: &mut Svg, shape: Marker, pixels: &[Pixel], colour: &str) {
-    if pixels.len() <= MANY {
+    if pixels.len() <= MARKERS_FOR_ONE_PATH {
         pixels.iter().for_each(|pixel| marker(svg, shape, *pixel, colour));
     } else {
         svg.repeated(&apart(pixels), outline(shape), &look(shape, colour));
     }
 }
 
-/// Without those that stand within half a pixel of one before.
+/// Without those within half a pixel of one before.
 fn apart(pixels: &[Pixel]) -> Vec<Pixel> {
     let cell = |pixel: &Pixel| [pixel.x, pixel.y].map(|value| (2.0 * value).round() as i64);
     let mut taken = HashSet::new();
     pixels.iter().filter(|pixel| taken.insert(cell(pixel))).copied().collect()
 }
 
-/// The shape as relative moves of a path from its middle.
+/// The shape as relative moves of a path from its centre.
 const fn outline(shape: Marker) -> &'static str {
     match shape {
         Marker::Dot => "h0",
@@ -189,7 +189,7 @@ fn marker(svg: &mut Svg, shape: Marker, at: Pixel, colour: &str) {
     }
 }
 
-/// Strokes through `at`, each given by one of its ends.
+/// Lines through `at`, each given by one of its ends.
 fn strokes(svg: &mut Svg, at: Pixel, ends: &[(f64, f64)], look: &str) {
     for (x, y) in ends {
         svg.line(shifted(at, -x, -y), shifted(at, *x, *y), look);
@@ -201,7 +201,7 @@ fn shifted(at: Pixel, x: f64, y: f64) -> Pixel {
     Pixel { x: at.x + x * MARKER, y: at.y + y * MARKER }
 }
 
-/// Arrows, tail and head in turn.
+/// Arrows, given by tail and head alternately.
 fn arrows(svg: &mut Svg, ends: &[Pixel]) {
     let strokes = ends.chunks_exact(2).flat_map(|ends| arrow(ends[0], ends[1]));
     svg.lines(strokes, "stroke-width=\"1.3\" fill=\"none\"");

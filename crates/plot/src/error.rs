@@ -8,7 +8,7 @@ pub enum PlotError {
     NotFinite {
         /// Label of the series.
         label: String,
-        /// Place of the point in it.
+        /// Index of the point in the series.
         index: usize,
         /// Its abscissa.
         x: f64,
@@ -33,7 +33,7 @@ pub enum PlotError {
         /// Upper limit.
         high: f64,
     },
-    /// A field has no grid, or not one finite value for each of its nodes.
+    /// A field has no valid grid, or not one finite value for each node.
     #[error(
         "field `{label}`: two or more finite, increasing nodes along each axis and a finite value \
          for each pair are needed"
@@ -42,7 +42,7 @@ pub enum PlotError {
         /// Label of the field.
         label: String,
     },
-    /// A series cannot move through the frames that it has.
+    /// A series cannot be animated with its frames.
     #[error("series `{label}` cannot move: {reason}")]
     Motion {
         /// Label of the series.
@@ -53,7 +53,7 @@ pub enum PlotError {
     /// The pixels of an image could not be made.
     #[error("cannot make the image: {0}")]
     Raster(String),
-    /// No panel, or one without a point.
+    /// There is no panel, or a panel has no point.
     #[error("nothing to plot")]
     Empty,
 }

@@ -1,4 +1,4 @@
-//! Drawing a field: cells in colours, contour lines, and the bar that explains the colours.
+//! Drawing a field: coloured cells, contour lines, and the colour bar.
 
 use crate::contour::contours;
 use crate::draw::thinned;
@@ -18,7 +18,8 @@ const COLOURS: [[f64; 3]; 5] = [
     [253.0, 174.0, 107.0],
     [166.0, 54.0, 3.0],
 ];
-/// Colours told apart on either side of the neutral one; neighbours of the same are drawn as one.
+/// Colours on either side of the neutral one; neighbouring cells of the same colour are drawn as
+/// one.
 const SHADES: f64 = 48.0;
 /// Pixels of the image for each unit of the picture.
 const DENSITY: f64 = 2.0;
@@ -26,10 +27,10 @@ const DENSITY: f64 = 2.0;
 const MOST_PIXELS: usize = 4096;
 /// Width of the bar.
 const BAR: f64 = 14.0;
-/// Room for it beside the axes.
+/// Space for the bar beside the axes.
 pub(crate) const ASIDE: f64 = 92.0;
 
-/// The values of a field as an axis, from its colours to its contour lines.
+/// The values of a field as an axis, for its colours and contour lines.
 pub(crate) struct Heat<'a> {
     field: &'a Field,
     span: Span,
@@ -39,7 +40,7 @@ pub(crate) struct Heat<'a> {
 impl<'a> Heat<'a> {
     pub(crate) fn new(field: &'a Field) -> Result<Self, PlotError> {
         let [low, high] = field.range();
-        // A field of one value has a colour, too.
+        // A constant field also has a colour.
         let (low, high) = if low < high { (low, high) } else { (low - 0.5, high + 0.5) };
         let axis = Axis::linear(field.label.clone()).between(low, high);
         let span = Span::fit(&axis, std::iter::empty())?;
@@ -47,13 +48,13 @@ impl<'a> Heat<'a> {
         Ok(Self { field, span, reach })
     }
 
-    /// The shade of a value, a whole number within +-SHADES.
+    /// The colour index of a value, a whole number within +-SHADES.
     fn shade(&self, value: f64) -> i32 {
         libm::round(value / self.reach * SHADES) as i32
     }
 
-    /// Cells, each from half-way to the node before to half-way to the node after, as one image,
-    /// and contour lines at the ticks of the bar.
+    /// The cells as one image, each extending halfway to the neighbouring nodes, and contour lines
+    /// at the ticks of the bar.
     pub(crate) fn draw(
         &self,
         svg: &mut Svg,
@@ -89,7 +90,8 @@ impl<'a> Heat<'a> {
         Ok(())
     }
 
-    /// The cells in colours: as many pixels as a dense screen shows, or one a node if there are more.
+    /// The coloured cells: as many pixels as a dense screen shows, or one for each node if there
+    /// are more.
     fn image(&self, columns: &[f64], rows: &[f64], frame: Frame) -> Result<Vec<u8>, PlotError> {
         let pixels = |edges: &[f64], length: f64| {
             let nodes = edges.len() - 1;
@@ -136,7 +138,7 @@ impl<'a> Heat<'a> {
     }
 }
 
-/// Where cells begin and end on an axis.
+/// The borders of the cells along an axis.
 fn edges(nodes: &[f64], span: &Span) -> Vec<f64> {
     let places: Vec<f64> = nodes.iter().map(|node| span.place(*node)).collect();
     let last = places.len() - 1;
@@ -146,8 +148,8 @@ fn edges(nodes: &[f64], span: &Span) -> Vec<f64> {
     edges
 }
 
-/// For each of `count` pixels of equal width between the first and the last edge, the cell in
-/// which its middle lies.
+/// For each of `count` pixels of equal width between the first and the last border, the cell that
+/// contains its centre.
 fn cells(edges: &[f64], count: usize) -> Vec<usize> {
     let (first, last) = (edges[0], edges[edges.len() - 1]);
     let mut cell = 0;

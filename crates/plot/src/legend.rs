@@ -1,4 +1,4 @@
-//! The legend: where there is room inside the axes, else beside them.
+//! The legend: inside the axes where there is space, otherwise beside them.
 
 use crate::draw;
 use crate::panel::Panel;
@@ -17,7 +17,7 @@ pub(crate) struct Legend<'a> {
 }
 
 impl<'a> Legend<'a> {
-    /// The legend of `panel`; a label that comes again with the same look is shown once.
+    /// The legend of `panel`; a label that occurs again with the same style is shown once.
     pub(crate) fn of(panel: &'a Panel) -> Self {
         let mut entries: Vec<(&Series, &'static str)> = Vec::new();
         for (index, series) in panel.series.iter().enumerate() {
@@ -33,7 +33,7 @@ impl<'a> Legend<'a> {
         Self { entries }
     }
 
-    /// Width of the legend in pixels; none if it is empty.
+    /// Width of the legend in pixels; `None` if it is empty.
     pub(crate) fn width(&self) -> Option<f64> {
         let widest =
             self.entries.iter().map(|(series, _)| text_width(&series.label, Type::LEGEND.size));
@@ -44,7 +44,7 @@ impl<'a> Legend<'a> {
         self.entries.len() as f64 * LINE + PAD
     }
 
-    /// The first corner of `frame` that none of `pixels` enters.
+    /// The first corner of `frame` that contains none of `pixels`.
     pub(crate) fn free_corner(&self, frame: Frame, pixels: &[Pixel]) -> Option<Frame> {
         let (width, height) = (self.width()?, self.height());
         if width > 0.6 * frame.width || height > 0.6 * frame.height {
@@ -74,7 +74,7 @@ impl<'a> Legend<'a> {
         }
     }
 
-    /// A place for it beside `frame`.
+    /// Its frame beside the axes.
     pub(crate) fn beside(&self, frame: Frame) -> Option<Frame> {
         let width = self.width()?;
         Some(Frame { x: frame.x + frame.width + 12.0, y: frame.y, width, height: self.height() })

@@ -1,11 +1,11 @@
 #![forbid(unsafe_code)]
-//! Plots as SVG and PNG: panels of axes with lines, markers, arrows, areas and coloured fields, which
-//! in an SVG may move.
+//! Plots as SVG and PNG: panels of axes with lines, markers, arrows, areas and coloured fields; an
+//! SVG may be animated.
 //!
-//! Knows no mechanics and needs no fonts of the system or other libraries: letters in a PNG are
-//! those of DejaVu Sans (copyright Bitstream, Inc. and Tavmjong Bah; free to embed). The SVG has
-//! clip paths, true dash patterns and text, on a light ground, in colours that colour-blind readers
-//! tell apart. In labels, `F_x` and `F_max` carry subscripts.
+//! The crate contains no mechanics and needs no system fonts: letters in a PNG are those of DejaVu
+//! Sans (copyright Bitstream, Inc. and Tavmjong Bah; free to embed). The SVG has clip paths, dash
+//! patterns and text, on a light background, in colours that colour-blind readers can distinguish.
+//! In labels, `F_x` and `F_max` are set with subscripts.
 //!
 //! ```
 //! use carom_plot::{Panel, Series, render};

@@ -1,4 +1,4 @@
-//! Series that move: each shape with the list of its places, which the reader's browser runs through.
+//! Animated series: each shape with the list of its positions, which the reader's browser plays.
 
 use crate::draw::{MARKER, area_look, arrow, line_look};
 use crate::error::PlotError;
@@ -6,7 +6,7 @@ use crate::series::{Marker, Motion, Point, Series, Style};
 use crate::svg::{Anchor, Pixel, Svg};
 use crate::text::Type;
 
-/// Whether a series can move as it says.
+/// Checks that a series can be animated as requested.
 pub(crate) fn check(series: &Series) -> Result<(), PlotError> {
     let Some(Motion { seconds, frames }) = &series.motion else { return Ok(()) };
     let refused = |reason| Err(PlotError::Motion { label: series.label.clone(), reason });
@@ -27,7 +27,7 @@ pub(crate) fn check(series: &Series) -> Result<(), PlotError> {
     }
 }
 
-/// Draws a series that moves; it passed [`check`].
+/// Draws an animated series that passed [`check`].
 pub(crate) fn draw(
     svg: &mut Svg,
     series: &Series,
@@ -77,7 +77,7 @@ pub(crate) fn draw(
     }
 }
 
-/// An arrow in one stroke.
+/// An arrow drawn as one line.
 fn one_stroke(tail: Pixel, head: Pixel) -> Vec<Pixel> {
     match arrow(tail, head).as_slice() {
         [_, barbs] => vec![tail, head, barbs[0], head, barbs[2]],

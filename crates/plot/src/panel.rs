@@ -12,16 +12,16 @@ pub struct Panel {
     pub x: Axis,
     /// Vertical axis.
     pub y: Axis,
-    /// Whether a unit has the same length on both axes.
+    /// Whether one unit has the same length on both axes.
     pub aspect: Aspect,
-    /// A field below everything else, with a bar beside the axes.
+    /// A field below the series, with a colour bar beside the axes.
     pub field: Option<Field>,
-    /// What is drawn, later ones on top.
+    /// The series, later ones on top.
     pub series: Vec<Series>,
 }
 
 impl Panel {
-    /// Empty axes; a text is the label of a linear one.
+    /// Empty axes; a text is the label of a linear axis.
     #[must_use]
     pub fn new(x: impl Into<Axis>, y: impl Into<Axis>) -> Self {
         Self {
@@ -34,21 +34,21 @@ impl Panel {
         }
     }
 
-    /// With a title.
+    /// Sets the title.
     #[must_use]
     pub fn titled(mut self, title: impl Into<String>) -> Self {
         self.title = title.into();
         self
     }
 
-    /// With the same unit length on both axes, as a map or sketch needs.
+    /// Sets the same unit length on both axes, as for a map or sketch.
     #[must_use]
     pub const fn equal_aspect(mut self) -> Self {
         self.aspect = Aspect::Equal;
         self
     }
 
-    /// With a field below everything else.
+    /// Adds a field below the series.
     #[must_use]
     pub fn over(mut self, field: Field) -> Self {
         self.field = Some(field);
@@ -64,21 +64,21 @@ impl Panel {
 /// Ratio of the unit lengths of the two axes.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Aspect {
-    /// As the panel's shape gives.
+    /// As given by the shape of the panel.
     #[default]
     Free,
     /// One to one.
     Equal,
 }
 
-/// An axis: label, scale and, if wanted, its limits.
+/// An axis: label, scale and, if set, its limits.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Axis {
     /// Quantity and unit.
     pub label: String,
     /// Linear or logarithmic.
     pub scale: Scale,
-    /// Limits; from the data if none are set.
+    /// Limits; taken from the data if not set.
     pub limits: Option<Limits>,
 }
 
@@ -101,7 +101,7 @@ impl Axis {
         Self { label: label.into(), scale: Scale::Bare, limits: None }
     }
 
-    /// With fixed limits.
+    /// Sets fixed limits.
     #[must_use]
     pub const fn between(mut self, low: f64, high: f64) -> Self {
         self.limits = Some(Limits { low, high });

@@ -1,11 +1,12 @@
-//! Pixels: small images inside a plot, and a whole plot as PNG.
+//! Pixel images: small images inside a plot, and a whole plot as PNG.
 
 use crate::error::PlotError;
 
-/// Pixels of a whole plot for one of its units: sharp on dense screens and in print.
+/// Pixels for each unit of the plot: sharp on dense screens and in print.
 const SCALE: f32 = 2.0;
 
-/// An image of few colours as PNG: one byte a pixel, rows from the top, each a place in `palette`.
+/// An image of few colours as PNG: one byte per pixel, rows from the top, each an index into
+/// `palette`.
 pub(crate) fn indexed_png(
     width: usize,
     pixels: &[u8],
@@ -40,7 +41,7 @@ fn raster(error: impl std::fmt::Display) -> PlotError {
     PlotError::Raster(error.to_string())
 }
 
-/// Bytes in the 64 signs that a data address may have (RFC 4648).
+/// Bytes in base 64, as used in data addresses (RFC 4648).
 ///
 /// ```
 /// assert_eq!(carom_plot::base64(b"fo"), "Zm8=");

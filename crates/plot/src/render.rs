@@ -20,20 +20,20 @@ const TOP: f64 = 34.0;
 const BOTTOM: f64 = 56.0;
 const HEADING: f64 = 30.0;
 
-/// The panels as one SVG document, under `title` if it is not empty.
+/// Draws the panels as one SVG document, under `title` if it is not empty.
 ///
 /// # Errors
-/// [`PlotError`] if there is nothing to draw, a point is not finite, a value on a logarithmic
-/// axis is not positive, or limits are out of order.
+/// [`PlotError`] if there is nothing to draw, a point is not finite, a value on a logarithmic axis
+/// is not positive, or limits are not increasing.
 pub fn render(title: &str, panels: &[Panel]) -> Result<String, PlotError> {
     laid_out(Svg::default(), title, panels)
 }
 
-/// The same picture as PNG, two pixels for each unit of the SVG; texts in DejaVu Sans, which
-/// comes with this crate.
+/// The same as PNG, two pixels for each unit of the SVG; texts are in DejaVu Sans, which comes with
+/// this crate.
 ///
 /// # Errors
-/// As [`render`], and [`PlotError::Raster`] if the picture is too large for the memory.
+/// As [`render`], and [`PlotError::Raster`] if the picture is too large for memory.
 pub fn render_png(title: &str, panels: &[Panel]) -> Result<Vec<u8>, PlotError> {
     png_of(&laid_out(Svg::with_outlines()?, title, panels)?)
 }
@@ -69,14 +69,14 @@ fn column_width(plots: &[Plot<'_>], column: usize, columns: usize) -> f64 {
     LEFT + WIDTH + RIGHT + asides.fold(0.0, f64::max)
 }
 
-/// A name for a clip path that stays unique when several plots share one HTML page.
+/// A name for a clip path that is unique when several plots are on one HTML page.
 fn clip_name(title: &str, index: usize) -> String {
     let sum =
         title.bytes().fold(0u32, |sum, byte| sum.wrapping_mul(31).wrapping_add(u32::from(byte)));
     format!("clip-{sum:x}-{index}")
 }
 
-/// A panel with its axes fitted.
+/// A panel with its axes fitted to the data.
 struct Plot<'a> {
     panel: &'a Panel,
     legend: Legend<'a>,
@@ -104,7 +104,7 @@ impl<'a> Plot<'a> {
         Ok(Self { panel, legend: Legend::of(panel), heat, x, y })
     }
 
-    /// Room needed for a bar or a legend beside the axes.
+    /// Space needed for a colour bar or legend beside the axes.
     fn aside(&self) -> Option<f64> {
         if self.heat.is_some() {
             return Some(ASIDE);
@@ -132,7 +132,7 @@ impl<'a> Plot<'a> {
         let title = Pixel { x: frame.x + 0.5 * frame.width, y: frame.y - 10.0 };
         svg.text(title, Anchor::Middle, &self.panel.title, Type::LABEL);
         let free = self.legend.free_corner(frame, &self.inked(frame));
-        // Beside the axes stands the bar of a field.
+        // The space beside the axes is used by the colour bar.
         let aside = if self.heat.is_some() { None } else { self.legend.beside(frame) };
         if let Some(place) = free.or(aside) {
             self.legend.draw(svg, place);
@@ -147,7 +147,7 @@ impl<'a> Plot<'a> {
         }
     }
 
-    /// Pixels that carry ink: markers, and lines every few pixels.
+    /// Pixels that are drawn on: markers, and points every few pixels along lines.
     fn inked(&self, frame: Frame) -> Vec<Pixel> {
         let mut inked = Vec::new();
         for series in &self.panel.series {
@@ -209,7 +209,7 @@ fn check_finite(panel: &Panel) -> Result<(), PlotError> {
     Ok(())
 }
 
-/// Spans with the same unit length on both axes, holding at least what they held.
+/// Spans with the same unit length on both axes, each containing at least its former range.
 fn equalised(x: Span, y: Span) -> (Span, Span) {
     let (along_x, along_y) = (x.length() / WIDTH, y.length() / HEIGHT);
     if along_x > along_y {
@@ -220,7 +220,7 @@ fn equalised(x: Span, y: Span) -> (Span, Span) {
     }
 }
 
-/// Pixels on the way from one to the other.
+/// Pixels on the line from one to the other.
 fn between(from: Pixel, to: Pixel) -> impl Iterator<Item = Pixel> {
     let steps = (libm::hypot(to.x - from.x, to.y - from.y) / 8.0).min(200.0) as usize;
     (1..=steps).map(move |i| {

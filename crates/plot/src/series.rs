@@ -1,31 +1,31 @@
-//! What is drawn in a panel: lines, markers, arrows and areas.
+//! The contents of a panel: lines, markers, arrows and areas.
 
-/// A labelled set of points with the way to draw it.
+/// A labelled set of points and the style in which they are drawn.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Series {
-    /// Name in the legend, empty for none; the words of a note.
+    /// Name in the legend, empty for none; the text of a note.
     pub label: String,
     /// How the points are drawn.
     pub style: Style,
-    /// Place in the palette; by order in the panel if none is set.
+    /// Index in the palette; by the order in the panel if not set.
     pub colour: Option<usize>,
     /// The points. Arrows take two each: tail, head.
     pub points: Vec<Point>,
-    /// Where they go, if they move.
+    /// The frames of an animation, if the series moves.
     pub motion: Option<Motion>,
 }
 
-/// Where the points of a series go in a picture that moves.
+/// The positions of the points of a series in an animated picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Motion {
-    /// How long it lasts before it begins again.
+    /// Duration of one cycle, in seconds.
     pub seconds: f64,
-    /// The points at moments equally spaced in time, as many each time as the series has.
+    /// The points at equally spaced times, in each frame as many as the series has.
     pub frames: Vec<Vec<Point>>,
 }
 
 impl Series {
-    /// A full line.
+    /// A solid line.
     #[must_use]
     pub fn line<P: Into<Point>>(
         label: impl Into<String>,
@@ -34,7 +34,7 @@ impl Series {
         Self::new(label, Style::Line(Stroke::Solid), points)
     }
 
-    /// A broken line.
+    /// A dashed line.
     #[must_use]
     pub fn dashed<P: Into<Point>>(
         label: impl Into<String>,
@@ -77,7 +77,7 @@ impl Series {
         Self::new(label, Style::Area, outline)
     }
 
-    /// Words beside a point, in place of an entry in the legend.
+    /// A text beside a point instead of an entry in the legend.
     #[must_use]
     pub fn note<P: Into<Point>>(words: impl Into<String>, at: P) -> Self {
         Self::new(words, Style::Note, [at])
@@ -97,9 +97,9 @@ impl Series {
         }
     }
 
-    /// The same, moving in an SVG through frames equally spaced in time, again and again; in
-    /// pictures that stand still it keeps its points. Lines, areas and arrows move evenly between
-    /// frames, and so does a marker if it is one dot; notes jump, and outside the axes are not seen.
+    /// Animates the series in an SVG: it runs through frames equally spaced in time, repeatedly. In
+    /// static pictures the series keeps its points. Lines, areas, arrows and a single dot move
+    /// linearly between frames; notes jump, and are hidden outside the axes.
     ///
     /// ```
     /// use carom_plot::{Marker, Panel, Point, Series, render};
@@ -115,15 +115,15 @@ impl Series {
         self
     }
 
-    /// All its points, those of every frame included.
+    /// All points, including those of every frame.
     pub(crate) fn all_points(&self) -> impl Iterator<Item = &Point> + Clone {
         let frames = self.motion.iter().flat_map(|motion| motion.frames.iter().flatten());
-        // Notes hide outside the axes.
+        // Notes are hidden outside the axes.
         let frames = frames.filter(|_| self.style != Style::Note);
         self.points.iter().chain(frames)
     }
 
-    /// In the palette's colour `index`, to pair markers with their line.
+    /// Sets the colour by its index in the palette, for example to match markers with their line.
     #[must_use]
     pub const fn coloured(mut self, index: usize) -> Self {
         self.colour = Some(index);
@@ -180,11 +180,11 @@ pub struct Arrow {
 pub enum Style {
     /// Points joined by a line.
     Line(Stroke),
-    /// One marker a point.
+    /// One marker for each point.
     Markers(Marker),
-    /// Two points an arrow.
+    /// One arrow for each two points.
     Arrows,
-    /// The inside of a polygon.
+    /// The interior of a polygon.
     Area,
     /// The label, written at each point.
     Note,

@@ -1,9 +1,9 @@
-//! The span of an axis: where values stand on it, and its ticks.
+//! The span of an axis: positions of values on it, and its ticks.
 
 use crate::error::PlotError;
 use crate::panel::{Axis, Limits, Scale};
 
-/// Part of the span left free beyond the data on either side.
+/// Fraction of the span left free beyond the data on either side.
 const MARGIN: f64 = 0.04;
 
 /// An axis with its limits fixed.
@@ -14,7 +14,7 @@ pub(crate) struct Span {
     high: f64,
 }
 
-/// A labelled place on an axis.
+/// A labelled position on an axis.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) struct Tick {
     /// Value on the axis.
@@ -24,7 +24,7 @@ pub(crate) struct Tick {
 }
 
 impl Span {
-    /// The span that `axis` asks for, or that holds all `values`.
+    /// The span that `axis` prescribes, or one that contains all `values`.
     pub(crate) fn fit(
         axis: &Axis,
         values: impl Iterator<Item = f64> + Clone,
@@ -45,18 +45,18 @@ impl Span {
         Ok(Self { scale: axis.scale, low, high })
     }
 
-    /// Where `value` stands: 0 at the lower end, 1 at the upper.
+    /// The position of `value`: 0 at the lower end, 1 at the upper.
     pub(crate) fn place(&self, value: f64) -> f64 {
         let (low, high) = (self.scaled(self.low), self.scaled(self.high));
         (self.scaled(value) - low) / (high - low)
     }
 
-    /// The value that stands at `part` of a linear axis.
+    /// The value at the position `part` of a linear axis.
     pub(crate) fn value(&self, part: f64) -> f64 {
         self.low + part * (self.high - self.low)
     }
 
-    /// The span from the first to the last node of a grid, if the axis has no limits of its own.
+    /// The span from the first to the last node of a grid, if the axis has no limits.
     pub(crate) fn over(axis: &Axis, nodes: &[f64]) -> Result<Self, PlotError> {
         let limits = match nodes {
             [low, .., high] => Some(Limits { low: *low, high: *high }),
@@ -85,7 +85,7 @@ impl Span {
         Self { scale: self.scale, low: centre - half, high: centre + half }
     }
 
-    /// Ticks and the power of ten by which their labels are divided.
+    /// Ticks, and the power of ten by which their labels are divided.
     pub(crate) fn ticks(&self) -> (Vec<Tick>, i32) {
         match self.scale {
             Scale::Linear => self.linear_ticks(),
@@ -149,7 +149,7 @@ fn fitted(scale: Scale, values: impl Iterator<Item = f64>) -> Option<Limits> {
     }
     let size = low.abs().max(high.abs());
     let length = high - low;
-    // Values that differ by round-off only are drawn as one.
+    // Values that differ only by rounding are drawn as one.
     let margin = match length > 1e-9 * size {
         true => MARGIN * length,
         false if size > 0.0 => 0.5 * size,

@@ -5,26 +5,26 @@ use crate::raster::base64;
 use crate::text::{Font, Type, parts};
 use std::fmt::Write as _;
 
-/// A growing SVG document.
+/// An SVG document under construction.
 #[derive(Default)]
 pub(crate) struct Svg {
     body: String,
-    /// Draws texts as outlines; none where the reader has fonts.
+    /// The font for drawing texts as outlines; `None` if the reader has fonts.
     font: Option<Font>,
 }
 
-/// Where a text hangs on its point.
+/// The position of a text relative to its point.
 #[derive(Debug, Clone, Copy)]
 pub(crate) enum Anchor {
-    /// The point is at its start.
+    /// The text starts at the point.
     Start,
-    /// The point is in its middle.
+    /// The text is centred at the point.
     Middle,
-    /// The point is at its end.
+    /// The text ends at the point.
     End,
 }
 
-/// A place in pixels, y downwards.
+/// A point in pixels, y downwards.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Pixel {
     /// From the left.
@@ -33,7 +33,7 @@ pub(crate) struct Pixel {
     pub(crate) y: f64,
 }
 
-/// An upright rectangle in pixels.
+/// A rectangle in pixels with horizontal and vertical sides.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Frame {
     /// Left edge.
@@ -65,7 +65,7 @@ impl Frame {
 }
 
 impl Svg {
-    /// A document whose texts are outlines, for a reader without fonts.
+    /// A document whose texts are outlines, for a renderer without fonts.
     pub(crate) fn with_outlines() -> Result<Self, PlotError> {
         Ok(Self { body: String::new(), font: Some(Font::new()?) })
     }
@@ -137,7 +137,7 @@ impl Svg {
         let _ = writeln!(self.body, "\" {attributes}/>");
     }
 
-    /// As [`Svg::path`], moving through frames again and again.
+    /// As [`Svg::path`], animated through frames repeatedly.
     pub(crate) fn moving_path(
         &mut self,
         element: &str,
@@ -159,7 +159,7 @@ impl Svg {
         );
     }
 
-    /// A circle that moves through frames again and again.
+    /// A circle animated through frames repeatedly.
     pub(crate) fn moving_circle(
         &mut self,
         still: Pixel,
@@ -183,7 +183,7 @@ impl Svg {
         );
     }
 
-    /// Opens a group that jumps from place to place; where nothing moves it is not seen.
+    /// Opens a group that jumps between positions; without animation it is hidden.
     pub(crate) fn jumping(&mut self, frames: &[Pixel], seconds: f64) {
         let places = frames.iter().map(|at| format!("{} {}", Short(at.x), Short(at.y)));
         let values = places.collect::<Vec<_>>().join(";");
@@ -195,7 +195,7 @@ impl Svg {
         );
     }
 
-    /// Many lines in one.
+    /// Many lines in one element.
     pub(crate) fn lines(&mut self, lines: impl Iterator<Item = Vec<Pixel>>, attributes: &str) {
         let _ = write!(self.body, "<path {attributes} d=\"");
         for line in lines {
@@ -206,7 +206,7 @@ impl Svg {
         self.body.push_str("\"/>\n");
     }
 
-    /// One shape at many places: relative moves of a path, from each of them.
+    /// One shape at many positions, as relative moves of a path.
     pub(crate) fn repeated(&mut self, places: &[Pixel], shape: &str, attributes: &str) {
         let _ = write!(self.body, "<path {attributes} d=\"");
         for Pixel { x, y } in places {
@@ -286,7 +286,7 @@ impl Svg {
         self.body.push_str("</text>\n");
     }
 
-    /// The document of this size, white below everything.
+    /// The finished document of this size, on a white background.
     pub(crate) fn finish(self, width: f64, height: f64) -> String {
         format!(
             "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{width}\" height=\"{height}\" \
@@ -298,7 +298,7 @@ impl Svg {
     }
 }
 
-/// An attribute that goes through values again and again.
+/// An attribute animated through values repeatedly.
 fn animate(name: &str, values: &[String], seconds: f64) -> String {
     format!(
         "<animate attributeName=\"{name}\" dur=\"{seconds}s\" repeatCount=\"indefinite\" \
@@ -307,7 +307,7 @@ fn animate(name: &str, values: &[String], seconds: f64) -> String {
     )
 }
 
-/// A number with two decimals, or fewer where they are zeros.
+/// A number with two decimals, or fewer if they are zeros.
 struct Short(f64);
 
 impl std::fmt::Display for Short {
@@ -317,7 +317,7 @@ impl std::fmt::Display for Short {
     }
 }
 
-/// Text with the characters that XML reserves written out.
+/// Text with the reserved characters of XML escaped.
 pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }

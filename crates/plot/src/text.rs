@@ -1,17 +1,17 @@
-//! Texts: their size and look, subscripts, and the outlines of their letters.
+//! Texts: size and style, subscripts, and the outlines of letters.
 
 use crate::error::PlotError;
 use std::fmt::Write as _;
 use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
-/// Size of subscripts over that of the text.
+/// Size of subscripts relative to that of the text.
 const LOWERED_SIZE: f64 = 0.75;
-/// Size of DejaVu Sans that makes it as wide as the fonts that readers have.
+/// Relative size of DejaVu Sans that makes it as wide as the fonts of readers.
 const AS_WIDE: f64 = 0.92;
 /// How far subscripts are lowered, in sizes of the subscript.
 const LOWERED_BY: f64 = 0.28;
 
-/// How a text looks.
+/// The style of a text.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Type {
     /// Size of the font, in pixels.
@@ -35,8 +35,8 @@ impl Type {
     pub(crate) const LEGEND: Self = Self { size: 12.5, ..Self::TICK };
 }
 
-/// The parts of a text and whether each is a subscript: in `F_x` and `F_max` the word after the
-/// sign is, up to the next sign that is no letter.
+/// The parts of a text, and whether each is a subscript: in `F_x` and `F_max` the word after the
+/// underscore is, up to the next character that is not a letter.
 pub(crate) fn parts(text: &str) -> Vec<(&str, bool)> {
     let mut pieces = text.split('_');
     let mut parts = vec![(pieces.next().unwrap_or_default(), false)];
@@ -49,12 +49,12 @@ pub(crate) fn parts(text: &str) -> Vec<(&str, bool)> {
     parts
 }
 
-/// About how wide a text of this font size is.
+/// Approximate width of a text with this font size.
 pub(crate) fn text_width(text: &str, font_size: f64) -> f64 {
     0.56 * font_size * text.chars().count() as f64
 }
 
-/// A font that is always there: DejaVu Sans, under the free licence of Bitstream Vera.
+/// The embedded font: DejaVu Sans, under the licence of Bitstream Vera.
 pub(crate) struct Font {
     regular: Face<'static>,
     bold: Face<'static>,
@@ -67,7 +67,7 @@ impl Font {
         Ok(Self { regular: face(dejavu::sans::regular())?, bold: face(dejavu::sans::bold())? })
     }
 
-    /// The outlines of a text as path data, its baseline from the origin to the right, and its
+    /// The outlines of a text as path data, with its baseline from the origin to the right, and its
     /// width.
     pub(crate) fn outlines(&self, text: &str, look: Type) -> (String, f64) {
         let face = if look.bold { &self.bold } else { &self.regular };
@@ -87,7 +87,7 @@ impl Font {
     }
 }
 
-/// Writes outlines, which have y upwards, as path data with y downwards.
+/// Writes outlines, whose y axis points upwards, as path data with y downwards.
 #[derive(Default)]
 struct Pen {
     path: String,

@@ -1,4 +1,4 @@
-//! Kalker's creep coefficients: steady rolling at vanishing creepage, where all sticks.
+//! Kalker's creep coefficients: steady rolling with vanishing creepage and complete adhesion.
 
 use carom_halfspace::{Material, MaterialPair, Offset, Rectangle, RectangleInfluence};
 use carom_special::RangeError;
@@ -8,30 +8,30 @@ use faer::linalg::solvers::Solve as _;
 use super::RollingError;
 use carom_classic::DirectError;
 
-/// Elements of the finest mesh from which is extrapolated, about.
+/// Approximate number of elements of the finest mesh for the extrapolation.
 const ELEMENTS: f64 = 1600.0;
-/// Its strips, at least.
+/// Least number of strips of the finest mesh.
 const STRIPS: f64 = 10.0;
-/// Strips of the meshes over those of the finest, about.
+/// Approximate number of strips of the meshes relative to the finest.
 const PARTS: [f64; 4] = [0.35, 0.5, 0.7, 1.0];
-/// The most elements: two matrices of as many rows are solved.
-const MOST: usize = 5000;
+/// Greatest number of elements; two matrices with this number of rows are solved.
+const MOST_ELEMENTS: usize = 5000;
 
-/// Forces at vanishing creepage, for two equal bodies of shear modulus G each and a contact with the
-/// semi-axes a along the direction of rolling and b across it:
-/// F_x = G a b C11 xi, F_y = G a b (C22 eta - sqrt(ab) C23 phi),
-/// M_z = G (ab)^(3/2) (C32 eta + sqrt(ab) C33 phi) with C32 = C23, in this crate's signs.
+/// Creep coefficients: forces for vanishing creepage of two equal bodies of shear modulus G each,
+/// on a contact with semi-axes a along the direction of rolling and b across it. F_x = G a b C11
+/// xi, F_y = G a b (C22 eta - sqrt(ab) C23 phi), M_z = G (ab)^(3/2) (C32 eta + sqrt(ab) C33 phi)
+/// with C32 = C23, in this crate's signs.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CreepCoefficients {
-    /// Force along by creepage along.
+    /// Longitudinal force due to longitudinal creepage.
     pub c11: f64,
-    /// Force across by creepage across.
+    /// Lateral force due to lateral creepage.
     pub c22: f64,
-    /// Force across by spin.
+    /// Lateral force due to spin.
     pub c23: f64,
-    /// Torque by creepage across; C23 in the continuum.
+    /// Torque due to lateral creepage; equal to C23 in the continuum.
     pub c32: f64,
-    /// Torque by spin.
+    /// Torque due to spin.
     pub c33: f64,
 }
 
@@ -48,10 +48,10 @@ impl CreepCoefficients {
     }
 }
 
-/// The coefficients of the continuum, extrapolated from four meshes by the first three powers of their
-/// widths. For a/b from 0.2 to 5 they are within 0.03 % of an independent calculation (C33 0.12 %), the
-/// closed forms of a circle without Poisson's ratio and reciprocity, C23 = C32; at a/b = 10 within
-/// 0.05 % (C33 2 %).
+/// The coefficients of the continuum, extrapolated from four meshes in the first three powers of
+/// their cell widths. For a/b from 0.2 to 5 they agree within 0.03 % (C33 0.12 %) with an
+/// independent calculation, with the closed forms of a circle for a Poisson's ratio of zero, and
+/// with reciprocity, C23 = C32; at a/b = 10 within 0.05 % (C33 2 %).
 ///
 /// ```
 /// use carom_rolling::creep_coefficients;
@@ -69,7 +69,7 @@ pub fn creep_coefficients(ratio: f64, poisson: f64) -> Result<CreepCoefficients,
     let all: Result<Vec<_>, _> =
         meshes.iter().map(|mesh| creep_coefficients_on(*mesh, ratio, poisson)).collect();
     let widths = meshes.map(|[strips, _]| 1.0 / strips as f64);
-    // Lagrange's weights at width 0.
+    // Lagrange's weights for width 0.
     let weight = |i: usize| -> f64 {
         let others = (0..widths.len()).filter(|&k| k != i);
         others.map(|k| widths[k] / (widths[k] - widths[i])).product()
@@ -82,8 +82,9 @@ fn check_ratio(ratio: f64) -> Result<(), RangeError> {
     RangeError::check("a/b", ratio, (0.05..=20.0).contains(&ratio), "from 0.05 to 20").map(drop)
 }
 
-/// Meshes of one shape of elements. In a long contact they are shorter than wide: neighbouring strips
-/// have elements of different widths, and coarse ones would make the error jump from mesh to mesh.
+/// Meshes with elements of one shape. In a long contact elements are shorter than wide:
+/// neighbouring strips have elements of different lengths, and coarse ones would make the error
+/// jump from mesh to mesh.
 fn meshes(ratio: f64) -> [[usize; 2]; PARTS.len()] {
     let per_strip = if ratio > 1.0 { (1.5 * ratio).ceil() } else { 1.0 };
     let finest = (ELEMENTS / per_strip).sqrt().max(STRIPS);
@@ -94,12 +95,13 @@ fn meshes(ratio: f64) -> [[usize; 2]; PARTS.len()] {
         .map(|mesh| mesh.map(|count| count as usize))
 }
 
-/// The coefficients on a mesh of strips along the direction of rolling, each of so many elements
-/// between the edges of the ellipse: `mesh` is strips and elements of each. A particle comes from one
-/// element ahead, the first one from outside, where there is no traction.
+/// The coefficients on a mesh of strips along the direction of rolling; `mesh` is the number of
+/// strips and the number of elements in each, between the edges of the ellipse. A particle comes
+/// from the element ahead of it; for the first element it comes from outside, where there is no
+/// traction.
 ///
 /// # Errors
-/// As [`creep_coefficients`], and for a mesh that is not of 2 to 200 strips, an even number, with 2 to
+/// As [`creep_coefficients`]; also unless there is an even number of strips from 2 to 200 with 2 to
 /// 400 elements each, 5000 in all.
 pub fn creep_coefficients_on(
     mesh: [usize; 2],
@@ -109,7 +111,7 @@ pub fn creep_coefficients_on(
     let [strips, along] = mesh;
     let fits = (2..=200).contains(&strips) && strips % 2 == 0;
     RangeError::check("strips", strips as f64, fits, "an even number from 2 to 200")?;
-    let fits = (2..=400).contains(&along) && strips * along <= MOST;
+    let fits = (2..=400).contains(&along) && strips * along <= MOST_ELEMENTS;
     RangeError::check("elements of a strip", along as f64, fits, "from 2 to 400, 5000 in all")?;
     check_ratio(ratio)?;
     // a b = 1, G = 1
@@ -146,7 +148,7 @@ struct Element {
     influence: RectangleInfluence,
 }
 
-/// The elements on one side of the axis of rolling: those on the other mirror them.
+/// The elements on one side of the axis of rolling; the others follow by symmetry.
 fn half(
     [strips, along]: [usize; 2],
     [a, b]: [f64; 2],
@@ -167,8 +169,8 @@ fn half(
     Ok(elements)
 }
 
-/// What a unit traction does to the slip per length, where t_x is even in y and t_y odd, and where it
-/// is the other way round: equal bodies move so under creepage along, and across or under spin.
+/// The slip per length due to unit tractions, for t_x even in y and t_y odd, and vice versa: the
+/// two cases of equal bodies under longitudinal creepage, and under lateral creepage or spin.
 fn matrices(elements: &[Element]) -> Result<[Mat<f64>; 2], RangeError> {
     let unknowns = 2 * elements.len();
     let mut matrices = [Mat::<f64>::zeros(unknowns, unknowns), Mat::zeros(unknowns, unknowns)];
@@ -195,10 +197,10 @@ fn matrices(elements: &[Element]) -> Result<[Mat<f64>; 2], RangeError> {
     Ok(matrices)
 }
 
-/// The rigid velocity of a unit motion at a place.
+/// The rigid velocity of a unit motion at a point.
 type Velocity = fn([f64; 2]) -> [f64; 2];
 
-/// Tractions, two to an element, for unit motions of these rigid velocities.
+/// Tractions, two for each element, for unit motions with these rigid velocities.
 fn adhere(
     elements: &[Element],
     matrix: &Mat<f64>,
@@ -207,7 +209,7 @@ fn adhere(
     let unknowns = matrix.nrows();
     let right = Mat::from_fn(unknowns, motions.len(), |row, motion| {
         let element = &elements[row / 2];
-        // Half way from where the particle comes.
+        // Halfway to the point where the particle comes from.
         motions[motion]([element.x + 0.5 * element.width, element.y])[row % 2]
     });
     let tractions = matrix.partial_piv_lu().solve(&right);

@@ -1,14 +1,14 @@
-//! FASTSIM: rolling on springs, the approximation that people know.
+//! FASTSIM, the common approximation of rolling with independent springs.
 
 use carom_special::RangeError;
 
 use super::{CreepCoefficients, Creepage};
 
-/// Kalker's simplified theory: each particle on springs of its own, three flexibilities from the
-/// creep coefficients, and a parabolic limit of friction. Two equal bodies.
+/// Kalker's simplified theory: each particle has springs of its own, with three flexibilities from
+/// the creep coefficients and a parabolic friction limit. For two equal bodies.
 ///
-/// Beside the solver on a circle at nu = 0.25 the forces are off by up to 0.05 f F_z without spin; spin
-/// pushes across with up to 0.1 f F_z too much.
+/// Compared with the solver on a circle at nu = 0.25, forces without spin are off by up to 0.05 f
+/// F_z; with spin the lateral force is too large by up to 0.1 f F_z.
 ///
 /// ```
 /// use carom_rolling::{Creepage, Fastsim, creep_coefficients_on};
@@ -21,7 +21,7 @@ use super::{CreepCoefficients, Creepage};
 ///     friction: 0.3,
 ///     mesh: [50, 50],
 /// };
-/// // A little creepage: F_x = G a b C11 xi.
+/// For small creepage F_x = G a b C11 xi.
 /// let forces = springs.forces(Creepage { along: 1e-4, ..Creepage::default() })?;
 /// assert!((forces.f_x / (1e-4 * coefficients.c11) - 1.0).abs() < 2e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -38,21 +38,21 @@ pub struct Fastsim {
     pub force: f64,
     /// Coefficient of friction.
     pub friction: f64,
-    /// Strips, and elements of each.
+    /// Number of strips, and of elements in each.
     pub mesh: [usize; 2],
 }
 
 /// Tangential forces.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct FastsimForces {
-    /// Along the direction of rolling.
+    /// Longitudinal, along the direction of rolling.
     pub f_x: f64,
-    /// Across it.
+    /// Lateral.
     pub f_y: f64,
 }
 
 impl Fastsim {
-    /// Forces at a creepage.
+    /// The tangential forces for a given creepage.
     ///
     /// # Errors
     /// [`RangeError`] unless lengths, modulus, force, friction and mesh are positive and the creepage
@@ -80,7 +80,7 @@ impl Fastsim {
             let width = 2.0 * half / elements as f64;
             let mut t = [0.0; 2];
             for element in 0..elements {
-                // From the leading edge backwards, from middle to middle of the elements.
+                // From the leading edge backwards, from centre to centre of the elements.
                 let x = half - (element as f64 + 0.5) * width;
                 let way = if element == 0 { 0.5 * width } else { width };
                 let between = x + 0.5 * way;

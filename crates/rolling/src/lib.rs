@@ -1,11 +1,11 @@
-//! Rolling contact, which the thesis leaves to further research (16.2): the contact moves along +x
-//! over both bodies, and the surfaces flow through it towards -x.
+//! Rolling contact, which the thesis leaves to further research (16.2). The contact moves along +x
+//! over both bodies; in axes moving with the contact the surfaces flow through it towards -x.
 //!
-//! In a step of length d the particle now at x comes from x + d; it takes its displacement along, and
-//! the rigid creepage moves it by d (xi + y phi, eta - x phi), so that the slip of the step is
-//! u(x) - u_old(x + d) - d (xi + y phi, ...), at the centres of the elements and outside of the
-//! contact too. Creepages are of body 2 against body 1, as shifts are, so that forces on body 1 have
-//! their sign; the sense of spin is that of a twist (12.2).
+//! In a step of length d the particle now at x comes from x + d and brings its displacement along.
+//! The rigid creepage moves it by d (xi + y phi, eta - x phi). The slip of the step is therefore
+//! u(x) - u_old(x + d) - d (xi + y phi, ...), at the centres of the elements, also outside the
+//! contact. Creepages are those of body 2 relative to body 1, as shifts are, so that forces on body
+//! 1 have their sign. Spin has the sign of a twist (12.2).
 
 #![forbid(unsafe_code)]
 
@@ -25,14 +25,14 @@ pub use transient::Roll;
 use carom_classic::DirectError;
 use carom_solver::{ContactProblem, ContactState, FrictionalError, NormalError};
 
-/// Rigid motion of body 2 against body 1 per distance rolled.
+/// Rigid motion of body 2 relative to body 1 per distance rolled.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Creepage {
-    /// Along the direction of rolling, xi.
+    /// Longitudinal creepage xi.
     pub along: f64,
-    /// Across it, eta.
+    /// Lateral creepage eta.
     pub across: f64,
-    /// Twist per length, phi.
+    /// Spin creepage phi: twist per length.
     pub spin: f64,
 }
 
@@ -53,18 +53,19 @@ pub enum RollingError {
     /// The operator failed.
     #[error(transparent)]
     Operator(#[from] OperatorError),
-    /// A step of the method of today failed.
+    /// A step of the solver failed.
     #[error(transparent)]
     Step(#[from] FrictionalError),
-    /// Contact without friction, from which a normal force is sought, was not found.
+    /// The frictionless contact, from which the search for a normal force starts, could not be
+    /// solved.
     #[error(transparent)]
     Normal(#[from] NormalError),
-    /// No approach leads to the normal force.
-    #[error("the normal force {force} is not reached: {reached} after all trials of the approach")]
+    /// No approach was found that gives the normal force.
+    #[error("no approach found for the normal force {force}: the last trial gave {reached}")]
     NormalForce {
-        /// The force.
+        /// The prescribed force.
         force: f64,
-        /// That of the last trial.
+        /// The force of the last trial.
         reached: f64,
     },
     /// The direct solution failed.
@@ -76,25 +77,25 @@ pub enum RollingError {
          it come from {needed} columns ahead"
     )]
     NoRoomAhead {
-        /// Columns without contact.
+        /// Columns without contact at that border.
         free: usize,
-        /// Columns needed.
+        /// Columns without contact that a step needs.
         needed: usize,
     },
 }
 
-/// Columns of the grid that a step goes, whole or not.
+/// The distance of a step in columns of the grid, not necessarily whole.
 fn columns(problem: &ContactProblem, distance: f64) -> Result<f64, RangeError> {
     RangeError::positive("rolling distance", distance)?;
     let columns = distance / problem.grid().dx();
     let nx = problem.grid().nx() as f64;
     RangeError::check("rolling distance", distance, columns < nx, "below the length of the grid")?;
-    // A whole number of columns but for rounding is one.
+    // A whole number of columns but for rounding counts as whole.
     let whole = columns.round();
     Ok(if (columns - whole).abs() < 1e-9 { whole } else { columns })
 }
 
-/// Ok if particles that enter the contact come from cells of the grid.
+/// Checks that particles entering the contact come from cells of the grid.
 fn check_room(state: &ContactState, columns: f64) -> Result<(), RollingError> {
     let nx = state.pressure.grid().nx();
     let pressures = state.pressure.values().iter().enumerate();

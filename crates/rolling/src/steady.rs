@@ -1,4 +1,4 @@
-//! Steady rolling, solved at once.
+//! Steady rolling, solved directly.
 
 use carom_halfspace::operator::{DisplacementField, TractionField};
 use carom_laws::law::Shift;
@@ -11,29 +11,30 @@ use carom_solver::{
     CellState, ContactProblem, ContactState, Convergence, Drive, Driven, Frictionless,
 };
 
-/// How close a normal force is met, over it.
+/// Relative accuracy of a prescribed normal force.
 const FORCE_TOLERANCE: f64 = 1e-9;
-/// Approaches that are tried for it, at most.
-const SECANTS: usize = 20;
+/// Greatest number of approaches tried for a normal force.
+const MOST_SECANTS: usize = 20;
 
 /// Steady rolling.
 #[derive(Debug, Clone)]
 pub struct SteadyRolling {
-    /// Tractions, displacements and areas, which stand still; the shift is that of one step.
+    /// Tractions, displacements and areas, which are constant in time; the shift is that of one
+    /// step.
     pub state: ContactState,
-    /// How it was found.
+    /// The convergence of the solution.
     pub convergence: Convergence,
-    /// Whether the creepage is beyond saturation: all of the contact slides, and more creepage brings
-    /// no more force.
+    /// Whether the creepage is above saturation: the whole contact slides, and more creepage does
+    /// not increase the force.
     pub slides: bool,
 }
 
-/// Steady rolling at an approach or under a normal force, in steps of this distance, by NORM and TANG
-/// with the coefficients of u(x) - u(x + distance): what [`super::Roll`] with the same distance tends
-/// to.
+/// Solves for steady rolling at an approach or under a normal force, in steps of this distance, by
+/// NORM and TANG with the coefficients of u(x) - u(x + distance). It is the limit of
+/// [`super::Roll`] with the same distance.
 ///
-/// A normal force needs the approach that leads to it: that without friction, and secants from there
-/// where the materials couple.
+/// For a prescribed normal force the approach is found by a secant iteration, starting from the
+/// approach without friction; for uncoupled materials that is the solution.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -56,8 +57,8 @@ pub struct SteadyRolling {
 /// ```
 ///
 /// # Errors
-/// [`RollingError`] for a distance or force that is not positive, a contact too close to the leading
-/// border, and where the active sets do not settle or no approach gives the force.
+/// [`RollingError`] for a distance or force that is not positive, a contact too close to the
+/// leading border, and if the active sets do not converge or no approach gives the force.
 pub fn roll_steadily(
     problem: &ContactProblem,
     normal: Driven,
@@ -74,7 +75,7 @@ pub fn roll_steadily(
     }
 }
 
-/// Steady rolling sought.
+/// The search for steady rolling.
 struct Rolling<'a> {
     problem: &'a ContactProblem,
     distance: f64,
@@ -97,9 +98,9 @@ impl Rolling<'_> {
             omega: creepage.spin * distance,
         });
         let (method, scratch) = (Panagiotopoulos::default(), &mut self.scratch);
-        let went = method.step(problem, &apart, &drive, &mut state, scratch, &mut ())?;
+        let convergence = method.step(problem, &apart, &drive, &mut state, scratch, &mut ())?;
         check_room(&state, self.shift)?;
-        self.iterations += went.iterations;
+        self.iterations += convergence.iterations;
         let load = TractionField::full(
             state.traction_x.values(),
             state.traction_y.values(),
@@ -112,7 +113,7 @@ impl Rolling<'_> {
         let operator = problem.operator();
         operator.apply(load, out, &mut operator.workspace())?;
         let slides = state.count(CellState::Stick) == 0 && state.count(CellState::Slip) > 0;
-        let convergence = Convergence { iterations: self.iterations, ..went };
+        let convergence = Convergence { iterations: self.iterations, ..convergence };
         Ok(SteadyRolling { state, convergence, slides })
     }
 
@@ -121,14 +122,14 @@ impl Rolling<'_> {
         let mut approach = approach_without_friction(self.problem, force)?;
         let mut last: Option<[f64; 2]> = None;
         let mut reached = 0.0;
-        for _ in 0..SECANTS {
+        for _ in 0..MOST_SECANTS {
             let rolling = self.at(approach)?;
             reached = rolling.state.load().f_z;
             let missing = force - reached;
             if missing.abs() <= FORCE_TOLERANCE * force {
                 return Ok(rolling);
             }
-            // Hertz's tangent to begin with.
+            // Hertz's tangent as the first estimate.
             let tangent = match last {
                 Some([before, then]) if before != approach => {
                     (reached - then) / (approach - before)

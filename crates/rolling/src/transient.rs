@@ -1,4 +1,4 @@
-//! Rolling step by step.
+//! Rolling as a sequence of steps.
 
 use super::{Creepage, RollingError, check_room, columns};
 use carom_solver::Method as _;
@@ -7,7 +7,7 @@ use carom_solver::{
     Observer,
 };
 
-/// A step of rolling: how far, with which creepage, under which approach or normal force.
+/// A step of rolling: its distance, its creepage, and the approach or normal force.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -35,20 +35,20 @@ use carom_solver::{
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Roll {
-    /// How far the contact moves along +x.
+    /// The distance that the contact moves along +x.
     pub distance: f64,
-    /// The creepage meanwhile.
+    /// The creepage during the step.
     pub creepage: Creepage,
-    /// Approach or normal force at the end.
+    /// Approach or normal force at the end of the step.
     pub normal: Driven,
 }
 
 impl Roll {
-    /// Rolls on from one state to the next.
+    /// Solves one step of rolling from one state to the next.
     ///
     /// # Errors
     /// [`RollingError`] for a distance that is not positive, a contact too close to the leading
-    /// border, and where the method fails.
+    /// border, and if the method fails.
     pub fn step(
         &self,
         method: &Frictional,
@@ -68,13 +68,13 @@ impl Roll {
             y: Driven::Shift(from.shift.eta + across * self.distance),
             twist: Driven::Shift(from.shift.omega + spin * self.distance),
         };
-        let went = method.step(problem, &before, &drive, to, scratch, observer)?;
+        let convergence = method.step(problem, &before, &drive, to, scratch, observer)?;
         check_room(to, shift)?;
-        Ok(went)
+        Ok(convergence)
     }
 }
 
-/// The state with the displacements that particles bring along from so many columns ahead.
+/// The state with the displacements that particles bring from `shift` columns ahead.
 fn ahead(from: &ContactState, shift: f64) -> ContactState {
     let nx = from.pressure.grid().nx();
     let (whole, part) = (shift.floor() as usize, shift - shift.floor());

@@ -1,24 +1,25 @@
-//! How an iteration went: what it cost, how far it got, why it stopped.
+//! The report of an iterative solution: its cost, its residuals, why it stopped.
 
 use std::ops::ControlFlow;
 
-/// Products with the blocks of the influence, and applications of a preconditioner, counted on the
-/// finest grid: one on a grid, or on a box about the contact, with a quarter of the cells counts a
-/// quarter.
+/// The cost of a solution: products of an influence matrix with a field, and applications of a
+/// preconditioner. They are counted in units of the finest grid: a product on a grid, or on a box
+/// around the contact, with a quarter of the cells counts as a quarter.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Products {
-    /// Normal displacement by pressure.
+    /// Normal displacement due to pressure.
     pub normal: f64,
-    /// Tangential displacements by tangential tractions.
+    /// Tangential displacements due to tangential tractions.
     pub tangential: f64,
-    /// Normal displacement by tangential tractions, or the converse.
+    /// Normal displacement due to tangential tractions, or tangential displacements due to
+    /// pressure.
     pub coupling: f64,
-    /// Preconditioners.
+    /// Applications of a preconditioner.
     pub preconditioner: f64,
 }
 
 impl Products {
-    /// The sum of two counts.
+    /// The sum of two costs.
     #[must_use]
     pub fn plus(self, other: Self) -> Self {
         Self {
@@ -29,7 +30,7 @@ impl Products {
         }
     }
 
-    /// The same products on a grid with this part of the cells.
+    /// The cost of the same products on a grid with this fraction of the cells.
     #[must_use]
     pub fn times(self, part: f64) -> Self {
         Self {
@@ -41,18 +42,18 @@ impl Products {
     }
 }
 
-/// What is left of the conditions of contact.
+/// How far the conditions of contact are violated.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Residuals {
-    /// The greatest violation of the normal conditions (a gap in the contact, an overlap outside,
-    /// tension) over the greatest displacement.
+    /// The greatest violation of the normal conditions (a gap inside the contact, an overlap
+    /// outside, tension), relative to the greatest displacement.
     pub normal: f64,
-    /// The greatest violation of the friction law over the greatest friction limit.
+    /// The greatest violation of the friction law, relative to the greatest friction limit.
     pub tangential: f64,
 }
 
 impl Residuals {
-    /// The greater of both; not a number if one is not.
+    /// The greater of the two; NaN if either is NaN.
     #[must_use]
     pub const fn worst(&self) -> f64 {
         if self.normal.is_nan() || self.tangential.is_nan() {
@@ -68,47 +69,47 @@ impl Residuals {
 pub enum Stop {
     /// The residuals fell below the tolerance.
     Converged,
-    /// They would not fall any more.
+    /// The residuals stopped decreasing.
     Stalled,
-    /// The greatest number of iterations was done.
+    /// The greatest number of iterations was reached.
     Exhausted,
-    /// An observer asked for it.
+    /// An observer ended the iteration.
     Observer,
 }
 
-/// How a step went.
+/// How the solution of a step ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Convergence {
     /// Iterations on the finest grid.
     pub iterations: usize,
-    /// Products on all grids.
+    /// Products on all grids, in units of the finest.
     pub products: Products,
-    /// What is left.
+    /// The remaining violations.
     pub residuals: Residuals,
-    /// Why it stopped.
+    /// Why the iteration stopped.
     pub stop: Stop,
 }
 
-/// One iteration, as an observer sees it.
+/// One iteration, as reported to an observer.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Progress {
-    /// Its number, from 1, on this grid.
+    /// Its number on this grid, from 1.
     pub iteration: usize,
-    /// Cells of this grid, or of the box about the contact.
+    /// Cells of this grid, or of the box around the contact.
     pub cells: usize,
     /// Cells in contact.
     pub touching: usize,
-    /// What is left.
+    /// The remaining violations.
     pub residuals: Residuals,
 }
 
-/// Sees each iteration and may end the work.
+/// Follows the iterations and may end them.
 pub trait Observer {
-    /// Called after each iteration; `Break` ends the work with [`Stop::Observer`].
+    /// Called after each iteration. `Break` ends the solution with [`Stop::Observer`].
     fn see(&mut self, progress: &Progress) -> ControlFlow<()>;
 }
 
-/// Sees nothing.
+/// Ignores all iterations.
 impl Observer for () {
     fn see(&mut self, _: &Progress) -> ControlFlow<()> {
         ControlFlow::Continue(())

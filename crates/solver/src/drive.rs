@@ -1,14 +1,14 @@
-//! What drives a step: each of the four motions by its shift or by its load.
+//! The prescribed values of a step: for each of the four motions a shift or a load.
 
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
-/// One motion of body 2 against body 1, prescribed at the end of a step.
+/// The prescribed value of one relative motion of the bodies, at the end of a step.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Driven {
-    /// The rigid shift or twist; the load follows.
+    /// The rigid shift or twist is prescribed; the load follows.
     Shift(f64),
-    /// The load; the rigid shift or twist follows.
+    /// The load is prescribed; the rigid shift or twist follows.
     Load(f64),
 }
 
@@ -22,7 +22,8 @@ impl Driven {
     }
 }
 
-/// The end of a step: approach, shifts along x and y, and twist, each by its own means.
+/// The end of a step: approach, shifts along x and y, and twist, each prescribed as shift or as
+/// load.
 ///
 /// ```
 /// use carom_solver::{Drive, Driven};
@@ -44,7 +45,7 @@ pub struct Drive {
 }
 
 impl Drive {
-    /// All four motions by their shifts.
+    /// Prescribes all four motions by their shifts.
     #[must_use]
     pub const fn by_shift(shift: Shift) -> Self {
         Self {
@@ -55,7 +56,8 @@ impl Drive {
         }
     }
 
-    /// The given shifts; where a load is given, that before the step.
+    /// The shift after the step as far as it is prescribed; where a load is prescribed, the shift
+    /// before the step.
     #[must_use]
     pub fn shift_after(&self, before: Shift) -> Shift {
         let given = |driven, before| match driven {
@@ -70,10 +72,10 @@ impl Drive {
         }
     }
 
-    /// Ok if all four values are finite and a normal force is not negative.
+    /// Checks that all four values are finite and that a normal force is not negative.
     ///
     /// # Errors
-    /// [`RangeError`] that names the first one that is not.
+    /// [`RangeError`] that names the first value out of range.
     pub fn check(&self) -> Result<(), RangeError> {
         let names = [("zeta", "F_z"), ("xi", "F_x"), ("eta", "F_y"), ("omega", "M_z")];
         for (driven, (shift, load)) in
@@ -90,7 +92,7 @@ impl Drive {
 }
 
 impl Default for Drive {
-    /// Held where two bodies just touch.
+    /// All shifts zero: the bodies are held where they just touch.
     fn default() -> Self {
         Self::by_shift(Shift::default())
     }

@@ -1,22 +1,23 @@
-//! The friction between two surfaces, the same everywhere or cell by cell.
+//! The friction of a surface: uniform or cell by cell.
 
 use carom_halfspace::{Field, Grid};
 use carom_laws::friction::Friction;
 use carom_special::RangeError;
 
-/// The coefficient that stands for infinite friction where pressures and tractions are coupled. At the
-/// edge a cell may be neither stuck, for its own traction would pull the surfaces apart, nor separated, for
-/// without it they would overlap. In the limit of infinite friction such a cell is dragged along: it keeps
-/// a traction at a pressure that vanishes as the traction over the coefficient.
-pub(crate) const FIRM: f64 = 1e9;
+/// The coefficient used for infinite friction if pressures and tractions are coupled. With infinite
+/// friction a cell at the edge may have no admissible state: if it sticks its own traction would
+/// pull the surfaces apart, if it separates they would overlap. In the limit of an infinite
+/// coefficient such a cell is dragged along: it keeps a finite traction at a pressure that vanishes
+/// as traction over coefficient.
+pub(crate) const COEFFICIENT_FOR_INFINITE: f64 = 1e9;
 
-/// A coefficient, of infinite friction a finite one.
-pub(crate) const fn firm(friction: f64) -> f64 {
-    friction.min(FIRM)
+/// The coefficient, or [`COEFFICIENT_FOR_INFINITE`] for infinite friction.
+pub(crate) const fn finite_coefficient(friction: f64) -> f64 {
+    friction.min(COEFFICIENT_FOR_INFINITE)
 }
 
-/// Coulomb's friction in a cell: it sticks up to `rest` times its pressure and slips at `motion`
-/// times it.
+/// Coulomb friction of a cell: it sticks up to `rest` times its pressure (static friction) and
+/// slips at `motion` times its pressure (kinetic friction).
 ///
 /// ```
 /// use carom_laws::friction::Friction;
@@ -33,23 +34,24 @@ pub struct CellFriction {
 }
 
 impl CellFriction {
-    /// A coefficient at rest and one in motion.
+    /// From a static and a kinetic coefficient.
     ///
     /// # Errors
-    /// [`RangeError`] if that at rest is the smaller one: no state would satisfy the law.
+    /// [`RangeError`] if the static coefficient is below the kinetic one: then no state would
+    /// satisfy the law.
     pub fn new(rest: Friction, motion: Friction) -> Result<Self, RangeError> {
         let holds = rest >= motion;
         RangeError::check("static friction", rest.get(), holds, "at least the kinetic friction")?;
         Ok(Self { rest, motion })
     }
 
-    /// The coefficient up to which a cell sticks.
+    /// The static coefficient: the cell sticks up to it.
     #[must_use]
     pub const fn rest(self) -> Friction {
         self.rest
     }
 
-    /// The coefficient at which it slips.
+    /// The kinetic coefficient: the cell slips at it.
     #[must_use]
     pub const fn motion(self) -> Friction {
         self.motion
@@ -72,7 +74,7 @@ pub enum SurfaceFriction {
 }
 
 impl SurfaceFriction {
-    /// The friction of the cell of this index; that of the last one beyond the grid.
+    /// The friction of a cell; an index beyond the grid gives that of the last cell.
     #[must_use]
     pub fn at(&self, cell: usize) -> CellFriction {
         match self {
@@ -84,7 +86,7 @@ impl SurfaceFriction {
         }
     }
 
-    /// Whether no cell has any.
+    /// Whether all cells are frictionless.
     #[must_use]
     pub fn is_none(&self) -> bool {
         let none = |friction: &CellFriction| friction.rest == Friction::NONE;
@@ -103,7 +105,7 @@ impl SurfaceFriction {
         }
     }
 
-    /// Its grid, if it has one.
+    /// Its grid; `None` if the friction is uniform.
     #[must_use]
     pub fn grid(&self) -> Option<Grid> {
         match self {

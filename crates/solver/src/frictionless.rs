@@ -12,10 +12,10 @@ use crate::normal::{NormalGrids, Target};
 use crate::problem::{ContactProblem, PeriodError};
 use crate::state::{CellState, ContactState};
 
-/// Contact without friction: preconditioned conjugate gradients on an active set, started from
-/// coarser grids where operator and gap allow that.
+/// Contact without friction, by preconditioned conjugate gradients on an active set. The solution
+/// starts from coarser grids if operator and gap allow it.
 ///
-/// The approach or the normal force is given; tangential shifts have no effect.
+/// The approach or the normal force is prescribed; tangential shifts have no effect.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -50,52 +50,52 @@ pub enum NormalError {
     /// The operator failed.
     #[error(transparent)]
     Operator(#[from] OperatorError),
-    /// No load on a period leads to the approach.
+    /// No load on a periodic surface gives the prescribed approach.
     #[error(transparent)]
     Period(#[from] PeriodError),
-    /// The problem has friction, of which this method knows nothing.
-    #[error("the surfaces have friction: this method takes frictionless ones only")]
+    /// The problem has friction, which this method does not treat.
+    #[error("the surfaces have friction, which this method does not support")]
     Friction,
-    /// Iterations ended before the tolerance was reached.
+    /// The iterations ended before the tolerance was reached.
     #[error(
-        "the pressure is not found within {:.1e}: {:.1e} after {} iterations ({:?})",
+        "the pressure did not converge to {:.1e}: {:.1e} after {} iterations ({:?})",
         .tolerance, .reached.residuals.normal, .reached.iterations, .reached.stop
     )]
     NotConverged {
         /// The tolerance.
         tolerance: f64,
-        /// How far it got.
+        /// The convergence up to then.
         reached: Convergence,
     },
 }
 
 impl Default for Frictionless {
-    /// To 1e-10 of the greatest displacement.
+    /// Tolerance 1e-10, relative to the greatest displacement.
     fn default() -> Self {
         Self { target: Target { tolerance: 1e-10, iterations: 1000 } }
     }
 }
 
 impl Frictionless {
-    /// To another tolerance: the greatest gap in the contact, or overlap outside, over the greatest
-    /// displacement.
+    /// Sets the tolerance: the greatest gap in the contact, or overlap outside, relative to the
+    /// greatest displacement.
     ///
     /// # Errors
-    /// [`RangeError`] unless it lies in 1e-14 to 0.1.
+    /// [`RangeError`] unless it is in the range 1e-14 to 0.1.
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         let holds = (1e-14..=0.1).contains(&tolerance);
         RangeError::check("tolerance", tolerance, holds, "from 1e-14 to 0.1")?;
         Ok(Self { target: Target { tolerance, ..self.target } })
     }
 
-    /// With at most as many iterations on each grid.
+    /// Limits the iterations on each grid.
     #[must_use]
     pub const fn at_most(self, iterations: usize) -> Self {
         Self { target: Target { iterations, ..self.target } }
     }
 }
 
-/// The working memory of [`Frictionless`]: all grids of a problem.
+/// The working memory of [`Frictionless`] on all grids.
 #[derive(Clone)]
 pub struct NormalScratch {
     grids: NormalGrids,

@@ -1,15 +1,16 @@
-//! Floor 4 of carom: the numerical contact problem (chapters 11 to 14).
+//! Layer 4 of carom: the numerical contact problem (chapters 11 to 14).
 //!
-//! A [`ContactProblem`] is a [`Gap`], an operator (that of the half-space or the user's own) and
-//! [`SurfaceFriction`], all on one grid. A [`Method`] takes a [`ContactState`] through the steps of
-//! a history, each given by a [`Drive`], and says with a [`Convergence`] how it went.
+//! A [`ContactProblem`] consists of a [`Gap`], an operator (that of the half-space or the user's
+//! own) and [`SurfaceFriction`], all on one grid. A [`Method`] advances a [`ContactState`] through
+//! the steps of a load history. Each step is given by a [`Drive`] and reported by a
+//! [`Convergence`].
 //!
 //! | item | what |
 //! |---|---|
 //! | [`Frictional`], [`Frictionless`] | the methods: with friction and without |
-//! | [`NestedHistory`], [`Accuracy`] | errors by the mesh, and a grid for a wanted accuracy |
+//! | [`NestedHistory`], [`Accuracy`] | discretisation errors, and the grid for a required accuracy |
 //! | [`NumericalLaw`] | the contact on a grid as a contact law, for impacts |
-//! | [`violations`] | how well a state satisfies the conditions |
+//! | [`violations`] | how well a state satisfies the contact conditions |
 //!
 //! ```
 //! use carom_halfspace::{Grid, Material, MaterialPair};
@@ -21,7 +22,7 @@
 //! let problem = ContactProblem::of_half_spaces(ball, pair, Friction::new(0.4)?)?;
 //! let (method, apart) = (Frictional::default(), ContactState::apart(grid));
 //! let (mut scratch, mut state) = (method.scratch(&problem)?, apart.clone());
-//! // Pressed by an approach of 0.5 and pulled along x by a force.
+//! Pressed by an approach of 0.5 and pulled along x by a force.
 //! let drive = Drive { normal: Driven::Shift(0.5), x: Driven::Load(0.3), ..Drive::default() };
 //! method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
 //! assert!((state.load().f_x - 0.3).abs() < 1e-7 && state.load().f_z > 1.0);
@@ -46,8 +47,8 @@ mod state;
 mod tangential;
 
 pub use accuracy::{
-    Accuracy, Contour, Doubt, Estimated, Estimates, Fit, FitError, NestedError, NestedHistory,
-    Side, Window, contours,
+    Accuracy, Contour, Estimated, Estimates, Fit, FitError, GridWarning, NestedError,
+    NestedHistory, Side, Window, contours,
 };
 pub use convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
 pub use drive::{Drive, Driven};

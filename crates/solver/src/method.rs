@@ -1,4 +1,4 @@
-//! The trait of a solution method.
+//! The trait of the solution methods.
 
 use crate::convergence::{Convergence, Observer};
 use crate::drive::Drive;
@@ -7,25 +7,27 @@ use crate::state::ContactState;
 
 /// A method that advances a numerical contact by one step of its load history.
 ///
-/// Methods are values: all solve the same [`ContactProblem`] and write the same [`ContactState`],
-/// so that one can be checked against another.
+/// All methods solve the same [`ContactProblem`] and write the same [`ContactState`], so that one
+/// can be checked against another.
 pub trait Method {
     /// Why a step failed.
     type Error: std::error::Error + Send + Sync + 'static;
 
-    /// Working memory, kept between steps.
+    /// Working memory, reused between steps.
     type Scratch: Clone;
 
-    /// Working memory for a problem.
+    /// Allocates the working memory for a problem.
     ///
     /// # Errors
-    /// The method's own: a problem that it cannot solve, or too little memory.
+    /// The method's error: a problem that it cannot solve, or too little memory.
     fn scratch(&self, problem: &ContactProblem) -> Result<Self::Scratch, Self::Error>;
 
-    /// Goes from the state `from` to the end of a step and writes the state there to `to`.
+    /// Computes the state at the end of a step from the state `from` before it, and writes it to
+    /// `to`.
     ///
     /// # Errors
-    /// The method's own, not converging among them; `to` is then of no use, `from` as it was.
+    /// The method's error, for example if it does not converge. The content of `to` is then
+    /// meaningless; `from` is unchanged.
     fn step(
         &self,
         problem: &ContactProblem,

@@ -1,6 +1,6 @@
-//! Nested grids: a coarse solution as the start of a fine one.
+//! Nested grids: the solution on a coarse grid is the start on a finer one.
 //!
-//! Centres of cells lie elsewhere on each grid, so that all passes by interpolation at places.
+//! The cell centres of two grids do not coincide, so that all transfers interpolate.
 
 use std::sync::Arc;
 
@@ -10,7 +10,7 @@ use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 /// Grids with fewer cells along a side than this are not made coarser.
 const COARSEST: usize = 32;
 
-/// An operator on coarser grids, finest first, as far as it can be built there.
+/// The operator on successively coarser grids, finest first, as far as it can be built.
 pub(crate) fn coarser_operators(
     finest: &dyn SurfaceOperator,
 ) -> Result<Vec<Arc<dyn SurfaceOperator>>, OperatorError> {
@@ -26,15 +26,15 @@ pub(crate) fn coarser_operators(
     }
 }
 
-/// Bilinear interpolation between the centres of a grid's cells; beyond them the border's values
-/// count.
+/// Bilinear interpolation between the cell centres of a grid; beyond them the values of the border
+/// are continued.
 struct Bilinear<'a> {
     grid: Grid,
     values: &'a [f64],
 }
 
 impl Bilinear<'_> {
-    /// Between columns and rows at these places.
+    /// The value at the given columns and rows.
     fn at(&self, (column, right): (usize, f64), (row, upper): (usize, f64)) -> f64 {
         let next = [(column + 1).min(self.grid.nx() - 1), (row + 1).min(self.grid.ny() - 1)];
         let value = |i: usize, j: usize| self.values[self.grid.index(i, j)];
@@ -43,13 +43,13 @@ impl Bilinear<'_> {
     }
 }
 
-/// The places of coordinates along an axis.
+/// Positions of coordinates along an axis, as (cell, fraction).
 fn places(at: impl Iterator<Item = f64>, width: f64, count: usize) -> Vec<(usize, f64)> {
     at.map(|at| position(at / width, count)).collect()
 }
 
-/// The cell whose centre lies at or before a place, given in widths from the middle of `count`
-/// cells, and the part of the way to the next one.
+/// The cell whose centre lies at or before a position, and the fraction of the distance to the next
+/// one. Positions are measured in cell widths from the centre of `count` cells.
 fn position(widths: f64, count: usize) -> (usize, f64) {
     let last = (count - 1) as f64;
     let place = (widths + 0.5 * last).clamp(0.0, last);
@@ -57,11 +57,11 @@ fn position(widths: f64, count: usize) -> (usize, f64) {
 }
 
 fn mix(low: f64, high: f64, part: f64) -> f64 {
-    // An infinite neighbour that does not count must not make 0 times infinity.
+    // If `part` is 0, `high` may be infinite and must not make 0 times infinity.
     if part == 0.0 { low } else { low + part * (high - low) }
 }
 
-/// Values on cells twice as wide: the mean of four places within each.
+/// Values on cells twice as wide: the mean of four points in each.
 pub(crate) fn coarser(fine: Grid, values: &[f64], coarse: Grid) -> Vec<f64> {
     let values = Bilinear { grid: fine, values };
     let (dx, dy) = (0.5 * fine.dx(), 0.5 * fine.dy());
@@ -81,7 +81,7 @@ pub(crate) fn coarser(fine: Grid, values: &[f64], coarse: Grid) -> Vec<f64> {
     means
 }
 
-/// From the centres of coarse cells to those of fine ones.
+/// Interpolation from coarse to fine cell centres.
 pub(crate) struct Passage {
     coarse: Grid,
     columns: Vec<(usize, f64)>,
@@ -95,14 +95,14 @@ impl Passage {
         Self { coarse, columns, rows }
     }
 
-    /// Between coarse values in a fine cell.
+    /// The coarse values interpolated at a fine cell.
     pub(crate) fn at(&self, values: &[f64], cell: usize) -> f64 {
         let (column, row) = (cell % self.columns.len(), cell / self.columns.len());
         Bilinear { grid: self.coarse, values }.at(self.columns[column], self.rows[row])
     }
 }
 
-/// Values between the centres of coarse cells at those of fine ones.
+/// Coarse values interpolated at the fine cell centres.
 pub(crate) fn finer(coarse: Grid, values: &[f64], fine: Grid) -> Vec<f64> {
     let (values, passage) = (Bilinear { grid: coarse, values }, Passage::new(coarse, fine));
     let mut between = Vec::with_capacity(fine.cells());
@@ -112,7 +112,8 @@ pub(crate) fn finer(coarse: Grid, values: &[f64], fine: Grid) -> Vec<f64> {
     between
 }
 
-/// Gives cells of no value the mean of their neighbours that have one, ring after ring.
+/// Extends values to unknown cells as the mean of their known neighbours, one ring of cells after
+/// another.
 pub(crate) fn extended(grid: Grid, values: &mut [f64], known: &[bool], rings: usize) {
     let mut known = known.to_vec();
     for _ in 0..rings {
@@ -141,14 +142,15 @@ pub(crate) fn extended(grid: Grid, values: &mut [f64], known: &[bool], rings: us
     }
 }
 
-/// A pressure on finer cells. Its square, which falls linearly to the edge of a smooth contact, is
-/// continued beyond it and interpolated, so that the edge keeps its place.
+/// Interpolates a pressure on finer cells. The square of the pressure falls linearly towards the
+/// edge of a smooth contact; it is extrapolated beyond the edge and interpolated, so that the edge
+/// keeps its position.
 pub(crate) fn finer_pressure(coarse: Grid, pressure: &[f64], fine: Grid) -> Vec<f64> {
     let squares = continued(coarse, pressure);
     finer(coarse, &squares, fine).into_iter().map(|square| square.max(0.0).sqrt()).collect()
 }
 
-/// The squares of a pressure; beside the contact the mean of their linear continuations.
+/// The squares of a pressure; outside the contact the mean of their linear extrapolations.
 fn continued(grid: Grid, pressure: &[f64]) -> Vec<f64> {
     let square = |i: usize, j: usize| {
         let p = pressure[grid.index(i, j)];

@@ -1,4 +1,4 @@
-//! The contact problem: two bodies on a grid with friction.
+//! The contact problem: two bodies on a grid, with friction.
 
 use std::sync::Arc;
 
@@ -10,19 +10,19 @@ use crate::drive::Driven;
 use crate::friction::SurfaceFriction;
 use crate::gap::Gap;
 
-/// Why gap, operator and friction make no problem.
+/// Why gap, operator and friction do not form a problem.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum ProblemError {
-    /// A part was made for another grid than the gap.
+    /// Operator or friction has another grid than the gap.
     #[error(
         "the {part} is for {} x {} cells of {} x {}, the gap for {} x {} of {} x {}",
         .grids[1].nx(), .grids[1].ny(), .grids[1].dx(), .grids[1].dy(),
         .grids[0].nx(), .grids[0].ny(), .grids[0].dx(), .grids[0].dy()
     )]
     OtherGrid {
-        /// The part: operator or friction.
+        /// The part with the other grid: operator or friction.
         part: &'static str,
-        /// The grid of the gap and that of the part.
+        /// The grid of the gap, and the grid of the part.
         grids: Box<[Grid; 2]>,
     },
     /// The operator of the half-space could not be built.
@@ -30,13 +30,13 @@ pub enum ProblemError {
     Operator(#[from] OperatorError),
 }
 
-/// Why no load on a period leads to a given shift.
+/// Why no load on a periodic surface gives a prescribed shift.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum PeriodError {
-    /// An approach above the mean of the gap.
+    /// The approach is above the mean of the gap.
     #[error(
-        "the approach {approach} is above the mean of the gap, {mean}: there all of the period touches, \
-         and no load takes the mean planes nearer"
+        "the approach {approach} is above the mean of the gap, {mean}: the whole period is then in contact, \
+         and no load moves the mean planes closer"
     )]
     AllTouches {
         /// The approach.
@@ -44,10 +44,10 @@ pub enum PeriodError {
         /// The mean of the gap.
         mean: f64,
     },
-    /// A tangential shift where all cells touch and friction is infinite.
+    /// A tangential shift is prescribed where all cells are in contact and friction is infinite.
     #[error(
-        "a shift by {shift} along {axis}: all of the period sticks, and no load moves the mean planes \
-         against each other"
+        "a shift by {shift} along {axis}: the whole period sticks, and no load moves the mean planes \
+         relative to each other"
     )]
     AllSticks {
         /// The axis.
@@ -57,12 +57,12 @@ pub enum PeriodError {
     },
 }
 
-/// An approach above the mean of the gap by no more than this part of the depth is at it.
+/// Relative tolerance for an approach above the mean of the gap: within it, the approach is taken
+/// to equal the mean.
 const ROUNDING: f64 = 1e-13;
 
-/// What a method of chapters 11 to 14 solves: a gap, the influence of tractions on displacements,
-/// and friction, all on one grid. It clones in constant time but for heights and friction: the
-/// operator is shared.
+/// A contact problem (chapters 11 to 14): a gap, the influence of tractions on displacements, and
+/// friction, all on one grid. Clones copy heights and friction and share the operator.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -84,10 +84,10 @@ pub struct ContactProblem {
 }
 
 impl ContactProblem {
-    /// A problem with any operator, the user's own included.
+    /// A problem with any operator, for example one of the user.
     ///
     /// # Errors
-    /// [`ProblemError::OtherGrid`] unless all parts have the grid of the gap.
+    /// [`ProblemError::OtherGrid`] unless operator and friction have the grid of the gap.
     pub fn new(
         gap: Gap,
         operator: Arc<dyn SurfaceOperator>,
@@ -104,7 +104,7 @@ impl ContactProblem {
         Ok(Self { gap, operator, friction })
     }
 
-    /// A problem of parts that are known to have one grid.
+    /// A problem whose parts are known to have the same grid.
     pub(crate) const fn of_parts(
         gap: Gap,
         operator: Arc<dyn SurfaceOperator>,
@@ -126,19 +126,19 @@ impl ContactProblem {
         Self::new(gap, operator, friction)
     }
 
-    /// The grid of all parts.
+    /// The grid of gap, operator and friction.
     #[must_use]
     pub const fn grid(&self) -> Grid {
         self.gap.grid()
     }
 
-    /// The same without friction.
+    /// The same problem without friction.
     #[must_use]
     pub fn without_friction(self) -> Self {
         Self { friction: Friction::NONE.into(), ..self }
     }
 
-    /// The approach after a step that leaves the bodies apart; none if they touch.
+    /// The approach after a step if the bodies are then separated; `None` if they are in contact.
     #[must_use]
     pub fn apart(&self, normal: Driven) -> Option<f64> {
         let heights = self.gap.heights().values();
@@ -149,7 +149,8 @@ impl ContactProblem {
         }
     }
 
-    /// Ok unless no load leads to this approach. At the mean of the gap on a period many do.
+    /// Checks that some load gives this approach. On a periodic surface many loads give the mean of
+    /// the gap.
     pub(crate) fn check_approach(&self, normal: Driven) -> Result<(), PeriodError> {
         let Driven::Shift(approach) = normal else { return Ok(()) };
         if self.operator.displaces_on_average() {
@@ -170,13 +171,13 @@ impl ContactProblem {
         &self.gap
     }
 
-    /// The influence of tractions on displacements.
+    /// The operator: the influence of tractions on displacements.
     #[must_use]
     pub fn operator(&self) -> &dyn SurfaceOperator {
         &*self.operator
     }
 
-    /// The friction.
+    /// The friction of the surface.
     #[must_use]
     pub const fn friction(&self) -> &SurfaceFriction {
         &self.friction

@@ -4,22 +4,22 @@ use carom_halfspace::{Field, Grid};
 use carom_laws::law::{ContactLoad, Shift};
 use carom_special::RangeError;
 
-/// What a cell does.
+/// The state of a cell.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum CellState {
-    /// The surfaces are apart.
+    /// The surfaces are separated.
     #[default]
     Exterior,
-    /// They touch and stick.
+    /// The surfaces are in contact and stick.
     Stick,
-    /// They touch and slip.
+    /// The surfaces are in contact and slip.
     Slip,
 }
 
-/// Tractions that body 2 exerts on body 1, and what the next step must remember.
+/// Tractions that body 2 exerts on body 1, with the data that the next step needs.
 #[derive(Debug, PartialEq)]
 pub struct ContactState {
-    /// The rigid shift reached.
+    /// The rigid shift at the end of the last step.
     pub shift: Shift,
     /// Pressure.
     pub pressure: Field,
@@ -27,12 +27,12 @@ pub struct ContactState {
     pub traction_x: Field,
     /// Tangential traction along y.
     pub traction_y: Field,
-    /// Elastic displacement u = u1 - u2, outside the contact too: a cell that enters the contact
-    /// needs its last one.
+    /// Elastic displacement u = u1 - u2, also outside the contact: a cell that comes into contact
+    /// needs its previous displacement.
     pub displacement_x: Field,
     /// Elastic displacement v = v1 - v2.
     pub displacement_y: Field,
-    /// What each cell did in the last step.
+    /// State of each cell in the last step.
     pub cells: Field<CellState>,
 }
 
@@ -49,7 +49,7 @@ impl Clone for ContactState {
         }
     }
 
-    // What is there already is used again.
+    // Reuses the memory that is already allocated.
     fn clone_from(&mut self, source: &Self) {
         self.shift = source.shift;
         self.pressure.clone_from(&source.pressure);
@@ -62,7 +62,7 @@ impl Clone for ContactState {
 }
 
 impl ContactState {
-    /// Bodies apart: no tractions.
+    /// Separated bodies, without tractions.
     #[must_use]
     pub fn apart(grid: Grid) -> Self {
         let zero = || Field::uniform(grid, 0.0);
@@ -77,10 +77,10 @@ impl ContactState {
         }
     }
 
-    /// Ok if all fields are on this grid.
+    /// Checks that all fields are on this grid.
     ///
     /// # Errors
-    /// [`RangeError`] that names the first one of another grid, with its number of cells.
+    /// [`RangeError`] that names the first field on another grid and gives its number of cells.
     pub fn check_grid(&self, grid: Grid) -> Result<(), RangeError> {
         let fields = [
             ("pressure", self.pressure.grid()),
@@ -96,8 +96,8 @@ impl ContactState {
         Ok(())
     }
 
-    /// The load: sums over the cells; `M_z` is the sum of y t_x - x t_y about the middle of the
-    /// grid.
+    /// The loads: sums over the cells. `M_z` is the sum of y t_x - x t_y about the centre of the
+    /// grid, times the cell area.
     #[must_use]
     pub fn load(&self) -> ContactLoad {
         let grid = self.pressure.grid();
@@ -112,7 +112,7 @@ impl ContactState {
         }
     }
 
-    /// How many cells are in this state.
+    /// The number of cells in this state.
     #[must_use]
     pub fn count(&self, state: CellState) -> usize {
         self.cells.values().iter().filter(|cell| **cell == state).count()

@@ -1,11 +1,11 @@
-//! The axis ratio a/b of an ellipse, the argument of every elliptic integral in carom.
+//! The axis ratio a/b of an ellipse, the argument of all elliptic integrals of carom.
 
 use crate::RangeError;
 
 /// The ratio `k' = a/b` of the semi-axes of an ellipse, any finite positive number.
 ///
-/// Carrying `k'` instead of the modulus `k = sqrt(1 - k'^2)` keeps full accuracy for nearly
-/// circular and for very slender ellipses; `k' > 1` (parameter `m < 0`) is valid everywhere.
+/// Using `k'` instead of the modulus `k = sqrt(1 - k'^2)` keeps full accuracy for nearly circular
+/// and for very slender ellipses. `k' > 1` (parameter `m < 0`) is valid everywhere.
 ///
 /// ```
 /// use carom_special::AxisRatio;
@@ -21,7 +21,7 @@ impl AxisRatio {
     /// The circle, a = b.
     pub const CIRCLE: Self = Self(1.0);
 
-    /// An axis ratio a/b.
+    /// From the ratio a/b.
     ///
     /// # Errors
     /// [`RangeError`] unless `ratio` is finite and positive.
@@ -29,10 +29,10 @@ impl AxisRatio {
         RangeError::positive("axis_ratio", ratio).map(Self)
     }
 
-    /// The axis ratio of the modulus `k = sqrt(1 - (a/b)^2)`, for tables and formulas given by it.
+    /// The axis ratio for a modulus `k = sqrt(1 - (a/b)^2)`.
     ///
     /// # Errors
-    /// [`RangeError`] unless `modulus` is from 0 to below 1.
+    /// [`RangeError`] unless `modulus` is at least 0 and below 1.
     ///
     /// ```
     /// use carom_special::AxisRatio;
@@ -45,7 +45,7 @@ impl AxisRatio {
         Ok(Self(((1.0 - modulus) * (1.0 + modulus)).sqrt()))
     }
 
-    /// The axis ratio of the parameter `m = 1 - (a/b)^2`, negative for a > b.
+    /// The axis ratio for a parameter `m = 1 - (a/b)^2`, which is negative for a > b.
     ///
     /// # Errors
     /// [`RangeError`] unless `parameter` is finite and below 1.
@@ -70,7 +70,8 @@ impl AxisRatio {
     /// The ratio b/a of the same ellipse with its axes exchanged.
     #[must_use]
     pub fn inverse(self) -> Self {
-        // The reciprocal of a subnormal overflows; the largest number stands for it.
+        // The reciprocal of a subnormal number overflows; the largest finite number is used
+        // instead.
         Self((1.0 / self.0).min(f64::MAX))
     }
 

@@ -1,6 +1,6 @@
-//! The one shape of a domain error on every floor: which field, its value, what is allowed.
+//! The error for a value out of range, used in all layers: field, value and allowed range.
 
-/// A value outside the range its formula or constructor accepts.
+/// A value outside the range that its formula or constructor allows.
 ///
 /// ```
 /// use carom_special::RangeError;
@@ -10,15 +10,15 @@
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 #[error("{field} = {} is out of range: must be {allowed}", Readable(*value))]
 pub struct RangeError {
-    /// Name of the offending field or argument.
+    /// Name of the field or argument.
     pub field: &'static str,
-    /// The value that was given.
+    /// The given value.
     pub value: f64,
     /// The allowed range, in words.
     pub allowed: &'static str,
 }
 
-/// A number as a person reads it: very large and very small ones with an exponent.
+/// Formats a number for reading: very large and very small ones with an exponent.
 ///
 /// ```
 /// use carom_special::Readable;
@@ -35,13 +35,13 @@ impl std::fmt::Display for Readable {
 }
 
 impl RangeError {
-    /// An error for `field` with `value`, of which `allowed` says the range.
+    /// The error for `field` with `value`; `allowed` describes the allowed range.
     #[must_use]
     pub const fn new(field: &'static str, value: f64, allowed: &'static str) -> Self {
         Self { field, value, allowed }
     }
 
-    /// `value` if it is finite and positive.
+    /// Returns `value` if it is finite and positive.
     ///
     /// # Errors
     /// Otherwise the error that names `field`.
@@ -49,7 +49,7 @@ impl RangeError {
         Self::check(field, value, value.is_finite() && value > 0.0, "finite and > 0")
     }
 
-    /// `value` if it is finite and not negative.
+    /// Returns `value` if it is finite and not negative.
     ///
     /// # Errors
     /// Otherwise the error that names `field`.
@@ -57,7 +57,7 @@ impl RangeError {
         Self::check(field, value, value.is_finite() && value >= 0.0, "finite and >= 0")
     }
 
-    /// `value` if it is finite.
+    /// Returns `value` if it is finite.
     ///
     /// # Errors
     /// Otherwise the error that names `field`.
@@ -65,7 +65,7 @@ impl RangeError {
         Self::check(field, value, value.is_finite(), "finite")
     }
 
-    /// `value` if `holds`; else the error that `field` must be `allowed`.
+    /// Returns `value` if `holds`; otherwise the error that `field` must be `allowed`.
     ///
     /// # Errors
     /// The error that names `field` when `holds` is false.

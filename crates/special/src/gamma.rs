@@ -8,8 +8,9 @@ use special::Gamma;
 /// gamma(x) = int_0^inf t^(x - 1) e^(-t) dt   (x > 0),   gamma(x + 1) = x gamma(x)
 /// ```
 ///
-/// Any real `x`: not a number at negative integers (poles of changing sign), infinite with the sign of
-/// `x` at +-0, overflow above 171.6, 0 far below 0. Within 5 units of 2.2e-16. Source: DLMF 5.2.1.
+/// Any real `x`: NaN at negative integers (poles of changing sign), infinite with the sign of `x`
+/// at +-0, infinite above 171.6, 0 for large negative x. The error is at most 5 units of 2.2e-16.
+/// Source: DLMF 5.2.1.
 ///
 /// ```
 /// use carom_special::gamma::gamma;
@@ -23,7 +24,8 @@ pub fn gamma(x: f64) -> f64 {
 
 /// 1/gamma(x), an entire function: 0 at 0, -1, -2, ...
 ///
-/// Any real `x` above -170; 0 once gamma overflows. Within 5 units of 2.2e-16. Source: DLMF 5.2.1.
+/// Any real `x` above -170; 0 where gamma overflows. The error is at most 5 units of 2.2e-16.
+/// Source: DLMF 5.2.1.
 ///
 /// ```
 /// use carom_special::gamma::reciprocal;
@@ -37,8 +39,8 @@ pub fn reciprocal(x: f64) -> f64 {
 
 /// ln |gamma(x)|.
 ///
-/// Any real `x`; infinite at the poles. Within 4 units of 2.2e-16 for x > 0 and 20 next to the poles,
-/// absolute where it is below 1. Source: DLMF 5.2.1.
+/// Any real `x`; infinite at the poles. The error is at most 4 units of 2.2e-16 for x > 0 and 20
+/// near the poles, relative where the value exceeds 1 and absolute below. Source: DLMF 5.2.1.
 ///
 /// ```
 /// use carom_special::gamma::ln_gamma;

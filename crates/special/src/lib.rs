@@ -1,6 +1,6 @@
-//! Floor 1 of carom: special functions and numerical tools. It knows no mechanics.
+//! Layer 1 of carom: special functions and numerical tools. It contains no mechanics.
 //!
-//! | module | what |
+//! | module | content |
 //! |---|---|
 //! | [`elliptic`] | complete K, E, D, B, C and incomplete F, E, D of the axis ratio |
 //! | [`hypergeometric`] | 2F1 and 3F2(s, a, b; s + 1, c) on the unit interval |
@@ -9,9 +9,9 @@
 //! | [`roots`] | Brent's method in a bracket, bisection |
 //! | [`ode`] | ordinary differential equations with dense output |
 //!
-//! Arguments are types that keep full accuracy at both ends of their range: [`AxisRatio`] instead of
-//! the modulus, [`elliptic::Amplitude`] instead of the angle, [`hypergeometric::UnitArgument`], which
-//! knows x and 1 - x. Transcendental functions come from `libm`: the same digits on every machine.
+//! Arguments are types that keep full accuracy at both ends of their range: [`AxisRatio`] instead
+//! of the modulus, [`elliptic::Amplitude`] instead of the angle, [`hypergeometric::UnitArgument`]
+//! with x and 1 - x. Transcendental functions come from `libm`: the same digits on every machine.
 //!
 //! ```
 //! use carom_special::{AxisRatio, elliptic::complete};

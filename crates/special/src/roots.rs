@@ -1,13 +1,14 @@
-//! Roots of a continuous function in a bracket, and where a condition turns.
+//! Roots of a continuous function in a bracket, and the point where a condition changes.
 
 use std::convert::Infallible;
 
 use crate::RangeError;
 
-/// Brent's method needs far fewer; this many halvings pass every number of an interval.
+/// Greatest number of evaluations. Brent's method needs far fewer; so many bisections would
+/// separate all numbers of an interval.
 const MOST_EVALUATIONS: usize = 4500;
 
-/// Halvings after which no number is left between two places.
+/// Number of bisections after which no number lies between the ends of any interval.
 pub const ALL_DIGITS: usize = 2200;
 
 /// An interval `lower < upper`, both finite.
@@ -42,23 +43,23 @@ impl Bracket {
     }
 }
 
-/// A root that was found.
+/// A root, with the last bracket.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Root {
-    /// Where the function is smallest of the two ends of the last bracket.
+    /// The end of the last bracket at which |function| is smaller.
     pub position: f64,
-    /// The function there.
+    /// The value of the function at `position`.
     pub residual: f64,
     /// The other end of the last bracket; equal to `position` at an exact zero.
     pub opposite: f64,
-    /// How often the function was evaluated.
+    /// Number of evaluations of the function.
     pub evaluations: usize,
 }
 
 /// Why no root was found.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum RootError {
-    /// The tolerance is negative or undefined.
+    /// The tolerance is negative or NaN.
     #[error(transparent)]
     Range(#[from] RangeError),
     /// The function has the same sign at both ends.
@@ -73,13 +74,13 @@ pub enum RootError {
         /// The function at the upper end.
         at_upper: f64,
     },
-    /// The function is not a number somewhere in the bracket.
+    /// The function is NaN somewhere in the bracket.
     #[error("the function is undefined at {position}")]
     Undefined {
-        /// Where it is undefined.
+        /// The point at which it is NaN.
         position: f64,
     },
-    /// The bracket is still wider than asked for after the largest number of evaluations.
+    /// The bracket is still wider than required after the greatest number of evaluations.
     #[error("no convergence after {} evaluations: root near {}", best.evaluations, best.position)]
     NotConverged {
         /// The best bracket.
@@ -90,15 +91,15 @@ pub enum RootError {
 /// A root of `function` in `bracket` by Brent's method (inverse quadratic interpolation, secant,
 /// bisection).
 ///
-/// The root returned is within `tolerance + 2 eps |root|` of a change of sign; a tolerance of 0 asks
-/// for all digits. The function may be infinite at points of the bracket, not undefined. Needs no
-/// memory beyond the stack and gives the same bits for the same function.
+/// The root returned is within `tolerance + 2 eps |root|` of a change of sign; a tolerance of 0
+/// gives full accuracy. The function may be infinite in the bracket but not NaN. Nothing is
+/// allocated, and the same function gives the same bits.
 ///
 /// Source: R. P. Brent, Algorithms for Minimization without Derivatives (1973), chapter 4.
 ///
 /// # Errors
-/// [`RootError`]: no change of sign over the bracket, a function that is not a number, a bad
-/// tolerance, or no convergence (with the best bracket).
+/// [`RootError`] if the function does not change sign over the bracket or is NaN, if the tolerance
+/// is out of range, or if the iteration does not converge (with the best bracket).
 ///
 /// ```
 /// use carom_special::roots::{self, Bracket};
@@ -117,7 +118,7 @@ pub fn brent(
         search.order();
         let half = 0.5 * (search.c.x - search.b.x);
         let reach = 0.5 * tolerance + 2.0 * f64::EPSILON * search.b.x.abs();
-        // The smallest number is the last resort for a root at zero.
+        // The smallest positive number is the final tolerance for a root at zero.
         let reach = reach.max(f64::from_bits(1));
         if half.abs() <= reach || search.b.f == 0.0 {
             return Ok(search.best());
@@ -127,8 +128,9 @@ pub fn brent(
     Err(RootError::NotConverged { best: search.best() })
 }
 
-/// Halves the way between two places about the one where `is_before`, true at the first and false
-/// at the second, turns: `halvings` times at most, as long as numbers lie between. Gives both ends.
+/// Bisects the interval between two points for the place where `is_before`, true at the first and
+/// false at the second, changes: at most `halvings` times, while there are numbers in between.
+/// Returns both ends.
 ///
 /// ```
 /// use carom_special::roots::{ALL_DIGITS, bisect};
@@ -143,7 +145,7 @@ pub fn bisect(ends: [f64; 2], halvings: usize, mut is_before: impl FnMut(f64) ->
 /// [`bisect`] with a condition that may fail.
 ///
 /// # Errors
-/// The first error of the condition.
+/// The first error returned by the condition.
 pub fn try_bisect<E>(
     [mut from, mut to]: [f64; 2],
     halvings: usize,
@@ -172,7 +174,7 @@ impl Point {
     }
 }
 
-/// Brent's state: `b` the best point, `a` the one before, `c` the end opposite to `b`.
+/// Brent's state: `b` is the best point, `a` the previous one, `c` the end opposite to `b`.
 struct Search {
     a: Point,
     b: Point,
@@ -202,7 +204,7 @@ impl Search {
         Ok(search)
     }
 
-    /// Makes `b` the smaller end of the bracket `b`, `c`.
+    /// Exchanges the ends if needed, so that `b` is the better end of the bracket `b`, `c`.
     fn order(&mut self) {
         if (self.b.f > 0.0) == (self.c.f > 0.0) && self.c.f != 0.0 {
             self.c = self.a;
@@ -239,7 +241,7 @@ impl Search {
         Ok(())
     }
 
-    /// The interpolated step, if it stays well inside the bracket and the steps shrink.
+    /// The interpolated step, if it stays well inside the bracket and the steps decrease.
     fn interpolation(&self, half: f64, reach: f64) -> Option<f64> {
         let Self { a, b, c, .. } = *self;
         let finite = a.f.is_finite() && c.f.is_finite();

@@ -1,4 +1,4 @@
-//! Values at equal distances.
+//! Equally spaced values.
 
 /// `count` values from `start` to `stop`, both included, equally spaced.
 ///
@@ -11,7 +11,7 @@ pub fn linspace(start: f64, stop: f64, count: usize) -> Vec<f64> {
     (0..count).map(|i| start + (stop - start) * (i as f64 / last)).collect()
 }
 
-/// `count` values from `start` to `stop`, both included and positive, equally spaced in ratio.
+/// `count` values from `start` to `stop`, both included and positive, in geometric progression.
 ///
 /// ```
 /// let decades = carom_special::logspace(1e-2, 1.0, 3);

@@ -1,9 +1,8 @@
-//! Columns of results, written once: name, unit, meaning and value.
+//! Columns of results, defined once: name, unit, meaning and value.
 //!
-//! A result says what it holds as a list of [`Column`]s. Whatever shows it (comma-separated values,
-//! JSON, a table to read, the axis of a picture, a page of help) is printed from that list. What
-//! several results have side by side is a row of [`Cell`]s. This crate knows neither mechanics nor
-//! formats.
+//! A result lists its quantities as [`Column`]s. All output is printed from that list:
+//! comma-separated values, JSON, tables, axes of plots, help texts. A row of [`Cell`]s combines
+//! quantities of several results. This crate contains neither mechanics nor file formats.
 //!
 //! ```
 //! use carom_table::{Column, cells, heads};
@@ -22,7 +21,7 @@
 
 use std::borrow::Cow;
 
-/// The parts of a vector.
+/// The components of a vector.
 const AXES: &[&str] = &["x", "y", "z"];
 
 /// A value in a column.
@@ -30,23 +29,23 @@ const AXES: &[&str] = &["x", "y", "z"];
 pub enum Value {
     /// A number.
     Number(f64),
-    /// A number of things.
+    /// An integer count.
     Count(u64),
-    /// A word or text.
+    /// A text.
     Text(Cow<'static, str>),
     /// Several words.
     Words(Vec<&'static str>),
     /// Several texts.
     Texts(Vec<String>),
-    /// A vector: as many cells as the column has parts.
+    /// A vector: one cell for each component of the column.
     Vector([f64; 3]),
-    /// Nothing, where this record has none.
+    /// The quantity does not exist for this record.
     Absent,
-    /// Nothing, where this record has one that no value says.
+    /// The quantity exists for this record but is undefined (for example 0/0).
     Undefined,
 }
 
-/// Anything with a head: a column, or a cell of a row.
+/// Anything with a heading: a column, or a cell of a row.
 pub trait Quantity {
     /// The name: a word of letters, digits and `_`.
     fn name(&self) -> &str;
@@ -54,11 +53,11 @@ pub trait Quantity {
     fn unit(&self) -> &'static str;
     /// What it is, in a few words.
     fn meaning(&self) -> &'static str;
-    /// The parts of a vector; none of anything else.
+    /// The components of a vector; empty for anything else.
     fn parts(&self) -> &'static [&'static str];
 }
 
-/// A quantity of one record.
+/// A quantity of one record, with its value.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Cell {
     name: Cow<'static, str>,
@@ -68,7 +67,7 @@ pub struct Cell {
     value: Value,
 }
 
-/// One quantity of the records `R`.
+/// A quantity of the records `R`.
 #[derive(Debug)]
 pub struct Column<R> {
     name: &'static str,
@@ -98,7 +97,7 @@ impl<R> Column<R> {
         Self { name, unit, meaning, parts: &[], value }
     }
 
-    /// A column of vectors, three cells wide.
+    /// A column of vectors, with three components.
     #[must_use]
     pub const fn vector(
         name: &'static str,
@@ -127,13 +126,13 @@ impl<R> Column<R> {
         self.meaning
     }
 
-    /// The value of a record.
+    /// The value of the quantity for a record.
     #[must_use]
     pub fn value(&self, record: &R) -> Value {
         (self.value)(record)
     }
 
-    /// Its cell of a record; without one, nothing stands there.
+    /// The cell for a record; without a record its value is absent.
     #[must_use]
     pub fn cell(&self, record: Option<&R>) -> Cell {
         let Self { name, unit, meaning, parts, value } = *self;
@@ -184,7 +183,7 @@ impl Quantity for Cell {
 }
 
 impl Cell {
-    /// A cell of its own.
+    /// A cell without a column.
     #[must_use]
     pub fn new(
         name: impl Into<Cow<'static, str>>,
@@ -201,13 +200,13 @@ impl Cell {
         &self.value
     }
 
-    /// The same under another name.
+    /// The same cell with another name.
     #[must_use]
     pub fn named(self, name: impl Into<Cow<'static, str>>) -> Self {
         Self { name: name.into(), ..self }
     }
 
-    /// As texts, one for each part of a vector, numbers written by `number`.
+    /// Adds the texts of the cell, one for each component, with numbers formatted by `number`.
     fn add_texts(&self, number: &impl Fn(f64) -> String, texts: &mut Vec<String>) {
         match &self.value {
             Value::Number(value) => texts.push(number(*value)),
@@ -223,31 +222,31 @@ impl Cell {
     }
 }
 
-/// The cells of a record; without one, nothing stands in them.
+/// The cells of a record; without a record their values are absent.
 #[must_use]
 pub fn row<R>(columns: &[Column<R>], record: Option<&R>) -> Vec<Cell> {
     columns.iter().map(|column| column.cell(record)).collect()
 }
 
-/// The heads of all cells of a row: the name, for a vector with each of its parts.
+/// The headings of all cells of a row: the name, for a vector one with each component.
 #[must_use]
 pub fn heads(quantities: &[impl Quantity]) -> Vec<String> {
     parts(quantities).map(|(of, part)| named(of, part)).collect()
 }
 
-/// The heads of all cells of a row, with their units: `time / s`.
+/// The headings of all cells of a row with their units: `time / s`.
 #[must_use]
 pub fn labels(quantities: &[impl Quantity]) -> Vec<String> {
     parts(quantities).map(|(of, part)| labelled(&named(of, part), of.unit())).collect()
 }
 
-/// The cells of a record as texts, numbers written by `number`; what is absent is empty.
+/// The cells of a record as texts, with numbers formatted by `number`; absent values are empty.
 #[must_use]
 pub fn cells<R>(columns: &[Column<R>], record: &R, number: impl Fn(f64) -> String) -> Vec<String> {
     texts(&row(columns, Some(record)), number)
 }
 
-/// The cells of a row as texts, numbers written by `number`; what is absent is empty.
+/// The cells of a row as texts, with numbers formatted by `number`; absent values are empty.
 #[must_use]
 pub fn texts(row: &[Cell], number: impl Fn(f64) -> String) -> Vec<String> {
     let mut texts = Vec::with_capacity(row.len());
@@ -257,7 +256,7 @@ pub fn texts(row: &[Cell], number: impl Fn(f64) -> String) -> Vec<String> {
     texts
 }
 
-/// Each quantity with each of its parts.
+/// Each quantity with each of its components.
 fn parts<Q: Quantity>(quantities: &[Q]) -> impl Iterator<Item = (&Q, Option<&'static str>)> {
     quantities.iter().flat_map(|of| {
         let whole = of.parts().is_empty().then_some((of, None));

@@ -1,22 +1,22 @@
-//! What a step demands of the displacements.
+//! The displacements that the conditions of a step require.
 
 use carom_special::RangeError;
 
 use super::DirectError;
 use carom_solver::{ContactProblem, ContactState, Drive, Driven, Residuals};
 
-/// The displacements that a step demands, (12.2): those of the surfaces that stick, and the approach
-/// less the gap where they touch.
+/// The displacements that a step requires (12.2): those of sticking surfaces, and approach minus
+/// gap where the surfaces are in contact.
 #[derive(Debug, Clone)]
 pub(crate) struct Demand {
     pub(crate) target: [Vec<f64>; 3],
-    /// f of each cell.
+    /// Friction coefficient of each cell.
     pub(crate) friction: Vec<f64>,
     own: [f64; 3],
 }
 
 impl Demand {
-    /// Ok if a method with direct coefficients can take the problem.
+    /// Checks that a method with direct coefficients can solve the problem.
     pub(crate) fn check(problem: &ContactProblem) -> Result<(), DirectError> {
         for cell in 0..problem.grid().cells() {
             let friction = problem.friction().at(cell);
@@ -59,12 +59,12 @@ impl Demand {
         Ok(Self { target: [u, v, w], friction, own })
     }
 
-    /// The approach at the deepest place.
+    /// The approach at the deepest point.
     pub(crate) fn depth(&self) -> f64 {
         self.target[2].iter().copied().fold(0.0, f64::max)
     }
 
-    /// f p; zero where nothing touches or rubs.
+    /// f p; zero outside the contact and without friction.
     pub(crate) fn limit(&self, cell: usize, pressure: f64) -> f64 {
         if pressure > 0.0 && self.friction[cell] > 0.0 {
             self.friction[cell] * pressure
@@ -73,12 +73,12 @@ impl Demand {
         }
     }
 
-    /// The slip (12.5) of a cell of this displacement.
+    /// The slip (12.5) of a cell with this displacement.
     pub(crate) fn slip(&self, cell: usize, displacement: &[Vec<f64>; 3]) -> [f64; 2] {
         [0, 1].map(|axis| displacement[axis][cell] - self.target[axis][cell])
     }
 
-    /// What is left of the conditions (12.3) to (12.6).
+    /// The violations of the conditions (12.3) to (12.6).
     pub(crate) fn residuals(
         &self,
         traction: &[Vec<f64>; 3],
@@ -102,7 +102,7 @@ impl Demand {
         Residuals { normal: over(normal, depth), tangential: over(tangential, scale) }
     }
 
-    /// How far the traction of a cell is from the one that its slip would pull it to.
+    /// Distance of the traction of a cell from the traction that its slip leads to.
     fn off(
         &self,
         cell: usize,
@@ -123,12 +123,12 @@ impl Demand {
     }
 }
 
-/// The larger one; not a number if either is none.
+/// The larger of two values; NaN if either is NaN.
 fn worst(a: f64, b: f64) -> f64 {
     if a.is_nan() || b.is_nan() { f64::NAN } else { a.max(b) }
 }
 
-/// Ok if a tolerance is one that sums of rounded numbers can reach.
+/// Checks that a tolerance is above rounding error.
 pub(crate) fn check_tolerance(tolerance: f64) -> Result<(), RangeError> {
     let holds = (1e-13..=0.01).contains(&tolerance);
     RangeError::check("tolerance", tolerance, holds, "from 1e-13 to 0.01").map(drop)

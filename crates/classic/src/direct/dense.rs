@@ -5,23 +5,23 @@ use faer::{Col, Mat};
 
 use super::DirectError;
 
-/// The most unknowns of a dense system: its matrix takes 200 MB.
-const MOST: usize = 5000;
+/// Greatest number of unknowns of a dense system, whose matrix takes 200 MB.
+const MOST_UNKNOWNS: usize = 5000;
 
-/// One unknown and its equation: a traction along `direction` on a cell, and the displacement of
+/// An unknown and its equation: a traction along `direction` on a cell, and the displacement of
 /// that cell along `test`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Unknown {
     pub(crate) cell: usize,
     pub(crate) direction: [f64; 3],
     pub(crate) test: [f64; 3],
-    /// What the equation has of the unknown itself, beside the displacement.
+    /// Additional coefficient of the unknown in its own equation.
     pub(crate) own: f64,
     /// The right-hand side.
     pub(crate) right: f64,
 }
 
-/// The amounts of the unknowns, by elimination: `block` holds the nine coefficients of two cells,
+/// Solves for the unknowns by elimination; `block` holds the nine coefficients of two cells,
 /// receiver first.
 pub(crate) fn solve(
     unknowns: &[Unknown],
@@ -31,8 +31,8 @@ pub(crate) fn solve(
     if count == 0 {
         return Ok(Vec::new());
     }
-    if count > MOST {
-        return Err(DirectError::TooMany { unknowns: count, allowed: MOST });
+    if count > MOST_UNKNOWNS {
+        return Err(DirectError::TooMany { unknowns: count, allowed: MOST_UNKNOWNS });
     }
     let matrix = Mat::from_fn(count, count, |row, column| {
         let (to, from) = (&unknowns[row], &unknowns[column]);

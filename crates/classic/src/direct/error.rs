@@ -14,20 +14,20 @@ pub enum DirectError {
     /// The operator failed.
     #[error(transparent)]
     Operator(#[from] OperatorError),
-    /// A motion is driven by its load.
-    #[error("{load} is given: this method takes shifts only; Frictional takes loads")]
+    /// The load of a motion is prescribed.
+    #[error("{load} is prescribed, but this method allows shifts only; `Frictional` allows loads")]
     GivenLoad {
-        /// Which load.
+        /// The prescribed load.
         load: &'static str,
     },
     /// Static and kinetic friction differ.
     #[error(
-        "static friction {rest} and kinetic friction {motion} differ: this method takes equal ones"
+        "static friction {rest} and kinetic friction {motion} differ: this method requires equal ones"
     )]
     TwoFrictions {
-        /// At rest.
+        /// The static coefficient.
         rest: f64,
-        /// In motion.
+        /// The kinetic coefficient.
         motion: f64,
     },
     /// The materials couple normal and tangential displacements.
@@ -45,27 +45,27 @@ pub enum DirectError {
         /// Its size.
         unknowns: usize,
     },
-    /// More unknowns than a dense matrix is made for.
+    /// More unknowns than a dense matrix is allowed to have.
     #[error(
         "{unknowns} unknowns need a dense matrix of more than {allowed} rows; GaussSeidel and \
          Frictional need none"
     )]
     TooMany {
-        /// How many.
+        /// Number of unknowns.
         unknowns: usize,
-        /// The most.
+        /// Greatest number allowed.
         allowed: usize,
     },
-    /// Iterations ended before the tolerance was reached.
+    /// The iterations ended before the tolerance was reached.
     #[error(
-        "pressures and tractions are not found within {tolerance:.1e}: {:.1e} (normal), {:.1e} \
+        "pressures and tractions did not converge to {tolerance:.1e}: {:.1e} (normal), {:.1e} \
          (tangential) after {} iterations ({:?})",
         .reached.residuals.normal, .reached.residuals.tangential, .reached.iterations, .reached.stop
     )]
     NotConverged {
         /// The tolerance.
         tolerance: f64,
-        /// How far it got.
+        /// The convergence up to then.
         reached: Convergence,
     },
 }

@@ -1,9 +1,9 @@
-//! Coefficients of every offset, one row of the matrix after the other.
+//! The coefficients of every offset, stored so that the rows of the matrix are contiguous.
 
 use carom_halfspace::Grid;
 use carom_halfspace::operator::SurfaceOperator;
 
-/// The coefficients (4.14) of all offsets of a grid: by (4.23) they depend on the offset alone, so
+/// The coefficients (4.14) at all offsets of a grid. By (4.23) they depend on the offset only, so
 /// that a row of the whole matrix is a window of this table.
 #[derive(Debug, Clone)]
 pub(crate) struct Influence {
@@ -13,9 +13,9 @@ pub(crate) struct Influence {
 }
 
 impl Influence {
-    /// The displacements less those that the same tractions have `shift` columns further along x: what
-    /// a particle gains that comes from there, if the tractions stand still. Between two columns it is
-    /// interpolated.
+    /// The displacements minus those of the same tractions `shift` columns further along x: the
+    /// change of displacement of a particle that comes from there, for steady tractions. Between
+    /// two columns they are interpolated.
     pub(crate) fn rolled(operator: &dyn SurfaceOperator, shift: f64) -> Self {
         let whole = shift.floor();
         let (columns, part) = (whole as i32, shift - whole);
@@ -62,12 +62,12 @@ impl Influence {
         self.grid
     }
 
-    /// The displacement of each component of a cell by its own unit traction.
+    /// Displacements of a cell due to unit tractions on itself, by component.
     pub(crate) fn own(&self) -> [f64; 3] {
         [0, 1, 2].map(|axis| self.coefficient(axis, axis, 0, 0))
     }
 
-    /// Displacement `of` of the cell `at` by the traction `by` on the cell `from`.
+    /// Displacement `of` of the cell `at` due to the traction `by` on the cell `from`.
     pub(crate) fn coefficient(&self, of: usize, by: usize, at: usize, from: usize) -> f64 {
         let block = &self.blocks[of][by];
         if block.is_empty() { 0.0 } else { block[self.place(at, from)] }
@@ -87,7 +87,7 @@ impl Influence {
         rows * (2 * nx - 1) + columns
     }
 
-    /// Displacement `of` of one cell by all tractions, (4.13).
+    /// Displacement `of` of one cell due to all tractions (4.13).
     pub(crate) fn displacement(&self, of: usize, at: usize, tractions: &[Vec<f64>; 3]) -> f64 {
         let mut sum = 0.0;
         for (block, traction) in self.blocks[of].iter().zip(tractions) {
@@ -109,7 +109,7 @@ impl Influence {
             .sum()
     }
 
-    /// All displacements by all tractions.
+    /// All displacements due to all tractions.
     pub(crate) fn displacements(&self, tractions: &[Vec<f64>; 3], out: &mut [Vec<f64>; 3]) {
         for (of, out) in out.iter_mut().enumerate() {
             for (at, out) in out.iter_mut().enumerate() {
@@ -118,7 +118,7 @@ impl Influence {
         }
     }
 
-    /// Adds to all displacements those by a traction on one cell.
+    /// Adds the displacements due to a traction on one cell.
     pub(crate) fn add(&self, from: usize, traction: [f64; 3], out: &mut [Vec<f64>; 3]) {
         for (of, out) in out.iter_mut().enumerate() {
             for (by, traction) in traction.iter().enumerate() {
@@ -133,7 +133,7 @@ impl Influence {
     }
 }
 
-/// Four sums, so that they run side by side.
+/// The dot product with four independent sums, for instruction-level parallelism.
 fn product(a: &[f64], b: &[f64]) -> f64 {
     let mut sums = [0.0; 4];
     let (mut left, mut right) = (a.chunks_exact(4), b.chunks_exact(4));

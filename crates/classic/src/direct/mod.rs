@@ -1,5 +1,5 @@
-//! What the methods of chapters 11 and 12 share: coefficients instead of transforms, what a step
-//! demands, what is left of its conditions.
+//! Shared parts of the methods of chapters 11 and 12: influence coefficients, the displacements
+//! that a step requires, and its violations.
 
 mod demand;
 pub(crate) mod dense;

@@ -20,7 +20,7 @@ impl Outcome {
         Self { traction: zero(), displacement: zero(), cells }
     }
 
-    /// The tractions and cells of a state.
+    /// Sets the tractions and cells of a state.
     pub(crate) fn start(&mut self, from: &ContactState) {
         let tractions = [&from.traction_x, &from.traction_y, &from.pressure];
         for (own, field) in self.traction.iter_mut().zip(tractions) {
@@ -29,14 +29,14 @@ impl Outcome {
         self.cells.copy_from_slice(from.cells.values());
     }
 
-    /// Complete adhesion where the surfaces are said to touch.
+    /// Complete adhesion in the given contact area.
     pub(crate) fn touch_where(&mut self, touches: impl Fn(usize) -> bool) {
         for (i, cell) in self.cells.iter_mut().enumerate() {
             *cell = if touches(i) { CellState::Stick } else { CellState::Exterior };
         }
     }
 
-    /// Takes all tractions off a cell that leaves the contact.
+    /// Removes all tractions from a cell that leaves the contact.
     pub(crate) fn release(&mut self, cell: usize) {
         self.cells[cell] = CellState::Exterior;
         for traction in &mut self.traction {
@@ -48,14 +48,14 @@ impl Outcome {
         [self.traction[0][cell], self.traction[1][cell]]
     }
 
-    /// The unit vector of a cell's tangential traction; along x if there is none.
+    /// The unit vector of the tangential traction of a cell; along x if the traction is zero.
     pub(crate) fn direction(&self, cell: usize) -> [f64; 2] {
         let [x, y] = self.tangent(cell);
         let size = x.hypot(y);
         if size > 0.0 { [x / size, y / size] } else { [1.0, 0.0] }
     }
 
-    /// Gives a cell a tangential traction of this size and direction.
+    /// Sets the tangential traction of a cell to this magnitude and direction.
     pub(crate) fn pull(&mut self, cell: usize, size: f64, direction: [f64; 2]) {
         for (traction, direction) in self.traction.iter_mut().zip(direction) {
             traction[cell] = size * direction;
@@ -68,7 +68,7 @@ impl Outcome {
     }
 }
 
-/// How a step ended.
+/// The end of a step.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct End<'a> {
     pub(crate) tolerance: f64,
@@ -78,8 +78,7 @@ pub(crate) struct End<'a> {
 }
 
 impl Outcome {
-    /// Writes the state at the end of a step, if what is left of its conditions is within the
-    /// tolerance.
+    /// Writes the state at the end of a step, if its violations are within the tolerance.
     pub(crate) fn end(
         &self,
         end: End<'_>,
@@ -102,7 +101,7 @@ impl Outcome {
     }
 }
 
-/// The end of a step that leaves the bodies apart, written to `to`; none if they touch.
+/// Writes the end of a step after which the bodies are separated; `None` if they are in contact.
 pub(crate) fn apart(
     problem: &ContactProblem,
     drive: &Drive,

@@ -1,8 +1,8 @@
-//! The N-th decrease of chapter 7 in two directions, literally (7.55)-(7.64), corrected.
+//! The N-th decrease of chapter 7 in two directions, as printed in (7.55)-(7.64), corrected.
 
 use carom_laws::memory::Lateral;
 
-/// A slip ring: the traction added from `star` to the edge.
+/// A slip annulus: the traction added from `star` to the edge.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Level {
     /// p_i.
@@ -14,10 +14,10 @@ struct Level {
     shift: [f64; 2],
 }
 
-/// The load history of an elliptical contact by points of instantaneous adhesion.
+/// The load history of an elliptical contact, by points of instantaneous adhesion.
 ///
-/// Covers partial slip only: steps into complete adhesion or gross sliding return None and leave
-/// the state as it was. Normalised as [`carom_laws::memory::Memory`].
+/// Only for partial slip: steps into complete adhesion or gross sliding return `None` and leave the
+/// state unchanged. Normalised as [`carom_laws::memory::Memory`].
 ///
 /// ```
 /// use carom_classic::history::ellipse::EllipseHistory;
@@ -47,24 +47,24 @@ impl EllipseHistory {
         Self { levels: Vec::new(), zeta, shift: [0.0; 2], force: [0.0; 2] }
     }
 
-    /// N, the number of the running decrease.
+    /// The number N of the present decrease.
     #[must_use]
     pub fn decrease(&self) -> usize {
         self.levels.len()
     }
 
-    /// `zeta_N*` of the running decrease; zeta before any slip.
+    /// `zeta_N*` of the present decrease; zeta before any slip.
     #[must_use]
     pub fn star(&self) -> f64 {
         self.levels.last().map_or(self.zeta, |level| level.star)
     }
 
-    /// Direction of the traction in the ring of the first `n` levels, `-s_n`.
+    /// Direction of the traction in the annulus of the first `n` levels, `-s_n`.
     fn traction(&self, n: usize) -> [f64; 2] {
         self.levels[..n].iter().fold([0.0; 2], |sum, level| sum.plus(level.added))
     }
 
-    /// Goes to a new approach and shift; the force, or None outside partial slip.
+    /// Advances to a new approach and shift. Returns the force, or `None` outside partial slip.
     pub fn advance(&mut self, zeta: f64, shift: [f64; 2]) -> Option<[f64; 2]> {
         let (dz, dx) = (zeta - self.zeta, shift.minus(self.shift));
         if zeta <= 0.0 || dx.length() < dz {
@@ -93,7 +93,7 @@ impl EllipseHistory {
         Some(self.force)
     }
 
-    /// Drops the levels that the running decrease overlays and finds its ring.
+    /// Drops the levels that the present decrease overlays and finds its slip annulus.
     fn settle(&mut self, zeta: f64, shift: [f64; 2]) -> Option<()> {
         loop {
             let n = self.levels.len();
@@ -123,7 +123,7 @@ impl EllipseHistory {
                     return Some(());
                 }
             }
-            // The (N-1)-th decrease goes on from its own point.
+            // The (N-1)-th decrease continues from its own point.
             self.levels.pop();
         }
     }

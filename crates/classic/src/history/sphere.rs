@@ -1,6 +1,6 @@
-//! The N-th decrease of chapter 6, literally (6.48).
+//! The N-th decrease of chapter 6, as printed in (6.48).
 
-/// A live point of instantaneous adhesion `P_i`, at which the i-th decrease ended.
+/// A stored point of instantaneous adhesion `P_i`, at which the i-th decrease ended.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Level {
     zeta: f64,
@@ -12,10 +12,10 @@ struct Level {
     sign: f64,
 }
 
-/// The load history of two spheres by points of instantaneous adhesion.
+/// The load history of two spheres, by points of instantaneous adhesion.
 ///
-/// Covers partial slip only: steps into complete adhesion or gross sliding return None and leave
-/// the state as it was. Normalised as [`carom_laws::memory::Memory`].
+/// Only for partial slip: steps into complete adhesion or gross sliding return `None` and leave the
+/// state unchanged. Normalised as [`carom_laws::memory::Memory`].
 ///
 /// ```
 /// use carom_classic::history::sphere::SphereHistory;
@@ -47,19 +47,19 @@ impl SphereHistory {
         Self { levels: Vec::new(), zeta, shift: 0.0, force: 0.0, star: zeta, sign: 0.0 }
     }
 
-    /// N, the number of the running decrease.
+    /// The number N of the present decrease.
     #[must_use]
     pub fn decrease(&self) -> usize {
         self.levels.len() + 1
     }
 
-    /// `zeta_N*` of the running decrease.
+    /// `zeta_N*` of the present decrease.
     #[must_use]
     pub const fn star(&self) -> f64 {
         self.star
     }
 
-    /// Goes to a new approach and shift; the force, or None outside partial slip.
+    /// Advances to a new approach and shift. Returns the force, or `None` outside partial slip.
     pub fn advance(&mut self, zeta: f64, shift: f64) -> Option<f64> {
         let (dz, dx) = (zeta - self.zeta, shift - self.shift);
         if zeta <= 0.0 || dx.abs() < dz {
@@ -85,7 +85,7 @@ impl SphereHistory {
         Some(force)
     }
 
-    /// Drops the levels that are wiped out and returns `zeta_N*` and the force.
+    /// Drops the levels that are wiped out. Returns `zeta_N*` and the force.
     fn settle(&mut self, zeta: f64, shift: f64) -> Option<(f64, f64)> {
         let root = |z: f64| z * z.sqrt();
         loop {
@@ -100,7 +100,7 @@ impl SphereHistory {
             // (6.48e): xi_N = xi_{N-1} + f kappa s_N (2 zeta_N* - zeta_N - zeta_{N-1}), s = -sign.
             let star = 0.5 * (zeta + last.zeta - self.sign * (shift - last.shift));
             if star >= zeta {
-                // The edge receded behind the ring: its point is erased.
+                // The edge receded behind the slip annulus: its point is erased.
                 self.sign = last.sign;
                 self.levels.pop();
             } else if star <= last.star {

@@ -5,11 +5,11 @@ use crate::direct::DirectError;
 use crate::direct::dense::{self, Unknown};
 use carom_solver::CellState;
 
-/// Unit vectors of the stress in the slip area, and the random numbers that cut it into blocks.
+/// Unit vectors of the stress in the slip area, and the random numbers that divide it into blocks.
 #[derive(Debug, Clone)]
 pub(super) struct Directions {
     units: Vec<[f64; 2]>,
-    /// Elements that left the contact in this step while they slipped.
+    /// Elements that left the contact in this step while slipping.
     left_slipping: Vec<bool>,
     random: u64,
 }
@@ -19,7 +19,7 @@ impl Directions {
         Self { units: vec![[1.0, 0.0]; cells], left_slipping: vec![false; cells], random: 1 }
     }
 
-    /// From the stresses of the last step; the same random numbers in every step.
+    /// From the stresses of the last step; the random numbers are the same in every step.
     pub(super) fn start(&mut self, direction: impl Fn(usize) -> [f64; 2]) {
         self.random = 1;
         self.left_slipping.fill(false);
@@ -36,7 +36,7 @@ impl Directions {
         self.units[cell] = unit;
     }
 
-    /// Notes that an element leaves the contact.
+    /// Records that an element leaves the contact.
     pub(super) fn leave(&mut self, cell: usize, slips: bool) {
         self.left_slipping[cell] = slips;
     }
@@ -45,7 +45,7 @@ impl Directions {
         self.left_slipping[cell]
     }
 
-    /// One of 1..=most (Knuth's linear congruential generator).
+    /// A number from 1 to `most` (Knuth's linear congruential generator).
     fn one_of(&mut self, most: usize) -> usize {
         let next = self.random.wrapping_mul(6_364_136_223_846_793_005);
         self.random = next.wrapping_add(1_442_695_040_888_963_407);
@@ -54,9 +54,10 @@ impl Directions {
 }
 
 impl Program<'_> {
-    /// Solves the linearised law block by block, each of whole rows of the mesh with no more slipping
-    /// elements than the matrix has columns; the first block has a random number of rows, so that the
-    /// borders of the blocks wander. The largest turn, in radians.
+    /// Solves the linearised law block by block. A block consists of whole rows of the mesh with at
+    /// most as many slipping elements as the matrix has columns. The first block has a random
+    /// number of rows, so that the borders of the blocks change. Returns the largest rotation, in
+    /// radians.
     pub(super) fn correct_directions(&mut self) -> Result<f64, DirectError> {
         let rows = self.slipping_rows();
         let Some(most) = rows.len().checked_sub(1) else { return Ok(0.0) };
@@ -97,7 +98,7 @@ impl Program<'_> {
         rows
     }
 
-    /// Turns the stresses of a block; the largest turn.
+    /// Rotates the stresses of a block; returns the largest rotation.
     fn turn(&mut self, block: &[usize]) -> Result<f64, DirectError> {
         let unknown = |&cell: &usize| {
             let [n_x, n_y] = self.directions.of(cell);

@@ -1,4 +1,4 @@
-//! Gauss-Seidel with the contact and friction of one element after the other solved exactly.
+//! Gauss-Seidel iteration that solves contact and friction exactly for one element at a time.
 
 use carom_special::RangeError;
 
@@ -8,9 +8,10 @@ use carom_solver::{
     Progress, Residuals, Stop,
 };
 
-/// Gauss-Seidel sweeps in which each element's pressure, and its traction on the disc of radius f p,
-/// are exact for the tractions of all others. No areas, no directions: slow and simple, a check for
-/// the others. For shifts only, and for bodies whose own tractions do not displace an element across.
+/// Gauss-Seidel sweeps in which the pressure of each element, and its traction within the disc of
+/// radius f p, are exact for given tractions of all other elements. There are no loops for areas
+/// and directions. The method is slow and simple, and serves as a check of the others. Shifts must
+/// be prescribed, and tractions on an element must not displace it in another direction.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -27,8 +28,8 @@ use carom_solver::{
 /// let apart = ContactState::apart(grid);
 /// let mut state = apart.clone();
 /// let drive = Drive::by_shift(Shift { zeta: 1.0, xi: 0.2, ..Shift::default() });
-/// let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
-/// assert_eq!(scratch.changes().len(), went.iterations);
+/// let convergence = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+/// assert_eq!(scratch.changes().len(), convergence.iterations);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -38,24 +39,24 @@ pub struct DiscGaussSeidel {
 }
 
 impl Default for DiscGaussSeidel {
-    /// To 1e-11, within 20 000 sweeps.
+    /// Tolerance 1e-11, at most 20 000 sweeps.
     fn default() -> Self {
         Self { tolerance: 1e-11, sweeps: 20_000 }
     }
 }
 
 impl DiscGaussSeidel {
-    /// To another tolerance: violations of the normal conditions over the greatest displacement, and
-    /// of the friction law over the greatest friction limit.
+    /// Sets the tolerance: violations of the normal conditions relative to the greatest
+    /// displacement, and of the friction law relative to the greatest friction limit.
     ///
     /// # Errors
-    /// [`RangeError`] unless it lies in 1e-13 to 0.01.
+    /// [`RangeError`] unless it is in the range 1e-13 to 0.01.
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         check_tolerance(tolerance)?;
         Ok(Self { tolerance, ..self })
     }
 
-    /// With at most as many sweeps.
+    /// Limits the number of sweeps.
     #[must_use]
     pub const fn at_most(self, sweeps: usize) -> Self {
         Self { sweeps, ..self }
@@ -71,19 +72,20 @@ pub struct DiscScratch {
 }
 
 impl DiscScratch {
-    /// The largest change of a traction in each sweep of the last step, over the largest pressure.
+    /// The largest change of a traction in each sweep of the last step, relative to the largest
+    /// pressure.
     #[must_use]
     pub fn changes(&self) -> &[f64] {
         &self.changes
     }
 
-    /// One sweep; the largest change over the largest pressure.
+    /// One sweep; returns the largest change relative to the largest pressure.
     fn sweep(&mut self, demand: &Demand) -> f64 {
         let own = self.influence.own();
         let (mut change, mut top) = (0.0_f64, f64::MIN_POSITIVE);
         for cell in 0..self.outcome.cells.len() {
             let outcome = &mut self.outcome;
-            // A cell without body never touches.
+            // A cell without a body is never in contact.
             if demand.target[2][cell] == f64::NEG_INFINITY {
                 continue;
             }
@@ -113,8 +115,9 @@ impl DiscScratch {
     }
 }
 
-/// The traction t within the disc of this radius that comes closest to a_i t_i = free_i, in energy:
-/// t_i = free_i/(a_i + m) with m = 0 inside the disc and such that |t| is the radius outside.
+/// The traction t within the disc of this radius that is closest in energy to the solution of a_i
+/// t_i = free_i: t_i = free_i/(a_i + m), with m = 0 inside the disc and otherwise such that |t| is
+/// the radius.
 fn on_disc(free: [f64; 2], own: [f64; 2], radius: f64) -> [f64; 2] {
     let at = |more: f64| [free[0] / (own[0] + more), free[1] / (own[1] + more)];
     let mut more = 0.0;
@@ -122,7 +125,7 @@ fn on_disc(free: [f64; 2], own: [f64; 2], radius: f64) -> [f64; 2] {
     if t[0].hypot(t[1]) <= radius {
         return t;
     }
-    // Newton's method for 1/|t| = 1/radius, concave in m: from below, a few steps.
+    // Newton's method for 1/|t| = 1/radius, which is concave in m: a few steps from below.
     for _ in 0..50 {
         let size = t[0].hypot(t[1]);
         let falling = t[0] * t[0] / (own[0] + more) + t[1] * t[1] / (own[1] + more);

@@ -1,4 +1,4 @@
-//! The program's parameters, and its step.
+//! The Gauss-Seidel program of the thesis: its parameters and its step.
 
 use carom_special::RangeError;
 
@@ -10,7 +10,7 @@ use carom_solver::{
     ContactProblem, ContactState, Convergence, Drive, Method, Observer, Products, Residuals, Stop,
 };
 
-/// The most rounds of each loop, the thesis's control parameters.
+/// The greatest number of passes of each loop, the control parameters of the thesis.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Most {
     /// MaxSeidel: sweeps.
@@ -21,7 +21,7 @@ pub struct Most {
     pub slip: usize,
     /// MaxStick: corrections of the stick area.
     pub stick: usize,
-    /// Rounds of the whole program.
+    /// Passes of the whole program.
     pub program: usize,
 }
 
@@ -31,19 +31,20 @@ impl Default for Most {
     }
 }
 
-/// When the stresses in the slip area follow their pressures, the second line of (12.17).
+/// When the stresses in the slip area are adapted to their pressures, the second line of (12.17).
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SlipStress {
     /// At the end of each sweep, (13.11).
     #[default]
     AfterSweep,
-    /// As soon as a pressure is found.
+    /// As soon as a pressure is computed.
     AtOnce,
 }
 
-/// The thesis's program of chapter 12: a modified Gauss-Seidel procedure (12.17) inside loops for
-/// the contact area, the directions of slip and the stick area, with coefficients instead of a
-/// matrix. Memory grows with the number of elements, time with its square; for shifts only.
+/// The program of chapter 12 of the thesis: a modified Gauss-Seidel iteration (12.17) inside loops
+/// for the contact area, the directions of slip and the stick area. It uses coefficients instead of
+/// a matrix: memory grows with the number of elements, time with its square. Shifts must be
+/// prescribed.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -60,8 +61,8 @@ pub enum SlipStress {
 /// let apart = ContactState::apart(grid);
 /// let mut state = apart.clone();
 /// let drive = Drive::by_shift(Shift { zeta: 1.0, xi: 0.2, ..Shift::default() });
-/// let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
-/// assert_eq!(scratch.trace().count(ProgramStep::Sweep), went.iterations);
+/// let convergence = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+/// assert_eq!(scratch.trace().count(ProgramStep::Sweep), convergence.iterations);
 /// // Cattaneo at half the shift of full slip.
 /// let load = state.load();
 /// assert!((load.f_x / (0.4 * load.f_z) - (1.0 - 0.5_f64.powf(1.5))).abs() < 2e-2);
@@ -77,7 +78,7 @@ pub struct GaussSeidel {
 }
 
 impl Default for GaussSeidel {
-    /// To 1e-10, without over-relaxation, with 80 columns in a slip matrix.
+    /// Tolerance 1e-10, no over-relaxation, 80 columns in a slip matrix.
     fn default() -> Self {
         let slip_stress = SlipStress::default();
         Self { tolerance: 1e-10, relaxation: 1.0, columns: 80, most: Most::default(), slip_stress }
@@ -85,39 +86,39 @@ impl Default for GaussSeidel {
 }
 
 impl GaussSeidel {
-    /// To another tolerance: violations of the normal conditions over the greatest displacement, and
-    /// of the friction law over the greatest friction limit.
+    /// Sets the tolerance: violations of the normal conditions relative to the greatest
+    /// displacement, and of the friction law relative to the greatest friction limit.
     ///
     /// # Errors
-    /// [`RangeError`] unless it lies in 1e-13 to 0.01.
+    /// [`RangeError`] unless it is in the range 1e-13 to 0.01.
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         check_tolerance(tolerance)?;
         Ok(Self { tolerance, ..self })
     }
 
-    /// With an over-relaxation factor; 1 is Gauss and Seidel's.
+    /// Sets the over-relaxation factor; 1 is plain Gauss-Seidel.
     ///
     /// # Errors
-    /// [`RangeError`] unless it lies between 0 and 2, where no sweep converges.
+    /// [`RangeError`] unless it is between 0 and 2; at these limits sweeps do not converge.
     pub fn over_relaxed(self, factor: f64) -> Result<Self, RangeError> {
         let holds = factor > 0.0 && factor < 2.0;
         RangeError::check("over-relaxation", factor, holds, "between 0 and 2, both excluded")?;
         Ok(Self { relaxation: factor, ..self })
     }
 
-    /// With at most as many rounds of each loop.
+    /// Limits the passes of each loop.
     #[must_use]
     pub const fn at_most(self, most: Most) -> Self {
         Self { most, ..self }
     }
 
-    /// With slip matrices of at most as many columns (SMColMax); a row of elements is never parted.
+    /// Limits the columns of slip matrices (SMColMax); a row of elements is never divided.
     #[must_use]
     pub const fn in_blocks_of(self, columns: usize) -> Self {
         Self { columns, ..self }
     }
 
-    /// With stresses in the slip area that follow their pressures like this.
+    /// Sets when the stresses in the slip area are adapted to their pressures.
     #[must_use]
     pub const fn with_slip_stress(self, slip_stress: SlipStress) -> Self {
         Self { slip_stress, ..self }
@@ -154,7 +155,7 @@ pub struct GaussSeidelScratch {
 }
 
 impl GaussSeidelScratch {
-    /// What the program did in the last step.
+    /// The record of the program in the last step.
     #[must_use]
     pub const fn trace(&self) -> &Trace<ProgramStep> {
         &self.trace

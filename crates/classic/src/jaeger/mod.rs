@@ -1,8 +1,8 @@
-//! The thesis's own program of chapter 12: five nested loops around a modified Gauss-Seidel sweep.
+//! The program of chapter 12 of the thesis: five nested loops around a modified Gauss-Seidel sweep.
 //!
-//! [`PROGRAM`] is its chart, fig. 12.3; [`GaussSeidel`] carries it out. [`DiscGaussSeidel`], which
-//! solves the contact and friction of one element after the other exactly, needs no loops for areas
-//! and directions and serves as a check.
+//! [`PROGRAM`] is its chart, fig. 12.3; [`GaussSeidel`] executes it. [`DiscGaussSeidel`] solves
+//! contact and friction exactly for one element at a time; it needs no loops for areas and
+//! directions and serves as a check.
 
 mod directions;
 mod disc;

@@ -9,7 +9,7 @@ use crate::chart::{Block, Machine};
 use crate::direct::{Demand, DirectError, Influence, Outcome};
 use carom_solver::{CellState, Observer, Progress, Residuals};
 
-/// A violation below this part of its scale is rounding.
+/// A violation below this fraction of its scale is rounding.
 const ROUNDING: f64 = 1e-13;
 
 /// The modules and questions of [`PROGRAM`].
@@ -17,29 +17,29 @@ const ROUNDING: f64 = 1e-13;
 pub enum ProgramStep {
     /// One sweep of (12.17).
     Sweep,
-    /// Whether the stresses stand.
+    /// Whether the stresses have converged.
     StressesStand,
     /// The displacements (12.10).
     Displacements,
     /// Tests (12.3) and (12.6) and corrects the contact area.
     TestContact,
-    /// Whether it stands.
+    /// Whether the contact area has converged.
     ContactStands,
     /// Corrects the directions of slip, (12.21).
     SlipAlgorithm,
-    /// Whether they stand.
+    /// Whether the directions of slip have converged.
     DirectionsStand,
-    /// Puts elements that slip along their stress into the stick area.
+    /// Adds elements that slip in the direction of their stress to the stick area.
     TestSign,
-    /// Takes elements with too large a stress out of the stick area.
+    /// Removes elements with too large a stress from the stick area.
     DefineStickArea,
     /// Coulomb's stress in the slip area.
     DefineSlipStress,
-    /// Whether the stick area stands.
+    /// Whether the stick area has converged.
     StickAreaStands,
     /// Tests all conditions.
     TestAll,
-    /// Whether all hold.
+    /// Whether all conditions are satisfied.
     AllHold,
 }
 
@@ -63,9 +63,9 @@ impl fmt::Display for ProgramStep {
     }
 }
 
-/// The chart of the program. The constants of the stick area, which the thesis defines in a module of
-/// their own at the end of the loops, are those of the step and need no correction here; `TestSign`
-/// comes before `DefineStickArea`, so that it tests elements which have slipped.
+/// The chart of the program. In the thesis a module of its own at the end of the loops defines the
+/// constants of the stick area; here they are those of the step and need no correction. `TestSign`
+/// comes before `DefineStickArea`, so that it tests elements that have slipped.
 pub const PROGRAM: &[Block<ProgramStep>] = &[Block::Until {
     body: &[
         Block::Until {
@@ -98,7 +98,7 @@ pub const PROGRAM: &[Block<ProgramStep>] = &[Block::Until {
     done: ProgramStep::AllHold,
 }];
 
-/// The program at work on one step.
+/// The program during one step.
 pub(super) struct Program<'a> {
     pub(super) method: &'a GaussSeidel,
     pub(super) influence: &'a Influence,
@@ -110,9 +110,9 @@ pub(super) struct Program<'a> {
     pub(super) sweeps: usize,
     pub(super) residuals: Residuals,
     pub(super) stopped: bool,
-    /// What the last step changed.
+    /// The effect of the last step.
     pub(super) amount: f64,
-    /// Cells that entered or left the stick area in this round.
+    /// Number of cells that entered or left the stick area in this pass.
     pub(super) moved: f64,
 }
 
@@ -133,7 +133,8 @@ impl Program<'_> {
             let overlap = self.demand.target[2][cell] - self.outcome.displacement[2][cell];
             let outside = self.outcome.cells[cell] == CellState::Exterior;
             if outside && overlap > least {
-                // One that left while it slipped comes back so: sticking, it would pull again.
+                // An element that left the contact while slipping returns slipping: if it stuck it
+                // would be in tension again.
                 let slipped = self.directions.left_slipping(cell);
                 self.outcome.cells[cell] = if slipped { CellState::Slip } else { CellState::Stick };
             } else if !outside && self.outcome.traction[2][cell] < 0.0 {
@@ -146,8 +147,8 @@ impl Program<'_> {
         count
     }
 
-    /// An element that pulls while it sticks may press once it slips: it slips first, and leaves the
-    /// contact if it still pulls.
+    /// Removes an element in tension. If it sticks, it might be in compression once it slips: it is
+    /// made to slip first, and leaves the contact only if it is still in tension.
     fn let_go(&mut self, cell: usize) {
         let limit = self.demand.limit(cell, -self.outcome.traction[2][cell]);
         let slips = self.outcome.cells[cell] == CellState::Slip;

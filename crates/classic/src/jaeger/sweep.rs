@@ -4,8 +4,8 @@ use super::gauss_seidel::SlipStress;
 use super::program::Program;
 use carom_solver::CellState;
 
-/// All stresses along x, then along y, then the pressures, each with the newest of the others; the
-/// largest change over the largest pressure.
+/// Updates all stresses along x, then along y, then the pressures, each from the newest values of
+/// the others. Returns the largest change relative to the largest pressure.
 pub(super) fn over(program: &mut Program<'_>) -> f64 {
     let own = program.influence.own();
     let relaxation = program.method.relaxation();

@@ -14,17 +14,17 @@ use carom_solver::{CellState, ContactProblem, ContactState, Convergence, Drive, 
 pub enum KombiStep {
     /// Solves for pressures and tractions together.
     Solve,
-    /// Whether the directions of slip stand.
+    /// Whether the directions of slip have converged.
     DirectionsStand,
-    /// Takes elements with tension out of the contact area, those with too large a traction out of
+    /// Removes elements in tension from the contact area, and those with too large a traction from
     /// the stick area.
     Shrink,
-    /// Whether there was none.
+    /// Whether none was removed.
     NoneToShrink,
-    /// Takes elements with overlap into the contact area, those that slip along their traction into
-    /// the stick area.
+    /// Adds elements that overlap to the contact area, and those that slip in the direction of
+    /// their traction to the stick area.
     Grow,
-    /// Whether there was none.
+    /// Whether none was added.
     NoneToGrow,
 }
 
@@ -59,9 +59,9 @@ pub const KOMBI: &[Block<KombiStep>] = &[Block::Until {
     done: KombiStep::NoneToGrow,
 }];
 
-/// The most a direction turns in one Newton step, in radians: where the pressure is all but zero the
-/// linearised law would turn it anywhere.
-const FURTHEST: f64 = 0.5;
+/// Largest rotation of a direction in one Newton step, in radians. Where the pressure is nearly
+/// zero, the linearised law could rotate it arbitrarily.
+const LARGEST_ROTATION: f64 = 0.5;
 
 struct Work<'a, 'b> {
     sets: &'b mut Sets<'a>,
@@ -70,7 +70,7 @@ struct Work<'a, 'b> {
 }
 
 impl Work<'_, '_> {
-    /// f |p|: an element that pulls keeps its direction until it is taken out.
+    /// f |p|: an element in tension keeps its direction until it is removed.
     fn limit(&self, cell: usize) -> f64 {
         self.sets.demand.limit(cell, self.sets.outcome.traction[2][cell].abs())
     }
@@ -90,7 +90,7 @@ impl Work<'_, '_> {
             }
             let [n_x, n_y] = self.sets.outcome.direction(cell);
             let friction = self.sets.demand.friction[cell];
-            // Coulomb's law for the increment: the traction grows with its pressure.
+            // Coulomb's law for the increment: the traction grows with the pressure.
             unknowns.push(Unknown { direction: [friction * n_x, friction * n_y, 1.0], ..pressure });
             if limit > 0.0 {
                 slipping.push((unknowns.len(), cell, limit));
@@ -104,7 +104,7 @@ impl Work<'_, '_> {
         for ((unknown, cell, limit), [x, y]) in slipping.into_iter().zip(before) {
             let turn = amounts[unknown] / limit;
             largest = largest.max(turn.abs());
-            let (sin, cos) = turn.clamp(-FURTHEST, FURTHEST).sin_cos();
+            let (sin, cos) = turn.clamp(-LARGEST_ROTATION, LARGEST_ROTATION).sin_cos();
             let limit = self.limit(cell);
             self.sets.outcome.pull(cell, limit, [x * cos - y * sin, y * cos + x * sin]);
         }
@@ -113,8 +113,8 @@ impl Work<'_, '_> {
 }
 
 impl Work<'_, '_> {
-    /// A cell that pulls while it sticks may press once it slips: it slips first, and leaves the
-    /// contact if it still pulls.
+    /// Removes cells in tension. If one sticks, it might be in compression once it slips: it is
+    /// made to slip first, and leaves the contact only if it is still in tension.
     fn shrink(&mut self) -> f64 {
         let touching: Vec<usize> = self.sets.outcome.touching().collect();
         let mut count = 0.0;
@@ -164,8 +164,9 @@ impl Machine for Work<'_, '_> {
     }
 }
 
-/// The KOMBI process: NORM and TANG in one linear system, so that bodies of dissimilar material need
-/// no passes. Three unknowns in an element that sticks, two in one that slips; for shifts only.
+/// The KOMBI process: NORM and TANG in one linear system, so that dissimilar materials need no
+/// alternation. There are three unknowns in an element that sticks and two in one that slips.
+/// Shifts must be prescribed.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -181,8 +182,8 @@ impl Machine for Work<'_, '_> {
 /// let apart = ContactState::apart(grid);
 /// let mut state = apart.clone();
 /// let drive = Drive::by_shift(Shift { zeta: 1.0, xi: 0.2, ..Shift::default() });
-/// let went = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
-/// assert!(went.residuals.normal < 1e-10 && state.load().f_x > 0.0);
+/// let convergence = method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
+/// assert!(convergence.residuals.normal < 1e-10 && state.load().f_x > 0.0);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -191,16 +192,16 @@ pub struct Kombi {
 }
 
 impl Kombi {
-    /// To another tolerance: violations of the normal conditions over the greatest displacement, and
-    /// of the friction law over the greatest friction limit.
+    /// Sets the tolerance: violations of the normal conditions relative to the greatest
+    /// displacement, and of the friction law relative to the greatest friction limit.
     ///
     /// # Errors
-    /// [`carom_special::RangeError`] unless it lies in 1e-13 to 0.01.
+    /// [`carom_special::RangeError`] unless it is in the range 1e-13 to 0.01.
     pub fn within(self, tolerance: f64) -> Result<Self, carom_special::RangeError> {
         Ok(Self { parameters: self.parameters.within(tolerance)? })
     }
 
-    /// With at most as many rounds of each loop.
+    /// Limits the passes of each loop.
     #[must_use]
     pub const fn at_most(self, rounds: usize) -> Self {
         Self { parameters: Parameters { rounds, ..self.parameters } }

@@ -1,4 +1,4 @@
-//! Kalker's processes of chapter 11: active sets and dense linear systems.
+//! Kalker's processes of chapter 11: active sets with dense linear systems.
 
 mod kombi;
 mod norm;

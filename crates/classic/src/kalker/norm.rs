@@ -11,15 +11,15 @@ use crate::direct::DirectError;
 pub enum NormStep {
     /// Solves for the pressures that close the gap in the contact area.
     Solve,
-    /// Takes elements with tension out of the contact area.
+    /// Removes elements in tension from the contact area.
     DropTension,
-    /// Whether there was none.
+    /// Whether none was removed.
     NoTension,
-    /// The distance of the deformed surfaces.
+    /// Computes the distances of the deformed surfaces.
     Distance,
-    /// Takes elements with overlap into the contact area.
+    /// Adds elements that overlap to the contact area.
     AddOverlap,
-    /// Whether there was none.
+    /// Whether none was added.
     NoOverlap,
 }
 
@@ -36,7 +36,7 @@ impl fmt::Display for NormStep {
     }
 }
 
-/// The chart of NORM: K first shrinks until no element pulls, then grows.
+/// The chart of NORM: the contact area K first shrinks until no element is in tension, then grows.
 pub const NORM: &[Block<NormStep>] = &[Block::Until {
     body: &[
         Block::Until {
@@ -49,11 +49,11 @@ pub const NORM: &[Block<NormStep>] = &[Block::Until {
     done: NormStep::NoOverlap,
 }];
 
-/// NORM at work.
+/// The NORM process during one step.
 pub(super) struct Norm<'a, 'b> {
     pub(super) sets: &'b mut Sets<'a>,
     pub(super) rounds: usize,
-    /// How many cells the last step moved.
+    /// Number of cells that the last step moved.
     pub(super) moved: f64,
 }
 

@@ -50,7 +50,8 @@ struct Process<'a> {
 }
 
 impl Process<'_> {
-    /// Solves the normal problem; the largest change of a pressure over the largest pressure.
+    /// Solves the normal problem. Returns the largest change of a pressure relative to the largest
+    /// pressure.
     fn norm(&mut self) -> Result<f64, DirectError> {
         let before = self.scratch.outcome.traction[2].clone();
         let (mut sets, traces) = self.scratch.work()?;
@@ -64,7 +65,8 @@ impl Process<'_> {
         Ok(change.fold(0.0, f64::max) / now.iter().copied().fold(f64::MIN_POSITIVE, f64::max))
     }
 
-    /// Solves the tangential problem from complete adhesion; the linear systems it took.
+    /// Solves the tangential problem, starting from complete adhesion. Returns the number of linear
+    /// systems.
     fn tang(&mut self) -> Result<f64, DirectError> {
         let Parameters { rounds, turn: tolerance, .. } = self.parameters;
         let (mut sets, traces) = self.scratch.work()?;
@@ -101,9 +103,9 @@ impl Machine for Process<'_> {
     }
 }
 
-/// Johnson's process: NORM, then TANG. Exact where the materials do not couple, and refused where
-/// they do. Dense matrices, two unknowns in an element that sticks and one in one that slips; for
-/// shifts only.
+/// Johnson's process: NORM, then TANG. It is exact if the materials are not coupled; a coupled
+/// problem is an error. The matrices are dense, with two unknowns in an element that sticks and one
+/// in one that slips. Shifts must be prescribed.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -131,8 +133,8 @@ pub struct Johnson {
     parameters: Parameters,
 }
 
-/// Panagiotopoulos's process: NORM and TANG in turn until the pressures stand. Converges where
-/// f |gamma| is well below one (13.43); dense matrices, for shifts only.
+/// Panagiotopoulos's process: NORM and TANG alternate until the pressures converge. It converges if
+/// f |gamma| is well below one (13.43). The matrices are dense. Shifts must be prescribed.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -159,23 +161,23 @@ pub struct Panagiotopoulos {
 }
 
 impl Default for Panagiotopoulos {
-    /// To 1e-10, within 100 passes.
+    /// Tolerance 1e-10, at most 100 passes.
     fn default() -> Self {
         Self { parameters: Parameters::default(), passes: 100 }
     }
 }
 
 impl Johnson {
-    /// To another tolerance: violations of the normal conditions over the greatest displacement, and
-    /// of the friction law over the greatest friction limit.
+    /// Sets the tolerance: violations of the normal conditions relative to the greatest
+    /// displacement, and of the friction law relative to the greatest friction limit.
     ///
     /// # Errors
-    /// [`RangeError`] unless it lies in 1e-13 to 0.01.
+    /// [`RangeError`] unless it is in the range 1e-13 to 0.01.
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         Ok(Self { parameters: self.parameters.within(tolerance)? })
     }
 
-    /// With at most as many rounds of each loop.
+    /// Limits the passes of each loop.
     #[must_use]
     pub const fn at_most(self, rounds: usize) -> Self {
         Self { parameters: Parameters { rounds, ..self.parameters } }
@@ -183,23 +185,23 @@ impl Johnson {
 }
 
 impl Panagiotopoulos {
-    /// To another tolerance: violations of the normal conditions over the greatest displacement, and
-    /// of the friction law over the greatest friction limit.
+    /// Sets the tolerance: violations of the normal conditions relative to the greatest
+    /// displacement, and of the friction law relative to the greatest friction limit.
     ///
     /// # Errors
-    /// [`RangeError`] unless it lies in 1e-13 to 0.01.
+    /// [`RangeError`] unless it is in the range 1e-13 to 0.01.
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         Ok(Self { parameters: self.parameters.within(tolerance)?, ..self })
     }
 
-    /// With at most as many rounds of each loop of NORM and TANG, and as many passes.
+    /// Limits the passes of each loop of NORM and TANG, and the passes of the process.
     #[must_use]
     pub const fn at_most(self, rounds: usize, passes: usize) -> Self {
         Self { parameters: Parameters { rounds, ..self.parameters }, passes }
     }
 }
 
-/// Carries out the chart of a process.
+/// Executes the chart of a process.
 struct Order<'a> {
     chart: &'static [Block<ProcessStep>],
     parameters: Parameters,

@@ -1,4 +1,4 @@
-//! The working memory of Kalker's processes, and how their steps begin and end.
+//! The working memory of Kalker's processes, and the beginning and end of their steps.
 
 use carom_special::RangeError;
 
@@ -13,13 +13,13 @@ use carom_solver::{
     ContactProblem, ContactState, Convergence, Drive, Observer, Products, Progress, Stop,
 };
 
-/// When loops end.
+/// Stopping criteria of the loops.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Parameters {
     pub(super) tolerance: f64,
-    /// The most rounds of each loop.
+    /// Greatest number of passes of each loop.
     pub(super) rounds: usize,
-    /// The turn of a direction, in radians, below which the friction law counts as linear.
+    /// Rotation of a direction, in radians, below which the friction law counts as linear.
     pub(super) turn: f64,
 }
 
@@ -36,16 +36,16 @@ impl Parameters {
     }
 }
 
-/// What the processes did in the last step.
+/// The records of the processes in the last step.
 #[derive(Debug, Clone, Default)]
 pub struct Traces {
-    /// Of Johnson's or Panagiotopoulos's process.
+    /// Johnson's or Panagiotopoulos's process.
     pub process: Trace<ProcessStep>,
-    /// Of NORM, each time it ran.
+    /// NORM, each time it ran.
     pub norm: Vec<Trace<NormStep>>,
-    /// Of TANG, each time it ran.
+    /// TANG, each time it ran.
     pub tang: Vec<Trace<TangStep>>,
-    /// Of KOMBI.
+    /// KOMBI.
     pub kombi: Trace<KombiStep>,
 }
 
@@ -63,11 +63,11 @@ impl KalkerScratch {
         Self::with_influence(problem, Influence::new(problem.operator()))
     }
 
-    /// For steady rolling: with the coefficients of u(x) - u(x + columns dx), of a contact that moves by so
-    /// many columns of cells a step.
+    /// For steady rolling: with the coefficients of u(x) - u(x + columns dx), for a contact that
+    /// moves by this number of columns of cells in a step.
     ///
     /// # Errors
-    /// [`DirectError`] for a problem that these processes do not solve.
+    /// [`DirectError`] for a problem that these processes cannot solve.
     pub fn rolling(problem: &ContactProblem, columns: f64) -> Result<Self, DirectError> {
         Self::with_influence(problem, Influence::rolled(problem.operator(), columns))
     }
@@ -78,13 +78,13 @@ impl KalkerScratch {
         Ok(Self { influence, demand: None, outcome, traces: Traces::default() })
     }
 
-    /// What the processes did in the last step.
+    /// The records of the processes in the last step.
     #[must_use]
     pub const fn traces(&self) -> &Traces {
         &self.traces
     }
 
-    /// Starts from the last areas; a step that leaves the bodies apart ends here.
+    /// Starts from the last areas. A step that leaves the bodies separated ends here.
     pub(super) fn begin(
         &mut self,
         problem: &ContactProblem,
@@ -105,15 +105,15 @@ impl KalkerScratch {
         Ok(None)
     }
 
-    /// The step at work.
+    /// The data of the present step.
     pub(super) fn work(&mut self) -> Result<(Sets<'_>, &mut Traces), DirectError> {
         let Self { influence, demand, outcome, traces } = self;
-        let none = RangeError::new("step", f64::NAN, "one that has begun");
+        let none = RangeError::new("step", f64::NAN, "a step that was begun");
         let demand = demand.as_ref().ok_or(none)?;
         Ok((Sets { influence, demand, outcome, solved: 0 }, traces))
     }
 
-    /// How far the step got, all displacements found anew.
+    /// The convergence of the step, with all displacements computed anew.
     pub(super) fn reached(
         &mut self,
         solved: usize,

@@ -1,33 +1,33 @@
-//! The sets of cells that touch, stick and slip, and the linear systems on them.
+//! The sets of cells in contact, sticking and slipping, and their linear systems.
 
 use crate::direct::dense::{self, AXES, Unknown};
 use crate::direct::{Demand, DirectError, Influence, Outcome};
 use carom_solver::CellState;
 
-/// A violation below this part of its scale is rounding.
+/// A violation below this fraction of its scale is rounding.
 pub(super) const ROUNDING: f64 = 1e-13;
 
-/// One step's problem with what is found of it.
+/// The problem of one step and its solution.
 pub(super) struct Sets<'a> {
     pub(super) influence: &'a Influence,
     pub(super) demand: &'a Demand,
     pub(super) outcome: &'a mut Outcome,
-    /// Linear systems solved.
+    /// Number of linear systems solved.
     pub(super) solved: usize,
 }
 
 impl Sets<'_> {
-    /// The displacements by all tractions.
+    /// Computes the displacements due to all tractions.
     pub(super) fn displace(&mut self) {
         self.influence.displacements(&self.outcome.traction, &mut self.outcome.displacement);
     }
 
-    /// The overlap of a cell, positive if the surfaces would pass through each other.
+    /// The overlap of a cell; positive if the surfaces would penetrate each other.
     fn overlap(&self, cell: usize) -> f64 {
         self.demand.target[2][cell] - self.outcome.displacement[2][cell]
     }
 
-    /// Solves for these unknowns, adds them to the tractions and finds the displacements.
+    /// Solves for these unknowns, adds them to the tractions and computes the displacements.
     pub(super) fn solve(&mut self, unknowns: &[Unknown]) -> Result<Vec<f64>, DirectError> {
         let amounts = dense::solve(unknowns, |at, from| self.influence.block(at, from))?;
         for (unknown, amount) in unknowns.iter().zip(&amounts) {
@@ -39,7 +39,7 @@ impl Sets<'_> {
         Ok(amounts)
     }
 
-    /// The pressure of a cell that touches, tangential tractions being what they are.
+    /// The pressure of a cell in contact, at given tangential tractions.
     pub(super) fn pressure(&self, cell: usize) -> Unknown {
         let right = self.overlap(cell);
         Unknown { cell, direction: AXES[2], test: AXES[2], own: 0.0, right }
@@ -54,7 +54,8 @@ impl Sets<'_> {
         })
     }
 
-    /// The traction of a cell that slips, across its direction: (12.21) over 1 + E1^2.
+    /// The component of the traction of a slipping cell perpendicular to its direction: (12.21)
+    /// over 1 + E1^2.
     pub(super) fn turn(&self, cell: usize, limit: f64) -> Unknown {
         let [n_x, n_y] = self.outcome.direction(cell);
         let slip = self.demand.slip(cell, &self.outcome.displacement);
@@ -65,7 +66,7 @@ impl Sets<'_> {
         Unknown { cell, direction: across, test: across, own, right }
     }
 
-    /// The state of all cells that rub.
+    /// Indices and friction limits of all cells in contact with friction.
     pub(super) fn limits(&self) -> Vec<(usize, f64)> {
         let limit = |cell| self.demand.limit(cell, self.outcome.traction[2][cell]);
         self.outcome.touching().map(|cell| (cell, limit(cell))).collect()
@@ -75,7 +76,7 @@ impl Sets<'_> {
         self.outcome.cells[cell] == CellState::Slip
     }
 
-    /// Takes cells with tension out of the contact; how many.
+    /// Removes cells in tension from the contact; returns their number.
     pub(super) fn drop_tension(&mut self) -> f64 {
         let pulled: Vec<usize> =
             self.outcome.touching().filter(|&i| self.outcome.traction[2][i] <= 0.0).collect();
@@ -83,7 +84,7 @@ impl Sets<'_> {
         pulled.len() as f64
     }
 
-    /// Takes cells that overlap into the contact; how many.
+    /// Adds cells that overlap to the contact; returns their number.
     pub(super) fn add_overlap(&mut self) -> f64 {
         let least = ROUNDING * self.demand.depth();
         let outside = |i: &usize| self.outcome.cells[*i] == CellState::Exterior;
@@ -94,7 +95,7 @@ impl Sets<'_> {
         overlapping.len() as f64
     }
 
-    /// Lets cells slip whose traction is above the limit; how many.
+    /// Makes cells slip whose traction exceeds the limit; returns their number.
     pub(super) fn let_slip(&mut self) -> f64 {
         let mut count = 0.0;
         for (cell, limit) in self.limits() {
@@ -109,7 +110,7 @@ impl Sets<'_> {
         count
     }
 
-    /// Lets cells stick that slip along their traction; how many.
+    /// Makes cells stick that slip in the direction of their traction; returns their number.
     pub(super) fn let_stick(&mut self) -> f64 {
         let mut count = 0.0;
         let least = ROUNDING * self.demand.depth();
@@ -124,7 +125,7 @@ impl Sets<'_> {
         count
     }
 
-    /// Complete adhesion.
+    /// Makes all cells in contact stick.
     pub(super) fn let_all_stick(&mut self) {
         for cell in &mut self.outcome.cells {
             if *cell == CellState::Slip {
@@ -133,7 +134,7 @@ impl Sets<'_> {
         }
     }
 
-    /// Cells that touch without friction slip without traction.
+    /// Makes cells in contact without friction slip, with zero traction.
     pub(super) fn let_the_smooth_slip(&mut self) {
         for (cell, _) in self.limits() {
             if self.demand.friction[cell] == 0.0 {

@@ -10,17 +10,18 @@ use crate::direct::dense::Unknown;
 /// The steps and questions of [`TANG`].
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TangStep {
-    /// Solves for the tractions: no slip where it sticks, the friction law linearised where it slips.
+    /// Solves for the tractions: no slip in the stick area, the linearised friction law in the slip
+    /// area.
     Solve,
-    /// Whether the directions of slip stand.
+    /// Whether the directions of slip have converged.
     DirectionsStand,
-    /// Takes elements with too large a traction out of the stick area.
+    /// Removes elements with too large a traction from the stick area.
     LetSlip,
-    /// Whether there was none.
+    /// Whether none was removed.
     NoneTooLarge,
-    /// Takes elements that slip along their traction into the stick area.
+    /// Adds elements that slip in the direction of their traction to the stick area.
     LetStick,
-    /// Whether there was none.
+    /// Whether none was added.
     NoneAlong,
 }
 
@@ -37,8 +38,8 @@ impl fmt::Display for TangStep {
     }
 }
 
-/// The chart of TANG, as that of NORM with A for K, and with the third loop that the nonlinear
-/// equations need.
+/// The chart of TANG: like NORM with the stick area A for K, and with a third loop for the
+/// nonlinear equations.
 pub const TANG: &[Block<TangStep>] = &[Block::Until {
     body: &[
         Block::Until {
@@ -56,17 +57,17 @@ pub const TANG: &[Block<TangStep>] = &[Block::Until {
     done: TangStep::NoneAlong,
 }];
 
-/// TANG at work.
+/// The TANG process during one step.
 pub(super) struct Tang<'a, 'b> {
     pub(super) sets: &'b mut Sets<'a>,
     pub(super) rounds: usize,
     pub(super) tolerance: f64,
-    /// How many cells the last step moved, or how far the directions turned.
+    /// Number of cells that the last step moved, or the largest rotation of a direction.
     pub(super) moved: f64,
 }
 
 impl Tang<'_, '_> {
-    /// One Newton step on the sets as they are; the largest turn of a direction.
+    /// One Newton step on the present sets; returns the largest rotation of a direction.
     fn solve(&mut self) -> Result<f64, DirectError> {
         let limits = self.sets.limits();
         let mut unknowns: Vec<Unknown> = Vec::with_capacity(2 * limits.len());
@@ -102,7 +103,7 @@ impl Machine for Tang<'_, '_> {
             TangStep::LetStick => self.sets.let_stick(),
             TangStep::DirectionsStand | TangStep::NoneTooLarge | TangStep::NoneAlong => 0.0,
         };
-        // What was pulled back to the limit displaces less.
+        // Tractions reduced to the limit change the displacements.
         if step == TangStep::LetSlip && self.moved > 0.0 {
             self.sets.displace();
         }

@@ -1,4 +1,4 @@
-//! All methods on the same meshes: what they find must not depend on how they seek it.
+//! All methods on the same meshes give the same solution.
 
 use std::time::{Duration, Instant};
 

@@ -1,4 +1,4 @@
-//! What the methods of chapters 11 and 12 cannot do, and say so.
+//! The methods of chapters 11 and 12 return errors for problems that they cannot solve.
 
 use carom_classic::DirectError;
 use carom_classic::jaeger::{DiscGaussSeidel, GaussSeidel, Most};

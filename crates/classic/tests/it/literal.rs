@@ -1,4 +1,5 @@
-//! The thesis's formulas against the memory polyline on random histories of partial slip.
+//! The formulas of the thesis compared with the memory polyline on random histories of partial
+//! slip.
 
 use carom_classic::history::ellipse::EllipseHistory;
 use carom_classic::history::sphere::SphereHistory;

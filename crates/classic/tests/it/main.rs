@@ -1,4 +1,4 @@
-//! The tests of `carom-classic` that see it as its users do: one executable, a module for each subject.
+//! The integration tests of `carom-classic`: one executable with a module for each subject.
 
 mod agreement;
 mod direct_refusals;

@@ -1,4 +1,4 @@
-//! Predicted rates of convergence against those of the methods at work.
+//! Predicted rates of convergence compared with those observed.
 
 use carom_classic::jaeger::{GaussSeidel, Most, ProgramStep, SlipStress};
 use carom_classic::kalker::{Panagiotopoulos, ProcessStep};

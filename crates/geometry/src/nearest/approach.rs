@@ -1,4 +1,4 @@
-//! Where two surfaces meet that still lie apart: surface 1 goes on straight towards surface 2.
+//! Moves one surface along a straight line until it touches another.
 
 use nalgebra::Vector3;
 
@@ -7,13 +7,14 @@ use crate::placed::Placed;
 
 const MAX_STEPS: usize = 500;
 
-/// A gap below this part of the distance of the centres is round-off.
+/// A gap below this fraction of the distance of the centres is rounding error.
 const ROUND_OFF: f64 = 8.0 * f64::EPSILON;
 
-/// Surface 1, moved along `course` until the gap is within `allowed`. It does not turn on the way.
+/// Moves surface 1 along `course`, without rotation, until the gap is within `allowed`.
 ///
-/// The gap of convex bodies is a convex function of the way: Newton's steps come from outside and
-/// never pass the touch. For others a step is as long as the gap, which is safe for all.
+/// The gap of convex bodies is a convex function of the distance moved: Newton steps start outside
+/// and never go beyond first contact. For other bodies a step is as long as the gap, which is
+/// always safe.
 pub(crate) fn brought_together(
     one: Placed,
     two: &Placed,
@@ -29,7 +30,7 @@ pub(crate) fn brought_together(
             return Ok(moved);
         }
         let closing = closing_speed(&found.points, found.gap, course);
-        // Apart and not closing in (convex gaps only grow from there), or overlapping.
+        // Separated and not closing (a convex gap only grows from there), or overlapping.
         if found.gap.is_nan() || found.gap < 0.0 || (is_convex && closing <= 0.0) {
             break;
         }
@@ -44,7 +45,7 @@ pub(crate) fn brought_together(
     Err(SearchError::NotTouching { gap: found.gap, allowed })
 }
 
-// How fast the gap shrinks.
+// The rate at which the gap closes.
 fn closing_speed(points: &[Vector3<f64>; 2], gap: f64, course: &Vector3<f64>) -> f64 {
     let normal = (points[0] - points[1]) / gap;
     -course.dot(&normal)

@@ -1,9 +1,9 @@
-//! Where two bodies touch: a search for the contact point.
+//! The search for the nearest points and the contact point of two bodies.
 //!
-//! A sphere, a capsule and a torus are swept by a ball along a curve: the distance of the other
-//! body from that curve is one function of one number ([`scan`]). Ellipsoids are separated by a
-//! direction ([`separate`]). All others are taken by [`parts`], faces, curved sides and edges, and
-//! a smooth surface slides down the distance from the other body ([`slide`]).
+//! Spheres, capsules and tori are swept by a ball along a curve: the distance of the other body
+//! from that curve is a function of one variable ([`scan`]). For two ellipsoids the separating
+//! direction is found ([`separate`]). Other bodies are treated by [`parts`]: faces, curved sides
+//! and edges; a smooth surface is moved down the distance function of the other body ([`slide`]).
 
 pub(crate) mod approach;
 mod parts;
@@ -25,40 +25,40 @@ use target::Target;
 /// Why two surfaces have no contact point.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum SearchError {
-    /// The bodies are apart, or overlap.
+    /// The bodies are separated, or overlap.
     #[error("the bodies do not touch: gap = {gap:e} (negative: overlap), allowed {allowed:e}")]
     NotTouching {
         /// Distance between the surfaces, negative if they overlap.
         gap: f64,
-        /// The largest gap or overlap that counts as touch.
+        /// The largest gap or overlap that counts as contact.
         allowed: f64,
     },
-    /// One surface has no tangent plane or curvature where they touch.
+    /// One surface has no tangent plane or no curvature at the contact point.
     #[error("body {body}: {source}")]
     Surface {
         /// 1 or 2.
         body: u8,
-        /// What is wrong there.
+        /// The reason.
         source: SurfaceError,
     },
-    /// They touch, but not like an elliptical contact.
+    /// The surfaces touch, but the contact is not elliptical.
     #[error(transparent)]
     Frame(#[from] FrameError),
-    /// A place or attitude out of range.
+    /// A position or attitude is out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// No search is possible for these two kinds of surface.
+    /// No search exists for these two kinds of surface.
     #[error("no contact search for {one} and {two}, since {why}: give the contact point")]
     NoSearch {
         /// Kind of body 1.
         one: &'static str,
         /// Kind of body 2.
         two: &'static str,
-        /// What makes a search impossible.
+        /// The reason.
         why: &'static str,
     },
-    /// No ray from the origin of an implicit surface crosses it, or an explicit surface has no
-    /// finite point near its origin.
+    /// No ray from the origin of an implicit surface meets it, or an explicit surface has no finite
+    /// point near its origin.
     #[error(
         "body {body}: no point of its surface within 4 sizes = {reach} of its origin: check the \
          function and its size, or give the contact point"
@@ -72,10 +72,10 @@ pub enum SearchError {
     /// The search did not converge.
     #[error("the search for the contact point did not converge: misfit = {misfit:e}")]
     NotConverged {
-        /// Distance between the nearest points across the normal.
+        /// Distance between the nearest points perpendicular to the normal.
         misfit: f64,
     },
-    /// Searches from many starts found no place where the surfaces face each other.
+    /// No search found a place where the surfaces face each other.
     #[error("no place found where the {one} and the {two} face each other: give the contact point")]
     NothingFound {
         /// Kind of body 1.
@@ -85,34 +85,35 @@ pub enum SearchError {
     },
 }
 
-/// What is known of the nearest points of two bodies.
+/// Whether the nearest points found may be only a local minimum.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Certainty {
-    /// No others are nearer: both bodies are convex, or one is a sphere and the other's distance
-    /// is known everywhere.
+    /// No other points are nearer: both bodies are convex, or one is a sphere and the other's
+    /// distance function is known everywhere.
     Proven,
-    /// Nearest of the local minima that searches from many starts found; a body that need not be
-    /// convex may come nearer elsewhere.
+    /// The nearest of the local minima found from many starts. A body that may not be convex can be
+    /// nearer elsewhere.
     Sampled,
 }
 
 /// The nearest points of two bodies.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct NearestPoints {
-    /// On body 1 and on body 2, in space.
+    /// Nearest point of body 1 and of body 2, in space.
     pub points: [Vector3<f64>; 2],
-    /// Distance between them, negative if the bodies overlap: by how much, or where an edge meets
-    /// the other body how deep the edge lies in it.
+    /// Distance between the points. It is negative if the bodies overlap: the depth of the overlap
+    /// or, where an edge meets the other body, the depth of the edge inside it.
     pub gap: f64,
-    /// Whether others can be nearer.
+    /// Whether other points may be nearer.
     pub certainty: Certainty,
 }
 
-/// The nearest points of two bodies, touching or not.
+/// The nearest points of two bodies, in contact or not.
 ///
-/// Spheres, ellipsoids, planes, cylinders, capsules, boxes and tori pair with each other and with
-/// implicit and explicit surfaces. A surface that need not be convex is searched from many starts
-/// within four sizes of its origin, an explicit one also near the other body.
+/// All pairs of spheres, ellipsoids, planes, cylinders, capsules, boxes, tori, implicit and
+/// explicit surfaces are supported, with the exceptions below. A surface that may not be convex is
+/// searched from many starts within four sizes of its origin, an explicit one also near the other
+/// body.
 ///
 /// ```
 /// use carom_geometry::{Certainty, Placed, Surface, nearest_points};
@@ -127,8 +128,8 @@ pub struct NearestPoints {
 ///
 /// # Errors
 /// [`SearchError::NoSearch`] for two planes and for a surface given at one point,
-/// [`SearchError::NoPoints`] for a function without a surface near its origin, and
-/// [`SearchError::NotConverged`], [`SearchError::NothingFound`] if the searches fail.
+/// [`SearchError::NoPoints`] for a function without a surface near its origin,
+/// [`SearchError::NotConverged`] and [`SearchError::NothingFound`] if the search fails.
 pub fn nearest_points(one: &Placed, two: &Placed) -> Result<NearestPoints, SearchError> {
     let origin = origin_of_search(one, two);
     let [one, two] = [one.seen_from(&origin), two.seen_from(&origin)];
@@ -137,8 +138,8 @@ pub fn nearest_points(one: &Placed, two: &Placed) -> Result<NearestPoints, Searc
     Ok(NearestPoints { points, gap, certainty: certainty(&one, &two) })
 }
 
-/// The centre of the smaller body: seen from there, neither a place far from the origin nor a large
-/// partner costs digits of where on it the contact lies.
+/// The centre of the smaller body, used as origin of the search: then neither a distant position
+/// nor a large other body reduces the accuracy of the contact point on it.
 pub(crate) fn origin_of_search(one: &Placed, two: &Placed) -> Vector3<f64> {
     let sizes = [one, two].map(|placed| placed.surface().size());
     // A plane has no size.
@@ -173,7 +174,7 @@ impl Nearest {
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Touch {
     near: Nearest,
-    /// They lie inside both parts, not at the border of one.
+    /// Whether they lie inside both parts, not at the border of one.
     within: bool,
 }
 
@@ -183,7 +184,7 @@ impl Touch {
     }
 }
 
-/// The nearest points of two bodies, by the search that fits their kinds.
+/// The nearest points of two bodies, by the search for their kinds.
 pub(crate) fn nearest(one: &Placed, two: &Placed) -> Result<Nearest, SearchError> {
     searchable(one, two)?;
     if let (Kind::Ellipsoid { semi_axes: axes_1 }, Kind::Ellipsoid { semi_axes: axes_2 }) =
@@ -205,9 +206,9 @@ pub(crate) fn nearest(one: &Placed, two: &Placed) -> Result<Nearest, SearchError
     found.ok_or(SearchError::NothingFound { one, two })
 }
 
-// A separating direction proves itself. Where none was found the ellipsoids overlap, or they are
-// so thin that the search for it was lost: sliding one over the other tells. If they do not
-// overlap there is one place only where they face each other.
+// A separating direction is its own proof. If none was found, the ellipsoids overlap, or they are
+// so thin that the search failed: sliding one over the other decides. If they do not overlap, they
+// face each other at one place only.
 fn apart_or_again(
     found: Result<Nearest, SearchError>,
     one: &Placed,
@@ -253,8 +254,8 @@ fn first(touches: Vec<Touch>) -> Option<Nearest> {
     touches.into_iter().map(|touch| touch.near).min_by(|a, b| a.gap.total_cmp(&b.gap))
 }
 
-/// Two bodies that no ball sweeps, by faces, curved sides and smooth surfaces; by their edges
-/// where none of these meet, or where the other body may have several nearest points.
+/// Two bodies that are not swept by a ball: by faces, curved sides and smooth surfaces. Their edges
+/// are used if none of these meet, or if the other body may have several nearest points.
 fn by_parts(one: &Target<'_>, two: &Target<'_>) -> Option<Nearest> {
     let mut touches = of_first(one, two);
     touches.extend(of_first(two, one).into_iter().map(Touch::exchanged));
@@ -265,7 +266,7 @@ fn by_parts(one: &Target<'_>, two: &Target<'_>) -> Option<Nearest> {
     touches.retain(|touch| touch.within);
     let convex = one.is_convex() && two.is_convex();
     if convex && !touches.is_empty() {
-        // Every part holds its body: the one that separates most is the true one.
+        // Every part contains its body, so that the greatest separation is the true one.
         return touches.into_iter().map(|t| t.near).max_by(|a, b| a.gap.total_cmp(&b.gap));
     }
     let along = |edges: Vec<Rail<'_>>, other: &Target<'_>| -> Vec<Touch> {
@@ -277,7 +278,7 @@ fn by_parts(one: &Target<'_>, two: &Target<'_>) -> Option<Nearest> {
     first(touches)
 }
 
-// Parts of body 1 against the whole of body 2, as (1, 2).
+// Parts of body 1 against the whole of body 2, ordered as (1, 2).
 fn of_first(one: &Target<'_>, two: &Target<'_>) -> Vec<Touch> {
     let mut touches = Vec::new();
     if one.is_smooth() && two.is_smooth() {

@@ -8,13 +8,13 @@ use super::{Nearest, Touch};
 use crate::placed::Placed;
 use crate::surface::{Kind, perpendicular};
 
-/// Faces turned by less than this from each other touch over an area, radians.
+/// Faces at a smaller angle than this touch over an area, radians.
 const PARALLEL: f64 = 1e-7;
 
-/// Projections to and fro between two faces that overlap.
-const MEETINGS: usize = 40;
+/// Greatest number of alternating projections between two overlapping faces.
+const MOST_PROJECTIONS: usize = 40;
 
-/// How far a face reaches from its centre.
+/// The extent of a face.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum Outline {
     Endless,
@@ -48,13 +48,13 @@ impl Face {
         self.centre + within
     }
 
-    /// How far beside the face a point stands.
+    /// Distance of a point from the face, parallel to it.
     pub(super) fn beside(&self, point: &Vector3<f64>) -> f64 {
         let foot = point - self.normal * self.normal.dot(&(point - self.centre));
         (self.clamp(&foot) - foot).norm()
     }
 
-    /// Points all over a face that ends.
+    /// Sample points of a bounded face.
     pub(super) fn spots(&self) -> Vec<Vector3<f64>> {
         match self.outline {
             Outline::Endless => Vec::new(),
@@ -75,7 +75,7 @@ impl Face {
         }
     }
 
-    /// Where the nearest point of another body stands over this face, or behind it.
+    /// The nearest point of another body relative to this face, above or below it.
     pub(super) fn under(&self, point: &Vector3<f64>) -> Touch {
         let gap = self.normal.dot(&(point - self.centre));
         let foot = point - self.normal * gap;
@@ -84,13 +84,13 @@ impl Face {
         Touch { near: Nearest { points: [foot, *point], gap }, within }
     }
 
-    /// Two faces that lie on each other.
+    /// Two parallel faces that overlap.
     pub(super) fn onto(&self, other: &Self) -> Option<Touch> {
         if (self.normal + other.normal).norm() > PARALLEL {
             return None;
         }
         let mut point = other.clamp(&self.centre);
-        for _ in 0..MEETINGS {
+        for _ in 0..MOST_PROJECTIONS {
             point = other.clamp(&self.clamp(&point));
         }
         Some(self.under(&point))
@@ -128,7 +128,7 @@ pub(super) fn faces(body: &Placed) -> Vec<Face> {
     }
 }
 
-/// The curved side of a cylinder.
+/// The curved side of a cylinder, as a curve swept by a ball.
 pub(super) fn side<'a>(body: &'a Placed) -> Option<Rail<'a>> {
     match body.surface().kind() {
         Kind::Cylinder { radius, half_length } => {
@@ -138,7 +138,7 @@ pub(super) fn side<'a>(body: &'a Placed) -> Option<Rail<'a>> {
     }
 }
 
-/// A body that a ball sweeps as a whole: sphere, capsule, torus.
+/// A body that is swept by a ball: sphere, capsule, torus.
 pub(super) fn swept<'a>(body: &'a Placed) -> Option<Rail<'a>> {
     let (curve, radius) = match body.surface().kind() {
         Kind::Sphere { radius } => (Curve::axis(0.0), *radius),
@@ -149,7 +149,7 @@ pub(super) fn swept<'a>(body: &'a Placed) -> Option<Rail<'a>> {
     Some(Rail { body, curve, radius })
 }
 
-/// The edges of a body, corners as their ends.
+/// The edges of a body, with the corners as their ends.
 pub(super) fn edges<'a>(body: &'a Placed) -> Vec<Rail<'a>> {
     let curves = match body.surface().kind() {
         Kind::Cylinder { radius, half_length } => [1.0, -1.0]

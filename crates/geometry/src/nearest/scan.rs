@@ -1,7 +1,7 @@
-//! A ball that rolls along a curve: where it comes nearest to another body.
+//! The minima of the distance between a curve swept by a ball and another body.
 //!
-//! A sphere, a capsule and a torus are such bodies whole, a cylinder with its side; an edge is
-//! one with a ball of no size.
+//! Spheres, capsules, tori and the side of a cylinder are swept by a ball; an edge is swept by a
+//! ball of radius zero.
 
 use carom_special::roots::bisect;
 use nalgebra::Vector3;
@@ -11,19 +11,19 @@ use super::target::Target;
 use super::{Nearest, Touch};
 use crate::placed::Placed;
 
-/// Slopes of the distance along the curve below this count as none: parallel lines.
-const LEVEL: f64 = 1e-12;
+/// Slopes of the distance along the curve below this count as zero: parallel lines.
+const ZERO_SLOPE: f64 = 1e-12;
 
-/// Places along a curve from which minima are looked for, where there may be many.
+/// Sample points along a curve that may have many minima.
 const SAMPLES: i32 = 96;
 
-/// The same along an edge, which is refused wherever it touches.
+/// The same along an edge. A contact there is an error, so that less accuracy is needed.
 const SAMPLES_OF_EDGE: i32 = 20;
 
-/// A curve in the axes of its body.
+/// A curve, in the axes of its body.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Curve {
-    /// A straight piece of twice the half-length, along a unit vector.
+    /// A straight line of twice the half-length along a unit vector.
     Straight { middle: Vector3<f64>, along: Vector3<f64>, half_length: f64 },
     /// A circle about axis c.
     Round { height: f64, radius: f64 },
@@ -47,7 +47,7 @@ impl Curve {
     }
 }
 
-/// A body's curve and the radius of the ball on it.
+/// A curve of a body, and the radius of the ball that sweeps it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Rail<'a> {
     pub(super) body: &'a Placed,
@@ -63,7 +63,7 @@ enum Trend {
 }
 
 impl Rail<'_> {
-    /// A point before a straight piece before a circle.
+    /// A point is simpler than a line, a line simpler than a circle.
     pub(super) fn is_simpler_than(&self, other: &Self) -> bool {
         let rank = |rail: &Self| match rail.curve {
             Curve::Straight { half_length: 0.0, .. } => 0,
@@ -73,7 +73,7 @@ impl Rail<'_> {
         rank(self) < rank(other)
     }
 
-    /// All minima of the distance along the curve, those at the ends of a straight one included.
+    /// All minima of the distance along the curve, including those at the ends of a line.
     pub(super) fn scan(&self, other: &Target<'_>) -> Vec<Touch> {
         match self.curve {
             Curve::Straight { half_length: 0.0, .. } => {
@@ -99,8 +99,8 @@ impl Rail<'_> {
         let closest = other.closest(&self.body.space_point(&point))?;
         let slope = closest.normal.dot(&self.body.attitude().to_space(&tangent));
         Some(match slope {
-            _ if slope < -LEVEL => Trend::Falling,
-            _ if slope > LEVEL => Trend::Rising,
+            _ if slope < -ZERO_SLOPE => Trend::Falling,
+            _ if slope > ZERO_SLOPE => Trend::Rising,
             _ => Trend::Level,
         })
     }
@@ -117,7 +117,7 @@ impl Rail<'_> {
         Some(Touch { near, within })
     }
 
-    // A place from which the distance falls, so that no minimum is cut in two.
+    // A position where the distance decreases, so that no minimum lies at the ends of the scan.
     fn descent_on_circle(&self, other: &Target<'_>) -> f64 {
         let samples = self.samples();
         let place = |i: i32| f64::from(i) * 2.0 * PI / f64::from(samples);
@@ -125,12 +125,13 @@ impl Rail<'_> {
         (0..samples).map(place).find(falling).unwrap_or(0.0)
     }
 
-    // Places where the trend changes from falling to rising, perhaps by way of a level stretch,
-    // of which the middle counts. Beyond the ends of a straight curve the distance rises.
+    // Positions where the distance changes from decreasing to increasing. If it is constant in
+    // between, the middle of that interval is taken. Beyond the ends of a line the distance
+    // increases.
     fn minima(&self, (begin, end): (f64, f64), pieces: i32, other: &Target<'_>) -> Vec<Touch> {
         let step = (end - begin) / f64::from(pieces);
         let mut found = Vec::new();
-        // Last place where it fell, and where it stopped to fall.
+        // The last position where it decreased, and the position where it stopped decreasing.
         let (mut fell, mut low) = (Some(begin), Some(begin));
         let mut last = begin;
         for i in 0..=pieces {
@@ -152,7 +153,8 @@ impl Rail<'_> {
             }
             last = t;
         }
-        // A closed curve began where it falls; only one that runs level throughout is left.
+        // The scan of a closed curve starts where the distance decreases; what remains is a curve
+        // of constant distance.
         let open = matches!(self.curve, Curve::Straight { .. });
         if let Some(from) = if open { low.or(fell) } else { low } {
             found.extend(self.touch(0.5 * (from + end), other));
@@ -160,7 +162,7 @@ impl Rail<'_> {
         found
     }
 
-    // Where a rising trend begins: near, unless the curve runs level.
+    // The position where the distance begins to increase: nearby, unless it is constant.
     fn leave_level(&self, from: f64, to: f64, other: &Target<'_>) -> f64 {
         let mut stride = self.finest();
         let mut left = from;
@@ -179,7 +181,7 @@ impl Rail<'_> {
         1e-16 * reach
     }
 
-    // Where a trend ends, to [`Self::finest`].
+    // The position where the sign of the slope changes, to [`Self::finest`].
     fn change(&self, from: f64, to: f64, other: &Target<'_>, holds: impl Fn(Trend) -> bool) -> f64 {
         let halvings = libm::ceil(libm::log2((to - from) / self.finest())).max(0.0);
         let [low, high] =

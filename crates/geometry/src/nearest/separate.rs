@@ -1,4 +1,4 @@
-//! Two ellipsoids: the direction that separates them most.
+//! Two ellipsoids: the direction with the greatest separation.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -8,13 +8,13 @@ use crate::surface::{invert_in_plane, support_of_ellipsoid};
 
 const MAX_STEPS: usize = 200;
 
-/// Longest turn of the direction in a step, radians.
+/// Greatest rotation of the direction in one step, radians.
 const LONGEST_STEP: f64 = 0.3;
 
 /// A placed ellipsoid by its semi-axes.
 pub(super) type Egg<'a> = (&'a Placed, &'a Vector3<f64>);
 
-// Supports for a direction n from body 2 into body 1, and W_1 + W_2, their turning.
+// Support points for a direction n from body 2 into body 1, and W_1 + W_2, their derivative.
 fn supports(one: Egg<'_>, two: Egg<'_>, n: &Vector3<f64>) -> (Nearest, Matrix3<f64>) {
     let p_1 = support_of_ellipsoid(one.1, &one.0.attitude().to_body(&-n));
     let p_2 = support_of_ellipsoid(two.1, &two.0.attitude().to_body(n));
@@ -28,9 +28,9 @@ fn across(near: &Nearest, n: &Vector3<f64>) -> Vector3<f64> {
     off - n * n.dot(&off)
 }
 
-/// The separating direction n, from body 2 into body 1, that maximises the gap
-/// g(n) = n.(p_1(-n) - p_2(n)) of the supports: Newton's method on the sphere, where
-/// grad g = tangential part of p_1 - p_2 and hess g = -(W_1 + W_2) - g I.
+/// The separating direction n, from body 2 into body 1, that maximises the gap g(n) = n.(p_1(-n) -
+/// p_2(n)) of the support points, by Newton's method on the sphere, where grad g = tangential part
+/// of p_1 - p_2 and hess g = -(W_1 + W_2) - g I.
 pub(super) fn separate(one: Egg<'_>, two: Egg<'_>) -> Result<Nearest, SearchError> {
     let start = (one.0.centre() - two.0.centre()).try_normalize(0.0).unwrap_or(Vector3::z());
     let mut normal = start;
@@ -44,13 +44,13 @@ pub(super) fn separate(one: Egg<'_>, two: Egg<'_>) -> Result<Nearest, SearchErro
         }
         let step = invert_in_plane(&turning, now.gap.max(0.0), &normal)
             .map_or(gradient / size, |inverse| inverse * gradient);
-        // A thin ellipsoid barely turns its supports: Newton's step may go round the sphere.
+        // A thin ellipsoid hardly moves its support points: Newton's step may be far too long.
         let mut share = (LONGEST_STEP / step.norm()).min(1.0);
         let smallest = 1e-9 * share;
         let better = loop {
             let next = (normal + step * share).normalize();
             let (trial, trial_turning) = supports(one, two, &next);
-            // At the last digits only the misfit still tells better from worse.
+            // At rounding level only the tangential distance still shows progress.
             if trial.gap > now.gap || across(&trial, &next).norm() < 0.5 * misfit {
                 break Some((next, trial, trial_turning));
             }

@@ -1,4 +1,4 @@
-//! A smooth surface over another: minima of the signed distance, from many starts.
+//! Minima of the signed distance between two smooth surfaces, from many starts.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -8,16 +8,16 @@ use super::{Nearest, Touch};
 use crate::placed::Placed;
 use crate::surface::{Closest, Kind, LocalSurface, Objective, support_of_ellipsoid};
 
-/// Minima that are looked for.
+/// Number of minima searched for.
 const MINIMA: usize = 6;
 
-/// How far apart starts lie, over the size of the body.
-const APART: f64 = 0.25;
+/// Least distance between two starts, relative to the size of the body.
+const LEAST_SPACING: f64 = 0.25;
 
-/// What is left of the slope, the sine of the angle between the normals, where a search has ended.
+/// A search has converged if the sine of the angle between the normals is below this.
 const PARALLEL: f64 = 1e-8;
 
-/// The minima of the distance of a smooth body from a smooth body.
+/// The minima of the distance between two smooth bodies.
 pub(super) fn slide(body: &Target<'_>, other: &Target<'_>) -> Vec<Touch> {
     let place = |point: &Vector3<f64>| {
         let closest = other.closest(point)?;
@@ -26,7 +26,7 @@ pub(super) fn slide(body: &Target<'_>, other: &Target<'_>) -> Vec<Touch> {
     minima(body, &body.starts, other.size(), &place)
 }
 
-/// The minima of the height of a smooth body over a face, first the points on the face.
+/// The minima of the height of a smooth body above a face, those above the face first.
 pub(super) fn lower(body: &Target<'_>, face: &Face) -> Vec<Touch> {
     if let Kind::Ellipsoid { semi_axes } = body.kind() {
         let down = body.placed.attitude().to_body(&-face.normal);
@@ -38,9 +38,10 @@ pub(super) fn lower(body: &Target<'_>, face: &Face) -> Vec<Touch> {
         let foot = point - face.normal * distance;
         Some((Closest { point: foot, normal: face.normal, distance }, Matrix3::zeros()))
     };
-    // What lies beside the face does not matter, be it ever so low.
-    let over =
-        |start: &&Vector3<f64>| face.beside(&body.placed.space_point(start)) < APART * body.size();
+    // Points beside the face do not count, however low they are.
+    let over = |start: &&Vector3<f64>| {
+        face.beside(&body.placed.space_point(start)) < LEAST_SPACING * body.size()
+    };
     let next_to = |spot: &Vector3<f64>| Some(body.placed.body_point(&body.closest(spot)?.point));
     let nearest = face.spots().into_iter().filter_map(|spot| next_to(&spot));
     let starts: Vec<_> = body.starts.iter().filter(over).copied().chain(nearest).collect();
@@ -85,7 +86,7 @@ fn minima(
     low_starts(starts, body.size(), height).iter().filter_map(follow).collect()
 }
 
-// The lowest starts, none close to another.
+// The lowest starts that are not close to each other.
 fn low_starts(
     starts: &[Vector3<f64>],
     size: f64,
@@ -96,7 +97,7 @@ fn low_starts(
     ranked.sort_by(|one, two| one.0.total_cmp(&two.0));
     let mut chosen: Vec<Vector3<f64>> = Vec::new();
     for (_, start) in ranked {
-        if chosen.iter().all(|other| (other - start).norm() > APART * size) {
+        if chosen.iter().all(|other| (other - start).norm() > LEAST_SPACING * size) {
             chosen.push(start);
         }
         if chosen.len() == MINIMA {

@@ -1,11 +1,11 @@
-//! What a search asks of a placed surface.
+//! The queries of a search to a placed surface.
 
 use nalgebra::Vector3;
 
 use crate::placed::Placed;
 use crate::surface::{Closest, Kind};
 
-/// A placed surface with the points from which searches over it start.
+/// A placed surface with the starts for searches over it.
 #[derive(Debug, Clone)]
 pub(super) struct Target<'a> {
     pub(super) placed: &'a Placed,
@@ -17,7 +17,7 @@ impl<'a> Target<'a> {
         Self { placed, starts: placed.surface().starts() }
     }
 
-    /// The point closest to a point of space, all in space.
+    /// The surface point closest to a given point, both in space.
     pub(super) fn closest(&self, from: &Vector3<f64>) -> Option<Closest> {
         let found = self.placed.surface().closest(&self.placed.body_point(from), &self.starts)?;
         let point = self.placed.space_point(&found.point);
@@ -33,7 +33,7 @@ impl<'a> Target<'a> {
         self.placed.surface().size()
     }
 
-    /// Smooth all over, with points to start from.
+    /// Whether the surface is smooth everywhere and has starts for a search.
     pub(super) fn is_smooth(&self) -> bool {
         matches!(
             self.kind(),
@@ -41,7 +41,7 @@ impl<'a> Target<'a> {
         )
     }
 
-    /// Convex whatever its numbers.
+    /// Whether surfaces of this kind are always convex.
     pub(super) fn is_convex(&self) -> bool {
         self.placed.surface().is_convex()
     }

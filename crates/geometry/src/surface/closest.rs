@@ -1,17 +1,17 @@
-//! The point of a surface closest to a given one, and the one farthest in a direction.
+//! The surface point closest to a given point, and the support point in a direction.
 
 use nalgebra::{Matrix3, Vector3};
 
 use super::least::Objective;
 use super::{Kind, Surface};
 
-/// Iterations after which a search gives up.
+/// Greatest number of iterations of a search.
 const MAX_STEPS: usize = 100;
 
-/// How far apart starts lie that may lead to different minima, over the size of the body.
-const APART: f64 = 0.3;
+/// Distance of starts that may lead to different minima, relative to the size of the body.
+const START_SPACING: f64 = 0.3;
 
-/// A surface point, the outward normal and the signed distance along it to the point asked for.
+/// A surface point, its outward normal, and the signed distance along it to the given point.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Closest {
     pub(crate) point: Vector3<f64>,
@@ -19,14 +19,14 @@ pub(crate) struct Closest {
     pub(crate) distance: f64,
 }
 
-/// The farthest point in a direction and how it moves when the direction turns: ds/dn.
+/// The support point in a direction, and its derivative with respect to the direction, ds/dn.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Support {
     pub(crate) point: Vector3<f64>,
     pub(crate) turning: Matrix3<f64>,
 }
 
-/// The farthest point of an ellipsoid in the unit direction.
+/// The support point of an ellipsoid in a unit direction.
 pub(crate) fn support_of_ellipsoid(semi_axes: &Vector3<f64>, direction: &Vector3<f64>) -> Support {
     let squared = semi_axes.component_mul(semi_axes);
     let reach = semi_axes.component_mul(direction).norm();
@@ -36,8 +36,9 @@ pub(crate) fn support_of_ellipsoid(semi_axes: &Vector3<f64>, direction: &Vector3
 }
 
 impl Surface {
-    /// The surface point closest to `from`; none if the search fails or the surface is known at
-    /// one point only. `starts` are points of an implicit or explicit surface; others need none.
+    /// The surface point closest to `from`; `None` if the search fails or the surface is known at
+    /// one point only. `starts` are points of an implicit or explicit surface; other surfaces need
+    /// none.
     pub(crate) fn closest(&self, from: &Vector3<f64>, starts: &[Vector3<f64>]) -> Option<Closest> {
         match self.kind() {
             Kind::Sphere { radius } => Some(around(&Vector3::zeros(), *radius, from)),
@@ -68,11 +69,11 @@ impl Surface {
         }
     }
 
-    // The nearer of the minima of |p - from| to which the nearest start leads, and the nearest one
-    // on another part of the surface that may reach as near.
+    // The closer of two minima of |p - from|: the one reached from the nearest start, and the one
+    // from the nearest start on another part of the surface that may be as close.
     fn closest_of_some(&self, from: &Vector3<f64>, starts: &[Vector3<f64>]) -> Option<Closest> {
         let around = self.starts_around(from);
-        let apart = APART * self.size();
+        let apart = START_SPACING * self.size();
         let nearest = |beyond: Option<&Vector3<f64>>| {
             let elsewhere =
                 |start: &&Vector3<f64>| beyond.is_none_or(|first| (*start - first).norm() > apart);
@@ -104,7 +105,7 @@ impl Surface {
     }
 }
 
-/// (M + shift I)^-1 in the plane at right angles to the normal, zero along it.
+/// (M + shift I)^-1 in the plane perpendicular to the normal, zero along the normal.
 pub(crate) fn invert_in_plane(
     matrix: &Matrix3<f64>,
     shift: f64,
@@ -159,9 +160,9 @@ fn closest_on_box(half: &Vector3<f64>, from: &Vector3<f64>) -> Closest {
     Closest { point: from - normal * depth[axis], normal, distance: depth[axis] }
 }
 
-// p = M^2 (M^2 + t)^-1 q with sum (A_i q_i/(A_i^2 + t))^2 = 1: convex and falling in t, so that
-// Newton's iteration from below the root rises to it. Without a root above -min(A_i)^2 the point
-// lies so deep on a plane of symmetry that two surface points are equally near.
+// p = M^2 (M^2 + t)^-1 q with sum (A_i q_i/(A_i^2 + t))^2 = 1, which is convex and decreasing in t:
+// Newton's iteration from below rises to the root. If no root lies above -min(A_i)^2, the point
+// lies so deep on a plane of symmetry that two surface points are equally close.
 fn closest_on_ellipsoid(semi_axes: &Vector3<f64>, from: &Vector3<f64>) -> Closest {
     let squared = semi_axes.component_mul(semi_axes);
     let sums = |t: f64| {
@@ -195,7 +196,7 @@ fn closest_on_ellipsoid(semi_axes: &Vector3<f64>, from: &Vector3<f64>) -> Closes
     Closest { point, normal, distance: (from - point).dot(&normal) }
 }
 
-// t = -min(A_i)^2: the other components as above, the shortest from the ellipsoid's equation.
+// t = -min(A_i)^2: the other components as above, the shortest from the equation of the ellipsoid.
 fn deep_in_ellipsoid(squared: &Vector3<f64>, shortest: usize, from: &Vector3<f64>) -> Vector3<f64> {
     let mut point = Vector3::zeros();
     let mut rest = 1.0;

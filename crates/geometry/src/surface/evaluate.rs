@@ -6,19 +6,19 @@ use super::jet::Jet;
 use super::local::LocalSurface;
 use super::{BodySide, Kind, Surface, SurfaceError};
 
-/// How far off the surface a point may lie, over the size of the body.
+/// Greatest distance of a point from the surface, relative to the size of the body.
 const ON_SURFACE: f64 = 1e-6;
 
 impl Surface {
     /// Normal, principal curvatures and directions at a point of the surface.
     ///
     /// # Errors
-    /// [`SurfaceError::OffSurface`] if the point lies farther than 1e-6 of the size from the
-    /// surface, [`SurfaceError::Edge`] or [`SurfaceError::Seam`] where there is no tangent plane
-    /// or no curvature, [`SurfaceError::Singular`] where the gradient vanishes.
+    /// [`SurfaceError::OffSurface`] if the point is farther than 1e-6 of the size from the surface,
+    /// [`SurfaceError::Edge`] or [`SurfaceError::Seam`] where there is no tangent plane or no
+    /// curvature, [`SurfaceError::Singular`] where the gradient vanishes.
     pub fn local(&self, point: &Vector3<f64>) -> Result<LocalSurface, SurfaceError> {
         let near = |distance: f64| {
-            // A plane has no size: the point's own distance from the origin counts.
+            // A plane has no size: the distance of the point from the origin is used.
             let size = if self.size() > 0.0 { self.size() } else { point.norm() };
             let allowed = ON_SURFACE * size;
             if distance.abs() <= allowed {

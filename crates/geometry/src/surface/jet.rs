@@ -15,7 +15,7 @@ pub(crate) struct Jet {
     pub(super) hessian: Matrix3<f64>,
 }
 
-/// Value and derivatives of an explicit surface c(a, b), the five numbers of (8.14)-(8.16).
+/// An explicit surface c(a, b): value and derivatives, the five numbers of (8.14)-(8.16).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Height {
     /// c.
@@ -24,16 +24,16 @@ pub struct Height {
     pub c_a: f64,
     /// dc/db.
     pub c_b: f64,
-    /// The second derivative by a.
+    /// The second derivative with respect to a.
     pub c_aa: f64,
-    /// The second derivative by b.
+    /// The second derivative with respect to b.
     pub c_bb: f64,
     /// The mixed second derivative.
     pub c_ab: f64,
 }
 
 impl Height {
-    /// The same as a function of a point, whatever its c.
+    /// As a function of three coordinates that does not depend on c.
     pub(super) fn jet(&self) -> Jet {
         let Self { c, c_a, c_b, c_aa, c_bb, c_ab } = *self;
         Jet {
@@ -46,7 +46,7 @@ impl Height {
 
 type Shared<J> = Arc<dyn Fn(&Vector3<f64>) -> J + Send + Sync>;
 
-/// A function of a point that a surface owns.
+/// A function of position owned by a surface.
 #[derive(Clone)]
 pub(crate) struct Field<J>(Shared<J>);
 
@@ -66,8 +66,8 @@ impl<J> fmt::Debug for Field<J> {
     }
 }
 
-/// The function of an implicit or explicit surface: with its derivatives, or bare with
-/// differences for them.
+/// The function of an implicit or explicit surface: with its derivatives, or without, to be
+/// differentiated numerically.
 #[derive(Debug, Clone)]
 pub(crate) enum Source {
     Exact(Field<Jet>),
@@ -102,8 +102,8 @@ impl Source {
     }
 }
 
-/// Step of the differences over the size of the body: eps^(1/6) balances their h^4 against the
-/// rounding eps/h^2 of the second derivatives.
+/// Step of the differences relative to the size of the body: eps^(1/6) balances their error h^4
+/// against the rounding eps/h^2 of the second derivatives.
 const STEP: f64 = 2.5e-3;
 
 // Weights of the five-point differences, error h^4.
@@ -112,7 +112,7 @@ const FIRST: [(f64, f64); 4] =
 const SECOND: [(f64, f64); 4] =
     [(-2.0, -1.0 / 12.0), (-1.0, 4.0 / 3.0), (1.0, 4.0 / 3.0), (2.0, -1.0 / 12.0)];
 
-/// Derivatives of f by five-point differences, relative accuracy about 1e-10.
+/// Derivatives of f by five-point differences; relative error about 1e-10.
 fn differences(f: &dyn Fn(&Vector3<f64>) -> f64, at: &Vector3<f64>, size: f64) -> Jet {
     let h = STEP * size;
     let value = f(at);

@@ -1,4 +1,4 @@
-//! The least value of a function over a surface, from a start.
+//! The minimum of a function over a surface, from a given start.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -7,11 +7,11 @@ use super::{Kind, Surface, evaluate};
 
 const MAX_STEPS: usize = 100;
 
-/// Longest step over the size of the body.
+/// Longest step relative to the size of the body.
 const LONGEST_STEP: f64 = 0.3;
 
-/// Part of the expected descent that a step must bring.
-const ENOUGH: f64 = 1e-4;
+/// Least decrease of a step, relative to the expected one.
+const SUFFICIENT_DECREASE: f64 = 1e-4;
 
 /// A function of position in the body's axes: value, gradient and Hessian.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -19,11 +19,11 @@ pub(crate) struct Objective {
     pub(crate) value: f64,
     pub(crate) gradient: Vector3<f64>,
     pub(crate) hessian: Matrix3<f64>,
-    /// Rounding of the value.
+    /// Rounding error of the value.
     pub(crate) noise: f64,
 }
 
-/// Where the function is least, and what remains of its gradient along the surface.
+/// The position of the minimum, and the remaining gradient along the surface.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Least {
     pub(crate) local: LocalSurface,
@@ -31,20 +31,20 @@ pub(crate) struct Least {
     pub(crate) rest: f64,
 }
 
-// The function along the surface at one of its points.
+// The function along the surface, at one of its points.
 struct Here {
     local: LocalSurface,
     value: f64,
     noise: f64,
     slope: Vector3<f64>,
     descent: Vector3<f64>,
-    // Unit direction along which the function falls to both sides.
+    // Unit direction along which the function decreases to both sides.
     fall: Option<Vector3<f64>>,
 }
 
 impl Surface {
-    /// Newton's descent along a smooth surface from the point of it next to `start`; `gentle` is
-    /// the gradient that counts as none. Ends at a minimum, never at a saddle.
+    /// Newton's method along a smooth surface from the surface point next to `start`; a gradient
+    /// below `gentle` counts as zero. It ends at a minimum, never at a saddle point.
     pub(crate) fn least(
         &self,
         start: &Vector3<f64>,
@@ -83,7 +83,7 @@ impl Surface {
                 return None;
             }
             point -= step * (0.5 * self.size() / length.max(f64::MIN_POSITIVE)).min(1.0);
-            // Rounding may keep the last digits moving.
+            // Rounding may keep the last digits changing.
             let still = length <= 1e-12 * self.size() && length >= 0.5 * last;
             if length <= 1e-15 * self.size() || still {
                 return Some(point);
@@ -111,7 +111,8 @@ impl Surface {
 }
 
 impl Here {
-    // Along a surface with outward normal n the second derivative gains -(n . gradient) S.
+    // Along a surface with outward normal n the second derivative has the additional term -(n .
+    // gradient) S.
     fn new(local: LocalSurface, objective: &Objective) -> Self {
         let normal = local.normal();
         let outward = normal.dot(&objective.gradient);
@@ -125,7 +126,8 @@ impl Here {
         let (sin, cos) = libm::sincos(0.5 * libm::atan2(2.0 * r, p - q));
         let (large, small) = (mean + half, mean - half);
         let axes = [one * cos + two * sin, two * cos - one * sin];
-        // A negative curvature turned round still leads down; a vanishing one must not lead far.
+        // A negative curvature with its sign reversed still gives a descent direction; a very small
+        // one must not give a long step.
         let floor = 1e-10 * large.abs().max(small.abs()).max(f64::MIN_POSITIVE);
         let part =
             |axis: Vector3<f64>, bend: f64| axis * (-axis.dot(&slope) / bend.abs().max(floor));
@@ -145,9 +147,9 @@ impl Here {
         let mut share = 1.0;
         while share > 1e-8 {
             if let Some(next) = look(&(self.local.point() + step * share)) {
-                // In the last digits only the slope still tells better from worse.
+                // At rounding level only the gradient still shows progress.
                 let level = next.value <= self.value + self.noise;
-                let better = next.value < self.value - ENOUGH * share * drop;
+                let better = next.value < self.value - SUFFICIENT_DECREASE * share * drop;
                 if better || (level && next.slope.norm() < 0.5 * rest) {
                     return Some(next);
                 }

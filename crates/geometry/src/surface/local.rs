@@ -4,11 +4,12 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::attitude::Attitude;
 
-/// Below this relative difference of the principal curvatures every direction is principal.
+/// The point is an umbilic if the principal curvatures differ by less than this, relative to their
+/// size.
 const UMBILIC: f64 = 1e-13;
 
-/// A surface near one of its points: `z = (k_1 x^2 + k_2 y^2)/2` along the inward normal
-/// (8.6), in the principal axes (8.11).
+/// The second-order shape of a surface at one of its points: `z = (k_1 x^2 + k_2 y^2)/2` along the
+/// inward normal (8.6), in the principal axes (8.11).
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LocalSurface {
     point: Vector3<f64>,
@@ -19,7 +20,7 @@ pub struct LocalSurface {
 
 impl LocalSurface {
     /// From the curvature tensor, positive where the surface is convex: the tangential part of
-    /// hessian/|gradient| of a function that grows outward. Its normal part is ignored.
+    /// hessian/|gradient| of a function that increases outwards. The normal part is ignored.
     pub(crate) fn from_tensor(
         point: Vector3<f64>,
         normal: Vector3<f64>,
@@ -35,7 +36,8 @@ impl LocalSurface {
         let angle = 0.5 * libm::atan2(2.0 * r, p - q);
         let mean = 0.5 * (p + q);
         let (sin, cos) = libm::sincos(angle);
-        // The curvature that does not cancel first, the other from the determinant.
+        // First the curvature that is computed without cancellation, the other from the
+        // determinant.
         let determinant = p * q - r * r;
         let large = mean + half.copysign(mean);
         let other = if large == 0.0 { 0.0 } else { determinant / large };
@@ -43,7 +45,7 @@ impl LocalSurface {
         Self::new(point, normal, curvatures, one * cos + two * sin)
     }
 
-    /// From principal curvatures and the principal direction of the first.
+    /// From the principal curvatures and the principal direction of the first.
     pub(crate) fn new(
         point: Vector3<f64>,
         normal: Vector3<f64>,
@@ -57,7 +59,7 @@ impl LocalSurface {
         Self { point, normal, curvatures: [large, small], direction: normal.cross(&direction) }
     }
 
-    /// A point of a sphere or plane.
+    /// At a point of a sphere or plane.
     pub(crate) fn umbilic(point: Vector3<f64>, normal: Vector3<f64>, curvature: f64) -> Self {
         Self { point, normal, curvatures: [curvature; 2], direction: perpendicular(&normal) }
     }
@@ -99,7 +101,7 @@ impl LocalSurface {
         k_1 - k_2 <= UMBILIC * k_1.abs().max(k_2.abs())
     }
 
-    /// The shape operator in space: maps a tangent vector to the change of the outward normal
+    /// The shape operator in space: maps a tangent vector to the derivative of the outward normal
     /// along it.
     #[must_use]
     pub fn shape_operator(&self) -> Matrix3<f64> {
@@ -108,7 +110,7 @@ impl LocalSurface {
         one * one.transpose() * k_1 + two * two.transpose() * k_2
     }
 
-    /// The same in space, for a body with this centre and attitude.
+    /// The same in the axes of space, for a body with this centre and attitude.
     #[must_use]
     pub fn placed(&self, centre: &Vector3<f64>, attitude: &Attitude) -> Self {
         Self {
@@ -120,7 +122,7 @@ impl LocalSurface {
     }
 }
 
-/// A unit vector at right angles to a unit vector.
+/// A unit vector perpendicular to a given one.
 #[must_use]
 pub fn perpendicular(normal: &Vector3<f64>) -> Vector3<f64> {
     let axis = Vector3::ith(normal.iamin(), 1.0);

@@ -1,7 +1,7 @@
-//! Surfaces of bodies: what they look like near a point (section 8.1).
+//! Surfaces of bodies, and their shape near a point (section 8.1).
 //!
-//! Points and directions are in the body's own axes (a, b, c), which are its principal axes of
-//! inertia with the centre of mass as origin.
+//! Points and directions are given in the body's own axes (a, b, c): the principal axes of inertia,
+//! with the centre of mass as origin.
 
 mod closest;
 mod error;
@@ -60,14 +60,14 @@ pub(crate) enum Kind {
 /// On which side of an explicit surface c(a, b) the body lies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum BodySide {
-    /// The body lies where c is larger: it touches with its lower face.
+    /// The body lies where c is larger: its lower face can touch.
     Above,
-    /// The body lies where c is smaller: it touches with its upper face.
+    /// The body lies where c is smaller: its upper face can touch.
     Below,
 }
 
 impl BodySide {
-    /// Sign of c(a, b) - c outside the body.
+    /// The sign of c(a, b) - c outside the body.
     const fn sign(self) -> f64 {
         match self {
             Self::Above => 1.0,
@@ -101,7 +101,7 @@ impl Surface {
         Ok(Self::of(Kind::Ellipsoid { semi_axes: semi_axes.into() }))
     }
 
-    /// The plane c = 0; the body is the half-space c < 0. Its motion is given at the contact
+    /// The plane c = 0; the body is the half-space c < 0. Its velocity is given at the contact
     /// point.
     #[must_use]
     pub fn plane() -> Self {
@@ -140,8 +140,8 @@ impl Surface {
         Ok(Self::of(Kind::Torus { major, minor }))
     }
 
-    /// A box with these edges along a, b and c. Only its faces can touch; its edges and corners
-    /// have no tangent plane and are refused.
+    /// A box with these edge lengths along a, b and c. Only its faces can be in contact; a contact
+    /// at an edge or a corner, which have no tangent plane, is an error.
     ///
     /// # Errors
     /// [`RangeError`] unless all edges are finite and positive.
@@ -152,9 +152,9 @@ impl Surface {
         Ok(Self::of(Kind::Box { half: 0.5 * Vector3::from(edges) }))
     }
 
-    /// The surface f(a, b, c) = 0 of a body in which f < 0, with derivatives by five-point
-    /// differences over 1/400 of `size` (relative accuracy about 1e-10). A search for the contact
-    /// looks for it within four sizes of the origin.
+    /// The surface f(a, b, c) = 0 of a body in which f < 0. Derivatives are computed by five-point
+    /// differences over 1/400 of `size` (relative error about 1e-10). The search for a contact
+    /// considers points within four sizes of the origin.
     ///
     /// ```
     /// use carom_geometry::Surface;
@@ -176,9 +176,9 @@ impl Surface {
         Ok(Self::of(Kind::Implicit { size, function }))
     }
 
-    /// The surface c(a, b) of a body on the given side of it, with derivatives by differences as
-    /// in [`Surface::implicit`]. Where c is not finite there is no surface. A search for the
-    /// contact begins over |a|, |b| <= 2 sizes and next to the other body.
+    /// The surface c(a, b) of a body on the given side of it, with derivatives by differences as in
+    /// [`Surface::implicit`]. Where c is not finite there is no surface. The search for a contact
+    /// starts in |a|, |b| <= 2 sizes and next to the other body.
     ///
     /// # Errors
     /// [`RangeError`] unless the size is finite and positive.
@@ -208,12 +208,12 @@ impl Surface {
         Ok(Self::of(Kind::Explicit { size, side, function }))
     }
 
-    /// A surface known only at one point: its outward normal there, the principal radii and the
-    /// direction of the first (made perpendicular to the normal).
+    /// A surface known at one point only, by its outward normal, its principal radii and the
+    /// direction of the first radius (which is made perpendicular to the normal).
     ///
     /// # Errors
-    /// [`RangeError`] unless the point is finite, the normal not zero and the direction not
-    /// along it.
+    /// [`RangeError`] unless the point is finite, the normal not zero, and the direction not
+    /// parallel to it.
     pub fn given(
         point: [f64; 3],
         normal: [f64; 3],
@@ -237,7 +237,7 @@ impl Surface {
         &self.kind
     }
 
-    /// The radius of a sphere; none for any other surface.
+    /// The radius of a sphere; `None` for any other surface.
     #[must_use]
     pub const fn radius(&self) -> Option<f64> {
         match &self.kind {
@@ -252,7 +252,7 @@ impl Surface {
         matches!(self.kind, Kind::Plane)
     }
 
-    /// Whether it is convex whatever its numbers.
+    /// Whether surfaces of this kind are always convex.
     pub(crate) const fn is_convex(&self) -> bool {
         !matches!(
             self.kind,
@@ -260,7 +260,7 @@ impl Surface {
         )
     }
 
-    /// The kind of surface in a word.
+    /// The name of the kind of surface.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match &self.kind {
@@ -277,7 +277,7 @@ impl Surface {
         }
     }
 
-    /// A length of the body: its greatest half-width, or the size given.
+    /// A length of the body: its greatest half-width, or the given size.
     #[must_use]
     pub fn size(&self) -> f64 {
         match &self.kind {

@@ -1,4 +1,4 @@
-//! Inertia of homogeneous bodies and thin shells of the known shapes.
+//! Inertia of homogeneous bodies and thin shells.
 
 use nalgebra::Vector3;
 
@@ -17,13 +17,13 @@ impl Surface {
     ///
     /// # Errors
     /// [`SurfaceError::Range`] for a mass that is not positive, [`SurfaceError::NoInertia`] for a
-    /// shape that does not say what lies inside it.
+    /// surface whose interior is not defined.
     pub fn solid(&self, mass: f64) -> Result<Inertia, SurfaceError> {
         self.inertia(mass, solid_second_moments(self.kind()))
     }
 
-    /// The inertia of a thin shell of this shape, with the same mass on every unit of area; an
-    /// ellipsoid's is the homoeoid between two similar ellipsoids, `m (B^2 + C^2)/3`.
+    /// The inertia of a thin shell of this shape with uniform mass per area. For an ellipsoid it is
+    /// the homoeoid, the shell between two similar ellipsoids, with `m (B^2 + C^2)/3`.
     ///
     /// # Errors
     /// As [`Surface::solid`].

@@ -1,12 +1,12 @@
-//! On which side of a surface a point lies.
+//! Decides on which side of a surface a point lies.
 
 use nalgebra::Vector3;
 
 use super::{Kind, Surface};
 
 impl Surface {
-    /// Positive outside the body, negative inside, zero on its surface; near the surface in
-    /// proportion to the distance. A surface given at a point counts as its paraboloid.
+    /// Positive outside the body, negative inside, zero on the surface; near the surface
+    /// proportional to the distance. A surface given at one point is replaced by its paraboloid.
     pub(crate) fn outside(&self, point: &Vector3<f64>) -> f64 {
         let rim = || libm::hypot(point.x, point.y);
         match self.kind() {

@@ -1,4 +1,4 @@
-//! Points all over a surface from which a search may start.
+//! Sample points of a surface, used as starts of a search.
 
 use nalgebra::Vector3;
 use std::f64::consts::PI;
@@ -6,23 +6,24 @@ use std::f64::consts::PI;
 use super::jet::Source;
 use super::{Kind, Surface};
 
-/// Rays from the origin of a body.
+/// Number of rays from the origin of a body.
 const RAYS: u32 = 162;
 
-/// Steps along a ray, each longer than the last by this factor.
+/// Steps along a ray; their lengths grow by a constant factor.
 const RAY_STEPS: i32 = 60;
 const RAY_GROWTH: f64 = 1.08;
 
-/// First point of a ray over the size; the last one lies at four sizes.
+/// First point of a ray relative to the size; the last one lies at four sizes.
 const RAY_START: f64 = 0.043;
 
-/// How far from its origin an explicit surface is looked at, over its size, and lines each way.
-const SPAN: f64 = 2.0;
+/// Range of a and b in which an explicit surface is sampled, relative to its size, and lines along
+/// each.
+const SAMPLED_RANGE: f64 = 2.0;
 const LINES: i32 = 12;
 
 impl Surface {
-    /// Points of an ellipsoid or of an implicit surface where rays from the origin cross it, and
-    /// of an explicit surface on a square of four sizes; none of the others.
+    /// Points of an ellipsoid or implicit surface on rays from the origin, and of an explicit
+    /// surface on a square of four sizes; none for other surfaces.
     pub(crate) fn starts(&self) -> Vec<Vector3<f64>> {
         match self.kind() {
             Kind::Ellipsoid { semi_axes } => {
@@ -32,7 +33,7 @@ impl Surface {
                 directions().flat_map(|ray| crossings(function, &ray, *size)).collect()
             }
             Kind::Explicit { size, .. } => {
-                let step = SPAN * size / f64::from(LINES);
+                let step = SAMPLED_RANGE * size / f64::from(LINES);
                 let at = |i: i32| f64::from(i) * step;
                 let square = (-LINES..=LINES).flat_map(|i| (-LINES..=LINES).map(move |j| (i, j)));
                 square.filter_map(|(i, j)| self.above(at(i), at(j))).collect()
@@ -41,8 +42,8 @@ impl Surface {
         }
     }
 
-    /// Points of an explicit surface that may be near: straight along c, and on two rings no
-    /// wider than that distance.
+    /// Points of an explicit surface that may be close: straight along c, and on two rings no wider
+    /// than that distance.
     pub(super) fn starts_around(&self, from: &Vector3<f64>) -> Vec<Vector3<f64>> {
         let Some(foot) = self.above(from.x, from.y) else { return Vec::new() };
         let reach = (from.z - foot.z).abs();
@@ -78,7 +79,7 @@ fn crossings(function: &Source, ray: &Vector3<f64>, size: f64) -> Vec<Vector3<f6
     found
 }
 
-// Even on the sphere, by the golden angle; no pole, so that no symmetry is met exactly.
+// Uniform on the sphere, by the golden angle; no direction lies exactly on a plane of symmetry.
 fn directions() -> impl Iterator<Item = Vector3<f64>> {
     let golden = PI * (3.0 - libm::sqrt(5.0));
     (0..RAYS).map(move |i| {

@@ -1,11 +1,11 @@
-//! Volumes of the known shapes.
+//! Volumes of the surfaces.
 
 use std::f64::consts::PI;
 
 use super::{Kind, Surface};
 
 impl Surface {
-    /// The volume inside the surface; none for a shape that does not say what lies inside it.
+    /// The volume inside the surface; `None` if the interior is not defined.
     ///
     /// ```
     /// use carom_geometry::Surface;
@@ -26,7 +26,7 @@ impl Surface {
             Kind::Capsule { radius, half_length } => {
                 Some(PI * radius * radius * (2.0 * half_length + 4.0 / 3.0 * radius))
             }
-            // Pappus: the circle of the tube times the way of its centre.
+            // Pappus: the area of the tube's circle times the path of its centre.
             Kind::Torus { major, minor } => Some(2.0 * PI * PI * major * minor * minor),
             Kind::Box { half } => Some(8.0 * half.product()),
             Kind::Plane | Kind::Implicit { .. } | Kind::Explicit { .. } | Kind::Given { .. } => {

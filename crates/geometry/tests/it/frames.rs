@@ -1,4 +1,4 @@
-//! Attitudes and contact frames against geometry.
+//! Attitudes and contact frames compared with elementary geometry.
 
 use crate::random::Numbers;
 use carom_geometry::curvature::{CurvatureError, PrincipalRadii};

@@ -1,4 +1,4 @@
-//! The tests of `carom-geometry` that see it as its users do: one executable, a module for each subject.
+//! The integration tests of `carom-geometry`: one executable with a module for each subject.
 
 mod frames;
 mod inertia;

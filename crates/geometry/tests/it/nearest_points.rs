@@ -1,5 +1,5 @@
-//! The search for the nearest points of two bodies, against walks over both surfaces, closed
-//! forms and rigid motion.
+//! The search for the nearest points of two bodies, compared with scans of both surfaces, closed
+//! forms and rigid motions.
 
 use crate::random::Numbers;
 use crate::shapes::*;

@@ -1,5 +1,5 @@
-//! Curvatures of the known shapes against the same shapes as functions, and contacts that hang
-//! on them.
+//! Curvatures of surfaces compared with the same shapes given as functions, and contacts that
+//! depend on them.
 
 use crate::random::Numbers;
 use carom_geometry::curvature::CurvatureError;

@@ -1,8 +1,8 @@
-//! What can be wrong with an operator and its fields.
+//! Errors of an operator and its fields.
 
 use carom_special::RangeError;
 
-/// An operator that cannot be built, or a product that cannot be formed.
+/// Why an operator could not be built, or a product not be computed.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 #[non_exhaustive]
 pub enum OperatorError {
@@ -17,7 +17,7 @@ pub enum OperatorError {
         /// Bytes that may be used.
         available: u128,
     },
-    /// A field has another number of values than the grid has cells.
+    /// The number of values of a field differs from the number of cells.
     #[error("{field} has {found} values, the grid has {expected} cells")]
     Length {
         /// The field.
@@ -40,9 +40,9 @@ pub enum OperatorError {
     /// The operator was built without a block that the product needs.
     #[error("the operator was built without the influence of {by} on {of}")]
     Missing {
-        /// The displacement asked for.
+        /// The displacement that was requested.
         of: &'static str,
-        /// The traction given.
+        /// The traction that was given.
         by: &'static str,
     },
     /// A line of a table of coefficients cannot be read.

@@ -34,7 +34,7 @@ impl Axis {
     }
 }
 
-/// The tractions on the cells of a grid; `None` is zero.
+/// The tractions on the cells of a grid; `None` means zero.
 #[derive(Debug, Clone, Copy, Default)]
 pub struct TractionField<'a> {
     /// Along x.
@@ -46,19 +46,19 @@ pub struct TractionField<'a> {
 }
 
 impl<'a> TractionField<'a> {
-    /// A pressure alone.
+    /// Pressure only.
     #[must_use]
     pub const fn normal(pressure: &'a [f64]) -> Self {
         Self { x: None, y: None, normal: Some(pressure) }
     }
 
-    /// Tangential tractions alone.
+    /// Tangential tractions only.
     #[must_use]
     pub const fn tangential(x: &'a [f64], y: &'a [f64]) -> Self {
         Self { x: Some(x), y: Some(y), normal: None }
     }
 
-    /// All three.
+    /// Tangential tractions and pressure.
     #[must_use]
     pub const fn full(x: &'a [f64], y: &'a [f64], pressure: &'a [f64]) -> Self {
         Self { x: Some(x), y: Some(y), normal: Some(pressure) }
@@ -68,7 +68,7 @@ impl<'a> TractionField<'a> {
         [self.x, self.y, self.normal]
     }
 
-    /// Ok if every given field has `cells` finite values.
+    /// Checks that every given field has `cells` finite values.
     pub(crate) fn check(&self, cells: usize) -> Result<(), OperatorError> {
         for (axis, values) in Axis::ALL.into_iter().zip(self.by_axis()) {
             let Some(values) = values else { continue };
@@ -81,7 +81,7 @@ impl<'a> TractionField<'a> {
     }
 }
 
-/// The displacements of the cells of a grid to be computed; `None` is not wanted.
+/// The displacements of the cells of a grid to be computed; `None` means not requested.
 #[derive(Debug, Default)]
 pub struct DisplacementField<'a> {
     /// Along x.
@@ -93,19 +93,19 @@ pub struct DisplacementField<'a> {
 }
 
 impl<'a> DisplacementField<'a> {
-    /// The normal displacement alone.
+    /// The normal displacement only.
     #[must_use]
     pub const fn normal(w: &'a mut [f64]) -> Self {
         Self { u: None, v: None, w: Some(w) }
     }
 
-    /// The tangential displacements alone.
+    /// The tangential displacements only.
     #[must_use]
     pub const fn tangential(u: &'a mut [f64], v: &'a mut [f64]) -> Self {
         Self { u: Some(u), v: Some(v), w: None }
     }
 
-    /// All three.
+    /// All three components.
     #[must_use]
     pub const fn full(u: &'a mut [f64], v: &'a mut [f64], w: &'a mut [f64]) -> Self {
         Self { u: Some(u), v: Some(v), w: Some(w) }
@@ -115,7 +115,7 @@ impl<'a> DisplacementField<'a> {
         [self.u, self.v, self.w]
     }
 
-    /// Ok if every wanted field has `cells` values.
+    /// Checks that every requested field has `cells` values.
     pub(crate) fn check(&self, cells: usize) -> Result<(), OperatorError> {
         for (axis, values) in Axis::ALL.into_iter().zip([&self.u, &self.v, &self.w]) {
             if let Some(values) = values {
@@ -133,7 +133,7 @@ fn check_length(field: &'static str, found: usize, expected: usize) -> Result<()
     Ok(())
 }
 
-/// Zero times a finite number is zero; blocks without branches let the compiler vectorise.
+/// A finite number times zero is zero. Blocks without branches let the compiler vectorise.
 fn all_finite(values: &[f64]) -> bool {
     let mut chunks = values.chunks_exact(8);
     let mut sums = [0.0f64; 8];

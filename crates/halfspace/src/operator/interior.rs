@@ -1,4 +1,4 @@
-//! The stress inside the body under a whole grid of tractions, by convolution at each depth.
+//! The stress inside a body below a grid of tractions, by convolution at each depth.
 
 use rayon::prelude::*;
 
@@ -11,10 +11,10 @@ use super::{Axis, OperatorError, Threads, TractionField, Workspace};
 use crate::{Grid, LoadedRectangle, Material, Point, Stress};
 use carom_special::RangeError;
 
-/// The stress of all points below the centres of a grid's cells, at any depths.
+/// The stress at all points below the cell centres of a grid, at any depths.
 ///
-/// The tractions are those that act on this body, with z into it: for body 2 of a pair the
-/// tangential tractions change sign.
+/// The tractions act on this body, with z pointing into it. For body 2 of a pair the tangential
+/// tractions change sign.
 ///
 /// ```
 /// use carom_halfspace::operator::{InteriorStress, Threads, TractionField};
@@ -54,10 +54,10 @@ pub struct StressField {
 }
 
 impl StressField {
-    /// The stress below the cell of index `cell`.
+    /// The stress below a cell, given by its index.
     ///
     /// # Panics
-    /// If the grid has no such cell.
+    /// If the grid has no cell with this index.
     #[must_use]
     pub fn stress(&self, cell: usize) -> Stress {
         Stress {
@@ -76,7 +76,7 @@ impl StressField {
     }
 }
 
-/// The six components in two groups of three that are transformed together.
+/// The six components in two groups of three, which are transformed together.
 const GROUPS: [[Component; 3]; 2] =
     [[Component::Xx, Component::Yy, Component::Zz], [Component::Xy, Component::Yz, Component::Zx]];
 
@@ -102,8 +102,8 @@ impl Component {
         }
     }
 
-    /// Parities along x and y of this component by a traction: each index x (y) of the
-    /// component and of the traction makes it odd once more in x (y).
+    /// Parities along x and y of this component due to a traction: each index x (y) of the
+    /// component and of the traction changes the parity in x (y).
     const fn parity(self, by: Axis) -> [Parity; 2] {
         let odd_x = matches!(self, Self::Xy | Self::Zx) != matches!(by, Axis::X);
         let odd_y = matches!(self, Self::Xy | Self::Yz) != matches!(by, Axis::Y);
@@ -112,10 +112,10 @@ impl Component {
 }
 
 impl InteriorStress {
-    /// The stress in a body of `material` under tractions on `grid`.
+    /// For a body of `material` under tractions on `grid`.
     ///
     /// # Errors
-    /// [`OperatorError`] if the body is rigid or the grid too large for memory.
+    /// [`OperatorError`] if the body is rigid, or the grid is too large for memory.
     pub fn new(material: Material, grid: Grid, threads: Threads) -> Result<Self, OperatorError> {
         let cell = LoadedRectangle::new(material, grid.cell())?;
         let sizes = Sizes::of(grid);
@@ -146,7 +146,7 @@ impl InteriorStress {
         Ok(self.field(depth, tractions, &mut Workspace::default()))
     }
 
-    /// The stress at several depths, in their order.
+    /// The stress at several depths, in the given order.
     ///
     /// # Errors
     /// As [`InteriorStress::at_depth`].
@@ -189,7 +189,7 @@ impl InteriorStress {
         field
     }
 
-    /// Convolves three components.
+    /// Convolves one group of three components.
     fn group(
         &self,
         components: [Component; 3],
@@ -221,7 +221,7 @@ impl InteriorStress {
         self.plan.product(inputs, &terms, &mut outputs, workspace);
     }
 
-    /// The stresses by unit tractions at the offsets `0..nx` by `0..ny`, source minus receiver.
+    /// The stresses due to unit tractions at the offsets `0..nx` by `0..ny`, source minus receiver.
     fn unit_stresses(&self, depth: f64) -> Vec<[Stress; 3]> {
         let (dx, dy) = (self.grid.dx(), self.grid.dy());
         let mut values = vec![[Stress::default(); 3]; self.grid.cells()];

@@ -4,8 +4,8 @@ use super::Threads;
 use super::plan::BLOCK;
 use crate::Grid;
 
-/// The transform length for a grid of `cells` along one axis: at least `2 cells - 1`, so that
-/// the periodic images do not overlap, even, and a product of small primes.
+/// The transform length for a grid of `cells` along one axis: at least `2 cells - 1`, so that the
+/// periodic images do not overlap; even, and a product of small primes.
 ///
 /// ```
 /// use carom_halfspace::operator::transform_length;
@@ -17,7 +17,7 @@ pub fn transform_length(cells: usize) -> usize {
     fast_length((2 * cells).saturating_sub(1))
 }
 
-/// An even length of at least `least` for which the transform is fast.
+/// An even length, at least `least`, for which the transform is fast.
 pub(crate) fn fast_length(least: usize) -> usize {
     let least = least.max(2);
     let power = least.next_power_of_two();
@@ -38,7 +38,7 @@ pub(crate) fn fast_length(least: usize) -> usize {
     best.0
 }
 
-/// Relative time of a transform: points times the weighted sum of the factors, measured.
+/// Relative time of a transform, measured: points times the weighted sum of the prime factors.
 fn cost(length: usize) -> f64 {
     let mut rest = length;
     let mut weight = 0.0;
@@ -51,7 +51,7 @@ fn cost(length: usize) -> f64 {
     length as f64 * (weight + OVERHEAD)
 }
 
-/// Work a point outside the transform (copies, transposition, product) in units of a factor 2.
+/// Work per point outside the transform (copies, transposition, product), in units of a factor 2.
 const OVERHEAD: f64 = 4.0;
 
 /// The lengths of a grid and of its padded transforms.
@@ -70,13 +70,13 @@ impl Sizes {
         Self { nx, ny, px: transform_length(nx), py: transform_length(ny) }
     }
 
-    /// Of a torus that is hardly larger than the grid: nothing keeps its ends apart.
+    /// Of a torus that is hardly larger than the grid, so that its ends are adjacent.
     pub(crate) fn of_torus(grid: Grid) -> Self {
         let (nx, ny) = (grid.nx(), grid.ny());
         Self { nx, ny, px: fast_length(nx), py: fast_length(ny) }
     }
 
-    /// Of a surface that repeats itself.
+    /// Of a periodic surface.
     pub(crate) const fn of_period(grid: Grid) -> Self {
         let (nx, ny) = (grid.nx(), grid.ny());
         Self { nx, ny, px: nx, py: ny }
@@ -87,7 +87,7 @@ impl Sizes {
         self.px / 2 + 1
     }
 
-    /// Bytes of the spectrum of a kernel that is even or odd in both coordinates.
+    /// Bytes of the spectrum of a kernel with even or odd symmetry in both coordinates.
     pub(crate) const fn symmetric_spectrum(&self) -> u128 {
         8 * self.columns() as u128 * (self.py / 2 + 1) as u128
     }

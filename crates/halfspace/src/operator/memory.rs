@@ -1,9 +1,9 @@
-//! How much memory an operator may take.
+//! Checks the memory that an operator needs.
 
 use super::OperatorError;
 use crate::room;
 
-/// Ok if `needed` bytes can be had.
+/// An error unless `needed` bytes are available.
 pub(crate) fn check(needed: u128) -> Result<(), OperatorError> {
     let available = room::available();
     if needed > available {

@@ -1,10 +1,11 @@
-//! Translation-invariant influence on a grid: every cell acts on every other by their offset.
+//! Translation-invariant influence on a grid: the effect of one cell on another depends on their
+//! offset.
 //!
-//! [`SurfaceOperator`] has two faces: `apply`, the product with all cells by zero-padded
-//! Fourier transforms (exact to rounding, no period is felt), and `coefficients`, one entry for
-//! dense and Gauss-Seidel solvers. [`HalfSpaceOperator`] is the elastic half-space of (4.14);
-//! [`PeriodicOperator`] the same under tractions that repeat themselves;
-//! [`TabulatedKernel`] a measured or computed point response of another body (section 16.2).
+//! [`SurfaceOperator`] offers two views: `apply`, the product with all cells by zero-padded Fourier
+//! transforms (exact to rounding, not periodic), and `coefficients`, single entries for dense and
+//! Gauss-Seidel solvers. [`HalfSpaceOperator`] is the elastic half-space of (4.14),
+//! [`PeriodicOperator`] the half-space under periodic tractions, [`TabulatedKernel`] a measured or
+//! computed point response of another body (section 16.2).
 
 mod error;
 mod field;
@@ -40,45 +41,46 @@ pub trait SurfaceOperator: Send + Sync {
     /// The grid.
     fn grid(&self) -> Grid;
 
-    /// Whether normal tractions displace tangentially and the converse.
+    /// Whether normal tractions cause tangential displacements and tangential tractions normal
+    /// ones.
     fn is_coupled(&self) -> bool;
 
-    /// Whether tangential tractions along x displace nothing along y and the converse, as without
-    /// lateral contraction.
+    /// Whether tangential tractions along x cause no displacement along y, and vice versa, as for a
+    /// Poisson's ratio of zero.
     fn is_separate(&self) -> bool {
         false
     }
 
-    /// Whether an even traction on all cells displaces them; not on a period, where displacements are
-    /// those against the mean plane.
+    /// Whether a uniform traction on all cells displaces them. It does not on a periodic surface,
+    /// where displacements are relative to the mean plane.
     fn displaces_on_average(&self) -> bool {
         true
     }
 
-    /// The nine coefficients of a source `columns` cells along x and `rows` cells along y from
-    /// the receiver, n - k and m - j in (4.23); zero beyond the extent of the grid.
+    /// The nine coefficients for a source `columns` cells along x and `rows` cells along y from the
+    /// receiver, n - k and m - j in (4.23); zero beyond the extent of the grid.
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients;
 
-    /// An approximate inverse of the normal block, for methods that precondition; none unless the
-    /// operator knows one.
+    /// An approximate inverse, used as preconditioner; `None` if the operator has none.
     fn inverse(&self) -> Option<TorusInverse> {
         None
     }
 
-    /// The same influence on cells twice as wide, with half as many (rounded up) along each axis;
-    /// none unless the operator can be built on any grid.
+    /// The same influence on cells twice as wide, half as many (rounded up) along each axis; `None`
+    /// if the operator cannot be built on other grids.
     ///
     /// # Errors
-    /// As the operator's constructor.
+    /// Those of the operator's constructor.
     fn coarser(&self) -> Option<Result<Box<dyn SurfaceOperator>, OperatorError>> {
         None
     }
 
-    /// The same influence on fewer cells of the same widths; none unless that is one on the part of
-    /// the grid alone.
+    /// The same influence on a smaller grid with the same cell widths; `None` if the operator
+    /// cannot be restricted to a part of its grid.
     ///
     /// # Errors
-    /// [`OperatorError::TooLarge`] for memory, [`OperatorError::Range`] for more cells or none.
+    /// [`OperatorError::TooLarge`] for memory, [`OperatorError::Range`] for more cells than the
+    /// grid has, or none.
     fn on_fewer(
         &self,
         _nx: usize,
@@ -87,21 +89,20 @@ pub trait SurfaceOperator: Send + Sync {
         None
     }
 
-    /// The working memory of repeated products.
+    /// Allocates the working memory for repeated products.
     fn workspace(&self) -> Workspace {
         Workspace::default()
     }
 
-    /// The displacements of all cells by the tractions on all cells.
+    /// The displacements of all cells due to the tractions on all cells.
     ///
-    /// Tractions that are `None` are zero and displacements that are `None` are not computed;
-    /// neither costs time. After the first call nothing is allocated (a thread pool may, for
-    /// its own queues).
+    /// Tractions that are `None` are zero, displacements that are `None` are not computed; neither
+    /// costs time. After the first call nothing is allocated (a thread pool may allocate for its
+    /// own queues).
     ///
     /// # Errors
-    /// [`OperatorError`] for fields of another size than the grid, tractions that are not
-    /// finite and blocks of the matrix that the operator does not hold. Displacements are
-    /// written only on success.
+    /// [`OperatorError`] for fields of another size than the grid, tractions that are not finite,
+    /// and blocks that the operator was built without. Displacements are written only on success.
     fn apply(
         &self,
         tractions: TractionField<'_>,

@@ -1,4 +1,4 @@
-//! The half-space under tractions that repeat themselves with the period of the grid.
+//! The half-space under tractions that are periodic with the sides of the grid.
 
 use std::f64::consts::TAU;
 
@@ -14,14 +14,15 @@ use super::{
 use crate::{Coefficients, Grid, MaterialPair};
 use carom_special::RangeError;
 
-/// Two elastic half-spaces under tractions that repeat themselves with the sides of the grid.
+/// Two elastic half-spaces under tractions that are periodic with the sides of the grid.
 ///
-/// Waves `exp(i k x)` of the pressure displace the surface by `(1 - nu)/G/|k|`, those of the
-/// tangential tractions by `[1 - nu k k^T/k^2]/G/|k|`, and each the other by
-/// `-+ i epsilon k/k^2` (the transforms of (4.8), (4.9)); tractions are the waves through the values
-/// at the centres. The mean traction has no displacement of its own: all displacements are those
-/// against the mean plane, so that an approach counts from there (and at most to the mean of the
-/// gap, where all touches), and tangential shifts are of the mean planes.
+/// A wave `exp(i k x)` of the pressure causes the normal displacement `(1 - nu)/G/|k|`, one of the
+/// tangential tractions the tangential displacement `[1 - nu k k^T/k^2]/G/|k|`, and each causes the
+/// other displacement with the factor `-+ i epsilon k/k^2` (the transforms of (4.8), (4.9)).
+/// Tractions are the waves through the values at the cell centres. The mean traction causes no
+/// displacement: all displacements are relative to the mean plane. The approach is that of the mean
+/// planes, and is at most the mean of the gap, where the whole surface is in contact; tangential
+/// shifts are also those of the mean planes.
 ///
 /// ```
 /// use carom_halfspace::operator::{
@@ -47,15 +48,15 @@ pub struct PeriodicOperator {
     pair: MaterialPair,
     grid: Grid,
     plan: Plan,
-    /// xx, xy, yy, zz, and if they couple xz, yz.
+    /// xx, xy, yy, zz; with coupling also xz, yz.
     spectra: [Option<Spectrum>; 6],
-    /// Displacements by unit tractions x, y, normal on the first cell.
+    /// Displacements due to unit tractions x, y, normal on the first cell.
     responses: [Vec<f64>; 9],
     inverse: TorusInverse,
 }
 
 impl PeriodicOperator {
-    /// The operator of a pair on one period.
+    /// The operator of a pair of bodies on one period.
     ///
     /// # Errors
     /// [`OperatorError::Range`] unless both numbers of cells are even,
@@ -123,7 +124,7 @@ fn spectra(pair: &MaterialPair, grid: Grid, sizes: &Sizes) -> [Option<Spectrum>;
             let values = if square == 0.0 {
                 [0.0; 6]
             } else {
-                // The shortest waves have no sign along their axis.
+                // The shortest wave along an axis has no sign.
                 let odd_x = if 2 * column == nx { 0.0 } else { x / square };
                 let odd_y = if 2 * row == ny { 0.0 } else { y / square };
                 let whole = compliance / square.sqrt();
@@ -172,7 +173,7 @@ impl SurfaceOperator for PeriodicOperator {
         false
     }
 
-    /// Those of all the images of the source together.
+    /// The coefficients of a source together with all its periodic images.
     fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
         let (nx, ny) = (self.grid.nx(), self.grid.ny());
         if columns.unsigned_abs() as usize >= nx || rows.unsigned_abs() as usize >= ny {

@@ -1,9 +1,9 @@
 //! The transforms of one grid and the product of fields with spectra.
 //!
-//! Rows are transformed as real data, only those that carry tractions (the padding is known to
-//! be zero). Columns are handled in blocks that stay in the cache: gathered, transformed,
-//! multiplied with the spectra, transformed back and left transposed; the second pass over the
-//! rows reads them there. So the full spectrum never exists, and nothing is transposed in memory.
+//! Rows are transformed as real data, and only those with tractions; the padding is zero. Columns
+//! are processed in blocks that stay in the cache: gathered, transformed, multiplied with the
+//! spectra, transformed back and stored transposed, where the second pass over the rows reads them.
+//! The full spectrum is never stored, and no array is transposed in memory.
 
 use std::ops::Range;
 use std::sync::Arc;
@@ -16,10 +16,10 @@ use super::product::{Term, Terms};
 use super::workspace::{Lane, Workspace, each};
 use crate::Grid;
 
-/// Columns transformed together: eight complex numbers fill two cache lines of every row.
+/// Columns transformed together: eight complex numbers fill two cache lines of each row.
 pub(crate) const BLOCK: usize = 8;
 
-/// On how many threads tables and products are computed; the result is the same to the bit.
+/// The threads used for tables and products. The result is bit for bit the same.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Threads {
     /// On the calling thread.
@@ -68,7 +68,7 @@ impl Plan {
         }
     }
 
-    /// Complex numbers of scratch that any of the transforms needs.
+    /// Complex numbers of working memory that the largest transform needs.
     pub(crate) fn scratch(&self) -> usize {
         self.row_forward
             .get_scratch_len()
@@ -77,7 +77,8 @@ impl Plan {
             .max(self.column_inverse.get_inplace_scratch_len())
     }
 
-    /// `outputs = terms * inputs`. Inputs and outputs hold `nx * ny` values; at least one each.
+    /// `outputs = terms * inputs`. Inputs and outputs hold `nx * ny` values; there is at least one
+    /// of each.
     pub(crate) fn product(
         &self,
         inputs: &[&[f64]],
@@ -88,7 +89,7 @@ impl Plan {
         workspace.prepare(self, inputs.len(), outputs.len());
         match self.threads {
             Threads::One => self.passes(inputs, terms, outputs, workspace),
-            // From inside the pool, a pass need not wake it anew.
+            // Within the pool no worker needs to be woken.
             Threads::Pool => rayon::scope(|_| self.passes(inputs, terms, outputs, workspace)),
         }
     }
@@ -106,9 +107,9 @@ impl Plan {
         self.rows_inverse(outputs, workspace);
     }
 
-    /// The rows between which the inputs do not vanish.
+    /// The range of rows in which some input is not zero.
     fn used_rows(&self, inputs: &[&[f64]]) -> Range<usize> {
-        // What is not a number is not zero, either.
+        // NaN does not count as zero.
         let ends = inputs.iter().filter_map(|input| {
             let first = input.iter().position(|value| *value != 0.0)?;
             Some((first, input.iter().rposition(|value| *value != 0.0)?))
@@ -142,14 +143,14 @@ impl Plan {
         });
     }
 
-    /// Real transform of `lane.row`, which is destroyed.
+    /// Real transform of `lane.row`, which is overwritten.
     pub(crate) fn row_forward(&self, lane: &mut Lane, spectrum: &mut [Complex64]) {
         let done =
             self.row_forward.process_with_scratch(&mut lane.row, spectrum, &mut lane.scratch);
         debug_assert!(done.is_ok(), "buffers are made for this plan");
     }
 
-    /// Multiplies with the terms; leaves `workspace.columns[column][output][row]`.
+    /// Multiplies with the terms; writes `workspace.columns[column][output][row]`.
     fn columns_pass(
         &self,
         (inputs, rows_used): (usize, &Range<usize>),
@@ -266,7 +267,7 @@ impl Plan {
     fn row_inverse(&self, row: usize, result: &mut [f64], lane: &mut Lane) {
         let length = self.sizes.columns();
         let spectrum = &mut lane.spectra[row * length..][..length];
-        // Real by symmetry; rounding is cleared, as the transform demands.
+        // Real by symmetry; the transform requires an exact zero.
         spectrum[0].im = 0.0;
         spectrum[length - 1].im = 0.0;
         let done =

@@ -1,4 +1,4 @@
-//! The product of a block matrix of spectra with the fields that are given and wanted.
+//! The product of a block matrix of spectra with the given fields, for the requested results.
 
 use super::plan::Plan;
 use super::spectrum::Spectrum;
@@ -11,10 +11,10 @@ pub(crate) struct Term<'a> {
     pub(crate) sign: f64,
 }
 
-/// The terms of a product: `terms[output][input]`; `None` is zero.
+/// The terms of a product: `terms[output][input]`; `None` means zero.
 pub(crate) type Terms<'a> = [[Option<Term<'a>>; 3]; 3];
 
-/// Checks the fields and forms the product.
+/// Checks the fields and computes the product.
 pub(crate) fn apply<'s>(
     plan: &Plan,
     term: impl Fn(Axis, Axis) -> Result<Option<Term<'s>>, OperatorError>,
@@ -46,13 +46,13 @@ pub(crate) fn apply<'s>(
         outputs[wanted] = field;
         wanted += 1;
     }
-    // From here on nothing can fail.
+    // Nothing below this line can fail.
     reduced(plan, &inputs[..given], &terms, &mut outputs[..wanted], workspace);
     Ok(())
 }
 
-/// The product without the fields that vanish and without the results that no other field reaches: a
-/// shift along one axis costs half where the other tangential traction is zero everywhere.
+/// The product without inputs that are zero and without outputs that no other input affects: if one
+/// tangential traction is zero everywhere, a shift along the other axis costs half.
 pub(crate) fn reduced(
     plan: &Plan,
     inputs: &[&[f64]],
@@ -64,7 +64,7 @@ pub(crate) fn reduced(
     let mut columns = [0; 3];
     let mut given = 0;
     for (column, &values) in inputs.iter().enumerate() {
-        // What is not a number is not zero, either.
+        // NaN does not count as zero.
         if values.iter().any(|&value| value != 0.0) {
             (fields[given], columns[given]) = (values, column);
             given += 1;
@@ -122,7 +122,7 @@ mod tests {
         })
     }
 
-    /// What a fresh workspace has room for after a product.
+    /// The numbers of fields for which a fresh workspace has room after a product.
     fn counts(workspace: &Workspace, sizes: Sizes) -> Counts {
         let field = sizes.columns() * sizes.ny;
         (workspace.rows.len() / field, workspace.columns.len() / field)
@@ -130,7 +130,7 @@ mod tests {
 
     /// All displacements, and how many fields were transformed.
     fn displaced(operator: &dyn SurfaceOperator, sizes: Sizes, load: &Fields) -> (Fields, Counts) {
-        // What is left out is written all the same.
+        // Results that are left out are written nevertheless.
         let mut fields = [(); 3].map(|()| vec![f64::NAN; grid().cells()]);
         let [u, v, w] = &mut fields;
         let displacements = DisplacementField::full(u, v, w);
@@ -160,8 +160,8 @@ mod tests {
         }
     }
 
-    /// What each drive loads, and what that reaches: a normal force alone, a shift along x alone, both,
-    /// and a shift in any direction.
+    /// The loaded components of each drive, and the displacements that they cause: a normal force,
+    /// a shift along x, both, and a shift in any direction.
     fn drives(poisson: [f64; 2], expected: [(&[Axis], &[Axis]); 5]) {
         let half_space = HalfSpaceOperator::new(pair(poisson), grid()).unwrap();
         let periodic = PeriodicOperator::new(pair(poisson), grid(), Threads::One).unwrap();

@@ -25,10 +25,10 @@ impl Parity {
     }
 }
 
-/// A transform, divided by the number of points, by columns.
+/// A transform, divided by the number of points, stored by columns.
 ///
-/// A kernel that is even or odd in both coordinates has a transform that is real or imaginary
-/// and again even or odd: half of the columns of one real number a point are kept.
+/// A kernel with even or odd symmetry in both coordinates has a real or imaginary transform with
+/// the same symmetry: half of the columns, with one real number per point, are stored.
 #[derive(Debug, Clone)]
 pub(crate) enum Spectrum {
     Symmetric { values: Vec<f64>, half: usize, imaginary: bool, row_parity: Parity },
@@ -36,8 +36,8 @@ pub(crate) enum Spectrum {
 }
 
 impl Spectrum {
-    /// From the values at offsets (source minus receiver) of at least `0..nx` by `0..ny`, in rows of
-    /// a given length, and the parities.
+    /// From the values at offsets (source minus receiver) of at least `0..nx` by `0..ny`, in rows
+    /// of a given length, and the parities.
     pub(crate) fn symmetric(plan: &Plan, table: (&[f64], usize), parity: [Parity; 2]) -> Self {
         let [x, y] = parity;
         let mut lanes = vec![Lane::default(); plan.threads.count()];
@@ -46,8 +46,8 @@ impl Spectrum {
         }
         let rows = symmetric_rows(plan, table, x, &mut lanes);
         let imaginary = x != y;
-        // A kernel of the offset receiver minus source is the table mirrored; the transform of
-        // an odd sequence carries a factor i, which squares to -1 if both are odd.
+        // As a function of receiver minus source the kernel is mirrored; the transform of an odd
+        // sequence has a factor i, which gives -1 if both are odd.
         let sign = if (x, y) == (Parity::Even, Parity::Even) { 1.0 } else { -1.0 };
         let scale = sign / (plan.sizes.px as f64 * plan.sizes.py as f64);
         let half = plan.sizes.py / 2 + 1;
@@ -85,7 +85,7 @@ impl Spectrum {
         Self::General { values, length: py }
     }
 
-    /// `sum = sign * spectrum * values` in one column, or added to it unless `fresh`.
+    /// `sum = sign * spectrum * values` in one column; added to `sum` unless `fresh`.
     pub(crate) fn multiply(
         &self,
         column: usize,
@@ -123,7 +123,7 @@ fn turn(z: Complex64, f: f64) -> Complex64 {
     Complex64::new(-f * z.im, f * z.re)
 }
 
-/// Runs over the kept half of a column and its mirror image.
+/// Traverses the stored half of a column and its mirror image.
 #[inline(always)]
 fn mirrored(
     own: &[f64],
@@ -144,7 +144,7 @@ fn mirrored(
     }
 }
 
-/// Transforms the rows: real (even) or imaginary (odd) parts, by row.
+/// Transforms the rows and keeps their real (even) or imaginary (odd) parts.
 fn symmetric_rows(
     plan: &Plan,
     (table, length): (&[f64], usize),

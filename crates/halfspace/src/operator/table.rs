@@ -1,4 +1,4 @@
-//! The table of coefficients of a grid: offsets 0..nx by 0..ny, the rest by parity (4.23).
+//! The table of coefficients of a grid: offsets 0..nx by 0..ny; all others by parity (4.23).
 
 use super::memory;
 use super::spectrum::Parity;
@@ -43,15 +43,16 @@ impl Entry {
     }
 }
 
-/// Which influences an operator holds.
+/// The blocks of the influence matrix that an operator contains.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum Blocks {
-    /// All: three spectra and one for similar bodies, six when normal and tangential couple.
+    /// All blocks: three spectra and one for similar bodies, six if normal and tangential
+    /// directions couple.
     #[default]
     All,
-    /// Of the pressure on the normal displacement only: one spectrum.
+    /// Normal displacement due to pressure: one spectrum.
     Normal,
-    /// Of tangential tractions on tangential displacements only: three spectra.
+    /// Tangential displacements due to tangential tractions: three spectra.
     Tangential,
 }
 
@@ -66,9 +67,9 @@ impl Blocks {
     }
 }
 
-/// The coefficients (4.14) of every offset of a grid, kept for offsets >= 0 only.
+/// The coefficients (4.14) at every offset of a grid; only offsets >= 0 are stored.
 ///
-/// The thesis counts three tractions and three displacements, nine numbers an offset (28 800
+/// The thesis stores nine numbers per offset, for three tractions and three displacements (28 800
 /// bytes for 20 x 20 cells); by (4.23) six are independent, and four for similar bodies.
 #[derive(Debug, Clone)]
 pub struct CoefficientTable {
@@ -78,7 +79,7 @@ pub struct CoefficientTable {
 }
 
 impl CoefficientTable {
-    /// The table of `pair` on `grid`, with all blocks, on one thread.
+    /// The table of `pair` on `grid` with all blocks, computed on one thread.
     ///
     /// # Errors
     /// [`OperatorError::TooLarge`] if it would not fit into memory.
@@ -87,7 +88,7 @@ impl CoefficientTable {
         Ok(Self::build(pair, grid, Blocks::All, Threads::One))
     }
 
-    /// Bytes of a table.
+    /// Memory of a table, in bytes.
     pub(crate) fn bytes(pair: &MaterialPair, grid: Grid, blocks: Blocks) -> u128 {
         let held = Entry::ALL.iter().filter(|&&entry| blocks.holds(entry, pair)).count();
         8 * held as u128 * grid.nx() as u128 * grid.ny() as u128
@@ -128,14 +129,14 @@ impl CoefficientTable {
         self.influence.pair()
     }
 
-    /// Bytes of memory the coefficients take.
+    /// Memory of the coefficients, in bytes.
     #[must_use]
     pub fn size_in_bytes(&self) -> usize {
         self.blocks.iter().map(|block| 8 * block.len()).sum()
     }
 
-    /// The nine coefficients of a source `columns` and `rows` cells from the receiver, by (4.23);
-    /// zero beyond the grid. Blocks that are not held are computed.
+    /// The nine coefficients for a source `columns` and `rows` cells from the receiver, by (4.23);
+    /// zero beyond the grid. Blocks that are not stored are computed.
     #[must_use]
     pub fn coefficients(&self, columns: i32, rows: i32) -> Coefficients {
         let (n, m) = (columns.unsigned_abs() as usize, rows.unsigned_abs() as usize);
@@ -159,13 +160,13 @@ impl CoefficientTable {
         })
     }
 
-    /// The values of one coefficient at offsets `0..nx` by `0..ny`; empty if not held.
+    /// The values of one coefficient at offsets `0..nx` by `0..ny`; empty if not stored.
     pub(crate) fn block(&self, entry: Entry) -> &[f64] {
         &self.blocks[entry as usize]
     }
 }
 
-/// The rows of the six blocks; empty slices of blocks that are not held.
+/// The rows of the six blocks; empty slices for blocks that are not stored.
 fn split_rows(blocks: &mut [Vec<f64>; 6], grid: Grid) -> Vec<[&mut [f64]; 6]> {
     let mut parts = blocks.each_mut().map(|block| block.chunks_mut(grid.nx()));
     (0..grid.ny()).map(|_| parts.each_mut().map(|part| part.next().unwrap_or_default())).collect()

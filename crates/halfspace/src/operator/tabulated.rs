@@ -1,4 +1,4 @@
-//! Kernels given by the user: a table or a function of the offset (section 16.2).
+//! Kernels given by the user as a table or as a function of the offset (section 16.2).
 
 use super::length::Sizes;
 use super::memory;
@@ -10,11 +10,11 @@ use super::{
 };
 use crate::{Coefficients, Grid};
 
-/// The response of a body to unit tractions on one cell, at every offset that a grid has.
+/// The response of a body to unit tractions on one cell, at every offset of a grid.
 ///
-/// For bodies that are no half-spaces, but whose response depends on the offset only: a layer,
-/// a hollow cylinder, a measured point-load response. The coefficients are those of (4.14):
-/// `rows[i][l]` is displacement i due to traction l, offsets are source minus receiver in cells.
+/// For bodies other than half-spaces whose response depends on the offset only: a layer, a hollow
+/// cylinder, a measured point-load response. The coefficients are those of (4.14): `rows[i][l]` is
+/// displacement i due to traction l; offsets are source minus receiver, in cells.
 ///
 /// ```
 /// use carom_halfspace::Grid;
@@ -35,10 +35,10 @@ pub struct TabulatedKernel {
 const NAMES: [[&str; 3]; 3] = [["xx", "xy", "xz"], ["yx", "yy", "yz"], ["zx", "zy", "zz"]];
 
 impl TabulatedKernel {
-    /// The kernel `function(columns, rows)`, called once for every offset.
+    /// From `function(columns, rows)`, which is called once for every offset.
     ///
     /// # Errors
-    /// [`OperatorError::TooLarge`], and [`OperatorError::Kernel`] where it is not finite.
+    /// [`OperatorError::TooLarge`], and [`OperatorError::Kernel`] if a value is not finite.
     pub fn from_function(
         grid: Grid,
         function: impl Fn(i32, i32) -> Coefficients,
@@ -58,15 +58,15 @@ impl TabulatedKernel {
         Ok(Self { grid, values })
     }
 
-    /// The kernel in comma-separated `text`.
+    /// From comma-separated text.
     ///
-    /// The head names the columns: `columns`, `rows` (the offset in cells, integers) and any of
-    /// `xx, xy, xz, yx, yy, yz, zx, zy, zz`; those left out are zero. If all offsets are >= 0
-    /// the others follow by the parity rules (4.23) of a body symmetric about both axes.
+    /// The header line names the columns: `columns`, `rows` (the offset in cells, integers) and any
+    /// of `xx, xy, xz, yx, yy, yz, zx, zy, zz`; coefficients not named are zero. If all offsets are
+    /// >= 0, the others follow from the parity rules (4.23) of a body symmetric about both axes.
     ///
     /// # Errors
-    /// [`OperatorError`] for a line that cannot be read, an offset of the grid that is absent,
-    /// and a grid too large for memory.
+    /// [`OperatorError`] for a line that cannot be read, an offset of the grid that is missing, and
+    /// a grid too large for memory.
     pub fn from_csv(grid: Grid, text: &str) -> Result<Self, OperatorError> {
         memory::check(Self::bytes(grid))?;
         let mut lines = text.lines().enumerate().filter(|(_, line)| !line.trim().is_empty());
@@ -128,7 +128,7 @@ impl TabulatedKernel {
     }
 }
 
-/// The rules (4.23); signum is 0 at 0, where an odd coefficient must vanish.
+/// The parity rules (4.23); signum is 0 at 0, where an odd coefficient vanishes.
 fn with_parity(mut value: Coefficients, [x, y]: [f64; 2]) -> Coefficients {
     let factor = |i: usize, l: usize| match (i, l) {
         (0, 1) | (1, 0) => x * y,
@@ -148,7 +148,7 @@ fn table_error(line: usize, reason: impl Into<String>) -> OperatorError {
     OperatorError::Table { line, reason: reason.into() }
 }
 
-/// What each column of a table holds.
+/// The meaning of each column of a table.
 struct Head(Vec<Column>);
 
 #[derive(Clone, Copy)]
@@ -178,7 +178,7 @@ impl Head {
         Ok(Self(columns))
     }
 
-    /// The offset and coefficients of one line.
+    /// Offset and coefficients of one line.
     fn entry(
         &self,
         number: usize,
@@ -216,7 +216,7 @@ pub struct KernelOperator {
 }
 
 impl KernelOperator {
-    /// The operator of `kernel`, its products computed on `threads`.
+    /// The operator of `kernel`; its products are computed on `threads`.
     ///
     /// # Errors
     /// [`OperatorError::TooLarge`] before the transforms are allocated.

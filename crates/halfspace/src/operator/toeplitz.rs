@@ -34,11 +34,12 @@ use carom_special::RangeError;
 /// # Ok::<(), carom_halfspace::operator::OperatorError>(())
 /// ```
 ///
-/// It clones in constant time; each transform of the influence is computed when it is first needed.
+/// Clones are cheap: they share the table. Each transform of the influence is computed when first
+/// needed.
 #[derive(Clone)]
 pub struct HalfSpaceOperator {
     blocks: Blocks,
-    /// Of this grid or of a larger one.
+    /// The table of this grid or of a larger one.
     table: Arc<CoefficientTable>,
     grid: Grid,
     plan: Plan,
@@ -55,7 +56,7 @@ impl HalfSpaceOperator {
         Self::with_blocks(pair, grid, Blocks::All, Threads::One)
     }
 
-    /// The operator with the given blocks, its tables and products computed on `threads`.
+    /// The operator with the given blocks; tables and products are computed on `threads`.
     ///
     /// # Errors
     /// [`OperatorError::TooLarge`] before anything is allocated.
@@ -82,7 +83,7 @@ impl HalfSpaceOperator {
         Self { blocks, table, grid, plan, spectra, inverse }
     }
 
-    /// Bytes of all transforms and one workspace.
+    /// Memory of all transforms and one workspace, in bytes.
     fn bytes(pair: &MaterialPair, grid: Grid, blocks: Blocks, threads: Threads) -> u128 {
         let held = Entry::ALL.iter().filter(|&&entry| blocks.holds(entry, pair)).count() as u128;
         let fields = match blocks {
@@ -106,7 +107,7 @@ impl HalfSpaceOperator {
         &self.table
     }
 
-    /// The term of one pair of components, (4.23); nothing if it is zero.
+    /// The term for one pair of components, (4.23); `None` if it is zero.
     fn term(&self, of: Axis, by: Axis) -> Result<Option<Term<'_>>, OperatorError> {
         let (entry, sign) = entry(of, by);
         let pair = self.pair();
@@ -123,7 +124,7 @@ impl HalfSpaceOperator {
         if let Some(known) = place.get() {
             return known;
         }
-        // Not under the lock: threads of the pool that wait may take up other products.
+        // Not under the lock: pool threads that wait may start other products.
         let table = (self.table.block(entry), self.table.grid().nx());
         let new = Spectrum::symmetric(&self.plan, table, entry.parity());
         place.get_or_init(|| new)
@@ -187,7 +188,12 @@ impl SurfaceOperator for HalfSpaceOperator {
             let (pair, all) = (self.pair(), self.grid);
             for (field, cells, most) in [("nx", nx, all.nx()), ("ny", ny, all.ny())] {
                 let holds = (1..=most).contains(&cells);
-                RangeError::check(field, cells as f64, holds, "from 1 to that of the operator")?;
+                RangeError::check(
+                    field,
+                    cells as f64,
+                    holds,
+                    "from 1 to the number of the operator",
+                )?;
             }
             let (grid, threads) = (Grid::new(nx, ny, all.dx(), all.dy())?, self.plan.threads);
             memory::check(Self::bytes(&pair, grid, self.blocks, threads))?;

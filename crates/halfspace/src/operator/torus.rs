@@ -1,4 +1,4 @@
-//! The inverse influence on a torus of the grid's own size, which preconditions iterations.
+//! The inverse influence on a torus of the grid's size, a preconditioner for iterations.
 
 use std::f64::consts::PI;
 use std::ops::RangeInclusive;
@@ -11,16 +11,16 @@ use super::spectrum::{Parity, Spectrum};
 use super::{Threads, Workspace};
 use crate::{Grid, MaterialPair};
 
-/// Tractions by displacements as if the half-space repeated itself with the period of the grid: no
-/// solution, but close to one away from the borders, at a third of the cost of a product.
+/// Tractions from displacements for a half-space that is periodic with the sides of the grid. It is
+/// not a solution, but close to one away from the borders, at a third of the cost of a product.
 ///
-/// Displacements over tractions that go as `cos(k x)` are `(1 - nu)/G/|k|` along the normal and
-/// `[1 - nu k k^T/k^2]/G/|k|` along the surface (4.1)-(4.3); averaged over cells and seen at their
-/// centres, waves whose numbers differ by a period of the grid add up. The mean, which has no
-/// displacement of its own in a half-space, counts as a wave twice as long as the torus. Normal and
-/// tangential blocks are inverted each by itself.
+/// For tractions that vary as `cos(k x)`, displacement over traction is `(1 - nu)/G/|k|` in the
+/// normal and `[1 - nu k k^T/k^2]/G/|k|` in the tangential directions (4.1)-(4.3). Averaged over
+/// cells and sampled at their centres, waves whose numbers differ by a period of the grid add up.
+/// The mean traction, which has no finite displacement in a half-space, is treated as a wave twice
+/// as long as the torus. Normal and tangential blocks are inverted separately.
 ///
-/// It clones in constant time; each block is computed when it is first needed.
+/// Clones are cheap; each block is computed when first needed.
 #[derive(Clone)]
 pub struct TorusInverse {
     plan: Plan,
@@ -36,11 +36,11 @@ struct TorusBlocks {
     tangential: OnceLock<[Spectrum; 3]>,
 }
 
-/// Waves that add up: as many periods of the grid to each side.
+/// Aliased waves that are summed: this many periods of the grid on each side.
 const ALIASES: RangeInclusive<i32> = -2..=2;
 
-/// Sums over waves that look alike, of one column of the torus: of 1/|k|, and of k_x^2, k_x k_y, k_y^2
-/// over |k|^3.
+/// Sums over aliased waves in one column of the torus: of 1/|k|, and of k_x^2, k_x k_y, k_y^2 over
+/// |k|^3.
 struct Waves {
     all: Vec<f64>,
     xx: Vec<f64>,
@@ -55,18 +55,18 @@ impl TorusInverse {
         Self { plan, blocks: Arc::new(TorusBlocks { pair: *pair, grid, normal, tangential }) }
     }
 
-    /// Pressures that would displace the surface so; fields in the order of the grid.
+    /// The pressure that causes this normal displacement; both in the order of the grid.
     ///
     /// # Panics
-    /// If a field has not as many values as the grid cells.
+    /// If the length of a field differs from the number of cells.
     pub fn pressure(&self, displacement: &[f64], pressure: &mut [f64], workspace: &mut Workspace) {
         let mut terms = [[None; 3]; 3];
         terms[0][0] = Some(term(self.blocks.normal(&self.plan.sizes)));
         self.plan.product(&[displacement], &terms, &mut [pressure], workspace);
     }
 
-    /// Tangential tractions that would displace the surface so, along x and y; displacements that are
-    /// `None` are zero, and tractions that are `None` are not computed.
+    /// The tangential tractions that cause these displacements. Displacements that are `None` are
+    /// zero; tractions that are `None` are not computed.
     ///
     /// # Panics
     /// As [`TorusInverse::pressure`].
@@ -78,7 +78,7 @@ impl TorusInverse {
     ) {
         let tangential = self.blocks.tangential(&self.plan.sizes);
         let [xx, xy, yy] = tangential.each_ref().map(|spectrum| Some(term(spectrum)));
-        // Without lateral contraction each component stands by itself.
+        // For a Poisson's ratio of zero the two directions do not couple.
         let xy = xy.filter(|_| self.blocks.pair.poisson() != 0.0);
         let (mut inputs, mut outputs): ([&[f64]; 2], [&mut [f64]; 2]) = Default::default();
         let (mut given, mut wanted, mut terms) = (0, 0, [[None; 3]; 3]);
@@ -153,7 +153,7 @@ const fn term(spectrum: &Spectrum) -> Term<'_> {
     Term { spectrum, sign: 1.0 }
 }
 
-/// The sums of all waves of the torus, column by column.
+/// The sums over all waves of the torus, column by column.
 fn symbols(
     sizes: &Sizes,
     grid: Grid,
@@ -178,7 +178,7 @@ fn symbols(
                 add(&mut waves, x, (y, mean));
             }
         }
-        // The shortest waves have no sign.
+        // The shortest wave has no sign.
         if 2 * column == px {
             waves.xy.fill(0.0);
         }
@@ -186,7 +186,7 @@ fn symbols(
             waves.xy[py / 2] = 0.0;
         }
         if column == 0 {
-            // No direction: half along each axis.
+            // The mean has no direction: half along each axis.
             let all = lx.max(ly) / PI;
             (waves.all[0], waves.xx[0], waves.xy[0], waves.yy[0]) =
                 (all, 0.5 * all, 0.0, 0.5 * all);
@@ -195,7 +195,8 @@ fn symbols(
     }
 }
 
-/// The number of a wave along one axis, so many periods of the grid away, and its mean over a cell.
+/// The wave number along one axis, shifted by `alias` periods of the grid, and its mean over a
+/// cell.
 fn wave(index: usize, alias: i32, count: usize, width: f64) -> (f64, f64) {
     let turns = index as f64 / count as f64 + f64::from(alias);
     (2.0 * PI * turns / width, sinc(PI * turns))
@@ -208,7 +209,7 @@ impl Waves {
         }
     }
 
-    /// 1/|k| alone.
+    /// Adds 1/|k| only.
     fn add_lengths(&mut self, (x, mean_x): (f64, f64), (y, mean_y): (&[f64], &[f64])) {
         for ((y, mean_y), all) in y.iter().zip(mean_y).zip(&mut self.all) {
             *all += mean_x * mean_y / (x * x + y * y).sqrt();
@@ -246,8 +247,7 @@ mod tests {
     use crate::Material;
     use crate::operator::{DisplacementField, HalfSpaceOperator, SurfaceOperator, TractionField};
 
-    /// A load that ends far inside the grid comes back but for what the torus lacks: waves longer
-    /// than itself.
+    /// The inverse recovers a load well inside the grid, except for waves longer than the torus.
     #[test]
     fn undoes_a_product_away_from_the_borders() {
         let body = Material::from_shear(2.0, 0.3).unwrap();

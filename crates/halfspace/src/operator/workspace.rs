@@ -1,4 +1,4 @@
-//! The working memory of a product, kept between products.
+//! The working memory of a product, reused between products.
 
 use rayon::prelude::*;
 use rustfft::num_complex::Complex64;
@@ -8,7 +8,7 @@ use super::plan::{BLOCK, Plan};
 
 /// Buffers of a product; made by [`SurfaceOperator::workspace`](super::SurfaceOperator::workspace).
 ///
-/// It may serve any operator: buffers grow when they are too small, and are never given back.
+/// It may serve any operator: buffers grow as needed and are never reduced.
 #[derive(Debug, Clone, Default)]
 pub struct Workspace {
     /// Row spectra of the tractions, by row, traction, column.
@@ -18,7 +18,7 @@ pub struct Workspace {
     pub(crate) lanes: Vec<Lane>,
 }
 
-/// Buffers of one thread.
+/// Working memory of one thread.
 #[derive(Debug, Clone, Default)]
 pub(crate) struct Lane {
     /// One padded row.
@@ -33,7 +33,7 @@ pub(crate) struct Lane {
 }
 
 impl Workspace {
-    /// Makes all buffers at least as long as a product needs.
+    /// Makes all buffers long enough for a product.
     pub(crate) fn prepare(&mut self, plan: &Plan, inputs: usize, outputs: usize) {
         let field = plan.sizes.columns() * plan.sizes.ny;
         grow(&mut self.rows, inputs * field);
@@ -50,7 +50,7 @@ impl Workspace {
 
 impl Lane {
     pub(crate) fn prepare(&mut self, plan: &Plan, inputs: usize) {
-        // The transforms want these two at their exact, or at least their own, length.
+        // The transforms require these two at exactly their own length.
         self.row.resize(plan.sizes.px, 0.0);
         grow(&mut self.scratch, plan.scratch());
         grow(&mut self.blocks, inputs * BLOCK * plan.sizes.py);

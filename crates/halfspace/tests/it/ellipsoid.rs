@@ -1,4 +1,5 @@
-//! The product on a grid against the displacement by an ellipsoidal traction, any axis ratio.
+//! The product on a grid compared with the displacement due to an ellipsoidal traction, for any
+//! axis ratio.
 
 use carom_halfspace::operator::{
     DisplacementField, HalfSpaceOperator, SurfaceOperator, TractionField,

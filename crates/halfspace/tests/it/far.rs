@@ -1,4 +1,4 @@
-//! Far away a loaded rectangle is a point load.
+//! At large distances a loaded rectangle acts as a point load.
 
 use approx::assert_relative_eq;
 use carom_halfspace::{

@@ -1,4 +1,4 @@
-//! The stress field of a grid: against the sum over cells, and Hertz's pressure.
+//! The stress field of a grid, compared with the sum over cells and with Hertz's pressure.
 
 use carom_halfspace::operator::{InteriorStress, OperatorError, Threads, TractionField};
 use carom_halfspace::{Grid, LoadedRectangle, Material, Point, Stress, Traction};

@@ -1,4 +1,5 @@
-//! The operator: product against the direct sum, same bits on threads, errors, definiteness.
+//! The operator: compared with the direct sum, same bits on any number of threads, errors,
+//! definiteness.
 
 use carom_halfspace::operator::{
     Blocks, CoefficientTable, DisplacementField, HalfSpaceOperator, KernelOperator, OperatorError,

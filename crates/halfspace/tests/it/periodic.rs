@@ -1,4 +1,4 @@
-//! The periodic half-space beside one that is not: close to a load whose mean is zero they agree.
+//! The periodic half-space compared with the infinite one: they agree close to a load of zero mean.
 
 use carom_halfspace::operator::{
     DisplacementField, HalfSpaceOperator, PeriodicOperator, SurfaceOperator, Threads, TractionField,

@@ -3,8 +3,8 @@
 use carom_halfspace::Material;
 use carom_special::RangeError;
 
-/// Stresses inside one body under Hertz's pressure on a circle, in cylindrical components;
-/// tension is positive.
+/// Stresses inside one body under a circular Hertz contact, in cylindrical components; tension is
+/// positive.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct CircularStress {
     /// Radial stress.
@@ -29,8 +29,8 @@ impl CircularStress {
     }
 }
 
-/// The stresses at the radius rho and depth z of a body under the pressure
-/// `peak sqrt(1 - rho^2/a^2)` on a circle (Huber).
+/// The stresses at radius rho and depth z in a body under the pressure `peak sqrt(1 - rho^2/a^2)`
+/// on a circle (Huber).
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -42,8 +42,8 @@ impl CircularStress {
 /// ```
 ///
 /// # Errors
-/// [`RangeError`] for a contact radius that is not positive, a negative or not finite coordinate,
-/// or a rigid body, in which stresses are not determined.
+/// [`RangeError`] for a contact radius that is not positive, a coordinate that is negative or not
+/// finite, or a rigid body, whose stresses are undetermined.
 pub fn circular_stress(
     radius: f64,
     peak: f64,

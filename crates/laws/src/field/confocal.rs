@@ -9,9 +9,9 @@ use carom_special::quadrature::FixedRule;
 
 use crate::ellipse::ContactEllipse;
 
-/// Above this axis ratio, and beyond the larger axis, differences would cancel and a rule of Gauss
-/// is exact to round-off.
-const ROUND: f64 = 0.7;
+/// Above this axis ratio, outside the larger axis, the differences would cancel and a Gauss rule is
+/// exact to rounding.
+const NEARLY_CIRCULAR: f64 = 0.7;
 
 static RULE: FixedRule<24> = FixedRule::fixed();
 
@@ -51,7 +51,7 @@ impl Integrals {
         let by_a = 2.0 / (a * a * a) * incomplete::d(ratio.inverse(), at_a);
         let by_b = 2.0 / (b * b * b) * incomplete::d(ratio, at_b);
         let mut all = Self { f, a: by_a, b: by_b, aa: 0.0, bb: 0.0, ab: 0.0 };
-        if ratio.get() >= ROUND || root >= b {
+        if ratio.get() >= NEARLY_CIRCULAR || root >= b {
             all.by_quadrature(b, ratio.get(), libm::atan2(b, root));
         } else {
             all.by_differences(a, b, lambda);
@@ -59,7 +59,7 @@ impl Integrals {
         Ok(all)
     }
 
-    /// With `s = b^2 cot^2 t` all are smooth in t.
+    /// With the substitution `s = b^2 cot^2 t` all integrands are smooth in t.
     fn by_quadrature(&mut self, b: f64, ratio: f64, end: f64) {
         let [mut aa, mut bb, mut ab] = [0.0; 3];
         for node in RULE.nodes() {
@@ -74,7 +74,7 @@ impl Integrals {
         (self.aa, self.bb, self.ab) = (scale * aa, scale * bb, scale * ab);
     }
 
-    /// Partial fractions, and the derivatives of `s (b^2+s)/((a^2+s) Delta)` and of
+    /// By partial fractions, and the derivatives of `s (b^2+s)/((a^2+s) Delta)` and of
     /// `s^2/((b^2+s) Delta)`.
     fn by_differences(&mut self, a: f64, b: f64, lambda: f64) {
         let difference = (b - a) * (b + a);
@@ -91,11 +91,11 @@ impl Integrals {
     }
 }
 
-/// A point of the body by its ellipsoidal coordinate.
+/// A point of the body, with its ellipsoidal coordinate.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Confocal {
     pub(super) lambda: f64,
-    /// `z/sqrt(lambda)`; on the surface inside the ellipse its limit.
+    /// `z/sqrt(lambda)`; its limit on the surface inside the ellipse.
     pub(super) zeta: f64,
 }
 
@@ -115,11 +115,11 @@ impl Confocal {
 fn coordinate(ellipse: &ContactEllipse, x: f64, y: f64, z: f64) -> f64 {
     let [a2, b2] = [ellipse.semi_axis_a(), ellipse.semi_axis_b()].map(|axis| axis * axis);
     let (x2, y2, z2) = (x * x, y * y, z * z);
-    // All of these lie below the root: the largest of circles, and x or y alone.
+    // Lower bounds of the root: the largest root of circles, and those with x or y alone.
     let mut lambda =
         two_terms(x2 + y2, a2.max(b2), z2).max(two_terms(x2, a2, z2)).max(two_terms(y2, b2, z2));
     lambda = lambda.max(next_to_the_surface(ellipse, x, y, z2));
-    // The sum falls and is convex: Newton's steps from below stay there.
+    // The sum is decreasing and convex: Newton steps from below stay below the root.
     for _ in 0..100 {
         let (u, v) = (a2 + lambda, b2 + lambda);
         let excess = x2 / u + y2 / v + z2 / lambda - 1.0;
@@ -133,8 +133,9 @@ fn coordinate(ellipse: &ContactEllipse, x: f64, y: f64, z: f64) -> f64 {
     lambda
 }
 
-/// The positive root of the same with `x^2/(a^2+l)` and `y^2/(b^2+l)` to first order in l, below the true one: close
-/// to it at the smallest depths, next to the edge too, where no number of Newton's steps would come up to it.
+/// A lower bound of the positive root, from expanding `x^2/(a^2+l)` and `y^2/(b^2+l)` to first
+/// order in l. It is close to the root at the smallest depths, also near the edge, where Newton's
+/// method would not converge in a reasonable number of steps.
 fn next_to_the_surface(ellipse: &ContactEllipse, x: f64, y: f64, z2: f64) -> f64 {
     let (a, b) = (ellipse.semi_axis_a(), ellipse.semi_axis_b());
     let inside = 1.0 - ellipse.radius_squared(x, y);

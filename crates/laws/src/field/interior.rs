@@ -1,4 +1,4 @@
-//! Displacements and stresses in a body under a semi-ellipsoidal traction on an ellipse.
+//! Displacements and stresses inside a body under a semi-ellipsoidal traction on an ellipse.
 
 use std::f64::consts::PI;
 
@@ -8,12 +8,12 @@ use carom_special::RangeError;
 use super::potentials::{Potentials, Third};
 use crate::ellipse::ContactEllipse;
 
-/// An ellipse on the surface of one body under tractions proportional to
-/// `sqrt(1 - x^2/a^2 - y^2/b^2)`: Hertz's pressure, and the tangential traction of complete sliding.
+/// A body under semi-ellipsoidal tractions on an ellipse, proportional to `sqrt(1 - x^2/a^2 -
+/// y^2/b^2)`: Hertz's pressure, and the tangential traction of complete sliding.
 ///
-/// Everything is in closed form, by elliptic integrals of the ellipsoidal coordinate and elementary
-/// functions; either semi-axis may be the larger one. For body 2 of a pair count z into it and turn
-/// the tangential traction around.
+/// All results are in closed form, in elliptic integrals of the ellipsoidal coordinate and
+/// elementary functions. Either semi-axis may be the larger one. For body 2 of a pair z points into
+/// body 2 and the tangential traction changes sign.
 ///
 /// ```
 /// use carom_halfspace::{Material, Point, Traction};
@@ -34,20 +34,20 @@ pub struct EllipsoidalLoad {
 }
 
 impl EllipsoidalLoad {
-    /// The loaded ellipse on a body.
+    /// The loaded ellipse on a body of this material.
     ///
     /// # Errors
-    /// [`RangeError`] for a rigid body, in which stresses are not determined.
+    /// [`RangeError`] for a rigid body, whose stresses are undetermined.
     pub fn new(ellipse: ContactEllipse, body: Material) -> Result<Self, RangeError> {
         let shear_modulus = RangeError::positive("shear_modulus", body.shear_modulus())?;
         Ok(Self { ellipse, shear_modulus, poisson: body.poisson() })
     }
 
-    /// The stress at a point of the body under tractions that are `peak` at the centre; on the
-    /// surface the limit from inside.
+    /// The stress at a point of the body. `peak` is the traction at the centre of the ellipse; on
+    /// the surface the limit from inside is returned.
     ///
     /// # Errors
-    /// [`RangeError`] for a point outside the half-space, and for values that are not finite.
+    /// [`RangeError`] for a point outside the half-space, and for arguments that are not finite.
     pub fn stress(&self, peak: Traction, at: Point) -> Result<Stress, RangeError> {
         let p = self.potentials(peak, at)?;
         let nu = self.poisson;
@@ -60,7 +60,7 @@ impl EllipsoidalLoad {
         Ok(sum)
     }
 
-    /// The displacement of a point of the body, its surface included.
+    /// The displacement at a point of the body, including its surface.
     ///
     /// # Errors
     /// As [`Self::stress`].
@@ -87,11 +87,12 @@ impl EllipsoidalLoad {
     }
 }
 
-/// The stress in a body under an ellipse in partial slip (Cattaneo and Mindlin): the traction of
-/// complete sliding less that of the stick area, both semi-ellipsoidal, with Hertz's pressure.
+/// The stress in a body under an elliptical contact in partial slip (Cattaneo and Mindlin): Hertz's
+/// pressure, and the traction of complete sliding minus that of the stick area, both
+/// semi-ellipsoidal.
 ///
-/// `peak` holds the greatest pressure and the friction limit at the centre, f times the pressure in
-/// the direction of slip; `stick_radius` is a*/a, from 0 to 1.
+/// `peak` contains the greatest pressure and the tangential traction limit at the centre, f times
+/// the pressure, in the direction of slip. `stick_radius` is a*/a, from 0 to 1.
 ///
 /// ```
 /// use carom_halfspace::{Material, Point, Traction};

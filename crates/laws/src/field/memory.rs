@@ -1,4 +1,4 @@
-//! Displacements and stresses under the tractions of a memory.
+//! Displacements and stresses due to the tractions of a memory.
 
 use carom_halfspace::{Material, MaterialPair, Point, Stress, Traction};
 use carom_special::RangeError;
@@ -8,9 +8,9 @@ use super::{circular_shear, ellipsoidal_shear};
 use crate::ellipse::ContactEllipse;
 use crate::memory::{ScalarMemory, VectorMemory};
 
-/// The displacement of the surface of a circular contact under the tractions of a memory in one
-/// direction, along x; the traction's scale is `f sigma_z0` of the present contact, its radius
-/// `radius`. Relative for a pair.
+/// The surface displacement of a circular contact due to the tractions of a memory in one
+/// direction, along x; for a pair, the relative displacement. The scale of the traction is `f
+/// sigma_z0` of the present contact, and its radius is `radius`.
 #[must_use]
 pub fn memory_displacement(
     memory: &ScalarMemory,
@@ -39,7 +39,7 @@ pub fn memory_displacement_2d(
     if !memory.is_touching() {
         return [0.0; 2];
     }
-    // Tractions along y displace as those along x with the axes exchanged.
+    // Tractions along y act like those along x with the axes exchanged.
     let along = |component: usize, point: [f64; 2]| {
         memory.superpose(|z| {
             part(z / memory.zeta(), radius, friction_peak, materials, point)[component]
@@ -50,7 +50,7 @@ pub fn memory_displacement_2d(
     [u_x + u_y, v_x + v_y]
 }
 
-/// The displacement by the traction of full sliding on the sub-contact of relative depth `q`.
+/// The displacement due to the traction of full sliding on the sub-contact of relative depth `q`.
 fn part(
     q: f64,
     radius: f64,
@@ -65,7 +65,7 @@ fn part(
     circular_shear(radius * root, friction_peak * root, materials, x, y)
 }
 
-/// As [`memory_displacement_2d`], on an ellipse of either order of the axes: the sum of
+/// As [`memory_displacement_2d`], for an ellipse (either semi-axis may be the larger): the sum of
 /// [`ellipsoidal_shear`] over the sub-contacts of the memory.
 ///
 /// ```
@@ -100,7 +100,7 @@ pub fn elliptic_memory_displacement(
     if !memory.is_touching() {
         return Ok([0.0; 2]);
     }
-    // A sub-contact too small for its axes to be numbers displaces nothing.
+    // A sub-contact whose axes underflow causes no displacement.
     let of = |ellipse: &ContactEllipse, z: f64, [x, y]: [f64; 2]| {
         let root = (z / memory.zeta()).sqrt();
         ellipse.scaled(root).map_or([0.0; 2], |part| {
@@ -113,8 +113,9 @@ pub fn elliptic_memory_displacement(
     Ok([along(0) + across(1), along(1) + across(0)])
 }
 
-/// The stress in a body under the tractions of a memory and Hertz's pressure; `pressure` is its
-/// peak, `friction_peak` that of the friction limit, f times the pressure. Zero for bodies apart.
+/// The stress in a body due to the tractions of a memory and Hertz's pressure. `pressure` is the
+/// greatest pressure, `friction_peak` the traction limit there, f times the pressure. Zero for
+/// separated bodies.
 ///
 /// ```
 /// use carom_halfspace::{Material, Point};
@@ -133,7 +134,8 @@ pub fn elliptic_memory_displacement(
 /// ```
 ///
 /// # Errors
-/// [`RangeError`] for a rigid body, a point outside the half-space, or a number that is not finite.
+/// [`RangeError`] for a rigid body, a point outside the half-space, or an argument that is not
+/// finite.
 pub fn memory_stress(
     memory: &VectorMemory,
     ellipse: ContactEllipse,
@@ -149,7 +151,7 @@ pub fn memory_stress(
         return Ok(Stress::default());
     }
     for direction in 0..2 {
-        // As above, a sub-contact too small to be one has no stress.
+        // A sub-contact whose axes underflow causes no stress.
         let of = |z: f64| {
             let root = (z / memory.zeta()).sqrt();
             let mut peak = [0.0; 2];

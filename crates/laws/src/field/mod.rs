@@ -1,10 +1,10 @@
-//! Fields of the closed solutions: displacements of the surface and stresses inside.
+//! Fields of the analytic solutions: displacements of the surface and stresses inside the bodies.
 //!
-//! - The surface: [`normal_displacement`], [`ellipsoidal_shear`], [`circular_shear`].
-//! - The body: [`EllipsoidalLoad`] for any ellipse, [`circular_stress`] in cylindrical components,
-//!   [`partial_slip_stress`] for Cattaneo and Mindlin's contact.
-//! - Under the tractions of a load history: [`elliptic_memory_displacement`], [`memory_stress`], and
-//!   on a circle [`memory_displacement`].
+//! - At the surface: [`normal_displacement`], [`ellipsoidal_shear`], [`circular_shear`].
+//! - Inside a body: [`EllipsoidalLoad`] for any ellipse, [`circular_stress`] in cylindrical
+//!   components, [`partial_slip_stress`] for a contact in partial slip.
+//! - Due to the tractions of a load history: [`elliptic_memory_displacement`], [`memory_stress`],
+//!   and for a circle [`memory_displacement`].
 
 use std::f64::consts::PI;
 
@@ -27,8 +27,8 @@ pub use memory::{
     elliptic_memory_displacement, memory_displacement, memory_displacement_2d, memory_stress,
 };
 
-/// The normal displacement w_1 + w_2 of both surfaces under Hertz's pressure, inside and outside
-/// the contact ellipse: `zeta - A x^2 - B y^2` inside.
+/// The normal displacement w_1 + w_2 of the two surfaces under Hertz's pressure, inside and outside
+/// the contact ellipse; inside it is `zeta - A x^2 - B y^2`.
 ///
 /// `(a b sigma_z0 (1-nu)/(4G)) int_lambda^inf [1 - x^2/(a^2+s) - y^2/(b^2+s)]
 /// ds/sqrt((a^2+s)(b^2+s)s)`, lambda zero inside and the ellipsoidal coordinate outside.
@@ -72,10 +72,10 @@ pub fn normal_displacement(
     Ok(0.5 * compliance * state.peak_pressure * a * b * sum)
 }
 
-/// The displacement (u, v) of the surface under the traction
-/// `sigma_zx = sigma sqrt(1 - x^2/a^2 - y^2/b^2)`, relative for a pair: inside the ellipse
-/// (7.10)-(7.15), outside the same integrals from the ellipsoidal coordinate. Either semi-axis may
-/// be the larger one.
+/// The surface displacement (u, v) due to the traction `sigma_zx = sigma sqrt(1 - x^2/a^2 -
+/// y^2/b^2)`; for a pair, the relative displacement. Inside the ellipse it is (7.10)-(7.15),
+/// outside the same integrals start at the ellipsoidal coordinate. Either semi-axis may be the
+/// larger one.
 ///
 /// # Errors
 /// [`RangeError`] for a point that is not finite.
@@ -108,9 +108,8 @@ pub fn ellipsoidal_shear(
     Ok([scale * (gamma - phi * s * s - psi * t * t), scale * theta * s * t])
 }
 
-/// The displacement (u, v) of the surface under the traction
-/// `sigma_zx = sigma sqrt(1 - rho^2/a^2)` on a circle, inside and outside (6.6), corrected.
-/// Relative for a pair.
+/// The surface displacement (u, v) due to the traction `sigma_zx = sigma sqrt(1 - rho^2/a^2)` on a
+/// circle, inside and outside (6.6), corrected. For a pair, the relative displacement.
 #[must_use]
 pub fn circular_shear(
     radius: f64,
@@ -130,7 +129,7 @@ pub fn circular_shear(
     }
     let rho = square.sqrt();
     let (cos_2, sin_2) = ((x - y) * (x + y) / square, 2.0 * x * y / square);
-    // With phi = 2 arcsin(a/rho) both are differences that cancel far away.
+    // Written with phi = 2 arcsin(a/rho) to avoid cancellation far away.
     let phi = 2.0 * libm::asin(a / rho);
     let even = 0.5 * square * sine_rest(phi);
     let odd = 0.25 * square * turn_rest(2.0 * phi);
@@ -138,7 +137,7 @@ pub fn circular_shear(
     [scale * ((2.0 - nu) * even + 0.5 * nu * odd * cos_2), scale * 0.5 * nu * odd * sin_2]
 }
 
-/// `sin(x) - x cos(x)`, which is `x^3/3` and less.
+/// `sin(x) - x cos(x)`, which is about `x^3/3` for small x.
 fn sine_rest(x: f64) -> f64 {
     if x > 1.0 {
         return libm::sin(x) - x * libm::cos(x);
@@ -146,7 +145,7 @@ fn sine_rest(x: f64) -> f64 {
     let mut sum = 0.0;
     for n in (0..10).rev() {
         let n = f64::from(n);
-        // (2 n + 2)/(2 n + 3)!, by the ratio to the term before.
+        // The coefficient (2 n + 2)/(2 n + 3)!, from its ratio to the previous one.
         sum = 1.0 - sum * x * x / ((2.0 * n + 2.0) * (2.0 * n + 5.0));
     }
     x * x * x / 3.0 * sum

@@ -17,7 +17,7 @@
 //!
 //! The roots are those of the quadratic `Q = (a^2+s)(b^2+s) - x^2 (b^2+s) - y^2 (a^2+s)`: with
 //! `t = s + sqrt(Q)` the second derivatives of X are elementary, of L they are z times those of X
-//! and elliptic integrals. All forms below are free of differences that cancel next to the circle.
+//! and elliptic integrals. All forms below avoid cancellation for nearly circular ellipses.
 
 use std::f64::consts::PI;
 
@@ -26,15 +26,15 @@ use carom_special::RangeError;
 use super::confocal::{Confocal, Integrals};
 use crate::ellipse::ContactEllipse;
 
-/// Depths below this part of the smaller axis are none, places beyond so many larger axes lie there: all is
-/// as on the surface, or vanishes.
+/// Below `NEAR` b, with the smaller semi-axis b, a depth counts as 0. Beyond `FAR` a, with the
+/// larger semi-axis a, the field is taken as its far-field limit.
 const NEAR: f64 = 1e-120;
 const FAR: f64 = 1e30;
 
-/// Derivatives of the potentials for unit traction at the centre, on an ellipse.
+/// Derivatives of the potentials for a unit traction at the centre of the ellipse.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Potentials {
-    /// The depth that they are those of.
+    /// The depth of the point.
     pub(super) z: f64,
     pub(super) v: f64,
     pub(super) v_x: f64,
@@ -65,7 +65,7 @@ pub(super) struct Second {
     pub(super) zz: f64,
 }
 
-/// Derivatives of the third order along the surface.
+/// Third derivatives along the surface.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Third {
     pub(super) xxx: f64,
@@ -82,7 +82,7 @@ impl Potentials {
         z: f64,
     ) -> Result<Self, RangeError> {
         let (a, b) = (ellipse.semi_axis_a(), ellipse.semi_axis_b());
-        // So near the surface and so far away that squares under- or overflow nothing changes any more.
+        // At these distances the field has reached its limit, and squares would under- or overflow.
         let far = FAR * a.max(b);
         let [x, y, z] = [x, y, z].map(|value| value.clamp(-far, far));
         let z = if z < NEAR * a.min(b) { 0.0 } else { z };
@@ -119,7 +119,7 @@ impl Potentials {
     }
 }
 
-/// A point, its ellipsoidal coordinate and what follows from both.
+/// A point with its ellipsoidal coordinate and derived quantities.
 struct Place {
     x: f64,
     y: f64,
@@ -133,7 +133,7 @@ struct Place {
     h: f64,
     /// z times `int ds/(s Delta)`.
     z_c: f64,
-    /// The gradient of lambda is this, times `2 lambda x/(a^2+l)` and likewise, `2 z`.
+    /// The gradient of lambda is this times `2 lambda x/(a^2+l)`, and likewise for y, and `2 z`.
     per: f64,
 }
 
@@ -145,13 +145,13 @@ impl Place {
         let (u, v) = (a * a + lambda, b * b + lambda);
         let h = (u * v).sqrt();
         let z_c = 2.0 * zeta / h - z * (i.a + i.b);
-        // Zero on the edge alone, where all that it multiplies vanishes.
+        // Zero on the edge only, where everything it multiplies vanishes.
         let spread = lambda * ((x / u) * (x / u) + (y / v) * (y / v)) + zeta * zeta;
         let per = if spread > 0.0 { 1.0 / spread } else { 0.0 };
         Ok(Self { x, y, z, i, zeta, root: lambda.sqrt(), u, v, h, z_c, per })
     }
 
-    /// The derivatives of lambda in x and y.
+    /// The derivatives of lambda with respect to x and y.
     fn gradient(&self) -> [f64; 2] {
         let scale = 2.0 * self.per * (self.root * self.root);
         [scale * (self.x / self.u), scale * (self.y / self.v)]
@@ -257,10 +257,11 @@ struct Elementary {
     first_y: f64,
     /// `int ds/((a^2+s)(b^2+s) sqrt(Q))`.
     ab: f64,
-    /// The first less `x^2 int ds/((a^2+s)^2 sqrt(Q))`, and likewise.
+    /// The first integral minus `x^2 int ds/((a^2+s)^2 sqrt(Q))`, and likewise.
     less_x: f64,
     less_y: f64,
-    /// -1/(2 y) times the derivative of X_xy in x, and -1/(2 x) times that in y, at constant t.
+    /// -1/(2 y) times the derivative of X_xy with respect to x, and -1/(2 x) times that with
+    /// respect to y, at constant t.
     slope_x: f64,
     slope_y: f64,
     /// `2 t + a^2 + b^2 - x^2 - y^2`.
@@ -283,7 +284,7 @@ impl Elementary {
         let two = arc_rest(-difference * y2 / (r * r), v * width / (r * r));
         let (p3, r3) = (p * p * p, r * r * r);
         let ab = 2.0 / (p * r) + 2.0 * x2 / p3 * one + 2.0 * y2 / r3 * two;
-        // These would be differences over b^2 - a^2.
+        // In this form they would be differences divided by b^2 - a^2.
         let mixed = 2.0 * (x2 * x2 / p3 * one - y2 * y2 / r3 * two);
         let less_x = 2.0 * root * (1.0 - x2 / p) / (u * r) + mixed;
         let less_y = 2.0 * root * (1.0 - y2 / r) / (v * p) - mixed;

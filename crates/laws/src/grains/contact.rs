@@ -1,4 +1,4 @@
-//! The contact of two grains, carried along.
+//! The contact of two grains, advanced with their motion.
 
 use std::mem::offset_of;
 
@@ -11,28 +11,30 @@ use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::{Fixed, Growing, VertexStack};
 use crate::shift_law::ShiftLaw;
 
-/// The memory of the contact of two grains: the law of the shift in axes that go along.
+/// The contact of two grains with its load history: a shift law in axes that move with the grains.
 ///
-/// From step to step the normal turns by the least rotation and the axes about it with the mean of the
-/// two spins, so that what is remembered keeps its components; a step is measured in the axes of its
-/// middle, so that a pair that turns as a whole does not slip, to second order. The first step of a
-/// contact begins where the two were one step before, so that it finds the touch.
+/// From step to step the axes follow the normal by the smallest rotation, and rotate about the
+/// normal with the mean of the two spins, so that stored vectors keep their components. A step is
+/// measured in the axes at its middle: a pair that rotates as a whole does not slip, to second
+/// order in the step. The first step of a contact starts from the positions one step before, so
+/// that first contact is found.
 ///
-/// Two things take away most of what a leapfrog misses in the tangential motion. The law is told the
-/// shift `xi + dt^2 xi''/12` in the place of xi (Numerov's, the acceleration being that of the last two
-/// velocities), so that what is of second order in the step cancels; no force changes where nothing is
-/// accelerated. An oscillation without slip loses `(omega dt)^4/24` of its amplitude a step and is stable to
-/// `omega dt = sqrt 3`, that of the leapfrog being 2. Where two grains come apart so fast that four steps do it, friction is its mean over the
-/// half steps to and fro, since it then falls to nothing as the power 3/2 of the time.
+/// Two corrections remove most of the error of a leapfrog integrator in the tangential motion.
+/// First, the law is given the shift `xi + dt^2 xi''/12` instead of xi (Numerov), where the
+/// acceleration is taken from the last two velocities; errors of second order then cancel, and
+/// without acceleration no force changes. An oscillation without slip loses `(omega dt)^4/24` of
+/// its amplitude per step and is stable up to `omega dt = sqrt 3`; the limit of the leapfrog is 2.
+/// Second, if the gap opens within four steps, friction is averaged over the neighbouring half
+/// steps, because it then decreases with the power 3/2 of the time.
 ///
-/// The damping is that of a viscoelastic material in the quasi-static limit, which adds
-/// `(2/3) c_z (3/2) A sqrt(zeta) dzeta/dt` to Hertz's force, with a time A of the material. Its sum with
-/// Hertz's force does not pull. Friction knows Hertz's force alone.
+/// Damping is that of a viscoelastic material in the quasi-static limit: it adds `(2/3) c_z (3/2) A
+/// sqrt(zeta) dzeta/dt` to Hertz's force, with a relaxation time A of the material. The sum with
+/// Hertz's force is never tensile. The friction limit depends on Hertz's force only.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct GrainContact<S = Growing<[f64; 2]>> {
     pub(super) law: ShiftLaw<[f64; 2], S>,
-    /// The axis x of the contact; zero while there is none.
+    /// The axis x of the contact; zero while the grains are separated.
     pub(super) tangent: Vector,
     pub(super) normal: Vector,
     /// The tangential force of the last step, along x and y.
@@ -41,47 +43,47 @@ pub struct GrainContact<S = Growing<[f64; 2]>> {
     pub(super) drag: f64,
     /// The velocity of the shift in the last step.
     pub(super) velocity: [f64; 2],
-    /// How far the law is ahead of the shift.
+    /// Difference between the shift given to the law and the true shift.
     pub(super) lead: [f64; 2],
-    /// The damping force over `sqrt(zeta) dzeta/dt`.
+    /// The damping force divided by `sqrt(zeta) dzeta/dt`.
     pub(super) viscosity: f64,
 }
 
-/// What body 2 exerts on body 1.
+/// The load that body 2 exerts on body 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct GrainLoad {
-    /// The force on body 1, N; that on body 2 is the opposite one.
+    /// The force on body 1, N; the force on body 2 is the opposite.
     pub force: [f64; 3],
-    /// The torque on each body about its centre, `-arm normal x force`, N m; that on a wall is zero.
+    /// The torque on each body about its centre, `-arm normal x force`, N m; zero for a wall.
     pub torques: [[f64; 3]; 2],
 }
 
-/// What became of mechanical energy, J.
+/// Dissipated energy, by cause, J.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
 pub struct Heats {
-    /// The heat of friction, with what a receding edge releases.
+    /// Friction heat, including the energy released at a receding edge.
     pub friction: f64,
-    /// The heat of the viscoelastic material.
+    /// Energy dissipated by the viscoelastic material.
     pub damping: f64,
 }
 
-/// What a step sees of what was before it.
+/// The state of a contact before a step, as far as the step needs it.
 pub(super) struct Before<T> {
     pub(super) tangent: Vector<T>,
     pub(super) normal: Vector<T>,
     pub(super) velocity: [T; 2],
     pub(super) lead: [T; 2],
-    /// The shift, as the law knows it.
+    /// The shift that the law was given.
     pub(super) shift: [T; 2],
 }
 
-/// Where a step leads.
+/// The end of a step.
 pub(super) struct Step<T = f64> {
     pub(super) tangent: Vector<T>,
     pub(super) zeta: T,
-    /// The shift that the law is told.
+    /// The shift that the law is given.
     pub(super) shift: [T; 2],
     pub(super) velocity: [T; 2],
     pub(super) lead: [T; 2],
@@ -95,14 +97,15 @@ impl Step {
     }
 }
 
-/// Steps in which two grains come apart, from which on friction is a mean.
-const LEAVES_IN: f64 = 4.0;
+/// Friction is averaged if the gap opens within this number of steps.
+const STEPS_TO_OPENING: f64 = 4.0;
 
 impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
-    /// A contact to be, of a law at rest and of a viscous relaxation time A of the materials, s.
+    /// A contact without history, from a law in its initial state and a viscous relaxation time A
+    /// of the materials, s.
     ///
     /// # Errors
-    /// [`RangeError`] unless the time is finite and not negative, and the force finite.
+    /// [`RangeError`] unless the time is finite and not negative, and the damping force is finite.
     pub fn new(law: ShiftLaw<[f64; 2], S>, relaxation: f64) -> Result<Self, RangeError> {
         RangeError::non_negative("relaxation", relaxation)?;
         let viscosity = relaxation * law.stiffness().c_z;
@@ -121,28 +124,28 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         })
     }
 
-    /// The law, in the axes of the contact.
+    /// The shift law, in the axes of the contact.
     #[must_use]
     pub fn law(&self) -> &ShiftLaw<[f64; 2], S> {
         &self.law
     }
 
-    /// The axis x of the contact; zero while there is none.
+    /// The axis x of the contact; zero while the grains are separated.
     #[must_use]
     pub fn tangent(&self) -> [f64; 3] {
         self.tangent
     }
 
-    /// The elastic energy of the contact, compression included.
+    /// The elastic energy of the contact, including compression.
     #[must_use]
     pub fn stored_energy(&self) -> f64 {
         self.law.stored_energy()
     }
 
-    /// One step of the duration `dt`, at whose end the bodies are as told; the velocities are those
-    /// that brought them there (of a leapfrog: those between).
+    /// Advances by a step of duration `dt`, at the end of which the bodies are as given. The
+    /// velocities are those that moved them there; for a leapfrog those at the middle of the step.
     ///
-    /// # Errors
+    /// [`RangeError`] for a shift that the law does not allow; the contact is then unchanged.
     /// [`RangeError`] for what the law cannot take; the contact is then unchanged.
     #[inline(always)]
     pub fn advance(&mut self, meeting: &Meeting, dt: f64) -> Result<GrainLoad, RangeError> {
@@ -157,7 +160,8 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y]))
     }
 
-    /// The same, and adds up where energy went. The heat of damping is by the rule of trapezoids.
+    /// As [`GrainContact::advance`], and adds the dissipated energy to `heats`. The energy of
+    /// damping is integrated by the trapezoidal rule.
     ///
     /// # Errors
     /// As [`GrainContact::advance`].
@@ -182,8 +186,8 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         Ok(load)
     }
 
-    /// The load at the end of the last step, the bodies where they are told to be. A contact that has
-    /// made no step yet carries Hertz's force alone.
+    /// The load at the end of the last step, for the bodies as given. A contact without a step has
+    /// Hertz's force only.
     #[inline]
     #[must_use]
     pub fn load(&self, meeting: &Meeting) -> GrainLoad {
@@ -224,7 +228,8 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         Ok(self.keep(meeting, &step, load, [load.f_x, load.f_y]))
     }
 
-    /// A step with the mean of friction over half a step before its end and half a step beyond.
+    /// A step in which friction is averaged over half a step before its end and half a step after
+    /// it.
     #[inline(never)]
     fn leave(&mut self, meeting: &Meeting, step: &Step) -> Result<GrainLoad, RangeError> {
         let (from, to) = (self.law.shift(), step.to());
@@ -261,7 +266,8 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
 }
 
 impl<const N: usize> GrainContact<Fixed<[f64; 2], N>> {
-    /// Whether bytes that may have been changed outside are still a contact, as [`ShiftLaw::is_in`].
+    /// Whether bytes that may have been changed elsewhere are a valid contact, as
+    /// [`ShiftLaw::is_in`].
     #[inline(always)]
     #[must_use]
     pub fn is_in(byte: impl Fn(usize) -> u8) -> bool {
@@ -270,7 +276,7 @@ impl<const N: usize> GrainContact<Fixed<[f64; 2], N>> {
 }
 
 impl<T: Number> Before<T> {
-    /// Where a step of the duration `dt` leads.
+    /// The end of a step of duration `dt`.
     #[inline(always)]
     pub(super) fn step(&self, meeting: &Meeting<T>, dt: f64) -> Step<T> {
         let half = T::of(0.5);
@@ -291,7 +297,7 @@ impl<T: Number> Before<T> {
         Step { tangent, zeta: meeting.zeta, shift, velocity, lead }
     }
 
-    /// The tangent, turned as the normal was and by an angle about it.
+    /// The tangent, rotated with the normal and by an angle about it.
     #[inline(always)]
     fn carried(&self, meeting: &Meeting<T>, angle: T) -> Vector<T> {
         let (old, new) = (self.normal, meeting.normal);
@@ -299,8 +305,8 @@ impl<T: Number> Before<T> {
         let tangent = minus(self.tangent, times(plus(old, new), tilt));
         let (sine, cosine) = turn(angle);
         let turned = plus(times(tangent, cosine), times(cross(new, tangent), sine));
-        // Round-off must not add up: the tilt leaves nothing along the normal, whatever was there, and
-        // one step of Newton's leads towards length 1.
+        // Rounding must not accumulate: the correction removes any component along the normal, and
+        // one Newton step restores unit length.
         times(turned, T::of(1.5) - T::of(0.5) * dot(turned, turned))
     }
 }
@@ -312,7 +318,7 @@ pub(super) fn elastic<T: Number>(c_z: T, zeta: T) -> T {
     T::of(2.0 / 3.0) * c_z * (zeta * zeta.sqrt())
 }
 
-/// The damping force; its sum with Hertz's does not pull.
+/// The damping force; its sum with Hertz's force is never tensile.
 #[inline(always)]
 pub(super) fn drag<T: Number>(viscosity: T, meeting: &Meeting<T>, elastic: T) -> T {
     let speed = dot(meeting.velocity, meeting.normal);
@@ -320,7 +326,7 @@ pub(super) fn drag<T: Number>(viscosity: T, meeting: &Meeting<T>, elastic: T) ->
     (viscosity * root * speed).larger(T::of(0.0) - elastic)
 }
 
-/// The force on body 1 and the torques on both, of tangent and normal.
+/// The force on body 1 and the torques on both bodies, in the axes of tangent and normal.
 #[inline(always)]
 pub(super) fn forces<T: Number>(
     [tangent, normal]: [Vector<T>; 2],
@@ -330,7 +336,8 @@ pub(super) fn forces<T: Number>(
 ) -> [Vector<T>; 3] {
     let along = cross(normal, tangent);
     let friction = plus(times(tangent, x), times(along, y));
-    // normal x tangent is along, normal x along is minus the tangent: of body 1 - arm normal x force.
+    // normal x tangent is the second axis, normal x second axis is minus the tangent; the torque on
+    // body 1 is - arm normal x force.
     let couple = minus(times(tangent, y), times(along, x));
     let [torque_1, torque_2] = arms.map(|arm| times(couple, arm));
     [plus(times(normal, normal_force), friction), torque_1, torque_2]
@@ -342,19 +349,19 @@ fn load_in(axes: [Vector; 2], arms: [f64; 2], normal_force: f64, friction: [f64;
     GrainLoad { force, torques: [torque_1, torque_2] }
 }
 
-/// Whether the two come apart within some steps.
+/// Whether the gap opens within a few steps.
 #[inline]
 fn leaves(meeting: &Meeting, dt: f64) -> bool {
     parting(meeting, dt) < -meeting.zeta
 }
 
-/// By how much the approach grows in so many steps.
+/// The growth of the approach in this number of steps.
 #[inline(always)]
 pub(super) fn parting<T: Number>(meeting: &Meeting<T>, dt: f64) -> T {
-    T::of(LEAVES_IN * dt) * dot(meeting.velocity, meeting.normal)
+    T::of(STEPS_TO_OPENING * dt) * dot(meeting.velocity, meeting.normal)
 }
 
-/// Where the two were one step before, to find the touch.
+/// The positions one step before, where first contact is searched from.
 fn one_step_before(meeting: &Meeting, dt: f64) -> Shift {
     let by = dot(meeting.velocity, meeting.normal) * dt;
     Shift { zeta: meeting.zeta - by, ..Shift::default() }
@@ -368,8 +375,8 @@ fn first_step(meeting: &Meeting, dt: f64) -> Step {
     Step { tangent, zeta, shift, velocity, lead }
 }
 
-/// 1 over (2 - e), where 1 - e is the cosine of the turn of the normal; of small turns by its series. A
-/// normal that turns right round does so about the tangent.
+/// 1/(2 - e), where 1 - e is the cosine of the rotation of the normal; by its series for small
+/// rotations. A normal that is reversed is rotated about the tangent.
 #[inline(always)]
 fn over_lean<T: Number>(e: T) -> T {
     let near = |e: T| T::of(0.5) + e * (T::of(0.25) + T::of(0.125) * e);
@@ -377,14 +384,14 @@ fn over_lean<T: Number>(e: T) -> T {
     e.where_small(1e-4, near, each)
 }
 
-/// A unit vector across another: which one does not matter, but it is always the same.
+/// A unit vector perpendicular to another one; arbitrary but always the same.
 fn across(normal: Vector) -> Vector {
     let any = if normal[0].abs() < 0.6 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
     let across = minus(any, times(normal, dot(normal, any)));
     times(across, 1.0 / dot(across, across).sqrt())
 }
 
-/// Sine and cosine of the turn of one step; small ones by their series.
+/// Sine and cosine of the rotation of one step; by series for small angles.
 #[inline(always)]
 fn turn<T: Number>(angle: T) -> (T, T) {
     let (one, sixth) = (T::of(1.0), T::of(1.0 / 6.0));

@@ -1,4 +1,4 @@
-//! Where two grains, or a grain and a wall, touch, and how they move there.
+//! Relative position and motion of two grains, or of a grain and a wall.
 
 use std::array::from_fn;
 
@@ -8,55 +8,56 @@ use carom_special::RangeError;
 use super::number::{LANES, Lanes, Number, lanes};
 use super::vector::{Vector, dot, minus, plus, times};
 
-/// A sphere as a particle code moves it.
+/// A sphere with its motion, as a particle code stores it.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct Grain {
-    /// Its centre, m.
+    /// Position of its centre, m.
     pub place: [f64; 3],
     /// The velocity of its centre, m/s.
     pub velocity: [f64; 3],
-    /// Its angular velocity, rad/s.
+    /// Angular velocity, rad/s.
     pub spin: [f64; 3],
     /// Its radius, m.
     pub radius: f64,
 }
 
-/// A flat wall that may move along.
+/// A flat wall, which may move.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct Wall {
-    /// Any place on it, m.
+    /// Position of any of its points, m.
     pub place: [f64; 3],
-    /// The unit normal, towards the grains.
+    /// Unit normal, pointing towards the grains.
     pub normal: [f64; 3],
     /// Its velocity, m/s.
     pub velocity: [f64; 3],
 }
 
-/// Two bodies at one instant: what their contact has to know. Body 1 is the one into which the normal
-/// points.
+/// Relative position and motion of two bodies at one instant: the input of their contact. The
+/// normal points into body 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Meeting<T = f64> {
-    /// The unit normal, out of body 2 into body 1.
+    /// The unit normal, from body 2 into body 1.
     pub normal: [T; 3],
-    /// The approach zeta; negative where a gap is left.
+    /// The approach zeta; negative if there is a gap.
     pub zeta: T,
-    /// From the centres to the contact along the normal; that of a wall is zero.
+    /// Distances from the centres to the contact along the normal; zero for a wall.
     pub arms: [T; 2],
-    /// The velocity of the centre of body 2 against that of body 1.
+    /// Velocity of the centre of body 2 relative to that of body 1.
     pub velocity: [T; 3],
-    /// The sum of the spins, each times its arm: its product with the normal is what they add to the
-    /// velocity where the two touch.
+    /// The sum of the angular velocities, each times its arm. Its cross product with the normal is
+    /// the part of the relative velocity at the contact that is due to rotation.
     pub rolling: [T; 3],
-    /// The mean of the spins, rad/s.
+    /// The mean of the angular velocities, rad/s.
     pub turning: [T; 3],
-    /// The spin of body 2 against body 1, rad/s; what of it is along the normal twists the contact.
+    /// Angular velocity of body 2 relative to body 1, rad/s; its component along the normal twists
+    /// the contact.
     pub twisting: [T; 3],
 }
 
-/// What share of the approach each body gives way: its (1 - nu)/G over that of both. Thus far from its
-/// own surface lies the contact.
+/// The fraction of the approach by which each body is compressed: its (1 - nu)/G divided by the sum
+/// of both. It determines the distance of the contact from the undeformed surface of each body.
 ///
 /// ```
 /// use carom_halfspace::{Material, MaterialPair};
@@ -73,7 +74,7 @@ pub fn compliance_shares(materials: &MaterialPair) -> [f64; 2] {
     [one / (one + two), two / (one + two)]
 }
 
-/// A sphere, or some.
+/// The motion of one sphere, or of several at once.
 #[derive(Clone, Copy)]
 struct Moving<T> {
     place: Vector<T>,
@@ -101,7 +102,7 @@ impl Moving<Lanes> {
     }
 }
 
-/// The centre of body 1 from that of body 2.
+/// The position of the centre of body 1 relative to that of body 2.
 struct Apart<T> {
     way: Vector<T>,
     square: T,
@@ -130,7 +131,7 @@ impl<T: Number> Moving<T> {
 }
 
 impl Meeting<Lanes> {
-    /// Of some pairs of spheres at once.
+    /// Several pairs of spheres at once.
     #[inline(always)]
     pub(super) fn of_pairs(
         bodies: [[&Grain; LANES]; 2],
@@ -161,10 +162,10 @@ impl Meeting<Lanes> {
 }
 
 impl Meeting {
-    /// Two spheres, of which each gives way by its share of the approach ([`compliance_shares`]).
+    /// Two spheres, each compressed by its fraction of the approach ([`compliance_shares`]).
     ///
     /// # Errors
-    /// [`RangeError`] if the distance of the centres is zero or not a number.
+    /// [`RangeError`] if the distance of the centres is zero or NaN.
     #[inline]
     pub fn of_spheres(one: &Grain, two: &Grain, shares: [f64; 2]) -> Result<Self, RangeError> {
         let [one, two] = [one, two].map(Moving::<f64>::of);
@@ -180,7 +181,8 @@ impl Meeting {
         Err(RangeError::new("distance", square.sqrt(), "positive and finite"))
     }
 
-    /// A sphere, body 1, on a flat wall, body 2; the sphere gives way by its share of the approach.
+    /// A sphere (body 1) on a flat wall (body 2); the sphere is compressed by its fraction of the
+    /// approach.
     #[inline]
     #[must_use]
     pub fn on_wall(one: &Grain, wall: &Wall, share: f64) -> Self {

@@ -1,10 +1,11 @@
-//! Grains as a particle code moves them: where they meet, and the contact that goes along.
+//! Contacts of grains for particle codes (DEM).
 //!
-//! A code that follows places, velocities and spins of spheres makes a [`Meeting`] of two of them (or
-//! of one and a flat wall) in each step; a [`GrainContact`] turns it into the force and the torques. It
-//! carries the axes of the contact along with the two bodies and a [`crate::shift_law::ShiftLaw`] in
-//! them, so that a pair that turns as a whole does not slip. A [`GrainTwist`] stands beside it where the twist
-//! about the normal counts. Contacts of spheres may make their steps in fours ([`advance_together`]).
+//! A code that integrates positions, velocities and angular velocities of spheres forms a
+//! [`Meeting`] of two of them (or of one and a flat wall) in each step. A [`GrainContact`] computes
+//! force and torques from it. It rotates the axes of the contact with the two bodies and holds a
+//! [`crate::shift_law::ShiftLaw`] in these axes, so that a pair that rotates as a whole does not
+//! slip. A [`GrainTwist`] is used in addition where the torque about the normal matters. Contacts
+//! of spheres may be advanced four at a time ([`advance_together`]).
 //!
 //! ```
 //! use carom_laws::friction::Friction;
@@ -18,7 +19,7 @@
 //! let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], ..below };
 //! let meeting = Meeting::of_spheres(&above, &below, [0.5; 2])?;
 //! let load = contact.advance(&meeting, 1e-3)?;
-//! // Held back, and pushed up.
+//! Held back, and pushed up.
 //! assert!(load.force[0] < 0.0 && load.force[2] > 0.0);
 //! # Ok::<(), carom_special::RangeError>(())
 //! ```

@@ -1,24 +1,24 @@
-//! A number, or as many as there are contacts that make a step together.
+//! A number, or one number for each of several contacts that are advanced together.
 
 use std::array::from_fn;
 use std::ops::{Add, Div, Mul, Sub};
 
-/// How many contacts make a step together.
+/// Number of contacts that are advanced together.
 pub(super) const LANES: usize = 4;
 
-/// What the geometry of a step is made of: `f64`, or [`Lanes`] for some contacts at once, each to the
-/// same bits as alone.
+/// The number type of the geometry of a step: `f64`, or [`Lanes`] for several contacts at once.
+/// Each lane gives the same bits as `f64`.
 pub(super) trait Number:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self>
 {
-    /// The same in each.
+    /// The same value in each lane.
     fn of(value: f64) -> Self;
 
     fn sqrt(self) -> Self;
 
     fn larger(self, other: Self) -> Self;
 
-    /// By what is right for numbers of a size up to this, if all are; else of each by itself.
+    /// Fast path `then` if all lanes are at most `up_to` in magnitude; otherwise lane by lane.
     fn where_small(
         self,
         up_to: f64,
@@ -54,10 +54,10 @@ impl Number for f64 {
     }
 }
 
-/// One number of each of some contacts.
+/// One number for each of several contacts.
 pub(super) type Lanes = wide::f64x4;
 
-/// As a function tells it for each.
+/// Calls a function for the value of each lane.
 #[inline(always)]
 pub(super) fn lanes(value: impl FnMut(usize) -> f64) -> Lanes {
     Lanes::new(from_fn(value))
@@ -89,7 +89,7 @@ impl Number for Lanes {
         if self.abs().simd_le(Self::splat(up_to)).all() {
             return then(self);
         }
-        // Each as it would be alone.
+        // Each lane as it would be alone.
         let one = |value: f64| match value.abs() <= up_to {
             true => then(Self::splat(value)).to_array()[0],
             false => else_each(value),

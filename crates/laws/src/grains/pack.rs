@@ -1,4 +1,4 @@
-//! The contact of two grains as plain numbers, to be kept elsewhere.
+//! Stores the contact of two grains as plain numbers.
 
 use carom_special::RangeError;
 
@@ -10,7 +10,7 @@ use crate::memory::VertexStack;
 /// Tangent, normal, friction, drag, velocity and lead.
 const BESIDE: usize = 13;
 
-/// How many numbers the contact of two grains takes in that many vertices: 79 for 12.
+/// Number of values of a stored grain contact with this many vertices: 79 for 12.
 ///
 /// ```
 /// assert_eq!(carom_laws::grains::grain_numbers(12), 79);
@@ -21,16 +21,16 @@ pub const fn grain_numbers(vertices: usize) -> usize {
 }
 
 impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
-    /// Writes what the contact remembers into numbers: those of the law
-    /// ([`crate::shift_law::ShiftLaw::pack`]), the first of which is not zero, then tangent, normal,
-    /// the forces of the last step and its velocity. All zeros are two grains apart. The constants of the contact are not
-    /// among them.
+    /// Writes the state of the contact as numbers: those of the law
+    /// ([`crate::shift_law::ShiftLaw::pack`]), the first of which is not zero, then tangent,
+    /// normal, the forces of the last step and its velocity. All zeros represent two separated
+    /// grains. The constants of the contact are not stored.
     ///
     /// # Errors
-    /// [`RangeError`] if there is no room; nothing is then written.
+    /// [`RangeError`] if `numbers` is too short; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
         let room = numbers.len();
-        RangeError::check("numbers", room as f64, room >= BESIDE, "with room for the contact")?;
+        RangeError::check("numbers", room as f64, room >= BESIDE, "enough for the contact")?;
         let (law, beside) = numbers.split_at_mut(room - BESIDE);
         self.law.pack(law)?;
         beside[..3].copy_from_slice(&self.tangent);
@@ -42,14 +42,14 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         Ok(())
     }
 
-    /// Takes up what [`GrainContact::pack`] of a contact of the same constants wrote into as many
-    /// numbers; loads are the same bits.
+    /// Restores what [`GrainContact::pack`] of a contact with the same constants wrote into a slice
+    /// of the same length. Loads are the same bits.
     ///
     /// # Errors
-    /// [`RangeError`] for numbers that are no contact; the contact is then unchanged.
+    /// [`RangeError`] for numbers that are not a stored contact; the contact is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let room = numbers.len();
-        RangeError::check("numbers", room as f64, room >= BESIDE, "with room for the contact")?;
+        RangeError::check("numbers", room as f64, room >= BESIDE, "enough for the contact")?;
         let (law, beside) = numbers.split_at(room - BESIDE);
         let vector = |i: usize| [beside[i], beside[i + 1], beside[i + 2]];
         let (tangent, normal): (Vector, Vector) = (vector(0), vector(3));

@@ -1,4 +1,4 @@
-//! Some contacts that make their step together.
+//! Advances several contacts together.
 
 use std::array::from_fn;
 
@@ -11,27 +11,28 @@ use crate::bounds::{LARGEST, LARGEST_IN_MEMORY};
 use crate::law::{ContactLaw as _, Shift};
 use crate::memory::VertexStack;
 
-/// How many contacts make a step together.
+/// Number of contacts that are advanced together.
 pub const TOGETHER: usize = LANES;
 
 /// Two spheres and their contact.
 #[derive(Debug)]
 pub struct Touching<'a, S> {
-    /// What they remember.
+    /// Their contact, with its load history.
     pub contact: &'a mut GrainContact<S>,
     /// Body 1 and body 2.
     pub bodies: [&'a Grain; 2],
-    /// As in [`Meeting::of_spheres`].
+    /// The fractions of the approach, as in [`Meeting::of_spheres`].
     pub shares: [f64; 2],
-    /// What body 2 exerts on body 1 at the end of the step: to be written.
+    /// The load on body 1 at the end of the step; output.
     pub load: &'a mut GrainLoad,
 }
 
-/// One step of the duration `dt` of some pairs of spheres, which writes the load of each: the same bits as
-/// by [`GrainContact::advance`], in less time.
+/// Advances several pairs of spheres by a step of duration `dt` and writes the load of each. The
+/// results are the same bits as those of [`GrainContact::advance`], in less time.
 ///
-/// `meanwhile` is called between the steps of the laws, with 0 to TOGETHER - 1, unless one of the contacts
-/// begins or ends: what then goes to memory for the contacts to come costs no time.
+/// `meanwhile` is called between the steps of the laws, with 0 to TOGETHER - 1, unless one of the
+/// contacts begins or ends. It may prefetch the data of the next contacts, which then costs no
+/// time.
 ///
 /// ```
 /// use carom_laws::friction::Friction;
@@ -53,7 +54,7 @@ pub struct Touching<'a, S> {
 /// ```
 ///
 /// # Errors
-/// [`RangeError`] for what one of the laws cannot take; no contact is then changed.
+/// [`RangeError`] for a shift that one of the laws does not allow; all contacts are then unchanged.
 #[inline(always)]
 pub fn advance_together<S: VertexStack<[f64; 2]>>(
     pairs: &mut [Touching<'_, S>; TOGETHER],
@@ -129,7 +130,7 @@ fn before<S: VertexStack<[f64; 2]>>(pairs: &Pairs<'_, S>) -> Before<Lanes> {
     }
 }
 
-/// The normalised shifts, if the laws can go there.
+/// The normalised shifts, if the laws allow them.
 #[inline(always)]
 fn normalised<S: VertexStack<[f64; 2]>>(
     pairs: &Pairs<'_, S>,
@@ -149,7 +150,7 @@ fn normalised<S: VertexStack<[f64; 2]>>(
     Ok(to)
 }
 
-/// Where one of them begins or ends.
+/// One after the other, if a contact begins or ends.
 #[cold]
 #[inline(never)]
 fn one_by_one<S: VertexStack<[f64; 2]>>(

@@ -1,4 +1,4 @@
-//! The twist of two grains about their normal, carried along.
+//! The twist of two grains about their normal.
 
 use carom_special::RangeError;
 
@@ -8,38 +8,40 @@ use super::vector::{dot, times};
 use crate::law::{ContactLaw, Shift};
 use crate::torsion::law::TorsionLaw;
 
-/// The memory of the twist of two grains: Lubkin's torque with memory, as if the contact were not shifted.
+/// The torque of two grains about their normal: Lubkin's law with memory, independent of the
+/// tangential shift.
 ///
-/// In each step the twist grows by the spin of body 2 against body 1 along the normal. The first step of a
-/// contact begins where the two were one step before.
+/// In each step the twist grows by the relative angular velocity along the normal. The first step
+/// of a contact starts from the positions one step before.
 #[derive(Debug, Clone, PartialEq)]
 pub struct GrainTwist {
     law: TorsionLaw,
 }
 
 impl GrainTwist {
-    /// The twist to be of a contact, or one that is known.
+    /// From a law, in its initial state or with a history.
     #[must_use]
     pub const fn new(law: TorsionLaw) -> Self {
         Self { law }
     }
 
-    /// The law, about the normal.
+    /// The torsion law about the normal.
     #[must_use]
     pub const fn law(&self) -> &TorsionLaw {
         &self.law
     }
 
-    /// The torque on body 1 at the end of the last step, N m; that on body 2 is the opposite one.
+    /// The torque on body 1 at the end of the last step, N m; the torque on body 2 is the opposite.
     #[must_use]
     pub fn torque(&self, meeting: &Meeting) -> [f64; 3] {
         times(meeting.normal, self.law.load().m_z)
     }
 
-    /// One step of the duration `dt`, at whose end the bodies are as told, and the torque.
+    /// Advances by a step of duration `dt`, at the end of which the bodies are as given, and
+    /// returns the torque.
     ///
     /// # Errors
-    /// [`RangeError`] for what the law cannot take; the twist is then unchanged.
+    /// [`RangeError`] for a twist that the law does not allow; the state is then unchanged.
     pub fn advance(&mut self, meeting: &Meeting, dt: f64) -> Result<[f64; 3], RangeError> {
         let (mut law, to) = self.step(meeting, dt)?;
         law.advance(to)?;
@@ -47,8 +49,8 @@ impl GrainTwist {
         Ok(self.torque(meeting))
     }
 
-    /// The same, and adds up the heat of friction, with what a receding edge releases: that of the law on
-    /// the way of the step, [`crate::law::Dissipative::dissipation`].
+    /// As [`GrainTwist::advance`], and adds the friction heat, including the energy released at a
+    /// receding edge, on the path of the step ([`crate::law::Dissipative::dissipation`]).
     ///
     /// # Errors
     /// As [`GrainTwist::advance`].
@@ -64,7 +66,7 @@ impl GrainTwist {
         Ok(self.torque(meeting))
     }
 
-    /// The law before the step, and where that leads.
+    /// The law before the step, and the shift at its end.
     fn step(&self, meeting: &Meeting, dt: f64) -> Result<(TorsionLaw, Shift), RangeError> {
         let mut law = self.law.clone();
         if law.shift().zeta <= 0.0 {

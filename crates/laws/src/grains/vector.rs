@@ -1,4 +1,4 @@
-//! Three components.
+//! Vectors of three components.
 
 use super::number::Number;
 

@@ -1,4 +1,4 @@
-//! The memory of bodies that never slip, the limit of infinite friction.
+//! The memory of a contact that never slips, the limit of infinite friction.
 
 mod pack;
 
@@ -11,11 +11,12 @@ use super::{Growing, Lateral, Vertex, VertexStack};
 use crate::bounds::in_memory;
 use crate::profile::{Hertzian, NormalProfile};
 
-/// The memory of a contact without slip: the anchor of each ring is the shift at which it touched.
+/// The load history of a contact without slip: the anchor of each annulus is the shift at which it
+/// came into contact.
 ///
-/// The anchor is any function of the depth, steps included: a shift at constant approach moves
-/// all rings. A receding edge releases its rings, and their energy is lost. Shifts are scaled so
-/// that full adhesion is `dPhi = F_z'(zeta) dX`, for Hertz `X = c_x xi`, `F = (2/3) Phi`.
+/// The anchor may be any function of the depth, also discontinuous: a shift at constant approach
+/// moves all annuli. A receding edge releases its annuli, and their energy is lost. Shifts are
+/// scaled so that full adhesion is `dPhi = F_z'(zeta) dX`; for Hertz `X = c_x xi`, `F = (2/3) Phi`.
 ///
 /// ```
 /// use carom_laws::memory::AdhesionMemory;
@@ -41,7 +42,7 @@ impl<V: Lateral, S: VertexStack<V>> Default for AdhesionMemory<V, S> {
 }
 
 impl<V: Lateral, S: VertexStack<V>> AdhesionMemory<V, S> {
-    /// Two bodies that just touch, unshifted.
+    /// Two bodies at first contact, without shift.
     #[must_use]
     pub fn new() -> Self {
         Self::with_profile(Hertzian)
@@ -49,7 +50,7 @@ impl<V: Lateral, S: VertexStack<V>> AdhesionMemory<V, S> {
 }
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
-    /// Two bodies of another normal law that just touch, unshifted.
+    /// Two bodies with another normal law at first contact, without shift.
     #[must_use]
     pub fn with_profile(profile: P) -> Self {
         let (shift, force) = (V::default(), V::default());
@@ -78,16 +79,17 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         &self.stack
     }
 
-    /// How often two segments were merged for want of room.
+    /// How often two segments were merged because the storage was full.
     #[must_use]
     pub fn merges(&self) -> u32 {
         self.stack.merges()
     }
 
-    /// Goes straight to a new approach and shift and returns the force Phi.
+    /// Advances on a straight path to a new approach and shift and returns the force Phi.
     ///
     /// # Errors
-    /// [`RangeError`] for a value above 1e100 in size or not a number; the state is then unchanged.
+    /// [`RangeError`] for a value that is NaN or above 1e100 in magnitude; the state is then
+    /// unchanged.
     pub fn advance(&mut self, zeta: f64, shift: V) -> Result<V, RangeError> {
         in_memory("zeta", zeta)?;
         let [x, y] = shift.components();
@@ -97,7 +99,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         Ok(self.force)
     }
 
-    /// A step that was checked.
+    /// A step whose arguments were checked.
     pub(crate) fn step(&mut self, zeta: f64, shift: V) {
         if zeta <= 0.0 {
             self.stack.truncate(0);
@@ -153,9 +155,9 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         self.energy_between(0.0, |_| self.shift)
     }
 
-    /// The energy that a straight step would release at a receding edge, per direction.
+    /// The energy per direction that a straight step would release at a receding edge.
     ///
-    /// Not finite arguments give zero.
+    /// Zero for arguments that are not finite.
     #[must_use]
     pub fn dissipation(&self, zeta: f64, shift: V) -> V {
         if !(zeta.is_finite() && shift.is_finite() && zeta < self.zeta) {
@@ -165,8 +167,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         self.energy_between(zeta.max(0.0), |s| self.shift.plus(rate.times(self.zeta - s)))
     }
 
-    /// The energy of the rings deeper than the edge and no deeper than `from` when the shift of
-    /// the ring s is `at(s)`, linear in s.
+    /// The energy of the annuli deeper than the edge and no deeper than `from`, if the shift of
+    /// annulus s is `at(s)`, linear in s.
     fn energy_between(&self, from: f64, at: impl Fn(f64) -> V) -> V {
         let mut sum = V::default();
         let mut to = self.zeta;
@@ -186,7 +188,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         sum
     }
 
-    /// Moves the origin of the shifts: X and every anchor grow by `by`. Forces do not change.
+    /// Moves the origin of the shifts: X and every anchor increase by `by`. Forces do not change.
     pub fn translate(&mut self, by: V) {
         self.shift = self.shift.plus(by);
         for i in 0..self.stack.len() {
@@ -197,8 +199,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
 }
 
 impl<S: VertexStack<[f64; 2]>, P: NormalProfile> AdhesionMemory<[f64; 2], S, P> {
-    /// Turns the frame in the contact plane: all components are expressed in axes that are
-    /// rotated by `angle` (radians, counter-clockwise).
+    /// Rotates the frame in the contact plane: all components are then given in axes rotated by
+    /// `angle` (radians, counterclockwise).
     pub fn turn_frame(&mut self, angle: f64) {
         let turn = Turn::by(angle);
         self.shift = turn.of(self.shift);

@@ -1,14 +1,14 @@
-//! Elastic energy kept in the memory and energy dissipated by a step.
+//! Elastic energy stored in the memory, and energy dissipated by a step.
 
 use super::{Lateral, Memory, VertexStack};
 use crate::profile::NormalProfile;
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
-    /// The elastic energy of the tangential shift, conjugate to Phi and X, per direction:
-    /// `(1/2) int F'' |X - W(s)|^2 ds`, for Hertz `(3/4) int |X - W(t^2)|^2 dt`; the springs of a
-    /// flat end, which all touch at depth zero, add `(1/2) F'(0) |X - W(0)|^2`.
+    /// The elastic energy of the tangential shift per direction, conjugate to Phi and X: `(1/2) int
+    /// F'' |X - W(s)|^2 ds`, for Hertz `(3/4) int |X - W(t^2)|^2 dt`. The springs of a flat end,
+    /// all in contact from depth zero, add `(1/2) F'(0) |X - W(0)|^2`.
     ///
-    /// The sum of the components is the energy where all directions are equally stiff.
+    /// The sum of the components is the energy if all directions have the same stiffness.
     #[must_use]
     pub fn stored_energy(&self) -> V {
         let mut sum = V::default();
@@ -23,17 +23,17 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         sum
     }
 
-    /// The energy that the straight step to a new approach and shift would turn into heat, per
-    /// direction of the shift, conjugate to Phi and X. Nothing moves.
+    /// The energy per direction, conjugate to Phi and X, that a straight step to a new approach and
+    /// shift would dissipate. The state does not change.
     ///
-    /// It is found from the traction and the slip of every spring, so that small losses keep their
-    /// digits, and equals the work of the force less the growth of [`Memory::stored_energy`]. In
-    /// one direction it is a closed form, a sum of terms that are not negative; in two an adaptive
-    /// quadrature over the step: the balance holds to 1e-11 of its largest term, nearly always to
-    /// 1e-12; of either direction alone mostly to 1e-10, in one step of 150 000 to 4e-8 only. A
-    /// merge of a [`super::Fixed`] stack changes the state beside all steps, and is in no balance.
+    /// It is computed from the traction and the slip of every spring, so that small losses are
+    /// accurate, and equals the work of the force minus the increase of [`Memory::stored_energy`].
+    /// In one direction it is in closed form, a sum of terms that are not negative. In two it is an
+    /// adaptive quadrature over the step: the balance holds to 1e-11 of its largest term, in most
+    /// cases to 1e-12; for one direction alone mostly to 1e-10, with one step in 150 000 at 4e-8. A
+    /// merge of a [`super::Fixed`] stack changes the state outside a step and is in no balance.
     ///
-    /// Not finite arguments give zero.
+    /// Zero for arguments that are not finite.
     #[must_use]
     pub fn dissipation(&self, zeta: f64, shift: V) -> V {
         let along = |weight| self.heat(zeta, shift, V::from_components(weight));
@@ -43,8 +43,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         }
     }
 
-    /// The scalar product of [`Memory::dissipation`] and the energies `unit`; not negative where
-    /// those of both directions are equal.
+    /// The scalar product of [`Memory::dissipation`] and the energies `unit`; not negative if both
+    /// directions have the same unit.
     pub(crate) fn heat(&self, zeta: f64, shift: V, unit: V) -> f64 {
         if !zeta.is_finite() || !shift.is_finite() || (self.zeta <= 0.0 && zeta <= 0.0) {
             return 0.0;
@@ -59,7 +59,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         }
     }
 
-    /// The part of the step during which the bodies touch.
+    /// The part of the step during which the bodies are in contact.
     fn path_in_contact(&self, zeta: f64, shift: V) -> Path<V> {
         let (mut from, mut to) = ((self.zeta, self.shift), (zeta, shift));
         let touch = |from: (f64, V), to: (f64, V)| {
@@ -86,7 +86,7 @@ pub(super) struct Path<V> {
     pub(super) dx: V,
 }
 
-/// The energy of the springs between two depths whose stretch is linear in the depth.
+/// The energy of the springs between two depths, for a stretch that is linear in the depth.
 pub(super) fn spring_energy<V: Lateral, P: NormalProfile>(
     profile: &P,
     [lower, upper]: [f64; 2],
@@ -101,7 +101,7 @@ pub(super) fn spring_energy<V: Lateral, P: NormalProfile>(
     V::from_components(sum)
 }
 
-/// The energy of the springs that all touch at depth zero.
+/// The energy of the springs that are all in contact from depth zero.
 pub(super) fn flat_energy<V: Lateral, P: NormalProfile>(profile: &P, stretch: V) -> V {
     stretch.by_component(stretch).times(0.5 * profile.stiffness(0.0))
 }

@@ -30,7 +30,7 @@ pub trait Lateral: sealed::Sealed + Copy + Debug + Default + PartialEq {
     #[must_use]
     fn dot(self, other: Self) -> f64;
 
-    /// The components in a list, of which the first [`Lateral::DIMENSION`] count.
+    /// The components in an array; the first [`Lateral::DIMENSION`] are used.
     #[must_use]
     fn components(self) -> [f64; 2];
 
@@ -49,11 +49,11 @@ pub trait Lateral: sealed::Sealed + Copy + Debug + Default + PartialEq {
     #[must_use]
     fn is_finite(self) -> bool;
 
-    /// How far behind the new point the cone cuts a segment, if it does so within `length`.
-    ///
-    /// `d` is the distance (not zero) of the new point from the segment's line at the new
-    /// approach, `m` the segment's slope and `q = 1 - m.m`. The cut is measured from the tip,
-    /// where nothing cancels.
+    /// The distance from the tip at which the cone around the new point cuts a segment, if it is at
+    /// most `length`.
+    /// `d` is the distance (not zero) of the new point from the segment's line at the new approach,
+    /// `m` the segment's slope and `q = 1 - m.m`. The cut is measured from the tip, where no
+    /// cancellation occurs.
     #[must_use]
     fn reach(d: Self, m: Self, q: f64, length: f64) -> Option<f64>;
 
@@ -61,13 +61,13 @@ pub trait Lateral: sealed::Sealed + Copy + Debug + Default + PartialEq {
     #[must_use]
     fn slip_slope(d: Self, m: Self, r: f64) -> Self;
 
-    /// The traction's direction after sliding along a straight path of direction and length
-    /// `path` while the approach goes from `from` to `to`, given the direction `m` before.
+    /// The direction of the traction after sliding on a straight path, given by direction and
+    /// length `path`, while the approach changes from `from` to `to`; `m` is the direction before.
     #[must_use]
     fn dragged(m: Self, path: Self, from: f64, to: f64) -> Self;
 
-    /// The share of the straight step at which sliding begins: the last parameter in [0, 1] at
-    /// which `|x + t dx - base| <= zeta + t dz`.
+    /// The fraction of the straight step at which sliding begins: the last parameter in [0, 1] with
+    /// `|x + t dx - base| <= zeta + t dz`.
     #[must_use]
     fn sliding_onset(offset: Self, dx: Self, zeta: f64, dz: f64) -> f64;
 }
@@ -223,7 +223,7 @@ impl Lateral for [f64; 2] {
         if sin == 0.0 {
             return m;
         }
-        // tan(phi/2), from the half that does not cancel; the tractrix shrinks it (8.56).
+        // tan(phi/2), from the form without cancellation; the tractrix reduces it (8.56).
         let half = if cos > 0.0 { sin / (1.0 + cos) } else { (1.0 - cos) / sin };
         let half = half * left_after(length / from, (to - from) / from);
         let scale = 1.0 / (1.0 + half * half);
@@ -236,7 +236,7 @@ impl Lateral for [f64; 2] {
     }
 }
 
-/// `exp(-pull ln(1 + growth)/growth)`; of small steps by series, whose next terms are below rounding.
+/// `exp(-pull ln(1 + growth)/growth)`; by series for small steps, truncated below rounding.
 fn left_after(pull: f64, growth: f64) -> f64 {
     if growth == f64::INFINITY {
         return 0.0; // what slides as it grows is pulled by more than it grows: below exp(-709)
@@ -252,7 +252,7 @@ fn left_after(pull: f64, growth: f64) -> f64 {
     }
 }
 
-/// The parameter t >= 0 at which `|offset + t dx|` outgrows `depth + t dz`, both given inside the
+/// The parameter t >= 0 at which `|offset + t dx|` exceeds `depth + t dz`, for a point inside the
 /// cone at t = 0; at most 1.
 pub(crate) fn cone_exit<V: Lateral>(offset: V, dx: V, depth: f64, dz: f64) -> f64 {
     // (dx.dx - dz^2) t^2 + 2 (offset.dx - depth dz) t + (offset.offset - depth^2) = 0, in units in
@@ -270,16 +270,16 @@ pub(crate) fn cone_exit<V: Lateral>(offset: V, dx: V, depth: f64, dz: f64) -> f6
     let curve = (excess - dz) * (excess + dz);
     let slope = offset.dot(dx) - depth * dz;
     let inside = ((square - depth) * (square + depth)).min(0.0);
-    // Along the cone the roots are those of round-off, but no path leaves it after its tip.
+    // Along the cone the roots are dominated by rounding, but no path stays inside beyond the tip.
     let tip = if dz < 0.0 { (depth / -dz).max(0.0) } else { 1.0 };
     outgrown(curve, slope, inside).min(tip)
 }
 
-/// The parameter t >= 0 from which `curve t^2 + 2 slope t + inside`, not positive at t = 0, is; at
-/// most 1.
+/// The parameter t >= 0 from which `curve t^2 + 2 slope t + inside`, not positive at t = 0, is
+/// positive; at most 1.
 pub(crate) fn outgrown(curve: f64, slope: f64, inside: f64) -> f64 {
-    // Not negative but by round-off: where the path is steeper than the cone and goes through its
-    // tip, both roots are one.
+    // Negative by rounding only: if the path is steeper than the cone and passes through its tip,
+    // both roots coincide.
     let root = (slope * slope - curve * inside).max(0.0).sqrt();
     let exit = if slope > 0.0 {
         -inside / (slope + root)

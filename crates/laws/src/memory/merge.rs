@@ -1,9 +1,9 @@
-//! Two segments of chapter 7's polyline in the place of one, for want of room.
+//! Replaces two segments of the memory polyline by one if the storage is full.
 
 use super::{Lateral, Vertex, VertexStack};
 use crate::profile::NormalProfile;
 
-/// Puts a vertex on top; where there is no room, two segments become one.
+/// Adds a vertex on top; if the storage is full, two segments are merged first.
 #[inline]
 pub(super) fn push<V: Lateral, S: VertexStack<V>, P: NormalProfile>(
     stack: &mut S,
@@ -16,9 +16,10 @@ pub(super) fn push<V: Lateral, S: VertexStack<V>, P: NormalProfile>(
     stack.push(vertex);
 }
 
-/// Takes out the vertex between the two segments that are most nearly one: where a load to come may change
-/// least, by the anchor's move times the stiffness of the springs that it moves. The slope of the force
-/// over both takes the place of theirs, so that no force changes.
+/// Removes the vertex between the two segments that are closest to a single one: the vertex whose
+/// removal changes later loads least, measured by the displacement of the anchor times the
+/// stiffness of the springs concerned. The new force slope is the mean over both segments, so that
+/// no force changes.
 #[cold]
 fn merge<V: Lateral, S: VertexStack<V>, P: NormalProfile>(
     stack: &mut S,
@@ -54,12 +55,12 @@ fn merge<V: Lateral, S: VertexStack<V>, P: NormalProfile>(
     stack.count_merge();
 }
 
-/// The slope of one segment in place of the two that meet at `here` and reach up to `end`.
+/// The slope of one segment that replaces the two that meet at `here` and extend to `end`.
 fn chord<V: Lateral>(below: &Vertex<V>, here: &Vertex<V>, end: f64) -> V {
     here.anchor_at(end).minus(below.anchor).times(1.0 / (end - below.depth))
 }
 
-/// The square of the anchor's move. In adhesion it may jump at the vertex.
+/// The square of the displacement of the anchor. In adhesion the anchor may jump at the vertex.
 fn gap<V: Lateral>(below: &Vertex<V>, here: &Vertex<V>, end: f64) -> f64 {
     let line = below.anchor.plus(chord(below, here, end).times(here.depth - below.depth));
     let inner = below.anchor_at(here.depth).minus(line);

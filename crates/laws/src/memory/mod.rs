@@ -1,20 +1,21 @@
-//! The memory polyline of chapters 6 and 7: the exact tangential force of any history.
+//! The memory polyline of chapters 6 and 7: the tangential force for any load history.
 //!
-//! In normalised shifts the state is a polyline `W(s)`, `0 <= s <= zeta`, of slopes at most 1: the
-//! anchor at which the ring of the contact that touches at the approach s would carry no
-//! tangential load. A step cuts it by the cone `|X - W(s)| <= zeta - s`; what lies outside is
-//! replaced by a segment of slope 1, the new slip ring. Everything in chapters 6, 7 and 8.4
-//! (points of instantaneous adhesion, the N-th decrease, overlays, wipe-outs) follows from the
-//! one rule, as does the release by a receding edge, which the thesis leaves out.
+//! In normalised shifts the state is a polyline `W(s)`, `0 <= s <= zeta`, of slopes at most 1. The
+//! anchor W(s) is the shift at which the annulus that came into contact at the approach s would
+//! carry no tangential load. A step cuts the polyline by the cone `|X - W(s)| <= zeta - s`; the
+//! part outside is replaced by a segment of slope 1, the new slip annulus. All rules of chapters 6,
+//! 7 and 8.4 (points of instantaneous adhesion, the N-th decrease, overlays, wipe-outs) follow from
+//! this one rule, and so does the release at a receding edge, which the thesis omits.
 //!
-//! Shifts are normalised so that the friction cone has the slope 1:
-//! `X = (c_x xi, c_y eta)/(f c_z)` (chapter 7), which for two equal spheres and the one-sphere
-//! displacements of chapter 6 is `xi/(f kappa)`; the force comes out as Phi, with
-//! `F = (2/3) f c_z Phi`, `|Phi| <= zeta^(3/2)`. [`crate::shift_law`] does the scaling.
+//! Shifts are normalised so that the friction cone has the slope 1: `X = (c_x xi, c_y eta)/(f c_z)`
+//! (chapter 7). For two equal spheres and the one-sphere displacements of chapter 6 this is `xi/(f
+//! kappa)`. The normalised force is Phi, with `F = (2/3) f c_z Phi` and `|Phi| <= zeta^(3/2)`.
+//! [`crate::shift_law`] converts to physical quantities.
 //!
-//! In one direction the law is exact within Cattaneo's and Mindlin's assumptions. In two it
-//! is chapter 7's approximation (one direction of traction in each slip ring), which is the exact
-//! one-dimensional law on straight paths. For turning paths there is [`crate::coulomb`].
+//! In one direction the law is exact within the assumptions of Cattaneo and Mindlin. In two
+//! directions it is the approximation of chapter 7 (one direction of traction in each slip
+//! annulus), which agrees with the one-dimensional law on straight paths. For paths whose direction
+//! changes see [`crate::coulomb`].
 
 mod adhesion;
 mod energy;
@@ -38,30 +39,31 @@ use crate::bounds::in_memory;
 use crate::profile::{Hertzian, NormalProfile};
 use merge::push;
 
-/// What the last step did to a contact.
+/// The contact state after the last step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 #[repr(u8)]
 pub enum MemoryRegime {
-    /// The bodies are apart.
+    /// The bodies are separated.
     #[default]
     Separated,
-    /// Complete adhesion: the area grew faster than the shift.
+    /// Complete adhesion: the contact grew faster than the shift.
     Adhesion,
-    /// The edge receded, and what is left did not slip.
+    /// The edge receded, and the rest of the contact did not slip.
     Release,
-    /// A slip ring; the stick area shrank from where it was, or slip began.
+    /// A slip annulus: slip began, or the stick area continued to shrink.
     Slip,
-    /// Slip began anew at the edge after a point of instantaneous adhesion.
+    /// Slip began again at the edge after a point of instantaneous adhesion.
     Reversal,
-    /// A slip ring overlaid older ones: at least one point of instantaneous adhesion was wiped out.
+    /// A slip annulus overlaid older ones: at least one point of instantaneous adhesion was wiped
+    /// out.
     Overlay,
     /// Gross sliding.
     Sliding,
 }
 
-/// The memory of a contact in one direction, `V = f64`, or two, `V = [f64; 2]`.
+/// The load history of a contact in one direction, `V = f64`, or two, `V = [f64; 2]`.
 ///
-/// `S` is where the vertices live ([`Growing`] is exact, [`Fixed`] plain data) and `P` the
+/// `S` is the storage of the vertices ([`Growing`] is exact, [`Fixed`] is plain data) and `P` the
 /// normal law.
 ///
 /// ```
@@ -87,9 +89,9 @@ pub struct Memory<V, S = Growing<V>, P = Hertzian> {
     profile: P,
 }
 
-/// The exact memory of a shift in one direction.
+/// The exact memory for shifts in one direction.
 pub type ScalarMemory = Memory<f64>;
-/// The exact memory of a shift in two directions.
+/// The memory of chapter 7 for shifts in two directions, with storage that grows.
 pub type VectorMemory = Memory<[f64; 2]>;
 
 impl<V: Lateral, S: VertexStack<V>> Default for Memory<V, S> {
@@ -99,7 +101,7 @@ impl<V: Lateral, S: VertexStack<V>> Default for Memory<V, S> {
 }
 
 impl<V: Lateral, S: VertexStack<V>> Memory<V, S> {
-    /// Two bodies that just touch, unshifted.
+    /// Two bodies at first contact, without shift.
     #[must_use]
     pub fn new() -> Self {
         Self::with_profile(Hertzian)
@@ -107,10 +109,10 @@ impl<V: Lateral, S: VertexStack<V>> Memory<V, S> {
 }
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
-    /// The place of the regime among the bytes.
+    /// Byte offset of the regime.
     pub(crate) const REGIME_AT: usize = std::mem::offset_of!(Self, regime);
 
-    /// Two bodies of another normal law that just touch, unshifted.
+    /// Two bodies with another normal law at first contact, without shift.
     #[must_use]
     pub fn with_profile(profile: P) -> Self {
         Self {
@@ -123,13 +125,14 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         }
     }
 
-    /// Goes straight to a new approach and shift and returns the force Phi.
+    /// Advances on a straight path to a new approach and shift and returns the force Phi.
     ///
-    /// An approach that is not positive separates the bodies: the memory is lost. In the step
-    /// that closes the gap the shift at touch is interpolated.
+    /// The bodies separate if the approach is not positive, and the memory is lost. In the step
+    /// that closes the gap the shift at first contact is interpolated.
     ///
     /// # Errors
-    /// [`RangeError`] for a value above 1e100 in size or not a number; the state is then unchanged.
+    /// [`RangeError`] for a value that is NaN or above 1e100 in magnitude; the state is then
+    /// unchanged.
     #[inline]
     pub fn advance(&mut self, zeta: f64, shift: V) -> Result<V, RangeError> {
         in_memory("zeta", zeta)?;
@@ -140,7 +143,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         Ok(self.force)
     }
 
-    /// A step that was checked.
+    /// A step whose arguments were checked.
     #[inline]
     pub(crate) fn step(&mut self, zeta: f64, shift: V) {
         if zeta <= 0.0 {
@@ -168,7 +171,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         self.force = V::default();
     }
 
-    /// Moves a separated pair to the point of its path at which it touches.
+    /// Moves a separated pair to the point of first contact on its path.
     #[cold]
     fn touch(&mut self, zeta: f64, shift: V) {
         let part = self.zeta / (self.zeta - zeta);
@@ -178,7 +181,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         push(&mut self.stack, vertex, &self.profile);
     }
 
-    /// The segment laid down in complete adhesion (6.45), (7.54).
+    /// Appends the segment of complete adhesion (6.45), (7.54).
     #[inline]
     fn adhere(&mut self, zeta: f64, slope: V) {
         let vertex = Vertex {
@@ -205,7 +208,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         self.regime = regime;
     }
 
-    /// Cuts the polyline by the cone below the new point and lays down the slip ring.
+    /// Cuts the polyline by the cone below the new point and appends the segment of the slip
+    /// annulus.
     #[inline]
     fn cut(&mut self, zeta: f64, shift: V) {
         let (mut end, mut anchor) = (self.zeta, self.shift);
@@ -215,8 +219,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
             if segment.depth < zeta {
                 let beyond = zeta - end;
                 let d = shift.minus(anchor).minus(segment.slope.times(beyond));
-                // On the segment's line. Beyond its end by round-off only, or in slip: a true
-                // growth along an adhering one is adhesion, not a cut.
+                // The new point is on the segment's line. It may be beyond the end by rounding
+                // only, or in slip: true growth along an adhering segment is adhesion, not a cut.
                 if d == V::default() {
                     self.recede(zeta, i);
                     return;
@@ -233,7 +237,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         self.slide(zeta, shift);
     }
 
-    /// Nothing slips: the point stays on segment i, or on a slip segment i produced.
+    /// No slip: the point stays on segment i, or on a slip segment that continues i.
     fn recede(&mut self, zeta: f64, i: usize) {
         if zeta == self.zeta && i + 1 == self.stack.len() {
             return; // not a step at all
@@ -243,7 +247,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         self.finish(zeta, if in_ring { MemoryRegime::Slip } else { MemoryRegime::Release });
     }
 
-    /// The slip ring that ends on segment i, `reach` deep.
+    /// The slip annulus that ends on segment i, `reach` deep.
     #[inline]
     fn lay_slip(&mut self, zeta: f64, i: usize, d: V, reach: f64, rings: u32) {
         let below = self.stack.get(i);
@@ -266,7 +270,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         };
     }
 
-    /// Gross sliding: the whole polyline is one segment of slope 1 whose foot is dragged along.
+    /// Gross sliding: the whole polyline is one segment of slope 1 whose lower end is dragged
+    /// along.
     #[cold]
     fn slide(&mut self, zeta: f64, shift: V) {
         let base = *self.stack.get(0);

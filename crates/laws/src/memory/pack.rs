@@ -1,4 +1,4 @@
-//! The state of chapter 7's law as plain numbers, to be kept elsewhere.
+//! Stores the state of the law of chapter 7 as plain numbers.
 
 use carom_special::RangeError;
 
@@ -6,13 +6,13 @@ use super::{Lateral, Memory, MemoryRegime, Vertex, VertexStack};
 use crate::bounds::in_memory;
 use crate::profile::NormalProfile;
 
-/// The version of the format; the first number is `1e4 version + 100 regime + vertices`. Version 1 is
-/// that of [`crate::coulomb`], 3 that of a contact without friction.
+/// The version of the format; the first number is `1e4 version + 100 regime + vertices`. Version 1
+/// is that of [`crate::coulomb`], 3 that of a contact without friction.
 const VERSION: f64 = 2.0;
 /// Numbers before the vertices.
 pub(super) const HEAD: usize = 6;
 const EACH: usize = 5;
-/// The most vertices that the first number can count.
+/// The greatest number of vertices that the first number can represent.
 pub(super) const MOST: usize = 99;
 
 const REGIMES: [MemoryRegime; 7] = [
@@ -26,15 +26,15 @@ const REGIMES: [MemoryRegime; 7] = [
 ];
 
 impl MemoryRegime {
-    /// How many there are.
+    /// Number of regimes.
     pub(crate) const COUNT: u8 = REGIMES.len() as u8;
 
-    /// Its place in the list of all, by which it is kept in numbers.
+    /// Its position in the list of regimes, by which it is stored.
     pub(crate) fn number(self) -> u8 {
         REGIMES.iter().position(|regime| *regime == self).unwrap_or(0) as u8
     }
 
-    /// The regime of a number, if it is one.
+    /// The regime of a stored number, if it is valid.
     pub(crate) fn of_number(number: f64) -> Option<Self> {
         let holds = number >= 0.0 && number < REGIMES.len() as f64;
         holds.then(|| REGIMES[number as usize])
@@ -42,14 +42,14 @@ impl MemoryRegime {
 }
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
-    /// Writes the state into numbers: a mark of version, regime and number of vertices, the approach,
-    /// the shift, the lowest anchor, and of each vertex its depth (negative where the segment above
-    /// was laid down in slip), its slope and the slope of its force. What is left over becomes
-    /// zero. All zeros are two bodies apart. Vertices take as much room as those of
+    /// Writes the state as numbers: a mark of version, regime and number of vertices, the approach,
+    /// the shift, the lowest anchor, and for each vertex its depth (negative if the segment above
+    /// is a slip segment), its slope and the slope of its force. The rest of the slice is set to
+    /// zero. All zeros represent two separated bodies. Vertices need as many numbers as those of
     /// [`crate::coulomb::packed_numbers`].
     ///
     /// # Errors
-    /// [`RangeError`] if there is no room for the vertices; nothing is then written.
+    /// [`RangeError`] if the slice is too short for the vertices; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
         let len = self.stack.len();
         let room = numbers.len() as f64;
@@ -72,13 +72,14 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         Ok(())
     }
 
-    /// Takes the state from numbers that [`Memory::pack`] wrote. Anchors and forces are summed anew
-    /// and may differ by round-off.
+    /// Restores a state from the numbers of [`Memory::pack`]. Anchors and forces are summed up
+    /// again and may differ by rounding.
     ///
     /// # Errors
-    /// [`RangeError`] for another version, too few numbers, more vertices than the storage has room
-    /// for, depths that do not rise to the approach, slopes of anchors or forces above 1, an anchor at
-    /// the edge that is not the shift, or values out of range; the state is then unchanged.
+    /// [`RangeError`] for another version, too few numbers, more vertices than the storage can
+    /// hold, depths that do not rise to the approach, slopes of anchors or forces above 1, an
+    /// anchor at the edge that differs from the shift, or values out of range; the state is then
+    /// unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let format = (VERSION, EACH, "of version 2");
         let (regime, len) = check(numbers, format, self.stack.capacity())?;
@@ -96,8 +97,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     }
 }
 
-/// The vertices that numbers tell, from the lowest on, each with the depth of its upper end; anchors and
-/// forces are summed on the way.
+/// The stored vertices from the lowest on, each with the depth of its upper end; anchors and forces
+/// are summed up.
 fn chain<V: Lateral, P: NormalProfile>(
     numbers: &[f64],
     len: usize,
@@ -115,14 +116,14 @@ fn chain<V: Lateral, P: NormalProfile>(
     })
 }
 
-/// By how much slopes and their ends may be off, over what they are: round-off of slopes that were
-/// divided by small rings.
-const OFF: f64 = 1e-9;
-/// The greatest slope of a ring that is so thin that its slope means nothing.
-const STEEPEST: f64 = 1e3;
+/// Relative tolerance of slopes and of their ends: rounding of slopes that were divided by the
+/// width of thin annuli.
+const SLOPE_TOLERANCE: f64 = 1e-9;
+/// Largest slope of an annulus so thin that its slope is meaningless.
+const LARGEST_SLOPE: f64 = 1e3;
 
-/// Whether the rings are within the friction cone: anchors and forces no steeper than slip, and the anchor at
-/// the edge the shift itself.
+/// Checks that all annuli are within the friction cone: anchors and forces with slopes at most 1,
+/// and the anchor at the edge equal to the shift.
 fn within_cone<V: Lateral, P: NormalProfile>(
     numbers: &[f64],
     len: usize,
@@ -139,29 +140,35 @@ fn within_cone<V: Lateral, P: NormalProfile>(
         let depth = vertex[0].abs();
         let top = vertices.get(EACH * (i + 1)).map_or(numbers[1], |depth| depth.abs());
         let squares = [1, 3].map(|k| vertex[k] * vertex[k] + vertex[k + 1] * vertex[k + 1]);
-        if !squares.iter().all(|square| *square <= 1.0 + OFF) {
+        if !squares.iter().all(|square| *square <= 1.0 + SLOPE_TOLERANCE) {
             let limits = [size, profile.force(numbers[1])];
             check_steep(squares, [top - depth, profile.growth(depth, top - depth)], limits)?;
         }
         anchor = anchor.plus(V::from_components([vertex[1], vertex[2]]).times(top - depth));
     }
     let gap = anchor.minus(shift).length();
-    RangeError::check("anchor", gap, gap <= OFF * size, "the shift, at the edge")?;
+    RangeError::check(
+        "anchor",
+        gap,
+        gap <= SLOPE_TOLERANCE * size,
+        "equal to the shift at the edge",
+    )?;
     Ok(())
 }
 
-/// Whether a ring that is steeper than slip is so by round-off, since it is thin.
+/// Checks that an annulus with a slope above 1 exceeds it by rounding only, because it is thin.
 #[cold]
 fn check_steep(squares: [f64; 2], parts: [f64; 2], wholes: [f64; 2]) -> Result<(), RangeError> {
     for (k, field) in ["slope", "slope of the force"].into_iter().enumerate() {
         let slope = squares[k].sqrt();
-        let by_round_off = slope * parts[k] <= parts[k] + OFF * wholes[k] && slope <= STEEPEST;
-        RangeError::check(field, slope, slope <= 1.0 + OFF || by_round_off, "<= 1")?;
+        let by_round_off =
+            slope * parts[k] <= parts[k] + SLOPE_TOLERANCE * wholes[k] && slope <= LARGEST_SLOPE;
+        RangeError::check(field, slope, slope <= 1.0 + SLOPE_TOLERANCE || by_round_off, "<= 1")?;
     }
     Ok(())
 }
 
-/// The vertex that five numbers tell, on the anchor and force below it.
+/// The vertex that five numbers represent, above the given anchor and force.
 fn vertex<V: Lateral>(numbers: &[f64], anchor: V, force: V) -> Vertex<V> {
     let slope = V::from_components([numbers[1], numbers[2]]);
     let curb = (1.0 - slope.dot(slope)).max(0.0);
@@ -175,8 +182,8 @@ fn vertex<V: Lateral>(numbers: &[f64], anchor: V, force: V) -> Vertex<V> {
     }
 }
 
-/// The regime and the number of vertices, if the numbers are a state of this version, with so many to
-/// a vertex.
+/// The regime and the number of vertices, if the numbers are a state of this version with this many
+/// numbers per vertex.
 pub(super) fn check(
     numbers: &[f64],
     (version, each, of_version): (f64, usize, &'static str),
@@ -191,14 +198,19 @@ pub(super) fn check(
     let regime = known.ok_or(RangeError::new("mark", mark, of_version))?;
     let len = len as usize;
     let holds = len <= capacity && numbers.len() >= HEAD + each * len;
-    RangeError::check("vertices", len as f64, holds, "not above the room for them")?;
+    RangeError::check(
+        "vertices",
+        len as f64,
+        holds,
+        "at most the number that the storage can hold",
+    )?;
     for value in &numbers[1..HEAD + each * len] {
         in_memory("numbers", *value)?;
     }
     let mut below = -1.0;
     for vertex in numbers[HEAD..].chunks_exact(each).take(len) {
         let depth = vertex[0].abs();
-        // A ring thinner than rounding begins where it ends.
+        // An annulus thinner than rounding begins where it ends.
         let rises = if below < 0.0 { depth == 0.0 } else { depth >= below && depth <= numbers[1] };
         RangeError::check("depth", depth, rises, "rising from 0 to the approach")?;
         below = depth;

@@ -1,9 +1,9 @@
-//! What a memory can tell: the quantities of the thesis, tractions, tangents.
+//! Quantities derived from a memory: those of the thesis, tractions, tangents.
 
 use super::{Lateral, Memory, MemoryRegime, Vertex, VertexStack};
 use crate::profile::NormalProfile;
 
-/// A straight piece of the memory polyline.
+/// A straight segment of the memory polyline.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Segment<V> {
     /// Depth of the lower end.
@@ -12,26 +12,27 @@ pub struct Segment<V> {
     pub to: f64,
     /// Anchor at the lower end.
     pub anchor: V,
-    /// Slope of the anchor; of length 1 in a slip ring.
+    /// Slope of the anchor; its length is 1 in a slip annulus.
     pub slope: V,
-    /// Slope of the force against the normal force; differs from `slope` only after a merge.
+    /// Slope of the force with respect to the normal force; differs from `slope` after a merge
+    /// only.
     pub force_slope: V,
-    /// Whether it was laid down in slip (else in complete adhesion).
+    /// Whether it was formed in slip (otherwise in complete adhesion).
     pub is_slip: bool,
 }
 
-/// The consistent tangent of a step: the derivatives of the force at its end with respect to the
-/// approach and the shift at its end.
+/// The consistent tangent of a step: the derivatives of the force at its end with respect to
+/// approach and shift at its end.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tangent {
-    /// dPhi_i/dX_j, rows i; in one direction only the first entry counts.
+    /// dPhi_i/dX_j, rows i; in one direction only the first entry is used.
     pub by_shift: [[f64; 2]; 2],
     /// dPhi_i/dzeta.
     pub by_approach: [f64; 2],
 }
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
-    /// The approach zeta; negative while the bodies are apart.
+    /// The approach zeta; negative while the bodies are separated.
     #[must_use]
     pub fn zeta(&self) -> f64 {
         self.zeta
@@ -56,13 +57,13 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         self.profile.force(self.zeta.max(0.0))
     }
 
-    /// What the last step did.
+    /// The contact state after the last step.
     #[must_use]
     pub fn regime(&self) -> MemoryRegime {
         self.regime
     }
 
-    /// Whether the bodies touch.
+    /// Whether the bodies are in contact.
     #[must_use]
     pub fn is_touching(&self) -> bool {
         !self.stack.is_empty()
@@ -74,20 +75,21 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         &self.profile
     }
 
-    /// How often two segments were merged for want of room; zero for the exact memory.
+    /// How often two segments were merged because the storage was full; zero for storage that
+    /// grows.
     #[must_use]
     pub fn merges(&self) -> u32 {
         self.stack.merges()
     }
 
-    /// The stack itself, for state that is stored elsewhere.
+    /// The stack of vertices, for example to store it elsewhere.
     #[must_use]
     pub fn stack(&self) -> &S {
         &self.stack
     }
 
-    /// zeta*, the approach that would give a contact of the size of the stick area:
-    /// `(a*/a)^2 = zeta*/zeta`. Equal to zeta after adhesion and release, zero in gross sliding.
+    /// zeta*, the approach at which the contact would have the size of the stick area: `(a*/a)^2 =
+    /// zeta*/zeta`. Equal to zeta after adhesion and release, zero in gross sliding.
     #[must_use]
     pub fn stick_depth(&self) -> f64 {
         match self.regime {
@@ -97,20 +99,20 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         }
     }
 
-    /// a*/a, the size of the stick area of a Hertz contact, from 0 to 1.
+    /// a*/a, the relative radius of the stick area of a Hertz contact, from 0 to 1.
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         if self.zeta > 0.0 { (self.stick_depth() / self.zeta).sqrt() } else { 0.0 }
     }
 
-    /// The slide offset W_0: the shift at which the deepest ring would carry no load. Zero until
-    /// gross sliding or a new touch moves it; the elastic shift is `X - W_0`.
+    /// The slide offset W_0: the shift at which the deepest annulus would carry no load. It is zero
+    /// until gross sliding or a new first contact changes it; the elastic shift is `X - W_0`.
     #[must_use]
     pub fn slide_offset(&self) -> V {
         if self.is_touching() { self.stack.get(0).anchor } else { self.shift }
     }
 
-    /// The segments of the polyline, from the deepest ring to the edge.
+    /// The segments of the polyline, from the deepest annulus to the edge.
     pub fn segments(&self) -> impl ExactSizeIterator<Item = Segment<V>> + '_ {
         let len = self.stack.len();
         (0..len).map(move |i| {
@@ -127,8 +129,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         })
     }
 
-    /// The direction of the traction in the running slip ring: p_N summed, or `-s_N` of the
-    /// thesis, whose slip is that of body 1. None when nothing slips.
+    /// The direction of the traction in the present slip annulus: p_N summed, or `-s_N` of the
+    /// thesis, where slip is that of body 1. `None` without slip.
     #[must_use]
     pub fn slip_direction(&self) -> Option<V> {
         match self.regime {
@@ -137,8 +139,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         }
     }
 
-    /// The depths `zeta_i*` of the live points of instantaneous adhesion: where one slip ring
-    /// ends and the next, of another direction, begins.
+    /// The depths `zeta_i*` of the stored points of instantaneous adhesion, where one slip annulus
+    /// ends and the next, with another direction, begins.
     pub fn instantaneous_adhesions(&self) -> impl Iterator<Item = f64> + '_ {
         let slips = |i: usize| self.stack.get(i).is_slip();
         (1..self.stack.len())
@@ -146,13 +148,13 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
             .map(|i| self.stack.get(i).depth)
     }
 
-    /// N of the thesis, the number of slip rings (the "N-th decrease").
+    /// The number N of slip annuli (the "N-th decrease" of the thesis).
     #[must_use]
     pub fn decrease(&self) -> usize {
         self.segments().filter(|segment| segment.is_slip).count()
     }
 
-    /// The anchor W(s): the shift at which the ring of depth s would carry no load. Beyond the
+    /// The anchor W(s): the shift at which the annulus at depth s would carry no load. Beyond the
     /// edge it is the present shift.
     #[must_use]
     pub fn anchor(&self, depth: f64) -> V {
@@ -176,10 +178,10 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         (0..self.stack.len()).rev().find(|&i| i == 0 || self.stack.get(i).depth <= depth)
     }
 
-    /// The sum over all segments of their slope times the growth of `g` over them.
+    /// The sum over all segments of their slope times the increase of `g` over them.
     ///
-    /// Any field of the tangential problem follows from the field `g(z)` of the normal problem at
-    /// the approach z: force, traction, displacement.
+    /// Any field of the tangential problem (force, traction, displacement) follows in this way from
+    /// the same field `g(z)` of the normal problem at the approach z.
     pub fn superpose(&self, mut g: impl FnMut(f64) -> f64) -> V {
         let mut low = g(0.0);
         let mut sum = V::default();
@@ -193,8 +195,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
 
     /// The consistent tangent of the last step, for implicit integration and force control.
     ///
-    /// It is the derivative of the step's end, so that Newton's method converges
-    /// quadratically; in gross sliding the traction's turning is that of the last instant.
+    /// It is the derivative at the end of the step, so that Newton's method converges
+    /// quadratically; in gross sliding the rotation of the traction is that of the last instant.
     #[must_use]
     pub fn tangent(&self) -> Tangent {
         let isotropic = |k: f64| [[k, 0.0], [0.0, k]];
@@ -222,7 +224,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         }
     }
 
-    /// The tangent while a ring of slope m grows down into the segment below.
+    /// The tangent while an annulus of slope m extends into the segment below.
     fn slip_tangent(&self, m: [f64; 2], stiffness: f64, chord: f64) -> Tangent {
         let last = self.stack.len() - 1;
         let depth = self.stack.get(last).depth;
@@ -236,7 +238,7 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         let stick = self.profile.stiffness(depth);
         let approach_to_line = 1.0 - (m[0] * slope[0] + m[1] * slope[1]);
         // ds* = (dzeta - m.dX)/(1 - m.m0); dm = (I - m m^T)(dX - m0 ds*)/(zeta - s*).
-        // The force at the cut moves with the force slope below, else equal to m0.
+        // The force at the cut follows the force slope below, which normally equals m0.
         let mut tangent = Tangent { by_shift: turning(m, chord), by_approach: [0.0; 2] };
         let across = turning(m, chord);
         for i in 0..2 {
@@ -263,8 +265,8 @@ fn turning(m: [f64; 2], k: f64) -> [[f64; 2]; 2] {
 }
 
 impl<V: Lateral, S: VertexStack<V>> Memory<V, S> {
-    /// The traction in units of `f sigma_z0`, the greatest friction, at the elliptical radius
-    /// squared `q = (x/a)^2 + (y/b)^2` of the present contact.
+    /// The traction in units of `f sigma_z0`, the greatest traction limit, at the squared
+    /// elliptical radius `q = (x/a)^2 + (y/b)^2` of the present contact.
     #[must_use]
     pub fn traction(&self, q: f64) -> V {
         if !(self.zeta > 0.0 && q < 1.0) {
@@ -276,10 +278,10 @@ impl<V: Lateral, S: VertexStack<V>> Memory<V, S> {
 }
 
 impl<S: VertexStack<[f64; 2]>, P: NormalProfile> Memory<[f64; 2], S, P> {
-    /// Turns the frame in the contact plane: all components are expressed in axes that are
-    /// rotated by `angle` (radians, counter-clockwise).
+    /// Rotates the frame in the contact plane: all components are then given in axes rotated by
+    /// `angle` (radians, counterclockwise).
     ///
-    /// Carries the memory along when the contact frame of two rolling bodies turns.
+    /// Keeps the memory valid when the contact frame of two rolling bodies rotates.
     pub fn turn_frame(&mut self, angle: f64) {
         let turn = Turn::by(angle);
         self.shift = turn.of(self.shift);
@@ -290,7 +292,7 @@ impl<S: VertexStack<[f64; 2]>, P: NormalProfile> Memory<[f64; 2], S, P> {
     }
 }
 
-/// A turn of the axes in the contact plane.
+/// A rotation of the axes in the contact plane.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Turn {
     sin: f64,
@@ -298,7 +300,7 @@ pub(crate) struct Turn {
 }
 
 impl Turn {
-    /// Axes that are rotated by `angle`, counter-clockwise.
+    /// Axes rotated by `angle`, counterclockwise.
     pub(crate) fn by(angle: f64) -> Self {
         let (sin, cos) = libm::sincos(angle);
         Self { sin, cos }
@@ -319,7 +321,7 @@ impl Turn {
 }
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
-    /// Moves the origin of the shifts: X and every anchor grow by `by`. Forces do not change.
+    /// Moves the origin of the shifts: X and every anchor increase by `by`. Forces do not change.
     pub fn translate(&mut self, by: V) {
         self.shift = self.shift.plus(by);
         for i in 0..self.stack.len() {

@@ -1,18 +1,18 @@
-//! The heat of a step in one direction, in closed form.
+//! The friction heat of a step in one direction, in closed form.
 //!
-//! The anchor W of the spring at depth s is held between the fronts `X - (zeta - s)` and
-//! `X + (zeta - s)`. On a straight step a front moves at a constant rate; where it moves inwards, it
-//! meets the anchor when it has made up their gap, and carries it along until the step ends or the
-//! edge passes the spring. No spring is met by both: where both fronts move inwards they meet each
-//! other at the edge. The slip and the mean traction of a spring are thus linear in s on every
-//! segment, and the heat, their product over the springs, is exact.
+//! The anchor W of the spring at depth s lies between the fronts `X - (zeta - s)` and `X + (zeta -
+//! s)`. On a straight step a front moves at a constant rate. If it moves inwards, it reaches the
+//! anchor once it has closed the gap, and drags it along until the step ends or the edge passes the
+//! spring. No spring is reached by both fronts: if both move inwards they meet at the edge. Slip
+//! and mean traction of a spring are therefore linear in s on every segment, and the heat, the
+//! integral of their product over the springs, is exact.
 
 use super::energy::Path;
 use super::{Lateral, Memory, VertexStack};
 use crate::profile::NormalProfile;
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
-    /// The heat of a straight step in one direction.
+    /// The friction heat of a straight step in one direction.
     pub(super) fn heat_in_line(&self, path: &Path<V>) -> f64 {
         let dx = path.dx.components()[0];
         [1.0, -1.0]
@@ -46,17 +46,17 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     }
 }
 
-/// A face of the friction cone that moves inwards; tractions there have its sign.
+/// A face of the friction cone that moves inwards; the tractions there have its sign.
 struct Front {
     sign: f64,
-    /// How far it moves, sign dX - dzeta.
+    /// The distance that it moves, sign dX - dzeta.
     advance: f64,
     from: f64,
     to: f64,
     growth: f64,
 }
 
-/// The slip of a spring and the mean of its traction.
+/// The slip of a spring and its mean traction.
 #[derive(Clone, Copy)]
 struct Slip {
     depth: f64,
@@ -65,7 +65,7 @@ struct Slip {
 }
 
 impl Front {
-    /// Springs that touch during the step slip from the first.
+    /// Springs that come into contact during the step slip from the start.
     fn on_new_springs<P: NormalProfile>(&self, profile: &P) -> f64 {
         if self.growth <= 0.0 {
             return 0.0;
@@ -74,7 +74,7 @@ impl Front {
         profile.spring_product(self.from, self.to, ends.0, ends.1).max(0.0)
     }
 
-    /// The springs of a segment, on which the gap opens from its upper end down.
+    /// The springs of a segment, on which the gap increases downwards from its upper end.
     fn on_segment<P: NormalProfile>(
         &self,
         profile: &P,
@@ -96,20 +96,20 @@ impl Front {
         heat
     }
 
-    /// A spring that touches until the end of the step.
+    /// A spring that is in contact until the end of the step.
     fn kept(&self, depth: f64, gap: f64) -> Slip {
         let slip = self.advance - gap;
         let traction = (self.to - depth) - 0.5 * self.growth * (slip / self.advance);
         Slip { depth, slip, traction }
     }
 
-    /// A spring that the edge passes on its way.
+    /// A spring that leaves the contact during the step.
     fn passed(&self, depth: f64, gap: f64) -> Slip {
         let slip = self.advance * ((self.from - depth) / -self.growth) - gap;
         Slip { depth, slip, traction: 0.5 * -self.growth * (slip / self.advance) }
     }
 
-    /// The springs at depth zero, of unit stiffness together.
+    /// The springs at depth zero, with unit total stiffness.
     fn on_flat_end(&self, gap: f64) -> f64 {
         let end = if self.to > 0.0 { self.kept(0.0, gap) } else { self.passed(0.0, gap) };
         if end.slip > 0.0 { end.slip * end.traction } else { 0.0 }
@@ -117,7 +117,7 @@ impl Front {
 }
 
 impl Slip {
-    /// The heat between two springs, of those that slip.
+    /// The heat of the slipping springs between two depths.
     fn heat<P: NormalProfile>(profile: &P, low: Self, high: Self) -> f64 {
         if low.slip.max(high.slip) <= 0.0 {
             return 0.0;
@@ -128,7 +128,7 @@ impl Slip {
         profile.spring_product(low.depth, high.depth, traction, slip).max(0.0)
     }
 
-    /// The last spring that slips on the way to one that does not.
+    /// The last spring that slips, between one that slips and one that does not.
     fn first_towards(self, other: Self) -> Self {
         let part = self.slip / (self.slip - other.slip);
         let mix = |a: f64, b: f64| a + part * (b - a);

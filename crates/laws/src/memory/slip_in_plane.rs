@@ -1,9 +1,9 @@
-//! The heat of a step in two directions, by quadrature over the step.
+//! The friction heat of a step in two directions, by quadrature over the step.
 //!
-//! A ring of stick depth s* and direction m slides at `W' = X' - m zeta' - m' (zeta - s)`. Its
-//! geometry is smooth while the cone cuts one segment, but for the moment at which the edge meets
-//! the segment's own line and the traction turns round; the step is parted there and wherever the
-//! cone leaves a vertex behind.
+//! A slip annulus of stick depth s* and direction m slides at `W' = X' - m zeta' - m' (zeta - s)`.
+//! Its geometry is smooth while the cone cuts one segment, except at the moment when the edge meets
+//! the segment's own line and the traction reverses. The step is divided there, and wherever the
+//! cone passes a vertex.
 
 use carom_special::quadrature::{QuadratureError, Tolerance, adaptive};
 
@@ -12,19 +12,19 @@ use super::lateral::outgrown;
 use super::{Lateral, Memory, VertexStack};
 use crate::profile::NormalProfile;
 
-/// The error allowed to the heat of a part of the step, relative to it.
-const RELATIVE: f64 = 1e-13;
-/// The same, relative to the heat if all the motion were slip of the widest ring.
-const OF_RING: f64 = 1e-15;
-/// The same, relative to the friction limit times the motion: where round-off alone makes heat.
-const OF_LIMIT: f64 = 1e-20;
+/// Allowed error of the heat of a part of the step, relative to it.
+const ERROR_OF_PART: f64 = 1e-13;
+/// The same, relative to the heat if the whole motion were slip of the widest annulus.
+const ERROR_OF_ANNULUS: f64 = 1e-15;
+/// The same, relative to friction limit times motion: below it the heat is rounding error.
+const ERROR_OF_LIMIT: f64 = 1e-20;
 
-/// Where an integral is parted to confirm it, and how often at most.
+/// Fraction at which an integral is divided to confirm it, and greatest number of divisions.
 const UNEVEN: f64 = 0.382;
 const CONFIRMATIONS: u32 = 4;
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
-    /// The heat of a straight step, in the given units of energy per direction.
+    /// The friction heat of a straight step, in the given units of energy per direction.
     pub(super) fn heat_in_plane(&self, path: &Path<V>, unit: V) -> f64 {
         let mut heat = 0.0;
         let (mut start, mut end, mut anchor) = (0.0, path.zeta, path.shift);
@@ -55,21 +55,21 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
     }
 }
 
-/// A segment as the moving edge sees it.
+/// A segment relative to the moving edge.
 struct Line<V> {
     base: f64,
     slope: V,
     curb: f64,
-    /// The distance of the shift from the segment's line at the start, and its growth.
+    /// The distance of the shift from the segment's line at the start, and its rate of change.
     distance: V,
     drift: V,
-    /// How far the edge lies beyond the segment's upper end at the start.
+    /// The distance of the edge beyond the segment's upper end at the start.
     beyond: f64,
 }
 
-/// A slip ring at one instant.
+/// A slip annulus at one instant.
 struct Ring<V> {
-    /// Its width zeta - s*; none in gross sliding, where the flat end slips too.
+    /// Its width zeta - s*; `None` in gross sliding, where the flat end slips too.
     width: Option<f64>,
     slope: V,
     /// `m.X' - zeta'`, the rate of the slip along the traction.
@@ -79,13 +79,13 @@ struct Ring<V> {
 }
 
 impl<V: Lateral> Line<V> {
-    /// The moment at which the edge is nearest to the line.
+    /// The time at which the edge is closest to the line.
     fn nearest(&self) -> f64 {
         let square = self.drift.dot(self.drift);
         if square > 0.0 { -self.distance.dot(self.drift) / square } else { 0.0 }
     }
 
-    /// The moment at which the cone leaves the segment's lower end behind.
+    /// The time at which the cone passes the segment's lower end.
     fn exit(&self, path: &Path<V>) -> f64 {
         // |d + m0 L|^2 = L^2 with L from the base to the edge, in units in which no fourth power
         // underflows.
@@ -100,7 +100,7 @@ impl<V: Lateral> Line<V> {
         outgrown(curve, slope, inside.min(0.0)).min(tip)
     }
 
-    /// The ring that cuts the segment.
+    /// The slip annulus that ends on the segment.
     fn ring(&self, path: &Path<V>, t: f64) -> Ring<V> {
         let length = path.depth(t) - self.base;
         let beyond = (self.beyond + path.dz * t).max(0.0);
@@ -111,8 +111,8 @@ impl<V: Lateral> Line<V> {
             return Ring { width: Some(0.0), slope: self.slope, rate: 0.0, turn: V::default() };
         }
         let slope = V::slip_slope(d, self.slope, width);
-        // With e = d/r = m - m0: 1 - m.m0 = (e.e + 1 - m0.m0)/2 and r m' = d' - e r' lose no digits
-        // where the ring nearly continues the segment.
+        // With e = d/r = m - m0: 1 - m.m0 = (e.e + 1 - m0.m0)/2 and r m' = d' - e r' are accurate
+        // also if the annulus nearly continues the segment.
         let e = d.times(1.0 / width);
         let bend = e.dot(e) + self.curb;
         let along = slope.dot(self.drift);
@@ -133,14 +133,14 @@ impl<V: Lateral> Path<V> {
         self.zeta + self.dz * t
     }
 
-    /// The whole contact, sliding since the parameter `onset`.
+    /// The whole contact, sliding since the time `onset`.
     fn sliding(&self, onset: f64, t: f64, before: V) -> Ring<V> {
         let slope = V::dragged(before, self.dx.times(t - onset), self.depth(onset), self.depth(t));
         let rate = slope.dot(self.dx) - self.dz;
         Ring { width: None, slope, rate, turn: across(self.dx, slope) }
     }
 
-    /// The heat of a part of the step, after a substitution that smooths square roots at both ends.
+    /// The heat of a part of the step, with a substitution that removes square roots at both ends.
     fn heat<P: NormalProfile>(
         &self,
         profile: &P,
@@ -159,8 +159,8 @@ impl<V: Lateral> Path<V> {
         let [x, y] = unit.components().map(f64::abs);
         let limit = profile.force(self.zeta.max(self.end));
         let motion = (self.dx.length() + self.dz.abs()) * x.max(y);
-        let largest = (OF_RING * widest).max(OF_LIMIT * limit) * motion;
-        let Ok(tolerance) = Tolerance::new(largest, RELATIVE) else {
+        let largest = (ERROR_OF_ANNULUS * widest).max(ERROR_OF_LIMIT * limit) * motion;
+        let Ok(tolerance) = Tolerance::new(largest, ERROR_OF_PART) else {
             return 0.0; // not finite: refused before
         };
         let rate = |v: f64| {
@@ -170,7 +170,7 @@ impl<V: Lateral> Path<V> {
         span * settled(&rate, [0.0, 1.0], tolerance, largest, CONFIRMATIONS)
     }
 
-    /// The integrals over the ring of (zeta - s) and of (zeta - s)^2.
+    /// The integrals of (zeta - s) and of (zeta - s)^2 over the annulus.
     fn moments<P: NormalProfile>(&self, profile: &P, ring: &Ring<V>, t: f64) -> [f64; 2] {
         let zeta = self.depth(t).max(0.0);
         match ring.width {
@@ -179,7 +179,7 @@ impl<V: Lateral> Path<V> {
         }
     }
 
-    /// `int F'' (zeta - s) m_i W_i' ds` over the ring, in the units given per direction.
+    /// `int F'' (zeta - s) m_i W_i' ds` over the annulus, in the given units per direction.
     fn heat_rate<P: NormalProfile>(&self, profile: &P, ring: &Ring<V>, t: f64, unit: V) -> f64 {
         let width = ring.width.unwrap_or(self.depth(t));
         if width <= 0.0 {
@@ -192,7 +192,7 @@ impl<V: Lateral> Path<V> {
         if x == y {
             return heat; // m.m' = 0
         }
-        // Slip is parallel to the traction in the mean of the ring only.
+        // Slip is parallel to the traction only on average over the annulus.
         let slip = across(self.dx, ring.slope).plus(ring.slope.times(rate)).times(first);
         let slip = slip.minus(ring.turn.times(second / width));
         let [along, aside] = ring.slope.by_component(slip).components();
@@ -200,8 +200,8 @@ impl<V: Lateral> Path<V> {
     }
 }
 
-/// An integral that its two parts confirm: where the traction turns within a small part of the
-/// step, the estimate of one quadrature in ten thousand is small by chance.
+/// An integral that is confirmed by its two parts. If the traction rotates within a small part of
+/// the step, the error estimate of one quadrature in ten thousand is too small by coincidence.
 fn settled(
     rate: &impl Fn(f64) -> f64,
     [low, high]: [f64; 2],
@@ -214,19 +214,19 @@ fn settled(
     let over = |[low, high]: [f64; 2]| adaptive(low, high, tolerance, rate);
     let whole = match over([low, high]) {
         Ok(integral) => integral.value,
-        // Round-off stands in the way, not chance.
+        // The remaining error is rounding.
         Err(QuadratureError::NotConverged { integral }) => return integral.value,
         Err(_) => return 0.0,
     };
     let [Ok(one), Ok(two)] = parts.map(over) else { return whole };
     let sum = one.value + two.value;
-    if left == 0 || (sum - whole).abs() <= 2.0 * (RELATIVE * sum.abs()).max(least) {
+    if left == 0 || (sum - whole).abs() <= 2.0 * (ERROR_OF_PART * sum.abs()).max(least) {
         return sum;
     }
     parts.map(|part| settled(rate, part, tolerance, least, left - 1)).iter().sum()
 }
 
-/// The part of v across the unit vector m.
+/// The component of v perpendicular to the unit vector m.
 fn across<V: Lateral>(v: V, m: V) -> V {
     v.minus(m.times(m.dot(v)))
 }

@@ -1,4 +1,4 @@
-//! Where the vertices of a memory live: a stack that grows, or one of fixed capacity.
+//! Storage of the vertices of a memory: a stack that grows, or one of fixed capacity.
 
 use super::lateral::Lateral;
 use crate::profile::NormalProfile;
@@ -16,11 +16,11 @@ pub struct Vertex<V> {
     pub anchor: V,
     /// The slope m of the anchor, |m| <= 1.
     pub slope: V,
-    /// The slope of the force; other than m only where two segments were merged.
+    /// The slope of the force; differs from m only where two segments were merged.
     pub force_slope: V,
-    /// The force of the part of the contact deeper than this.
+    /// The force of the part of the contact deeper than this vertex.
     pub force: V,
-    /// `1 - m.m`, exactly zero on segments laid down in slip.
+    /// `1 - m.m`, exactly zero on slip segments.
     pub curb: f64,
 }
 
@@ -44,7 +44,7 @@ impl<V: Lateral> Vertex<V> {
         }
     }
 
-    /// Whether the segment was laid down in slip.
+    /// Whether it was formed in slip.
     #[inline]
     #[must_use]
     pub fn is_slip(&self) -> bool {
@@ -52,32 +52,32 @@ impl<V: Lateral> Vertex<V> {
     }
 }
 
-/// A stack of vertices, the deepest part of the contact (depth zero) at its bottom.
+/// A stack of vertices; the deepest part of the contact (depth zero) is at its bottom.
 pub trait VertexStack<V: Lateral>: Clone + Default {
     /// Number of vertices.
     fn len(&self) -> usize;
 
-    /// Whether there is none: the bodies are apart.
+    /// Whether it is empty: the bodies are separated.
     fn is_empty(&self) -> bool {
         self.len() == 0
     }
 
-    /// The vertex at a position below [`VertexStack::len`], counted from the bottom.
+    /// The vertex at an index below [`VertexStack::len`], counted from the bottom.
     fn get(&self, index: usize) -> &Vertex<V>;
 
-    /// The vertex at a position, to be changed.
+    /// The vertex at an index, mutable.
     fn get_mut(&mut self, index: usize) -> &mut Vertex<V>;
 
-    /// Takes away all vertices but the lowest `len`; `len` is not above [`VertexStack::len`].
+    /// Removes all vertices except the lowest `len`; `len` is at most [`VertexStack::len`].
     fn truncate(&mut self, len: usize);
 
-    /// How many vertices there is room for.
+    /// The greatest number of vertices.
     fn capacity(&self) -> usize;
 
-    /// Puts a vertex on top; [`VertexStack::len`] is below [`VertexStack::capacity`].
+    /// Adds a vertex on top; [`VertexStack::len`] must be below [`VertexStack::capacity`].
     fn push(&mut self, vertex: Vertex<V>);
 
-    /// Puts a vertex below the one at a position; there is room for it.
+    /// Inserts a vertex below the one at an index; there must be room for it.
     #[inline]
     fn insert(&mut self, index: usize, vertex: Vertex<V>) {
         let len = self.len();
@@ -88,7 +88,7 @@ pub trait VertexStack<V: Lateral>: Clone + Default {
         *self.get_mut(index) = vertex;
     }
 
-    /// Takes the vertex at a position out.
+    /// Removes the vertex at an index.
     #[inline]
     fn remove(&mut self, index: usize) {
         let last = self.len() - 1;
@@ -98,17 +98,17 @@ pub trait VertexStack<V: Lateral>: Clone + Default {
         self.truncate(last);
     }
 
-    /// How many times two segments were merged for want of room.
+    /// How often two segments were merged because the storage was full.
     fn merges(&self) -> u32;
 
-    /// Notes that two segments were merged for want of room.
+    /// Counts a merge of two segments.
     fn count_merge(&mut self);
 }
 
-/// Vertices that a stack keeps in line before it goes to the heap.
+/// Number of vertices stored inline before the stack uses the heap.
 const IN_LINE: usize = 8;
 
-/// The exact stack: eight vertices in line, the rest on the heap.
+/// A stack of unlimited size: eight vertices inline, more on the heap. It loses no history.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Growing<V> {
     in_line: [Vertex<V>; IN_LINE],
@@ -167,16 +167,18 @@ impl<V: Lateral> VertexStack<V> for Growing<V> {
     fn count_merge(&mut self) {}
 }
 
-/// A stack of at most N vertices (N >= 4): plain data that can live in someone else's array.
+/// A stack of at most N vertices (N >= 4): plain data that can be stored in an array of another
+/// program.
 ///
-/// When it is full, the law takes out the vertex whose removal may change a load to come least: two
-/// pieces become one that carries the same force, which stays below the friction limit.
-/// [`VertexStack::merges`] counts. In two directions
-/// [`CoulombMemory::error_estimate`](crate::coulomb::CoulombMemory::error_estimate) says what merges may cost.
+/// When it is full, the law removes the vertex whose removal changes later loads least: two
+/// segments are replaced by one that carries the same force, below the friction limit.
+/// [`VertexStack::merges`] counts such merges. In two directions
+/// [`CoulombMemory::error_estimate`](crate::coulomb::CoulombMemory::error_estimate) estimates their
+/// effect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
 pub struct Fixed<V, const N: usize> {
-    // In front, where what every step reads is.
+    // At the front because every step reads it.
     len: u32,
     merges: u32,
     vertices: [Vertex<V>; N],
@@ -190,8 +192,8 @@ impl<V: Lateral, const N: usize> Default for Fixed<V, N> {
 }
 
 impl<V: Lateral, const N: usize> Fixed<V, N> {
-    /// The state as plain numbers would have it: the vertices, the first of which count, their
-    /// number and the number of merges.
+    /// The state as plain data: the array of vertices, the number of those in use, and the number
+    /// of merges.
     #[must_use]
     pub fn parts(&self) -> (&[Vertex<V>; N], u32, u32) {
         (&self.vertices, self.len, self.merges)

@@ -1,4 +1,4 @@
-//! The state of the law as plain numbers, to be kept elsewhere.
+//! Stores the state of the law as plain numbers.
 
 use carom_special::RangeError;
 
@@ -7,15 +7,15 @@ use crate::bounds::{in_contact, in_memory};
 use crate::law::Shift;
 use crate::memory::{Lateral, VertexStack};
 
-/// The mark of a frictionless contact, whose state is its shift.
-const FREE: f64 = 3e4;
+/// The mark of a frictionless contact, whose state is its shift only.
+const FRICTIONLESS: f64 = 3e4;
 const HEAD: usize = 6;
 
 impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
-    /// Writes what the law remembers into numbers: as many as
-    /// [`crate::coulomb::packed_numbers`] says for the vertices that its storage has room for are always
-    /// enough, but for infinite friction, which takes 6 and 9 per vertex. All zeros are two bodies apart. The constants of the contact are not among
-    /// them, nor is the twist.
+    /// Writes the history of the law as numbers. [`crate::coulomb::packed_numbers`] for the
+    /// capacity of its storage is always sufficient, except for infinite friction, which needs 6
+    /// and 9 per vertex. All zeros represent two separated bodies. Neither the constants of the
+    /// contact nor the twist are stored.
     ///
     /// ```
     /// use carom_laws::coulomb::packed_numbers;
@@ -38,41 +38,41 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] if there is no room for the vertices; nothing is then written.
+    /// [`RangeError`] if the slice is too short for the vertices; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
         match &self.state {
-            State::Rubbing(memory) => memory.pack(numbers),
-            State::Turning(memory) => memory.pack(numbers),
-            State::Free => {
+            State::Chapter7(memory) => memory.pack(numbers),
+            State::Coulomb(memory) => memory.pack(numbers),
+            State::Frictionless => {
                 let room = numbers.len() as f64;
                 RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
                 numbers.fill(0.0);
                 let Shift { zeta, xi, eta, .. } = self.shift;
-                numbers[..4].copy_from_slice(&[FREE, zeta, xi, eta]);
+                numbers[..4].copy_from_slice(&[FRICTIONLESS, zeta, xi, eta]);
                 Ok(())
             }
-            State::Stuck(memory) => memory.pack(numbers),
+            State::Adhesion(memory) => memory.pack(numbers),
         }
     }
 
-    /// Takes up what [`ShiftLaw::pack`] of a law of the same constants wrote. Forces are summed anew
-    /// and may differ by round-off.
+    /// Restores what [`ShiftLaw::pack`] of a law with the same constants wrote. Forces are summed
+    /// up again and may differ by rounding.
     ///
     /// # Errors
-    /// [`RangeError`] for numbers that are no state of this law; the law is then unchanged.
+    /// [`RangeError`] for numbers that are not a state of this law; the law is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let shift = self.shift_in(numbers);
         match &mut self.state {
-            State::Free => return self.unpack_free(numbers),
-            State::Rubbing(memory) => shift.and_then(|_| memory.unpack(numbers))?,
-            State::Turning(memory) => shift.and_then(|_| memory.unpack(numbers))?,
-            State::Stuck(memory) => shift.and_then(|_| memory.unpack(numbers))?,
+            State::Frictionless => return self.unpack_free(numbers),
+            State::Chapter7(memory) => shift.and_then(|_| memory.unpack(numbers))?,
+            State::Coulomb(memory) => shift.and_then(|_| memory.unpack(numbers))?,
+            State::Adhesion(memory) => shift.and_then(|_| memory.unpack(numbers))?,
         }
         self.shift = shift?;
         Ok(())
     }
 
-    /// The shift that the numbers of a memory tell, normalised there.
+    /// The shift of a stored memory, which is normalised there.
     fn shift_in(&self, numbers: &[f64]) -> Result<Shift, RangeError> {
         let Some(&[_, zeta, xi, eta]) = numbers.first_chunk() else {
             return Err(RangeError::new("numbers", numbers.len() as f64, ">= 6"));
@@ -90,7 +90,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     fn unpack_free(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let room = numbers.len() as f64;
         RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
-        let known = numbers[0] == 0.0 || numbers[0] == FREE;
+        let known = numbers[0] == 0.0 || numbers[0] == FRICTIONLESS;
         RangeError::check("mark", numbers[0], known, "that of a contact without friction")?;
         let zeta = in_contact("approach", numbers[1])?;
         let xi = in_contact("shift", numbers[2])?;

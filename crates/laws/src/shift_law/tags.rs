@@ -1,4 +1,4 @@
-//! Whether bytes that may have been changed outside are still a law.
+//! Checks whether bytes that may have been changed elsewhere are a valid law.
 
 use std::mem::offset_of;
 
@@ -7,39 +7,40 @@ use crate::coulomb::CoulombMemory;
 use crate::memory::{Fixed, Lateral, Memory, MemoryRegime, VertexStack};
 
 /// The tags of [`State`].
-pub(super) const FREE: u8 = 0;
-pub(super) const RUBBING: u8 = 1;
-pub(super) const TURNING: u8 = 2;
-pub(super) const STUCK: u8 = 3;
+pub(super) const FRICTIONLESS: u8 = 0;
+pub(super) const CHAPTER_7: u8 = 1;
+pub(super) const COULOMB: u8 = 2;
+pub(super) const ADHESION: u8 = 3;
 
 impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
-    /// Whether bytes are a law, given the byte at each place: they are if the tags of its state and of its
-    /// regime are known ones. All else in a law on a [`Fixed`] stack are numbers, and any bytes are numbers; what
-    /// these mean is not looked at ([`ShiftLaw::fits`]). At most two bytes are asked for.
+    /// Whether bytes form a law, given the byte at each offset: they do if the tags of its state
+    /// and of its regime are valid. All other parts of a law on a [`Fixed`] stack are numbers, for
+    /// which any bytes are valid; [`ShiftLaw::fits`] checks their number. At most two bytes are
+    /// read.
     #[inline(always)]
     #[must_use]
     pub fn is_in(byte: impl Fn(usize) -> u8) -> bool {
         let tag = offset_of!(Self, state);
         let memory = tag + align_of::<State<V, Fixed<V, N>>>();
         let regime = match byte(tag) {
-            FREE | STUCK => return true,
-            RUBBING => Memory::<V, Fixed<V, N>>::REGIME_AT,
-            TURNING => CoulombMemory::<V, Fixed<V, N>>::REGIME_AT,
+            FRICTIONLESS | ADHESION => return true,
+            CHAPTER_7 => Memory::<V, Fixed<V, N>>::REGIME_AT,
+            COULOMB => CoulombMemory::<V, Fixed<V, N>>::REGIME_AT,
             _ => return false,
         };
         byte(memory + regime) < MemoryRegime::COUNT
     }
 
-    /// Whether its vertices are not more than there is room for, and none only where the bodies are apart: so it
-    /// is but in bytes that were changed outside.
+    /// Whether the number of vertices is at most the capacity, and zero only for separated bodies.
+    /// It can be false only if the bytes were changed elsewhere.
     #[inline(always)]
     #[must_use]
     pub fn fits(&self) -> bool {
         let (zeta, len) = match &self.state {
-            State::Free => return true,
-            State::Rubbing(memory) => (memory.zeta(), memory.stack().len()),
-            State::Turning(memory) => (memory.zeta(), memory.stack().len()),
-            State::Stuck(memory) => (memory.zeta(), memory.stack().len()),
+            State::Frictionless => return true,
+            State::Chapter7(memory) => (memory.zeta(), memory.stack().len()),
+            State::Coulomb(memory) => (memory.zeta(), memory.stack().len()),
+            State::Adhesion(memory) => (memory.zeta(), memory.stack().len()),
         };
         len <= N && (len == 0) != (zeta > 0.0)
     }

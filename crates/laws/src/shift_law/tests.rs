@@ -44,7 +44,7 @@ fn turning(friction: f64, tolerance: f64) -> ShiftLaw<[f64; 2]> {
 }
 
 fn balance(mut law: Accounted<ShiftLaw<[f64; 2]>>, n: u32, tolerance: f64) {
-    let frictionless = matches!(law.law().state, State::Free);
+    let frictionless = matches!(law.law().state, State::Frictionless);
     let mut work = 0.0;
     for (zeta, xi, eta) in PATH {
         let from = law.shift();

@@ -1,12 +1,14 @@
-//! The incremental law in two directions: springs with sliders that slip along their traction.
+//! An incremental law in two directions: springs with sliders that slip in the direction of their
+//! traction.
 //!
-//! Where the direction of the shift turns, the closed law of chapter 7 keeps one direction of
-//! traction in a whole slip ring. Here each spring of the equivalent foundation slips by itself,
-//! parallel to its own traction in the physical (xi, eta) plane. Neither is exact for a turning
-//! shift (the true traction is bounded point by point, not spring by spring), but this one lies
-//! closer: at the ends of the three examples of section 7.7 the closed law is 0.038, 0.214 and
-//! 0.084 off (in units of f F_z), this law 0.001, 0.012 and 0.005, measured against a half-space of
-//! rings. On straight paths all agree. The price is a slider per spring instead of a few vertices.
+//! If the direction of the shift changes, the law of chapter 7 keeps one direction of traction in a
+//! whole slip annulus. Here each spring of the equivalent foundation slips by itself, parallel to
+//! its own traction in the physical (xi, eta) plane. Neither is exact for such shifts (the true
+//! traction is bounded at each point, not for each spring), but this law is more accurate: at the
+//! ends of the three examples of section 7.7 the error of the law of chapter 7 is 0.038, 0.214 and
+//! 0.084 (in units of f F_z), that of this law 0.001, 0.012 and 0.005, measured against an
+//! axisymmetric half-space solution by annuli. On straight paths all agree. The cost is a slider
+//! for each spring instead of a few vertices.
 
 mod lines;
 mod ring;
@@ -21,15 +23,15 @@ use self::ring::SlipStep;
 use crate::bounds::in_memory;
 use crate::memory::Lateral;
 
-/// In how many parts of a step heat is added up.
+/// Number of parts of a step for the integration of the heat.
 const PARTS: usize = 64;
-/// Angle to which the directions of tractions are known where the stiffnesses differ.
+/// Directions of tractions are computed to this angle if the stiffnesses differ, radians.
 const FINEST: f64 = 1e-8;
 
 /// Springs with sliders, equally spaced in the contact radius up to a greatest approach.
 ///
 /// Normalised as [`crate::memory::Memory`], `X = (c_x xi, c_y eta)/(f c_z)`; the ratio c_x/c_y
-/// turns the slip into the physical plane.
+/// converts slip to the physical plane.
 ///
 /// ```
 /// use carom_laws::sliders::SliderLaw;
@@ -41,21 +43,22 @@ const FINEST: f64 = 1e-8;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct SliderLaw {
-    /// c_x and c_y over c_y.
+    /// c_x and c_y, divided by c_y.
     stiffness: [f64; 2],
     spacing: f64,
     zeta: f64,
     shift: [f64; 2],
-    /// Depths at which the springs touch, and their anchors.
+    /// Depths at which the springs come into contact, and their anchors.
     springs: Vec<(f64, [f64; 2])>,
 }
 
 impl SliderLaw {
-    /// A contact at rest of `count` springs, for approaches up to `deepest`, in which the stiffness
-    /// along x is `stiffness_ratio` times that along y.
+    /// A contact in its initial state with `count` springs, for approaches up to `deepest`. The
+    /// stiffness along x is `stiffness_ratio` times that along y.
     ///
     /// # Errors
-    /// [`RangeError`] unless there is at least one spring and the numbers are finite and positive.
+    /// [`RangeError`] unless there is at least one spring and the arguments are finite and
+    /// positive.
     pub fn new(count: usize, deepest: f64, stiffness_ratio: f64) -> Result<Self, RangeError> {
         RangeError::check("count", count as f64, count > 0, "> 0")?;
         RangeError::positive("deepest", deepest)?;
@@ -84,15 +87,16 @@ impl SliderLaw {
         self.shift
     }
 
-    /// The springs from the centre outwards: the approach at which each touches and its anchor,
-    /// the shift at which it would be free of traction. Those not yet touched are at rest.
+    /// The springs from the centre outwards: the approach at which each comes into contact, and its
+    /// anchor, the shift at which it would carry no traction. Springs not yet in contact are at
+    /// zero.
     ///
     /// ```
     /// use carom_laws::sliders::SliderLaw;
     /// let mut law = SliderLaw::new(100, 1.0, 1.0)?;
     /// law.advance(1.0, [0.0, 0.0])?;
     /// law.advance(1.0, [0.5, 0.0])?;
-    /// // Beyond half the depth a spring carries its limit, the rest of the depth.
+    /// Beyond half the depth a spring carries its limit, the rest of the depth.
     /// let held = law.springs().all(|(depth, anchor)| {
     ///     (0.5 - anchor[0] - 0.5_f64.min(1.0 - depth)).abs() < 1e-15
     /// });
@@ -112,7 +116,7 @@ impl SliderLaw {
         })
     }
 
-    /// The elastic energy of both directions, conjugate to Phi and X: `(3/4) int (X - W(t^2))^2 dt`.
+    /// The elastic energy per direction, conjugate to Phi and X: `(3/4) int (X - W(t^2))^2 dt`.
     #[must_use]
     pub fn stored_energy(&self) -> [f64; 2] {
         self.springs.iter().fold([0.0; 2], |sum, (depth, anchor)| {
@@ -121,18 +125,20 @@ impl SliderLaw {
         })
     }
 
-    /// The heat of both directions that the straight step to a new approach and shift would bring,
-    /// conjugate to Phi and X: traction times slip, `(3/2) int int (X - W) dW dt`, of every spring, in
-    /// 64 parts of the step. Nothing moves; a step that would fail gives zero.
+    /// The heat per direction, conjugate to Phi and X, that a straight step to a new approach and
+    /// shift would dissipate: traction times slip of every spring, `(3/2) int int (X - W) dW dt`,
+    /// integrated over 64 parts of the step. The state does not change; a step that would fail
+    /// gives zero.
     ///
-    /// Springs that leave the contact slip until they are free. The balance with the work of the force
-    /// and the stored energy holds to the square of the springs' distance and of the parts.
+    /// Springs that leave the contact slip until they carry no traction. The balance with the work
+    /// of the force and the stored energy has an error of second order in the spacing of the
+    /// springs and in the parts.
     ///
     /// ```
     /// use carom_laws::sliders::SliderLaw;
     /// let mut law = SliderLaw::new(400, 1.0, 1.0)?;
     /// law.advance(1.0, [2.0, 0.0])?;
-    /// // In full sliding the force is 1, and all work is heat.
+    /// In full sliding the force is 1, and all work becomes heat.
     /// let [heat, _] = law.dissipation(1.0, [2.5, 0.0]);
     /// assert!((heat - 0.5).abs() < 1e-5);
     /// # Ok::<(), carom_special::RangeError>(())
@@ -169,7 +175,8 @@ impl SliderLaw {
         heat
     }
 
-    // The part of a spring's interval of radii that touches: the outermost stands for that.
+    // The part of a spring's interval of radii that is in contact: the outermost spring represents
+    // it.
     fn touching(&self, depth: f64, zeta: f64) -> f64 {
         let inner = depth.sqrt() - 0.5 * self.spacing;
         let width = (zeta.max(0.0).sqrt() - inner).clamp(0.0, self.spacing);
@@ -182,15 +189,15 @@ impl SliderLaw {
         in_memory("shift", shift[1])?;
         let deepest = self.springs.len() as f64 * self.spacing;
         let holds = zeta <= deepest * deepest * (1.0 + 1e-12);
-        RangeError::check("zeta", zeta, holds, "not above the deepest spring")?;
+        RangeError::check("zeta", zeta, holds, "at most the depth of the deepest spring")?;
         Ok(())
     }
 
-    /// Goes straight to a new approach and shift and returns the force.
+    /// Advances on a straight path to a new approach and shift and returns the force.
     ///
     /// # Errors
-    /// [`RangeError`] for a value above 1e100 in size or not a number, and for an approach beyond
-    /// the deepest spring; the state is then unchanged.
+    /// [`RangeError`] for a value that is NaN or above 1e100 in magnitude, and for an approach
+    /// above that of the deepest spring; the state is then unchanged.
     pub fn advance(&mut self, zeta: f64, shift: [f64; 2]) -> Result<[f64; 2], RangeError> {
         self.check(zeta, shift)?;
         let from = Point { zeta: self.zeta, shift: self.shift };
@@ -225,7 +232,7 @@ impl Point {
         Self { zeta: self.zeta + part * (to.zeta - self.zeta), shift }
     }
 
-    /// The anchor of a spring after the straight step to another point.
+    /// The anchor of a spring after a straight step to another point.
     fn drag(&self, to: &Self, (depth, anchor): (f64, [f64; 2]), stiffness: [f64; 2]) -> [f64; 2] {
         let stretch = to.shift.minus(anchor);
         if stretch.length() <= to.zeta - depth {

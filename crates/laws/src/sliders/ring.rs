@@ -1,5 +1,5 @@
-//! One ring of sliders on a straight step, the one rule of slip: it adheres up to its limit, then slips
-//! along its traction in the physical plane.
+//! The slip rule of one annulus of sliders on a straight step: it sticks up to its limit, then
+//! slips in the direction of its traction in the physical plane.
 
 use super::turning::{Pull, inverse_mean, onset, turned};
 use crate::coulomb::Step;
@@ -14,15 +14,15 @@ pub(super) struct SlipStep {
     pub(super) by: [f64; 2],
     /// c_x and c_y.
     pub(super) stiffness: [f64; 2],
-    /// Angle to which the directions of tractions are to be known, times the square of their limit.
+    /// Angle to which the directions of tractions are required, times the square of their limit.
     pub(super) accuracy: f64,
-    /// Angle to which they are known in any case.
+    /// Angle to which directions are computed in any case.
     pub(super) finest: f64,
 }
 
 impl SlipStep {
-    /// The stretch X - W at the end of the ring of a depth that is at its limit there, from that at
-    /// the beginning.
+    /// The stretch X - W at the end of the step, for the annulus of a depth that reaches its limit,
+    /// from the stretch at the beginning.
     pub(super) fn drag(&self, stretch: [f64; 2], depth: f64) -> [f64; 2] {
         let (start, bound) = (self.from - depth, self.to - depth);
         if bound <= 0.0 {
@@ -50,13 +50,13 @@ impl SlipStep {
         [bound * cos, bound * sin]
     }
 
-    // From no traction on a straight path the direction is constant (8.58): the slip l along e, with
-    // X - l C e = L e, so that e ~ (L + l C)^-1 X.
+    // From zero traction on a straight path the direction is constant (8.58): with the slip l along
+    // e, X - l C e = L e, so that e is parallel to (L + l C)^-1 X.
     fn touched(&self, bound: f64) -> [f64; 2] {
         let [x, y] = self.by;
         let [c_x, c_y] = self.stiffness;
         let mut slip = 0.0;
-        // 1/|e| is concave and growing in l: Newton's iteration rises to the root.
+        // 1/|e| is concave and increasing in l: Newton's iteration rises to the root.
         for _ in 0..40 {
             let (d_x, d_y) = (bound + c_x * slip, bound + c_y * slip);
             let (e_x, e_y) = (x / d_x, y / d_y);
@@ -74,9 +74,10 @@ impl SlipStep {
     }
 }
 
-/// The direction of the traction on body 1 when an impact begins with sliding: the root of
+/// The direction of the traction on body 1 at the beginning of an impact with sliding: the root of
 /// `y' cos - x' sin + f z' sin cos (c_z/c_x - c_z/c_y) = 0` (8.58), corrected, with the velocity
-/// (x', y', z') of body 2 against body 1 at touch. None if it begins with adhesion (8.50).
+/// (x', y', z') of body 2 relative to body 1 at first contact. `None` if the impact begins with
+/// adhesion (8.50).
 ///
 /// ```
 /// use carom_laws::sliders::sliding_direction;

@@ -1,11 +1,12 @@
-//! A traction that meets its limit and turns along it while the shift goes straight.
+//! The rotation of a traction at its limit while the shift follows a straight path.
 
-/// The direction e of a traction at its limit after the slip of a straight step: it turns towards that of
-/// steady sliding (8.58), by (8.56), with the springs' pull `by` and the limit's `growth` over the step,
-/// `dtheta/dq = (c_x e_x by_y - c_y e_y by_x + (c_y - c_x) e_x e_y growth)/(e.C e)`, dq = ds/L up to
-/// `length`. Exponential steps neither ring nor overshoot at the rim, where L is small; a ring may
-/// cross the whole of a thin slip ring within one step of the contact, so that they are of third or
-/// fourth order, and each is about as `accurate` as this, in radians.
+/// The direction e of a traction at its limit after the slip of a straight step. By (8.56) it
+/// rotates towards that of steady sliding (8.58), with the springs' pull `by` and the limit's
+/// `growth` over the step, `dtheta/dq = (c_x e_x by_y - c_y e_y by_x + (c_y - c_x) e_x e_y
+/// growth)/(e.C e)`, dq = ds/L up to `length`. Exponential integrators neither oscillate nor
+/// overshoot at the edge, where L is small. One step of the contact may take an annulus through a
+/// whole thin slip annulus; the integrators are therefore of order three or four, each with an
+/// error of about `accurate`, in radians.
 pub(super) fn turned(e: [f64; 2], length: f64, pull: &Pull, accurate: f64) -> [f64; 2] {
     const MAX_TURNS: usize = 4000;
     let (mut e, mut left) = (e, length);
@@ -20,7 +21,7 @@ pub(super) fn turned(e: [f64; 2], length: f64, pull: &Pull, accurate: f64) -> [f
     e
 }
 
-/// What turns a traction at its limit.
+/// The terms that rotate a traction at its limit.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pull {
     pub(super) stiffness: [f64; 2],
@@ -29,7 +30,7 @@ pub(super) struct Pull {
 }
 
 impl Pull {
-    // dtheta/dq and its slope over theta.
+    // dtheta/dq and its derivative with respect to theta.
     fn rate(&self, [cos, sin]: [f64; 2]) -> (f64, f64) {
         let ([c_x, c_y], [x, y]) = (self.stiffness, self.by);
         let skew = c_y - c_x;
@@ -42,11 +43,12 @@ impl Pull {
         (rate, slope)
     }
 
-    // One step of at most this length: the angle, and how far it went. Exponential Rosenbrock methods
-    // (Hochbruck and Ostermann 2010): exprb32 where its correction is small, else exprb43.
+    // One step of at most this length: the angle, and the length covered. Exponential Rosenbrock
+    // methods (Hochbruck and Ostermann 2010): exprb32 if its correction is small, otherwise
+    // exprb43.
     fn turn(&self, e: [f64; 2], left: f64, accurate: f64) -> (f64, f64) {
         const LARGEST: f64 = 0.3;
-        // Farther from where it ends a stiff step is too coarse.
+        // Farther from its limit a stiff step would be too coarse.
         const NEAR: f64 = 1e-3;
         let (rate, slope) = self.rate(e);
         let stiff = slope.abs() * left;
@@ -113,8 +115,9 @@ impl Means {
     }
 }
 
-/// The part of the step after which a traction is beyond its limit, |u + s by| = start + s growth,
-/// given that it is so at the end. From its limit it may first come within it.
+/// The fraction of the step after which a traction exceeds its limit, |u + s by| = start + s
+/// growth, given that it does so at the end. A traction that starts at its limit may first fall
+/// below it.
 pub(super) fn onset([x, y]: [f64; 2], [p, q]: [f64; 2], start: f64, growth: f64) -> f64 {
     let room = (start * start - x * x - y * y).max(0.0);
     // a s^2 + 2 b s - room = 0, its first positive root; at the end a + 2 b > room.

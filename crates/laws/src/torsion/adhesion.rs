@@ -27,7 +27,7 @@ pub struct AdhesiveTorsion {
 }
 
 impl AdhesiveTorsion {
-    /// The torsion of a contact ellipse, either axis of which may be the larger one.
+    /// For a contact ellipse, either semi-axis of which may be the larger one.
     #[must_use]
     pub fn new(ellipse: ContactEllipse, materials: MaterialPair) -> Self {
         let ratio = ellipse.axis_ratio();
@@ -60,9 +60,8 @@ impl AdhesiveTorsion {
         [self.along_x, self.along_y]
     }
 
-    /// The traction (sigma_zx, sigma_zy) on body 1 under a twist, by (5.32) with its sign
-    /// corrected: `T' y/s`, `-T'' x/s`, `s^2 = 1 - x^2/a^2 - y^2/b^2`. Infinite on the edge, zero
-    /// outside.
+    /// The traction (sigma_zx, sigma_zy) on body 1 under a twist, (5.32) with its sign corrected:
+    /// `T' y/s`, `-T'' x/s`, `s^2 = 1 - x^2/a^2 - y^2/b^2`. Infinite on the edge, zero outside.
     #[must_use]
     pub fn traction(&self, twist: f64, x: f64, y: f64) -> [f64; 2] {
         let rest = 1.0 - self.ellipse.radius_squared(x, y);
@@ -74,7 +73,7 @@ impl AdhesiveTorsion {
     }
 }
 
-/// The torque of complete sliding over f F_z: `(3/8) b E(k)`, in (7.65) and (10.57).
+/// The torque of complete sliding divided by f F_z: `(3/8) b E(k)`, in (7.65) and (10.57).
 #[must_use]
 pub fn sliding_torque_arm(ellipse: &ContactEllipse) -> f64 {
     0.375 * ellipse.semi_axis_b() * complete::e(ellipse.axis_ratio())

@@ -1,20 +1,21 @@
-//! Coulomb's law on rings: tractions within their limits, and slip only where those are reached.
+//! Coulomb's law on rings: tractions within their limits, and slip only where the limits are
+//! reached.
 
 use super::rings::{Rings, dot};
 
-/// Guesses of which rings slip before sweeps take over, and those sweeps at most.
+/// Greatest number of guesses of the slipping rings before Gauss-Seidel is used, and of its sweeps.
 const GUESSES: usize = 60;
 const SWEEPS: usize = 5000;
-/// The change of traction over its limit at which sweeps stop.
+/// The sweeps end when tractions change by less than this fraction of their limits.
 const TOLERANCE: f64 = 1e-7;
 
-/// A step of the rings: all are turned by `turned`, and tractions resist by their compliance.
+/// A step of the rings: all are rotated by `turned`, and the tractions resist by their compliance.
 pub(super) struct Friction<'a> {
     rings: &'a Rings,
     limits: &'a [f64],
     before: &'a [f64],
     turned: f64,
-    /// Rotation of a ring by the tractions of all, of those that were asked for.
+    /// Rotation of a ring due to the tractions of all rings, computed when needed.
     rows: Vec<Option<Vec<f64>>>,
 }
 
@@ -24,13 +25,13 @@ impl<'a> Friction<'a> {
         Self { rings, limits, before, turned, rows: vec![None; limits.len()] }
     }
 
-    /// Tractions over radius, and the signs of slip.
+    /// Tractions divided by radius, and the signs of slip.
     pub(super) fn solve(&mut self) -> Option<(Vec<f64>, Vec<f64>)> {
         self.by_guesses().or_else(|| self.by_sweeps())
     }
 
-    /// Guesses which rings stick, solves for their tractions, and corrects the guess, until it
-    /// holds: a few systems of equations.
+    /// Guesses which rings stick, solves for their tractions and corrects the guess until it is
+    /// consistent: a few systems of equations.
     fn by_guesses(&mut self) -> Option<(Vec<f64>, Vec<f64>)> {
         let n = self.limits.len();
         let mut signs: Vec<f64> = (0..n).map(|i| self.over(i, self.before[i])).collect();
@@ -53,7 +54,7 @@ impl<'a> Friction<'a> {
         None
     }
 
-    /// Tractions of the rings that stick, by elimination; those that slip are at their limits.
+    /// Tractions of the sticking rings by elimination; slipping rings are at their limits.
     fn stick(&mut self, signs: &[f64]) -> Option<Vec<f64>> {
         let n = signs.len();
         let sticking: Vec<usize> = (0..n).filter(|&i| signs[i] == 0.0).collect();
@@ -77,7 +78,7 @@ impl<'a> Friction<'a> {
         Some(now)
     }
 
-    /// Sweeps of Gauss and Seidel, each ring to stick or to the friction limit.
+    /// Gauss-Seidel sweeps; each ring sticks or reaches its friction limit.
     fn by_sweeps(&mut self) -> Option<(Vec<f64>, Vec<f64>)> {
         let n = self.limits.len();
         self.ask_for(&(0..n).collect::<Vec<_>>());
@@ -120,7 +121,7 @@ impl<'a> Friction<'a> {
     }
 }
 
-/// Solves by elimination without pivots: compliances are nearly symmetric and positive definite.
+/// Elimination without pivoting: the compliances are nearly symmetric and positive definite.
 fn eliminate(matrix: &mut [f64], right: &mut [f64]) -> Option<()> {
     let m = right.len();
     for k in 0..m {

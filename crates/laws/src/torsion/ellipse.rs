@@ -1,4 +1,4 @@
-//! Torsion of an elliptical contact under constant normal load, approximately (7.65), (7.66).
+//! Torsion of an elliptical contact under constant normal load, approximate (7.65), (7.66).
 
 use carom_halfspace::MaterialPair;
 use carom_special::RangeError;
@@ -8,7 +8,7 @@ use crate::bounds::in_memory;
 use crate::ellipse::ContactEllipse;
 
 /// The exponential law (7.65) with Masing's rule for reversals (7.66), extended to any number of
-/// them: a reversal that closes a loop returns to the branch that the loop left (Madelung).
+/// reversals: one that closes a loop returns to the branch that the loop left (Madelung).
 ///
 /// On a circle the first loading is at most 2.76 % of the sliding torque below the exact law.
 ///
@@ -28,13 +28,13 @@ pub struct EllipseTorsion {
     stiffness: f64,
     twist: f64,
     torque: f64,
-    /// Points of reversal (twist, torque), each inside the loop of those before.
+    /// Points of reversal (twist, torque), each inside the loop of the previous ones.
     reversals: Vec<(f64, f64)>,
     dissipated: f64,
 }
 
 impl EllipseTorsion {
-    /// A law of given sliding torque M_zS and initial stiffness M_zA'.
+    /// From the sliding torque M_zS and the initial stiffness M_zA'.
     ///
     /// # Errors
     /// [`RangeError`] unless the sliding torque is finite and not negative and the stiffness
@@ -102,9 +102,9 @@ impl EllipseTorsion {
         self.dissipated
     }
 
-    /// The elastic energy, that of the springs and sliders in parallel whose first loading is
-    /// (7.65): the spring that yields at the twist y has the stiffness density
-    /// `M_zA'/y_0 exp(-y/y_0)`, `y_0 = M_zS/M_zA'`.
+    /// The elastic energy: that of springs with sliders in parallel whose first loading is (7.65).
+    /// The springs that yield at the twist y have the stiffness density `M_zA'/y_0 exp(-y/y_0)`,
+    /// `y_0 = M_zS/M_zA'`.
     #[must_use]
     pub fn stored_energy(&self) -> f64 {
         if self.sliding == 0.0 {
@@ -118,7 +118,7 @@ impl EllipseTorsion {
         self.stiffness * energy
     }
 
-    /// Goes to a new twist.
+    /// Advances to a new twist and returns the torque.
     ///
     /// # Errors
     /// [`RangeError`] for a twist that is not finite; the state is then unchanged.
@@ -133,7 +133,7 @@ impl EllipseTorsion {
         Ok(self.torque)
     }
 
-    /// Moves along the branches and returns the work done.
+    /// Follows the branches to a twist; returns the work done.
     fn travel(&mut self, twist: f64) -> f64 {
         let up = twist > self.twist;
         let branch_up = match self.reversals.last() {
@@ -153,7 +153,7 @@ impl EllipseTorsion {
             if target == twist && self.loop_end() != Some(twist) {
                 return work;
             }
-            // The loop is closed: its two points are forgotten.
+            // The loop is closed: its two points are removed.
             let closed = if self.reversals.len() > 1 { 2 } else { 1 };
             self.reversals.truncate(self.reversals.len() - closed);
             if target == twist {
@@ -189,10 +189,10 @@ impl EllipseTorsion {
         work
     }
 
-    /// Ranges of yield twists y over which the springs' stretch is one linear function of y.
+    /// Ranges of yield twists y in which the stretch of the springs is one linear function of y.
     fn pieces(&self) -> impl Iterator<Item = Piece> + '_ {
-        // A spring of yield y has slid in the last branch if 2 y < |beta - beta_n|, else in the
-        // one before, and so on; its stretch is +-y from where it last slid.
+        // A spring with yield twist y slid in the last branch if 2 y < |beta - beta_n|, otherwise
+        // in the previous one, and so on; its stretch is +-y from where it slid last.
         let n = self.reversals.len();
         (0..=n)
             .rev()
@@ -216,7 +216,7 @@ impl EllipseTorsion {
     }
 }
 
-/// Springs of yield twist from `low` to `high`, stretched by `offset + sign y`.
+/// Springs with yield twists from `low` to `high`, stretched by `offset + sign y`.
 struct Piece {
     low: f64,
     high: f64,

@@ -1,10 +1,10 @@
-//! The heat of a part of a step on which one slip ring spreads inwards.
+//! The heat of a substep in which one slip annulus spreads inwards.
 //!
-//! The inner edge c of the ring moves inwards over the densities that lie there. At each place of it the
-//! share t of the step follows from `sign (bh - T(c)) = B(c; al)`, T being the twist of the discs below c.
-//! The heat is an integral over `w = +-ln al - ln c`, with the sign of the change of radius: both radii
-//! change by less than w does, so that the integrand is smooth between the ends of old segments, however
-//! far the step goes.
+//! The inner radius c of the annulus moves inwards over the existing densities. For each c the
+//! fraction t of the step follows from `sign (bh - T(c)) = B(c; al)`, where T is the twist of the
+//! discs inside c. The heat is an integral over `w = +-ln al - ln c`, with the sign of the change
+//! of radius: both radii change by less than w does, so that the integrand is smooth between the
+//! ends of old segments for any length of the step.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -15,77 +15,79 @@ use super::history::TwistHistory;
 use super::segment::{Density, Segment};
 use super::sliding::{DEEP, Sloped, heat_of_growth, heat_of_twist, twist_of_depth};
 
-/// Nodes of a panel.
+/// Number of Gauss nodes of a panel.
 const NODES: usize = 8;
-/// Gauss's nodes and weights on (0, 1).
+/// Gauss nodes and weights on (0, 1).
 const GAUSS: [(f64, f64); NODES] = FixedRule::parts();
 /// The greatest length of a panel in w.
 const PANEL: f64 = 1.0;
-/// How many panels of a step are halved at most.
+/// Greatest number of panels of a step that are halved.
 const HALVINGS: u32 = 60;
-/// The estimated error, over the torque of sliding times the step, at which a panel is left whole.
+/// A panel is not halved if its estimated error, relative to sliding torque times step, is below
+/// this.
 const ACCURACY: f64 = 1e-13;
-/// The accuracy of the radius at a place of the edge.
-const PLACED: f64 = 1e-11;
-/// Iterations for the share of the step, the last of which only halve.
+/// Relative accuracy of the contact radius at a given position of the edge.
+const RADIUS_ACCURACY: f64 = 1e-11;
+/// Iterations for the fraction of the step; the last of them are bisections.
 const ITERATIONS: u32 = 80;
 const NEWTON: u32 = 30;
 
-/// A place of the edge of the slip ring.
+/// A position of the edge of the slip annulus.
 #[derive(Debug, Clone, Copy)]
 struct Place {
-    /// The share of the step.
+    /// The fraction of the step.
     share: f64,
     /// `w = +-ln al - ln c`.
     at: f64,
 }
 
-/// What is known where the edge passes a radius.
+/// Quantities at the moment when the edge passes a radius.
 struct Passing {
     share: f64,
     radius: f64,
     depth: f64,
-    /// `c (bF - sign b)`, what sliding adds to the density there.
+    /// `c (bF - sign b)`, the density that sliding adds there.
     added: f64,
-    /// The derivative of `sign (bh - T) - B` by the share of the step.
+    /// The derivative of `sign (bh - T) - B` with respect to the fraction of the step.
     slope: f64,
 }
 
 impl Passing {
-    /// The share of the step by w: none if the edge does not move inwards.
+    /// The derivative of the fraction of the step with respect to w; `None` if the edge does not
+    /// move inwards.
     fn rate(&self) -> Option<f64> {
         (self.slope > 0.0).then(|| self.added.max(0.0) / self.slope)
     }
 }
 
-/// Where the edge is looked for.
+/// The position for which the edge is computed.
 #[derive(Clone, Copy)]
 enum Fixed {
     /// At a radius c.
     Edge(f64),
     /// At `exp(-w)`.
-    Way(f64),
+    SlipPath(f64),
 }
 
-/// One slip ring on its way inwards.
+/// A slip annulus that spreads inwards.
 pub(super) struct Front<'a> {
     before: &'a TwistHistory,
     sign: f64,
     /// The radius at the end, and its change.
     end: f64,
     grown: f64,
-    /// The change of twist, in the sense of the slip.
+    /// The change of twist, positive in the direction of slip.
     turned: f64,
-    /// The sense of the change of radius, 1, 0 or -1.
+    /// The sign of the change of radius, 1, 0 or -1.
     sense: f64,
-    /// The torque of sliding times the step.
+    /// The sliding torque times the step.
     scale: f64,
-    /// How many panels may still be halved.
+    /// The number of panels that may still be halved.
     halvings: u32,
 }
 
 impl<'a> Front<'a> {
-    /// The ring of a step between two states, the second of which slips with this sign.
+    /// The annulus of a step between two states, the second of which slips with this sign.
     pub(super) fn new(before: &'a TwistHistory, after: &TwistHistory, sign: f64) -> Self {
         let grown = after.radius - before.radius;
         let turned = sign * (after.twist - before.twist);
@@ -94,7 +96,8 @@ impl<'a> Front<'a> {
         Self { before, sign, end: after.radius, grown, turned, sense, scale, halvings: HALVINGS }
     }
 
-    /// The heat of the step while the edge moves from `start` to `end`: none if it does not move inwards.
+    /// The heat of the step while the edge moves from `start` to `end`; `None` if it does not move
+    /// inwards.
     pub(super) fn heat(mut self, start: f64, end: f64) -> Option<f64> {
         if end > start {
             return None;
@@ -135,14 +138,15 @@ impl<'a> Front<'a> {
         place.at + (1.0 - self.sense) * libm::log(self.radius(place.share))
     }
 
-    /// The heat of the rest of the step when the stick area does not count any more.
+    /// The heat of the rest of the step once the stick area is negligible.
     fn slid(&self, share: f64) -> f64 {
         let (a, b) = (self.radius(share), self.radius(1.0));
         let rate = heat_of_twist(DEEP) * self.turned - heat_of_growth(DEEP) * self.grown;
         (1.0 - share) * mean_of_fourth_powers(a, b) * rate.max(0.0)
     }
 
-    /// Adds the heat over a segment; the share of the step from which on the stick area does not count.
+    /// Adds the heat over a segment. Returns the fraction of the step from which the stick area is
+    /// negligible.
     fn over(
         &mut self,
         segment: &Segment,
@@ -158,7 +162,7 @@ impl<'a> Front<'a> {
             } else {
                 let at = from.at + f64::from(i) / panels * (to.at - from.at);
                 let range = [low.share, to.share];
-                let share = self.passing(segment, Fixed::Way(at), range[0], range[0])?.share;
+                let share = self.passing(segment, Fixed::SlipPath(at), range[0], range[0])?.share;
                 Place { share: share.min(range[1]), at }
             };
             *sum += self.panel(segment, low, high)?;
@@ -170,8 +174,8 @@ impl<'a> Front<'a> {
         Some(None)
     }
 
-    /// A panel by Gauss: the mean power of friction times the share of the step. In halves where the last
-    /// Legendre coefficients of the integrand say so.
+    /// A panel by Gauss quadrature: the mean power of friction times the fraction of the step. It
+    /// is halved if the last Legendre coefficients of the integrand are too large.
     fn panel(&mut self, segment: &Segment, low: Place, high: Place) -> Option<f64> {
         let length = high.at - low.at;
         let mut heats = [0.0; NODES];
@@ -179,7 +183,7 @@ impl<'a> Front<'a> {
         let (mut guess, mut at) = (low.share, low.at);
         for (place, (node, weight)) in heats.iter_mut().zip(GAUSS) {
             let next = low.at + node * length;
-            let passing = self.passing(segment, Fixed::Way(next), low.share, guess)?;
+            let passing = self.passing(segment, Fixed::SlipPath(next), low.share, guess)?;
             let rate = passing.rate()?;
             *place = self.power(&passing) * rate;
             heat += weight * *place;
@@ -191,7 +195,8 @@ impl<'a> Front<'a> {
             return heat.is_finite().then_some(0.0);
         }
         let sum = heat / passed * (high.share - low.share);
-        // The error of Gauss's rule is as far beyond these terms as they are beyond the first.
+        // The error of the Gauss rule is smaller than these terms by the same factor as they are
+        // smaller than the first.
         let terms = LAST_TERMS.map(|term| {
             heats.iter().zip(term).map(|(heat, weight)| weight * heat).sum::<f64>().abs()
         });
@@ -201,32 +206,33 @@ impl<'a> Front<'a> {
         }
         self.halvings -= 1;
         let at = 0.5 * (low.at + high.at);
-        let middle = self.passing(segment, Fixed::Way(at), low.share, low.share)?.share;
+        let middle = self.passing(segment, Fixed::SlipPath(at), low.share, low.share)?.share;
         let middle = Place { share: middle.min(high.share), at };
         let one = self.panel(segment, low, middle)?;
         Some(one + self.panel(segment, middle, high)?)
     }
 
-    /// The heat by the share of the step.
+    /// The heat per fraction of the step.
     fn power(&self, &Passing { radius, depth, .. }: &Passing) -> f64 {
         let power = heat_of_twist(depth) * self.turned - heat_of_growth(depth) * self.grown;
         let square = radius * radius;
-        // Below zero by rounding only.
+        // Negative by rounding only.
         square * square * power.max(0.0)
     }
 
-    /// The share of the step, not below `lowest`, at which the edge passes a place in a segment.
+    /// The fraction of the step, at least `lowest`, at which the edge passes a position in a
+    /// segment.
     fn passing(&self, segment: &Segment, place: Fixed, lowest: f64, guess: f64) -> Option<Passing> {
         // `exp(-w)` or the radius itself.
         let held = match place {
             Fixed::Edge(edge) => edge,
-            Fixed::Way(at) => libm::exp(-at),
+            Fixed::SlipPath(at) => libm::exp(-at),
         };
         let (mut low, mut high, mut share) = (lowest, 1.0 + f64::EPSILON, guess);
         for iteration in 0..ITERATIONS {
-            let (passing, lacks) = self.lacking(segment, place, held, share);
+            let (passing, lacks) = self.deficit_at(segment, place, held, share);
             let step = -lacks / passing.slope;
-            if (step * self.grown).abs() <= PLACED * passing.radius {
+            if (step * self.grown).abs() <= RADIUS_ACCURACY * passing.radius {
                 return Some(Passing { share: (share + step).clamp(lowest, 1.0), ..passing });
             }
             if lacks < 0.0 {
@@ -245,12 +251,13 @@ impl<'a> Front<'a> {
         None
     }
 
-    /// What the twist of the discs below a place lacks there, `sign (bh - T) - B`, at a share of the step.
-    fn lacking(&self, segment: &Segment, place: Fixed, held: f64, share: f64) -> (Passing, f64) {
+    /// The deficit of the twist of the discs inside a position, `sign (bh - T) - B`, at a fraction
+    /// of the step.
+    fn deficit_at(&self, segment: &Segment, place: Fixed, held: f64, share: f64) -> (Passing, f64) {
         let radius = self.radius(share);
         let (edge, depth, drawn) = match place {
             Fixed::Edge(edge) => (edge, libm::log(radius / edge), 0.0),
-            Fixed::Way(at) => {
+            Fixed::SlipPath(at) => {
                 let edge = match self.sense {
                     1.0 => held * radius,
                     -1.0 => held / radius,
@@ -279,8 +286,8 @@ impl<'a> Front<'a> {
     }
 }
 
-/// Gauss's weights times `(2 k + 1) P_k`, k = 6 and 7: a function's sum with them is its coefficient of
-/// that Legendre polynomial.
+/// Gauss weights times `(2 k + 1) P_k`, k = 6 and 7: the sum with a function gives its coefficient
+/// of that Legendre polynomial.
 const LAST_TERMS: [[f64; NODES]; 2] = last_terms();
 
 const fn last_terms() -> [[f64; NODES]; 2] {

@@ -1,9 +1,9 @@
-//! A contact that grows, in closed form: in adhesion, or with a slip ring.
+//! A growing contact in closed form: in adhesion, or with a slip annulus.
 //!
-//! Twisted at the rate r > 1 relative to its edge, a contact slips in a ring from its rim inwards.
-//! Its inner edge c first moves in, over densities that lie there, until its depth is that of
-//! `(2/pi) K(k) = r`, `k' = c/al`; then it moves out with the contact at this ratio, and leaves the
-//! constant density `(2/pi) E(k)/k'` behind.
+//! Twisted at the rate r > 1 relative to its edge, a growing contact slips in an annulus at its
+//! edge. The inner radius c of the annulus first moves inwards over the existing densities, until
+//! its depth satisfies `(2/pi) K(k) = r`, `k' = c/al`. Then it moves outwards with the contact at
+//! this ratio and leaves the constant density `(2/pi) E(k)/k'` behind.
 
 use std::f64::consts::{FRAC_2_PI, LN_2};
 
@@ -11,20 +11,21 @@ use carom_special::elliptic::complete;
 use carom_special::roots::bisect;
 
 use super::heat::Meter;
-use super::history::{TwistHistory, Way};
+use super::history::{SlipPath, TwistHistory};
 use super::segment::{Density, Segment};
 use super::sliding::{sliding_torque, sliding_twist, with_ratio};
 
-/// Beyond this depth a stick radius is as good as none.
+/// Beyond this depth ln(al/c) the stick radius counts as zero.
 const DEEPEST: f64 = 690.0;
-/// A slip ring whose inner edge is so near that of the steady ring is taken for it: twist and torque are off
-/// by the square of this, and rounding of the rate moves the edge less.
-const STEADY: f64 = 1e-7;
-/// Halvings of a growth: to rounding.
+/// An annulus whose inner radius is this close to that of the steady annulus is replaced by it. The
+/// error of twist and torque is the square of this, and rounding of the rate moves the radius by
+/// less.
+const STEADY_TOLERANCE: f64 = 1e-7;
+/// Number of bisections of a growth: to rounding.
 const HALVINGS: usize = 50;
 
 impl TwistHistory {
-    /// New area laid down in complete adhesion.
+    /// New area formed in complete adhesion.
     pub(super) fn adhere(&mut self, radius: f64, twist: f64) {
         let density = Density::Stick((twist - self.twist) / (radius - self.radius));
         let segment = Segment {
@@ -42,7 +43,7 @@ impl TwistHistory {
         self.stick = radius;
     }
 
-    /// Growth with a slip ring.
+    /// Growth with a slip annulus.
     pub(super) fn grow(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) {
         let grown = radius - self.radius;
         let rate = (twist - self.twist) / grown;
@@ -50,27 +51,29 @@ impl TwistHistory {
         let depth = steady_depth(rate.abs());
         let ratio = if depth < DEEPEST { libm::exp(-depth) } else { 0.0 };
         let slips = self.radius == 0.0 || self.slip_sign() == Some(sign);
-        let deeper = ratio == 0.0 || self.stick > (1.0 + STEADY) * ratio * self.radius;
+        let deeper = ratio == 0.0 || self.stick > (1.0 + STEADY_TOLERANCE) * ratio * self.radius;
         if !slips || deeper {
             let turn = self.turns_outward(radius, rate, ratio);
             let between = self.twist + rate * (turn - self.radius);
             if turn >= radius {
-                return self.metered(Way::FromRim, radius, twist, meter);
+                return self.metered(SlipPath::FromRim, radius, twist, meter);
             }
             if turn > self.radius {
-                self.metered(Way::FromRim, turn, between, meter);
+                self.metered(SlipPath::FromRim, turn, between, meter);
             }
         }
-        self.metered(Way::Outward { sign, depth }, radius, twist, meter);
+        self.metered(SlipPath::Outward { sign, depth }, radius, twist, meter);
     }
 
-    /// The contact radius, up to `radius`, at which the inner edge of the ring begins to move out.
+    /// The contact radius, up to `radius`, at which the inner radius of the annulus begins to move
+    /// outwards.
     fn turns_outward(&self, radius: f64, rate: f64, ratio: f64) -> f64 {
         if ratio == 0.0 || self.radius == 0.0 {
             return if ratio == 0.0 { radius } else { self.radius };
         }
         let sign = 1.0_f64.copysign(rate);
-        // What the twist lacks when all slides outside the steady ratio; it grows.
+        // The deficit of the twist if everything outside the steady ratio slides; it increases with
+        // al.
         let excess = |al: f64| {
             let twist = self.twist + rate * (al - self.radius);
             sign * (twist - self.twist_below(ratio * al)) - sliding_twist(ratio * al, al)
@@ -82,8 +85,8 @@ impl TwistHistory {
         bisect([self.radius, largest], HALVINGS, |al| excess(al) < 0.0)[1]
     }
 
-    /// The inner edge of the slip ring moves out with the contact.
-    pub(super) fn lay_out(&mut self, radius: f64, twist: f64, sign: f64, depth: f64) {
+    /// The inner radius of the slip annulus moves outwards with the contact.
+    pub(super) fn move_outwards(&mut self, radius: f64, twist: f64, sign: f64, depth: f64) {
         let ratio = libm::exp(-depth);
         let (start, end) = (ratio * self.radius, ratio * radius);
         let density = Density::Stick(sign * FRAC_2_PI * with_ratio(ratio, complete::e) / ratio);
@@ -107,9 +110,9 @@ impl TwistHistory {
     }
 }
 
-/// The depth at which `(2/pi) K` has a given value, above 1.
+/// The depth at which `(2/pi) K` has a given value above 1.
 fn steady_depth(rate: f64) -> f64 {
-    // K = ln(4/k') at great depth, to rounding beyond 40.
+    // K = ln(4/k') at great depth; exact to rounding beyond 40.
     let deep = rate / FRAC_2_PI - 2.0 * LN_2;
     if deep >= 40.0 {
         return deep.min(1e3);

@@ -1,56 +1,55 @@
-//! The energy that slip turns into heat.
+//! The energy dissipated by slip.
 //!
 //! In the units of [`super::history`] the elastic energy is `(3/2) int s^2 u^2 ds` and the torque
-//! `3 int s^2 u ds`, with `u(s) = int_s^al b ds`. What the work of a step leaves of the energy is
-//! `3 int s^2 u (dbh - du) ds`. Where all sticks du = dbh; in a slip ring outside c, u is
-//! `sign B(s; al)` with `dB/dal = (2/pi) K`. With the depth v = ln(al/c) a step therefore costs
-//! `al^4 [p(v) sign dbh - g(v) dal]`, where
-//! `p = (6/pi) int_0^v exp(-3 x) (K - E) dx` and `g = (12/pi^2) int_0^v exp(-3 x) (K - E) K dx` at
-//! `k' = exp(-x)`.
+//! `3 int s^2 u ds`, with `u(s) = int_s^al b ds`. The work of a step minus the increase of the
+//! energy is `3 int s^2 u (dbh - du) ds`. Where the contact sticks du = dbh; in a slip annulus
+//! outside c, u is `sign B(s; al)` with `dB/dal = (2/pi) K`. With the depth v = ln(al/c) a step
+//! therefore dissipates `al^4 [p(v) sign dbh - g(v) dal]`, where `p = (6/pi) int_0^v exp(-3 x) (K -
+//! E) dx` and `g = (12/pi^2) int_0^v exp(-3 x) (K - E) K dx` at `k' = exp(-x)`.
 
 use carom_special::quadrature::FixedRule;
 
 use super::front::Front;
-use super::history::{TwistHistory, Way};
+use super::history::{SlipPath, TwistHistory};
 use super::rings::Rings;
 use super::sliding::{heat_of_growth, heat_of_twist};
 
-/// Gauss's nodes and weights on (0, 1).
+/// Gauss nodes and weights on (0, 1).
 const GAUSS: [(f64, f64); 6] = FixedRule::parts();
 
-/// Sees what a step does.
+/// An observer of the parts of a step.
 pub(super) trait Meter {
-    /// Whether it looks at states.
+    /// Whether it needs the states.
     const LOOKS: bool;
 
-    /// A way between two states.
-    fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: Way);
-    /// A part solved by rings.
+    /// A path between two states.
+    fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: SlipPath);
+    /// A part that was solved by rings.
     fn slides(&mut self, heat: RingHeat<'_>);
 }
 
-/// Looks away.
+/// Ignores all parts.
 pub(super) struct Unmetered;
 
 impl Meter for Unmetered {
     const LOOKS: bool = false;
 
-    fn follows(&mut self, _: &TwistHistory, _: &TwistHistory, _: Way) {}
+    fn follows(&mut self, _: &TwistHistory, _: &TwistHistory, _: SlipPath) {}
     fn slides(&mut self, _: RingHeat<'_>) {}
 }
 
-/// Adds up the heat.
+/// Sums up the heat.
 #[derive(Debug, Default)]
 pub(super) struct Heat(pub(super) f64);
 
 impl Meter for Heat {
     const LOOKS: bool = true;
 
-    fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: Way) {
+    fn follows(&mut self, before: &TwistHistory, after: &TwistHistory, way: SlipPath) {
         self.0 += match way {
-            Way::Adhere => 0.0,
-            Way::Outward { depth, .. } => of_steady_ring(before, after, depth),
-            Way::FromRim | Way::Inward(_) => of_ring(before, after, way),
+            SlipPath::Adhere => 0.0,
+            SlipPath::Outward { depth, .. } => of_steady_ring(before, after, depth),
+            SlipPath::FromRim | SlipPath::Inward(_) => of_ring(before, after, way),
         };
     }
 
@@ -59,7 +58,7 @@ impl Meter for Heat {
     }
 }
 
-/// Growth with a slip ring of constant depth.
+/// Growth with a slip annulus of constant depth.
 fn of_steady_ring(before: &TwistHistory, after: &TwistHistory, depth: f64) -> f64 {
     let (grown, turned) = (after.radius - before.radius, (after.twist - before.twist).abs());
     let rate = heat_of_twist(depth) * turned - heat_of_growth(depth) * grown;
@@ -72,23 +71,23 @@ pub(super) fn mean_of_fourth_powers(a: f64, b: f64) -> f64 {
     0.2 * ((square_a + square_b) * (square_a + a * b) + square_b * square_b)
 }
 
-/// A part of a step with one slip ring that spreads inwards.
-fn of_ring(before: &TwistHistory, after: &TwistHistory, way: Way) -> f64 {
+/// A substep with one slip annulus that spreads inwards.
+fn of_ring(before: &TwistHistory, after: &TwistHistory, way: SlipPath) -> f64 {
     let Some(sign) = after.slip_sign().filter(|_| after.stick < after.radius) else {
         return of_edge(before, after);
     };
     let turns_on = after.radius >= before.radius && sign * (after.twist - before.twist) > 0.0;
     let slipped = before.slip_sign() == Some(sign);
-    let goes_on = slipped && (turns_on || matches!(way, Way::Inward(_)));
+    let goes_on = slipped && (turns_on || matches!(way, SlipPath::Inward(_)));
     let start = if goes_on { before.stick } else { before.radius };
-    // A ring that begins anew within one of its own sense moves outwards.
+    // An annulus that begins anew inside one of its own sign moves outwards.
     let heat = (goes_on == slipped).then(|| Front::new(before, after, sign));
     let heat = heat.and_then(|front| front.heat(start, after.stick));
     heat.filter(|heat| heat.is_finite()).unwrap_or_else(|| by_parts(before, after, way))
 }
 
-/// What a receding edge releases without a slip ring: the limit of a thin one, in which
-/// `v = |bh - T|/al` and `p = g = (3/2) v^2`.
+/// The energy released by a receding edge without a slip annulus: the limit of a thin annulus, in
+/// which `v = |bh - T|/al` and `p = g = (3/2) v^2`.
 fn of_edge(before: &TwistHistory, after: &TwistHistory) -> f64 {
     let lost = before.radius - after.radius;
     if lost <= 0.0 {
@@ -108,9 +107,9 @@ fn of_edge(before: &TwistHistory, after: &TwistHistory) -> f64 {
     GAUSS.iter().map(|(node, weight)| weight * rate(*node)).sum()
 }
 
-/// A part of a step with one slip ring, by Gauss over the step. Where rings were needed before, the inner
-/// edge may move outwards.
-fn by_parts(before: &TwistHistory, after: &TwistHistory, way: Way) -> f64 {
+/// A substep with one slip annulus, by Gauss quadrature over the step. If rings were needed before,
+/// the inner radius may move outwards.
+fn by_parts(before: &TwistHistory, after: &TwistHistory, way: SlipPath) -> f64 {
     let (grown, turned) = (after.radius - before.radius, after.twist - before.twist);
     let rate = |t: f64| {
         let mut at = before.clone();
@@ -124,7 +123,7 @@ fn by_parts(before: &TwistHistory, after: &TwistHistory, way: Way) -> f64 {
     GAUSS.iter().map(|(node, weight)| weight * rate(*node)).sum()
 }
 
-/// Rings that slip, and the contact radius from which they came.
+/// Slipping rings, and the contact radius at the start.
 pub(super) struct RingHeat<'a> {
     pub(super) rings: &'a Rings,
     pub(super) from: f64,
@@ -140,7 +139,7 @@ impl RingHeat<'_> {
             .map(|i| {
                 let rho = middles[i];
                 let inner = if i + 1 == middles.len() { 0.0 } else { edges[i + 1] };
-                // sqrt(al^2 - rho^2) falls to the rim within its ring.
+                // sqrt(al^2 - rho^2) vanishes at the edge, within its ring.
                 let area = |al: f64| {
                     let outer = edges[i].min(al);
                     if i == 0 {

@@ -14,28 +14,28 @@ use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::memory::{AdhesionMemory, Growing};
 use crate::profile::PowerLaw;
 
-/// Numbers before those of the memory.
+/// Number of values before those of the memory.
 const HEAD: usize = 4;
 
-/// How many numbers the state of a [`TorsionLaw`] with so many pieces of density takes.
+/// Number of values of a stored [`TorsionLaw`] with this many pieces of density.
 #[must_use]
 pub const fn packed_numbers(pieces: usize) -> usize {
     HEAD + history::packed_numbers(pieces)
 }
 
-/// What the law of a twist takes from a contact, at unit approach.
+/// The constants of a torsion law, at unit approach.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TorsionConstants {
     /// `F_z = (2/3) c_z zeta^(3/2)`.
     pub c_z: f64,
-    /// Torque over twist without slip, as `zeta^(3/2)`, (5.35).
+    /// Torque divided by twist without slip, proportional to `zeta^(3/2)`, (5.35).
     pub stiffness: f64,
-    /// Torque of sliding over the friction limit, as `zeta^(1/2)`, (7.65).
+    /// Sliding torque divided by the friction limit, proportional to `zeta^(1/2)`, (7.65).
     pub arm: f64,
 }
 
 impl TorsionConstants {
-    /// Of a Hertzian contact.
+    /// The constants of a Hertz contact.
     ///
     /// # Errors
     /// [`RangeError`] if one of them over- or underflows.
@@ -48,21 +48,22 @@ impl TorsionConstants {
     }
 }
 
-/// The law of normal load and twist about the normal.
+/// The contact law for normal load and twist about the normal.
 ///
-/// On a circular contact it is Lubkin's law with memory ([`TwistHistory`]). On an ellipse the same
-/// law is scaled to the ellipse's initial stiffness (5.35) and sliding torque (7.65): both ends of
-/// the torque curve are right, what lies between is approximate. Shifts xi and eta are carried along
-/// without effect.
+/// For a circular contact it is Lubkin's law with memory ([`TwistHistory`]). For an ellipse the
+/// same law is scaled to the initial stiffness (5.35) and the sliding torque (7.65) of the ellipse:
+/// both ends of the torque curve are exact, the curve between them is approximate. Shifts xi and
+/// eta are stored but have no effect.
 ///
-/// With any friction, infinite too, a step goes straight in contact radius and twist: in the root of the
-/// approach, not the approach. Where both change much at once the torque is not that of many steps in
-/// which the approach goes straight: in one step from touch without slip it is (1/4) K Omega, theirs
-/// (2/5) K Omega, K being the stiffness (5.35) at the end. As the friction grows, torque and energies tend
-/// to those at infinite friction. Heat is the work of the torque on the way of the step without what is
-/// then stored, with the error of [`TwistHistory::dissipation`] and 0 where nothing slips. To tell it
-/// costs some three times a small step, and up to sixty times one that slides far or twists while it
-/// presses.
+/// For any friction, also infinite, a step is straight in contact radius and twist, that is, in the
+/// square root of the approach. If both change much in one step, the torque differs from that of
+/// many steps on a path straight in the approach: for one step from first contact without slip it
+/// is (1/4) K Omega instead of (2/5) K Omega, where K is the stiffness (5.35) at the end. For
+/// increasing friction, torque and energies tend to those of infinite friction. The heat is the
+/// work of the torque on the path of the step minus the increase of the stored energy, with the
+/// error of [`TwistHistory::dissipation`], and 0 without slip. To compute it takes about three
+/// times as long as a small step, and up to sixty times for a step that slides far or twists under
+/// increasing load.
 ///
 /// ```
 /// use carom_halfspace::{Material, MaterialPair};
@@ -85,7 +86,7 @@ impl TorsionConstants {
 #[derive(Debug, Clone, PartialEq)]
 pub struct TorsionLaw {
     c_z: f64,
-    /// bh = Omega times this, M_z = mu times that.
+    /// bh = Omega times `per_twist`, M_z = mu times `per_torque`.
     per_twist: f64,
     per_torque: f64,
     state: State,
@@ -94,13 +95,13 @@ pub struct TorsionLaw {
 
 #[derive(Debug, Clone, PartialEq)]
 enum State {
-    Free,
-    Rubbing(TwistHistory),
-    Stuck(Box<AdhesionMemory<f64, Growing<f64>, PowerLaw>>),
+    Frictionless,
+    Lubkin(TwistHistory),
+    Adhesion(Box<AdhesionMemory<f64, Growing<f64>, PowerLaw>>),
 }
 
 impl TorsionLaw {
-    /// A law at rest, the bodies just touching and untwisted.
+    /// A law in its initial state: bodies at first contact, without twist.
     ///
     /// # Errors
     /// [`RangeError`] if a stiffness over- or underflows.
@@ -108,7 +109,7 @@ impl TorsionLaw {
         Self::from_constants(TorsionConstants::of(hertz)?, friction)
     }
 
-    /// The law of a contact of which only the constants are known, at rest.
+    /// A law in its initial state, from the constants of a contact.
     ///
     /// # Errors
     /// [`RangeError`] for a constant that is not positive and finite.
@@ -121,37 +122,37 @@ impl TorsionLaw {
         RangeError::positive("torsional stiffness", stiffness)?;
         RangeError::positive("torsional arm", arm)?;
         let (state, per_twist, per_torque) = match friction.coefficient() {
-            Some(0.0) => (State::Free, 0.0, 0.0),
+            Some(0.0) => (State::Frictionless, 0.0, 0.0),
             Some(f) => {
                 let sliding = f * 2.0 / 3.0 * c_z * arm;
                 let per_torque = sliding * 32.0 / (3.0 * PI);
-                (State::Rubbing(TwistHistory::new()), stiffness / per_torque, per_torque)
+                (State::Lubkin(TwistHistory::new()), stiffness / per_torque, per_torque)
             }
             None => {
-                // Discs of radius a carry a^3: a force a^4, of which the derivative has the factor 4.
+                // Discs of radius a carry a^3: a force a^4, whose derivative has the factor 4.
                 let profile = PowerLaw::of_shape(1.0 / 3.0)?;
                 let memory = Box::new(AdhesionMemory::with_profile(profile));
-                (State::Stuck(memory), 1.0, stiffness / 4.0)
+                (State::Adhesion(memory), 1.0, stiffness / 4.0)
             }
         };
         let shift = Shift::default();
         Ok(Self { c_z, per_twist, per_torque, state, shift })
     }
 
-    /// The twist's history, if the friction is neither zero nor infinite.
+    /// The history of the twist, if friction is neither zero nor infinite.
     #[must_use]
     pub fn history(&self) -> Option<&TwistHistory> {
         match &self.state {
-            State::Rubbing(history) => Some(history),
+            State::Lubkin(history) => Some(history),
             _ => None,
         }
     }
 
-    /// Writes shift and memory into numbers, [`packed_numbers`] of so many pieces; without slip, 11 and 9
-    /// for each turn of the twist. The constants are not among them.
+    /// Writes shift and history as numbers: [`packed_numbers`] of the number of pieces; without
+    /// slip, 11 and 9 for each reversal of the twist. The constants are not stored.
     ///
-    /// If there is no room for the whole history the pieces that matter least are joined: the greatest
-    /// jump of the torque that this may bring about is returned, [`TwistHistory::pack`].
+    /// If there is not enough room for the whole history, the pieces that matter least are joined.
+    /// The greatest later jump of the torque due to this is returned, see [`TwistHistory::pack`].
     ///
     /// # Errors
     /// [`RangeError`] for too few numbers; nothing is then written.
@@ -160,12 +161,12 @@ impl TorsionLaw {
         RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 4")?;
         let (head, rest) = numbers.split_at_mut(HEAD);
         let jump = match &self.state {
-            State::Free => {
+            State::Frictionless => {
                 rest.fill(0.0);
                 0.0
             }
-            State::Rubbing(history) => history.pack(rest)? * self.per_torque,
-            State::Stuck(memory) => {
+            State::Lubkin(history) => history.pack(rest)? * self.per_torque,
+            State::Adhesion(memory) => {
                 memory.pack(rest)?;
                 0.0
             }
@@ -175,10 +176,10 @@ impl TorsionLaw {
         Ok(jump)
     }
 
-    /// Takes up what [`TorsionLaw::pack`] of a law of the same constants wrote, to the same bits.
+    /// Restores what [`TorsionLaw::pack`] of a law with the same constants wrote, bit for bit.
     ///
     /// # Errors
-    /// [`RangeError`] for numbers that are no state of this law; the law is then unchanged.
+    /// [`RangeError`] for numbers that are not a state of this law; the law is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let room = numbers.len() as f64;
         RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 4")?;
@@ -186,14 +187,14 @@ impl TorsionLaw {
         let shift = Shift { zeta: head[0], xi: head[1], eta: head[2], omega: head[3] };
         shift.check_finite()?;
         match &mut self.state {
-            State::Free => {}
-            State::Rubbing(history) => {
+            State::Frictionless => {}
+            State::Lubkin(history) => {
                 let mut read = history.clone();
                 read.unpack(rest)?;
                 check_approach(shift.zeta, read.radius())?;
                 *history = read;
             }
-            State::Stuck(memory) => {
+            State::Adhesion(memory) => {
                 let mut read = memory.clone();
                 read.unpack(rest)?;
                 check_approach(shift.zeta, read.zeta())?;
@@ -204,48 +205,49 @@ impl TorsionLaw {
         Ok(())
     }
 
-    /// a*/a, the size of the stick area, from 0 to 1.
+    /// a*/a, the relative radius of the stick area, from 0 to 1.
     #[must_use]
     pub fn stick_radius(&self) -> f64 {
         match &self.state {
             _ if self.shift.zeta <= 0.0 => 0.0,
-            State::Free => 0.0,
-            State::Rubbing(history) => history.stick_radius() / history.radius(),
-            State::Stuck(_) => 1.0,
+            State::Frictionless => 0.0,
+            State::Lubkin(history) => history.stick_radius() / history.radius(),
+            State::Adhesion(_) => 1.0,
         }
     }
 
-    /// The elastic energy of the twist alone.
+    /// The elastic energy of the twist only.
     #[must_use]
     pub fn twist_energy(&self) -> f64 {
         match &self.state {
-            State::Free => 0.0,
-            State::Rubbing(history) => history.stored_energy() * self.per_torque / self.per_twist,
-            State::Stuck(memory) => memory.stored_energy() * self.per_torque,
+            State::Frictionless => 0.0,
+            State::Lubkin(history) => history.stored_energy() * self.per_torque / self.per_twist,
+            State::Adhesion(memory) => memory.stored_energy() * self.per_torque,
         }
     }
 
-    /// The part of the straight way to a shift on which the bodies touch.
-    fn way(&self, to: Shift) -> Way {
+    /// The part of the straight path to a shift on which the bodies are in contact.
+    fn way(&self, to: Shift) -> SlipPath {
         let from = self.shift;
         let crossing = || {
             let part = from.zeta / (from.zeta - to.zeta);
             (from.omega + part * (to.omega - from.omega)) * self.per_twist
         };
         let parts = from.zeta > 0.0 && to.zeta < 0.0;
-        Way {
+        SlipPath {
             touch: (from.zeta < 0.0 && to.zeta > 0.0).then(crossing),
             radius: to.zeta.max(0.0).sqrt(),
             twist: if parts { crossing() } else { to.omega * self.per_twist },
         }
     }
 
-    /// Goes to a new shift, as [`ContactLaw::advance`], and returns the heat of the step.
+    /// Advances to a new shift, as [`ContactLaw::advance`], and returns the heat of the step.
     pub(crate) fn advance_with_heat(&mut self, to: Shift) -> Result<f64, RangeError> {
         self.go(to, TwistHistory::advance_with_heat)
     }
 
-    /// Goes to a new shift. The history moves by `advance`, the value of which is taken for its heat.
+    /// Advances to a new shift. The history is moved by `advance`, whose value is returned as its
+    /// heat.
     fn go(
         &mut self,
         to: Shift,
@@ -253,16 +255,16 @@ impl TorsionLaw {
     ) -> Result<f64, RangeError> {
         to.check_finite()?;
         in_contact("omega", to.omega * self.per_twist)?;
-        let Way { touch, radius, twist } = self.way(to);
+        let SlipPath { touch, radius, twist } = self.way(to);
         let heat = match &mut self.state {
-            State::Free => 0.0,
-            State::Rubbing(history) => {
+            State::Frictionless => 0.0,
+            State::Lubkin(history) => {
                 if let Some(touch) = touch {
                     history.separate(touch);
                 }
                 advance(history, radius, twist)? * self.per_torque / self.per_twist
             }
-            State::Stuck(memory) => {
+            State::Adhesion(memory) => {
                 if let Some(touch) = touch {
                     memory.advance(0.0, touch)?;
                 }
@@ -278,45 +280,45 @@ impl TorsionLaw {
         Ok(heat)
     }
 
-    /// The twist goes on in the air.
+    /// The twist continues while the bodies are separated.
     fn separate(&mut self, omega: f64) -> Result<(), RangeError> {
         let twist = omega * self.per_twist;
         match &mut self.state {
-            State::Free => {}
-            State::Rubbing(history) => history.separate(twist),
-            State::Stuck(memory) => {
+            State::Frictionless => {}
+            State::Lubkin(history) => history.separate(twist),
+            State::Adhesion(memory) => {
                 memory.advance(0.0, twist)?;
             }
         }
         Ok(())
     }
 
-    /// The torque in the law's units.
+    /// The torque in physical units.
     fn torque(&self) -> f64 {
         match &self.state {
-            State::Free => 0.0,
-            State::Rubbing(history) => history.torque(),
-            State::Stuck(memory) => memory.force(),
+            State::Frictionless => 0.0,
+            State::Lubkin(history) => history.torque(),
+            State::Adhesion(memory) => memory.force(),
         }
     }
 }
 
-/// The part of a step on which the bodies touch, in the law's units.
-struct Way {
-    /// The twist at which they touch, if they did not before.
+/// The part of a step with the bodies in contact, in the units of the history.
+struct SlipPath {
+    /// The twist at first contact, if the bodies were separated before.
     touch: Option<f64>,
-    /// Radius and twist at its end.
+    /// Radius and twist at the end.
     radius: f64,
     twist: f64,
 }
 
-/// Whether a memory is that of an approach.
+/// Checks that a memory matches an approach.
 fn check_approach(zeta: f64, radius: f64) -> Result<(), RangeError> {
     let touches = (zeta > 0.0) == (radius > 0.0);
     RangeError::check("approach", zeta, touches, "> 0 in contact")?;
     let off = radius * radius - zeta.max(0.0);
     let holds = off.abs() <= 1e-9 * zeta.max(0.0);
-    RangeError::check("radius", radius, holds, "the root of the approach")?;
+    RangeError::check("radius", radius, holds, "the square root of the approach")?;
     Ok(())
 }
 

@@ -10,13 +10,13 @@ use carom_special::{AxisRatio, RangeError};
 /// The normalised torque of complete sliding, `M_z/(f F_z a) = 3 pi/16`.
 pub const SLIDING_TORQUE: f64 = 3.0 * PI / 16.0;
 
-/// Below this stick radius the torque is found from what it lacks to sliding.
+/// Below this stick radius the torque is computed from its deficit to sliding.
 const SMALL_STICK: f64 = 0.4;
 
 static RULE: FixedRule<16> = FixedRule::fixed();
 static FINE: FixedRule<48> = FixedRule::fixed();
 
-/// A circular contact under constant normal load, twisted once from rest.
+/// A circular contact under constant normal load, twisted once from zero.
 ///
 /// Normalised by the contact: twist `G a^2 beta/(f F_z)`, torque `M_z/(f F_z a)`, traction
 /// `sigma a^2/(f F_z)`, radii by a.
@@ -34,12 +34,12 @@ static FINE: FixedRule<48> = FixedRule::fixed();
 pub struct Lubkin {
     /// k' = a*/a.
     stick: AxisRatio,
-    /// k^2 = 1 - k'^2, kept apart for its digits.
+    /// k^2 = 1 - k'^2, stored separately for its accuracy.
     parameter: f64,
 }
 
 impl Lubkin {
-    /// The state of a given stick radius a*/a in (0, 1].
+    /// The state with a given stick radius a*/a in (0, 1].
     ///
     /// # Errors
     /// [`RangeError`] for a ratio outside that range.
@@ -49,7 +49,7 @@ impl Lubkin {
         Ok(Self { stick, parameter: stick.parameter() })
     }
 
-    /// The state of a given modulus k = sqrt(1 - (a*/a)^2) in [0, 1).
+    /// The state with a given modulus k = sqrt(1 - (a*/a)^2) in [0, 1).
     ///
     /// # Errors
     /// [`RangeError`] for a modulus outside that range.
@@ -59,18 +59,18 @@ impl Lubkin {
         Ok(Self { stick, parameter: k * k })
     }
 
-    /// The state under a given twist >= 0, the inverse of (5.39).
+    /// The state at a given twist >= 0, the inverse of (5.39).
     ///
     /// # Errors
-    /// [`RangeError`] unless the twist is finite, not negative, and below about 160, where the
-    /// stick radius underflows.
+    /// [`RangeError`] unless the twist is finite, not negative, and below about 160, above which
+    /// the stick radius underflows.
     pub fn at_twist(twist: f64) -> Result<Self, RangeError> {
         let holds = (0.0..160.0).contains(&twist);
         RangeError::check("twist", twist, holds, "in [0, 160)")?;
         Ok(Self::at_depth(depth_of_twist(4.0 * PI / 3.0 * twist)))
     }
 
-    /// The state under a given torque from 0 to below [`SLIDING_TORQUE`].
+    /// The state under a given torque, at least 0 and below [`SLIDING_TORQUE`].
     ///
     /// # Errors
     /// [`RangeError`] for a torque outside that range.
@@ -78,7 +78,7 @@ impl Lubkin {
         let holds = (0.0..SLIDING_TORQUE).contains(&torque);
         RangeError::check("torque", torque, holds, "in [0, 3 pi/16)")?;
         // With v = -ln k': dM/dv = (4/pi) k'^3 E. Near sliding the logarithm of the deficit is
-        // nearly linear in v, elsewhere M itself; both are concave, and Newton's steps from the
+        // nearly linear in v, elsewhere M itself; both are concave, so that Newton steps from the
         // left do not overshoot.
         let deficit = SLIDING_TORQUE - torque;
         let mut v = 0.0;
@@ -130,14 +130,14 @@ impl Lubkin {
         moment_above(kc, self.parameter)
     }
 
-    /// What the torque lacks to sliding, `3 pi/16 - M_z/(f F_z a)`, with its own digits.
+    /// The deficit of the torque to sliding, `3 pi/16 - M_z/(f F_z a)`, to full relative accuracy.
     #[must_use]
     pub fn deficit(&self) -> f64 {
         let kc = self.stick.get();
         if kc < SMALL_STICK { moment_below(kc) } else { SLIDING_TORQUE - self.torque() }
     }
 
-    /// The torque's tangent `dM/dtwist = (16/3) k'^3`.
+    /// The tangent of the torque, `dM/dtwist = (16/3) k'^3`.
     #[must_use]
     pub fn stiffness(&self) -> f64 {
         let kc = self.stick.get();
@@ -177,8 +177,8 @@ impl Lubkin {
         1.0 + 2.0 / PI * bracket
     }
 
-    /// While little slips the traction is small and the bracket cancels. With s^2 = rho^2 + w^2
-    /// the superposition of adhesive twists is smooth: `rho int (2/pi) E/s^2 dw`.
+    /// For little slip the traction is small and the bracket cancels. With s^2 = rho^2 + w^2 the
+    /// superposition of adhesive twists is smooth: `rho int (2/pi) E/s^2 dw`.
     fn traction_of_large_stick(&self, rho: f64) -> f64 {
         let kc = self.stick.get();
         let lower = ((kc - rho) * (kc + rho)).sqrt();
@@ -200,7 +200,8 @@ impl Lubkin {
     /// `rho int bF ds/sqrt(s^2 - rho^2)` with `bF = (2/pi) E/s`, does not.
     fn inner_traction(&self, rho: f64) -> f64 {
         let lower = libm::log(self.stick.get());
-        // In ln s the integrand falls as 1/s: panels of a few e-folds keep Gauss exact.
+        // In ln s the integrand decreases as 1/s: panels of a few e-foldings keep the Gauss rule
+        // exact.
         let panels = (-lower / 4.0).ceil().max(1.0);
         let mut sum = 0.0;
         for panel in 0..panels as usize {
@@ -222,8 +223,8 @@ pub fn approximate_torque(twist: f64) -> f64 {
     -SLIDING_TORQUE * libm::expm1(-256.0 / (9.0 * PI) * twist)
 }
 
-/// v = -ln k' at which K - E has a given value: d(K - E)/dv = E, so that Newton's steps from the
-/// left stay there.
+/// v = -ln k' at which K - E has a given value. Since d(K - E)/dv = E, Newton steps from the left
+/// stay there.
 pub(crate) fn depth_of_twist(target: f64) -> f64 {
     // K - E < (pi/2) v, and for large v it is v + ln 4 - 1.
     let mut v = (target / (PI / 2.0)).max(target + 1.0 - 4.0_f64.ln());
@@ -239,7 +240,7 @@ pub(crate) fn depth_of_twist(target: f64) -> f64 {
     v.max(0.0)
 }
 
-/// `(4/pi) int_k'^1 t^2 E(t) dt`, with the length of the interval from k^2.
+/// `(4/pi) int_k'^1 t^2 E(t) dt`, with the length of the interval computed from k^2.
 fn moment_above(kc: f64, parameter: f64) -> f64 {
     let length = parameter / (1.0 + kc);
     let sum: f64 = RULE

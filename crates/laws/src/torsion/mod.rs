@@ -1,13 +1,13 @@
-//! Torsion about the normal: adhesion, partial slip, histories and the elliptical approximation
-//! (sections 5.3, 5.4, 7.6 and 10.5).
+//! Torsion about the normal: adhesion, partial slip, load histories and the approximation for
+//! ellipses (sections 5.3, 5.4, 7.6 and 10.5).
 //!
-//! Twists are relative, positive when `u = beta y`, `v = -beta x`; torques are those on body 1,
-//! `M_z = int (y t_x - x t_y) dS`, of the same sign. G and nu are combined (4.7).
+//! Twists are relative, positive for `u = beta y`, `v = -beta x`. Torques act on body 1, `M_z = int
+//! (y t_x - x t_y) dS`, and have the same sign. G and nu are the combined constants (4.7).
 
 pub mod adhesion;
-mod apart;
 mod check;
 mod complementarity;
+mod disjoint_annuli;
 pub mod ellipse;
 mod front;
 mod grow;

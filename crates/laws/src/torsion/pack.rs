@@ -1,4 +1,4 @@
-//! The state of a twist as plain numbers, to be kept elsewhere.
+//! Stores the state of a twist as plain numbers.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -13,34 +13,35 @@ use crate::bounds::in_contact;
 const VERSION: f64 = 5.0;
 /// Numbers before the pieces.
 const HEAD: usize = 7;
-/// Numbers of a piece.
+/// Numbers per piece.
 const EACH: usize = 6;
-/// The fewest pieces that a state must have room for.
-const FEWEST: usize = 4;
+/// Least number of pieces that a stored state must have room for.
+const FEWEST_PIECES: usize = 4;
 
-/// How many numbers a twist with so many pieces of density takes, [`TwistHistory::pack`].
+/// Number of values of a stored twist with this many pieces of density, [`TwistHistory::pack`].
 #[must_use]
 pub const fn packed_numbers(pieces: usize) -> usize {
     HEAD + EACH * pieces
 }
 
 impl TwistHistory {
-    /// Pieces of density that the contact remembers: each turn of the twist adds one or two, rings some
-    /// hundred.
+    /// Number of pieces of density in the history: each reversal of the twist adds one or two,
+    /// rings about a hundred.
     #[must_use]
     pub const fn pieces(&self) -> usize {
         self.segments.len()
     }
 
-    /// Writes the state into numbers: a mark of the version, the number of pieces, radius, twist, torque,
-    /// stick radius, steps with rings, and six numbers of each piece, [`packed_numbers`]. What is left
-    /// over becomes zero. All zeros are two bodies that just touch.
+    /// Writes the state as numbers: a mark of the version, the number of pieces, radius, twist,
+    /// torque, stick radius, steps with rings, and six numbers per piece, [`packed_numbers`]. The
+    /// rest of the slice is set to zero. All zeros represent two bodies at first contact.
     ///
-    /// If there is no room for all pieces those that matter least become one: the twist that they carry
-    /// stays the same, and the present torque; a torque to come may jump. The greatest of these jumps is
-    /// returned, in the unit of the torque: zero if nothing was lost. Kept so after each step of random
-    /// paths, torques were off by this part of that of sliding, in the mean and at worst: 4 pieces .004,
-    /// .3; 8 pieces 3e-4, .02; 16 pieces 4e-5, .004; 32 pieces 6e-6, 6e-4.
+    /// If there is not enough room for all pieces, those that matter least are joined. Their twist
+    /// and the present torque are kept; a later torque may jump. The greatest of these jumps is
+    /// returned, in the unit of the torque; zero if nothing was lost. When the state was stored
+    /// after each step of random paths, the errors of the torque relative to the sliding torque
+    /// were, mean and worst: 4 pieces .004, .3; 8 pieces 3e-4, .02; 16 pieces 4e-5, .004; 32 pieces
+    /// 6e-6, 6e-4.
     ///
     /// ```
     /// use carom_laws::torsion::history::{TwistHistory, packed_numbers};
@@ -56,10 +57,10 @@ impl TwistHistory {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] for less room than for four pieces; nothing is then written.
+    /// [`RangeError`] if there is room for fewer than four pieces; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<f64, RangeError> {
         let room = numbers.len() as f64;
-        let holds = numbers.len() >= packed_numbers(FEWEST);
+        let holds = numbers.len() >= packed_numbers(FEWEST_PIECES);
         RangeError::check("numbers", room, holds, ">= 31, room for four pieces")?;
         let capacity = (numbers.len() - HEAD) / EACH;
         if self.segments.len() <= capacity {
@@ -81,7 +82,7 @@ impl TwistHistory {
         numbers[..HEAD].copy_from_slice(&head);
         for (segment, place) in segments.iter().zip(numbers[HEAD..].chunks_exact_mut(EACH)) {
             let Segment { from, density, twist, torque, demand } = *segment;
-            // No contact slid at a radius of zero: such a piece stuck.
+            // No contact slides at a radius of zero: such a piece stuck.
             let (radius, value) = match density {
                 Density::Stick(density) => (0.0, density),
                 Density::Slip { sign, radius } => (radius, sign),
@@ -90,11 +91,11 @@ impl TwistHistory {
         }
     }
 
-    /// Takes the state from numbers that [`TwistHistory::pack`] wrote, to the same bits.
+    /// Restores a state from the numbers of [`TwistHistory::pack`], bit for bit.
     ///
     /// # Errors
-    /// [`RangeError`] for another version, too few numbers, radii that do not rise, signs that are none, a
-    /// torque above that of sliding, or values out of range; the state is then unchanged.
+    /// [`RangeError`] for another version, too few numbers, radii that do not increase, invalid
+    /// signs, a torque above that of sliding, or values out of range; the state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let room = numbers.len() as f64;
         RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 7")?;
@@ -107,7 +108,7 @@ impl TwistHistory {
         RangeError::check("mark", numbers[0], known, "of version 5")?;
         let count = numbers[1];
         let fits = count >= 0.0 && count == count.floor() && count <= (room - 7.0) / 6.0;
-        RangeError::check("pieces", count, fits, "not above the room for them")?;
+        RangeError::check("pieces", count, fits, "at most the number that the storage can hold")?;
         let count = count as usize;
         let (head, pieces) = numbers[..HEAD + EACH * count].split_at(HEAD);
         for number in head {
@@ -115,7 +116,7 @@ impl TwistHistory {
         }
         for piece in pieces.chunks_exact(EACH) {
             let [from, radius, density, rest @ ..] = piece else { continue };
-            // At the centre of a contact that slid all over, a density may have any size.
+            // At the centre of a contact that slid completely, a density may have any magnitude.
             RangeError::finite("density", *density)?;
             for number in [from, radius].into_iter().chain(rest) {
                 in_contact("numbers", *number)?;
@@ -144,12 +145,12 @@ impl TwistHistory {
         Ok(())
     }
 
-    /// Makes one of the two neighbours for which that matters least until there are so many pieces; the
-    /// greatest jump of the torque.
+    /// Joins neighbouring pieces, those with the least effect first, until this many are left.
+    /// Returns the greatest jump of the torque.
     fn thin(&mut self, pieces: usize) -> f64 {
         let mut worst: f64 = 0.0;
-        while self.segments.len() > pieces.max(FEWEST) {
-            // The outermost may be sliding still.
+        while self.segments.len() > pieces.max(FEWEST_PIECES) {
+            // The outermost piece may still be sliding.
             let joints = 0..self.segments.len() - 2;
             let jumps = joints.map(|i| (i, self.jump(i)));
             let Some((i, jump)) = jumps.min_by(|one, other| one.1.total_cmp(&other.1)) else {
@@ -162,12 +163,12 @@ impl TwistHistory {
         worst
     }
 
-    /// Where the piece above another ends.
+    /// The end of the piece above another one.
     fn end_above(&self, i: usize) -> f64 {
         self.segments.get(i + 2).map_or(self.radius, |next| next.from)
     }
 
-    /// A piece and the one above it as one of the mean density, with the same twist at both ends.
+    /// A piece and the one above it as one with the mean density and the same twist at both ends.
     fn joined(&self, i: usize) -> Segment {
         let [lower, upper] = [self.segments[i], self.segments[i + 1]];
         let end = self.end_above(i);
@@ -178,7 +179,7 @@ impl TwistHistory {
         Segment { from: lower.from, density: Density::Stick(density), twist, torque, demand }
     }
 
-    /// By how much the torque below the end of a joint differs from what it was.
+    /// The change of the torque inside the end of a joint.
     fn jump(&self, i: usize) -> f64 {
         let end = self.end_above(i);
         let jump = (self.joined(i).torque_to(end) - self.segments[i + 1].torque_to(end)).abs();
@@ -186,7 +187,7 @@ impl TwistHistory {
     }
 }
 
-/// The piece that six numbers tell.
+/// The piece that six numbers represent.
 fn piece_of(numbers: &[f64]) -> Result<Segment, RangeError> {
     let (radius, value) = (numbers[1], numbers[2]);
     RangeError::non_negative("slip radius", radius)?;

@@ -1,29 +1,31 @@
-//! Which steps are known to slip in one ring, and how a step is divided until its parts are.
+//! Decides which steps have a single slip annulus, and divides the others into substeps.
 
 use carom_special::RangeError;
 
 use super::heat::Meter;
-use super::history::{TwistHistory, Way};
+use super::history::{SlipPath, TwistHistory};
 use super::sliding::{sliding_limit, sliding_twist, threshold};
 
-/// [`threshold`] stays below this.
+/// An upper bound of [`threshold`].
 const GREATEST_THRESHOLD: f64 = 1.103;
 
-/// The rate of twist by growth up to which new area adheres: 1, and rounding.
-const ADHESION: f64 = 1.0 + 1e-12;
+/// The rate of twist per growth up to which new area sticks: 1, with an allowance for rounding.
+const LARGEST_ADHESION_RATE: f64 = 1.0 + 1e-12;
 
-/// The greatest part of the radius that a part of a step gains or loses where one slip ring is not
-/// known to be all.
-const PART: f64 = 1.0 / 40.0;
+/// The greatest relative change of radius in a substep for which a single slip annulus is not
+/// guaranteed.
+const LARGEST_SUBSTEP: f64 = 1.0 / 40.0;
 
-/// How often such a part is halved where rings do not settle; none did in 6000 random paths.
+/// Greatest number of halvings of a substep whose ring solve does not converge; none was needed in
+/// 6000 random paths.
 const HALVINGS: u32 = 10;
 
 impl TwistHistory {
-    /// Goes straight to a new radius and twist.
+    /// Advances on a straight path to a new radius and twist.
     ///
     /// # Errors
-    /// [`RangeError`] if rings do not settle however small the part; nothing has moved then.
+    /// [`RangeError`] if the ring solve does not converge for any substep; the state is then
+    /// unchanged.
     pub(super) fn travel(
         &mut self,
         radius: f64,
@@ -33,13 +35,19 @@ impl TwistHistory {
         let mut start = None;
         let mut apart = false;
         while radius != self.radius || twist != self.twist {
-            if self.is_sure(radius, twist, meter) {
+            if self.try_single_annulus(radius, twist, meter) {
                 break;
             }
             start.get_or_insert_with(|| self.clone());
-            let Some(rings) = self.go_a_part(radius, twist, meter) else {
+            let Some(rings) = self.make_substep(radius, twist, meter) else {
                 *self = start.unwrap_or_default();
-                return RangeError::check("twist", twist, false, "where rings settle").map(|_| ());
+                return RangeError::check(
+                    "twist",
+                    twist,
+                    false,
+                    "for which the ring solve converges",
+                )
+                .map(|_| ());
             };
             apart |= rings;
         }
@@ -47,14 +55,15 @@ impl TwistHistory {
         Ok(())
     }
 
-    /// Goes the next part of a step, the smaller the harder it is; whether rings lay apart.
-    fn go_a_part(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) -> Option<bool> {
+    /// Makes the next substep, which is shorter the more difficult it is. Returns whether several
+    /// slip annuli occurred.
+    fn make_substep(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) -> Option<bool> {
         let [mut radius, mut twist] = self.part_of(radius, twist);
         for _ in 0..HALVINGS {
-            if self.is_sure(radius, twist, meter) {
+            if self.try_single_annulus(radius, twist, meter) {
                 return Some(false);
             }
-            if let Some(rings) = self.tried(radius, twist, meter) {
+            if let Some(rings) = self.try_substep(radius, twist, meter) {
                 return Some(rings);
             }
             radius = 0.5 * (self.radius + radius);
@@ -63,11 +72,11 @@ impl TwistHistory {
         None
     }
 
-    /// Takes a step that is known to slip in one ring; whether it is.
-    fn is_sure(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) -> bool {
+    /// Makes a step if it is known to have a single slip annulus. Returns whether it was made.
+    fn try_single_annulus(&mut self, radius: f64, twist: f64, meter: &mut impl Meter) -> bool {
         let (grown, turned) = (radius - self.radius, twist - self.twist);
-        if grown > 0.0 && turned.abs() <= ADHESION * grown {
-            self.metered(Way::Adhere, radius, twist, meter);
+        if grown > 0.0 && turned.abs() <= LARGEST_ADHESION_RATE * grown {
+            self.metered(SlipPath::Adhere, radius, twist, meter);
             return true;
         }
         if grown > 0.0 {
@@ -78,9 +87,9 @@ impl TwistHistory {
             return sure;
         }
         let way = if grown < 0.0 {
-            self.sure_way_back(radius, twist)
+            self.single_annulus_back(radius, twist)
         } else {
-            (self.demand() <= radius).then_some(Way::FromRim)
+            (self.demand() <= radius).then_some(SlipPath::FromRim)
         };
         if let Some(way) = way {
             self.metered(way, radius, twist, meter);
@@ -88,13 +97,13 @@ impl TwistHistory {
         way.is_some()
     }
 
-    /// The way of a receding step with one slip ring.
-    fn sure_way_back(&self, radius: f64, twist: f64) -> Option<Way> {
+    /// The path of a receding step with a single slip annulus; `None` if that is not guaranteed.
+    fn single_annulus_back(&self, radius: f64, twist: f64) -> Option<SlipPath> {
         let Some(sign) = self.slip_sign() else {
             let short = radius >= self.next_rim();
-            return (short && self.demand() <= radius).then_some(Way::FromRim);
+            return (short && self.demand() <= radius).then_some(SlipPath::FromRim);
         };
-        // What lies below the slip ring stays within friction.
+        // The contact inside the slip annulus stays within friction.
         let below = self.segments.len().checked_sub(2).map_or(0.0, |i| self.segments[i].demand);
         if below > radius {
             return None;
@@ -105,26 +114,31 @@ impl TwistHistory {
                 && self.goes_on_slipping(radius, twist, sign)
                 && (back <= 1.0 || {
                     let mut after = self.clone();
-                    after.follow(Way::Inward(sign), radius, twist);
+                    after.follow(SlipPath::Inward(sign), radius, twist);
                     back <= lowest_rate(back, after.stick / radius)
                 });
-            return sure.then_some(Way::Inward(sign));
+            return sure.then_some(SlipPath::Inward(sign));
         }
-        // Were all to stick, traction would fall as back * rho/sqrt(al^2 - rho^2) and its limit as
-        // al/sqrt(al^2 - rho^2): only within al/back the ring would go on slipping.
+        // If the whole contact stuck, its traction would decrease as back * rho/sqrt(al^2 - rho^2)
+        // and its limit as al/sqrt(al^2 - rho^2): the annulus would continue to slip only inside
+        // al/back.
         let sticks = back * self.stick >= self.radius && radius >= self.stick;
-        sticks.then_some(Way::FromRim)
+        sticks.then_some(SlipPath::FromRim)
     }
 
-    /// Whether the ring of the present sign has twist left to slip inwards.
+    /// Whether the annulus of the present sign continues to slip inwards.
     pub(super) fn goes_on_slipping(&self, radius: f64, twist: f64, sign: f64) -> bool {
         let highest = radius.min(self.stick);
         sign * (twist - self.twist_below(highest)) > sliding_twist(highest, radius)
     }
 
-    /// The end of the part of a step in which the radius changes little.
+    /// The end of a substep in which the radius changes little.
     fn part_of(&self, radius: f64, twist: f64) -> [f64; 2] {
-        let next = if radius > self.radius { self.radius * (1.0 + PART) } else { self.next_rim() };
+        let next = if radius > self.radius {
+            self.radius * (1.0 + LARGEST_SUBSTEP)
+        } else {
+            self.next_rim()
+        };
         let whole = if radius > self.radius { radius <= next } else { radius >= next };
         if whole || self.radius == 0.0 {
             return [radius, twist];
@@ -133,9 +147,9 @@ impl TwistHistory {
         [next, self.twist + part * (twist - self.twist)]
     }
 
-    /// How far a step may recede at once: not past the segment at the rim.
+    /// The radius to which a substep may recede: not beyond the segment at the edge.
     fn next_rim(&self) -> f64 {
-        let least = (1.0 - PART) * self.radius;
+        let least = (1.0 - LARGEST_SUBSTEP) * self.radius;
         match self.segments.last() {
             Some(last) if self.slip_sign().is_none() && last.from < self.radius => {
                 least.max(last.from)
@@ -144,8 +158,14 @@ impl TwistHistory {
         }
     }
 
-    /// Follows a way and has it metered.
-    pub(super) fn metered<M: Meter>(&mut self, way: Way, radius: f64, twist: f64, meter: &mut M) {
+    /// Follows a path and reports it to the meter.
+    pub(super) fn metered<M: Meter>(
+        &mut self,
+        way: SlipPath,
+        radius: f64,
+        twist: f64,
+        meter: &mut M,
+    ) {
         let before = M::LOOKS.then(|| self.clone());
         self.follow(way, radius, twist);
         if let Some(before) = before {
@@ -153,7 +173,7 @@ impl TwistHistory {
         }
     }
 
-    /// Whether torque and rim of a solution stay within friction.
+    /// Whether torque and outer density of a solution are within friction.
     pub(super) fn is_admissible(&self) -> bool {
         let rim = self.segments.last().map_or(0.0, |last| last.density.at(self.radius));
         let sticks = self.stick >= self.radius;
@@ -161,7 +181,8 @@ impl TwistHistory {
     }
 }
 
-/// The rate of back-twist above which a ring may change its sign, for comparison with `back`.
+/// The rate of reverse twist above which an annulus may change its sign, for comparison with
+/// `back`.
 pub(super) fn lowest_rate(back: f64, stick: f64) -> f64 {
     if back > 1.0 && back < GREATEST_THRESHOLD { threshold(stick) } else { 1.0 }
 }

@@ -1,11 +1,12 @@
-//! A twisted contact by rings of any pattern of stick and slip.
+//! A twisted contact divided into rings, with any pattern of stick and slip.
 //!
-//! One unknown a ring: tractions within the friction limit, and slip only where it is reached,
-//! along it. The density of [`super::history`] ties tractions to rotations: a disc of radius s
-//! with the density b turns the surface by b inside s and by `b [1 - W(s/rho)]` outside. Discs
-//! inside all slip keep their density, so that rings are needed only outside a radius. Their edges
-//! are powers of one number, narrow at the rim and wider inwards: the influence of a ring on
-//! another depends on their distance and width alone, and its numbers are found once.
+//! Each ring has one unknown: tractions are within the friction limit, and slip occurs only where
+//! the limit is reached, in the direction of the traction. The density of [`super::history`]
+//! relates tractions to rotations: a disc of radius s with the density b rotates the surface by b
+//! inside s and by `b [1 - W(s/rho)]` outside. Discs inside all slip keep their density, so that
+//! rings are needed only outside a radius. Their edges are powers of one number, closely spaced at
+//! the edge of the contact and wider inside. The influence of one ring on another then depends only
+//! on their distance and width, and is computed once.
 
 use std::f64::consts::FRAC_2_PI;
 use std::sync::OnceLock;
@@ -13,28 +14,29 @@ use std::sync::OnceLock;
 use super::complementarity::Friction;
 use super::sliding::sliding_twist;
 
-/// The least width of rings that may be asked for, and by how many levels those at the rim itself
-/// are narrower: just above the threshold of the rate the outer slip ring is thin.
+/// The least ring width that may be requested, and by how many levels rings at the edge itself are
+/// narrower: just above the threshold of the rate the outer slip annulus is thin.
 pub(super) const NARROWEST: f64 = 1.0 / 256.0;
 const AT_RIM: usize = 2;
-/// ln of the ratio of neighbouring edges on the finest rings; those of a level are twice as wide
-/// as those of the one before.
+/// ln of the ratio of neighbouring ring edges on the finest level; the rings of each level are
+/// twice as wide as those of the previous one.
 const FINEST: f64 = NARROWEST / (1 << AT_RIM) as f64;
-/// The level of 1/128, unless another is asked for, and the widest.
+/// The default level, for the width 1/128, and the widest.
 pub(super) const USUAL_LEVEL: usize = 1;
 pub(super) const WIDEST_LEVEL: usize = 6;
 
-/// Depths below the rim, in units of [`FINEST`], from which on rings are wider by one level each.
+/// Depths below the edge of the contact, in units of [`FINEST`], from which rings are wider by one
+/// level each.
 const WIDER: [i32; 5] = [16, 48, 384, 768, 1536];
-/// The depth, in those units, that rings do not exceed: a part 0.03 of the radius.
+/// Greatest depth of the rings, in the same unit: 0.03 of the radius.
 const DEEPEST: i32 = 3584;
 
 const LEVELS: usize = WIDEST_LEVEL + WIDER.len() + 1;
-/// Distances of edges: the deepest, and a ring more at the rim and at the bottom.
+/// Number of distances of ring edges: the deepest, and one ring more at both ends.
 const DISTANCES: usize = DEEPEST as usize + (4 << (LEVELS - 1));
 
-/// What tells a ring's traction and slip by discs up to an edge that lies `d` units outside or
-/// inside its outer edge.
+/// Traction and slip of a ring due to discs up to a ring edge that lies `d` units outside or inside
+/// its outer edge.
 struct Influence {
     /// `arcosh(s/rho)` by units outwards.
     traction: Vec<f64>,
@@ -44,7 +46,7 @@ struct Influence {
 
 impl Influence {
     fn new(level: usize) -> Self {
-        // The outer edge of a ring over its middle.
+        // The outer edge of a ring divided by its middle radius.
         let edge = 2.0 / (1.0 + libm::exp(-FINEST * f64::from(1 << level)));
         let at = |sign: f64, d: usize| edge * libm::exp(sign * FINEST * d as f64);
         Self {
@@ -61,16 +63,17 @@ fn arc(ratio: f64) -> f64 {
 /// `int_0^x W dx`, `W = 1 - (2/pi) [asin x - x sqrt(1 - x^2)]`.
 fn slip_integral(x: f64) -> f64 {
     let root = ((1.0 - x) * (1.0 + x)).sqrt();
-    // The bracket's integral falls as x^3 towards the centre, below all that matters there.
+    // The integral of the bracket decreases as x^3 towards the centre, below everything that
+    // matters there.
     x - FRAC_2_PI * (x * libm::asin(x) + root + (root * root * root - 4.0) / 3.0)
 }
 
-/// Changes of the densities from the rim inwards, and where rings slip.
+/// Changes of the densities, from the edge inwards, and the slipping rings.
 pub(super) struct RingSolution {
     pub(super) changes: Vec<f64>,
-    /// Change of the twist below the rings; none if the innermost one sticks.
+    /// Change of the twist inside the rings; zero if the innermost ring sticks.
     pub(super) core: f64,
-    /// +1 or -1 on rings that slip, 0 on those that stick.
+    /// +1 or -1 for rings that slip, 0 for those that stick.
     pub(super) slips: Vec<f64>,
 }
 
@@ -80,25 +83,26 @@ fn influence(level: usize) -> &'static Influence {
     INFLUENCES[level].get_or_init(|| Influence::new(level))
 }
 
-/// Rings from the rim of the contact inwards. The edges but the rim are powers of one number, the
-/// same at every radius of contact, so that a contact that recedes keeps its rings.
+/// Rings from the edge of the contact inwards. All edges but the outermost are powers of one
+/// number, the same for every contact radius, so that a receding contact keeps its rings.
 pub(super) struct Rings {
     radius: f64,
-    /// Edges from the rim inwards, one more than rings.
+    /// Ring edges from outside inwards, one more than rings.
     edges: Vec<f64>,
     middles: Vec<f64>,
-    /// Traction over radius of a ring by the density of another, row by row: from outside only.
+    /// Traction divided by radius of a ring due to the density of another, row by row; only
+    /// densities outside contribute.
     traction: Vec<f64>,
-    /// Slip of a ring by the density of another: from inside only.
+    /// Slip of a ring due to the density of another; only densities inside contribute.
     slip: Vec<f64>,
-    /// Densities of sliding, averaged over rings, and their tractions over radius: the limits.
+    /// Sliding densities averaged over rings, and their tractions divided by radius, the limits.
     sliding: Vec<f64>,
     limits: Vec<f64>,
 }
 
 impl Rings {
-    /// Rings of a contact of given radius down to `inner`, as far as they go, of the given level of
-    /// width near the rim.
+    /// Rings for a contact of given radius down to `inner`, as far as they extend, with the given
+    /// level of width near the edge.
     pub(super) fn new(radius: f64, inner: f64, level: usize) -> Self {
         let places = Places::new(radius, inner, level.min(WIDEST_LEVEL));
         let n = places.levels.len();
@@ -123,34 +127,34 @@ impl Rings {
         self.radius
     }
 
-    /// Edges from the rim inwards, one more than rings.
+    /// Ring edges from outside inwards, one more than rings.
     pub(super) fn edges(&self) -> &[f64] {
         &self.edges
     }
 
-    /// Radii of the middles of rings.
+    /// Middle radii of the rings.
     pub(super) fn middles(&self) -> &[f64] {
         &self.middles
     }
 
-    /// Densities of sliding, averaged over rings.
+    /// Sliding densities averaged over rings.
     pub(super) fn sliding(&self) -> &[f64] {
         &self.sliding
     }
 
-    /// Greatest tractions over radius. Those of the averaged sliding density, so that densities
-    /// below it are within friction and sliding is met exactly.
+    /// Greatest tractions divided by radius. They are those of the averaged sliding density, so
+    /// that smaller densities are within friction and sliding is represented exactly.
     pub(super) fn limits(&self) -> &[f64] {
         &self.limits
     }
 
-    /// Tractions over radius by densities.
+    /// Tractions divided by radius, from densities.
     pub(super) fn tractions(&self, densities: &[f64]) -> Vec<f64> {
         let n = densities.len();
         (0..n).map(|i| dot(&self.traction[i * n..=i * n + i], &densities[..=i])).collect()
     }
 
-    /// Densities by tractions over radius.
+    /// Densities, from tractions divided by radius.
     fn densities(&self, tractions: &[f64]) -> Vec<f64> {
         let n = tractions.len();
         let mut densities = Vec::with_capacity(n);
@@ -161,19 +165,21 @@ impl Rings {
         densities
     }
 
-    /// Slip of the rings, an angle, by changes of the densities and of the twist below the rings.
+    /// Slip of the rings, as angles, from changes of the densities and of the twist inside the
+    /// rings.
     pub(super) fn slips(&self, changes: &[f64], core: f64) -> Vec<f64> {
         let n = changes.len();
         (0..n).map(|i| core + dot(&self.slip[i * n + i..(i + 1) * n], &changes[i..])).collect()
     }
 
-    /// Rotations of a ring by unit tractions over radius: of all discs together, less its slip.
+    /// Rotations of a ring due to unit tractions divided by radius: that of all discs together,
+    /// minus its slip.
     pub(super) fn compliance(&self, i: usize) -> Vec<f64> {
         let n = self.middles.len();
         let slip = &self.slip[i * n..(i + 1) * n];
         let widths = self.edges.windows(2).map(|pair| pair[0] - pair[1]);
         let mut row: Vec<f64> = widths.zip(slip).map(|(width, slip)| width - slip).collect();
-        // From rotations by densities to those by tractions.
+        // From rotations due to densities to those due to tractions.
         for k in (0..n).rev() {
             let by = &self.traction[k * n..=k * n + k];
             let share = row[k] / by[k];
@@ -185,8 +191,8 @@ impl Rings {
         row
     }
 
-    /// The state after the twist of all discs changed by `turned`, from the densities before. None
-    /// if neither way to it converges.
+    /// The state after the twist of all discs has changed by `turned`, from the densities before;
+    /// `None` if neither method converges.
     pub(super) fn turn(&self, densities: &[f64], turned: f64) -> Option<RingSolution> {
         let before = self.tractions(densities);
         let (tractions, slips) = Friction::new(self, &before, turned).solve()?;
@@ -196,23 +202,23 @@ impl Rings {
         Some(RingSolution { changes, core, slips })
     }
 
-    /// The twist of the rings by their densities.
+    /// The twist of the rings, from their densities.
     fn twist(&self, densities: &[f64]) -> f64 {
         let widths = self.edges.windows(2).map(|pair| pair[0] - pair[1]);
         widths.zip(densities).map(|(width, density)| width * density).sum()
     }
 
-    /// Slip of the rings by changes of their tractions over radius and of the twist.
+    /// Slip of the rings, from changes of their tractions divided by radius and of the twist.
     pub(super) fn slips_by_tractions(&self, changes: &[f64], turned: f64) -> Vec<f64> {
         let changes = self.densities(changes);
         self.slips(&changes, turned - self.twist(&changes))
     }
 }
 
-/// Where the edges of rings lie on the scale of logarithms.
+/// Positions of the ring edges on a logarithmic scale.
 struct Places {
-    /// Outer edges of the rings in units of [`FINEST`] from unit radius inwards, and the inner one
-    /// of the last; the first is that of the grid outside the rim.
+    /// Outer edges of the rings in units of [`FINEST`] from unit radius inwards, and the inner edge
+    /// of the last; the first is that of the grid outside the contact.
     units: Vec<i32>,
     levels: Vec<usize>,
 }
@@ -221,7 +227,7 @@ impl Places {
     fn new(radius: f64, inner: f64, level: usize) -> Self {
         let width = 1 << level;
         let depth = -libm::log(radius) / FINEST;
-        // The rim's ring is between a third and four thirds of the next.
+        // The outermost ring is between a third and four thirds as wide as the next.
         let first = (depth / f64::from(width) + 1.0 / 3.0).ceil() as i32 * width;
         let top = depth.floor() as i32;
         let bottom = (-libm::log(inner) / FINEST).ceil().min(depth + f64::from(DEEPEST)) as i32;
@@ -229,7 +235,7 @@ impl Places {
         let mut at = first;
         while at < bottom || levels.len() < 4 {
             let wider = WIDER.iter().filter(|&&depth| at - top >= depth).count();
-            // Wider rings begin at edges of their own.
+            // Wider rings begin at edges of their own level.
             let own = (0..=wider).rev().find(|w| at % (1 << (level + w)) == 0).unwrap_or(0);
             at += 1 << (level + own);
             units.push(at);
@@ -243,7 +249,8 @@ impl Places {
         std::iter::once(radius).chain(rest).collect()
     }
 
-    /// Tractions over radius of ring i by the densities of those from the rim to itself.
+    /// Tractions divided by radius of ring i due to the densities of the rings from the edge to
+    /// itself.
     fn tractions(&self, i: usize, rim: f64, row: &mut [f64]) {
         let table = &influence(self.levels[i]).traction;
         let outer = |j: usize| match j {
@@ -258,7 +265,7 @@ impl Places {
         }
     }
 
-    /// Slips of ring i by the densities of those from itself inwards.
+    /// Slips of ring i due to the densities of the rings from itself inwards.
     fn slips(&self, i: usize, edges: &[f64], middle: f64, row: &mut [f64]) {
         let table = &influence(self.levels[i]).slip;
         let below = |j: usize| match i {
@@ -276,7 +283,7 @@ impl Places {
 
 /// The sum of products of two rows.
 pub(super) fn dot(row: &[f64], values: &[f64]) -> f64 {
-    // Eight sums at once.
+    // Eight independent sums, for instruction-level parallelism.
     let mut sums = [0.0; 8];
     let (rows, values) = (row.chunks_exact(8), values.chunks_exact(8));
     let rest: f64 = rows.remainder().iter().zip(values.remainder()).map(|(a, b)| a * b).sum();

@@ -1,4 +1,4 @@
-//! A piece of the stack of [`super::history`]: a density between two radii.
+//! A piece of the stack of [`super::history`]: the density between two radii.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -6,15 +6,15 @@ use carom_special::elliptic::complete;
 
 use super::sliding::{Sloped, sliding_torque, sliding_twist, twist_of_depth, with_ratio};
 
-/// Depth ln(al/c) below which a stick radius is as good as none.
+/// Depth ln(al/c) beyond which the stick radius counts as zero.
 const DEEPEST: f64 = 690.0;
 
 /// The density on a range of radii.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Density {
-    /// Laid down in adhesion, or found by rings: constant.
+    /// Constant: formed in adhesion, or by a ring solve.
     Stick(f64),
-    /// Laid down in sliding of this sign, when the contact radius was this.
+    /// Formed in sliding of this sign, at this contact radius.
     Slip { sign: f64, radius: f64 },
 }
 
@@ -34,17 +34,18 @@ impl Density {
 pub(super) struct Segment {
     pub(super) from: f64,
     pub(super) density: Density,
-    /// Twist and torque of all that lies below `from`; on a slip segment with the sliding ones
-    /// outside `from` added, from which those outside another radius are taken.
+    /// Twist and torque of everything inside `from`. On a slip segment the sliding ones outside
+    /// `from` are added, from which those outside another radius are subtracted.
     pub(super) twist: f64,
     pub(super) torque: f64,
-    /// A contact radius at which sliding covers the densities here and below: `|b| <= bF(s; demand)`
-    /// for all s, so that their traction is within friction there and at all greater radii.
+    /// A contact radius at which the sliding density bounds the densities here and inside: `|b| <=
+    /// bF(s; demand)` for all s. Their traction is then within friction at this and all greater
+    /// radii.
     pub(super) demand: f64,
 }
 
 impl Segment {
-    /// Twist of all that lies below a radius in this segment.
+    /// Twist of everything inside a radius in this segment.
     pub(super) fn twist_to(&self, s: f64) -> f64 {
         match self.density {
             Density::Stick(density) => self.twist + density * (s - self.from),
@@ -52,7 +53,7 @@ impl Segment {
         }
     }
 
-    /// Torque of all that lies below a radius in this segment.
+    /// Torque of everything inside a radius in this segment.
     pub(super) fn torque_to(&self, s: f64) -> f64 {
         match self.density {
             Density::Stick(density) => {
@@ -64,7 +65,7 @@ impl Segment {
     }
 
     /// The root c of `sign (bh - twist_to(c)) = B(c; radius)` between `from` and `upper`, by
-    /// Newton's method in the depth `ln(radius/c)` kept inside its bracket.
+    /// Newton's method in the depth `ln(radius/c)` with bracketing.
     pub(super) fn stick_radius(&self, radius: f64, twist: f64, sign: f64, upper: f64) -> f64 {
         let excess = self.excess(radius, sign * twist, sign);
         let mut low = libm::log(radius / upper).max(0.0);
@@ -78,7 +79,7 @@ impl Segment {
         for _ in 0..200 {
             let next = v - at.value / at.slope;
             if (next - v).abs() <= 1e-9 {
-                // Newton's error after this step is of the order of the step's square.
+                // Newton's error after this step is of the order of the square of the step.
                 v = next;
                 break;
             }
@@ -89,12 +90,12 @@ impl Segment {
             at = excess(v);
             if at.value > 0.0 { low = v } else { high = v }
         }
-        // Never quite the centre, where the sliding density would turn without end.
+        // Never exactly the centre, where the sliding density has infinite twist.
         (radius * libm::exp(-v)).max(f64::MIN_POSITIVE).clamp(self.from, upper)
     }
 
-    /// What the twist `target = sign bh` still lacks when all slides above the depth v:
-    /// `sign (bh - twist_to(c)) - B(c; radius)`.
+    /// The deficit of the twist `target = sign bh` if everything outside the depth v slides: `sign
+    /// (bh - twist_to(c)) - B(c; radius)`.
     fn excess(&self, radius: f64, target: f64, sign: f64) -> impl Fn(f64) -> Sloped {
         let rest = target - sign * self.twist;
         let other = match self.density {

@@ -1,4 +1,4 @@
-//! The contact law of shift and twist together.
+//! The contact law for shift and twist together.
 
 use carom_special::RangeError;
 
@@ -8,11 +8,11 @@ use crate::hertz::Hertz;
 use crate::law::{ContactLaw, ContactLoad, Dissipative, Shift};
 use crate::shift_law::ShiftLaw;
 
-/// Shift and twist together, each by its own law as if the other were absent.
+/// The contact law for shift and twist, each by its own law and independent of the other.
 ///
-/// An approximation: both draw on the same friction. It is right as long as at least one of them is
-/// small; where both approach their limits the true load is smaller, up to the limit surface of a
-/// contact that slides as a rigid body (14.3).
+/// This is an approximation, because both share the same friction. It is accurate as long as one of
+/// them is small. If both approach their limits the true load is smaller, down to the limit surface
+/// of a contact that slides as a rigid body (14.3).
 #[derive(Debug, Clone, PartialEq)]
 pub struct ShiftTwistLaw {
     tangential: ShiftLaw<[f64; 2]>,
@@ -20,7 +20,7 @@ pub struct ShiftTwistLaw {
 }
 
 impl ShiftTwistLaw {
-    /// A law at rest, the bodies just touching.
+    /// A law in its initial state: bodies at first contact.
     ///
     /// # Errors
     /// As [`TorsionLaw::new`].
@@ -30,13 +30,18 @@ impl ShiftTwistLaw {
         Ok(Self { tangential: shift, torsion })
     }
 
-    /// The law of two that were kept apart.
+    /// Combines a law of the shift and a law of the twist.
     ///
     /// # Errors
-    /// [`RangeError`] if they are not at the same place.
+    /// [`RangeError`] unless both have the same shift.
     pub fn of(tangential: ShiftLaw<[f64; 2]>, torsion: TorsionLaw) -> Result<Self, RangeError> {
         let (one, other) = (tangential.shift(), torsion.shift());
-        RangeError::check("approach", other.zeta, one.zeta == other.zeta, "that of the shift")?;
+        RangeError::check(
+            "approach",
+            other.zeta,
+            one.zeta == other.zeta,
+            "equal to that of the shift law",
+        )?;
         Ok(Self { tangential, torsion })
     }
 

@@ -1,9 +1,9 @@
-//! The sliding density `b = (2/pi) E(k)/k'` outside a stick radius: twist, torque, and the limit
-//! of slow back-twist.
+//! The sliding density `b = (2/pi) E(k)/k'` outside a stick radius: twist, torque, and the limit of
+//! slow reverse twist.
 //!
 //! With the depth `v = ln(al/c)` of the stick radius c below the contact radius al, twist and
 //! torque are `(2/pi) al G(v)` and `al^4 m(v)/2`: two functions of one variable, analytic in a
-//! strip of half-width pi. They are tabled once as polynomials on pieces of unit length, with
+//! strip of half-width pi. They are tabulated once as polynomials on intervals of unit length, with
 //! errors below 1e-14.
 
 use std::f64::consts::{FRAC_2_PI, PI};
@@ -15,17 +15,17 @@ use carom_special::quadrature::FixedRule;
 
 use super::lubkin::{Lubkin, SLIDING_TORQUE};
 
-/// Pieces of unit length in v. Beyond them k'^3 is below round-off.
+/// Number of intervals of unit length in v. Beyond them k'^3 is below rounding.
 const PIECES: usize = 12;
-/// The depth from which on a stick area counts neither for the torque nor for the heat.
+/// The depth from which the stick area is negligible for torque and heat.
 pub(super) const DEEP: f64 = PIECES as f64;
-/// Coefficients of a piece: the singularities at distance pi leave 1e-17 of the next.
+/// Number of coefficients of an interval: with singularities at distance pi the next one is 1e-17.
 const TERMS: usize = 18;
 
 type Piece = [f64; TERMS];
 
 struct Table {
-    /// G(v)/v on the first piece, G(v) on the others.
+    /// G(v)/v on the first interval, G(v) on the others.
     twist: [Piece; PIECES],
     /// Likewise m(v).
     torque: [Piece; PIECES],
@@ -49,8 +49,8 @@ fn twist_at(v: f64) -> f64 {
     -libm::expm1(-2.0 * v) * with_ratio(libm::exp(-v), complete::d)
 }
 
-/// The polynomial through Chebyshev's nodes of a piece, in powers of t from -1 to 1; on the first piece
-/// of the function over `v^order`, the power in which it begins.
+/// The polynomial through the Chebyshev nodes of an interval, in powers of t from -1 to 1. On the
+/// first interval the function is divided by `v^order`, its leading power.
 fn fitted(piece: usize, function: fn(f64) -> f64, order: i32) -> Piece {
     let n = TERMS as f64;
     let angle = |i: usize| PI * (i as f64 + 0.5) / n;
@@ -59,7 +59,7 @@ fn fitted(piece: usize, function: fn(f64) -> f64, order: i32) -> Piece {
         function(v) / if piece == 0 { v.powi(order) } else { 1.0 }
     });
     let mut powers = [0.0; TERMS];
-    // T_k in powers of t, by its recurrence; the coefficients fall faster than those grow.
+    // T_k in powers of t, by its recurrence; the coefficients decrease faster than those grow.
     let (mut last, mut this) = ([0.0; TERMS], [0.0; TERMS]);
     this[0] = 1.0;
     for k in 0..TERMS {
@@ -118,7 +118,7 @@ fn torque_of_depth(v: f64) -> f64 {
     if v >= PIECES as f64 { SLIDING_TORQUE } else { tabled(&TABLE.torque, v, 1) }
 }
 
-/// A tabled function that begins as `v^order`, at `0 <= v < PIECES`.
+/// A tabulated function with the leading power `v^order`, for `0 <= v < PIECES`.
 fn tabled(pieces: &[Piece; PIECES], v: f64, order: i32) -> f64 {
     let piece = v as usize;
     let t = 2.0 * (v - piece as f64) - 1.0;
@@ -126,12 +126,12 @@ fn tabled(pieces: &[Piece; PIECES], v: f64, order: i32) -> f64 {
     if piece == 0 { v.powi(order) * value } else { value }
 }
 
-/// Heat by twist, p(v) of [`super::heat`].
+/// Heat per twist, p(v) of [`super::heat`].
 pub(super) fn heat_of_twist(v: f64) -> f64 {
     if v >= PIECES as f64 { 0.5 * SLIDING_TORQUE } else { tabled(&HEAT_OF_TWIST, v, 2) }
 }
 
-/// Heat by growth, g(v) of [`super::heat`]; at great depth constant.
+/// Heat per growth, g(v) of [`super::heat`]; constant at great depth.
 pub(super) fn heat_of_growth(v: f64) -> f64 {
     let deepest = (1.0 - f64::EPSILON) * PIECES as f64;
     tabled(&HEAT_OF_GROWTH, v.min(deepest), 2)
@@ -148,7 +148,7 @@ fn work_of_growth(v: f64) -> f64 {
     3.0 * FRAC_2_PI * FRAC_2_PI * both
 }
 
-/// The integral of a function of `G` and `E` over the slip ring with the weight `exp(-3 u)`.
+/// The integral of a function of `G` and `E` over the slip annulus with the weight `exp(-3 u)`.
 fn over_the_ring(v: f64, function: impl Fn(Sloped) -> f64) -> f64 {
     let panels = v.ceil().max(1.0);
     let at = |i: u32| v * f64::from(i) / panels;
@@ -159,7 +159,7 @@ fn over_the_ring(v: f64, function: impl Fn(Sloped) -> f64) -> f64 {
         .sum()
 }
 
-/// `W(x) = 1 - (2/pi) [asin x - x sqrt(1 - x^2)]`: slip outside a disc that turns.
+/// `W(x) = 1 - (2/pi) [asin x - x sqrt(1 - x^2)]`: slip outside a rotated disc.
 fn slip_by_disc(x: f64) -> f64 {
     1.0 - FRAC_2_PI * (libm::asin(x) - x * ((1.0 - x) * (1.0 + x)).sqrt())
 }
@@ -189,12 +189,13 @@ pub fn sliding_limit(radius: f64) -> f64 {
 }
 
 pub(super) fn with_ratio(ratio: f64, integral: fn(AxisRatio) -> f64) -> f64 {
-    // Ratios here lie in (0, 1] but for round-off.
+    // Ratios lie in (0, 1] except for rounding.
     AxisRatio::new(ratio.clamp(f64::MIN_POSITIVE, 1.0)).map_or(0.0, integral)
 }
 
-/// The greatest rate of back-twist, relative to the receding edge, at which the slip ring keeps
-/// its sign: from 1 at the rim to 1.1023 at the centre. Found from no slip at the rim.
+/// The greatest rate of reverse twist, relative to the receding edge, at which the slip annulus
+/// keeps its sign: from 1 at the edge to 1.1023 at the centre. It follows from zero slip at the
+/// edge.
 pub(super) fn threshold(stick: f64) -> f64 {
     let w_stick = slip_by_disc(stick);
     if w_stick <= 1e-12 {

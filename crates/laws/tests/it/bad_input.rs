@@ -1,5 +1,5 @@
-//! Every law refuses what is not a number, by name, and keeps its state; an approach that is not
-//! positive is no error: it separates the bodies, in one step.
+//! Every law returns an error that names an argument which is NaN, and keeps its state. An approach
+//! that is not positive is no error: it separates the bodies, in one step.
 
 use std::fmt::Debug;
 

@@ -1,4 +1,4 @@
-//! Coulomb's law in two directions in fixed storage, and as plain numbers.
+//! Coulomb's law in two directions with storage of fixed capacity, and stored as plain numbers.
 
 use carom_laws::coulomb::{CoulombMemory, Tolerance, packed_numbers};
 use carom_laws::memory::{Fixed, Memory, VectorMemory};

@@ -1,4 +1,5 @@
-//! Coulomb's law in two directions against rings of sliders, error against tolerance.
+//! Coulomb's law in two directions compared with annuli of sliders: error as a function of the
+//! tolerance.
 
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
 use carom_laws::memory::{VectorMemory, VertexStack as _};

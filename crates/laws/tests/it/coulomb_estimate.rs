@@ -1,5 +1,5 @@
-//! The error of Coulomb's law in two directions and its own estimate of it, against rings of sliders
-//! that slip each by itself.
+//! The error of Coulomb's law in two directions, compared with independent annuli of sliders, and
+//! its own estimate of that error.
 
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
 use carom_laws::memory::{Fixed, Growing, VertexStack};

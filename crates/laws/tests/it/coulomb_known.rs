@@ -1,4 +1,4 @@
-//! Coulomb's law in two directions where the answer is known in closed form.
+//! Coulomb's law in two directions compared with closed forms.
 
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
 

@@ -1,7 +1,7 @@
-//! Work is stored or turned into heat, step by step, for every law.
+//! Work equals stored plus dissipated energy, step by step, for every law.
 //!
-//! The heat comes from the tractions and the slip, the work from the loads by quadrature, so that
-//! neither is the remainder of the other. `CAROM_BALANCE_STEPS` takes more steps.
+//! The heat is computed from the tractions and the slip, the work from the loads by quadrature, so
+//! that neither is defined by the other. `CAROM_BALANCE_STEPS` sets a larger number of steps.
 
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Dissipative, Shift};

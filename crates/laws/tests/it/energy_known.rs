@@ -1,4 +1,5 @@
-//! Elastic energies against the work of the force, by quadrature; power laws against their shape.
+//! Elastic energies compared with the work of the force, by quadrature; power laws compared with
+//! their shape.
 
 use approx::assert_relative_eq;
 use carom_halfspace::{Material, MaterialPair};

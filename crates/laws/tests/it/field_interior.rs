@@ -1,5 +1,5 @@
-//! Stresses and displacements in a body under a semi-ellipsoidal load, against point loads and
-//! rectangles summed over the ellipse, equilibrium, elasticity and the traction on the surface.
+//! Stresses and displacements in a body under a semi-ellipsoidal load, compared with point loads
+//! and rectangles summed over the ellipse, equilibrium, elasticity and the surface traction.
 
 use std::f64::consts::PI;
 

@@ -1,5 +1,5 @@
-//! Fields of a semi-ellipsoidal load against what is known: the circle, the line, the point force,
-//! the greatest shear of handbooks.
+//! Fields of a semi-ellipsoidal load compared with known solutions: the circle, the line, the point
+//! force, the greatest shear stress of handbooks.
 
 use std::f64::consts::PI;
 

@@ -1,4 +1,4 @@
-//! The contact of two grains goes along with them.
+//! The contact of two grains moves with them.
 
 use carom_laws::friction::Friction;
 use carom_laws::grains::{

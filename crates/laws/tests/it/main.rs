@@ -1,4 +1,4 @@
-//! The tests of `carom-laws` that see it as its users do: one executable, a module for each subject.
+//! The integration tests of `carom-laws`: one executable with a module for each subject.
 
 mod bad_input;
 mod common;

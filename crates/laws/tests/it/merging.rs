@@ -1,4 +1,4 @@
-//! Chapter 7's memory on few vertices: what merging keeps.
+//! The memory of chapter 7 with few vertices: quantities that merging preserves.
 
 use carom_laws::memory::{AdhesionMemory, Fixed, Memory};
 

@@ -1,4 +1,4 @@
-//! Numbers that come from outside: those that a law packed are taken, those that mean nothing are refused.
+//! Numbers from outside: those stored by a law are accepted, invalid ones are errors.
 
 use carom_laws::coulomb::{Tolerance, packed_numbers};
 use carom_laws::friction::Friction;

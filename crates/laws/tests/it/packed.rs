@@ -1,4 +1,4 @@
-//! The state of a contact as plain numbers.
+//! The state of a contact stored as plain numbers.
 
 use carom_laws::coulomb::{Tolerance, packed_numbers};
 use carom_laws::friction::Friction;

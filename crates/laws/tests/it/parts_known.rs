@@ -1,4 +1,4 @@
-//! What laws tell beside their force, each against another way to the same number.
+//! Quantities of the laws besides the force, each compared with an independent calculation.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use carom_halfspace::{Material, MaterialPair, Point, Traction};

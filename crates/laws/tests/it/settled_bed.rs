@@ -1,7 +1,7 @@
-//! A bed of grains at rest in fixed storage: does round-off grow?
+//! A bed of grains at rest with storage of fixed capacity: growth of rounding errors.
 //!
-//! Grains of unequal size settle in a box; then two copies, one of them off by a part in 10^15, go on.
-//! Merging for want of room must not throw them apart.
+//! Grains of unequal size settle in a box. Then two copies, one of them perturbed by a part in
+//! 10^15, are continued. Merging of vertices must not make them diverge.
 
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Shift};

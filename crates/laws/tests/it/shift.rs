@@ -1,4 +1,4 @@
-//! Cattaneo and Mindlin's law both ways against 25-digit reference values.
+//! Cattaneo and Mindlin's law and its inverse compared with 25-digit reference values.
 
 use carom_laws::friction::Friction;
 use carom_laws::shift::CattaneoMindlin;

@@ -1,4 +1,4 @@
-//! The incremental law of sliders against reference values of section 7.7 and the closed law.
+//! The law of sliders compared with reference values of section 7.7 and with the law of chapter 7.
 
 use carom_laws::memory::{Memory, VectorMemory};
 use carom_laws::sliders::SliderLaw;

@@ -1,4 +1,4 @@
-//! The law of sliders where its answer is known: within a ring, and in steady sliding.
+//! The law of sliders compared with closed forms: within one annulus, and in steady sliding.
 
 use approx::assert_relative_eq;
 use carom_laws::sliders::SliderLaw;

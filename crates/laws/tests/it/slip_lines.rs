@@ -1,4 +1,4 @@
-//! Coulomb's law on a line of anchors: what is exact, and what it tends to.
+//! Coulomb's law on a line of anchors: exact cases, and the limit to which it converges.
 
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::sliders::{SliderLaw, SlipLines};

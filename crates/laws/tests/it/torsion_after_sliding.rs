@@ -1,4 +1,4 @@
-//! A twisted contact that has slid through to its centre goes on as any other.
+//! A twisted contact that has slid to its centre continues like any other.
 
 use approx::assert_relative_eq;
 use carom_laws::torsion::history::{TwistHistory, sliding_limit};

@@ -1,7 +1,8 @@
-//! Twisted contacts near complete sliding that recede while they turn back, and the energy of all.
+//! Twisted contacts near complete sliding that recede while the twist reverses, and the energies of
+//! all.
 //!
-//! Reference torques are those of an independent solver of the half-space, as in
-//! `torsion_rings.rs`: fixed rings of one width, 0.06 to 0.015 of the radius, extrapolated.
+//! Reference torques are those of an independent half-space solver, as in `torsion_rings.rs`: fixed
+//! rings of one width, 0.06 to 0.015 of the radius, extrapolated.
 
 use carom_laws::torsion::history::{TwistHistory, sliding_limit};
 

@@ -1,8 +1,8 @@
-//! Work is stored or turned into heat on random ways of a twisted contact whose steps are closed
-//! forms: growth, constant load and simple receding.
+//! Work equals stored plus dissipated energy on random paths of a twisted contact whose steps are
+//! in closed form: growth, constant load and simple receding.
 //!
-//! The heat comes from traction times slip, the work from the torque by Gauss on halves, down to
-//! the kinks. `CAROM_BALANCE_STEPS` takes more steps.
+//! The heat is computed from traction times slip, the work from the torque by Gauss quadrature with
+//! bisection down to the kinks. `CAROM_BALANCE_STEPS` sets a larger number of steps.
 
 use carom_laws::torsion::history::{TwistHistory, sliding_limit};
 

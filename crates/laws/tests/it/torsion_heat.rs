@@ -1,7 +1,8 @@
-//! The heat of twist steps: against closed forms, against many small steps on the same way, and 0 where
-//! nothing slips.
+//! The heat of twist steps: compared with closed forms and with many small steps on the same path,
+//! and 0 without slip.
 //!
-//! `CAROM_HEAT_STEPS` takes more random steps, each in one and in a thousand parts.
+//! `CAROM_HEAT_STEPS` sets a larger number of random steps, each made at once and in a thousand
+//! parts.
 
 use std::f64::consts::PI;
 

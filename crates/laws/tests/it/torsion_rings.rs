@@ -1,5 +1,5 @@
-//! Two slip rings of a contact that recedes, against an independent solver of the half-space:
-//! equally wide rings that stay where they are, in one piece from the centre, all steps small.
+//! Two slip annuli of a receding contact, compared with an independent half-space solver: fixed
+//! rings of equal width down to the centre, with small steps throughout.
 
 use std::f64::consts::{FRAC_2_PI, PI};
 

@@ -1,4 +1,4 @@
-//! The stiffness in a turned frame against shifts and forces turned one by one.
+//! The stiffness in a rotated frame compared with shifts and forces rotated separately.
 
 use approx::assert_relative_eq;
 use carom_laws::shift::turned_stiffness;

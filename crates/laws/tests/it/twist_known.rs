@@ -1,5 +1,5 @@
-//! Torsion against springs and sliders in parallel, differences of the torque and integrals of
-//! the stiffness.
+//! Torsion compared with springs and sliders in parallel, differences of the torque, and integrals
+//! of the stiffness.
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use carom_halfspace::{Material, MaterialPair};

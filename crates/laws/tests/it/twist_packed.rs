@@ -1,4 +1,4 @@
-//! The memory of a twist as plain numbers.
+//! The memory of a twist stored as plain numbers.
 
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;

@@ -1,4 +1,4 @@
-//! A field in colours: where its cells, its lines and the ticks of its bar stand.
+//! A coloured field: positions of its cells, its contour lines and the ticks of its colour bar.
 
 use carom_plot::{Axis, Field, Panel, render};
 

@@ -1,4 +1,4 @@
-//! Where points stand in a picture: at the places that the ticks of the axes tell.
+//! Points are drawn at the positions given by the ticks of the axes.
 
 use carom_plot::{Arrow, Axis, Marker, Panel, Point, Series, render};
 

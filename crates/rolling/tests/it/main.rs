@@ -1,3 +1,3 @@
-//! The tests of `carom-rolling` that see it as its users do: one executable.
+//! The integration tests of `carom-rolling`: one executable.
 
 mod rolling;

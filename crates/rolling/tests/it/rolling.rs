@@ -1,4 +1,4 @@
-//! Rolling: step by step and at once, creep coefficients, Carter, FASTSIM.
+//! Rolling by steps and steady rolling, creep coefficients, Carter, FASTSIM.
 
 use std::f64::consts::PI;
 use std::sync::Arc;

@@ -1,4 +1,4 @@
-//! Closed outlines of what lies above a level, by marching squares.
+//! Closed contour lines of a field on a grid (marching squares).
 
 use std::collections::BTreeMap;
 
@@ -6,23 +6,24 @@ use carom_halfspace::{Field, Grid};
 
 use crate::state::{CellState, ContactState};
 
-/// A closed line around cells, with what is inside on the left: outer outlines run counterclockwise,
-/// those of holes clockwise. The last point is not the first one again.
+/// A closed contour line. The region inside lies on its left: outer contours run counterclockwise,
+/// those of holes clockwise. The first point is not repeated at the end.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Contour {
-    /// Its corners (x, y) from the middle of the grid.
+    /// Vertices (x, y), measured from the centre of the grid.
     pub points: Vec<[f64; 2]>,
 }
 
 impl Contour {
-    /// What it encloses; negative for holes, so that the areas of all contours add up.
+    /// The enclosed area; negative for holes, so that the areas of all contours add up to that of
+    /// the region.
     #[must_use]
     pub fn area(&self) -> f64 {
         let next = self.points.iter().cycle().skip(1);
         0.5 * self.points.iter().zip(next).map(|(a, b)| a[0] * b[1] - a[1] * b[0]).sum::<f64>()
     }
 
-    /// Its length.
+    /// The length of the contour.
     #[must_use]
     pub fn length(&self) -> f64 {
         let next = self.points.iter().cycle().skip(1);
@@ -30,9 +31,9 @@ impl Contour {
     }
 }
 
-/// The outlines of the places where a field exceeds a level, straight between the sides of squares
-/// of four centres; beyond the grid the field is `outside`, which should not exceed the level, so
-/// that all outlines are closed.
+/// Contours of the region where a field exceeds `level`. The field is interpolated linearly between
+/// neighbouring cell centres. Beyond the grid it has the value `outside`, which should not exceed
+/// `level`: then all contours are closed.
 ///
 /// ```
 /// use carom_halfspace::{Field, Grid};
@@ -62,32 +63,32 @@ pub fn contours(field: &Field, level: f64, outside: f64) -> Vec<Contour> {
 }
 
 impl ContactState {
-    /// The smoothed outlines of the contact.
+    /// Smoothed contours of the contact area.
     #[must_use]
     pub fn contact_outlines(&self) -> Vec<Contour> {
         self.outlines(|cell| cell != CellState::Exterior)
     }
 
-    /// The smoothed outlines of the area that sticks.
+    /// Smoothed contours of the stick area.
     #[must_use]
     pub fn stick_outlines(&self) -> Vec<Contour> {
         self.outlines(|cell| cell == CellState::Stick)
     }
 
-    /// The smoothed outlines of the area that slips.
+    /// Smoothed contours of the slip area.
     #[must_use]
     pub fn slip_outlines(&self) -> Vec<Contour> {
         self.outlines(|cell| cell == CellState::Slip)
     }
 
-    /// Where half of what lies around, with the weights 1 2 1 along both axes, is among the cells.
+    /// Contours at the level 1/2 of the smoothed indicator function of a set of cells.
     fn outlines(&self, among: impl Fn(CellState) -> bool) -> Vec<Contour> {
         let mask = self.cells.map(|cell| f64::from(u8::from(among(*cell))));
         contours(&smoothed(&mask), 0.5, 0.0)
     }
 }
 
-/// Means with the weights 1 2 1 along both axes; beyond the grid counts zero.
+/// The field averaged with the weights 1 2 1 along both axes; values beyond the grid are zero.
 fn smoothed(field: &Field) -> Field {
     let grid = field.grid();
     let at = |i: usize, j: usize| field.get(i, j).copied().unwrap_or(0.0);
@@ -106,7 +107,8 @@ fn smoothed(field: &Field) -> Field {
     own
 }
 
-/// A side between two neighbouring centres; those of the grid count from 1, those beyond are 0.
+/// An edge between two neighbouring cell centres. Centres of the grid are numbered from 1; 0 lies
+/// beyond it.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
 enum Side {
     /// From (i, j) to (i + 1, j).
@@ -135,7 +137,7 @@ impl Squares<'_> {
         self.value(i, j) > self.level
     }
 
-    /// From each side that an outline crosses to the next one.
+    /// For each edge that a contour crosses, the next edge that it crosses.
     fn segments(&self) -> BTreeMap<Side, Side> {
         let mut next = BTreeMap::new();
         for j in 0..=self.grid().ny() {
@@ -146,8 +148,9 @@ impl Squares<'_> {
         next
     }
 
-    /// Those of the square whose first corner is (i, j). Around a square, counterclockwise, a line
-    /// goes from a side by which one leaves what is above the level to one by which one enters it.
+    /// The segments in the square whose first corner is (i, j). Going counterclockwise around the
+    /// square, a contour runs from an edge where one leaves the region above the level to an edge
+    /// where one enters it.
     fn segments_of(&self, i: usize, j: usize, next: &mut BTreeMap<Side, Side>) {
         let corners = [(i, j), (i + 1, j), (i + 1, j + 1), (i, j + 1)];
         let above = corners.map(|(i, j)| self.above(i, j));
@@ -158,7 +161,8 @@ impl Squares<'_> {
             Side::AlongY(i, j),
         ];
         let middle = corners.iter().map(|(i, j)| 0.25 * self.value(*i, *j)).sum::<f64>();
-        // Where two corners across are above, the middle tells whether they belong together.
+        // If only two opposite corners are above the level, the value in the middle decides whether
+        // they are connected.
         let onwards = if middle > self.level { 1 } else { 3 };
         for exit in (0..4).filter(|k| above[*k] && !above[(k + 1) % 4]) {
             let entry = (1..4).map(|turn| (exit + turn * onwards) % 4);
@@ -169,7 +173,7 @@ impl Squares<'_> {
         }
     }
 
-    /// Where the level lies on a side.
+    /// The point of an edge at which the field equals the level.
     fn crossing(&self, side: Side) -> [f64; 2] {
         let (i, j, [along_x, along_y]) = match side {
             Side::AlongX(i, j) => (i, j, [1, 0]),

@@ -1,54 +1,59 @@
-//! How wrong a solution is by its mesh, seen from the same one on two coarser grids.
+//! Discretisation errors, estimated from the same solution on three nested grids.
 
 use super::contour::Contour;
 use crate::state::{CellState, ContactState};
 
-/// Differences of successive grids fall at least by this factor, at most as the square of the width.
-const FALL: [f64; 2] = [1.5, 4.0];
+/// Bounds on the ratio of successive differences when the cell width is halved: 4 is second order.
+const DIFFERENCE_RATIOS: [f64; 2] = [1.5, 4.0];
 
-/// A traction that is greatest at the border of the grid, and by this factor greater than in the
-/// next cell, has an edge there.
-const FALLS: f64 = 1.01;
+/// A traction has an edge at the border of the grid if it is greatest there and exceeds the value
+/// in the next cell by this factor.
+const EDGE_RATIO: f64 = 1.01;
 
-/// Cells of a spot that a grid may miss: two by two.
-const MISSED: f64 = 4.0;
+/// The smallest contact spot that a grid may miss, in cells: two by two.
+const CELLS_OF_A_MISSED_SPOT: f64 = 4.0;
 
-/// What counts beside a greater load or shift of its kind, over the normal one.
-const SMALLEST: f64 = 0.01;
+/// Tangential loads and shifts are compared with at least this fraction of the normal ones.
+const LEAST_TANGENTIAL_FRACTION: f64 = 0.01;
 
-/// A value on the finest grid with an estimate of its error by the mesh.
+/// A value on the finest grid with an estimate of its discretisation error.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Estimated {
-    /// The value.
+    /// The value on the finest grid.
     pub value: f64,
-    /// The estimated size of its error.
+    /// The estimated magnitude of its error.
     pub error: f64,
 }
 
 impl Estimated {
-    /// From the values on the finest grid and on those of twice and four times the width
-    /// (Richardson): differences of successive grids fall with the measured order, kept between
-    /// that of 1.5 and of 4 a halving. A difference that vanishes by accident is not believed.
+    /// From the values on grids of width h, 2 h and 4 h, finest first, by Richardson extrapolation.
+    /// The observed ratio of successive differences is limited to the range 1.5 to 4. A difference
+    /// that vanishes by coincidence is not taken for an error of zero.
     #[must_use]
     pub fn of(values: [f64; 3]) -> Self {
         let (fine, coarse) = ((values[0] - values[1]).abs(), (values[1] - values[2]).abs());
-        let fall = if fine > 0.0 { (coarse / fine).clamp(FALL[0], FALL[1]) } else { FALL[1] };
-        let error = fine.max(coarse / FALL[1]) / (fall - 1.0);
+        let fall = if fine > 0.0 {
+            (coarse / fine).clamp(DIFFERENCE_RATIOS[0], DIFFERENCE_RATIOS[1])
+        } else {
+            DIFFERENCE_RATIOS[1]
+        };
+        let error = fine.max(coarse / DIFFERENCE_RATIOS[1]) / (fall - 1.0);
         Self { value: values[0], error }
     }
 
-    /// The same where tractions are greatest at an edge that the grid fixes: the edge lies within
-    /// part of a cell of its place, which makes errors of the first order, in leaps.
+    /// As [`Estimated::of`], for tractions that are greatest at an edge that the grid resolves only
+    /// to a fraction of a cell, as under a punch. The error is then of first order and changes in
+    /// jumps.
     #[must_use]
     pub fn of_edge(values: [f64; 3]) -> Self {
         let (fine, coarse) = ((values[0] - values[1]).abs(), (values[1] - values[2]).abs());
-        Self { value: values[0], error: fine.max(coarse / FALL[1]) }
+        Self { value: values[0], error: fine.max(coarse / DIFFERENCE_RATIOS[1]) }
     }
 }
 
 impl ContactState {
-    /// Whether a traction is greatest in a cell at the border of the contact, as under a punch. At the
-    /// border of the grid it must fall from there: what repeats itself has no edge.
+    /// Whether a traction is greatest in a cell at the border of the contact, as under a punch. At
+    /// the border of the grid it must also decrease inwards: a periodic traction has no edge.
     fn peaks_at_the_edge(&self, traction: impl Fn(usize) -> f64) -> bool {
         let grid = self.pressure.grid();
         let values = (0..grid.cells()).map(|i| (i, traction(i)));
@@ -64,14 +69,14 @@ impl ContactState {
         };
         let ends = |axis: usize, step: isize| match (place(axis, step), place(axis, -step)) {
             (Some(beyond), _) => self.pressure.values()[beyond] == 0.0,
-            (None, Some(before)) => most > FALLS * traction(before),
+            (None, Some(before)) => most > EDGE_RATIO * traction(before),
             (None, None) => false,
         };
         most > 0.0 && (0..2).any(|axis| ends(axis, 1) || ends(axis, -1))
     }
 
-    /// The greatest pressure, on parabolas through the highest cell and its neighbours along both
-    /// axes where all of them touch.
+    /// The greatest pressure, from parabolas through the highest cell and its neighbours along both
+    /// axes if all of these are in contact.
     #[must_use]
     pub fn peak_pressure(&self) -> f64 {
         let (grid, p) = (self.pressure.grid(), self.pressure.values());
@@ -93,7 +98,7 @@ impl ContactState {
     }
 }
 
-/// The loads, shifts and areas of a state with their errors by the mesh.
+/// The loads, shifts and areas of a state with their estimated discretisation errors.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub struct Estimates {
     /// Force along x.
@@ -104,7 +109,7 @@ pub struct Estimates {
     pub f_z: Estimated,
     /// Torque.
     pub m_z: Estimated,
-    /// Approach, which has an error where the force is given.
+    /// Approach. Its error is not zero if the normal force is prescribed.
     pub zeta: Estimated,
     /// Shift along x.
     pub xi: Estimated,
@@ -114,15 +119,16 @@ pub struct Estimates {
     pub omega: Estimated,
     /// The greatest pressure.
     pub peak: Estimated,
-    /// The area that touches; its error is at least that of half a ring of cells, and of the four cells
-    /// of a spot too small for the grid.
+    /// The contact area. Its error is at least that of half a ring of cells along the border, and
+    /// at least four cells, the size of a spot that the grid may miss.
     pub contact_area: Estimated,
-    /// The area that sticks; its error is bounded below in the same way, zero only without friction.
+    /// The stick area. Its error has the same lower bound; it is zero only without friction.
     pub stick_area: Estimated,
 }
 
 impl Estimates {
-    /// Of the same contact on three grids, the finest first, cells twice and four times as wide.
+    /// From the states of one contact on three grids, finest first, with cell widths h, 2 h and 4
+    /// h.
     #[must_use]
     pub fn of(states: [&ContactState; 3]) -> Self {
         let state = states[0];
@@ -139,12 +145,12 @@ impl Estimates {
             let estimated = of(&|state| outlines(state).iter().map(Contour::area).sum());
             let cell = state.pressure.grid().cell_area();
             let ring: f64 = outlines(state).iter().map(Contour::length).sum();
-            let missed = if touching { MISSED * cell } else { 0.0 };
+            let missed = if touching { CELLS_OF_A_MISSED_SPOT * cell } else { 0.0 };
             let least = missed.max(0.5 * ring * cell.sqrt());
             Estimated { error: estimated.error.max(least), ..estimated }
         };
         let touches = state.pressure.values().iter().any(|p| *p > 0.0);
-        // Where nothing pulls and nothing sticks there is no friction.
+        // Without tangential tractions and without stick there is no friction.
         let pulled = x.iter().chain(y).any(|t| *t != 0.0);
         let may_stick = pulled || state.count(CellState::Stick) > 0;
         Self {
@@ -162,8 +168,9 @@ impl Estimates {
         }
     }
 
-    /// The greatest error of a load or shift in a history over the greatest of its kind: tangential
-    /// forces together, of at least a hundredth of the normal one, torques times a radius.
+    /// The greatest error of any load or shift in a history, relative to the greatest value of its
+    /// kind. Tangential forces are taken together and compared with at least a hundredth of the
+    /// normal force; torques are divided by a radius.
     #[must_use]
     pub fn worst(all: &[Self]) -> f64 {
         let greatest = |value: &dyn Fn(&Self) -> f64| {
@@ -172,10 +179,12 @@ impl Estimates {
         let radius = (greatest(&|one| one.contact_area.value) / std::f64::consts::PI).sqrt();
         let force = greatest(&|one| one.f_z.value);
         let depth = greatest(&|one| one.zeta.value);
-        let along = greatest(&|one| one.f_x.value.hypot(one.f_y.value)).max(SMALLEST * force);
-        let shift = greatest(&|one| one.xi.value.hypot(one.eta.value)).max(SMALLEST * depth);
-        let torque = greatest(&|one| one.m_z.value).max(SMALLEST * force * radius);
-        let turned = if radius > 0.0 { SMALLEST * depth / radius } else { 0.0 };
+        let along = greatest(&|one| one.f_x.value.hypot(one.f_y.value))
+            .max(LEAST_TANGENTIAL_FRACTION * force);
+        let shift = greatest(&|one| one.xi.value.hypot(one.eta.value))
+            .max(LEAST_TANGENTIAL_FRACTION * depth);
+        let torque = greatest(&|one| one.m_z.value).max(LEAST_TANGENTIAL_FRACTION * force * radius);
+        let turned = if radius > 0.0 { LEAST_TANGENTIAL_FRACTION * depth / radius } else { 0.0 };
         let twist = greatest(&|one| one.omega.value).max(turned);
         let over =
             |value: Estimated, scale: f64| if scale > 0.0 { value.error / scale } else { 0.0 };

@@ -1,10 +1,10 @@
-//! A window and cells that fit a contact, found from an accuracy.
+//! Chooses the window and the cell width for a required accuracy.
 
 use carom_halfspace::Grid;
 use carom_special::RangeError;
 
-use super::doubt::{Doubt, Side};
 use super::estimate::Estimates;
+use super::grid_warning::{GridWarning, Side};
 use super::history::{NestedError, NestedHistory};
 use super::span::Span;
 use super::window::Window;
@@ -14,31 +14,32 @@ use crate::method::Method;
 use crate::problem::{ContactProblem, ProblemError};
 use crate::state::ContactState;
 
-/// Cells a side that look for the place of the contact; odd, so that one has its centre in the
-/// middle.
-const SCOUTS: usize = 49;
-/// Windows that are tried before a contact counts as endless.
-const TRIES: usize = 90;
-/// Contacts that fill less than this part of the scouts' window are looked at more closely.
-const SMALL: f64 = 0.25;
-/// Cells a side of the first solution.
-const FIRST: usize = 48;
-/// Free cells on each side: one of the coarsest grid.
-pub(crate) const FREE: usize = 4;
-/// Errors fall with the cells' width at least and at most with this power.
-const ORDERS: [f64; 2] = [0.5, 2.0];
+/// Cells along a side of the pilot grid; odd, so that one cell has its centre in the middle.
+const PILOT_CELLS: usize = 49;
+/// Number of windows tried before the contact is taken to be unbounded.
+const MOST_WINDOWS: usize = 90;
+/// A contact that fills less than this fraction of the pilot window is solved again on a smaller
+/// window.
+const SMALL_FRACTION: f64 = 0.25;
+/// Cells along a side of the first grid of the history.
+const FIRST_CELLS: usize = 48;
+/// Cells kept free on each side of the contact: one cell of the coarsest grid.
+pub(crate) const FREE_CELLS: usize = 4;
+/// Bounds on the order of convergence: the error falls with this power of the cell width.
+const CONVERGENCE_ORDERS: [f64; 2] = [0.5, 2.0];
 
-/// An accuracy instead of a grid. Window and cells are chosen so that the estimated errors of all
-/// loads and shifts that follow from the drives, in every step, are at most this part of the
-/// greatest of their kind in the history (of tangential ones at least a hundredth of the normal one).
+/// Solves a history to a required accuracy instead of on a given grid. Window and cell width are
+/// chosen so that the estimated error of every load and shift that follows from the drives, in
+/// every step, is at most this fraction of the greatest value of its kind in the history.
+/// Tangential values are compared with at least a hundredth of the normal ones.
 ///
-/// Scouts on a coarse grid without friction find the contact: their window doubles, and moves, where
-/// the contact reaches a side, and shrinks to a contact that fills little of it. The history then
-/// runs on nested grids, again on finer ones until the estimates are small enough; a side that the
-/// contact reaches in it moves away.
+/// A pilot solve without friction on a coarse grid locates the contact. Its window is doubled and
+/// moved if the contact reaches a side, and reduced if the contact fills little of it. The history
+/// is then solved on nested grids, and repeated on finer ones until the error estimates are small
+/// enough. If the contact reaches a side during the history, that side is moved outwards.
 ///
-/// Pressures may be infinite under edges and tips, and areas are counted in cells: their errors are
-/// estimated, not asked for.
+/// Errors of pressures and areas are estimated but not controlled: pressures may be infinite under
+/// edges and tips, and areas are counted in whole cells.
 ///
 /// ```
 /// use carom_halfspace::operator::OperatorError;
@@ -51,7 +52,7 @@ const ORDERS: [f64; 2] = [0.5, 2.0];
 ///     let gap = window.gap(|x, y| 50.0 * (x * x + y * y)).map_err(OperatorError::from)?;
 ///     ContactProblem::of_half_spaces(gap, pair, Friction::NONE)
 /// };
-/// // Anything that holds the contact will do as a start.
+/// Any window that contains the contact will do as a start.
 /// let start = [1.0, 1.0];
 /// let pressed = Drive { normal: Driven::Load(10.0), ..Drive::default() };
 /// let fit = Accuracy::new(1e-3)?.fit(Frictionless::default(), make, start, &[pressed])?;
@@ -67,64 +68,64 @@ pub struct Accuracy {
     most: usize,
 }
 
-/// A history on cells that fit.
+/// A history on a window and cells that meet the required accuracy.
 pub struct Fit<M: Method> {
-    /// The window and its cells.
+    /// The window and its grid.
     pub window: Window,
-    /// The history, at its end.
+    /// The history, after its last step.
     pub history: NestedHistory<M>,
-    /// Values with their errors after each drive.
+    /// Loads, shifts and areas with their estimated errors, after each drive.
     pub estimates: Vec<Estimates>,
-    /// The greatest of the errors, over what it is to be compared with.
+    /// The greatest relative error of the history.
     pub error: f64,
 }
 
-/// Why no window fits.
+/// Why no window meets the required accuracy.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum FitError<E> {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// A problem cannot be built.
+    /// A problem could not be built.
     #[error(transparent)]
     Problem(#[from] ProblemError),
-    /// The scouts did not find the pressures.
+    /// The pilot solve for the place of the contact failed.
     #[error(transparent)]
-    Scouts(NormalError),
-    /// A step cannot be solved, on any grid that was tried.
+    Pilot(NormalError),
+    /// A step of the history failed, on every grid that was tried.
     #[error(transparent)]
     Method(E),
-    /// No window was found that holds the contact and is not much larger.
+    /// No window was found that contains the contact without being much too large.
     #[error("no window that fits the contact was found in {tried} trials")]
     NoWindow {
-        /// The windows that were tried.
+        /// Number of windows tried.
         tried: usize,
     },
-    /// However large the window, the contact reaches its border.
+    /// The contact reaches the border of every window: it is unbounded.
     #[error("the contact reaches the {side:?} border of every window")]
     Endless {
-        /// Where.
+        /// The border that it reaches.
         side: Side,
     },
-    /// The cells would be too many.
+    /// The accuracy would need more cells than allowed.
     #[error(
         "with {cells} x {cells} cells the estimated error is {reached:.1e}, above {wanted:.1e}; \
          the next grid would have more than {most} cells"
     )]
     Unreached {
-        /// The accuracy.
+        /// The required accuracy.
         wanted: f64,
-        /// The estimated error.
+        /// The estimated error on the last grid.
         reached: f64,
-        /// Cells along a side.
+        /// Cells along a side that would be needed.
         cells: usize,
-        /// Cells that a grid may have.
+        /// The greatest number of cells allowed.
         most: usize,
     },
 }
 
 impl Accuracy {
-    /// This accuracy, with at most 2^20 cells.
+    /// Requires this relative accuracy, with at most 2^20 cells.
     ///
     /// # Errors
     /// [`RangeError`] unless it lies in 1e-6 to 0.1.
@@ -134,15 +135,16 @@ impl Accuracy {
         Ok(Self { wanted: accuracy, most: 1 << 20 })
     }
 
-    /// With at most this many cells.
+    /// Sets the greatest number of cells.
     #[must_use]
     pub const fn at_most(self, cells: usize) -> Self {
         Self { most: cells, ..self }
     }
 
-    /// Follows the drives on a window that fits. `make` makes the problem on any window; `sides` of
-    /// a first one about the origin need only hold part of the body. Where a drive twists, windows keep
-    /// the origin in their middle; elsewhere they move, and torques count about their middle.
+    /// Follows the drives on a window that fits. `make` builds the problem on a given window.
+    /// `sides` are those of a first window about the origin, which need only contain part of the
+    /// body. If any drive twists the contact, the window stays centred at the origin; otherwise it
+    /// may move, and torques are taken about its centre.
     ///
     /// # Errors
     /// [`FitError`].
@@ -160,18 +162,18 @@ impl Accuracy {
         let start = Span::about_origin(sides)?;
         let mut span: Option<Span> = None;
         for drive in hardest(drives) {
-            let found = scout(&make, start, &drive, twists)?;
+            let found = pilot(&make, start, &drive, twists)?;
             span = span.map_or(found, |span| found.map(|found| span.joined(&found)).or(Some(span)));
         }
         // Bodies that never touch fit any window.
         let mut span = span.unwrap_or(start);
-        let (mut cells, mut before): (usize, Option<[f64; 2]>) = (FIRST, None);
+        let (mut cells, mut before): (usize, Option<[f64; 2]>) = (FIRST_CELLS, None);
         loop {
-            let window = span.window(cells, FREE)?;
+            let window = span.window(cells, FREE_CELLS)?;
             let mut run = Run::begin(method.clone(), &make, window)?;
             let reached = match run.follow(drives) {
                 Ok(reached) => reached,
-                // A coarse grid may lack what a step takes.
+                // On a coarse grid a step may fail that succeeds on a finer one.
                 Err(error) if 16 * cells * cells > self.most => {
                     return Err(FitError::Method(error));
                 }
@@ -206,7 +208,7 @@ impl Accuracy {
     }
 }
 
-/// The drives that press hardest, by shift and by load.
+/// The drives with the greatest approach and with the greatest normal force.
 fn hardest(drives: &[Drive]) -> impl Iterator<Item = Drive> {
     let most = |is: fn(&Driven) -> bool| {
         let normals = drives.iter().map(|drive| drive.normal).filter(is);
@@ -216,18 +218,23 @@ fn hardest(drives: &[Drive]) -> impl Iterator<Item = Drive> {
     both.into_iter().flatten().map(|normal| Drive { normal, ..Drive::default() })
 }
 
-/// Cells a side that should do, from the error on these and on those before; a multiple of four.
+/// The number of cells along a side expected to be sufficient, from the error on the present and on
+/// the previous grid; a multiple of four.
 fn finer(cells: usize, error: f64, before: Option<[f64; 2]>, wanted: f64) -> usize {
     let order = before.map_or(1.5, |[cells_before, error_before]| {
         libm::log(error_before / error) / libm::log(cells as f64 / cells_before)
     });
-    let order = if order.is_nan() { ORDERS[0] } else { order.clamp(ORDERS[0], ORDERS[1]) };
+    let order = if order.is_nan() {
+        CONVERGENCE_ORDERS[0]
+    } else {
+        order.clamp(CONVERGENCE_ORDERS[0], CONVERGENCE_ORDERS[1])
+    };
     let times = 1.1 * libm::pow(error / wanted, 1.0 / order);
     let times = if times.is_nan() { 2.0 } else { times.clamp(1.25, 4.0) };
     fast((times * cells as f64) as usize)
 }
 
-/// The next multiple of sixteen whose only other factors are 2 and 3.
+/// The next multiple of sixteen that has no prime factors but 2 and 3: fast lengths of the FFT.
 fn fast(least: usize) -> usize {
     let mut cells = least.next_multiple_of(16);
     loop {
@@ -244,8 +251,8 @@ fn fast(least: usize) -> usize {
     }
 }
 
-/// Where the contact of a drive lies without friction; none apart.
-fn scout<E>(
+/// Where the contact of a drive lies, solved without friction; `None` if the bodies are separated.
+fn pilot<E>(
     make: &impl Fn(&Window) -> Result<ContactProblem, ProblemError>,
     start: Span,
     drive: &Drive,
@@ -254,11 +261,11 @@ fn scout<E>(
     let method = Frictionless::default().within(1e-4)?;
     let mut span = start;
     let mut reached = None;
-    for _ in 0..TRIES {
-        let window = span.window(SCOUTS, 0)?;
+    for _ in 0..MOST_WINDOWS {
+        let window = span.window(PILOT_CELLS, 0)?;
         let problem = make(&window)?.without_friction();
         if problem.apart(drive.normal).is_some() {
-            // Perhaps the body comes nearer between the centres.
+            // The closest point may lie between the cell centres.
             span = Span::around_lowest(&problem, &window).kept(twists);
             if !span.is_sensible() {
                 return Ok(None);
@@ -267,10 +274,10 @@ fn scout<E>(
         }
         let (mut state, apart) =
             (ContactState::apart(window.grid()), ContactState::apart(window.grid()));
-        let mut scratch = method.scratch(&problem).map_err(FitError::Scouts)?;
+        let mut scratch = method.scratch(&problem).map_err(FitError::Pilot)?;
         method
             .step(&problem, &apart, drive, &mut state, &mut scratch, &mut ())
-            .map_err(FitError::Scouts)?;
+            .map_err(FitError::Pilot)?;
         let Some(found) = Span::touching(&state, &window) else { return Ok(None) };
         if let Some(side) = border(&state) {
             reached = Some(side);
@@ -278,20 +285,21 @@ fn scout<E>(
             if !span.is_sensible() {
                 break;
             }
-        } else if found.kept(twists).is_small_in(&span, SMALL) {
+        } else if found.kept(twists).is_small_in(&span, SMALL_FRACTION) {
             span = found.kept(twists).widened(1.0);
         } else {
             return Ok(Some(found.kept(twists)));
         }
     }
-    Err(reached.map_or(FitError::NoWindow { tried: TRIES }, |side| FitError::Endless { side }))
+    Err(reached
+        .map_or(FitError::NoWindow { tried: MOST_WINDOWS }, |side| FitError::Endless { side }))
 }
 
-/// A side that the contact reaches.
+/// The side of the window that the contact reaches.
 pub(crate) fn border(state: &ContactState) -> Option<Side> {
-    state.doubts().into_iter().find_map(|doubt| match doubt {
-        Doubt::Border { side } => Some(side),
-        Doubt::FewCells { .. } => None,
+    state.warnings().into_iter().find_map(|grid_warning| match grid_warning {
+        GridWarning::Border { side } => Some(side),
+        GridWarning::FewCells { .. } => None,
     })
 }
 
@@ -300,14 +308,14 @@ struct Run<M: Method> {
     window: Window,
     history: NestedHistory<M>,
     estimates: Vec<Estimates>,
-    /// All that was in contact.
+    /// The region that was in contact in any step so far.
     seen: Option<Span>,
 }
 
-/// How far it got.
+/// How the history on one window ended.
 enum Reached {
     Border(Side),
-    /// No estimates.
+    /// The history is complete, but there are no error estimates.
     Nothing,
     End {
         error: f64,

@@ -1,4 +1,4 @@
-//! The same history on three grids.
+//! A load history solved on three nested grids.
 
 use carom_halfspace::Grid;
 use carom_special::RangeError;
@@ -10,7 +10,8 @@ use crate::method::Method;
 use crate::problem::{ContactProblem, ProblemError};
 use crate::state::ContactState;
 
-/// A history on a grid and on two coarser ones, for a third more than on the one.
+/// A load history on a grid and on two coarser ones; it costs a third more than the history on one
+/// grid.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -33,7 +34,7 @@ use crate::state::ContactState;
 pub struct NestedHistory<M: Method> {
     method: M,
     finest: Level<M>,
-    /// Cells twice and four times as wide; none from the step on that could not be solved on them.
+    /// Cell widths 2 h and 4 h; `None` from the first step that could not be solved there.
     coarse: [Option<Level<M>>; 2],
 }
 
@@ -43,13 +44,13 @@ struct Level<M: Method> {
     scratch: M::Scratch,
 }
 
-/// Why a history on three grids cannot begin.
+/// Why a history on three grids cannot be set up.
 #[derive(Debug, Clone, PartialEq, thiserror::Error)]
 pub enum NestedError<E> {
-    /// A problem cannot be built.
+    /// A problem could not be built.
     #[error(transparent)]
     Problem(#[from] ProblemError),
-    /// The method does not take the problem.
+    /// The method does not accept the problem.
     #[error(transparent)]
     Method(E),
 }
@@ -68,17 +69,18 @@ impl<M: Method> Level<M> {
     ) -> Result<(ContactState, Convergence), M::Error> {
         let (problem, from) = (&self.problem, &self.state);
         let mut to = from.clone();
-        let went = method.step(problem, from, drive, &mut to, &mut self.scratch, observer)?;
-        Ok((to, went))
+        let convergence =
+            method.step(problem, from, drive, &mut to, &mut self.scratch, observer)?;
+        Ok((to, convergence))
     }
 }
 
 impl<M: Method> NestedHistory<M> {
-    /// Bodies apart, on `grid` and on two coarser ones, for each of which `make` makes the problem;
-    /// where it cannot on a coarser one, there are no estimates.
+    /// Separated bodies on `grid` and on two coarser grids; `make` builds the problem on each. If
+    /// it cannot be built on a coarser grid, there are no error estimates.
     ///
     /// # Errors
-    /// [`NestedError`] of problem and method on `grid`.
+    /// [`NestedError`] if the problem or the method's memory cannot be built on `grid`.
     pub fn new(
         method: M,
         grid: Grid,
@@ -91,17 +93,17 @@ impl<M: Method> NestedHistory<M> {
         Ok(Self { method, finest, coarse })
     }
 
-    /// Goes on to the end of a step on all grids. A step that cannot be solved on a coarser grid ends
-    /// the estimates.
+    /// Advances all grids by one step. If the step cannot be solved on a coarser grid, there are no
+    /// error estimates from then on.
     ///
     /// # Errors
-    /// The method's on the finest grid; all states are then as they were.
+    /// The method's error on the finest grid; all states are then unchanged.
     pub fn step(
         &mut self,
         drive: &Drive,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, M::Error> {
-        let (state, went) = self.finest.stepped(&self.method, drive, observer)?;
+        let (state, convergence) = self.finest.stepped(&self.method, drive, observer)?;
         self.finest.state = state;
         for place in &mut self.coarse {
             let next = place.as_mut().map(|level| level.stepped(&self.method, drive, &mut ()));
@@ -110,7 +112,7 @@ impl<M: Method> NestedHistory<M> {
                 _ => *place = None,
             }
         }
-        Ok(went)
+        Ok(convergence)
     }
 
     /// The problem on the finest grid.
@@ -125,17 +127,17 @@ impl<M: Method> NestedHistory<M> {
         &self.finest.state
     }
 
-    /// The states on the coarser grids, where the history could be solved there.
+    /// The states on the coarser grids, as long as the history could be solved there.
     #[must_use]
     pub fn coarse_states(&self) -> [Option<&ContactState>; 2] {
         self.coarse.each_ref().map(|level| level.as_ref().map(|level| &level.state))
     }
 
-    /// Goes on from saved states: the same bits as without the interruption. A coarse state that is
-    /// not there ends the estimates.
+    /// Restores saved states. The history continues bit for bit as without the interruption. If a
+    /// coarse state is missing, there are no error estimates from then on.
     ///
     /// # Errors
-    /// [`RangeError`] where a state is one of another grid; nothing is changed then.
+    /// [`RangeError`] if a state is on another grid; nothing is changed then.
     pub fn restore(
         &mut self,
         state: ContactState,
@@ -157,8 +159,8 @@ impl<M: Method> NestedHistory<M> {
         Ok(())
     }
 
-    /// Values on the finest grid with their errors by the mesh; none where a step could not be
-    /// solved on a coarser one.
+    /// Values on the finest grid with their discretisation errors; `None` if a step could not be
+    /// solved on a coarser grid.
     #[must_use]
     pub fn estimates(&self) -> Option<Estimates> {
         let [coarse, coarsest] = self.coarse_states();

@@ -1,16 +1,16 @@
-//! How accurate a solution on a grid is, and which grid a wanted accuracy needs.
+//! The discretisation error of a solution, and the grid that a required accuracy needs.
 
 mod contour;
-mod doubt;
 mod estimate;
 mod fit;
+mod grid_warning;
 mod history;
 mod span;
 mod window;
 
 pub use contour::{Contour, contours};
-pub use doubt::{Doubt, Side};
 pub use estimate::{Estimated, Estimates};
 pub use fit::{Accuracy, Fit, FitError};
+pub use grid_warning::{GridWarning, Side};
 pub use history::{NestedError, NestedHistory};
 pub use window::Window;

@@ -1,17 +1,17 @@
-//! A rectangle of the surface: where the bodies touch, and a window about it.
+//! A rectangle on the surface that contains the contact, and a window around it.
 
 use carom_halfspace::Grid;
 use carom_special::RangeError;
 
-use super::doubt::Side;
+use super::grid_warning::Side;
 use super::window::Window;
 use crate::problem::ContactProblem;
 use crate::state::ContactState;
 
-/// Sides outside this range are those of no contact.
-const SENSIBLE: [f64; 2] = [1e-18, 1e18];
+/// A rectangle with a side outside this range is rejected as no contact.
+const ALLOWED_SIDES: [f64; 2] = [1e-18, 1e18];
 
-/// From low to high along x and along y.
+/// Lower and upper bounds along x and along y.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Span([[f64; 2]; 2]);
 
@@ -22,7 +22,7 @@ impl Span {
         Ok(Self(sides.map(|side| [-0.5 * side, 0.5 * side])))
     }
 
-    /// The cells in contact, with their whole widths; none apart.
+    /// The rectangle of all cells in contact; `None` if the bodies are separated.
     pub(crate) fn touching(state: &ContactState, window: &Window) -> Option<Self> {
         let [columns, rows] = state.extent()?;
         Some(Self::of_cells(window, columns, rows))
@@ -37,7 +37,7 @@ impl Span {
         ])
     }
 
-    /// A few cells around the one where the bodies come closest.
+    /// A few cells around the one with the smallest gap.
     pub(crate) fn around_lowest(problem: &ContactProblem, window: &Window) -> Self {
         let heights = problem.gap().heights().values();
         let lowest = heights.iter().enumerate().min_by(|one, other| one.1.total_cmp(other.1));
@@ -45,7 +45,7 @@ impl Span {
         Self::of_cells(window, [cell % nx; 2], [cell / nx; 2]).widened(1.5)
     }
 
-    /// The least one that holds both.
+    /// The smallest rectangle that contains both.
     pub(crate) fn joined(&self, other: &Self) -> Self {
         let join = |axis: usize| {
             let ([a, b], [c, d]) = (self.0[axis], other.0[axis]);
@@ -54,7 +54,7 @@ impl Span {
         Self([join(0), join(1)])
     }
 
-    /// With the origin in its middle, if it must be.
+    /// The same, enlarged to be centred at the origin if `in_the_middle`.
     pub(crate) fn kept(self, in_the_middle: bool) -> Self {
         if !in_the_middle {
             return self;
@@ -69,7 +69,7 @@ impl Span {
         self.0.map(|[low, high]| high - low)
     }
 
-    /// Longer by half of `part` on all sides.
+    /// Enlarged on every side by half of `part` times its length.
     pub(crate) fn widened(&self, part: f64) -> Self {
         Self(self.0.map(|[low, high]| {
             let more = 0.5 * part * (high - low);
@@ -77,7 +77,7 @@ impl Span {
         }))
     }
 
-    /// A side moved away by a part of the distance to the one opposite, or all where the middle is kept.
+    /// One side moved outwards by `part` of the length; both sides if the centre is kept.
     pub(crate) fn moved(&self, side: Side, part: f64, in_the_middle: bool) -> Self {
         let (mut span, [x, y]) = (*self, self.sides());
         match side {
@@ -89,18 +89,19 @@ impl Span {
         span.kept(in_the_middle)
     }
 
-    /// Whether it fills less than this part of another one along an axis.
+    /// Whether its length along either axis is less than `part` of the other's.
     pub(crate) fn is_small_in(&self, other: &Self, part: f64) -> bool {
         let (own, all) = (self.sides(), other.sides());
         own[0] < part * all[0] || own[1] < part * all[1]
     }
 
     pub(crate) fn is_sensible(&self) -> bool {
-        let inside = |side: f64| (SENSIBLE[0]..=SENSIBLE[1]).contains(&side);
+        let inside = |side: f64| (ALLOWED_SIDES[0]..=ALLOWED_SIDES[1]).contains(&side);
         self.sides().into_iter().all(inside)
     }
 
-    /// So many cells along each axis, of which `free` on each side lie beyond it.
+    /// A window with this number of cells along each axis, `free` of them beyond the rectangle on
+    /// each side.
     pub(crate) fn window(&self, cells: usize, free: usize) -> Result<Window, RangeError> {
         let [dx, dy] = self.sides().map(|side| side / (cells - 2 * free) as f64);
         let middle = self.0.map(|[low, high]| 0.5 * (low + high));

@@ -1,11 +1,11 @@
-//! A grid with its place on the surface.
+//! A grid with its position on the surface.
 
 use carom_halfspace::Grid;
 use carom_special::RangeError;
 
 use crate::gap::Gap;
 
-/// A grid whose middle lies anywhere on the surface.
+/// A grid whose centre may lie anywhere on the surface.
 ///
 /// ```
 /// use carom_halfspace::Grid;
@@ -22,35 +22,36 @@ pub struct Window {
 }
 
 impl Window {
-    /// The grid about a place.
+    /// A grid centred at a point.
     ///
     /// # Errors
-    /// [`RangeError`] unless the place is finite.
+    /// [`RangeError`] unless the point is finite.
     pub fn about(middle: [f64; 2], grid: Grid) -> Result<Self, RangeError> {
         RangeError::finite("x", middle[0])?;
         RangeError::finite("y", middle[1])?;
         Ok(Self { grid, middle })
     }
 
-    /// The cells.
+    /// The grid.
     #[must_use]
     pub const fn grid(&self) -> Grid {
         self.grid
     }
 
-    /// The place of their middle, about which torques and twists count.
+    /// The centre of the grid, about which torques and twists are taken.
     #[must_use]
     pub const fn middle(&self) -> [f64; 2] {
         self.middle
     }
 
-    /// Other cells about the same place.
+    /// Another grid with the same centre.
     #[must_use]
     pub const fn with(self, grid: Grid) -> Self {
         Self { grid, ..self }
     }
 
-    /// The gap of this height at (x, y) of the surface, infinite where no body is.
+    /// The gap whose height at the point (x, y) of the surface is `height`, infinite where there is
+    /// no body.
     ///
     /// # Errors
     /// As [`Gap::new`].

@@ -1,4 +1,5 @@
-//! Pressures at the last tractions, tractions at these pressures, in turn.
+//! Panagiotopoulos' alternation: pressures at the last tractions, then tractions at these
+//! pressures.
 
 use carom_halfspace::operator::{DisplacementField, TractionField};
 
@@ -11,14 +12,16 @@ use crate::problem::PeriodError;
 use crate::state::ContactState;
 use crate::tangential::TangentialTask;
 
-/// Up to this relative change of approach or force, pressures start from the last ones.
+/// If approach or force changes by at most this fraction, the normal solve starts from the last
+/// pressures instead of from coarser grids.
 const SMALL_STEP: f64 = 0.1;
-/// Passes that may go by before the least change is halved.
-const PATIENCE: usize = 40;
-/// Passes after which Newton's method is tried.
+/// The alternation has stalled if the least change has not been halved within this many passes.
+const PASSES_WITHOUT_PROGRESS: usize = 40;
+/// Newton's method on both problems together is tried after this many passes.
 const PASSES_BEFORE_NEWTON: usize = 35;
-/// Passes that change the displacements by more than this part of the last change are mixed.
-const SLOW: f64 = 0.25;
+/// Passes are accelerated by Anderson mixing once the change exceeds this fraction of the previous
+/// one.
+const SLOW_CONVERGENCE_RATE: f64 = 0.25;
 
 impl Pass<'_> {
     pub(super) fn alternate_to_convergence(
@@ -49,16 +52,16 @@ impl Pass<'_> {
                 if let Some(slides) = self.slides.take() {
                     return Err(slides);
                 }
-                let (products, stop) = (self.spent, Stop::Converged);
+                let (products, stop) = (self.cost, Stop::Converged);
                 return Ok(Convergence { iterations, products, residuals, stop });
             }
             if change < 0.5 * least.1 {
                 least = (pass, change);
             }
-            let stalls = !change.is_finite() || pass > least.0 + PATIENCE;
+            let stalls = !change.is_finite() || pass > least.0 + PASSES_WITHOUT_PROGRESS;
             if stalls || pass >= self.method.passes {
                 let stop = if stalls { Stop::Stalled } else { Stop::Exhausted };
-                let products = self.spent;
+                let products = self.cost;
                 let reached = Convergence { iterations, products, residuals, stop };
                 let what = "pressures and tractions together";
                 return Err(FrictionalError::NotConverged { what, tolerance, reached });
@@ -69,7 +72,7 @@ impl Pass<'_> {
             {
                 return Ok(reached);
             }
-            mixes |= pass > 1 && change > SLOW * last_change;
+            mixes |= pass > 1 && change > SLOW_CONVERGENCE_RATE * last_change;
             last_change = change;
             if mixes {
                 scratch.mixing.mix(&scratch.last, &mut scratch.by_traction);
@@ -78,7 +81,7 @@ impl Pass<'_> {
         }
     }
 
-    /// Whether the last pressures are a better start than coarse grids.
+    /// Whether the last pressures are a better start than the solution on coarser grids.
     fn is_small_step(&self) -> bool {
         let (last, next) = match self.drive.normal {
             Driven::Shift(approach) => (self.from.shift.zeta, approach),
@@ -97,7 +100,7 @@ impl Pass<'_> {
     ) -> Result<Convergence, FrictionalError> {
         let (operator, driven) = (self.problem.operator(), self.drive.normal);
         let heights = self.problem.gap().heights().values();
-        // None without coupling: heights are as they were.
+        // Zero without coupling: the heights are then unchanged.
         for ((own, height), w) in
             scratch.normal.heights_mut().iter_mut().zip(heights).zip(&scratch.by_traction)
         {
@@ -107,10 +110,10 @@ impl Pass<'_> {
         if first && self.is_small_step() {
             scratch.normal.start_from(self.from.pressure.values());
         } else if first {
-            self.spent = self.spent.plus(scratch.normal.start(operator, driven, target)?);
+            self.cost = self.cost.plus(scratch.normal.start(operator, driven, target)?);
         }
         let (approach, reached) = scratch.normal.solve(operator, driven, target, self.observer)?;
-        self.spent = self.spent.plus(reached.products);
+        self.cost = self.cost.plus(reached.products);
         to.shift.zeta = approach;
         to.pressure.values_mut().copy_from_slice(scratch.normal.pressure());
         converged("pressures", tolerance, reached)
@@ -132,11 +135,11 @@ impl Pass<'_> {
                 DisplacementField::tangential(u, v),
                 scratch.normal.workspace(),
             )?;
-            self.spent.coupling += 1.0;
+            self.cost.coupling += 1.0;
         }
         let own = operator.coefficients(0, 0).rows[2][2];
         scratch.limits.follow(&to.pressure, scratch.normal.gap(), own);
-        self.refuse_sticking(&scratch.limits.values)?;
+        self.check_period_can_shift(&scratch.limits.values)?;
         if let Some(slid) = self.slide(to, scratch)? {
             return Ok(slid);
         }
@@ -155,16 +158,16 @@ impl Pass<'_> {
         let fresh = task.traction.iter().all(|values| values.iter().all(|t| *t == 0.0));
         if first && fresh {
             let started = scratch.tangential.start(&mut task, tolerance, iterations)?;
-            self.spent = self.spent.plus(started);
+            self.cost = self.cost.plus(started);
         }
         let reached = scratch.tangential.solve(&mut task, tolerance, iterations, self.observer)?;
-        self.spent = self.spent.plus(reached.products);
+        self.cost = self.cost.plus(reached.products);
         self.rigid = task.rigid;
         converged("tractions", tolerance, reached)
     }
 
-    /// Where all of a period sticks at any traction, it cannot be shifted.
-    fn refuse_sticking(&self, limits: &[f64]) -> Result<(), FrictionalError> {
+    /// An error if a shift is prescribed where the whole period sticks at any traction.
+    fn check_period_can_shift(&self, limits: &[f64]) -> Result<(), FrictionalError> {
         if self.problem.operator().displaces_on_average()
             || limits.iter().any(|limit| limit.is_finite())
         {

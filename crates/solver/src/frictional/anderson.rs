@@ -1,11 +1,11 @@
-//! Anderson's mixing: a fixed point found from the last few passes instead of the last one.
+//! Anderson mixing: accelerates a fixed-point iteration by combining its last passes.
 
 use nalgebra::{DMatrix, DVector};
 
-/// Passes that are remembered.
-const MEMORY: usize = 10;
-/// A residual that grows to more than this many times the least one empties the memory.
-const GROWTH: f64 = 10.0;
+/// Number of passes kept.
+const KEPT_PASSES: usize = 10;
+/// The memory is cleared if the residual exceeds this many times the least one.
+const LARGEST_GROWTH: f64 = 10.0;
 
 /// The last arguments x and residuals G(x) - x of a map G whose fixed point is sought.
 #[derive(Debug, Clone, Default)]
@@ -21,16 +21,16 @@ impl Mixing {
         (self.arguments, self.residuals, self.least) = Default::default();
     }
 
-    /// Replaces the image G(x) of an argument x by a better next argument: the combination of the
-    /// last passes, their weights adding up to one, whose residual is least.
+    /// Replaces the image G(x) of an argument x by a better next argument: the affine combination
+    /// of the last passes with the smallest residual.
     pub(crate) fn mix(&mut self, argument: &[f64], image: &mut [f64]) {
         let residual: Vec<f64> = image.iter().zip(argument).map(|(g, x)| g - x).collect();
         let size = dot(&residual, &residual).sqrt();
-        if self.least.is_some_and(|least| size > GROWTH * least) {
+        if self.least.is_some_and(|least| size > LARGEST_GROWTH * least) {
             self.clear();
         }
         self.least = Some(self.least.map_or(size, |least| least.min(size)));
-        if self.residuals.len() > MEMORY {
+        if self.residuals.len() > KEPT_PASSES {
             self.arguments.remove(0);
             self.residuals.remove(0);
         }
@@ -45,8 +45,8 @@ impl Mixing {
         self.residuals.push(residual);
     }
 
-    /// The weights of the remembered passes: the least squares of the residual, where directions
-    /// that rounding has made alike count once.
+    /// The weights of the kept passes, by least squares of the residual. Nearly parallel directions
+    /// are treated as one.
     fn weights(&self, residual: &[f64]) -> Vec<f64> {
         let count = self.residuals.len();
         if count == 0 {

@@ -1,4 +1,4 @@
-//! A step on a box of cells about the contact: the same solution for the cost of the box.
+//! Solves a step on a box of cells around the contact: the same solution at a lower cost.
 //!
 //! Cells outside the box carry no traction, so they are left out of the iterations. Once the step is solved,
 //! one product on all cells shows whether the bodies overlap outside the box; then the step is solved on all
@@ -40,7 +40,7 @@ pub(super) enum InBox {
     Escaped,
 }
 
-/// Some columns and rows of a grid.
+/// A rectangular part of a grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 struct Cut {
     all: Grid,
@@ -49,15 +49,16 @@ struct Cut {
 }
 
 impl Cut {
-    /// A box, its sides from a few lengths so that many steps share one, about columns and rows; none
-    /// where that does not pay. A twist keeps its middle.
+    /// A box around the given columns and rows; `None` if it is not worth using. Its sides are
+    /// rounded up to a few lengths, so that many steps share one box. If the drive twists the
+    /// contact, the box keeps the centre of the grid.
     fn about(all: Grid, cells: [[usize; 2]; 2], twists: bool) -> Option<Self> {
         let counts = [all.nx(), all.ny()];
         let side = |axis: usize| {
             let ([low, high], count) = (cells[axis], counts[axis]);
             let least = if twists { count - 2 * low.min(count - high) } else { high - low };
             let length = ladder(least);
-            // The middle stays in the middle.
+            // The box keeps the centre of the grid.
             (!twists || count.is_multiple_of(2)).then_some(length.min(count))
         };
         let sides = [side(0)?, side(1)?];
@@ -76,7 +77,7 @@ impl Cut {
         Some(Self { all, own, corner })
     }
 
-    /// Where the rows of the box begin in the grid.
+    /// The index in the grid at which each row of the box begins.
     fn rows(&self) -> impl Iterator<Item = usize> + use<> {
         let Self { all, own, corner } = *self;
         (0..own.ny()).map(move |row| all.index(corner[0], corner[1] + row))
@@ -131,8 +132,8 @@ pub(super) struct Boxed {
 }
 
 impl Boxed {
-    /// The problem on this box. It is the last one if that was on the same box, and shares the operator of one
-    /// on a box of the same size. None if the operator has no smaller one.
+    /// The problem on a box. The last one is reused if it was on the same box, and its operator is
+    /// shared if its box had the same size. `None` if the operator has no smaller one.
     fn new(
         method: &Frictional,
         problem: &ContactProblem,
@@ -153,7 +154,7 @@ impl Boxed {
             let coarser = crate::nested::coarser_operators(&*operator)?;
             (operator, coarser)
         };
-        // A box in which neither body is has no gap.
+        // A box in which neither body lies has no gap.
         let Ok(gap) = Gap::new(cut.take(problem.gap().heights())?) else { return Ok(None) };
         let friction = match problem.friction() {
             SurfaceFriction::ByCell(field) => cut.take(field)?.into(),
@@ -170,7 +171,7 @@ impl Frictional {
     /// the step is solved.
     ///
     /// # Errors
-    /// Those of the step, unless all cells may lead to a solution where the box does not.
+    /// The errors of the step, unless a solution on all cells may succeed where the box does not.
     pub(super) fn step_in_a_box(
         &self,
         problem: &ContactProblem,
@@ -220,7 +221,8 @@ impl Frictional {
         Ok(InBox::Solved(Convergence { products, ..solved }))
     }
 
-    /// The box about the contact that the drive leads to, found on coarse cells; none if it is not worth using.
+    /// The box around the contact that the drive leads to, found on a coarse grid; `None` if it is
+    /// not worth using.
     fn cut(
         &self,
         problem: &ContactProblem,
@@ -234,11 +236,11 @@ impl Frictional {
         }
         let target = Target { tolerance: self.tolerance, iterations: self.iterations };
         let Some((coarse, cells)) =
-            scratch.normal.scout(problem.operator(), drive.normal, target)?
+            scratch.normal.find_contact_by_pilot(problem.operator(), drive.normal, target)?
         else {
             return Ok(None);
         };
-        // Both grids have the same middle.
+        // Both grids have the same centre.
         let fine = |[low, high]: [usize; 2], coarse: usize, count: usize, times: f64| {
             let place = |edge: f64| times * (edge - 0.5 * coarse as f64) + 0.5 * count as f64;
             let low = place(low as f64 - MARGIN as f64).floor().max(0.0) as usize;
@@ -254,7 +256,8 @@ impl Frictional {
         Ok(Cut::about(grid, cells, twists))
     }
 
-    /// The displacements of all cells: along the surface into the state, normal ones beside it.
+    /// The displacements of all cells: tangential ones go into the state, normal ones into their
+    /// own field.
     fn displace(
         &self,
         problem: &ContactProblem,
@@ -275,7 +278,7 @@ impl Frictional {
         Ok(products)
     }
 
-    /// Whether bodies overlap outside the box, within the tolerance.
+    /// Whether the bodies overlap outside the box by more than the tolerance.
     fn overlaps_outside(
         &self,
         problem: &ContactProblem,
@@ -292,8 +295,8 @@ impl Frictional {
     }
 }
 
-/// Whether a step that fails on a box with this error may succeed on all cells: the pressures, and with them
-/// the friction limit, are others if the contact does not fit into the box.
+/// Whether a step that fails on a box with this error may succeed on all cells: if the contact does
+/// not fit into the box, the pressures and with them the friction limit are different.
 fn may_depend_on_the_box(error: &FrictionalError) -> bool {
     match error {
         FrictionalError::NotConverged { reached, .. } => reached.stop != Stop::Observer,

@@ -1,4 +1,5 @@
-//! Strong coupling: a cone of friction that opens, and Newton's method on both problems together.
+//! Strong coupling: continuation in the friction coefficient, and Newton's method on both problems
+//! together.
 
 use super::pass::Pass;
 use super::{FrictionalError, FrictionalScratch};
@@ -6,18 +7,21 @@ use crate::convergence::{Convergence, Stop};
 use crate::frictional::coupled::{Coupled, CoupledTask};
 use crate::state::ContactState;
 
-/// Rounds of a cone that opens. Where the solution of a blunter cone has just ended, limits creep
-/// past the place for some hundred rounds before they go on to another solution.
-const ROUNDS: usize = 400;
-/// How many rounds lie between trials of Newton's method, unless limits are off by less than this
-/// part of the greatest traction and by half of what they were when it last failed.
-const ROUNDS_A_TRIAL: usize = 4;
+/// Passes of the continuation in the friction coefficient. Near a fold, where the solution for a
+/// smaller coefficient ceases to exist, the limits may change slowly for some hundred passes before
+/// they reach another solution.
+const CONTINUATION_PASSES: usize = 400;
+/// Number of passes between trials of Newton's method. It is tried earlier if the limits are off by
+/// less than this fraction of the greatest traction and by half of what they were off when it last
+/// failed.
+const PASSES_BETWEEN_TRIALS: usize = 4;
 const CLOSE: f64 = 0.05;
 
 impl Pass<'_> {
-    /// Rounds with a blunter cone, no greater a coefficient than `most`, beside cohesion that follows;
-    /// now and then Newton's method is tried from there.
-    pub(super) fn open_the_cone(
+    /// Passes with a friction coefficient of at most `most` and a cohesion that makes up for the
+    /// difference (see [`FrictionLimits`](super::limits::FrictionLimits)). At intervals Newton's
+    /// method is tried from there.
+    pub(super) fn continue_in_friction(
         &mut self,
         mut most: f64,
         fresh: bool,
@@ -46,7 +50,7 @@ impl Pass<'_> {
             }
             round += 1;
             change = scratch.limits.open(to);
-            if change < near || round % ROUNDS_A_TRIAL == 0 {
+            if change < near || round % PASSES_BETWEEN_TRIALS == 0 {
                 near = near.min(0.5 * change);
                 let kept = self.keep(to, scratch);
                 if let Some(reached) = self.solve_together(to, scratch)? {
@@ -54,16 +58,16 @@ impl Pass<'_> {
                 }
                 self.go_back(kept, to, scratch);
             }
-            if round == ROUNDS || change.is_nan() {
-                let (products, stop) = (self.spent, Stop::Exhausted);
+            if round == CONTINUATION_PASSES || change.is_nan() {
+                let (products, stop) = (self.cost, Stop::Exhausted);
                 let reached = Convergence { products, stop, ..reached };
                 return Err(FrictionalError::NotConverged { what, tolerance, reached });
             }
         }
     }
 
-    /// Pressures and tractions by one system, from what they are; none if that does not converge,
-    /// and they are as they were.
+    /// Solves for pressures and tractions together, starting from their present values; `None` if
+    /// that does not converge, and they are then unchanged.
     pub(super) fn solve_together(
         &mut self,
         to: &mut ContactState,
@@ -90,11 +94,11 @@ impl Pass<'_> {
         };
         let (tolerance, most) = (self.method.tolerance, self.method.iterations);
         let reached = solver.solve(&mut task, tolerance, most, self.observer)?;
-        self.spent = self.spent.plus(reached.products);
+        self.cost = self.cost.plus(reached.products);
         if reached.stop == Stop::Converged {
             (to.shift.zeta, self.rigid) = (task.approach, task.rigid);
             self.together = true;
-            return Ok(Some(Convergence { products: self.spent, ..reached }));
+            return Ok(Some(Convergence { products: self.cost, ..reached }));
         }
         *to = start;
         Ok(None)

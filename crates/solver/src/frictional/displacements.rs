@@ -1,4 +1,4 @@
-//! What tractions and rigid shifts displace, before and after.
+//! Displacements due to tractions and rigid shifts, before and after a step.
 
 use carom_halfspace::operator::{DisplacementField, TractionField};
 use carom_laws::law::Shift;
@@ -8,7 +8,8 @@ use super::{FrictionalError, FrictionalScratch};
 use crate::state::{CellState, ContactState};
 
 impl Pass<'_> {
-    /// c: displacements by the pressure, less the last ones and the rigid shift of the step.
+    /// The offset c: displacements due to the pressure, minus those before the step and the rigid
+    /// shift of the step.
     pub(super) fn offsets(&self, scratch: &mut FrictionalScratch) {
         let [dx, dy, turn] = self.moved();
         let grid = self.problem.grid();
@@ -31,14 +32,14 @@ impl Pass<'_> {
         }
     }
 
-    /// The given rigid shifts and twist of the step; zero where the load is given.
+    /// The prescribed rigid shifts and twist of the step; zero where the load is prescribed.
     pub(super) fn moved(&self) -> [f64; 3] {
         let (now, before) = (self.drive.shift_after(self.from.shift), self.from.shift);
         [now.xi - before.xi, now.eta - before.eta, now.omega - before.omega]
     }
 
-    /// How much the tangential tractions changed the normal displacement since the pressures were
-    /// found, over the approach.
+    /// The change of the normal displacement due to tangential tractions since the last normal
+    /// solve, relative to the approach.
     pub(super) fn change(
         &mut self,
         to: &ContactState,
@@ -67,11 +68,12 @@ impl Pass<'_> {
         let load = TractionField::tangential(to.traction_x.values(), to.traction_y.values());
         let displacement = DisplacementField::normal(&mut scratch.by_traction);
         self.problem.operator().apply(load, displacement, scratch.normal.workspace())?;
-        self.spent.coupling += 1.0;
+        self.cost.coupling += 1.0;
         Ok(())
     }
 
-    /// Shifts, and displacements of all cells. Cells that touch without friction slip.
+    /// Writes shifts and the displacements of all cells. Cells in contact without friction are
+    /// marked as slipping.
     pub(super) fn finish(
         &mut self,
         to: &mut ContactState,
@@ -91,9 +93,9 @@ impl Pass<'_> {
         let (u, v) = (to.displacement_x.values_mut(), to.displacement_y.values_mut());
         let displacement = DisplacementField::tangential(u, v);
         self.problem.operator().apply(load, displacement, scratch.normal.workspace())?;
-        self.spent.tangential += 1.0;
+        self.cost.tangential += 1.0;
         if normal.is_some() {
-            self.spent.coupling += 1.0;
+            self.cost.coupling += 1.0;
         }
         for ((cell, pressure), friction) in
             to.cells.values_mut().iter_mut().zip(to.pressure.values()).zip(&scratch.limits.friction)

@@ -1,39 +1,41 @@
-//! The greatest tangential tractions: Coulomb's cone, or a blunter one with cohesion on the way there.
+//! The traction bounds of the cells: Coulomb's cone, or a smaller coefficient with a cohesion.
 //!
-//! Where f gamma is large a small pressure makes a large limit, and pressures and tractions found in
-//! turn do not settle. A smaller coefficient f' and a cohesion c, with `|t| <= c + f' p`, have the
-//! solution of Coulomb's law for `c = (1 - f'/f) |t|`; to take the c of the last solution for the
-//! next one is an implicit step towards it, which settles where tractions and pressures would
-//! circle. With infinite friction f' stays finite.
+//! With friction coefficient f and coupling parameter gamma, a small change of pressure makes a
+//! large change of the bounds if f gamma is large, and the alternation diverges. A smaller
+//! coefficient f' and a cohesion c with `|t| <= c + f' p` have the same solution as Coulomb's law
+//! if `c = (1 - f'/f) |t|`. To take c from the last solution is an implicit step towards that
+//! solution; it converges where plain alternation would cycle. With infinite friction f' stays
+//! finite.
 
 use carom_halfspace::Field;
 
 use crate::state::ContactState;
 
-/// Most times the way to the next cohesion that is gone at once.
-const FARTHEST: f64 = 30.0;
+/// The greatest factor by which a step of the cohesion is extrapolated.
+const LARGEST_EXTRAPOLATION: f64 = 30.0;
 
-/// Limits hold this many times a given force, if friction does.
-const HOLDS: f64 = 1.05;
+/// The bounds are raised until they hold this many times a prescribed force, if friction can hold
+/// it.
+const FORCE_RESERVE: f64 = 1.05;
 
-/// The limits of a step, cell by cell.
+/// The traction bounds of a step, cell by cell.
 #[derive(Clone)]
 pub(crate) struct FrictionLimits {
-    /// Coefficients of friction.
+    /// Friction coefficients.
     pub(crate) friction: Vec<f64>,
-    /// The limits.
+    /// The traction bounds.
     pub(crate) values: Vec<f64>,
-    /// Instead of friction as it is.
+    /// The smaller coefficients with cohesion, while they replace Coulomb's law.
     cone: Option<Cone>,
 }
 
-/// A blunter cone with cohesion.
+/// A smaller friction coefficient with a cohesion.
 #[derive(Clone)]
 struct Cone {
-    /// Coefficients in use.
+    /// The coefficients in use.
     blunt: Vec<f64>,
     cohesion: Vec<f64>,
-    /// How far cohesion was off in the last round, and how many times that it goes.
+    /// The error of the cohesion in the last pass, and the factor of the last extrapolation.
     off: Vec<f64>,
     times: f64,
 }
@@ -47,17 +49,17 @@ impl FrictionLimits {
         self.friction.iter().copied().fold(0.0, f64::max)
     }
 
-    /// Friction as it is.
+    /// Returns to Coulomb's law with the full coefficient.
     pub(crate) fn sharpen(&mut self) {
         self.cone = None;
     }
 
-    /// Whether friction is as it is.
+    /// Whether Coulomb's law is used with the full coefficient.
     pub(crate) const fn is_sharp(&self) -> bool {
         self.cone.is_none()
     }
 
-    /// Friction no greater than this beside cohesion.
+    /// Uses at most this coefficient, with a cohesion for the difference.
     pub(crate) fn blunt(&mut self, most: f64) {
         let zero = vec![0.0; self.friction.len()];
         let new = || Cone { blunt: zero.clone(), cohesion: zero.clone(), off: zero, times: 1.0 };
@@ -67,7 +69,8 @@ impl FrictionLimits {
         }
     }
 
-    /// The limits under these pressures; cohesion ends where a gap opens, as if it were tension.
+    /// The bounds for these pressures. The cohesion ends where a gap opens, as if the gap were a
+    /// tension.
     pub(crate) fn follow(&mut self, pressure: &Field, gaps: &[f64], own: f64) {
         let Some(Cone { blunt, cohesion, .. }) = &self.cone else {
             let friction = self.friction.iter().zip(pressure.values());
@@ -88,13 +91,12 @@ impl FrictionLimits {
         }
     }
 
-    /// Raises the limits of a blunter cone in proportion to the pressures where they would not hold a
-    /// force.
+    /// Raises the bounds in proportion to the pressures if they could not hold a prescribed force.
     pub(crate) fn hold(&mut self, pressure: &[f64], force: f64) {
         if self.cone.is_none() {
             return;
         }
-        let missing = HOLDS * force - self.values.iter().sum::<f64>();
+        let missing = FORCE_RESERVE * force - self.values.iter().sum::<f64>();
         let all: f64 = pressure.iter().filter(|p| **p > 0.0).sum();
         if missing <= 0.0 || all <= 0.0 {
             return;
@@ -109,7 +111,8 @@ impl FrictionLimits {
         }
     }
 
-    /// Takes cohesion to what makes the limits f p; how far off it was, over the greatest traction.
+    /// Updates the cohesion towards the value that makes the bounds f p. Returns its error relative
+    /// to the greatest traction.
     pub(crate) fn open(&mut self, state: &ContactState) -> f64 {
         let Some(cone) = &mut self.cone else { return 0.0 };
         let (x, y) = (state.traction_x.values(), state.traction_y.values());
@@ -123,9 +126,9 @@ impl FrictionLimits {
             (same, now, then) = (same + off * *last, now + off * off, then + *last * *last);
             *last = off;
         }
-        // What goes on evenly has a long way to go.
+        // A steady change indicates that the cohesion is still far from its limit.
         let even = same > 0.9 * (now * then).sqrt();
-        cone.times = if even { (1.5 * cone.times).min(FARTHEST) } else { 1.0 };
+        cone.times = if even { (1.5 * cone.times).min(LARGEST_EXTRAPOLATION) } else { 1.0 };
         for (cohesion, off) in cone.cohesion.iter_mut().zip(&cone.off) {
             *cohesion = (*cohesion + cone.times * off).max(0.0);
         }

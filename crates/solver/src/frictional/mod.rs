@@ -1,4 +1,4 @@
-//! Contact with Coulomb's friction: normal and tangential problem in turn.
+//! Contact with Coulomb friction: normal and tangential problems solved in turn.
 
 mod alternation;
 mod anderson;
@@ -30,35 +30,37 @@ use crate::tangential::{LimitSurface, Rigid, TangentialScratch};
 use boxed::{Boxed, InBox};
 use pass::Pass;
 
-/// Contact with Coulomb's friction, one step at a time: pressures at the last tractions, tractions
-/// at these pressures, and so on (Panagiotopoulos) until the pressures stand; one pass where the
-/// materials are not coupled. Pressures come from preconditioned conjugate gradients on an active
-/// set, tractions from Newton's method on sets of sticking and slipping cells; both start from
-/// coarser grids where nothing better is known.
+/// Contact with Coulomb friction, one step of a load history at a time. Pressures are solved at the
+/// last tractions, tractions at these pressures, and so on until both converge (Panagiotopoulos);
+/// one pass suffices if the materials are not coupled. Pressures are found by preconditioned
+/// conjugate gradients on an active set, tractions by Newton's method on the sets of sticking and
+/// slipping cells. Both start from coarser grids if no better start is known.
 ///
-/// Each of the four motions is driven by its shift or by its load. A load that friction cannot hold is an
-/// error ([`FrictionalError::Slides`], [`FrictionalError::Turns`]). Loads of dissimilar bodies just below that
-/// limit are found by the motions that lead to them: there all cells slip, and the shift grows as the
-/// inverse root of what is missing to the limit.
+/// Each of the four motions is prescribed as a shift or as a load. A load that friction cannot hold
+/// is an error ([`FrictionalError::Slides`], [`FrictionalError::Turns`]). For dissimilar materials,
+/// loads just below that limit are found by iterating on the shifts: all cells slip there, and the
+/// shift grows with the inverse square root of the distance to the limit.
 ///
-/// A step costs what its contact covers, not what the window does: on many cells it is solved on a box
-/// about the contact, found anew in each step on coarse cells, and on the whole window where bodies
-/// would overlap outside the box.
+/// The cost of a step depends on the size of the contact, not of the window: on large grids it is
+/// solved on a box around the contact. The box is chosen anew in each step by a solve on coarse
+/// cells. If the bodies would overlap outside the box, the step is solved on the whole window.
 ///
-/// Where static friction is above the kinetic one, a cell sticks up to `f_s p`; once it slips its
-/// limit is `f_k p`, within the step at once and in later steps for as long as it slips. A step
-/// without slip heals it. Cells break in turn until none is at its static limit: what each of them
-/// lets go loads its neighbours. No length comes with this law, so that tractions at the tip of the
-/// slipping area are singular without bound and the static friction matters less on each finer grid.
-/// In Cattaneo's problem with `f_s = 1.5 f_k` the tangential force exceeds that of kinetic friction
-/// alone by 0.21, 0.13, 0.056, 0.028 % of the normal force on 16, 32, 64, 128 cells a side: in
-/// proportion to their width. What depends on the difference belongs to its grid.
+/// Where static friction exceeds kinetic friction, a cell sticks up to `f_s p`. Once it slips its
+/// bound is `f_k p`, at once within the step and in later steps for as long as it slips. After a
+/// step without slip it is static again. Cells change to kinetic friction until none exceeds its
+/// static bound, because each change loads its neighbours. This law has no length scale: the
+/// traction at the tip of the slip area is unbounded, and static friction matters less on each
+/// finer grid. In Cattaneo's problem with `f_s = 1.5 f_k` the tangential force exceeds that of
+/// kinetic friction alone by 0.21, 0.13, 0.056, 0.028 % of the normal force on 16, 32, 64, 128
+/// cells along a side: in proportion to the cell width. Results that depend on the difference
+/// therefore depend on the grid.
 ///
-/// Infinite friction is infinite where the materials are not coupled. Where they are, it is the limit of
-/// Coulomb's law, with 1e9 for the coefficient. No cell is then in the state [`CellState::Slip`](crate::CellState::Slip). Cells
-/// at the edge that would need tension to stick are dragged along: the surfaces touch there at a pressure
-/// of 1e-9 of the traction, which opposes their displacement. [`ContactState::slip_since`] tells
-/// it, and [`crate::dissipated`] its work.
+/// Infinite friction is exact if the materials are not coupled. If they are, it is the limit of
+/// Coulomb's law, computed with the coefficient 1e9. No cell is then in the state
+/// [`CellState::Slip`](crate::CellState::Slip). Cells at the edge that would need tension to stick
+/// are dragged along: the surfaces touch there at a pressure of 1e-9 of the traction, which opposes
+/// their displacement. [`ContactState::slip_since`] gives this displacement, and
+/// [`crate::dissipated`] its work.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -98,22 +100,24 @@ pub enum FrictionalError {
     /// The operator failed.
     #[error(transparent)]
     Operator(#[from] OperatorError),
-    /// No load on a period leads to a given shift.
+    /// No load on a periodic surface gives the prescribed shift.
     #[error(transparent)]
     Period(#[from] PeriodError),
-    /// A tangential force is given that friction cannot hold: the bodies slide.
+    /// The prescribed tangential force exceeds what friction can hold: the bodies slide.
     #[error(
-        "the tangential force {force} is not below what friction can hold, {limit}: the bodies slide"
+        "the tangential force {force} is not below the friction limit {limit}: the bodies slide"
     )]
     Slides {
-        /// The force.
+        /// The tangential force.
         force: f64,
-        /// The friction limit, the sum of f p, as far as it is known: to 1e-12 of itself.
+        /// The greatest force that friction can hold, the sum of f p over the cells; relative error
+        /// 1e-12.
         limit: f64,
     },
-    /// A torque is given, alone or beside a force, that friction cannot hold: the bodies turn on each other.
+    /// The prescribed torque, alone or with a force, exceeds what friction can hold: the bodies
+    /// rotate on each other.
     #[error(
-        "friction holds loads below {part} times the torque {torque} and the tangential force {force}: \
+        "friction can hold less than {part} times the torque {torque} and the tangential force {force}: \
          the bodies slide"
     )]
     Turns {
@@ -121,48 +125,48 @@ pub enum FrictionalError {
         torque: f64,
         /// The tangential force.
         force: f64,
-        /// What friction can hold over what is given; at most 1.
+        /// The fraction of the prescribed loads that friction can hold; at most 1.
         part: f64,
     },
-    /// Iterations ended before the tolerance was reached.
+    /// The iterations ended before the tolerance was reached.
     #[error(
-        "the {what} are not found within {tolerance:.1e}: {:.1e} (normal), {:.1e} (tangential) after \
+        "the {what} did not converge to {tolerance:.1e}: {:.1e} (normal), {:.1e} (tangential) after \
          {} iterations ({:?})",
         .reached.residuals.normal, .reached.residuals.tangential, .reached.iterations, .reached.stop
     )]
     NotConverged {
-        /// Pressures, tractions, or both together.
+        /// The unknowns that did not converge: pressures, tractions, or both together.
         what: &'static str,
         /// The tolerance.
         tolerance: f64,
-        /// How far it got.
+        /// The convergence up to then.
         reached: Convergence,
     },
 }
 
 impl Default for Frictional {
-    /// To 1e-9 of the greatest displacement and of the greatest friction limit.
+    /// Tolerance 1e-9, relative to the greatest displacement and to the greatest friction limit.
     fn default() -> Self {
         Self { tolerance: 1e-9, iterations: 1000, passes: 300 }
     }
 }
 
 impl Frictional {
-    /// To another tolerance: violations of the normal conditions over the greatest displacement, and
-    /// of the friction law over the greatest friction limit.
+    /// Sets the tolerance: violations of the normal conditions relative to the greatest
+    /// displacement, and of the friction law relative to the greatest friction limit.
     ///
     /// # Errors
-    /// [`RangeError`] unless it lies in 1e-13 to 0.01.
+    /// [`RangeError`] unless it is in the range 1e-13 to 0.01.
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         let holds = (1e-13..=0.01).contains(&tolerance);
         RangeError::check("tolerance", tolerance, holds, "from 1e-13 to 0.01")?;
         Ok(Self { tolerance, ..self })
     }
 
-    /// With at most so many iterations of each problem on each grid, and so many passes.
+    /// Limits the iterations of each problem on each grid, and the passes of the alternation.
     ///
     /// # Errors
-    /// [`RangeError`] unless there is at least one of each.
+    /// [`RangeError`] unless both are at least 1.
     pub fn at_most(self, iterations: usize, passes: usize) -> Result<Self, RangeError> {
         RangeError::check("iterations", iterations as f64, iterations > 0, "at least 1")?;
         RangeError::check("passes", passes as f64, passes > 0, "at least 1")?;
@@ -176,21 +180,21 @@ pub struct FrictionalScratch {
     normal: NormalGrids,
     tangential: TangentialScratch,
     limits: FrictionLimits,
-    /// The tangential displacement by pressure; empty, as the two below the next, where neither acts
-    /// on the other.
+    /// Tangential displacement due to pressure; this and the next two fields are empty without
+    /// coupling.
     by_pressure: [Vec<f64>; 2],
     offset: [Vec<f64>; 2],
-    /// The normal displacement by tangential tractions, of this pass and the last one.
+    /// Normal displacement due to tangential tractions, in this pass and in the last one.
     by_traction: Vec<f64>,
     last: Vec<f64>,
     mixing: Mixing,
-    /// Cells that have slipped since they last stuck.
-    broken: Vec<bool>,
-    /// Pressures and tractions together, built when it is first needed.
+    /// Cells at kinetic friction: they have slipped since they last stuck.
+    kinetic: Vec<bool>,
+    /// The solver for pressures and tractions together, built when first needed.
     coupled: Option<Box<Coupled>>,
-    /// What friction can hold under the pressures of this pass.
+    /// The loads that friction can hold under the pressures of this pass.
     surface: LimitSurface,
-    /// The box of the last step that had one, and the normal displacements of all cells.
+    /// The last box that was used, and the normal displacements of all cells.
     boxed: Option<Box<Boxed>>,
     sunk: Vec<f64>,
 }
@@ -250,7 +254,7 @@ impl Frictional {
             by_traction: coupling(),
             last: coupling(),
             mixing: Mixing::default(),
-            broken: vec![false; problem.grid().cells()],
+            kinetic: vec![false; problem.grid().cells()],
             coupled: None,
             surface: LimitSurface::default(),
             boxed: None,
@@ -258,7 +262,7 @@ impl Frictional {
         })
     }
 
-    /// A step that touches, on all cells.
+    /// A step with contact, solved on all cells.
     fn step_on_all(
         &self,
         problem: &ContactProblem,
@@ -274,15 +278,15 @@ impl Frictional {
             Driven::Load(load) => Some(load / area),
         };
         let loads = [load(drive.x), load(drive.y), load(drive.twist)];
-        let (spent, rigid) = (Products::default(), Rigid { loads, ..Rigid::default() });
+        let (cost, rigid) = (Products::default(), Rigid { loads, ..Rigid::default() });
         let (together, slides) = (false, None);
         let mut pass =
-            Pass { method: self, problem, from, drive, rigid, observer, spent, together, slides };
-        pass.until_no_cell_breaks(to, scratch)
+            Pass { method: self, problem, from, drive, rigid, observer, cost, together, slides };
+        pass.solve_with_static_friction(to, scratch)
     }
 }
 
-/// Separated bodies hold no load along the surface.
+/// Separated bodies cannot hold a tangential load.
 fn refuse_tangential_loads(drive: &Drive) -> Result<(), FrictionalError> {
     let [x, y, torque] = [drive.x, drive.y, drive.twist].map(|driven| match driven {
         Driven::Load(load) => load,

@@ -1,23 +1,25 @@
-//! One step of a history: until no cell breaks, pressures and tractions in equilibrium.
+//! One step with friction: repeats until no further cell changes to kinetic friction.
 
 use super::{Frictional, FrictionalError, FrictionalScratch};
 use crate::convergence::{Convergence, Observer, Products};
 use crate::drive::Drive;
-use crate::friction::FIRM;
+use crate::friction::COEFFICIENT_FOR_INFINITE;
 use crate::problem::ContactProblem;
 use crate::state::{CellState, ContactState};
 use crate::tangential::Rigid;
 
-/// Up to this over gamma friction is taken as it is.
-const STRONG: f64 = 4.0;
+/// Coupling is strong if the friction coefficient times gamma exceeds this; the full coefficient is
+/// used from the start only below it.
+const STRONG_COUPLING: f64 = 4.0;
 
-/// From this part of the greatest traction on, a cell has all of it.
-const DRAGGED: f64 = 1.0 - 1e-6;
+/// A cell of infinite friction counts as dragged if its traction exceeds this fraction of its
+/// bound.
+const DRAGGED_FRACTION: f64 = 1.0 - 1e-6;
 
-/// What to go back to: rigid shifts, state, normal displacement by tractions.
+/// The values to return to: rigid shifts, state, normal displacement due to tractions.
 pub(super) type Kept = (Rigid, ContactState, Vec<f64>);
 
-/// One step of a history.
+/// The solution of one step.
 pub(super) struct Pass<'a> {
     pub(super) method: &'a Frictional,
     pub(super) problem: &'a ContactProblem,
@@ -25,44 +27,45 @@ pub(super) struct Pass<'a> {
     pub(super) drive: &'a Drive,
     pub(super) rigid: Rigid,
     pub(super) observer: &'a mut dyn Observer,
-    pub(super) spent: Products,
-    /// Whether pressures and tractions were found together.
+    pub(super) cost: Products,
+    /// Whether pressures and tractions were solved together.
     pub(super) together: bool,
-    /// What says that the bodies slide under the pressures of the last pass, if they do.
+    /// The error to report if the bodies slide under the pressures of the last pass.
     pub(super) slides: Option<FrictionalError>,
 }
 
 impl Pass<'_> {
-    /// Cells that begin to slip at static friction go on at kinetic friction, which may make others
-    /// slip.
-    pub(super) fn until_no_cell_breaks(
+    /// Solves the step. Cells that begin to slip at static friction change to kinetic friction,
+    /// which may make other cells slip, so that the solution is repeated.
+    pub(super) fn solve_with_static_friction(
         &mut self,
         to: &mut ContactState,
         scratch: &mut FrictionalScratch,
     ) -> Result<Convergence, FrictionalError> {
         to.clone_from(self.from);
-        for (broken, cell) in scratch.broken.iter_mut().zip(self.from.cells.values()) {
-            *broken = *cell == CellState::Slip;
+        for (kinetic, cell) in scratch.kinetic.iter_mut().zip(self.from.cells.values()) {
+            *kinetic = *cell == CellState::Slip;
         }
-        // Those are named sticking, but the search for them goes on from what they do.
-        self.name_dragged(CellState::Slip, to);
+        // These cells are reported as sticking, but the next solve starts from their slip.
+        self.mark_dragged(CellState::Slip, to);
         scratch.by_traction.fill(0.0);
         if self.problem.operator().is_coupled() {
             self.displace_by_traction(to, scratch)?;
         }
-        let mut went = self.settle(true, to, scratch)?;
-        while self.break_cells(to, scratch) {
-            let more = self.settle(false, to, scratch)?;
-            went = Convergence { iterations: went.iterations + more.iterations, ..more };
+        let mut convergence = self.alternate_or_continue(true, to, scratch)?;
+        while self.switch_to_kinetic_friction(to, scratch) {
+            let more = self.alternate_or_continue(false, to, scratch)?;
+            convergence =
+                Convergence { iterations: convergence.iterations + more.iterations, ..more };
         }
         self.finish(to, scratch)?;
-        self.name_dragged(CellState::Stick, to);
-        Ok(Convergence { products: self.spent, ..went })
+        self.mark_dragged(CellState::Stick, to);
+        Ok(Convergence { products: self.cost, ..convergence })
     }
 
-    /// Names the cells of infinite friction whose traction is all that the coefficient that stands for it
-    /// allows.
-    fn name_dragged(&self, state: CellState, to: &mut ContactState) {
+    /// Sets the state of those cells of infinite friction whose traction reaches the bound of the
+    /// substitute coefficient.
+    fn mark_dragged(&self, state: CellState, to: &mut ContactState) {
         let friction = self.problem.friction();
         if !self.problem.operator().is_coupled() || !friction.is_infinite_somewhere() {
             return;
@@ -70,34 +73,38 @@ impl Pass<'_> {
         let tractions = to.traction_x.values().iter().zip(to.traction_y.values());
         let pressed = tractions.zip(to.pressure.values());
         for (i, (((x, y), p), cell)) in pressed.zip(to.cells.values_mut()).enumerate() {
-            let all = *p > 0.0 && x.hypot(*y) >= DRAGGED * FIRM * p;
+            let all = *p > 0.0 && x.hypot(*y) >= DRAGGED_FRACTION * COEFFICIENT_FOR_INFINITE * p;
             if all && friction.at(i).motion().get().is_infinite() {
                 *cell = state;
             }
         }
     }
 
-    /// Whether any cell slips that did not before, where that lessens its friction.
-    fn break_cells(&self, to: &ContactState, scratch: &mut FrictionalScratch) -> bool {
+    /// Whether any cell slips that did not before and thereby loses friction.
+    fn switch_to_kinetic_friction(
+        &self,
+        to: &ContactState,
+        scratch: &mut FrictionalScratch,
+    ) -> bool {
         let mut any = false;
-        for (i, (broken, cell)) in scratch.broken.iter_mut().zip(to.cells.values()).enumerate() {
+        for (i, (kinetic, cell)) in scratch.kinetic.iter_mut().zip(to.cells.values()).enumerate() {
             let friction = self.problem.friction().at(i);
-            let breaks = !*broken && *cell == CellState::Slip;
+            let breaks = !*kinetic && *cell == CellState::Slip;
             any |= breaks && friction.rest() > friction.motion();
-            *broken |= breaks;
+            *kinetic |= breaks;
         }
         any
     }
 
-    /// Pressures and tractions in equilibrium.
-    fn settle(
+    /// Solves for pressures and tractions in equilibrium.
+    fn alternate_or_continue(
         &mut self,
         fresh: bool,
         to: &mut ContactState,
         scratch: &mut FrictionalScratch,
     ) -> Result<Convergence, FrictionalError> {
         for (i, (own, slides)) in
-            scratch.limits.friction.iter_mut().zip(&scratch.broken).enumerate()
+            scratch.limits.friction.iter_mut().zip(&scratch.kinetic).enumerate()
         {
             let friction = self.problem.friction().at(i);
             *own = if *slides { friction.motion() } else { friction.rest() }.get();
@@ -109,7 +116,8 @@ impl Pass<'_> {
         if !self.problem.operator().is_coupled() {
             return self.alternate_to_convergence(fresh, tolerance, to, scratch);
         }
-        let (greatest, strong) = (scratch.limits.greatest_friction(), STRONG / self.gamma());
+        let (greatest, strong) =
+            (scratch.limits.greatest_friction(), STRONG_COUPLING / self.gamma());
         if greatest <= strong {
             let start = self.keep(to, scratch);
             match self.alternate_to_convergence(fresh, tolerance, to, scratch) {
@@ -117,10 +125,10 @@ impl Pass<'_> {
                 done => return done,
             }
         }
-        self.open_the_cone(strong.min(0.5 * greatest), fresh, to, scratch)
+        self.continue_in_friction(strong.min(0.5 * greatest), fresh, to, scratch)
     }
 
-    /// The coupling of pressures and tractions over the compliance.
+    /// The coupling of pressures and tractions, relative to the compliance.
     fn gamma(&self) -> f64 {
         let [x, _, z] = self.problem.operator().coefficients(1, 0).rows[2];
         if x == 0.0 { 0.0 } else { (x / z).abs() }

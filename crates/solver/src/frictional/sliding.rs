@@ -1,4 +1,4 @@
-//! Given loads that friction cannot hold.
+//! Prescribed loads that friction cannot hold.
 
 use nalgebra::Vector3;
 
@@ -9,15 +9,15 @@ use crate::drive::Driven;
 use crate::friction::SurfaceFriction;
 use crate::state::{CellState, ContactState};
 
-/// Loads that are below the friction limit by less than this part are not below it.
+/// A load counts as below the friction limit only if it is smaller by more than this fraction.
 const ROUNDING: f64 = 1e-12;
-/// From this part of the limit on, the loads of coupled bodies are found by their motions: elsewhere
-/// nothing ties the motions to the loads but displacements that pressures make uneven.
-const NEAR: f64 = 0.99;
+/// From this fraction of the limit on, loads of coupled bodies are found by iterating on the
+/// shifts. There the shifts depend on the loads only through uneven displacements by the pressures.
+const NEAR_LIMIT: f64 = 0.99;
 
 impl Pass<'_> {
-    /// Where friction cannot hold the given loads under these pressures, the tractions of rigid sliding; an
-    /// error where other pressures would change nothing.
+    /// The tractions of rigid sliding, if friction cannot hold the prescribed loads under these
+    /// pressures; an error if no other pressures would change that.
     pub(super) fn slide(
         &mut self,
         to: &mut ContactState,
@@ -34,7 +34,7 @@ impl Pass<'_> {
             cells.map(|((x, y), (friction, p))| [x, y, if *p > 0.0 { friction * p } else { 0.0 }]);
         scratch.surface.take(limits, &self.rigid.loads);
         let coupled = self.problem.operator().is_coupled();
-        if scratch.surface.used_at_most(&loads) >= NEAR {
+        if scratch.surface.used_at_most(&loads) >= NEAR_LIMIT {
             let used = scratch.surface.used(&loads);
             if used.part >= 1.0 - ROUNDING {
                 let slides = self.beyond(used.part);
@@ -47,7 +47,7 @@ impl Pass<'_> {
                 let stop = Stop::Converged;
                 return Ok(Some(Convergence { iterations: 0, products, residuals, stop }));
             }
-            if coupled && scratch.limits.is_sharp() && used.part >= NEAR {
+            if coupled && scratch.limits.is_sharp() && used.part >= NEAR_LIMIT {
                 scratch.tangential.find_by_motions();
             }
         }
@@ -55,7 +55,7 @@ impl Pass<'_> {
         Ok(None)
     }
 
-    /// Whether no pass changes what friction can hold.
+    /// Whether the friction limit is final: no further pass can change it.
     fn limit_stands(&self, scratch: &FrictionalScratch) -> bool {
         let uniform = matches!(self.problem.friction(), SurfaceFriction::Uniform(own) if own.rest() == own.motion());
         let force_alone = self.rigid.loads[2].is_none();
@@ -64,19 +64,19 @@ impl Pass<'_> {
             || (uniform && force_alone && pressed && scratch.limits.is_sharp())
     }
 
-    /// Loads that use this part of what friction can hold.
+    /// The error for loads of which friction can hold only this fraction.
     fn beyond(&self, part: f64) -> FrictionalError {
         let area = self.problem.grid().cell_area();
         let [x, y, turning] = self.rigid.loads.map(Option::unwrap_or_default);
         let force = area * x.hypot(y);
         if turning == 0.0 {
-            // No better known than that.
+            // The limit is known only to this accuracy.
             return FrictionalError::Slides { force, limit: (force / part).min(force) };
         }
         FrictionalError::Turns { torque: area * turning, force, part: (1.0 / part).min(1.0) }
     }
 
-    /// Tractions in the direction of a rigid velocity, as far as friction goes.
+    /// Tractions opposite to a rigid velocity, equal to the friction bounds.
     fn follow_sliding(
         &self,
         motion: &Vector3<f64>,

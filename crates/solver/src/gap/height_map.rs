@@ -4,7 +4,7 @@ use carom_halfspace::{Field, Grid};
 
 use super::Gap;
 
-/// Heights of a surface on a lattice, row by row, both axes ascending.
+/// Heights of a surface on a regular lattice, row by row, x and y ascending.
 ///
 /// ```
 /// use carom_halfspace::Grid;
@@ -20,10 +20,10 @@ pub struct HeightMap {
     values: Vec<f64>,
 }
 
-/// Why rows of numbers are no height map.
+/// Why rows of numbers are not a height map.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum HeightMapError {
-    /// It has no values.
+    /// There are no values.
     #[error("the height map is empty")]
     Empty,
     /// A row is longer or shorter than the first.
@@ -46,7 +46,7 @@ pub enum HeightMapError {
         /// The value.
         value: f64,
     },
-    /// A value is so large that its square, times a modulus over a cell, overflows.
+    /// A height is so large that its square times a modulus overflows.
     #[error(
         "the height map is {value:e} in row {row}, column {column}: must be at most 1e100 times the \
          longer side of the grid"
@@ -59,13 +59,13 @@ pub enum HeightMapError {
         /// The value.
         value: f64,
     },
-    /// It has another size than the grid.
+    /// The size differs from that of the grid.
     #[error(
         "the height map has {} x {} values, the grid {} x {} cells",
         .found[0], .found[1], .grid[0], .grid[1]
     )]
     OtherSize {
-        /// Columns and rows of the map.
+        /// Columns and rows of the height map.
         found: [usize; 2],
         /// Columns and rows of the grid.
         grid: [usize; 2],
@@ -76,7 +76,7 @@ pub enum HeightMapError {
 const MOST_HEIGHT: f64 = 1e100;
 
 impl HeightMap {
-    /// Ok if a map of `size`, columns and rows, has one value for each cell of the grid.
+    /// Checks that a map of `size` (columns, rows) has one value for each cell of the grid.
     ///
     /// # Errors
     /// [`HeightMapError::OtherSize`].
@@ -88,10 +88,10 @@ impl HeightMap {
         }
     }
 
-    /// From its rows.
+    /// From the rows of heights, y ascending.
     ///
     /// # Errors
-    /// [`HeightMapError`] where they are empty, ragged or not finite.
+    /// [`HeightMapError`] if there are no values, rows differ in length, or a value is not finite.
     pub fn from_rows(rows: &[Vec<f64>]) -> Result<Self, HeightMapError> {
         let columns = rows.first().map_or(0, Vec::len);
         if columns == 0 {
@@ -122,7 +122,7 @@ impl HeightMap {
         self.values.len() / self.columns
     }
 
-    /// The distance to a plane that rests on the highest point.
+    /// The gap to a plane that rests on the highest point.
     ///
     /// # Errors
     /// [`HeightMapError::OtherSize`] unless the grid has one cell for each value.
@@ -130,8 +130,8 @@ impl HeightMap {
         self.gap_over(grid, f64::INFINITY)
     }
 
-    /// The same of heights that stand on a paraboloid of this radius, r^2/(2 R) - h from the point
-    /// that touches; infinite for a plane.
+    /// The gap of a paraboloid of this radius with the heights h on it, r^2/(2 R) - h, minus its
+    /// least value; an infinite radius gives a plane.
     ///
     /// # Errors
     /// [`HeightMapError::OtherSize`] unless the grid has one cell for each value,

@@ -1,4 +1,4 @@
-//! The gap between the undeformed bodies over a grid.
+//! The gap between the undeformed surfaces on a grid.
 
 mod height_map;
 mod outline;
@@ -17,7 +17,7 @@ use carom_special::RangeError;
 
 use crate::nested::coarser;
 
-/// Distance of the undeformed surfaces at the centres of the cells, zero at first touch (11.1).
+/// The distance of the undeformed surfaces at the cell centres, zero at first contact (11.1).
 ///
 /// ```
 /// use carom_halfspace::Grid;
@@ -35,13 +35,14 @@ pub struct Gap {
 }
 
 impl Gap {
-    /// The paraboloid A x^2 + B y^2 (3.5), (12.1) about the middle of the grid.
+    /// The paraboloid A x^2 + B y^2 (3.5), (12.1) about the centre of the grid.
     #[must_use]
     pub fn of_curvature(grid: Grid, curvature: &RelativeCurvature) -> Self {
         Self { heights: Field::from_function(grid, |x, y| curvature.gap(x, y)) }
     }
 
-    /// Any shape: `height` at (x, y) from the middle of the grid, infinite where no body is.
+    /// An arbitrary shape: `height` at (x, y) from the centre of the grid, infinite where there is
+    /// no body.
     ///
     /// # Errors
     /// As [`Gap::new`].
@@ -49,11 +50,10 @@ impl Gap {
         Self::new(Field::from_function(grid, height))
     }
 
-    /// Given heights, infinite where no body is.
+    /// Given heights, infinite where there is no body.
     ///
     /// # Errors
-    /// [`RangeError`] for a height that is not a number or minus infinity, and where no height is
-    /// finite.
+    /// [`RangeError`] for a height that is NaN or minus infinity, and if no height is finite.
     pub fn new(heights: Field) -> Result<Self, RangeError> {
         for &height in heights.values() {
             RangeError::check("gap", height, height > f64::NEG_INFINITY, "a number or +inf")?;
@@ -63,11 +63,11 @@ impl Gap {
         Ok(Self { heights })
     }
 
-    /// The same surfaces over cells twice as wide: the means of four places in each; infinite where
-    /// one of these has no body.
+    /// The same surfaces on cells twice as wide: the mean of four points in each cell; infinite if
+    /// there is no body at one of them.
     ///
     /// # Errors
-    /// As [`Gap::new`], or if a width overflows.
+    /// As [`Gap::new`]; also if a cell width overflows.
     pub fn coarser(&self) -> Result<Self, RangeError> {
         let grid = self.grid().coarser()?;
         Self::new(Field::new(grid, coarser(self.grid(), self.heights.values(), grid))?)
@@ -79,7 +79,7 @@ impl Gap {
         self.heights.grid()
     }
 
-    /// The gap at all cells.
+    /// The gap at the cell centres.
     #[must_use]
     pub const fn heights(&self) -> &Field {
         &self.heights

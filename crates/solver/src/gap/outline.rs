@@ -1,12 +1,12 @@
-//! Flat punches by their outline.
+//! Flat punches, given by their outline.
 
 use carom_halfspace::Grid;
 use carom_special::RangeError;
 
 use super::{Gap, Shape};
 
-/// The outline of a flat punch, about the middle of the grid. Cells whose centre lies outside cannot
-/// touch.
+/// The outline of a flat punch, about the centre of the grid. Cells whose centre lies outside
+/// cannot come into contact.
 ///
 /// ```
 /// use carom_halfspace::Grid;
@@ -19,7 +19,7 @@ use super::{Gap, Shape};
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outline {
-    /// A disc.
+    /// A circle.
     Disc {
         /// Its radius.
         radius: f64,
@@ -45,7 +45,7 @@ pub enum Outline {
 }
 
 impl Outline {
-    /// Whether a place lies inside or on the border.
+    /// Whether a point lies inside or on the outline.
     #[must_use]
     pub fn holds(&self, x: f64, y: f64) -> bool {
         let within = |a: f64, b: f64| (x / a) * (x / a) + (y / b) * (y / b) <= 1.0;
@@ -58,7 +58,7 @@ impl Outline {
         }
     }
 
-    /// How far from the origin it reaches along both axes.
+    /// The greatest |x| and |y| of the outline.
     pub(super) fn reach(&self) -> [f64; 2] {
         let farthest = |corners: &[[f64; 2]]| {
             [0, 1].map(|axis| corners.iter().map(|corner| corner[axis].abs()).fold(0.0, f64::max))
@@ -87,11 +87,11 @@ impl Outline {
 }
 
 impl Gap {
-    /// A flat punch: zero inside the outline, no body outside.
+    /// A flat punch: zero gap inside the outline, no body outside.
     ///
     /// # Errors
     /// [`RangeError`] for lengths that are not positive, corners that are not finite, fewer than
-    /// three of them or of no area, and where no cell's centre lies inside.
+    /// three corners or corners on one line, and if no cell centre lies inside.
     pub fn punch(grid: Grid, outline: &Outline) -> Result<Self, RangeError> {
         Self::of_shape(grid, &Shape::Punch(outline.clone()))
     }
@@ -111,7 +111,8 @@ fn sides(corners: &[[f64; 2]]) -> impl Iterator<Item = ([f64; 2], [f64; 2])> {
     corners.iter().copied().zip(corners.iter().copied().cycle().skip(1))
 }
 
-/// Whether a ray along x crosses the border an odd number of times, or the place lies on it.
+/// Whether a ray along x crosses the polygon an odd number of times, or the point lies on the
+/// polygon.
 fn encloses(corners: &[[f64; 2]], [x, y]: [f64; 2]) -> bool {
     let mut inside = false;
     for (a, b) in sides(corners) {

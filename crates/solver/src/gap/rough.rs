@@ -1,4 +1,4 @@
-//! Rough surfaces whose parts look like the whole.
+//! Self-affine rough surfaces.
 
 use std::f64::consts::TAU;
 
@@ -9,11 +9,11 @@ use rustfft::num_complex::Complex64;
 
 use super::Gap;
 
-/// A self-affine rough surface: waves with the power spectrum `q^(-2 (1 + H))` between two
-/// wavelengths, with phases at random. It repeats itself with the period of the grid.
+/// A random self-affine rough surface: waves with the power spectrum `q^(-2 (1 + H))` between two
+/// wavelengths, with random phases. It is periodic with the sides of the grid.
 ///
-/// Each wave draws its phase from the seed and its own number: the same seed on a finer grid of the
-/// same size is the same surface, seen at other places.
+/// The phase of each wave depends on the seed and its wave number only: the same seed on a finer
+/// grid of the same size gives the same surface, sampled at other points.
 ///
 /// ```
 /// use carom_halfspace::Grid;
@@ -27,25 +27,25 @@ use super::Gap;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SelfAffine {
-    /// The Hurst exponent H, 0 to 1: rough to smooth.
+    /// Hurst exponent H, 0 (rough) to 1 (smooth).
     pub hurst: f64,
-    /// Root mean square of the heights about their mean.
+    /// Root mean square height about the mean.
     pub rms: f64,
     /// The longest wavelength.
     pub longest: f64,
     /// The shortest wavelength.
     pub shortest: f64,
-    /// Any number: another one, another surface.
+    /// Seed of the random phases.
     pub seed: u64,
 }
 
 impl SelfAffine {
-    /// Heights about their mean at the centres of the cells.
+    /// Heights about their mean at the cell centres.
     ///
     /// # Errors
-    /// [`RangeError`] unless H lies in 0 to 1, rms and wavelengths are positive, the shortest
-    /// wavelength not below two cells, the longest not above the grid's shorter side, and at least
-    /// one wave of the grid lies between them.
+    /// [`RangeError`] unless H is in the range 0 to 1, rms and wavelengths are positive, the
+    /// shortest wavelength is at least two cells, the longest at most the shorter side of the grid,
+    /// and at least one wave of the grid lies between them.
     pub fn heights(&self, grid: Grid) -> Result<Field, RangeError> {
         self.check(grid)?;
         let (nx, ny) = (grid.nx(), grid.ny());
@@ -55,7 +55,7 @@ impl SelfAffine {
         for row in 0..ny {
             let turns_y = signed(row, ny);
             for column in 0..=nx / 2 {
-                // One of each pair of opposite waves.
+                // One wave of each pair with opposite wave vectors.
                 if column == 0 && turns_y <= 0 {
                     continue;
                 }
@@ -78,7 +78,7 @@ impl SelfAffine {
         Field::new(grid, waves.iter().map(|wave| scale * wave.re).collect())
     }
 
-    /// The distance to a plane that rests on the highest point.
+    /// The gap to a plane that rests on the highest point.
     ///
     /// # Errors
     /// As [`SelfAffine::heights`].
@@ -102,14 +102,14 @@ impl SelfAffine {
         Ok(())
     }
 
-    /// A phase in 0 to 2 pi that depends on the seed and the wave alone.
+    /// A phase in the range 0 to 2 pi that depends only on the seed and the wave.
     fn phase(&self, column: u64, row: i64) -> f64 {
         let mixed = scrambled(self.seed ^ scrambled(column ^ scrambled(row as u64)));
         TAU * (mixed >> 11) as f64 / (1_u64 << 53) as f64
     }
 }
 
-/// Steele, Lea and Flood's mixing of 64 bits (SplitMix).
+/// The 64-bit mixing function of Steele, Lea and Flood (SplitMix).
 const fn scrambled(bits: u64) -> u64 {
     let z = bits.wrapping_add(0x9E37_79B9_7F4A_7C15);
     let z = (z ^ (z >> 30)).wrapping_mul(0xBF58_476D_1CE4_E5B9);
@@ -117,12 +117,12 @@ const fn scrambled(bits: u64) -> u64 {
     z ^ (z >> 31)
 }
 
-/// The number of turns of a wave along an axis of `count` cells.
+/// The signed wave number along an axis of `count` cells.
 const fn signed(index: usize, count: usize) -> i64 {
     if 2 * index > count { index as i64 - count as i64 } else { index as i64 }
 }
 
-/// The sum of the waves, in place.
+/// Sums the waves in place, by a fast Fourier transform.
 fn transform(grid: Grid, waves: &mut [Complex64]) {
     let (nx, ny) = (grid.nx(), grid.ny());
     let mut planner = FftPlanner::new();

@@ -1,4 +1,4 @@
-//! Gaps of simple shapes over a plane.
+//! Gaps of simple shapes above a plane.
 
 use std::f64::consts::TAU;
 
@@ -7,7 +7,7 @@ use carom_special::RangeError;
 
 use super::{Gap, Outline};
 
-/// A shape about the origin, as its height over a plane.
+/// A shape about the origin, given by its height above a plane.
 ///
 /// ```
 /// use carom_solver::Shape;
@@ -18,7 +18,7 @@ use super::{Gap, Outline};
 pub enum Shape {
     /// x^2/(2 R_x) + y^2/(2 R_y); infinite radii are allowed.
     Paraboloid {
-        /// The relative radii along x and y.
+        /// The relative radii of curvature R_x and R_y.
         radii: [f64; 2],
     },
     /// R - sqrt(R^2 - r^2); no body beyond the radius R.
@@ -31,12 +31,12 @@ pub enum Shape {
         /// R.
         radius: f64,
     },
-    /// Its sides rise by `slope` of the distance from its tip.
+    /// A cone: the height is `slope` times the distance from its tip.
     Cone {
         /// Rise over distance.
         slope: f64,
     },
-    /// Along y; its sides rise by `slope` of the distance from its edge.
+    /// A wedge along y: the height is `slope` times the distance from its edge.
     Wedge {
         /// Rise over distance.
         slope: f64,
@@ -53,7 +53,7 @@ pub enum Shape {
 }
 
 impl Shape {
-    /// The height at (x, y), infinite where no body is.
+    /// The height at (x, y), infinite where there is no body.
     #[must_use]
     pub fn height(&self, x: f64, y: f64) -> f64 {
         match self {
@@ -79,8 +79,8 @@ impl Shape {
         }
     }
 
-    /// Sides of a rectangle about the origin that holds a part of the body: where to look for the
-    /// contact. A cone and a wedge have no size of their own: 1.
+    /// Sides of a rectangle about the origin that contains part of the body: where to start looking
+    /// for the contact. A cone and a wedge have no length scale; their sides are 1.
     #[must_use]
     pub fn sides(&self) -> [f64; 2] {
         match self {
@@ -95,11 +95,11 @@ impl Shape {
         }
     }
 
-    /// Ok if lengths and slopes are positive and finite (radii of a paraboloid may be infinite,
-    /// amplitudes zero), and an outline has an area.
+    /// Checks that lengths and slopes are positive and finite (radii of a paraboloid may be
+    /// infinite, amplitudes zero), and that an outline has an area.
     ///
     /// # Errors
-    /// [`RangeError`] that names the first one that is not.
+    /// [`RangeError`] that names the first value out of range.
     pub fn check(&self) -> Result<(), RangeError> {
         match self {
             Self::Paraboloid { radii } => {
@@ -126,7 +126,7 @@ impl Shape {
 }
 
 impl Gap {
-    /// A shape over a plane, its origin in the middle of the grid.
+    /// A shape above a plane, with its origin at the centre of the grid.
     ///
     /// ```
     /// use carom_halfspace::Grid;
@@ -137,13 +137,13 @@ impl Gap {
     /// ```
     ///
     /// # Errors
-    /// As [`Shape::check`], and where no cell lies under the body.
+    /// As [`Shape::check`]; also if no cell lies below the body.
     pub fn of_shape(grid: Grid, shape: &Shape) -> Result<Self, RangeError> {
         shape.check()?;
         Self::from_function(grid, |x, y| shape.height(x, y))
     }
 
-    /// [`Shape::Sphere`] about the middle of the grid.
+    /// [`Shape::Sphere`] about the centre of the grid.
     ///
     /// # Errors
     /// [`RangeError`] unless the radius is finite and positive.
@@ -151,7 +151,7 @@ impl Gap {
         Self::of_shape(grid, &Shape::Sphere { radius })
     }
 
-    /// [`Shape::Cylinder`] about the middle of the grid.
+    /// [`Shape::Cylinder`] about the centre of the grid.
     ///
     /// # Errors
     /// [`RangeError`] unless the radius is finite and positive.
@@ -159,7 +159,7 @@ impl Gap {
         Self::of_shape(grid, &Shape::Cylinder { radius })
     }
 
-    /// [`Shape::Cone`] about the middle of the grid.
+    /// [`Shape::Cone`] about the centre of the grid.
     ///
     /// # Errors
     /// [`RangeError`] unless the slope is finite and positive.
@@ -167,7 +167,7 @@ impl Gap {
         Self::of_shape(grid, &Shape::Cone { slope })
     }
 
-    /// [`Shape::Wedge`] about the middle of the grid.
+    /// [`Shape::Wedge`] about the centre of the grid.
     ///
     /// # Errors
     /// [`RangeError`] unless the slope is finite and positive.
@@ -175,7 +175,7 @@ impl Gap {
         Self::of_shape(grid, &Shape::Wedge { slope })
     }
 
-    /// [`Shape::Wavy`] about the middle of the grid.
+    /// [`Shape::Wavy`] about the centre of the grid.
     ///
     /// # Errors
     /// [`RangeError`] unless amplitudes are finite and not negative, wavelengths positive.

@@ -7,9 +7,9 @@ use carom_special::RangeError;
 use super::Gap;
 
 impl Gap {
-    /// The distance of two surfaces that touch, along their common normal, over a grid in the
-    /// tangent plane with the axes of the contact; infinite where a line along the normal misses
-    /// either body.
+    /// The distance of two touching surfaces along their common normal, on a grid in the tangent
+    /// plane with the axes of the contact; infinite where a line along the normal misses either
+    /// body.
     ///
     /// ```
     /// use carom_geometry::{ContactPoint, Placed, Surface};
@@ -24,7 +24,7 @@ impl Gap {
     /// ```
     ///
     /// # Errors
-    /// [`RangeError`] where the bodies face each other in no cell.
+    /// [`RangeError`] if the bodies face each other in no cell.
     pub fn between(
         grid: Grid,
         [one, two]: [&Placed; 2],

@@ -1,4 +1,5 @@
-//! The cells of a contact that grows and shrinks: widths that seldom change, counts that follow.
+//! The grid of a contact that grows and shrinks: cell widths change rarely, cell counts follow the
+//! contact.
 
 use carom_halfspace::Grid;
 use carom_laws::ellipse::ContactEllipse;
@@ -6,26 +7,26 @@ use carom_special::RangeError;
 
 use crate::state::{CellState, ContactState};
 
-/// A square number of cells about the contact point. All counts are multiples of four, so that the
-/// cells of two windows of equal widths coincide, and four cells of one make one twice as wide.
+/// A square number of cells about the contact point. Counts are multiples of four: then the cells
+/// of two windows with equal widths coincide, and four cells form one of twice the width.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Cells {
     dx: f64,
     dy: f64,
-    /// How often their widths were doubled.
+    /// How often the cell widths were doubled.
     doubled: u32,
-    /// Along x and along y.
+    /// Number of cells along x and along y.
     count: usize,
-    /// Across the expected contact.
+    /// Number of cells required across the expected contact.
     asked: usize,
 }
 
-/// How much wider than Hertz's contact a window is, beside a cell on either side: contacts of
-/// dissimilar bodies are up to 2 % wider.
-const ROOM: f64 = 1.05;
+/// Ratio of window to Hertz contact, apart from one cell on either side: contacts of dissimilar
+/// bodies are up to 2 % wider.
+const WINDOW_OVER_HERTZ: f64 = 1.05;
 
 impl Cells {
-    /// So many across this ellipse.
+    /// Cells with this number across an ellipse.
     pub(super) fn across(ellipse: &ContactEllipse, asked: usize) -> Result<Self, RangeError> {
         let width = |semi_axis: f64| 2.0 * semi_axis / asked as f64;
         let (dx, dy) = (width(ellipse.semi_axis_a()), width(ellipse.semi_axis_b()));
@@ -43,14 +44,14 @@ impl Cells {
         2.0 * (ellipse.semi_axis_a() / self.dx).max(ellipse.semi_axis_b() / self.dy)
     }
 
-    /// Cells twice as wide.
+    /// The same number of cells, twice as wide.
     pub(super) fn coarser(self) -> Self {
         Self { dx: 2.0 * self.dx, dy: 2.0 * self.dy, doubled: self.doubled + 1, ..self }
     }
 
-    /// The smallest window in which a contact of this size does not touch the border.
+    /// The smallest window in which a contact of this size does not reach the border.
     pub(super) fn window_for(self, ellipse: &ContactEllipse) -> Self {
-        let needed = ROOM * self.widths_across(ellipse) + 2.0;
+        let needed = WINDOW_OVER_HERTZ * self.widths_across(ellipse) + 2.0;
         let mut cells = Self { count: 8, ..self };
         while (cells.count as f64) < needed {
             cells = cells.wider();
@@ -58,7 +59,7 @@ impl Cells {
         cells
     }
 
-    /// The next larger window: 8, 12, 16, 24, 32, ..
+    /// The next larger window: 8, 12, 16, 24, 32, ...
     pub(super) const fn wider(self) -> Self {
         let count = if self.count.is_power_of_two() {
             self.count + self.count / 2
@@ -72,29 +73,30 @@ impl Cells {
         Grid::new(self.count, self.count, self.dx, self.dy)
     }
 
-    /// A key of this window among those of a law.
+    /// The key that identifies this window within a law.
     pub(super) const fn key(&self) -> (u32, usize) {
         (self.doubled, self.count)
     }
 
-    /// Whether all cells of another window are among those of this one.
+    /// Whether this window contains all cells of another one.
     pub(super) const fn contain(&self, other: &Self) -> bool {
         self.doubled == other.doubled && self.count >= other.count
     }
 
-    /// Whether a cell of the border is in contact, so that more may be beyond it.
+    /// Whether a cell at the border is in contact, so that the contact may extend beyond it.
     pub(super) fn touch_border(&self, state: &ContactState) -> bool {
         let (n, cells) = (self.count, state.cells.values());
         let touches = |i: usize| cells[i] != CellState::Exterior;
         (0..n).any(|i| [i, i + n * (n - 1), n * i, n * i + n - 1].into_iter().any(touches))
     }
 
-    /// Values of this window on another one: where cells are twice as wide the mean of four, where
-    /// the other window is larger zero, where it is smaller what lies beyond is left out.
+    /// Transfers values from this window to another one: the mean of four cells where the new cells
+    /// are twice as wide, zero where the new window extends beyond this one. Values outside the new
+    /// window are dropped.
     pub(super) fn pass(&self, values: &[f64], to: &Self) -> Vec<f64> {
         let (mut from, mut values) = (*self, values.to_vec());
         while from.doubled < to.doubled {
-            // Pairs on both sides of the middle.
+            // Pairs are formed from the centre outwards.
             let whole = from.count.next_multiple_of(4);
             (values, from.count) = (from.placed(&values, whole), whole);
             let half = from.count / 2;
@@ -109,7 +111,7 @@ impl Cells {
         from.placed(&values, to.count)
     }
 
-    /// Values in the middle of another number of cells.
+    /// Values about the centre of a window with another number of cells.
     fn placed(&self, values: &[f64], count: usize) -> Vec<f64> {
         let mut placed = vec![0.0; count * count];
         let common = self.count.min(count);

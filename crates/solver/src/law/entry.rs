@@ -1,4 +1,4 @@
-//! What cells that come into contact during a step miss of it.
+//! Displacement history of cells that come into contact during a step.
 
 use std::f64::consts::FRAC_2_PI;
 
@@ -7,14 +7,15 @@ use carom_laws::law::Shift;
 
 use crate::state::ContactState;
 
-/// Takes from the last displacements of the cells outside the contact what they will not follow of
-/// the rigid shift from `from` to `to`, so that one step does as well as many: the contact grows
-/// evenly with the approach, up to Hertz's `ellipse` at the end.
+/// Corrects the last displacements of the cells outside the contact for the part of the rigid shift
+/// from `from` to `to` that takes place before they enter. One step then gives nearly the same
+/// result as many. It assumes that the contact grows in proportion to the approach, up to the Hertz
+/// `ellipse` at the end of the step.
 ///
-/// While a cell is beside a contact that sticks, its surface follows the rigid shift by
-/// (2/pi) asin(a/r) only (exact for a circle and nu = 0). From touch on, a contact that grows under
-/// a shift in proportion to its approach is met exactly: displacements xi (1 - r^2/(2 a^2)) like
-/// those of the approach.
+/// While a cell lies outside a sticking contact, its surface follows only (2/pi) asin(a/r) of the
+/// rigid shift (exact for a circle and nu = 0). For a contact that grows from first contact under a
+/// shift in proportion to its approach the correction is exact: the displacements are xi (1 -
+/// r^2/(2 a^2)), like those due to the approach.
 pub(super) fn anticipate(
     state: &mut ContactState,
     from: &Shift,
@@ -32,7 +33,7 @@ pub(super) fn anticipate(
         if state.pressure.values()[i] > 0.0 {
             continue;
         }
-        // The approach at which it enters.
+        // The approach at which the cell enters the contact.
         let entry = to.zeta * ellipse.radius_squared(x, y).min(1.0);
         let missed =
             if entry > from.zeta { entry / growth * left_behind(from.zeta / entry) } else { 0.0 };

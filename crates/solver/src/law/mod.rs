@@ -1,4 +1,4 @@
-//! The numerical contact as a law: rigid shifts in, loads out (15.1).
+//! The numerical contact as a contact law: from rigid shifts to loads (15.1).
 
 mod cells;
 mod entry;
@@ -32,19 +32,19 @@ pub enum NumericalLawError {
     Step(#[from] FrictionalError),
 }
 
-/// The contact of two paraboloids on a grid as a [`ContactLaw`], for any two materials and any
-/// history of approach, shifts and twist.
+/// The contact of two paraboloids, solved on a grid, as a [`ContactLaw`]: for any pair of materials
+/// and any history of approach, shifts and twist.
 ///
-/// The cells keep their place, so that tractions are remembered where they act, but only a window
-/// about the contact is solved: it follows the contact as it grows and shrinks, and what lies
-/// beyond it has displacements that follow from the tractions. A contact twice as wide as foreseen
-/// gets cells twice as wide; tractions pass on with their forces.
+/// The cells are fixed, so that tractions are remembered where they act. Only a window around the
+/// contact is solved, which follows the contact as it grows and shrinks. Displacements beyond it
+/// follow from the tractions. If the contact becomes twice as wide as expected, the cell width is
+/// doubled; forces are conserved.
 ///
-/// A clone costs next to nothing and shares all that does not change. What one clone does is never
-/// seen by another.
+/// Clones are cheap: they share all data that does not change. Clones do not affect each other.
 ///
-/// Cells that come into contact during a step take part in what is left of it, as the contact grows
-/// from the old to the new approach; so a step along a straight path does nearly as well as many.
+/// Within a step the contact is taken to grow from the old to the new approach. Cells that come
+/// into contact take part in the rest of the step only. A single step along a straight path is
+/// therefore nearly as accurate as many.
 ///
 /// ```
 /// use carom_halfspace::{Material, MaterialPair};
@@ -60,7 +60,8 @@ pub enum NumericalLawError {
 /// law.advance(Shift { zeta: 0.005, ..Shift::default() })?;
 /// let mut trial = law.clone();
 /// let pushed = trial.advance(Shift { zeta: 0.005, xi: 0.001, ..Shift::default() })?;
-/// // All of it slides, but not yet straight: unlike bodies were drawn sideways when pressed together.
+/// All of it slides, though not yet exactly along x: dissimilar bodies are drawn sideways when
+/// pressed together.
 /// let of_limit = pushed.f_x / (0.1 * pushed.f_z);
 /// assert!(of_limit > 0.98 && of_limit < 0.999);
 /// assert_eq!(law.shift().xi, 0.0);
@@ -71,7 +72,7 @@ pub struct NumericalLaw {
     shared: Arc<Shared>,
     shift: Shift,
     load: ContactLoad,
-    /// None while the bodies are apart.
+    /// `None` while the bodies are separated.
     touching: Option<Arc<Touching>>,
 }
 
@@ -79,7 +80,7 @@ struct Shared {
     hertz: Hertz,
     friction: Friction,
     method: Frictional,
-    /// Of the expected contact.
+    /// Cells of the expected contact.
     cells: Cells,
     windows: Mutex<Windows>,
 }
@@ -89,31 +90,31 @@ struct Shared {
 struct Touching {
     cells: Cells,
     state: ContactState,
-    went: Convergence,
+    convergence: Convergence,
 }
 
 /// The least number of cells across the expected contact.
-const FEWEST: usize = 4;
-/// And the greatest.
-const MOST: usize = 2048;
-/// A contact this much wider than expected gets wider cells.
-const OUTGROWN: f64 = 2.0;
+const FEWEST_CELLS: usize = 4;
+/// The greatest number of cells across the expected contact.
+const MOST_CELLS: usize = 2048;
+/// If the contact is this much wider than expected, the cell width is doubled.
+const WIDTH_FOR_COARSER_CELLS: f64 = 2.0;
 
 impl NumericalLaw {
-    /// The law of Hertz's bodies with friction, for contacts up to about this approach, with this
-    /// number of cells across the contact there (along x as along y: cells are as slender as the
-    /// contact).
+    /// The law for two elastic bodies with paraboloidal surfaces and friction, for contacts up to
+    /// about this approach. `cells` is the number of cells across the contact at this approach,
+    /// along x and along y; the cells have the aspect ratio of the contact.
     ///
     /// # Errors
-    /// [`RangeError`] unless the approach is finite and positive, the friction finite, and 4 to
-    /// 2048 cells are asked for.
+    /// [`RangeError`] unless the approach is finite and positive, the friction finite, and `cells`
+    /// in the range 4 to 2048.
     pub fn new(
         hertz: Hertz,
         friction: Friction,
         approach: f64,
         cells: usize,
     ) -> Result<Self, RangeError> {
-        let holds = (FEWEST..=MOST).contains(&cells);
+        let holds = (FEWEST_CELLS..=MOST_CELLS).contains(&cells);
         RangeError::check("cells", cells as f64, holds, "from 4 to 2048")?;
         RangeError::finite("friction", friction.get())?;
         let cells = Cells::across(&hertz.ellipse(approach)?, cells)?;
@@ -123,7 +124,7 @@ impl NumericalLaw {
         Ok(Self { shared: Arc::new(shared), shift, load, touching: None })
     }
 
-    /// The same law before all contact, solved to another tolerance than 1e-9.
+    /// The law in its initial state, with another tolerance than 1e-9.
     ///
     /// # Errors
     /// As [`Frictional::within`].
@@ -135,26 +136,26 @@ impl NumericalLaw {
         Ok(Self { shared: Arc::new(shared), shift, load, touching: None })
     }
 
-    /// The contact on its cells; none while the bodies are apart.
+    /// The contact on its grid; `None` while the bodies are separated.
     #[must_use]
     pub fn state(&self) -> Option<&ContactState> {
         self.touching.as_deref().map(|touching| &touching.state)
     }
 
-    /// How the last step went; none while the bodies are apart.
+    /// The convergence of the last step; `None` while the bodies are separated.
     #[must_use]
     pub fn convergence(&self) -> Option<&Convergence> {
-        self.touching.as_deref().map(|touching| &touching.went)
+        self.touching.as_deref().map(|touching| &touching.convergence)
     }
 
-    /// How many cells are in this state.
+    /// The number of cells in this state.
     #[must_use]
     pub fn count(&self, cell: CellState) -> usize {
         self.state().map_or(0, |state| state.count(cell))
     }
 
-    /// The shift at which a straight step from the present shift to another one makes the bodies
-    /// touch, or the present one if they do.
+    /// The shift at first contact on a straight path from the present shift to another one; the
+    /// present shift if the bodies are in contact.
     fn touch(&self, to: &Shift) -> Shift {
         let from = self.shift;
         if self.touching.is_some() || from.zeta >= 0.0 {
@@ -170,12 +171,14 @@ impl NumericalLaw {
         }
     }
 
-    /// The contact after a step; none if it ends apart.
+    /// The contact after a step; `None` if the bodies are then separated.
     fn stepped(&self, to: Shift) -> Result<Option<Touching>, NumericalLawError> {
         let Shared { hertz, friction, method, cells, windows } = &*self.shared;
         let (ellipse, touch) = (hertz.ellipse(to.zeta)?, self.touch(&to));
         let mut cells = self.touching.as_deref().map_or(*cells, |touching| touching.cells);
-        while cells.widths_across(&ellipse) > OUTGROWN * self.shared.cells.asked() as f64 {
+        while cells.widths_across(&ellipse)
+            > WIDTH_FOR_COARSER_CELLS * self.shared.cells.asked() as f64
+        {
             cells = cells.coarser();
         }
         cells = cells.window_for(&ellipse);
@@ -189,10 +192,10 @@ impl NumericalLaw {
             };
             from.shift = touch;
             entry::anticipate(&mut from, &touch, &to, &ellipse);
-            let (state, went) = window.step(method, &from, to)?;
+            let (state, convergence) = window.step(method, &from, to)?;
             if !cells.touch_border(&state) {
                 let apart = state.count(CellState::Exterior) == state.cells.values().len();
-                return Ok((!apart).then_some(Touching { cells, state, went }));
+                return Ok((!apart).then_some(Touching { cells, state, convergence }));
             }
             cells = cells.wider();
         }

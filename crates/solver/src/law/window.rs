@@ -1,4 +1,4 @@
-//! The problems of all windows of a law, each built when it is first needed.
+//! The contact problems of all windows of a law, each built when first needed.
 
 use std::collections::BTreeMap;
 use std::collections::btree_map::Entry;
@@ -25,11 +25,11 @@ pub(super) struct Windows {
     by_key: BTreeMap<(u32, usize), Arc<Window>>,
 }
 
-/// A problem on some cells, and what it takes to solve it.
+/// The problem on one window, with its working memory.
 pub(super) struct Window {
     cells: Cells,
     problem: ContactProblem,
-    /// As made: each step takes a copy, so that none sees what others left.
+    /// Unused working memory: each step copies it, so that steps do not affect each other.
     scratch: FrictionalScratch,
 }
 
@@ -68,7 +68,7 @@ impl Window {
         self.problem.grid()
     }
 
-    /// The state of another window on this one.
+    /// Transfers the state of another window to this one.
     pub(super) fn take(
         &self,
         cells: Cells,
@@ -86,7 +86,7 @@ impl Window {
         pass(&state.traction_x, &mut own.traction_x);
         pass(&state.traction_y, &mut own.traction_y);
         if cells.contain(&self.cells) {
-            // Tractions that are left out still displace what stays.
+            // Tractions outside this window still displace its cells.
             pass(&state.displacement_x, &mut own.displacement_x);
             pass(&state.displacement_y, &mut own.displacement_y);
         } else {
@@ -95,7 +95,7 @@ impl Window {
         Ok(own)
     }
 
-    /// The displacements by all tractions.
+    /// Sets the displacements due to all tractions.
     fn displace(&self, state: &mut ContactState) -> Result<(), NumericalLawError> {
         let (x, y) = (state.traction_x.values(), state.traction_y.values());
         let tractions = TractionField::full(x, y, state.pressure.values());
@@ -116,7 +116,8 @@ impl Window {
     ) -> Result<(ContactState, Convergence), NumericalLawError> {
         let (drive, mut state) = (Drive::by_shift(to), from.clone());
         let mut scratch = self.scratch.clone();
-        let went = method.step(&self.problem, from, &drive, &mut state, &mut scratch, &mut ())?;
-        Ok((state, went))
+        let convergence =
+            method.step(&self.problem, from, &drive, &mut state, &mut scratch, &mut ())?;
+        Ok((state, convergence))
     }
 }

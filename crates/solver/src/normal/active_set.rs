@@ -1,12 +1,13 @@
-//! The normal problem by conjugate gradients on an active set.
+//! The normal problem by preconditioned conjugate gradients on an active set.
 //!
-//! Pressures p >= 0 and gaps g = A p + z - zeta >= 0, one of them zero in each cell. On the
-//! set I of cells with pressure, preconditioned conjugate gradients solve g = 0. The set changes
-//! when what violates the signs outweighs the last step; pressures that leave are dropped in one
-//! product with a damped step of those that stay. A given force keeps the mean of g free: it is
-//! deflated with K 1, so that every correction has no force of its own. The damped step has none by a
-//! given approach either: where the contact is many spots far apart, K overestimates the answer to an
-//! even displacement fifty times, which takes a line search.
+//! Pressures p >= 0 and gaps g = A p + z - zeta >= 0, with p g = 0 in each cell. On the set I of
+//! cells with pressure, preconditioned conjugate gradients solve g = 0. The set is changed when the
+//! violation of the inequalities exceeds the last correction. Cells that leave the set lose their
+//! pressure in the same product as a damped step of the others. If the force is prescribed, the
+//! mean of g is free: it is deflated with K 1, where K is the preconditioner, so that no correction
+//! changes the force. The damped step does not change the force either if the approach is
+//! prescribed: for a contact of many distant spots K overestimates the response to a uniform
+//! displacement fifty times, which would need a line search.
 
 use std::ops::ControlFlow;
 
@@ -14,31 +15,32 @@ use carom_halfspace::operator::{
     DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
 };
 
-use super::course::Course;
+use super::iteration_state::IterationState;
 use super::signs::finish;
 use crate::convergence::{Convergence, Observer, Progress, Residuals, Stop};
 use crate::drive::Driven;
 
-/// A force that is off by more than this part is lost.
-const LOST: f64 = 1e-9;
+/// A relative error of the force above this means that the force was lost to rounding.
+const LARGEST_FORCE_ERROR: f64 = 1e-9;
 
-/// When to stop.
+/// Stopping criteria.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {
-    /// Greatest violation over the greatest displacement.
+    /// Greatest violation relative to the greatest displacement.
     pub(super) tolerance: f64,
-    /// Correction and violation of signs over the pressure, in norms; zero asks for the tolerance.
+    /// Norm of correction and violation relative to that of the pressure; zero if the tolerance
+    /// applies.
     pub(super) change: f64,
     pub(super) iterations: usize,
 }
 
-/// What is to be solved, and what is found: the pressure, and the approach.
+/// The problem and its solution: pressure and approach.
 pub(super) struct NormalTask<'a> {
     pub(super) operator: &'a dyn SurfaceOperator,
-    /// Distances of the surfaces at approach zero.
+    /// Distances of the surfaces at zero approach.
     pub(super) heights: &'a [f64],
     pub(super) driven: Driven,
-    /// The start, some of it positive, and the solution.
+    /// The initial pressure, positive somewhere, and the solution.
     pub(super) pressure: &'a mut [f64],
     pub(super) approach: f64,
 }
@@ -52,13 +54,13 @@ pub(super) struct ActiveSet {
     pub(super) own: f64,
     /// The gap g.
     pub(super) gap: Vec<f64>,
-    /// K g on the set.
+    /// K g on the active set.
     pub(super) preconditioned: Vec<f64>,
-    /// The correction, taken from the pressure.
+    /// The correction, subtracted from the pressure.
     pub(super) direction: Vec<f64>,
     /// A times the correction.
     pub(super) image: Vec<f64>,
-    /// K 1 on the set, kept while it stands.
+    /// K 1 on the active set, valid until the set changes.
     pub(super) ones: Vec<f64>,
     pub(super) active: Vec<bool>,
 }
@@ -66,7 +68,7 @@ pub(super) struct ActiveSet {
 impl ActiveSet {
     pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
         let cells = operator.grid().cells();
-        // Fresh memory costs nothing until it is used; a copy of zeros does.
+        // Zeroed memory is allocated lazily; a copy of zeros is not.
         let zero = || vec![0.0; cells];
         Self {
             inverse: operator.inverse(),
@@ -86,33 +88,33 @@ impl ActiveSet {
         &self.gap
     }
 
-    /// Solves a task whose start is positive somewhere.
+    /// Solves a task whose initial pressure is positive somewhere.
     ///
     /// # Errors
-    /// The operator's.
+    /// The errors of the operator.
     pub(super) fn solve(
         &mut self,
         task: &mut NormalTask<'_>,
         limits: Limits,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
-        let mut course = Course::default();
-        self.begin(task, &mut course)?;
+        let mut state = IterationState::default();
+        self.begin(task, &mut state)?;
         let normal = self.residual(task);
         if normal <= limits.tolerance && task.pressure.iter().any(|p| *p > 0.0) {
             finish(task);
-            let (products, residuals) = (course.products, Residuals { normal, tangential: 0.0 });
+            let (products, residuals) = (state.products, Residuals { normal, tangential: 0.0 });
             return Ok(Convergence { iterations: 0, products, residuals, stop: Stop::Converged });
         }
         let mut iteration = 0;
         loop {
             iteration += 1;
-            if iteration == 1 || course.asks_for_change(self.violation(task)) {
-                self.change_set(task, &mut course)?;
+            if iteration == 1 || state.asks_for_change(self.violation(task)) {
+                self.change_set(task, &mut state)?;
             } else {
-                course.held = false;
-                self.precondition(&mut course);
-                self.gradient_step(task, &mut course)?;
+                state.held = false;
+                self.precondition(&mut state);
+                self.gradient_step(task, &mut state)?;
             }
             self.deflate(task);
             let normal = self.residual(task);
@@ -121,13 +123,13 @@ impl ActiveSet {
                 (task.pressure.len(), task.pressure.iter().filter(|p| **p > 0.0).count());
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
             let lost = !normal.is_finite() || touching == 0 || is_force_lost(task);
-            if lost && !course.rescued {
-                self.rescue(task, &mut course)?;
+            if lost && !state.rescued {
+                self.rescue(task, &mut state)?;
                 continue;
             }
             let stop = if lost {
                 Some(Stop::Stalled)
-            } else if normal <= limits.tolerance || self.is_settled(task, &course, limits.change) {
+            } else if normal <= limits.tolerance || self.is_converged(task, &state, limits.change) {
                 Some(Stop::Converged)
             } else if matches!(seen, ControlFlow::Break(())) {
                 Some(Stop::Observer)
@@ -136,24 +138,24 @@ impl ActiveSet {
             };
             if let Some(stop) = stop {
                 finish(task);
-                let products = course.products;
+                let products = state.products;
                 return Ok(Convergence { iterations: iteration, products, residuals, stop });
             }
         }
     }
 
-    /// The set and the gap of the start, which is scaled to fit best.
+    /// Sets up active set and gap. The initial pressure is scaled for the best fit.
     fn begin(
         &mut self,
         task: &mut NormalTask<'_>,
-        course: &mut Course,
+        state: &mut IterationState,
     ) -> Result<(), OperatorError> {
         for (active, pressure) in self.active.iter_mut().zip(task.pressure.iter_mut()) {
             *pressure = pressure.max(0.0);
             *active = *pressure > 0.0;
         }
         self.direction.copy_from_slice(task.pressure);
-        self.multiply(task.operator, course)?;
+        self.multiply(task.operator, state)?;
         let (mut wanted, mut got) = (0.0, 0.0);
         for (i, pressure) in task.pressure.iter().enumerate().filter(|(_, p)| **p > 0.0) {
             wanted += pressure * (task.approach - task.heights[i]);
@@ -173,22 +175,23 @@ impl ActiveSet {
             *gap = factor * image + height - task.approach;
         }
         if matches!(task.driven, Driven::Load(_)) {
-            self.precondition_ones(course);
+            self.precondition_ones(state);
         }
         self.deflate(task);
         Ok(())
     }
 
-    /// Begins afresh from the lowest cell alone, with all care. Where heights are far above what the
-    /// pressures press in, tension far above the force is dropped, and rounding takes the force along.
-    /// Where the cells of a period are slender, a damped step overshoots too: each row of close cells
-    /// answers to an even displacement like a spot far from all others.
+    /// Restarts from the lowest cell alone, with cautious changes of the set. This is needed in two
+    /// cases. If the heights are far above the indentation, the tension dropped is far above the
+    /// force, and rounding loses the force. If the cells of a periodic surface are slender, a
+    /// damped step may overshoot: each row of close cells responds to a uniform displacement like a
+    /// spot far from all others.
     fn rescue(
         &mut self,
         task: &mut NormalTask<'_>,
-        course: &mut Course,
+        state: &mut IterationState,
     ) -> Result<(), OperatorError> {
-        *course = Course::rescue(course.products);
+        *state = IterationState::rescue(state.products);
         task.pressure.fill(0.0);
         let lowest = task.heights.iter().enumerate().min_by(|a, b| a.1.total_cmp(b.1));
         if let Some((cell, _)) = lowest {
@@ -197,16 +200,16 @@ impl ActiveSet {
         if matches!(task.driven, Driven::Load(_)) {
             task.approach = 0.0;
         }
-        self.begin(task, course)
+        self.begin(task, state)
     }
 
-    /// Drops pressures that pull and takes up cells that overlap.
+    /// Removes cells in tension from the set and adds cells that overlap.
     fn change_set(
         &mut self,
         task: &mut NormalTask<'_>,
-        course: &mut Course,
+        state: &mut IterationState,
     ) -> Result<(), OperatorError> {
-        course.changes(self.violation(task));
+        state.changes(self.violation(task));
         let mut dropped = false;
         for ((active, pressure), gap) in
             self.active.iter_mut().zip(task.pressure.iter()).zip(&self.gap)
@@ -215,21 +218,22 @@ impl ActiveSet {
             *active = if *active { *pressure > 0.0 } else { *gap < 0.0 };
         }
         if matches!(task.driven, Driven::Load(_)) {
-            self.precondition_ones(course);
+            self.precondition_ones(state);
         }
         self.deflate(task);
-        self.precondition(course);
-        course.power = None;
-        if dropped { self.merged_step(task, course) } else { self.gradient_step(task, course) }
+        self.precondition(state);
+        state.power = None;
+        if dropped { self.merged_step(task, state) } else { self.gradient_step(task, state) }
     }
 
-    /// What was dropped goes, what stays takes a damped step, in one product.
+    /// Drops the pressure of cells that leave and makes a damped step of the others, in one
+    /// product.
     fn merged_step(
         &mut self,
         task: &mut NormalTask<'_>,
-        course: &mut Course,
+        state: &mut IterationState,
     ) -> Result<(), OperatorError> {
-        let (damping, mut dropped, mut step) = (course.damping(), 0.0, 0.0);
+        let (damping, mut dropped, mut step) = (state.damping(), 0.0, 0.0);
         for (i, direction) in self.direction.iter_mut().enumerate() {
             if self.active[i] {
                 *direction = damping * self.preconditioned[i];
@@ -239,22 +243,23 @@ impl ActiveSet {
                 dropped += *direction;
             }
         }
-        // By an approach what is dropped changes the force, by a force nothing does.
+        // If the approach is prescribed, dropping pressure may change the force; if the force is,
+        // nothing may.
         let force = match task.driven {
             Driven::Load(_) => dropped + step,
             Driven::Shift(_) => step,
         };
         if force != 0.0 {
             if matches!(task.driven, Driven::Shift(_)) {
-                self.precondition_ones(course);
+                self.precondition_ones(state);
             }
             let part = force / self.ones.iter().sum::<f64>();
             for (direction, one) in self.direction.iter_mut().zip(&self.ones) {
                 *direction -= part * one;
             }
         }
-        self.multiply(task.operator, course)?;
-        self.correct(task, 1.0, course);
+        self.multiply(task.operator, state)?;
+        self.correct(task, 1.0, state);
         for (pressure, active) in task.pressure.iter_mut().zip(&self.active) {
             if !active {
                 *pressure = 0.0;
@@ -267,25 +272,25 @@ impl ActiveSet {
     fn gradient_step(
         &mut self,
         task: &mut NormalTask<'_>,
-        course: &mut Course,
+        state: &mut IterationState,
     ) -> Result<(), OperatorError> {
         let power = dot(&self.preconditioned, &self.gap, &self.active);
-        let share = course.power.map_or(0.0, |last| power / last);
+        let share = state.power.map_or(0.0, |last| power / last);
         for (i, direction) in self.direction.iter_mut().enumerate() {
             *direction =
                 if self.active[i] { self.preconditioned[i] + share * *direction } else { 0.0 };
         }
-        course.power = Some(power);
-        self.multiply(task.operator, course)?;
+        state.power = Some(power);
+        self.multiply(task.operator, state)?;
         let down = dot(&self.direction, &self.gap, &self.active);
         let bend = dot(&self.direction, &self.image, &self.active);
-        // Nothing left to do, to rounding.
+        // Converged to rounding.
         let length = if bend > 0.0 { down / bend } else { 0.0 };
-        self.correct(task, length, course);
+        self.correct(task, length, state);
         Ok(())
     }
 
-    fn correct(&mut self, task: &mut NormalTask<'_>, length: f64, course: &mut Course) {
+    fn correct(&mut self, task: &mut NormalTask<'_>, length: f64, state: &mut IterationState) {
         let mut square = 0.0;
         for (pressure, direction) in task.pressure.iter_mut().zip(&self.direction) {
             *pressure -= length * direction;
@@ -294,10 +299,11 @@ impl ActiveSet {
         for (gap, image) in self.gap.iter_mut().zip(&self.image) {
             *gap -= length * image;
         }
-        course.step = length.abs() * square.sqrt();
+        state.step = length.abs() * square.sqrt();
     }
 
-    /// With a given force the approach is what makes corrections have no force of their own.
+    /// If the force is prescribed, adjusts the approach so that corrections do not change the
+    /// force.
     fn deflate(&mut self, task: &mut NormalTask<'_>) {
         if matches!(task.driven, Driven::Shift(_)) {
             return;
@@ -313,29 +319,29 @@ impl ActiveSet {
         }
     }
 
-    /// K 1 on the set.
-    fn precondition_ones(&mut self, course: &mut Course) {
+    /// K 1 on the active set.
+    fn precondition_ones(&mut self, state: &mut IterationState) {
         for (one, active) in self.preconditioned.iter_mut().zip(&self.active) {
             *one = f64::from(u8::from(*active));
         }
-        self.invert(course);
+        self.invert(state);
         self.ones.copy_from_slice(&self.preconditioned);
     }
 
-    /// K g on the set.
-    fn precondition(&mut self, course: &mut Course) {
+    /// K g on the active set.
+    fn precondition(&mut self, state: &mut IterationState) {
         for (i, value) in self.preconditioned.iter_mut().enumerate() {
             *value = if self.active[i] { self.gap[i] } else { 0.0 };
         }
-        self.invert(course);
+        self.invert(state);
     }
 
-    /// Puts K times `preconditioned` there, on the set alone.
-    fn invert(&mut self, course: &mut Course) {
+    /// Applies K to `preconditioned`, restricted to the active set.
+    fn invert(&mut self, state: &mut IterationState) {
         if let Some(inverse) = &self.inverse {
             self.image.copy_from_slice(&self.preconditioned);
             inverse.pressure(&self.image, &mut self.preconditioned, &mut self.workspace);
-            course.products.preconditioner += 1.0;
+            state.products.preconditioner += 1.0;
         }
         for (value, active) in self.preconditioned.iter_mut().zip(&self.active) {
             if !active {
@@ -344,28 +350,28 @@ impl ActiveSet {
         }
     }
 
-    /// Puts A times `direction` into `image`.
+    /// Sets `image` to A times `direction`.
     fn multiply(
         &mut self,
         operator: &dyn SurfaceOperator,
-        course: &mut Course,
+        state: &mut IterationState,
     ) -> Result<(), OperatorError> {
         let tractions = TractionField::normal(&self.direction);
         let displacements = DisplacementField::normal(&mut self.image);
         operator.apply(tractions, displacements, &mut self.workspace)?;
-        course.products.normal += 1.0;
+        state.products.normal += 1.0;
         Ok(())
     }
 }
 
-/// Whether the pressures have not the given force but for rounding.
+/// Whether the sum of the pressures differs from the prescribed force by more than rounding.
 fn is_force_lost(task: &NormalTask<'_>) -> bool {
     let Driven::Load(force) = task.driven else { return false };
     let sum = task.operator.grid().cell_area() * task.pressure.iter().sum::<f64>();
-    (sum - force).abs() > LOST * force
+    (sum - force).abs() > LARGEST_FORCE_ERROR * force
 }
 
 fn dot(a: &[f64], b: &[f64], active: &[bool]) -> f64 {
-    // What lies outside may be infinite: it does not count.
+    // Values outside the set may be infinite and do not count.
     a.iter().zip(b).zip(active).filter(|(_, active)| **active).map(|((a, b), _)| a * b).sum()
 }

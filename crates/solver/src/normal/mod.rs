@@ -1,7 +1,7 @@
 //! The normal problem: pressures without tension, gaps without overlap.
 
 mod active_set;
-mod course;
+mod iteration_state;
 mod signs;
 
 use std::sync::Arc;
@@ -14,8 +14,8 @@ use crate::drive::Driven;
 use crate::nested;
 use active_set::{ActiveSet, Limits, NormalTask};
 
-/// Coarse grids stop when a correction changes the pressure by less than this, the coarsest by
-/// less than a tenth of it.
+/// The iteration on coarse grids stops when a correction changes the pressure by less than this
+/// fraction, on the coarsest grid by less than a tenth of it.
 const COARSE_CHANGE: f64 = 1e-2;
 
 /// The grids of a normal problem, finest first, with their working memory.
@@ -24,16 +24,16 @@ pub(crate) struct NormalGrids {
     levels: Vec<Level>,
 }
 
-/// A side of the grid that looks for the place of a contact, at most.
-const SCOUTS: usize = 64;
+/// Greatest number of cells along a side of the grid for the pilot solve.
+const PILOT_CELLS: usize = 64;
 
-/// A coarse grid, and the first and last column and row that touch there.
-pub(crate) type Scouted = (Grid, [[usize; 2]; 2]);
+/// A coarse grid, and the first and last column and row in contact there.
+pub(crate) type PilotContact = (Grid, [[usize; 2]; 2]);
 
-/// How far to go on the finest grid.
+/// Stopping criteria on the finest grid.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Target {
-    /// The greatest gap in the contact, or overlap outside, over the greatest displacement.
+    /// The greatest gap in the contact, or overlap outside, relative to the greatest displacement.
     pub(crate) tolerance: f64,
     pub(crate) iterations: usize,
 }
@@ -41,7 +41,7 @@ pub(crate) struct Target {
 #[derive(Clone)]
 struct Level {
     grid: Grid,
-    /// None on the finest grid: that of the problem.
+    /// `None` on the finest grid, whose operator belongs to the problem.
     operator: Option<Arc<dyn SurfaceOperator>>,
     heights: Vec<f64>,
     pressure: Vec<f64>,
@@ -56,7 +56,7 @@ impl NormalGrids {
         coarser: impl FnOnce() -> Result<Vec<Arc<dyn SurfaceOperator>>, OperatorError>,
     ) -> Result<Self, OperatorError> {
         let mut levels = vec![Level::new(operator, heights.to_vec())];
-        // A known outline needs no coarse grids, and the peaks at its edge are lost on them.
+        // A known outline needs no coarse grids, and they would not resolve the peaks at its edge.
         if heights.iter().all(|height| !height.is_infinite()) {
             for operator in coarser()? {
                 let above = &levels[levels.len() - 1];
@@ -68,32 +68,32 @@ impl NormalGrids {
         Ok(Self { levels })
     }
 
-    /// The pressure found.
+    /// The solution.
     pub(crate) fn pressure(&self) -> &[f64] {
         &self.levels[0].pressure
     }
 
-    /// The gaps left.
+    /// The gaps of the solution.
     pub(crate) fn gap(&self) -> &[f64] {
         self.levels[0].set.gap()
     }
 
-    /// The heights of the finest grid, to be changed.
+    /// The heights on the finest grid, to be changed by the caller.
     pub(crate) fn heights_mut(&mut self) -> &mut [f64] {
         &mut self.levels[0].heights
     }
 
-    /// The working memory of the finest grid's products.
+    /// The working memory for products on the finest grid.
     pub(crate) fn workspace(&mut self) -> &mut Workspace {
         &mut self.levels[0].set.workspace
     }
 
-    /// A start from a known pressure.
+    /// Sets a known pressure as the start.
     pub(crate) fn start_from(&mut self, pressure: &[f64]) {
         self.levels[0].pressure.copy_from_slice(pressure);
     }
 
-    /// From the last pressure; the approach found.
+    /// Solves from the present pressure; returns the approach.
     pub(crate) fn solve(
         &mut self,
         operator: &dyn SurfaceOperator,
@@ -109,7 +109,7 @@ impl NormalGrids {
         finest.solve(operator, driven, Limits { tolerance, change: 0.0, iterations }, observer)
     }
 
-    /// A start from the coarsest grid upwards; what that cost.
+    /// Computes a start by solving on the coarser grids, coarsest first; returns the cost.
     pub(crate) fn start(
         &mut self,
         operator: &dyn SurfaceOperator,
@@ -119,7 +119,7 @@ impl NormalGrids {
         self.climb(0, operator, driven, target)
     }
 
-    /// A start on a grid from the coarsest one upwards.
+    /// Computes the start on one grid from the coarser ones.
     fn climb(
         &mut self,
         to: usize,
@@ -147,14 +147,15 @@ impl NormalGrids {
         Ok(spent)
     }
 
-    /// Where a coarse grid touches; none if there is none coarse enough, or if it does not say.
-    pub(crate) fn scout(
+    /// The region in contact on a coarse grid, by a pilot solve; `None` if no grid is coarse enough
+    /// or the pilot solve does not converge.
+    pub(crate) fn find_contact_by_pilot(
         &mut self,
         operator: &dyn SurfaceOperator,
         driven: Driven,
         target: Target,
-    ) -> Result<Option<Scouted>, OperatorError> {
-        let few = |level: &Level| level.grid.cells() <= SCOUTS * SCOUTS;
+    ) -> Result<Option<PilotContact>, OperatorError> {
+        let few = |level: &Level| level.grid.cells() <= PILOT_CELLS * PILOT_CELLS;
         let Some(at) = (1..self.levels.len()).find(|i| few(&self.levels[*i])) else {
             return Ok(None);
         };
@@ -169,8 +170,8 @@ impl NormalGrids {
         let Target { tolerance, iterations } = target;
         let limits = Limits { tolerance, change: COARSE_CHANGE, iterations };
         let level = &mut self.levels[at];
-        let (_, went) = level.solve(operator, driven, limits, &mut ())?;
-        if went.stop != Stop::Converged {
+        let (_, convergence) = level.solve(operator, driven, limits, &mut ())?;
+        if convergence.stop != Stop::Converged {
             return Ok(None);
         }
         let touching = level.pressure.iter().enumerate().filter(|(_, pressure)| **pressure > 0.0);
@@ -188,13 +189,13 @@ impl Level {
         Self { grid, operator: None, heights, pressure, set: ActiveSet::new(operator) }
     }
 
-    /// The cell where the bodies come closest, if any has a finite height.
+    /// The cell with the smallest gap, if any gap is finite.
     fn lowest(&self) -> Option<usize> {
         let finite = self.heights.iter().enumerate().filter(|(_, height)| height.is_finite());
         finite.min_by(|one, other| one.1.total_cmp(other.1)).map(|(cell, _)| cell)
     }
 
-    /// A first guess where nothing better is known: round pressures where the bodies come closest.
+    /// A first guess without better knowledge: semi-ellipsoidal pressures at the smallest gap.
     fn guess(&mut self, driven: Driven) {
         let mut heights: Vec<f64> =
             self.heights.iter().copied().filter(|height| height.is_finite()).collect();

@@ -1,11 +1,11 @@
-//! Signs of pressures and gaps: what breaks them, and how far.
+//! Violations of the inequalities: tension, and overlap.
 
 use super::active_set::{ActiveSet, NormalTask};
-use super::course::Course;
+use super::iteration_state::IterationState;
 use crate::drive::Driven;
 
 impl ActiveSet {
-    /// The norm of what breaks the signs: tension in the set, overlap outside, as pressures.
+    /// The norm of the violations, tension inside the set and overlap outside, as pressures.
     pub(super) fn violation(&self, task: &NormalTask<'_>) -> f64 {
         let mut square = 0.0;
         for ((active, pressure), gap) in self.active.iter().zip(task.pressure.iter()).zip(&self.gap)
@@ -16,7 +16,7 @@ impl ActiveSet {
         square.sqrt()
     }
 
-    /// The greatest violation over the greatest displacement; not a number if one is none.
+    /// The greatest violation relative to the greatest displacement; NaN if any value is NaN.
     pub(super) fn residual(&self, task: &NormalTask<'_>) -> f64 {
         let (mut greatest, mut scale) = (0.0_f64, 0.0_f64);
         for (i, gap) in self.gap.iter().enumerate() {
@@ -37,16 +37,21 @@ impl ActiveSet {
         if scale > 0.0 { greatest / scale } else { greatest }
     }
 
-    pub(super) fn is_settled(&self, task: &NormalTask<'_>, course: &Course, change: f64) -> bool {
+    pub(super) fn is_converged(
+        &self,
+        task: &NormalTask<'_>,
+        state: &IterationState,
+        change: f64,
+    ) -> bool {
         if change == 0.0 {
             return false;
         }
         let norm = change * task.pressure.iter().map(|p| p * p).sum::<f64>().sqrt();
-        course.step < norm && self.violation(task) < norm
+        state.step < norm && self.violation(task) < norm
     }
 }
 
-/// What pulls within the tolerance goes; a given force is met to rounding.
+/// Removes tension within the tolerance, and scales the pressures to a prescribed force.
 pub(super) fn finish(task: &mut NormalTask<'_>) {
     for pressure in task.pressure.iter_mut() {
         *pressure = pressure.max(0.0);

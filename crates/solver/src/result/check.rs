@@ -1,23 +1,24 @@
-//! How well a state satisfies the conditions of contact, from nothing but the state.
+//! Checks the contact conditions of a state, computed anew from the state alone.
 
 use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField};
 
 use crate::convergence::Residuals;
-use crate::friction::firm;
+use crate::friction::finite_coefficient;
 use crate::problem::ContactProblem;
 use crate::state::{CellState, ContactState};
 
-/// The greatest violation of the conditions in the step between two states, as in
+/// The greatest violations of the contact conditions in the step between two states, defined as in
 /// [`crate::Convergence`] but computed anew from the tractions.
 ///
-/// Normal: a gap in the contact, an overlap outside or tension (in displacement by its own cell),
-/// over the approach. Tangential: the distance of a traction from where its own slip would pull it
-/// within the disc of its limit (of static friction where a cell neither slipped before nor slips
-/// after, of kinetic friction elsewhere), over the greatest limit, or over the greatest pressure or
-/// traction if friction could hold more than these.
+/// Normal: the greatest gap in the contact, overlap outside, or tension (converted to a
+/// displacement of its own cell), relative to the approach. Tangential: the distance between a
+/// traction and the traction that its own slip leads to after projection onto the disc of its
+/// bound. The bound is that of static friction if a cell slips neither before nor after the step,
+/// otherwise of kinetic friction. The distance is relative to the greatest bound, or to the
+/// greatest pressure or traction if the bound exceeds these.
 ///
 /// # Errors
-/// [`OperatorError`] for states of another grid.
+/// [`OperatorError`] if a state is on another grid.
 pub fn violations(
     problem: &ContactProblem,
     before: &ContactState,
@@ -44,10 +45,10 @@ pub fn violations(
         let slips = [before, after].map(|state| state.cells.values()[i] == CellState::Slip);
         let friction = problem.friction().at(i);
         let friction = if slips.contains(&true) { friction.motion() } else { friction.rest() };
-        let limit = firm(friction.get()) * pressure[i].max(0.0);
+        let limit = finite_coefficient(friction.get()) * pressure[i].max(0.0);
         most = most.max(limit);
         reached = reached.max(pressure[i]).max(x[i].hypot(y[i]));
-        // One compliance for both: a slip against the traction pulls along it.
+        // One compliance for both directions: slip opposite to the traction pulls along it.
         let [to_x, to_y] = [x[i] - slip_x.values()[i] / soft, y[i] - slip_y.values()[i] / soft];
         let part = if to_x.hypot(to_y) > limit { limit / to_x.hypot(to_y) } else { 1.0 };
         tangential = tangential.max((part * to_x - x[i]).hypot(part * to_y - y[i]));

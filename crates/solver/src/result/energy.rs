@@ -1,4 +1,4 @@
-//! Elastic energy and heat, cell by cell.
+//! Elastic energy and friction heat, cell by cell.
 
 use carom_halfspace::Field;
 use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField};
@@ -6,7 +6,7 @@ use carom_halfspace::operator::{DisplacementField, OperatorError, TractionField}
 use crate::problem::ContactProblem;
 use crate::state::ContactState;
 
-/// The elastic energy of both bodies.
+/// The elastic energy of both bodies, cell by cell.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -30,17 +30,17 @@ use crate::state::ContactState;
 /// ```
 #[derive(Debug, Clone, PartialEq)]
 pub struct StoredEnergy {
-    /// Half of pressure times normal displacement, times the area of the cell.
+    /// Half of pressure times normal displacement, times the cell area.
     pub normal: Field,
-    /// Half of tangential tractions times displacements, times the area of the cell.
+    /// Half of tangential tractions times displacements, times the cell area.
     pub tangential: Field,
 }
 
 impl StoredEnergy {
-    /// Of a state of a problem.
+    /// The energy of a state of a problem.
     ///
     /// # Errors
-    /// [`OperatorError`] for a state of another grid.
+    /// [`OperatorError`] if the state is on another grid.
     pub fn of(problem: &ContactProblem, state: &ContactState) -> Result<Self, OperatorError> {
         let (operator, grid) = (problem.operator(), problem.grid());
         let zero = Field::uniform(grid, 0.0);
@@ -68,8 +68,9 @@ impl StoredEnergy {
     }
 }
 
-/// The heat of a step in each cell: tangential traction at its end times slip, times the area. For
-/// long steps it is off by about a part of the slip over that at which all slides.
+/// The friction heat of a step in each cell: tangential traction at the end of the step, times
+/// slip, times cell area. For long steps the relative error is about the ratio of the slip to the
+/// slip at full sliding.
 #[must_use]
 pub fn dissipated(before: &ContactState, after: &ContactState) -> Field {
     let [mut heat, across] = after.slip_since(before);

@@ -1,4 +1,4 @@
-//! What follows from states: slip, energies, what is left of the conditions, stresses below.
+//! Quantities derived from states: slip, energies, violations, subsurface stresses.
 
 mod check;
 mod energy;

@@ -5,10 +5,12 @@ use carom_halfspace::Field;
 use crate::state::ContactState;
 
 impl ContactState {
-    /// What the surface of body 1 moved against that of body 2 since a state before, beyond the
-    /// rigid shift and twist (12.2), in all cells: in those of the contact their slip.
+    /// The displacement of the surface of body 1 relative to that of body 2 since an earlier state,
+    /// beyond the rigid shift and twist (12.2), in all cells. In cells of the contact it is the
+    /// slip.
     ///
-    /// Both states should be on the same grid; beyond the cells of the smaller one it is zero.
+    /// Both states should have the same grid; otherwise it is zero beyond the cells of the smaller
+    /// one.
     #[must_use]
     pub fn slip_since(&self, before: &Self) -> [Field; 2] {
         let (now, then) = (self.shift, before.shift);

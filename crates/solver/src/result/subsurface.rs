@@ -5,12 +5,12 @@ use carom_special::RangeError;
 
 use crate::state::ContactState;
 
-/// One of the bodies below its contact: stress and displacement at any point, by the sum over all
-/// cells in contact.
+/// One of the bodies below its contact: stress and displacement at any point, summed over all cells
+/// in contact.
 ///
-/// All is in the common axes: body 1 is where z > 0, body 2 where z < 0; tension is positive. Many
-/// points below the centres of all cells are faster by
-/// [`carom_halfspace::operator::InteriorStress`].
+/// All quantities are in the common axes: body 1 is where z > 0, body 2 where z < 0; tension is
+/// positive. For many points below the centres of all cells
+/// [`carom_halfspace::operator::InteriorStress`] is faster.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, Point};
@@ -26,14 +26,14 @@ use crate::state::ContactState;
 #[derive(Debug, Clone)]
 pub struct Subsurface {
     cell: LoadedRectangle,
-    /// Where z is positive: 1 for body 1, -1 for body 2.
+    /// The sign of z inside the body: 1 for body 1, -1 for body 2.
     inward: f64,
-    /// Loaded cells: centres and tractions on this body.
+    /// Loaded cells: centre, and tractions on this body.
     loads: Vec<(f64, f64, Traction)>,
 }
 
 impl Subsurface {
-    /// Body 1, of this material.
+    /// Below the surface of body 1, which has this material.
     ///
     /// # Errors
     /// [`RangeError`] for a rigid body.
@@ -41,7 +41,7 @@ impl Subsurface {
         Self::new(state, material, 1.0)
     }
 
-    /// Body 2, of this material.
+    /// Below the surface of body 2, which has this material.
     ///
     /// # Errors
     /// [`RangeError`] for a rigid body.
@@ -55,7 +55,7 @@ impl Subsurface {
         let tractions = state.traction_x.values().iter().zip(state.traction_y.values());
         let loads = grid.centres().zip(tractions.zip(state.pressure.values()));
         let loads = loads.filter(|(_, (_, p))| **p > 0.0).map(|((at_x, at_y), ((x, y), p))| {
-            // What acts on body 1 acts on body 2 the other way round; its own z is mirrored.
+            // The tractions on body 2 are opposite to those on body 1; its own z axis is mirrored.
             (at_x, at_y, Traction { x: inward * x, y: inward * y, normal: *p })
         });
         Ok(Self { cell, inward, loads: loads.collect() })
@@ -64,8 +64,8 @@ impl Subsurface {
     /// The stress at a point.
     ///
     /// # Errors
-    /// [`RangeError`] for a point outside the body, and where the stress is infinite: on the
-    /// surface at the edges of cells.
+    /// [`RangeError`] for a point outside the body, and for a point at which the stress is
+    /// infinite: on the surface at the edges of cells.
     pub fn stress(&self, at: Point) -> Result<Stress, RangeError> {
         self.check_inside(at)?;
         let mut sum = Stress::default();
@@ -90,7 +90,7 @@ impl Subsurface {
         Ok(Displacement { w: self.inward * sum.w, ..sum })
     }
 
-    /// The stresses along the normal through a place of the surface, at these depths.
+    /// The stresses at these depths below the surface point (x, y).
     ///
     /// # Errors
     /// As [`Subsurface::stress`].
@@ -111,13 +111,13 @@ impl Subsurface {
         RangeError::check("z", at.z, self.inward * at.z >= 0.0, allowed).map(|_| ())
     }
 
-    /// What is wrong with a point in the body's own axes, in those of space.
+    /// An error in the body's own axes, converted to the common axes.
     fn in_space(&self, error: RangeError) -> RangeError {
         let sign = if error.field == "z" { self.inward } else { 1.0 };
         RangeError { value: sign * error.value, ..error }
     }
 
-    /// The point in the body's own axes, from the centre of a cell.
+    /// The point in the body's own axes, relative to the centre of a cell.
     fn seen_from(&self, x: f64, y: f64, at: Point) -> Point {
         Point { x: at.x - x, y: at.y - y, z: self.inward * at.z }
     }

@@ -1,4 +1,4 @@
-//! A step in numbers.
+//! The scalar results of a step.
 
 use carom_laws::law::{ContactLoad, Shift};
 use carom_table::{Column, Value};
@@ -10,8 +10,8 @@ use crate::result::{StoredEnergy, dissipated};
 use crate::state::{CellState, ContactState};
 use carom_halfspace::operator::OperatorError;
 
-/// The contact at the end of a step, in numbers. SI units; loads act on body 1. Before the first step
-/// all of them are zero, as by default.
+/// The scalar results of a step, at its end. SI units; loads act on body 1. The default is the
+/// state before the first step: all values are zero.
 ///
 /// ```
 /// use carom_halfspace::{Grid, Material, MaterialPair};
@@ -27,8 +27,8 @@ use carom_halfspace::operator::OperatorError;
 /// let before = ContactState::apart(grid);
 /// let (mut after, mut scratch) = (before.clone(), method.scratch(&problem)?);
 /// let pressed = Drive { normal: Driven::Load(5.0), ..Drive::default() };
-/// let went = method.step(&problem, &before, &pressed, &mut after, &mut scratch, &mut ())?;
-/// let step = StepSummary::default().next(&problem, [&before, &after], &went)?;
+/// let convergence = method.step(&problem, &before, &pressed, &mut after, &mut scratch, &mut ())?;
+/// let step = StepSummary::default().next(&problem, [&before, &after], &convergence)?;
 /// assert!((step.load.f_z - 5.0).abs() < 1e-6 && step.dissipated == 0.0);
 /// // Hertz: 2/5 of force times approach.
 /// assert!((step.stored_energy / (0.4 * 5.0 * step.shift.zeta) - 1.0).abs() < 0.02);
@@ -38,41 +38,41 @@ use carom_halfspace::operator::OperatorError;
 pub struct StepSummary {
     /// The number of the step, from 1.
     pub step: usize,
-    /// Where the bodies are.
+    /// The shift of the bodies.
     pub shift: Shift,
-    /// What that takes.
+    /// The loads on body 1.
     pub load: ContactLoad,
     /// The greatest pressure.
     pub greatest_pressure: f64,
     /// Area of all cells in contact.
     pub contact_area: f64,
-    /// Area of those that stick.
+    /// Area of the cells that stick.
     pub stick_area: f64,
     /// Elastic energy of both bodies.
     pub stored_energy: f64,
-    /// Friction heat since the start.
+    /// Friction heat since the start of the history.
     pub dissipated: f64,
-    /// What is left of the conditions of contact.
+    /// Violations of the contact conditions.
     pub residuals: Residuals,
-    /// What the step cost.
+    /// The cost of the step.
     pub products: Products,
-    /// Errors by the mesh, where they are estimated.
+    /// Discretisation errors, if they were estimated.
     pub estimates: Option<Estimates>,
 }
 
 impl StepSummary {
-    /// How many numbers a summary is.
+    /// Number of values of a stored summary.
     pub const NUMBERS: usize = OWN + ERRORS;
 
-    /// Of the step after this one, from a state to another.
+    /// The summary of the next step, from the states before and after it.
     ///
     /// # Errors
-    /// [`OperatorError`] unless both are on the grid of the problem.
+    /// [`OperatorError`] unless both states are on the grid of the problem.
     pub fn next(
         &self,
         problem: &ContactProblem,
         [before, after]: [&ContactState; 2],
-        went: &Convergence,
+        convergence: &Convergence,
     ) -> Result<Self, OperatorError> {
         let area = after.pressure.grid().cell_area();
         let [stick, slip] =
@@ -87,13 +87,13 @@ impl StepSummary {
             stick_area: area * stick,
             stored_energy: StoredEnergy::of(problem, after)?.total(),
             dissipated: self.dissipated + heat,
-            residuals: went.residuals,
-            products: went.products,
+            residuals: convergence.residuals,
+            products: convergence.products,
             estimates: None,
         })
     }
 
-    /// The torque about the origin, where the grid's middle stands at these places.
+    /// Converts the torque to the origin, for a grid whose centre lies at this point.
     #[must_use]
     pub fn with_middle_at(mut self, [x, y]: [f64; 2]) -> Self {
         self.load.m_z += y * self.load.f_x - x * self.load.f_y;
@@ -101,7 +101,7 @@ impl StepSummary {
         self
     }
 
-    /// With the errors by the mesh; its own values stand beside them.
+    /// Adds discretisation errors; the values beside them are those of the summary.
     #[must_use]
     pub fn with_estimates(mut self, estimates: Option<&Estimates>) -> Self {
         self.estimates = estimates.map(|all| self.estimated(errors(all)));
@@ -130,8 +130,8 @@ impl StepSummary {
         self.estimates.as_ref().map_or(Value::Undefined, |all| of(all).error.into())
     }
 
-    /// All its numbers, to be kept: those of [`StepSummary::COLUMNS`], then those of
-    /// [`StepSummary::ERROR_COLUMNS`], not numbers where there are none.
+    /// All values for storage: those of [`StepSummary::COLUMNS`], then those of
+    /// [`StepSummary::ERROR_COLUMNS`], which are NaN without estimates.
     #[must_use]
     pub fn numbers(&self) -> [f64; Self::NUMBERS] {
         let Self { shift, load, residuals, products, .. } = self;
@@ -159,7 +159,7 @@ impl StepSummary {
         std::array::from_fn(|i| if i < OWN { own[i] } else { errors[i - OWN] })
     }
 
-    /// The summary of these numbers.
+    /// Restores a summary from the values of [`StepSummary::numbers`].
     #[must_use]
     pub fn from_numbers(n: &[f64; Self::NUMBERS]) -> Self {
         let own = Self {
@@ -212,13 +212,13 @@ impl StepSummary {
         }),
     ];
 
-    /// Both lists of columns, one after the other.
+    /// The columns of values and of errors.
     #[must_use]
     pub fn columns() -> Vec<Column<Self>> {
         [Self::COLUMNS, Self::ERROR_COLUMNS].concat()
     }
 
-    /// The columns of its errors; undefined where there are none.
+    /// The columns of the discretisation errors; undefined without estimates.
     pub const ERROR_COLUMNS: &'static [Column<Self>] = &[
         Column::new("zeta_error", "m", "estimated error of zeta by the mesh", |step| {
             step.error(|all| &all.zeta)
@@ -240,11 +240,11 @@ impl StepSummary {
     ];
 }
 
-/// Numbers without errors, and errors.
+/// Number of values without errors, and number of errors.
 const OWN: usize = 18;
 const ERRORS: usize = 11;
 
-/// Errors in the order of the columns.
+/// The errors in the order of the columns.
 fn errors(all: &Estimates) -> [f64; ERRORS] {
     [
         all.zeta,

@@ -1,14 +1,14 @@
-//! The tangential problem at known pressures by Newton's method on an active set.
+//! The tangential problem at given pressures, by Newton's method on an active set.
 //!
-//! Coulomb's law in each cell is the condition of a minimum: with the slip s = A t + c,
-//! where c is the displacement without tangential tractions, `t.A t/2 + t.c` is least over the discs
-//! |t| <= R. Cells that stick have two unknowns, those that slip one, along the rim of their disc,
-//! whose bend adds `D = -s.e/R` to the diagonal (12.20)-(12.24). Preconditioned conjugate gradients
-//! solve for them together; the sets change when what violates the discs or the direction of slip
-//! outweighs the last step. Projections to the discs are made in one product with a damped step.
+//! Coulomb's law in each cell is the condition of a minimum: with the slip s = A t + c, where c is
+//! the displacement without tangential tractions, `t.A t/2 + t.c` is least over the discs |t| <= R.
+//! A cell that sticks has two unknowns. A cell that slips has one, along the rim of its disc; the
+//! curvature of the rim adds `D = -s.e/R` to the diagonal (12.20)-(12.24). Preconditioned conjugate
+//! gradients solve for all cells together. The sets of sticking and slipping cells change when the
+//! violation of the discs, or of the direction of slip, exceeds the last step. Projections onto the
+//! discs and a damped step share one product.
 //!
-//! All of it runs on the cells of the contact alone, one after the other, and products on the box
-//! that holds them.
+//! All fields are compressed to the cells of the contact; products use the box that contains them.
 
 use std::ops::ControlFlow;
 
@@ -16,70 +16,72 @@ use carom_halfspace::Grid;
 use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use nalgebra::Vector3;
 
-use super::contact::Within;
-use super::course::Course;
+use super::compressed::Compressed;
+use super::contact::ContactInfluence;
 use super::descent::Descent;
-use super::law::{Off, Sums, force_scale, is_lost};
-use super::packed::Packed;
+use super::iteration_state::IterationState;
+use super::law::{Violation, ViolationSums, force_scale, is_lost};
 use super::rigid::{self, Deflation, Rigid};
 use super::search::Search;
 use crate::convergence::{Convergence, Observer, Products, Progress, Residuals, Stop};
 use crate::state::CellState;
 
-/// What is to be solved and what is found. All fields lie on the operator's grid, or, once it is
-/// packed, on the cells of the contact.
+/// The problem and its solution. All fields are on the operator's grid or, once compressed, on the
+/// cells of the contact.
 pub(crate) struct TangentialTask<'a> {
     pub(crate) operator: &'a dyn SurfaceOperator,
-    /// Greatest tractions, zero outside the contact, infinite where nothing slips.
+    /// Traction bounds: zero outside the contact, infinite where the surfaces cannot slip.
     pub(crate) limits: &'a [f64],
-    /// The displacement c without tangential tractions, against what given shifts ask for.
+    /// The displacement c without tangential tractions, minus the prescribed shifts.
     pub(crate) offset: [&'a [f64]; 2],
-    /// Given loads, and the shifts that they lead to.
+    /// Prescribed loads, and the shifts found for them.
     pub(crate) rigid: Rigid,
-    /// The greatest pressure: a limit above it may be out of reach.
+    /// The greatest pressure: a bound above it may never be reached.
     pub(crate) pressure: f64,
-    /// The start and the solution.
+    /// Initial tractions and solution.
     pub(crate) traction: [&'a mut [f64]; 2],
-    /// What the cells did in the start and do in the solution.
+    /// Initial states of the cells and those of the solution.
     pub(crate) cells: &'a mut [CellState],
 }
 
-/// When to stop.
+/// Stopping criteria.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {
-    /// Greatest violation of the friction law over the greatest friction limit.
+    /// Greatest violation of the friction law relative to the greatest friction bound.
     pub(super) tolerance: f64,
-    /// Correction and violation over the tractions, in norms; zero asks for the tolerance.
+    /// Norm of correction and violation relative to that of the tractions; zero if the tolerance
+    /// applies.
     pub(super) change: f64,
     pub(super) iterations: usize,
 }
 
-/// What tractions displace, over what they would cell by cell, counts as nothing below this.
-const NOTHING: f64 = 1e-8;
+/// Curvature of the objective below this fraction of its diagonal part counts as zero.
+const NEGLIGIBLE_CURVATURE: f64 = 1e-8;
 
 /// Two components in each cell.
 pub(super) type Plane = [Vec<f64>; 2];
 
-/// One grid of the tangential problem, with its working memory: fields of the cells of the contact.
+/// One grid of the tangential problem with its working memory; fields are on the cells of the
+/// contact.
 #[derive(Clone)]
 pub(super) struct ActiveSet {
-    pub(super) within: Within,
-    packed: Packed,
+    pub(super) influence: ContactInfluence,
+    compressed: Compressed,
     pub(super) centres: Plane,
     pub(super) deflation: Deflation,
-    /// The influence of a cell's traction on itself, the mean of both directions.
+    /// The influence of a cell's traction on itself, mean of both directions.
     pub(super) own: f64,
     /// The slip.
     pub(super) slip: Plane,
-    /// Directions of the tractions of slipping cells.
+    /// Directions of the tractions in slipping cells.
     pub(super) rim: Plane,
-    /// The bend D of the rim in slipping cells.
+    /// The curvature term D of the rim in slipping cells.
     pub(super) bend: Vec<f64>,
-    /// What stands beside bends in the preconditioner: the square root of a slipping cell's weight
-    /// against the influence, and what it takes by itself.
+    /// Terms of the preconditioner in slipping cells: the square root of the weight of the inverse
+    /// on a torus, and the diagonal term.
     pub(super) root: Vec<f64>,
     pub(super) alone: Vec<f64>,
-    /// What is left of the linearised problem, then the preconditioned step.
+    /// The residual of the linearised problem, then the preconditioned step.
     pub(super) rest: Plane,
     pub(super) preconditioned: Plane,
     pub(super) direction: Plane,
@@ -91,8 +93,8 @@ impl ActiveSet {
     pub(super) fn new(operator: &dyn SurfaceOperator) -> Self {
         let own = operator.coefficients(0, 0).rows;
         Self {
-            within: Within::new(),
-            packed: Packed::default(),
+            influence: ContactInfluence::new(),
+            compressed: Compressed::default(),
             centres: Plane::default(),
             deflation: Deflation::default(),
             own: 0.5 * (own[0][0] + own[1][1]),
@@ -112,7 +114,7 @@ impl ActiveSet {
     /// Solves a task.
     ///
     /// # Errors
-    /// The operator's.
+    /// The errors of the operator.
     pub(super) fn solve(
         &mut self,
         task: &mut TangentialTask<'_>,
@@ -122,10 +124,10 @@ impl ActiveSet {
         self.on_the_contact(task, |set, own, cells| set.iterate(own, limits, cells, observer))
     }
 
-    /// Solves a task with given loads by the motions that lead to them.
+    /// Solves a task with prescribed loads by iterating on the shifts.
     ///
     /// # Errors
-    /// The operator's.
+    /// The errors of the operator.
     pub(super) fn solve_by_motions(
         &mut self,
         task: &mut TangentialTask<'_>,
@@ -135,7 +137,7 @@ impl ActiveSet {
         self.on_the_contact(task, |set, own, cells| set.search(own, limits, cells, observer))
     }
 
-    /// Packs a task for a solver, which is told the cells of the grid.
+    /// Compresses a task to the contact and calls a solver, with the number of cells of the grid.
     fn on_the_contact(
         &mut self,
         task: &mut TangentialTask<'_>,
@@ -145,21 +147,21 @@ impl ActiveSet {
             usize,
         ) -> Result<Convergence, OperatorError>,
     ) -> Result<Convergence, OperatorError> {
-        self.within.enter(task.operator, task.limits);
-        let mut packed = std::mem::take(&mut self.packed);
-        packed.take(task, &self.within.contact);
+        self.influence.enter(task.operator, task.limits);
+        let mut compressed = std::mem::take(&mut self.compressed);
+        compressed.take(task, &self.influence.contact);
         self.make_room(task.operator.grid());
-        let mut own = packed.task(task);
-        let went = solver(self, &mut own, task.limits.len());
+        let mut own = compressed.task(task);
+        let convergence = solver(self, &mut own, task.limits.len());
         task.rigid = own.rigid;
-        packed.give(task, &self.within.contact);
-        self.packed = packed;
-        went
+        compressed.give(task, &self.influence.contact);
+        self.compressed = compressed;
+        convergence
     }
 
     fn make_room(&mut self, grid: Grid) {
-        self.within.contact.centres(grid, &mut self.centres);
-        let cells = self.within.contact.cells();
+        self.influence.contact.centres(grid, &mut self.centres);
+        let cells = self.influence.contact.cells();
         let planes = [
             &mut self.slip,
             &mut self.rim,
@@ -181,24 +183,28 @@ impl ActiveSet {
         cells: usize,
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
-        let mut course = Course::default();
+        let mut state = IterationState::default();
         let (scale, touching) = (force_scale(task), task.limits.len());
-        self.begin(task, &mut course)?;
+        self.begin(task, &mut state)?;
         let mut iteration = 0;
-        let mut off = self.look(task);
+        let mut off = self.check_law(task);
         loop {
             iteration += 1;
-            if course.slow_changes >= 4 || is_lost(task, off.violation) {
-                Descent::new(task.operator).run(self, task, &mut course.products)?;
-                course = Course { products: course.products, slow_changes: 2, ..Course::default() };
-                off = self.look(task);
-                off = self.change_sets(task, off.violation, &mut course)?;
-            } else if iteration == 1 || course.asks_for_change(off.violation) {
-                off = self.change_sets(task, off.violation, &mut course)?;
+            if state.slow_changes >= 4 || is_lost(task, off.violation) {
+                Descent::new(task.operator).run(self, task, &mut state.products)?;
+                state = IterationState {
+                    products: state.products,
+                    slow_changes: 2,
+                    ..IterationState::default()
+                };
+                off = self.check_law(task);
+                off = self.change_sets(task, off.violation, &mut state)?;
+            } else if iteration == 1 || state.asks_for_change(off.violation) {
+                off = self.change_sets(task, off.violation, &mut state)?;
             } else {
-                course.held = course.held.saturating_sub(1);
-                let power = self.precondition(task, &mut course);
-                off = self.gradient_step(task, power, &mut course)?;
+                state.held = state.held.saturating_sub(1);
+                let power = self.precondition(task, &mut state);
+                off = self.gradient_step(task, power, &mut state)?;
             }
             let tangential = off.distance.max(self.unbalance(task, touching)) / scale;
             let tangential = if off.distance.is_nan() { off.distance } else { tangential };
@@ -207,7 +213,7 @@ impl ActiveSet {
             let stop = if tangential.is_nan() {
                 Some(Stop::Stalled)
             } else if tangential <= limits.tolerance
-                || is_settled(task, course.step.max(off.violation), limits.change)
+                || is_converged(task, state.step.max(off.violation), limits.change)
             {
                 Some(Stop::Converged)
             } else if matches!(seen, ControlFlow::Break(())) {
@@ -217,24 +223,24 @@ impl ActiveSet {
             };
             if let Some(stop) = stop {
                 self.finish(task);
-                let products = course.products;
+                let products = state.products;
                 return Ok(Convergence { iterations: iteration, products, residuals, stop });
             }
         }
     }
 
-    /// The slip of the start, and its rims.
+    /// The initial slip and the initial rim directions.
     fn begin(
         &mut self,
         task: &mut TangentialTask<'_>,
-        course: &mut Course,
+        state: &mut IterationState,
     ) -> Result<(), OperatorError> {
         for axis in 0..2 {
             self.direction[axis].copy_from_slice(task.traction[axis]);
         }
-        self.multiply(task.operator, &mut course.products)?;
+        self.multiply(task.operator, &mut state.products)?;
         self.slip_of_image(task);
-        // Nothing of what was solved before counts.
+        // Results of the previous solve must not enter.
         for i in 0..task.limits.len() {
             let at = [task.traction[0][i], task.traction[1][i]];
             let norm = (at[0] * at[0] + at[1] * at[1]).sqrt();
@@ -244,7 +250,7 @@ impl ActiveSet {
         Ok(())
     }
 
-    /// The slip of tractions whose displacement is `image`.
+    /// The slip for tractions whose displacement is `image`.
     pub(super) fn slip_of_image(&mut self, task: &TangentialTask<'_>) {
         let moved = Vector3::from(task.rigid.moved);
         for i in 0..task.limits.len() {
@@ -259,18 +265,18 @@ impl ActiveSet {
         &mut self,
         task: &mut TangentialTask<'_>,
         power: f64,
-        course: &mut Course,
-    ) -> Result<Off, OperatorError> {
-        let share = course.power.map_or(0.0, |last| power / last);
+        state: &mut IterationState,
+    ) -> Result<Violation, OperatorError> {
+        let share = state.power.map_or(0.0, |last| power / last);
         for axis in 0..2 {
             let steps = self.direction[axis].iter_mut().zip(&self.preconditioned[axis]);
             steps.for_each(|(direction, step)| *direction = step + share * *direction);
         }
-        course.power = Some(power);
+        state.power = Some(power);
         if self.runs_away() {
-            return Ok(Off::LOST);
+            return Ok(Violation::LOST);
         }
-        self.multiply(task.operator, &mut course.products)?;
+        self.multiply(task.operator, &mut state.products)?;
         let (mut down, mut bend, mut alone) = (0.0, 0.0, 0.0);
         let [along, across] = &self.direction;
         let rest = self.rest[0].iter().zip(&self.rest[1]);
@@ -282,25 +288,26 @@ impl ActiveSet {
             bend += x * u + y * v + own * (x * x + y * y);
             alone += x * x + y * y;
         }
-        // Even tractions on all of a period displace nothing: they go on until some reach their limits.
-        let bend = bend.max(NOTHING * self.own * alone);
+        // Uniform tractions on a whole period cause no displacement: they grow until some reach
+        // their bounds.
+        let bend = bend.max(NEGLIGIBLE_CURVATURE * self.own * alone);
         let length = if bend > 0.0 { down / bend } else { 0.0 };
-        Ok(self.correct(task, length, course))
+        Ok(self.correct(task, length, state))
     }
 
-    /// Whether `direction` is infinite or not a number: given loads that no correction has.
+    /// Whether `direction` is infinite or NaN: no correction gives the prescribed loads.
     pub(super) fn runs_away(&self) -> bool {
         !self.direction.iter().flatten().all(|value| value.is_finite())
     }
 
-    /// Takes `length` times `direction` from the tractions; what breaks the law then.
+    /// Subtracts `length` times `direction` from the tractions. Returns the violation of the law.
     pub(super) fn correct(
         &mut self,
         task: &mut TangentialTask<'_>,
         length: f64,
-        course: &mut Course,
-    ) -> Off {
-        let (mut square, mut off) = (0.0, Sums::default());
+        state: &mut IterationState,
+    ) -> Violation {
+        let (mut square, mut off) = (0.0, ViolationSums::default());
         let [tractions_x, tractions_y] = &mut task.traction;
         let [slips_x, slips_y] = &mut self.slip;
         let steps = self.direction[0].iter().zip(&self.direction[1]);
@@ -310,7 +317,7 @@ impl ActiveSet {
         let slips = slips_x.iter_mut().zip(slips_y);
         let given = task.limits.iter().zip(task.cells.iter());
         let per_own = 1.0 / self.own;
-        for ((((x, y), (u, v)), ((d_x, d_y), (a_x, a_y))), ((limit, state), (e_x, e_y))) in
+        for ((((x, y), (u, v)), ((d_x, d_y), (a_x, a_y))), ((limit, cell), (e_x, e_y))) in
             tractions.zip(slips).zip(steps.zip(images)).zip(given.zip(rims))
         {
             *x -= length * d_x;
@@ -318,24 +325,24 @@ impl ActiveSet {
             square += d_x * d_x + d_y * d_y;
             *u -= length * a_x;
             *v -= length * a_y;
-            off.add(*state, *limit, [*x, *y], [*u * per_own, *v * per_own], [*e_x, *e_y]);
+            off.add(*cell, *limit, [*x, *y], [*u * per_own, *v * per_own], [*e_x, *e_y]);
         }
-        course.step = length.abs() * f64::sqrt(square);
+        state.step = length.abs() * f64::sqrt(square);
         off.all()
     }
 
-    /// Puts A times `direction` into `image`.
+    /// Sets `image` to A times `direction`.
     pub(super) fn multiply(
         &mut self,
         operator: &dyn SurfaceOperator,
         products: &mut Products,
     ) -> Result<(), OperatorError> {
-        self.within.displace(operator, &self.direction, &mut self.image, products)
+        self.influence.displace(operator, &self.direction, &mut self.image, products)
     }
 }
 
-/// Whether what is off, or the last step, is small beside the tractions.
-fn is_settled(task: &TangentialTask<'_>, off: f64, change: f64) -> bool {
+/// Whether violation or last step is small relative to the tractions.
+fn is_converged(task: &TangentialTask<'_>, off: f64, change: f64) -> bool {
     if change == 0.0 {
         return false;
     }

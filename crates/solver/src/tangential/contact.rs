@@ -1,4 +1,4 @@
-//! The cells of a contact: what lies outside carries nothing and costs nothing.
+//! The cells of the contact: cells outside it are left out of the computation.
 
 use std::sync::Arc;
 
@@ -10,20 +10,20 @@ use carom_halfspace::operator::{
 
 use crate::convergence::Products;
 
-/// A box with more than this part of the cells does not pay.
-const PAYS: f64 = 0.85;
+/// A box is used only if it holds at most this fraction of the cells.
+const LARGEST_FRACTION: f64 = 0.85;
 
-/// The cells with a positive limit, in the order of the grid, and a box of whole cells about them.
+/// The cells with a positive bound, in the order of the grid, and a box around them.
 #[derive(Clone, Default)]
 pub(super) struct Contact {
-    /// Where runs of them begin in the grid and in the box, and their lengths.
+    /// Consecutive cells: where each run begins in the grid and in the box, and its length.
     runs: Vec<[usize; 3]>,
     cells: usize,
 }
 
 impl Contact {
-    /// The cells of the contact and the box, columns and rows, that holds them: as many cells as the
-    /// transform of the contact has room for; none where that is hardly less than all.
+    /// Finds the cells of the contact and the columns and rows of the box around them, enlarged to
+    /// the next fast transform length; `None` if the box is hardly smaller than the grid.
     pub(super) fn find(&mut self, grid: Grid, limits: &[f64]) -> Option<[usize; 2]> {
         self.runs.clear();
         self.cells = 0;
@@ -49,17 +49,17 @@ impl Contact {
         for [at, boxed, _] in &mut self.runs {
             *boxed = *at % grid.nx() - columns[0] + sides[0] * (*at / grid.nx() - rows[0]);
         }
-        ((sides[0] * sides[1]) as f64 <= PAYS * grid.cells() as f64).then_some(sides)
+        ((sides[0] * sides[1]) as f64 <= LARGEST_FRACTION * grid.cells() as f64).then_some(sides)
     }
 
-    /// All of the grid in the place of a box.
+    /// Uses the whole grid in place of a box.
     fn unbox(&mut self) {
         for [at, boxed, _] in &mut self.runs {
             *boxed = *at;
         }
     }
 
-    /// The centres of the cells.
+    /// The centres of the cells in contact.
     pub(super) fn centres(&self, grid: Grid, [x, y]: &mut [Vec<f64>; 2]) {
         x.clear();
         y.clear();
@@ -70,12 +70,12 @@ impl Contact {
         }
     }
 
-    /// How many there are.
+    /// Their number.
     pub(super) const fn cells(&self) -> usize {
         self.cells
     }
 
-    /// Their values out of a field of the grid.
+    /// Copies their values from a field of the grid.
     pub(super) fn gather<T: Copy>(&self, field: &[T], own: &mut Vec<T>) {
         own.clear();
         for [at, _, length] in &self.runs {
@@ -83,7 +83,7 @@ impl Contact {
         }
     }
 
-    /// Their values into a field of the grid.
+    /// Copies their values to a field of the grid.
     pub(super) fn scatter<T: Copy>(&self, own: &[T], field: &mut [T]) {
         let mut from = 0;
         for [at, _, length] in &self.runs {
@@ -92,7 +92,7 @@ impl Contact {
         }
     }
 
-    /// Their values into a field of the box.
+    /// Copies their values to a field of the box.
     fn fill(&self, own: &[f64], field: &mut [f64]) {
         let mut from = 0;
         for [_, at, length] in &self.runs {
@@ -101,7 +101,7 @@ impl Contact {
         }
     }
 
-    /// Their values out of a field of the box.
+    /// Copies their values from a field of the box.
     fn take(&self, field: &[f64], own: &mut [f64]) {
         let mut from = 0;
         for [_, at, length] in &self.runs {
@@ -111,24 +111,24 @@ impl Contact {
     }
 }
 
-/// Influences within a contact, with their working memory.
+/// Influence within a contact, with its working memory.
 #[derive(Clone)]
-pub(super) struct Within {
+pub(super) struct ContactInfluence {
     pub(super) contact: Contact,
-    /// On a box about the contact; none where that is all of the grid.
+    /// The operator on a box around the contact; `None` if the whole grid is used.
     fewer: Option<Arc<dyn SurfaceOperator>>,
     inverse: Option<TorusInverse>,
     workspace: Workspace,
-    /// Cells of the box over all.
+    /// Fraction of the cells that are in the box.
     part: f64,
-    /// Whether tractions along an axis displace along that axis alone.
+    /// Whether tractions along an axis cause displacements along that axis only.
     separate: bool,
-    /// Fields of the box, zero outside the contact, and what they lead to.
+    /// Fields of the box, zero outside the contact, and the resulting displacements.
     there: [Vec<f64>; 2],
     back: [Vec<f64>; 2],
 }
 
-impl Within {
+impl ContactInfluence {
     pub(super) fn new() -> Self {
         Self {
             contact: Contact::default(),
@@ -142,7 +142,7 @@ impl Within {
         }
     }
 
-    /// Takes up the contact of these limits.
+    /// Sets the contact to the cells with a positive bound.
     pub(super) fn enter(&mut self, operator: &dyn SurfaceOperator, limits: &[f64]) {
         let grid = operator.grid();
         let last = self.fewer.take();
@@ -151,7 +151,7 @@ impl Within {
                 let own = own.grid();
                 (own.nx(), own.ny(), own.cell()) == (nx, ny, grid.cell())
             };
-            // Where memory is short all of the grid has to do.
+            // If memory is short, the whole grid is used.
             let new = || operator.on_fewer(nx, ny).and_then(Result::ok).map(Arc::from);
             self.fewer = last.filter(fits).or_else(new);
         }
@@ -168,7 +168,7 @@ impl Within {
         }
     }
 
-    /// The displacements of the contact by tractions on it.
+    /// The displacements of the contact due to tractions on it.
     pub(super) fn displace(
         &mut self,
         operator: &dyn SurfaceOperator,
@@ -197,9 +197,9 @@ impl Within {
         Ok(())
     }
 
-    /// Puts what does not vanish into fields of the box; which components that are.
+    /// Copies components that are not zero to the fields of the box. Returns which ones these are.
     fn there(&mut self, fields: &[Vec<f64>; 2]) -> [bool; 2] {
-        // What is not a number is not zero, either.
+        // NaN does not count as zero.
         let given = [0, 1].map(|axis| fields[axis].iter().any(|value: &f64| *value != 0.0));
         for axis in (0..2).filter(|axis| given[*axis]) {
             self.contact.fill(&fields[axis], &mut self.there[axis]);
@@ -207,7 +207,7 @@ impl Within {
         given
     }
 
-    /// Which components these reach.
+    /// The components of displacement that these components of traction cause.
     const fn wanted(&self, [x, y]: [bool; 2]) -> [bool; 2] {
         if self.separate { [x, y] } else { [x || y, x || y] }
     }
@@ -222,13 +222,12 @@ impl Within {
         }
     }
 
-    /// Whether there is an approximate inverse.
+    /// Whether the operator has an approximate inverse.
     pub(super) const fn has_inverse(&self) -> bool {
         self.inverse.is_some()
     }
 
-    /// Replaces displacements by the tractions that an approximate inverse makes of them, if there is
-    /// one.
+    /// Replaces displacements by the tractions of an approximate inverse, if there is one.
     pub(super) fn invert(&mut self, field: &mut [Vec<f64>; 2], products: &mut Products) {
         let Some(inverse) = self.inverse.take() else { return };
         let [x, y] = self.there(field);

@@ -1,25 +1,26 @@
-//! Accelerated projected gradients: slow, sure, and needed only where the active set loses its way.
+//! Accelerated projected gradients: slow but sure to converge, used when the active-set iteration
+//! stalls.
 //!
-//! Where loads are given, each step is projected to the tractions that have them: what they move
-//! goes where the discs around the moved tractions hold the loads.
+//! If loads are prescribed, each step is projected onto the tractions with these loads: the
+//! corresponding shifts move until the discs around the updated tractions hold the loads.
 
 use carom_halfspace::operator::{OperatorError, SurfaceOperator};
 use nalgebra::{Matrix3, Vector3};
 
 use super::active_set::{ActiveSet, Plane, TangentialTask};
-use super::law::within;
+use super::law::project_to_disc;
 use super::rigid;
 use crate::convergence::Products;
 use crate::state::CellState;
 
-/// Steps of one rescue.
-const STEPS: usize = 12;
-/// Rounds of the search for what has a given load.
-const ROUNDS: usize = 20;
-/// Loads are met within the square of this part of how far they were off.
-const MET: f64 = 1e-20;
+/// Gradient steps of one restart.
+const GRADIENT_STEPS: usize = 12;
+/// Newton steps to find the shifts for prescribed loads.
+const NEWTON_STEPS: usize = 20;
+/// The squared error of the loads is reduced by this factor.
+const LOAD_REDUCTION: f64 = 1e-20;
 
-/// Steps of a fixed length, the inverse of a bound on the operator's norm.
+/// Steps of fixed length, the inverse of a bound on the norm of the operator.
 pub(super) struct Descent {
     length: f64,
 }
@@ -29,7 +30,7 @@ impl Descent {
         Self { length: 1.0 / row_sum(operator) }
     }
 
-    /// Takes the tractions nearer to the solution; slip and states follow.
+    /// Moves the tractions towards the solution; updates slip and states.
     pub(super) fn run(
         &self,
         set: &mut ActiveSet,
@@ -38,12 +39,13 @@ impl Descent {
     ) -> Result<(), OperatorError> {
         let count = task.limits.len();
         for i in 0..count {
-            let inside = within([task.traction[0][i], task.traction[1][i]], task.limits[i]);
+            let inside =
+                project_to_disc([task.traction[0][i], task.traction[1][i]], task.limits[i]);
             (task.traction[0][i], task.traction[1][i]) = (inside[0], inside[1]);
         }
         let mut ahead = [task.traction[0].to_vec(), task.traction[1].to_vec()];
         let mut momentum = 1.0_f64;
-        for _ in 0..STEPS {
+        for _ in 0..GRADIENT_STEPS {
             self.slip_at(set, task, &ahead, products)?;
             self.meet_loads(set, task, &ahead);
             let next_momentum = 0.5 * (1.0 + (1.0 + 4.0 * momentum * momentum).sqrt());
@@ -53,7 +55,7 @@ impl Descent {
             for (i, (x, y)) in ahead_x.iter_mut().zip(ahead_y).enumerate() {
                 let slip = [set.slip[0][i], set.slip[1][i]];
                 let pulled = [*x - self.length * slip[0], *y - self.length * slip[1]];
-                let next = within(pulled, task.limits[i]);
+                let next = project_to_disc(pulled, task.limits[i]);
                 let moved = [next[0] - task.traction[0][i], next[1] - task.traction[1][i]];
                 uphill += slip[0] * moved[0] + slip[1] * moved[1];
                 (task.traction[0][i], task.traction[1][i]) = (next[0], next[1]);
@@ -80,41 +82,41 @@ impl Descent {
         Ok(())
     }
 
-    /// Moves what has a given load until the tractions of the next step have it: Newton's method on a
-    /// convex function, of which a bound on the second derivative is known.
+    /// Finds the shifts for which the tractions of the next step have the prescribed loads:
+    /// Newton's method on a convex function whose second derivative is bounded.
     fn meet_loads(&self, set: &mut ActiveSet, task: &mut TangentialTask<'_>, ahead: &Plane) {
         if !task.rigid.is_loaded() {
             return;
         }
-        let mut wrong = self.loads_off(set, task, ahead);
+        let mut wrong = self.load_error(set, task, ahead);
         let bound = wrong.bound.try_inverse().unwrap_or_default();
-        let size = |wrong: &LoadsOff| wrong.loads.dot(&(bound * wrong.loads));
-        let enough = MET * size(&wrong);
-        for _ in 0..ROUNDS {
+        let size = |wrong: &LoadError| wrong.loads.dot(&(bound * wrong.loads));
+        let enough = LOAD_REDUCTION * size(&wrong);
+        for _ in 0..NEWTON_STEPS {
             if size(&wrong) <= enough {
                 break;
             }
             let newton = wrong.slope.try_inverse().unwrap_or_default() * wrong.loads;
             move_rigidly(set, task, &-newton);
-            let next = self.loads_off(set, task, ahead);
+            let next = self.load_error(set, task, ahead);
             if size(&next) < size(&wrong) {
                 wrong = next;
                 continue;
             }
             let sure = bound * wrong.loads;
             move_rigidly(set, task, &(newton - sure));
-            wrong = self.loads_off(set, task, ahead);
+            wrong = self.load_error(set, task, ahead);
         }
     }
 
-    /// How far the loads of the next step are off.
-    fn loads_off(&self, set: &ActiveSet, task: &TangentialTask<'_>, ahead: &Plane) -> LoadsOff {
-        let mut off = LoadsOff::default();
+    /// The error of the loads in the next step.
+    fn load_error(&self, set: &ActiveSet, task: &TangentialTask<'_>, ahead: &Plane) -> LoadError {
+        let mut off = LoadError::default();
         for (i, &limit) in task.limits.iter().enumerate() {
             let (x, y) = (set.centres[0][i], set.centres[1][i]);
             let [u, v] = [Vector3::new(1.0, 0.0, y), Vector3::new(0.0, 1.0, -x)];
             let q = [0, 1].map(|axis| ahead[axis][i] - self.length * set.slip[axis][i]);
-            let t = within(q, limit);
+            let t = project_to_disc(q, limit);
             off.loads += u * t[0] + v * t[1];
             off.bound += self.length * (u * u.transpose() + v * v.transpose());
             let size = q[0].hypot(q[1]);
@@ -156,27 +158,27 @@ impl Descent {
     }
 }
 
-/// Loads less the given ones; how they answer to what moves, and a bound on that.
+/// Error of the loads, its derivative with respect to the shifts, and a bound on that derivative.
 #[derive(Default)]
-struct LoadsOff {
+struct LoadError {
     loads: Vector3<f64>,
     slope: Matrix3<f64>,
     bound: Matrix3<f64>,
 }
 
-/// Moves what has a given load; the slip follows.
+/// Moves the rigid shifts whose loads are prescribed; updates the slip.
 fn move_rigidly(set: &mut ActiveSet, task: &mut TangentialTask<'_>, by: &Vector3<f64>) {
     for i in 0..task.limits.len() {
-        let went = rigid::displacement(by, set.centres[0][i], set.centres[1][i]);
-        set.slip[0][i] -= went[0];
-        set.slip[1][i] -= went[1];
+        let convergence = rigid::displacement(by, set.centres[0][i], set.centres[1][i]);
+        set.slip[0][i] -= convergence[0];
+        set.slip[1][i] -= convergence[1];
     }
     for k in 0..3 {
         task.rigid.moved[k] += by[k];
     }
 }
 
-/// The greatest sum of the sizes in a row of the tangential block: no norm is larger.
+/// The greatest absolute row sum of the tangential influence, a bound on its norm.
 fn row_sum(operator: &dyn SurfaceOperator) -> f64 {
     let (nx, ny) = (operator.grid().nx() as i32, operator.grid().ny() as i32);
     let mut sum = [0.0; 2];

@@ -1,37 +1,37 @@
-//! Coulomb's law in each cell: what breaks it, how far, and the state that it gives.
+//! Coulomb's law in each cell: its violation, and the state of the cell.
 
 use super::active_set::{ActiveSet, TangentialTask};
 use crate::state::CellState;
 
-/// A cell whose traction is within this part of its limit has reached it.
+/// A traction above this fraction of its bound has reached it.
 pub(super) const REACHED: f64 = 1.0 - 1e-9;
 
-/// How far tractions are from the law.
+/// The violation of Coulomb's law.
 #[derive(Clone, Copy)]
-pub(super) struct Off {
-    /// The norm of what breaks the law: tractions beyond their discs, or in them where the cell is
-    /// said to slip, and slip along the traction, as tractions.
+pub(super) struct Violation {
+    /// The norm of the violations, as tractions: tractions outside their discs, tractions inside
+    /// their discs in cells marked as slipping, and slip in the direction of the traction.
     pub(super) violation: f64,
-    /// The greatest distance of a traction from where the slip would take it and its disc hold it; not
-    /// a number if one is none.
+    /// The greatest distance of a traction from its image under slip and projection onto its disc;
+    /// NaN if any value is NaN.
     pub(super) distance: f64,
 }
 
-impl Off {
-    /// Tractions that have left their discs for good.
+impl Violation {
+    /// Tractions have left their discs and will not return.
     pub(super) const LOST: Self = Self { violation: f64::INFINITY, distance: f64::INFINITY };
 }
 
-/// The sums that lead there, cell by cell.
+/// ViolationSums over the cells.
 #[derive(Default)]
-pub(super) struct Sums {
+pub(super) struct ViolationSums {
     violations: f64,
     farthest: f64,
     all: f64,
 }
 
-impl Sums {
-    /// A cell with its traction, its slip over its own influence, and its rim.
+impl ViolationSums {
+    /// Adds a cell with its traction, its slip divided by its own influence, and its rim direction.
     #[inline]
     pub(super) fn add(
         &mut self,
@@ -55,20 +55,20 @@ impl Sums {
         let (dx, dy) = (x - part * x_pulled, y - part * y_pulled);
         let distance = dx * dx + dy * dy;
         self.farthest = self.farthest.max(distance);
-        // The maximum would leave out what is not a number.
+        // The maximum would skip NaN.
         self.all += distance;
     }
 
-    pub(super) fn all(&self) -> Off {
+    pub(super) fn all(&self) -> Violation {
         let distance = if self.all.is_nan() { self.all } else { self.farthest.sqrt() };
-        Off { violation: self.violations.sqrt(), distance }
+        Violation { violation: self.violations.sqrt(), distance }
     }
 }
 
 impl ActiveSet {
-    /// What breaks the law.
-    pub(super) fn look(&self, task: &TangentialTask<'_>) -> Off {
-        let (mut off, per_own) = (Sums::default(), 1.0 / self.own);
+    /// The violation of the law.
+    pub(super) fn check_law(&self, task: &TangentialTask<'_>) -> Violation {
+        let (mut off, per_own) = (ViolationSums::default(), 1.0 / self.own);
         for (i, limit) in task.limits.iter().enumerate() {
             let traction = [task.traction[0][i], task.traction[1][i]];
             let slip = [self.slip[0][i] * per_own, self.slip[1][i] * per_own];
@@ -77,7 +77,7 @@ impl ActiveSet {
         off.all()
     }
 
-    /// Tractions in their discs, and what the cells do.
+    /// Projects tractions onto their discs and sets the states of the cells.
     pub(super) fn finish(&self, task: &mut TangentialTask<'_>) {
         for (i, &limit) in task.limits.iter().enumerate() {
             let slips = task.cells[i] == CellState::Slip;
@@ -86,7 +86,7 @@ impl ActiveSet {
             let [x, y] = if slips && norm > 0.0 {
                 at.map(|t| limit * (t / norm))
             } else {
-                within(at, limit)
+                project_to_disc(at, limit)
             };
             (task.traction[0][i], task.traction[1][i]) = (x, y);
             let along = self.slip[0][i] * x + self.slip[1][i] * y;
@@ -96,19 +96,19 @@ impl ActiveSet {
     }
 }
 
-/// Whether tractions have left their discs for good.
+/// Whether tractions have left their discs and will not return.
 pub(super) fn is_lost(task: &TangentialTask<'_>, violation: f64) -> bool {
     let size: f64 = task.limits.iter().filter(|r| r.is_finite()).map(|r| r * r).sum();
     size > 0.0 && violation > 10.0 * size.sqrt()
 }
 
 /// The nearest point of a disc.
-pub(crate) fn within([x, y]: [f64; 2], limit: f64) -> [f64; 2] {
+pub(crate) fn project_to_disc([x, y]: [f64; 2], limit: f64) -> [f64; 2] {
     let norm = (x * x + y * y).sqrt();
     if norm > limit { [limit * (x / norm), limit * (y / norm)] } else { [x, y] }
 }
 
-/// The greatest limit; where that is above all pressures and above what the offset asks for, the
+/// The greatest bound; if it exceeds all pressures and the tractions that the offset needs, the
 /// greater of these.
 pub(super) fn force_scale(task: &TangentialTask<'_>) -> f64 {
     let finite = task.limits.iter().copied().filter(|limit| limit.is_finite());

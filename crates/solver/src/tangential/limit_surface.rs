@@ -1,52 +1,53 @@
-//! What friction can hold: the limit surface.
+//! The loads that friction can hold: the limit surface.
 //!
-//! In rigid sliding with the velocity `n = (n_x, n_y, n_turn)` a cell of limit R at (x, y) exerts R in the
-//! direction of its own velocity `v = (n_x + y n_turn, n_y - x n_turn)` (12.2). Friction then takes up
-//! the power `S(n) = sum R |v|`, and the loads of these tractions are its gradient. S is convex, so that
-//! tractions within the limits exist for loads L exactly where `L.n <= S(n)` for every n. The greatest
-//! `L.n / S(n)` is the part of the limit that the loads use; it is one on the limit surface.
+//! In rigid sliding with the velocity `n = (n_x, n_y, n_turn)` a cell of bound R at (x, y) exerts R
+//! in the direction of its own velocity `v = (n_x + y n_turn, n_y - x n_turn)` (12.2). Friction
+//! dissipates the power `S(n) = sum R |v|`, and the loads of these tractions are its gradient. S is
+//! convex: tractions within the bounds exist for loads L if and only if `L.n <= S(n)` for every n.
+//! The greatest `L.n / S(n)` is the fraction of the limit that the loads use; it is one on the
+//! limit surface.
 
 use nalgebra::{Matrix3, Vector3};
 
 use super::rigid::displacement;
 
-/// Steps of the search for the least power.
-const STEPS: usize = 100;
-/// A power that falls by less than this part of itself is the least one.
-const LEAST: f64 = 1e-15;
-/// Velocities below this part of the greatest ones count as this.
-const AT_REST: f64 = 1e-12;
+/// Greatest number of steps in the search for the least power.
+const MOST_STEPS: usize = 100;
+/// The search ends when the power falls by less than this fraction.
+const LEAST_DECREASE: f64 = 1e-15;
+/// Speeds below this fraction of the greatest one are replaced by it.
+const LEAST_SPEED: f64 = 1e-12;
 
-/// The limits of all cells and the motions whose loads are given.
+/// The bounds of all cells, and the motions whose loads are prescribed.
 #[derive(Clone, Default)]
 pub(crate) struct LimitSurface {
-    /// Place and limit.
+    /// Position and bound.
     cells: Vec<[f64; 3]>,
     given: [bool; 3],
     total: f64,
 }
 
-/// How much of the limit loads use.
+/// The fraction of the limit that given loads use.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(crate) struct Used {
     /// The part.
     pub(crate) part: f64,
-    /// The velocity of rigid sliding that these loads come nearest to, of power one.
+    /// The velocity of rigid sliding that is closest to these loads, scaled to unit power.
     pub(crate) motion: Vector3<f64>,
 }
 
-/// Power at a velocity, with its derivatives.
+/// The power at a velocity, with its derivatives.
 struct Power {
     value: f64,
     gradient: Vector3<f64>,
     curvature: Matrix3<f64>,
-    /// Sum of `R/|v|` times the squares of the motions: that of a quadratic form that touches the power here and
-    /// lies above it elsewhere.
+    /// Sum of `R/|v|` times the squares of the motions: a quadratic form that touches the power at
+    /// this velocity and lies above it elsewhere.
     weights: Matrix3<f64>,
 }
 
 impl LimitSurface {
-    /// Takes up cells (x, y, limit) and given loads.
+    /// Sets cells (x, y, bound) and prescribed loads.
     pub(crate) fn take(&mut self, cells: impl Iterator<Item = [f64; 3]>, loads: &[Option<f64>; 3]) {
         self.cells.clear();
         self.cells.extend(cells.filter(|[_, _, limit]| *limit > 0.0));
@@ -54,7 +55,8 @@ impl LimitSurface {
         self.total = self.cells.iter().map(|[_, _, limit]| limit).sum();
     }
 
-    /// How much of the limit loads use. Loads of motions that are not given count nothing.
+    /// The fraction of the limit that loads use. Loads of motions with prescribed shifts are
+    /// ignored.
     pub(crate) fn used(&self, loads: &Vector3<f64>) -> Used {
         let loads = Vector3::from_fn(|k, _| if self.given[k] { loads[k] } else { 0.0 });
         let none = |part| Used { part, motion: Vector3::zeros() };
@@ -72,15 +74,15 @@ impl LimitSurface {
         if radius == 0.0 {
             return none(if loads[2] == 0.0 { loads.norm() / self.total } else { f64::INFINITY });
         }
-        // Torques over the radius, so that all are forces.
+        // Torques are divided by the radius, so that all loads are forces.
         let loads = Vector3::new(loads[0], loads[1], loads[2] / radius);
         let (mut motion, power) = self.least_power(&loads, radius);
         motion[2] /= radius;
         Used { part: 1.0 / power, motion: motion / power }
     }
 
-    /// A bound from above on the part of the limit that loads use: they are put together from a
-    /// rotation about the middle of the limits and a translation.
+    /// An upper bound on the fraction of the limit that loads use, from a rotation about the centre
+    /// of the bounds combined with a translation.
     pub(crate) fn used_at_most(&self, loads: &Vector3<f64>) -> f64 {
         if !self.given[2] || self.total == 0.0 || self.total.is_infinite() {
             return self.used(loads).part;
@@ -107,23 +109,24 @@ impl LimitSurface {
         (f_x - part * force[0]).hypot(f_y - part * force[1]) / self.total + part.abs()
     }
 
-    /// The root of the mean square distance from the middle of the grid.
+    /// Root mean square distance from the centre of the grid.
     fn radius(&self) -> f64 {
         let squares = self.cells.iter().map(|[x, y, limit]| limit * (x * x + y * y));
         (squares.sum::<f64>() / self.total).sqrt()
     }
 
-    /// The velocity with `loads.n = 1` of least power, and that power; turning counts times the radius.
+    /// The velocity with `loads.n = 1` of least power, and that power; rotations are multiplied by
+    /// the radius.
     fn least_power(&self, loads: &Vector3<f64>, radius: f64) -> (Vector3<f64>, f64) {
         let mut motion = loads / loads.norm_squared();
         let mut power = self.power(&motion, radius);
-        for _ in 0..STEPS {
+        for _ in 0..MOST_STEPS {
             let newton = Self::newton(loads, &power);
             let mut next = motion + newton;
             let mut there = self.power(&next, radius);
-            let falls = |there: &Power| there.value < power.value * (1.0 - LEAST);
+            let falls = |there: &Power| there.value < power.value * (1.0 - LEAST_DECREASE);
             if !falls(&there) {
-                // The least of the quadratic form is never above the power.
+                // The minimum of the quadratic form is never above the power.
                 next = Self::least_form(loads, &power.weights);
                 there = self.power(&next, radius);
                 if !falls(&there) {
@@ -147,14 +150,14 @@ impl LimitSurface {
     }
 
     fn least_form(loads: &Vector3<f64>, weights: &Matrix3<f64>) -> Vector3<f64> {
-        // Cells on one line through their middle leave one motion without power.
+        // If all cells lie on a line through their centre, one motion has no power.
         let least = Matrix3::identity() * (weights.trace() * 1e-15);
         let answer = (weights + least).try_inverse().unwrap_or_default() * loads;
         answer / loads.dot(&answer)
     }
 
     fn power(&self, motion: &Vector3<f64>, radius: f64) -> Power {
-        let least = AT_REST * motion.norm();
+        let least = LEAST_SPEED * motion.norm();
         let mut power = Power {
             value: 0.0,
             gradient: Vector3::zeros(),

@@ -1,9 +1,9 @@
-//! Given loads: what moves rigidly is deflated, so that corrections have no load of their own.
+//! Prescribed loads: rigid motions are deflated, so that corrections do not change the loads.
 
 use nalgebra::Vector3;
 
 use super::active_set::{ActiveSet, TangentialTask, dot};
-use super::course::Course;
+use super::iteration_state::IterationState;
 use super::rigid;
 
 impl ActiveSet {
@@ -11,8 +11,12 @@ impl ActiveSet {
         task.rigid.excess(&self.centres, [task.traction[0], task.traction[1]])
     }
 
-    /// K times the rigid displacements whose loads are given.
-    pub(super) fn prepare_deflation(&mut self, task: &TangentialTask<'_>, course: &mut Course) {
+    /// The preconditioner applied to the rigid displacements whose loads are prescribed.
+    pub(super) fn prepare_deflation(
+        &mut self,
+        task: &TangentialTask<'_>,
+        state: &mut IterationState,
+    ) {
         if !task.rigid.is_loaded() {
             return;
         }
@@ -24,7 +28,7 @@ impl ActiveSet {
                 let [x, y] = self.admitted(task.cells[i], i, [x, y]);
                 (self.rest[0][i], self.rest[1][i]) = (x, y);
             }
-            self.invert(task.cells, course);
+            self.invert(task.cells, state);
             for axis in 0..2 {
                 self.deflation.corrections[k][axis].clone_from(&self.preconditioned[axis]);
             }
@@ -32,13 +36,15 @@ impl ActiveSet {
         let mut deflation = std::mem::take(&mut self.deflation);
         deflation.prepare(&task.rigid, |i| {
             let (x, y) = (self.centres[0][i], self.centres[1][i]);
-            // A correction lies in what its cell admits, so that the whole displacement will do.
+            // A correction satisfies the constraints of its cell, so that the whole displacement
+            // can be used.
             [Vector3::new(1.0, 0.0, y), Vector3::new(0.0, 1.0, -x)]
         });
         self.deflation = deflation;
     }
 
-    /// Makes `direction`, which is subtracted, lead to the given loads.
+    /// Changes `direction`, which will be subtracted, so that the tractions have the prescribed
+    /// loads.
     pub(super) fn restore_loads(&mut self, task: &TangentialTask<'_>) {
         if !task.rigid.is_loaded() {
             return;
@@ -59,7 +65,7 @@ impl ActiveSet {
         }
     }
 
-    /// Moves what has a given load so that corrections have none of their own.
+    /// Adjusts the shifts whose loads are prescribed, so that corrections do not change the loads.
     pub(super) fn deflate(&mut self, task: &mut TangentialTask<'_>) {
         if !task.rigid.is_loaded() {
             return;
@@ -70,19 +76,19 @@ impl ActiveSet {
         }
         let moved = self.deflation.parts(&loads);
         for i in 0..task.limits.len() {
-            let went = rigid::displacement(&moved, self.centres[0][i], self.centres[1][i]);
-            let [x, y] = self.admitted(task.cells[i], i, went);
+            let convergence = rigid::displacement(&moved, self.centres[0][i], self.centres[1][i]);
+            let [x, y] = self.admitted(task.cells[i], i, convergence);
             self.rest[0][i] -= x;
             self.rest[1][i] -= y;
-            self.slip[0][i] -= went[0];
-            self.slip[1][i] -= went[1];
+            self.slip[0][i] -= convergence[0];
+            self.slip[1][i] -= convergence[1];
         }
         for k in 0..3 {
             task.rigid.moved[k] += moved[k];
         }
     }
 
-    /// How far the loads are from the given ones, as a mean traction.
+    /// The error of the loads, as a mean traction.
     pub(super) fn unbalance(&self, task: &TangentialTask<'_>, touching: usize) -> f64 {
         if !task.rigid.is_loaded() {
             return 0.0;

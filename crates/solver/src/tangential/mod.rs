@@ -1,13 +1,13 @@
-//! The tangential problem at known pressures, started from coarser grids.
+//! The tangential problem at given pressures, started from coarser grids.
 
 mod active_set;
+mod compressed;
 mod contact;
-mod course;
 mod descent;
+mod iteration_state;
 mod law;
 mod limit_surface;
 mod loads;
-mod packed;
 mod precondition;
 mod rigid;
 mod search;
@@ -24,24 +24,24 @@ use crate::state::CellState;
 use active_set::{ActiveSet, Limits, Plane};
 
 pub(crate) use active_set::TangentialTask;
-pub(crate) use law::within;
+pub(crate) use law::project_to_disc;
 pub(crate) use limit_surface::LimitSurface;
 pub(crate) use rigid::Rigid;
 
-/// Coarse grids stop when a correction changes the tractions by less than this, the coarsest by
-/// less than a tenth of it.
+/// The iteration on coarse grids stops when a correction changes the tractions by less than this
+/// fraction, on the coarsest grid by less than a tenth of it.
 const COARSE_CHANGE: f64 = 1e-2;
-/// Rings of cells around the contact to which tractions over their limits are continued.
-const RINGS: usize = 2;
+/// Number of rings of cells around the contact to which the ratio of traction to bound is extended.
+const EXTENSION_RINGS: usize = 2;
 
-/// The grids below that of the problem, finest first, and the working memory of all.
+/// The coarser grids of the problem, finest first, and the working memory of all grids.
 #[derive(Clone)]
 pub(crate) struct TangentialScratch {
     set: ActiveSet,
     coarse: Vec<Level>,
-    /// Whether given loads are found by their motions in this step.
+    /// Whether prescribed loads are found by iterating on the shifts in this step.
     by_motions: bool,
-    /// Where a task with given loads began.
+    /// Initial tractions of a task with prescribed loads.
     begun: Plane,
     cells: Vec<CellState>,
 }
@@ -104,8 +104,8 @@ impl Level {
         Ok(convergence)
     }
 
-    /// Tractions over their limits pass to the finer grid; where half of what lies around slips, so
-    /// does the fine cell, and has its full traction.
+    /// Passes the ratio of traction to bound to the finer grid. A fine cell slips, with its full
+    /// traction, if half of the coarse cells around it slip.
     fn pass_on(
         &self,
         fine: Grid,
@@ -118,7 +118,7 @@ impl Level {
         let spread = |value: &dyn Fn(usize) -> f64| {
             let value = |i: usize| if known[i] { value(i) } else { 0.0 };
             let mut values: Vec<f64> = (0..known.len()).map(value).collect();
-            nested::extended(self.grid, &mut values, &known, RINGS);
+            nested::extended(self.grid, &mut values, &known, EXTENSION_RINGS);
             values
         };
         let ratio = |axis: usize| spread(&|i| self.traction[axis][i] / unit(self.limits[i]));
@@ -152,12 +152,13 @@ impl TangentialScratch {
         Self { set: ActiveSet::new(operator), coarse, by_motions, begun, cells }
     }
 
-    /// Forgets how given loads were found in the last step.
+    /// Forgets how prescribed loads were found in the last step.
     pub(crate) fn begin_step(&mut self) {
         self.by_motions = false;
     }
 
-    /// Finds given loads by their motions from now on: they are close to what friction can hold.
+    /// From now on finds prescribed loads by iterating on the shifts: the loads are close to the
+    /// limit.
     pub(crate) fn find_by_motions(&mut self) {
         self.by_motions = true;
     }
@@ -184,11 +185,11 @@ impl TangentialScratch {
         }
         self.cells.clear();
         self.cells.extend_from_slice(task.cells);
-        let went = self.set.solve(task, limits, observer)?;
-        if matches!(went.stop, Stop::Converged | Stop::Observer) {
-            return Ok(went);
+        let convergence = self.set.solve(task, limits, observer)?;
+        if matches!(convergence.stop, Stop::Converged | Stop::Observer) {
+            return Ok(convergence);
         }
-        // Loads that corrections without loads do not find.
+        // Deflated corrections do not reach these loads.
         self.by_motions = true;
         for (begun, traction) in self.begun.iter().zip(&mut task.traction) {
             traction.copy_from_slice(begun);
@@ -196,11 +197,11 @@ impl TangentialScratch {
         task.cells.copy_from_slice(&self.cells);
         task.rigid = given;
         let more = self.set.solve_by_motions(task, limits, observer)?;
-        Ok(Convergence { products: went.products.plus(more.products), ..more })
+        Ok(Convergence { products: convergence.products.plus(more.products), ..more })
     }
 
-    /// Replaces the start of a task by the solution of coarser grids; what that cost, in products of
-    /// the finest. Nothing is done where there is none.
+    /// Replaces the start of a task by the solution on coarser grids. Returns the cost, in products
+    /// on the finest grid. Does nothing if there are no coarser grids.
     pub(crate) fn start(
         &mut self,
         task: &mut TangentialTask<'_>,
@@ -208,7 +209,7 @@ impl TangentialScratch {
         iterations: usize,
     ) -> Result<Products, OperatorError> {
         let mut spent = Products::default();
-        // Coarse cells do not hold just the same loads.
+        // Coarse cells hold slightly different loads.
         if self.by_motions {
             return Ok(spent);
         }

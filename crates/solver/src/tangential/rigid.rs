@@ -1,23 +1,23 @@
-//! Rigid shifts and twist of which the load is given.
+//! Rigid shifts and twist whose loads are prescribed.
 
 use nalgebra::{Matrix3, Vector3};
 
 use super::active_set::Plane;
 
-/// Shift along x, shift along y, twist: which of them have a given load, and how far they go.
+/// Shift along x, shift along y, twist: which of them have a prescribed load, and their values.
 ///
-/// Their displacements are (1, 0), (0, 1) and (y, -x) (12.2), their loads the sums of the tractions
-/// times these.
+/// Their displacements are (1, 0), (0, 1) and (y, -x) (12.2). Their loads are the sums of the
+/// tractions times these displacements.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Rigid {
-    /// Loads over the area of a cell; none where the shift is given.
+    /// Loads divided by the area of a cell; `None` where the shift is prescribed.
     pub(crate) loads: [Option<f64>; 3],
-    /// How far what has a given load goes in this step; zero for the others.
+    /// Shift in this step where the load is prescribed; zero otherwise.
     pub(crate) moved: [f64; 3],
 }
 
 impl Rigid {
-    /// Whether any load is given.
+    /// Whether any load is prescribed.
     pub(super) fn is_loaded(&self) -> bool {
         self.loads.iter().any(Option::is_some)
     }
@@ -27,7 +27,7 @@ impl Rigid {
         Self { loads: self.loads.map(|load| load.map(|load| load / times_larger)), ..*self }
     }
 
-    /// How far tractions are from the given loads; zero where there is none.
+    /// Loads of tractions minus the prescribed ones; zero where no load is prescribed.
     pub(super) fn excess(&self, centres: &Plane, traction: [&[f64]; 2]) -> Vector3<f64> {
         if !self.is_loaded() {
             return Vector3::zeros();
@@ -42,7 +42,7 @@ pub(super) fn displacement(motion: &Vector3<f64>, x: f64, y: f64) -> [f64; 2] {
     [motion[0] + y * motion[2], motion[1] - x * motion[2]]
 }
 
-/// Sums of a field times the displacements of the three motions.
+/// ViolationSums of a field times the displacements of the three motions.
 pub(super) fn sums(centres: &Plane, field: [&[f64]; 2]) -> Vector3<f64> {
     let mut sums = Vector3::zeros();
     let cells = centres[0].iter().zip(&centres[1]).zip(field[0].iter().zip(field[1]));
@@ -52,18 +52,18 @@ pub(super) fn sums(centres: &Plane, field: [&[f64]; 2]) -> Vector3<f64> {
     sums
 }
 
-/// Corrections, one for each given load, that a preconditioner makes of the rigid displacements: to
-/// stay orthogonal to their residuals is to have no load.
+/// Corrections, one for each prescribed load: the preconditioner applied to the rigid
+/// displacements. A correction orthogonal to their residuals does not change the loads.
 #[derive(Clone, Default)]
 pub(super) struct Deflation {
     pub(super) corrections: [Plane; 3],
-    /// From loads to parts of the corrections.
+    /// Maps loads to coefficients of the corrections.
     inverse: Matrix3<f64>,
 }
 
 impl Deflation {
-    /// `corrections` holds those of the given loads; `admitted` the displacements themselves as far
-    /// as the cells admit them.
+    /// Sets up the deflation. `corrections` holds those of the prescribed loads; `admitted` gives
+    /// the components of the displacements that the cells admit.
     pub(super) fn prepare(&mut self, rigid: &Rigid, admitted: impl Fn(usize) -> [Vector3<f64>; 2]) {
         let mut gram = Matrix3::identity();
         for k in (0..3).filter(|&k| rigid.loads[k].is_some()) {
@@ -79,11 +79,11 @@ impl Deflation {
                 gram[(l, k)] = column[l];
             }
         }
-        // Where nothing can move there is nothing to correct.
+        // If no cell can move, there is nothing to correct.
         self.inverse = (0.5 * (gram + gram.transpose())).try_inverse().unwrap_or_default();
     }
 
-    /// The parts of the corrections that have these loads.
+    /// The coefficients of the corrections that have these loads.
     pub(super) fn parts(&self, loads: &Vector3<f64>) -> Vector3<f64> {
         self.inverse * loads
     }

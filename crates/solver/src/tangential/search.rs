@@ -1,50 +1,51 @@
-//! Given loads close to what friction can hold: found by the motions that lead to them.
+//! Prescribed loads close to the friction limit, found by iterating on the shifts.
 //!
-//! There the loads hardly answer to the motions: all cells slip, each pulls nearly the way the bodies
-//! go, and what is missing to the limit falls as the inverse square of the distance. Corrections
-//! without loads of their own, which serve elsewhere, have no direction left. At given motions
-//! the problem stays well posed. The motions are the maximum of a concave function, whose
-//! gradient is what the loads are off; Newton's method finds them with the loads L stretched to
-//! `L / sqrt(1 - g^2)`, where g is the part of the limit that they use. That grows with the distance.
+//! Close to the limit the loads hardly depend on the shifts: all cells slip almost in the direction
+//! of the rigid motion, and the distance to the limit falls with the inverse square of the shift.
+//! Deflated corrections, which are used elsewhere, have no direction left. With prescribed shifts
+//! the problem stays well posed. The shifts maximise a concave function whose gradient is the error
+//! of the loads. Newton's method finds them with the loads L scaled to `L / sqrt(1 - g^2)`, where g
+//! is the fraction of the limit that they use: the scaled loads grow linearly with the shift.
 
 use carom_halfspace::operator::OperatorError;
 use nalgebra::{Matrix3, Vector3};
 
 use super::active_set::{ActiveSet, Limits, Plane, TangentialTask, dot};
-use super::course::Course;
+use super::iteration_state::IterationState;
 use super::law::force_scale;
 use super::limit_surface::LimitSurface;
 use super::rigid::{self, Rigid};
 use crate::convergence::{Convergence, Observer, Products, Residuals, Stop};
 use crate::state::CellState;
 
-/// Newton's steps of one search.
-const STEPS: usize = 60;
-/// How often one of them is halved.
+/// Greatest number of Newton steps of one search.
+const NEWTON_STEPS: usize = 60;
+/// Greatest number of halvings of a Newton step.
 const HALVINGS: usize = 30;
-/// Part of the tolerance to which tractions are found at given motions.
-const TIGHT: f64 = 0.3;
-/// What is left of the answers of the tractions to a motion, over what there was.
-const ANSWERED: f64 = 1e-6;
-/// Gradient steps for one of them.
-const GRADIENTS: usize = 100;
+/// Fraction of the tolerance to which tractions are solved at prescribed shifts.
+const INNER_TOLERANCE: f64 = 0.3;
+/// Relative residual to which the response to a shift is solved.
+const RESPONSE_RESIDUAL: f64 = 1e-6;
+/// Greatest number of conjugate-gradient steps for one response.
+const GRADIENT_STEPS: usize = 100;
 
 /// The working memory of a search.
 #[derive(Clone, Default)]
 pub(super) struct Search {
     surface: LimitSurface,
-    /// Where the last step began.
+    /// Tractions at the beginning of the last step.
     traction: Plane,
     cells: Vec<CellState>,
 }
 
-/// Loads, stretched so that they grow with the motions, and how that answers to the loads.
+/// Scaled loads, which grow linearly with the shifts, and their derivative with respect to the
+/// loads.
 struct Stretched {
     loads: Vector3<f64>,
     slope: Matrix3<f64>,
 }
 
-/// Stretches loads; none beyond the limit.
+/// Scales loads; `None` beyond the limit.
 fn stretched(surface: &LimitSurface, loads: &Vector3<f64>) -> Option<Stretched> {
     let used = surface.used(loads);
     let missing = (1.0 - used.part) * (1.0 + used.part);
@@ -58,7 +59,7 @@ fn stretched(surface: &LimitSurface, loads: &Vector3<f64>) -> Option<Stretched> 
 }
 
 impl ActiveSet {
-    /// Solves a packed task with given loads.
+    /// Solves a compressed task with prescribed loads.
     pub(super) fn search(
         &mut self,
         task: &mut TangentialTask<'_>,
@@ -67,9 +68,9 @@ impl ActiveSet {
         observer: &mut dyn Observer,
     ) -> Result<Convergence, OperatorError> {
         let mut search = std::mem::take(&mut self.search);
-        let went = self.search_with(&mut search, task, limits, cells, observer);
+        let convergence = self.search_with(&mut search, task, limits, cells, observer);
         self.search = search;
-        went
+        convergence
     }
 
     fn search_with(
@@ -93,7 +94,7 @@ impl ActiveSet {
         let arms = arms(task);
         let size = |loads: &Vector3<f64>| loads.component_div(&arms).norm();
         let mut reached = self.at_motions(task, limits, cells, observer)?;
-        for step in 0..=STEPS {
+        for step in 0..=NEWTON_STEPS {
             let got = self.given_loads(task, &given);
             task.rigid.loads = given;
             let unbalance = self.unbalance(task, touching) / scale;
@@ -101,7 +102,7 @@ impl ActiveSet {
             if reached.stop != Stop::Converged || unbalance <= limits.tolerance {
                 return Ok(reached);
             }
-            if step == STEPS {
+            if step == NEWTON_STEPS {
                 break;
             }
             let answers = self.answers(task, &given, &mut reached.products)?;
@@ -153,13 +154,13 @@ impl ActiveSet {
         Ok(reached)
     }
 
-    /// The loads whose motions are given, zero for the others.
+    /// The loads that are prescribed; zero for the other motions.
     fn given_loads(&self, task: &TangentialTask<'_>, given: &[Option<f64>; 3]) -> Vector3<f64> {
         let sums = rigid::sums(&self.centres, [task.traction[0], task.traction[1]]);
         Vector3::from_fn(|k, _| if given[k].is_some() { sums[k] } else { 0.0 })
     }
 
-    /// Tractions at the motions of a task.
+    /// Solves for the tractions at the shifts of a task.
     fn at_motions(
         &mut self,
         task: &mut TangentialTask<'_>,
@@ -169,13 +170,15 @@ impl ActiveSet {
     ) -> Result<Convergence, OperatorError> {
         let given = task.rigid;
         task.rigid = Rigid { loads: [None; 3], ..given };
-        let limits = Limits { tolerance: TIGHT * limits.tolerance, change: 0.0, ..limits };
-        let went = self.iterate(task, limits, cells, observer);
+        let limits =
+            Limits { tolerance: INNER_TOLERANCE * limits.tolerance, change: 0.0, ..limits };
+        let convergence = self.iterate(task, limits, cells, observer);
         task.rigid.loads = given.loads;
-        went
+        convergence
     }
 
-    /// How the given loads answer to their motions while no cell changes what it does.
+    /// The derivative of the prescribed loads with respect to their shifts, at fixed states of the
+    /// cells.
     fn answers(
         &mut self,
         task: &TangentialTask<'_>,
@@ -193,7 +196,7 @@ impl ActiveSet {
         Ok(0.5 * (answers + answers.transpose()))
     }
 
-    /// Rims and bends of a solution.
+    /// Rim directions and curvature terms of a solution.
     fn linearise(&mut self, task: &TangentialTask<'_>) {
         for (i, limit) in task.limits.iter().enumerate() {
             self.bend[i] = 0.0;
@@ -208,14 +211,14 @@ impl ActiveSet {
         self.weigh();
     }
 
-    /// The loads of the tractions that a unit of one motion leads to: conjugate gradients.
+    /// The loads of the tractions due to a unit of one motion, by conjugate gradients.
     fn answer(
         &mut self,
         task: &TangentialTask<'_>,
         k: usize,
         products: &mut Products,
     ) -> Result<Vector3<f64>, OperatorError> {
-        let mut course = Course::default();
+        let mut state = IterationState::default();
         let motion = Vector3::from_fn(|l, _| f64::from(u8::from(l == k)));
         for i in 0..task.limits.len() {
             let whole = rigid::displacement(&motion, self.centres[0][i], self.centres[1][i]);
@@ -223,16 +226,16 @@ impl ActiveSet {
             (self.rest[0][i], self.rest[1][i]) = (x, y);
         }
         let mut loads = Vector3::zeros();
-        let mut power = self.invert(task.cells, &mut course);
-        let least = ANSWERED * ANSWERED * power;
+        let mut power = self.invert(task.cells, &mut state);
+        let least = RESPONSE_RESIDUAL * RESPONSE_RESIDUAL * power;
         for axis in 0..2 {
             self.direction[axis].copy_from_slice(&self.preconditioned[axis]);
         }
-        for _ in 0..GRADIENTS {
+        for _ in 0..GRADIENT_STEPS {
             if power.is_nan() || power <= least {
                 break;
             }
-            self.multiply(task.operator, &mut course.products)?;
+            self.multiply(task.operator, &mut state.products)?;
             for i in 0..task.limits.len() {
                 let own =
                     [0, 1].map(|axis| self.image[axis][i] + self.bend[i] * self.direction[axis][i]);
@@ -249,7 +252,7 @@ impl ActiveSet {
             for (rest, image) in self.rest.iter_mut().zip(&self.image) {
                 rest.iter_mut().zip(image).for_each(|(rest, image)| *rest -= length * image);
             }
-            let next = self.invert(task.cells, &mut course);
+            let next = self.invert(task.cells, &mut state);
             let share = next / power;
             for (direction, step) in self.direction.iter_mut().zip(&self.preconditioned) {
                 let both = direction.iter_mut().zip(step);
@@ -257,12 +260,12 @@ impl ActiveSet {
             }
             power = next;
         }
-        *products = products.plus(course.products);
+        *products = products.plus(state.products);
         Ok(loads)
     }
 }
 
-/// What makes of loads forces: torques over the radius of the grid.
+/// Lengths that convert loads to forces: the radius of the grid for the torque.
 fn arms(task: &TangentialTask<'_>) -> Vector3<f64> {
     let grid = task.operator.grid();
     let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());

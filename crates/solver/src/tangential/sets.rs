@@ -1,32 +1,32 @@
-//! What sticks and what slips: tractions are taken to their discs.
+//! The sets of sticking and slipping cells: projection of tractions onto their discs.
 
 use carom_halfspace::operator::OperatorError;
 
 use super::active_set::{ActiveSet, TangentialTask};
-use super::course::Course;
-use super::law::{Off, REACHED};
+use super::iteration_state::IterationState;
+use super::law::{REACHED, Violation};
 use crate::state::CellState;
 
-/// Part of a preconditioned step beside projections.
+/// Fraction of a preconditioned step that is made together with a projection.
 const DAMPING: f64 = 0.4;
-/// A disc smaller than this part of what sticking would take cannot hold its cell.
-const TINY: f64 = 0.003;
+/// A cell slips if its bound is below this fraction of the traction that sticking would need.
+const NEGLIGIBLE_BOUND: f64 = 0.003;
 
 impl ActiveSet {
-    /// Projects tractions to their discs and decides what sticks and what slips.
+    /// Projects tractions onto their discs and decides which cells stick and which slip.
     pub(super) fn change_sets(
         &mut self,
         task: &mut TangentialTask<'_>,
         violation: f64,
-        course: &mut Course,
-    ) -> Result<Off, OperatorError> {
-        let damping = if course.careful(violation) { 0.0 } else { DAMPING };
-        course.changes(violation);
+        state: &mut IterationState,
+    ) -> Result<Violation, OperatorError> {
+        let damping = if state.careful(violation) { 0.0 } else { DAMPING };
+        state.changes(violation);
         let projected = self.project(task);
         self.weigh();
-        self.prepare_deflation(task, course);
-        let power = self.precondition_projected(task, course);
-        course.power = None;
+        self.prepare_deflation(task, state);
+        let power = self.precondition_projected(task, state);
+        state.power = None;
         if projected || self.excess(task).norm() > 0.0 {
             for axis in 0..2 {
                 let steps = self.direction[axis].iter_mut().zip(&self.preconditioned[axis]);
@@ -34,17 +34,17 @@ impl ActiveSet {
             }
             self.restore_loads(task);
             if self.runs_away() {
-                return Ok(Off::LOST);
+                return Ok(Violation::LOST);
             }
-            self.multiply(task.operator, &mut course.products)?;
-            Ok(self.correct(task, 1.0, course))
+            self.multiply(task.operator, &mut state.products)?;
+            Ok(self.correct(task, 1.0, state))
         } else {
-            self.gradient_step(task, power, course)
+            self.gradient_step(task, power, state)
         }
     }
 
-    /// Sets the states, the rims and the bends, and puts into `direction` what takes tractions to
-    /// their discs (to be subtracted). Whether that is anything.
+    /// Sets states, rims and curvature terms, and writes the correction that takes tractions to
+    /// their discs to `direction` (to be subtracted). Returns whether it is not zero.
     fn project(&mut self, task: &mut TangentialTask<'_>) -> bool {
         let mut any = false;
         for i in 0..task.limits.len() {
@@ -58,9 +58,9 @@ impl ActiveSet {
                 if norm > 0.0 { (self.slip[0][i] * x + self.slip[1][i] * y) / norm } else { 0.0 };
             let pulled = [x - self.slip[0][i] / self.own, y - self.slip[1][i] / self.own];
             let pull = (pulled[0] * pulled[0] + pulled[1] * pulled[1]).sqrt();
-            // Slip opposes the traction; a cell that is pushed out begins to slip, and one whose disc
-            // is tiny beside what it would take to stick does.
-            let tiny = limit < TINY * pull;
+            // Slip opposes the traction. A cell pushed out of its disc begins to slip, and so does
+            // one whose bound is negligible compared with the traction that sticking would need.
+            let tiny = limit < NEGLIGIBLE_BOUND * pull;
             let slips = (norm > limit && !slipped) || ((at_rim || slipped) && along < 0.0);
             let target = if tiny || (slips && norm > 0.0) {
                 task.cells[i] = CellState::Slip;

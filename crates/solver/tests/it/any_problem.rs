@@ -1,5 +1,6 @@
-//! Contacts of any shape, material, friction and drive, drawn at random: each step obeys contact and
-//! friction, warms every cell, and is the same by shift and by load, from coarse grids and without.
+//! Random contacts of any shape, material, friction and drive: each step satisfies the conditions
+//! of contact and friction, has no negative friction heat in any cell, and is the same when driven
+//! by shifts or by loads, started from coarse grids or not.
 
 use std::sync::Arc;
 
@@ -16,7 +17,7 @@ use carom_solver::{
     violations,
 };
 
-/// Numbers without a pattern from a seed.
+/// Pseudo-random numbers from a seed.
 struct Random(u64);
 
 impl Random {
@@ -43,7 +44,7 @@ impl Random {
     }
 }
 
-/// An operator that knows no coarser grids.
+/// An operator without coarser grids.
 struct OneGrid(HalfSpaceOperator);
 
 impl SurfaceOperator for OneGrid {
@@ -73,11 +74,12 @@ impl SurfaceOperator for OneGrid {
     }
 }
 
-/// A problem, the same on one grid alone, and what kind of problem it is.
+/// A problem, the same problem on one grid only, and its description.
 struct Case {
     problem: ContactProblem,
     alone: Option<ContactProblem>,
-    /// Static friction above the kinetic one: which cells break depends on the way a load is reached.
+    /// Static friction exceeds kinetic friction: which cells change to kinetic friction depends on
+    /// the path of the load.
     breaks: bool,
     periodic: bool,
     steps: Vec<Shift>,
@@ -85,8 +87,8 @@ struct Case {
 }
 
 impl Case {
-    /// On a period the approach counts from the mean plane, and no force takes that beyond all
-    /// heights: it is pressed by a force.
+    /// On a period the approach is measured from the mean plane, and no force makes it exceed all
+    /// heights: the normal motion is driven by a force.
     fn drive(&self, shift: Shift) -> Drive {
         let drive = Drive::by_shift(shift);
         let force = Driven::Load(shift.zeta.max(0.0));
@@ -182,7 +184,7 @@ fn step(
     Ok(to)
 }
 
-/// The greatest difference of pressures and tractions, over the greatest pressure.
+/// The greatest difference of pressures and tractions, relative to the greatest pressure.
 fn difference(a: &ContactState, b: &ContactState) -> f64 {
     let top = a.pressure.values().iter().copied().fold(0.0, f64::max);
     let fields = [
@@ -196,7 +198,7 @@ fn difference(a: &ContactState, b: &ContactState) -> f64 {
     differences.fold(0.0, f64::max) / top.max(f64::MIN_POSITIVE)
 }
 
-/// The drive of a shift, with the loads of a state in the place of some shifts.
+/// The drive of a shift, with some shifts replaced by the loads of a state.
 fn by_load(case: &Case, shift: Shift, state: &ContactState) -> Drive {
     let load = state.load();
     let driven = |k: usize, shift: f64, load: f64| {
@@ -215,7 +217,7 @@ fn by_load(case: &Case, shift: Shift, state: &ContactState) -> Drive {
     }
 }
 
-/// What is wrong with the steps of a case.
+/// Describes what is wrong with the steps of a case.
 fn check(seed: u64) -> Result<(), String> {
     let case = case(seed);
     let method = Frictional::default();
@@ -240,7 +242,7 @@ fn check(seed: u64) -> Result<(), String> {
                 return Err(at(&format!("a cell cools by {:e} of the work", -least / scale)));
             }
         }
-        // Where next to nothing sticks a load says little of the shift.
+        // If almost nothing sticks, a load hardly determines the shift.
         let sticks = after.count(CellState::Stick) * 5 > touching;
         if sticks && case.breaks {
             match step(&case.problem, &mut scratch, &before, &by_load(&case, *shift, &after)) {
@@ -250,7 +252,7 @@ fn check(seed: u64) -> Result<(), String> {
                         return Err(at(&format!("by load {left:?}")));
                     }
                 }
-                // Cells that break let the others go.
+                // Cells that change to kinetic friction make others slip.
                 Err(FrictionalError::Slides { .. } | FrictionalError::Turns { .. }) => {}
                 Err(error) => return Err(at(&format!("by load: {error}"))),
             }
@@ -291,7 +293,7 @@ fn any_step_of_many_more_contacts_obeys_its_laws() {
     all_hold(1000..2500);
 }
 
-/// The rigid shift ran away while all cells slipped one way.
+/// The rigid shift diverged while all cells slipped in one direction.
 #[test]
 fn a_shift_that_has_run_away_comes_back() {
     all_hold(1032..1033);

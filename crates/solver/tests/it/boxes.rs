@@ -1,4 +1,4 @@
-//! Steps on a box about the contact: the solution of the whole window, whatever the contact does.
+//! Steps on a box around the contact have the solution of the whole window.
 
 use std::sync::Arc;
 
@@ -14,7 +14,7 @@ use carom_solver::{
     FrictionalScratch, Gap, Method as _, violations,
 };
 
-/// An operator that knows no part of itself.
+/// An operator that cannot be restricted to a part of its grid.
 struct Whole(HalfSpaceOperator);
 
 impl SurfaceOperator for Whole {
@@ -72,8 +72,8 @@ fn step(
     Ok((to, went.products.normal + went.products.tangential))
 }
 
-/// The greatest differences of tractions over the greatest pressure, and of displacements over the
-/// greatest displacement.
+/// The greatest differences of tractions relative to the greatest pressure, and of displacements
+/// relative to the greatest displacement.
 fn apart(a: &ContactState, b: &ContactState) -> [f64; 2] {
     let most =
         |a: &[f64], b: &[f64]| a.iter().zip(b).map(|(a, b)| (a - b).abs()).fold(0.0_f64, f64::max);
@@ -93,7 +93,7 @@ fn by(zeta: f64, xi: f64, eta: f64, omega: f64) -> Drive {
     Drive::by_shift(Shift { zeta, xi, eta, omega })
 }
 
-/// Follows the drives on both problems; how many times fewer products the boxes took.
+/// Follows the drives on both problems. Returns the ratio of the numbers of products.
 fn follow(problems: &[ContactProblem; 2], drives: &[Drive], most: f64) -> f64 {
     let method = Frictional::default();
     let mut scratches = problems.each_ref().map(|problem| method.scratch(problem).unwrap());
@@ -129,7 +129,7 @@ fn press_and_pull() -> Vec<Drive> {
     ]
 }
 
-/// A contact away from the middle that grows, shrinks, parts and returns.
+/// A contact away from the centre that grows, shrinks, separates and returns.
 #[test]
 fn a_small_contact_is_that_of_the_whole_window() {
     for poisson in [[0.3, 0.3], [0.0, 0.0], [0.1, 0.4]] {
@@ -140,7 +140,7 @@ fn a_small_contact_is_that_of_the_whole_window() {
     }
 }
 
-/// A twist is about the middle of the window, wherever the contact lies.
+/// A twist is taken about the centre of the window, wherever the contact lies.
 #[test]
 fn a_twist_keeps_its_middle() {
     let ball = |x: f64, y: f64| 0.5 * ((x - 0.2).powi(2) + (y + 0.1).powi(2));
@@ -151,7 +151,7 @@ fn a_twist_keeps_its_middle() {
     follow(&both([0.1, 0.4], ball), &drives[..2], 1e-6);
 }
 
-/// A contact that goes from one hill to another far off as the load grows.
+/// A contact that moves from one hill to a distant one as the load grows.
 #[test]
 fn a_second_contact_far_away_is_found() {
     let hills = |x: f64, y: f64| {
@@ -162,8 +162,8 @@ fn a_second_contact_far_away_is_found() {
     follow(&both([0.3, 0.3], hills), &drives, 1e-6);
 }
 
-/// A spike narrower than the coarse cells that look for the contact: what is found there overlaps
-/// elsewhere, and all cells are solved.
+/// A spike narrower than the coarse cells of the pilot solve: the bodies overlap outside the box,
+/// and all cells are solved.
 #[test]
 fn a_spike_that_coarse_cells_miss_is_found() {
     let is_spike = |x: f64, y: f64| (x + 1.5).abs().max((y - 1.0).abs()) < 0.013;
@@ -185,7 +185,7 @@ fn a_spike_that_coarse_cells_miss_is_found() {
     assert!(pressed.count() > 0, "the spike carries");
 }
 
-/// A run that is taken up again in mid-history goes on with the same bits.
+/// A history restored in the middle continues bit for bit.
 #[test]
 fn a_history_taken_up_again_has_the_same_bits() {
     let ball = |x: f64, y: f64| 0.5 * ((x - 0.5).powi(2) + (y + 0.6).powi(2));

@@ -21,8 +21,9 @@ const HISTORY: [[f64; 4]; 5] = [
     [0.7, -0.5, 0.0, 0.0],
 ];
 
-/// Passes of each step; counted by the products that couple, two a pass and one to begin. After 35
-/// passes Newton's method takes over, each of whose products counts like a pass but costs a tenth.
+/// Passes of each step, from the number of coupling products: two per pass and one at the start.
+/// After 35 passes Newton's method takes over; each of its products counts like a pass but costs a
+/// tenth.
 fn passes(poisson: f64, friction: f64) -> Vec<f64> {
     let problem = problem(48, poisson, friction);
     let method = Frictional::default();

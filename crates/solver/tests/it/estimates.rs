@@ -1,4 +1,4 @@
-//! Errors by the mesh, estimated and true, over contacts with known solutions.
+//! Estimated and true discretisation errors of contacts with known solutions.
 
 use std::f64::consts::PI;
 
@@ -6,20 +6,22 @@ use crate::known_solutions::Known;
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
-use carom_solver::{ContactProblem, Doubt, Drive, Estimated, Frictional, Gap, NestedHistory, Side};
+use carom_solver::{
+    ContactProblem, Drive, Estimated, Frictional, Gap, GridWarning, NestedHistory, Side,
+};
 
-/// Places of the contact between the cells, twenty of them, spread evenly.
+/// Twenty positions of the contact relative to the cells, evenly distributed.
 fn offsets() -> impl Iterator<Item = [f64; 2]> {
     (1..=20).map(|i| {
         [0.754_877_666, 0.569_840_291].map(|step: f64| (step * f64::from(i)).fract() - 0.5)
     })
 }
 
-/// Estimates over true errors, for loads and peak.
+/// Ratios of estimated to true errors, for loads and peak pressure.
 fn ratios(known: Known, cells: usize) -> Vec<(&'static str, f64, f64)> {
     let mut all = Vec::new();
     for offset in offsets() {
-        // The place is one of space: on coarser cells it is a smaller part.
+        // The position is fixed in space: on coarser cells it is a smaller fraction of a cell.
         let make = |grid: Grid| {
             let part = grid.nx() as f64 / cells as f64;
             known.problem(grid.nx(), offset.map(|at| part * at))
@@ -91,15 +93,15 @@ fn a_contact_at_the_border_or_of_few_cells_is_in_doubt() {
         let grid = known.problem(cells, offset).unwrap().grid();
         let mut history = NestedHistory::new(Frictional::default(), grid, make).unwrap();
         history.step(&known.drives(cells).unwrap()[0], &mut ()).unwrap();
-        history.state().doubts()
+        history.state().warnings()
     };
     assert_eq!(pressed(48, [0.0, 0.0]), []);
-    assert_eq!(pressed(48, [8.0, 0.0]), [Doubt::Border { side: Side::Right }]);
-    assert_eq!(pressed(48, [0.0, -8.0]), [Doubt::Border { side: Side::Bottom }]);
-    assert!(matches!(pressed(10, [0.0, 0.0])[..], [Doubt::FewCells { across: 8 }]));
+    assert_eq!(pressed(48, [8.0, 0.0]), [GridWarning::Border { side: Side::Right }]);
+    assert_eq!(pressed(48, [0.0, -8.0]), [GridWarning::Border { side: Side::Bottom }]);
+    assert!(matches!(pressed(10, [0.0, 0.0])[..], [GridWarning::FewCells { across: 8 }]));
 }
 
-/// A few cells stick, or none, and have no outline: their area is not known exactly.
+/// Few or no cells stick, without a contour: the area is not known exactly.
 #[test]
 fn a_stick_area_without_an_outline_has_an_error() {
     for xi in [0.05, 0.15, 0.18, 0.192, 0.197, 0.1999, 0.25, 1.0] {

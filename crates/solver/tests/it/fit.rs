@@ -1,4 +1,4 @@
-//! Windows and cells chosen from an accuracy: known contacts come out as exactly as was asked for.
+//! Windows and cells chosen for a required accuracy: known contacts have this accuracy.
 
 use carom_halfspace::operator::OperatorError;
 use carom_halfspace::{Material, MaterialPair};
@@ -10,7 +10,7 @@ use carom_solver::{
     Shape, Side, Window,
 };
 
-/// A shape whose origin lies at a place, between two bodies of shear modulus 2.
+/// A shape with its origin at a given point, between two bodies of shear modulus 2.
 fn fit(
     shape: &Shape,
     at: [f64; 2],
@@ -87,11 +87,11 @@ fn slender_and_distant_contacts_get_windows_of_their_own() {
     let grid = found.window.grid();
     let ratio = grid.dy() / grid.dx();
     assert!(ratio > 10.0 && ratio < 40.0, "{ratio}");
-    // A ball beside the origin.
+    // A ball away from the origin.
     let found = fit(&BALL, [0.3, -0.2], 0.0, 1.0, 1e-3, &[by_force(1e-3)]).unwrap();
     let [x, y] = found.window.middle();
     assert!((x - 0.3).abs() < 0.01 && (y + 0.2).abs() < 0.01, "{x} {y}");
-    // Twisted: torques count about the origin, which stays in the middle.
+    // Twisted: torques are taken about the origin, which stays at the centre.
     let twist = Drive { twist: Driven::Shift(0.001), ..by_force(1e-3) };
     let found = fit(&BALL, [0.03, 0.0], 0.5, 1.0, 1e-2, &[twist]).unwrap();
     assert_eq!(found.window.middle(), [0.0, 0.0]);
@@ -113,7 +113,7 @@ fn what_no_window_fits_says_so() {
     let cylinder = Shape::Cylinder { radius: 1.0 };
     let endless = error(fit(&cylinder, [0.0; 2], 0.0, 0.1, 1e-2, &[by_force(1e-3)]));
     assert!(matches!(endless, FitError::Endless { side: Side::Bottom | Side::Top }), "{endless}");
-    // An edge that cells cannot follow, to next to nothing.
+    // An edge that cells cannot resolve, for an accuracy that cannot be reached.
     let punch = Shape::Punch(Outline::Disc { radius: 0.5 });
     let pressed = Drive::by_shift(Shift { zeta: 0.01, ..Shift::default() });
     let error_now = error(fit(&punch, [0.0; 2], 0.0, 1.0, 1e-6, &[pressed]));
@@ -123,7 +123,7 @@ fn what_no_window_fits_says_so() {
     let slides = Drive { x: Driven::Load(1.0), ..by_force(1.0) };
     let slides = error(fit(&BALL, [0.0; 2], 0.5, 1.0, 1e-2, &[by_force(1.0), slides]));
     assert!(matches!(slides, FitError::Method(FrictionalError::Slides { .. })), "{slides}");
-    // Bodies apart fit anything.
+    // Any window fits separated bodies.
     let apart = Drive::by_shift(Shift { zeta: -1.0, ..Shift::default() });
     assert_eq!(fit(&BALL, [0.0; 2], 0.5, 1.0, 1e-2, &[apart]).unwrap().error, 0.0);
     assert_eq!(Accuracy::new(0.5).unwrap_err().field, "accuracy");

@@ -1,5 +1,5 @@
-//! Random histories of random contacts: the conditions of contact and friction, seen with products
-//! of the test's own.
+//! Random histories of random contacts satisfy the conditions of contact and friction, evaluated
+//! with products of the test itself.
 
 use carom_halfspace::operator::{DisplacementField, TractionField};
 use carom_halfspace::{Grid, Material, MaterialPair};
@@ -10,7 +10,7 @@ use carom_solver::{
 };
 use proptest::prelude::*;
 
-/// The greatest violations: gaps over the approach, slips and friction over f p_max.
+/// The greatest violations: gaps relative to the approach, slips and friction relative to f p_max.
 fn violations(problem: &ContactProblem, before: &ContactState, after: &ContactState) -> [f64; 2] {
     let operator = problem.operator();
     let cells = problem.grid().cells();
@@ -36,7 +36,8 @@ fn violations(problem: &ContactProblem, before: &ContactState, after: &ContactSt
         assert!(pressure >= 0.0 && gap.is_finite());
         normal = normal.max(if pressure > 0.0 { gap.abs() } else { -gap });
         approach = approach.max(after.shift.zeta - height);
-        // Infinite friction is met from below: at the edge a cell may slip with next to no pressure.
+        // Infinite friction is approximated from below: at the edge a cell may slip at almost no
+        // pressure.
         let f = problem.friction().at(i).motion().get().min(1e9);
         let limit = if pressure > 0.0 { f * pressure } else { 0.0 };
         top = top.max(if f < 1e9 { limit } else { 0.0 });
@@ -51,7 +52,7 @@ fn violations(problem: &ContactProblem, before: &ContactState, after: &ContactSt
         tangential = tangential.max((t[0] - part * pulled[0]).hypot(t[1] - part * pulled[1]));
         assert!(t[0].hypot(t[1]) <= limit * (1.0 + 1e-12), "cell {i}");
         assert_eq!(after.cells.values()[i] == CellState::Exterior, pressure == 0.0);
-        // The displacements are those that the next step must remember.
+        // The displacements are those that the next step needs.
         let scale = 1e-9 * own * (top + 1.0);
         let kept =
             [after.displacement_x.values()[i] - u[i], after.displacement_y.values()[i] - v[i]];
@@ -90,7 +91,8 @@ proptest! {
             let drive = Drive::by_shift(Shift { zeta, xi, eta, omega });
             let went = method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ());
             if let Err(error) = &went {
-                // Up to f |gamma| of ten every step is solved, beyond all but one in some hundred.
+                // Up to f |gamma| of ten every step is solved, above that all but one in some
+                // hundred.
                 let strong = friction * pair.gamma().abs() > 10.0;
                 prop_assert!(strong, "{error}");
                 prop_assert!(matches!(error, FrictionalError::NotConverged { .. }), "{}", error);

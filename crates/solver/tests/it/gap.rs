@@ -1,4 +1,4 @@
-//! The gap on a grid that is not square, with a shape that is not round.
+//! The gap on a grid and for a shape that are different along x and y.
 
 use approx::assert_relative_eq;
 use carom_geometry::{ContactPoint, Placed, Surface};
@@ -45,7 +45,7 @@ fn surfaces_in_space_make_the_gaps_of_their_formulas() {
     let height = |[a, b, c]: [f64; 3], x: f64, y: f64| {
         c * (1.0 - (1.0 - (x / a).powi(2) - (y / b).powi(2)).sqrt())
     };
-    // The contact turns the axes: compare at the same distances along the principal ones.
+    // The contact rotates the axes: compare at the same distances along the principal axes.
     let centre = *gap.heights().get(10, 10).unwrap();
     assert!(centre.abs() < 1e-12, "{centre}");
     for (i, at) in [(15, 0.25), (20, 0.5)] {
@@ -59,7 +59,7 @@ fn surfaces_in_space_make_the_gaps_of_their_formulas() {
         assert_relative_eq!(along, greater, epsilon = 1e-11);
         assert_relative_eq!(across, smaller, epsilon = 1e-11);
     }
-    // A small ball has an end.
+    // A small ball does not cover the grid.
     let ball = touching(Surface::sphere(0.3).unwrap(), 0.3, Surface::plane(), 0.0);
     assert!(ball.heights().get(0, 10).unwrap().is_infinite());
 }
@@ -118,7 +118,7 @@ fn a_wrong_height_map_says_where() {
 fn heights_may_stand_on_a_ball() {
     let grid = Grid::new(5, 3, 0.1, 0.4).unwrap();
     let flat = HeightMap::from_rows(&vec![vec![0.25; 5]; 3]).unwrap().gap_over(grid, 2.0).unwrap();
-    // Flat heights leave the paraboloid, from its middle.
+    // Zero heights leave the paraboloid, measured from its centre.
     for (gap, (x, y)) in flat.heights().values().iter().zip(grid.centres()) {
         assert_relative_eq!(*gap, 0.25 * (x * x + y * y), epsilon = 1e-15);
     }
@@ -134,14 +134,14 @@ fn a_rough_surface_is_the_same_on_any_grid_and_has_its_spectrum() {
     };
     assert_relative_eq!(rms(&coarse), 0.2, epsilon = 1e-12);
     assert_relative_eq!(rms(&fine), 0.2, epsilon = 1e-12);
-    // The middle one of three by three cells has the place of the coarse one.
+    // The central one of three by three cells has the position of the coarse cell.
     for (ix, iy) in [(0, 0), (5, 60), (33, 17)] {
         let (a, b) = (coarse.get(ix, iy).unwrap(), fine.get(3 * ix + 1, 3 * iy + 1).unwrap());
         assert_relative_eq!(*a, *b, epsilon = 1e-12);
     }
     assert_eq!(heights(64), coarse);
     assert_ne!(SelfAffine { seed: 8, ..surface }.heights(coarse.grid()).unwrap(), coarse);
-    // Slopes weigh waves by q^2: with H they fall.
+    // Slopes weight waves by q^2: they decrease with H.
     let slope = |hurst: f64| {
         let z = SelfAffine { hurst, ..surface }.heights(grid(192, 16.0 / 192.0)).unwrap();
         let steps = z.values().windows(2).map(|pair| (pair[1] - pair[0]).powi(2));

@@ -1,5 +1,5 @@
-//! Histories of an independent program (another method, same discretisation): loads, stick areas and
-//! tractions.
+//! Comparison with load histories of an independent program (another method, same discretisation):
+//! loads, stick areas and tractions.
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -13,7 +13,7 @@ fn number(value: &Value) -> f64 {
     value.as_f64().unwrap()
 }
 
-/// The states after each step, and how it went.
+/// The states and the convergence after each step.
 struct History {
     states: Vec<ContactState>,
     went: Vec<Convergence>,
@@ -65,7 +65,7 @@ fn follow(case: &Value, finest: usize) -> History {
     History { states, went }
 }
 
-/// On the grid of their values only convergence is left: theirs was 1e-7 to 1e-8.
+/// On the grid of the reference only its convergence error of 1e-7 to 1e-8 remains.
 #[test]
 fn loads_stick_areas_and_tractions_agree() {
     let all: Value = serde_json::from_str(include_str!("../data/histories.json")).unwrap();
@@ -79,14 +79,14 @@ fn loads_stick_areas_and_tractions_agree() {
             let loads = [(load.f_x, "Fx"), (load.f_y, "Fy"), (load.f_z, "Fz"), (-load.m_z, "Mz")];
             for (got, key) in loads {
                 let error = (got - number(&want[key])).abs();
-                // A hundredth of the error by the mesh.
+                // A hundredth of the discretisation error.
                 let bar = 0.01 * number(&want[format!("{key}_err")]);
                 assert!(error <= bar, "{name} {} {key}: {got} {} +- {bar}", at + 1, want[key]);
             }
             let (stick, slip) = (state.count(CellState::Stick), state.count(CellState::Slip));
             let part = stick as f64 / (stick + slip) as f64;
             let error = (part - number(&want["stick"])).abs();
-            // Of cells at the border of the stick area some are within their tolerance.
+            // Some cells at the border of the stick area are within the tolerance of the reference.
             let bar = (1.0 / (stick + slip) as f64).max(0.1 * number(&want["stick_err"]));
             assert!(error <= bar, "{name} {}: {part} {}", at + 1, want["stick"]);
         }

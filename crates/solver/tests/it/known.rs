@@ -1,4 +1,4 @@
-//! Errors of known contacts by the width of the cells.
+//! Discretisation errors of contacts with known solutions.
 
 use crate::known_solutions::Known;
 use carom_solver::{ContactState, Frictional, Method as _};
@@ -15,7 +15,7 @@ fn solved(known: Known, cells: usize) -> ContactState {
     state
 }
 
-/// Relative errors of the load that the contact is known for, or of its peak pressure.
+/// Relative errors of the characteristic load of the contact, or of its peak pressure.
 fn error(known: Known, cells: usize) -> f64 {
     let (state, want) = (solved(known, cells), known.expected(cells).unwrap());
     let (got, load) = (state.load(), want.load);
@@ -28,7 +28,7 @@ fn error(known: Known, cells: usize) -> f64 {
     got / want - 1.0
 }
 
-/// Bounds at 24, 48 and 96 cells, where 20, 40 and 80 lie across the contact.
+/// Bounds for 24, 48 and 96 cells, of which 20, 40 and 80 lie across the contact.
 #[test]
 fn errors_fall_with_the_cells() {
     let bounds = [

@@ -1,7 +1,7 @@
-//! Contacts whose solutions are known: for tests, benches and figures.
+//! Contacts with known solutions, for tests, benches and figures.
 //!
-//! All of them have a contact of radius or half-width 1 in a window of 2.4, on any number of cells,
-//! the middle of the contact anywhere between the cells.
+//! All have a contact of radius or half-width 1 in a window of 2.4 with any number of cells; the
+//! centre of the contact may lie anywhere relative to the cells.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -19,7 +19,7 @@ use carom_solver::{ContactProblem, Drive, Gap, ProblemError};
 const SIDE: f64 = 2.4;
 const FRICTION: f64 = 0.4;
 
-/// What is known of a solution; none where no closed form is.
+/// The known values of a solution; `None` without a closed form.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Expected {
     /// The loads.
@@ -30,10 +30,10 @@ pub(crate) struct Expected {
     pub(crate) stick_area: Option<f64>,
 }
 
-/// A contact with a closed solution, reached by a few drives one after the other.
+/// A contact with a closed-form solution, reached by a few drives.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub(crate) enum Known {
-    /// A sphere on an equal one, pressed: Hertz.
+    /// A sphere pressed on an equal one: Hertz.
     Hertz,
     /// The same shifted to half of the stick radius, nu = 0: Cattaneo and Mindlin.
     CattaneoMindlin,
@@ -43,7 +43,7 @@ pub(crate) enum Known {
     MindlinTorsion,
     /// A round flat punch, pressed.
     FlatPunch,
-    /// A wavy surface of which half touches: Westergaard.
+    /// A wavy surface of which half is in contact: Westergaard.
     Westergaard,
 }
 
@@ -72,8 +72,8 @@ impl Known {
         }
     }
 
-    /// The problem on `cells` by `cells` cells (a twelfth along the waves); `offset` is the place of the
-    /// middle of the contact, in cells.
+    /// The problem on `cells` by `cells` cells (a twelfth along the waves); `offset` is the
+    /// position of the centre of the contact, in cells.
     ///
     /// # Errors
     /// As [`ContactProblem::of_half_spaces`].
@@ -93,7 +93,7 @@ impl Known {
             match self {
                 Self::FlatPunch if x * x + y * y > 1.0 => f64::INFINITY,
                 Self::FlatPunch => 0.0,
-                // Curved as x^2/2 at its crests.
+                // Curved like x^2/2 at its crests.
                 Self::Westergaard => (SIDE / PI * libm::sin(PI * x / SIDE)).powi(2) / 2.0,
                 _ => 0.5 * (x * x + y * y),
             }
@@ -106,10 +106,10 @@ impl Known {
         ContactProblem::of_half_spaces(gap, pair, friction)
     }
 
-    /// The drives, first to last.
+    /// The drives, in order.
     ///
     /// # Errors
-    /// None in fact: its numbers are in range.
+    /// None in practice: the values are in range.
     pub(crate) fn drives(self, cells: usize) -> Result<Vec<Drive>, RangeError> {
         let by = |shift: Shift| Drive::by_shift(Shift { zeta: 1.0, ..shift });
         let pressed = by(Shift::default());
@@ -143,7 +143,7 @@ impl Known {
         Ok(Self::lubkin()?.twist() * limit / self.pair()?.shear_modulus())
     }
 
-    /// The mean pressure at which all of the wave touches, pi E* A/L.
+    /// The mean pressure for full contact of the wave, pi E* A/L.
     fn full_pressure(self) -> Result<f64, RangeError> {
         let pair = self.pair()?;
         let modulus = 2.0 * pair.shear_modulus() / (1.0 - pair.poisson());
@@ -152,10 +152,10 @@ impl Known {
         Ok(PI * modulus * amplitude / SIDE)
     }
 
-    /// What the last drive should lead to.
+    /// The expected result of the last drive.
     ///
     /// # Errors
-    /// None in fact: its numbers are in range.
+    /// None in practice: the values are in range.
     pub(crate) fn expected(self, cells: usize) -> Result<Expected, RangeError> {
         let (pair, force) = (self.pair()?, self.force()?);
         let hertz = Expected {
@@ -195,7 +195,7 @@ impl Known {
     }
 }
 
-/// Cells along the waves, so that a grid of half as many cells has half as many there too.
+/// The number of cells along the waves, such that half as many cells give half of it.
 const fn rows_along(cells: usize) -> usize {
     cells.div_ceil(12)
 }

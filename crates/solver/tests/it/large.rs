@@ -1,4 +1,4 @@
-//! Large grids: what memory they take, and the same bits on any number of threads.
+//! Large grids: memory use, and the same bits on any number of threads.
 
 use std::sync::Arc;
 
@@ -18,7 +18,7 @@ fn problem(n: usize, blocks: Blocks, threads: Threads, other: Material, f: f64) 
     ContactProblem::new(gap, Arc::new(operator), Friction::new(f).unwrap()).unwrap()
 }
 
-/// The greatest memory of this process, in megabytes; none where the system does not tell.
+/// The greatest memory use of this process, in megabytes; `None` if the system does not report it.
 fn most_memory() -> Option<f64> {
     let text = std::fs::read_to_string("/proc/self/status").ok()?;
     let line = text.lines().find(|line| line.starts_with("VmHWM:"))?;
@@ -66,7 +66,7 @@ fn a_million_coupled_cells_fit() {
     println!("1024 coupled: {:?} {:?} MB", went.products, most_memory());
 }
 
-/// One thread and two: the same solution to the bit, on the window and on a box about a small contact.
+/// One thread and two give the same bits, on the window and on a box around a small contact.
 #[test]
 fn threads_do_not_change_a_bit() {
     let pool = |count| rayon::ThreadPoolBuilder::new().num_threads(count).build().unwrap();

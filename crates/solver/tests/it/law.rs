@@ -1,4 +1,4 @@
-//! The numerical contact as a law: against the analytic one, on windows as on one large grid.
+//! The numerical contact law: compared with the analytic one, and on windows with one large grid.
 
 use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
@@ -27,7 +27,7 @@ fn shift(zeta: f64, xi: f64, eta: f64) -> Shift {
     Shift { zeta: zeta * APPROACH, xi: xi * APPROACH, eta: eta * APPROACH, omega: 0.0 }
 }
 
-/// Pressed and shifted at once, further, back, and let go; `steps` a leg.
+/// Pressed and shifted together, shifted further, back, and released; `steps` for each leg.
 fn path(steps: usize) -> Vec<Shift> {
     let corners = [(0.0, 0.0), (0.8, 0.1), (1.0, 0.4), (0.9, 0.0), (0.5, -0.1), (0.2, 0.0)];
     let legs = corners.windows(2).flat_map(|leg| {
@@ -44,8 +44,8 @@ fn follow<L: ContactLaw>(law: &mut L, path: &[Shift]) -> Vec<ContactLoad> {
     path.iter().map(|shift| law.advance(*shift).unwrap()).collect()
 }
 
-/// The greatest difference of F_x and F_z from the analytic law at the ends of the legs, over the
-/// greatest f F_z and F_z.
+/// The greatest differences of F_x and F_z from the analytic law at the ends of the legs, relative
+/// to the greatest f F_z and F_z.
 fn misfit(cells: usize, steps: usize) -> [f64; 2] {
     let (hertz, friction) = (hertz([0.0; 2], 1.0), Friction::new(0.5).unwrap());
     let path = path(steps);
@@ -76,7 +76,7 @@ fn windows_that_follow_the_contact_give_what_one_large_grid_gives() {
     for poisson in [[0.3, 0.3], [0.0, 0.5]] {
         let hertz = hertz(poisson, 3.0);
         let mut law = law(poisson, 3.0, 0.2, 18);
-        // No shifts while the contact grows: the law parts those among the cells that enter.
+        // No shifts while the contact grows: the law divides those among the cells that enter.
         let corners =
             [(0.3, 0.0), (0.6, 0.0), (0.6, 0.05), (0.5, 0.1), (1.0, 0.1), (1.0, 0.2), (0.8, 0.0)];
         let path = corners.into_iter().chain([(0.3, -0.1), (0.6, -0.1), (0.6, 0.2), (0.1, 0.1)]);
@@ -123,13 +123,13 @@ fn an_outgrown_grid_gets_wider_cells() {
     for i in 1..=40 {
         let load = law.advance(shift(2.0 * f64::from(i), 0.1 * f64::from(i), 0.0)).unwrap();
         let exact = hertz.force(2.0 * f64::from(i) * APPROACH);
-        // Dissimilar bodies with friction are stiffer by a percent.
+        // Dissimilar bodies with friction are stiffer by one percent.
         assert!((0.995..1.025).contains(&(load.f_z / exact)), "{i}: {}", load.f_z / exact);
         cells.push(law.state().unwrap().pressure.grid());
     }
     assert!(cells[39].dx() > 3.9 * cells[0].dx());
     assert!(cells.iter().all(|grid| grid.nx() <= 48));
-    // All at once: the same cells.
+    // In a single step: the same cells.
     let mut at_once = NumericalLaw::new(hertz, Friction::new(0.3).unwrap(), APPROACH, 16).unwrap();
     at_once.advance(shift(80.0, 4.0, 0.0)).unwrap();
     assert_eq!(at_once.state().unwrap().pressure.grid(), cells[39]);
@@ -141,7 +141,7 @@ fn shifts_before_touch_leave_no_trace() {
     late.advance(shift(-1.0, -2.0, 5.0)).unwrap();
     late.advance(shift(-0.5, 0.25, 0.0)).unwrap();
     assert!(late.state().is_none());
-    // From (-0.5, 0.25) straight to (0.5, 0.75): touch at xi = 0.5.
+    // From (-0.5, 0.25) straight to (0.5, 0.75): first contact at xi = 0.5.
     let load = late.advance(shift(0.5, 0.75, 0.0)).unwrap();
     straight.advance(shift(0.0, 0.5, 0.0)).unwrap();
     let expected = straight.advance(shift(0.5, 0.75, 0.0)).unwrap();
@@ -170,7 +170,7 @@ fn what_cannot_be_is_refused() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(12))]
 
-    /// A step that is tried and thrown away changes no bit of what follows.
+    /// A step that is tried and discarded does not change a bit of later steps.
     #[test]
     fn trials_leave_no_trace(
         steps in prop::collection::vec((-0.2_f64..1.5, -0.5_f64..0.5, -0.5_f64..0.5), 2..6),

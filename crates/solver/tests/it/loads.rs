@@ -1,4 +1,4 @@
-//! Motions driven by loads are the inverse of those driven by shifts.
+//! Driving motions by loads is the inverse of driving them by shifts.
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -30,7 +30,7 @@ fn driven(shift: bool, value: f64, load: f64) -> Driven {
     if shift { Driven::Shift(value) } else { Driven::Load(load) }
 }
 
-/// Follows the history by shifts, and again with some of the motions driven by the loads found.
+/// Follows the history by shifts, and again with some motions driven by the resulting loads.
 fn compare(problem: &ContactProblem, by_shift: [bool; 4]) {
     let method = Frictional::default();
     let mut scratch = method.scratch(problem).unwrap();
@@ -106,7 +106,7 @@ fn a_force_beyond_friction_slides() {
         assert!(matches!(error, FrictionalError::Slides { .. }), "{error}");
         assert!(error.to_string().ends_with("the bodies slide"), "{error}");
     }
-    // A torque beyond friction.
+    // A torque above the friction limit.
     let drive = Drive { normal: Driven::Load(1.0), twist: Driven::Load(1.0), ..Drive::default() };
     let went = method.step(&problem, &apart, &drive, &mut to, &mut scratch, &mut ());
     assert!(matches!(went, Err(FrictionalError::Turns { .. })), "{went:?}");

@@ -1,4 +1,4 @@
-//! The tests of `carom-solver` that see it as its users do: one executable, a module for each subject.
+//! The integration tests of `carom-solver`: one executable with a module for each subject.
 
 mod any_problem;
 mod boxes;

@@ -1,4 +1,4 @@
-//! A step is a function of the state before it and its drive: nothing else is remembered.
+//! A step depends only on the state before it and on its drive.
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -43,8 +43,8 @@ fn step(
     went.ok().map(|_| to)
 }
 
-/// From every state to every drive, with a working memory that has solved all before, and with a
-/// fresh one: the same bits.
+/// From every state to every drive, with a working memory that was used before and with a fresh
+/// one: the same bits.
 fn compare(problem: &ContactProblem) {
     let fresh = Frictional::default().scratch(problem).unwrap();
     let mut used = fresh.clone();

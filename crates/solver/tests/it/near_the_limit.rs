@@ -1,4 +1,4 @@
-//! Loads just below and beyond what friction can hold, for dissimilar and similar bodies.
+//! Loads just below and above the friction limit, for dissimilar and similar bodies.
 
 use std::time::Instant;
 
@@ -9,7 +9,7 @@ use carom_solver::{
     Method as _, violations,
 };
 
-/// Numbers without a pattern from a seed.
+/// Pseudo-random numbers from a seed.
 struct Random(u64);
 
 impl Random {
@@ -80,8 +80,8 @@ impl Bodies {
         Ok((to, went))
     }
 
-    /// The same, which must be solved: within the conditions of contact and friction and with the
-    /// loads that are given.
+    /// The same step, which must be solved: with the given loads, satisfying the conditions of
+    /// contact and friction.
     fn solved(&mut self, drive: &Drive) -> Result<(ContactState, Convergence), String> {
         let (to, went) = self.step(drive).map_err(|error| error.to_string())?;
         let left = violations(&self.problem, &self.pressed, &to).unwrap();
@@ -118,7 +118,7 @@ fn pulled(part: f64, friction: f64, angle: f64) -> Drive {
     }
 }
 
-/// Time on a processor of this thread, where the system tells; else time on the clock.
+/// Processor time of this thread where the system reports it, otherwise wall-clock time.
 struct Spent(Instant, Option<f64>);
 
 impl Spent {
@@ -180,8 +180,8 @@ fn drawn(seeds: std::ops::Range<u64>, cells: usize, seconds: f64) {
     assert!(products < 500.0, "{products} products");
 }
 
-/// Each took a minute of processor time or more and was not found; the third by way of a value that is
-/// not a number.
+/// Each of these took more than a minute of processor time without converging; the third produced a
+/// NaN.
 #[test]
 fn three_loads_that_were_not_found_are_found_in_a_few_hundred_products() {
     for (friction, x, y) in [
@@ -208,7 +208,8 @@ fn four_hundred_forces_just_below_the_friction_limit_are_held() {
     drawn(1000..1400, 32, 2.0);
 }
 
-/// The states that shifts lead to are found again by their loads, however little is missing to the limit.
+/// The states reached by shifts are found again from their loads, however close these are to the
+/// limit.
 #[test]
 fn a_force_next_to_the_limit_leads_to_the_shift_that_has_it() {
     for (friction, xi) in [(0.1, 0.152), (0.4, 1.0), (0.05, 0.3), (0.05, 3.0), (0.05, 30.0)] {
@@ -220,7 +221,7 @@ fn a_force_next_to_the_limit_leads_to_the_shift_that_has_it() {
         let (x, y) = (Driven::Load(load.f_x), Driven::Load(load.f_y));
         let (by_load, _) = bodies.solved(&Drive { x, y, ..shifted }).unwrap();
         let missing = 1.0 - load.f_x / (friction * FORCE);
-        // What is missing falls as the square of the shift.
+        // The distance to the limit falls with the square of the shift.
         let known = 1e-8 / missing;
         let off = (by_load.shift.xi / xi - 1.0).abs();
         println!("f = {friction}, xi = {xi}: 1 - {missing:.2e}, off by {off:.1e}");
@@ -228,7 +229,7 @@ fn a_force_next_to_the_limit_leads_to_the_shift_that_has_it() {
     }
 }
 
-/// Friction holds no more, whatever the bodies; it is said at once.
+/// A force above the friction limit is reported at once, for any pair of bodies.
 #[test]
 fn a_force_beyond_the_limit_slides() {
     for kind in 0..3 {
@@ -262,7 +263,8 @@ fn a_torque_beyond_what_friction_holds_slides_and_one_below_is_held() {
             * FORCE
             * (area / std::f64::consts::PI).sqrt();
         assert!((limit / hertz - 1.0).abs() < 0.02, "pair {kind}: {limit} for {hertz}");
-        // What friction holds depends on the pressures, which follow the tractions of dissimilar bodies.
+        // The friction limit depends on the pressures, which depend on the tractions for dissimilar
+        // bodies.
         let (below, beyond) = if kind == 2 {
             ([1e-2, 1e-3, 1e-4], [1e-3, 1e-6])
         } else {
@@ -281,7 +283,7 @@ fn a_torque_beyond_what_friction_holds_slides_and_one_below_is_held() {
     }
 }
 
-/// A force and a torque that are held each by itself may not be held together.
+/// A force and a torque, each below its limit, may together exceed the friction limit.
 #[test]
 fn a_force_beside_a_torque_is_held_up_to_the_limit_surface() {
     for kind in 0..3 {
@@ -307,8 +309,8 @@ fn a_force_beside_a_torque_is_held_up_to_the_limit_surface() {
     }
 }
 
-/// Pressed by an approach, dissimilar bodies gain or lose normal force where they are pulled: what
-/// friction holds is that of the solution.
+/// At a given approach a tangential force changes the normal force of dissimilar bodies: the
+/// friction limit is that of the solution.
 #[test]
 fn a_force_at_a_given_approach_is_held_against_the_limit_of_the_solution() {
     let friction = 0.4;
@@ -346,7 +348,7 @@ fn a_force_at_the_limit_is_not_said_to_be_below_it() {
     assert!(force >= limit && limit >= 3.0 * (1.0 - 1e-12), "{force} {limit}");
 }
 
-/// Two cells stick and two turn.
+/// Two cells stick and two rotate.
 #[test]
 fn four_cells_with_a_force_a_shift_and_a_twist_are_solved() {
     let grid = Grid::new(2, 2, 0.0142, 0.0142).unwrap();

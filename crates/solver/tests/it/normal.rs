@@ -1,4 +1,4 @@
-//! Frictionless contact against closed forms and its own conditions.
+//! Frictionless contact compared with closed forms and with its own conditions.
 
 use std::f64::consts::PI;
 use std::ops::ControlFlow;
@@ -38,7 +38,7 @@ fn solve(problem: &ContactProblem, normal: Driven) -> (ContactState, Convergence
     (state, convergence)
 }
 
-/// The greatest violation of the conditions of contact, from a product of the test's own.
+/// The greatest violation of the contact conditions, from a product of the test itself.
 fn violation(problem: &ContactProblem, state: &ContactState) -> f64 {
     let operator = problem.operator();
     let mut w = vec![0.0; problem.grid().cells()];
@@ -71,7 +71,7 @@ fn hertz_by_approach_and_by_force() {
             let (state, by_approach) = solve(&problem, Driven::Shift(1.0));
             let error = state.load().f_z / exact - 1.0;
             assert!(error > 0.0 && error < bound, "{n}: {error:e}");
-            // The tops of the four middle cells lie half a cell off the middle.
+            // The centres of the four central cells lie half a cell from the centre.
             let top = state.pressure.get(n / 2, n / 2).unwrap() / peak;
             assert!((top - 1.0).abs() < 3.0 / (n * n) as f64, "{n}: {top}");
             assert!(violation(&problem, &state) < 2e-10);
@@ -88,7 +88,8 @@ fn hertz_by_approach_and_by_force() {
 
 #[test]
 fn a_flat_round_punch() {
-    // F = 2 G a zeta/(1 - nu) for a combined modulus; the border cells round the edge off.
+    // F = 2 G a zeta/(1 - nu) for a combined modulus; border cells make the square slightly
+    // smaller.
     let error = |n: usize| {
         let width = 2.2 / n as f64;
         let grid = Grid::new(n, n, width, width).unwrap();
@@ -100,7 +101,7 @@ fn a_flat_round_punch() {
         assert_eq!(state.count(CellState::Slip), problem_cells(&problem));
         assert!(violation(&problem, &state) < 2e-10);
         let stiffness = 4.0 * pair().shear_modulus() / (1.0 - pair().poisson());
-        // The cells that make the disc have an area of their own.
+        // The cells that represent the disc have an area of their own.
         let area = state.count(CellState::Slip) as f64 * grid.cell_area();
         state.load().f_z / (stiffness * (area / PI).sqrt() * 0.01) - 1.0
     };
@@ -125,7 +126,7 @@ fn a_body_apart_has_no_load() {
     }
     let (state, _) = solve(&problem, Driven::Load(0.0));
     assert!((state.shift.zeta - lowest).abs() < 1e-15);
-    // One cell of four touches alone, then all.
+    // One cell of four is in contact first, then all.
     let (state, _) = solve(&problem, Driven::Shift(lowest * (1.0 + 1e-12)));
     assert!(state.load().f_z > 0.0 && state.count(CellState::Slip) >= 1);
 }
@@ -158,7 +159,7 @@ fn what_cannot_be_solved_says_so() {
     let drive = pressed(Driven::Shift(1.0));
     let error = method.step(&problem, &other, &drive, &mut to, &mut scratch, &mut ());
     assert!(error.unwrap_err().to_string().starts_with("pressure = 1640"));
-    // An observer sees the residual fall and may end it.
+    // An observer follows the residual and may end the iteration.
     let mut seen = Vec::new();
     let mut observer = |progress: &Progress| {
         seen.push(progress.residuals.normal);
@@ -175,7 +176,8 @@ fn what_cannot_be_solved_says_so() {
 proptest! {
     #![proptest_config(ProptestConfig::with_cases(40))]
 
-    /// Bumps at random: conditions of contact, force and approach as each other's inverse, scale.
+    /// Random bumps: contact conditions, force and approach as inverse functions of each other,
+    /// scaling.
     #[test]
     fn random_surfaces_touch_without_overlap(
         size in (8..70_usize, 8..70_usize),

@@ -1,4 +1,4 @@
-//! Contacts that repeat themselves: Westergaard's wavy surface, and friction on it.
+//! Periodic contacts: Westergaard's wavy surface, and friction on it.
 
 use std::f64::consts::PI;
 use std::sync::Arc;
@@ -58,8 +58,8 @@ fn westergaards_stripes_have_their_width_and_pressure() {
     }
 }
 
-/// The approach counts from the mean plane: force and approach are each other's inverse, and all
-/// touches at the mean of the gap, whatever is added to the load.
+/// The approach is measured from the mean plane: force and approach are inverse functions of each
+/// other. At the mean of the gap the whole period is in contact, for any larger load.
 #[test]
 fn the_approach_counts_from_the_mean_plane() {
     let problem = wavy(64, 0.3, 0.0);
@@ -98,7 +98,8 @@ fn full_contact_has_the_pressure_of_its_waves() {
     }
 }
 
-/// Above the mean of the gap no approach can be had; at the mean, and next to it, all but touches.
+/// An approach above the mean of the gap is impossible; at the mean, and just below it, almost all
+/// cells are in contact.
 #[test]
 fn an_approach_above_the_mean_of_a_period_is_refused_with_its_reason() {
     let problem = wavy(32, 0.3, 0.2);
@@ -133,8 +134,8 @@ fn an_approach_above_the_mean_of_a_period_is_refused_with_its_reason() {
     }
 }
 
-/// Where all of a period touches, even tractions displace nothing: a shift makes some cells slip, and
-/// a large one all of them; where friction is infinite it is refused.
+/// If the whole period is in contact, uniform tractions cause no displacement: a shift makes some
+/// cells slip, a large one all of them; with infinite friction it is an error.
 #[test]
 fn a_period_in_full_contact_is_shifted_by_slip_alone() {
     let load = |problem: &ContactProblem| {
@@ -155,7 +156,7 @@ fn a_period_in_full_contact_is_shifted_by_slip_alone() {
     };
     for poisson in [0.0, 0.3] {
         let problem = wavy(32, poisson, 0.3);
-        // A force alone is carried without a shift, as far as it goes without slip.
+        // A small force is carried without shift as long as nothing slips.
         let pulled = solve(&problem, Driven::Load(0.005)).unwrap();
         assert!(pulled.shift.xi.abs() < 1e-9 * AMPLITUDE);
         let little = solve(&problem, Driven::Shift(0.1 * AMPLITUDE)).unwrap();
@@ -171,8 +172,8 @@ fn a_period_in_full_contact_is_shifted_by_slip_alone() {
     }
 }
 
-/// Next to the mean of the gap pressures and tractions of unlike bodies are found together, on the way to
-/// which nothing may touch: that is no solution.
+/// Near the mean of the gap pressures and tractions of dissimilar bodies are solved together. On
+/// the way no cell may be left in contact; that is not a solution.
 #[test]
 fn unlike_bodies_next_to_full_contact_touch() {
     let grid = Grid::new(32, 8, 1.0 / 32.0, 1.0 / 8.0).unwrap();
@@ -192,8 +193,8 @@ fn unlike_bodies_next_to_full_contact_touch() {
     }
 }
 
-/// For nu = 0 both compliances are alike, and tractions are f times the pressure less that of a
-/// lower approach, cell by cell.
+/// For nu = 0 both compliances are equal, and tractions are f times the difference between the
+/// pressure and that at a lower approach, cell by cell.
 #[test]
 fn a_shift_leaves_the_pressure_of_a_lower_approach() {
     let (problem, f) = (wavy(128, 0.0, 0.3), 0.3);
@@ -216,8 +217,8 @@ fn a_shift_leaves_the_pressure_of_a_lower_approach() {
     }
 }
 
-/// Many patches under a given tangential force, in which some cells have next to no pressure: few
-/// products, and the same as by the shift that the force leads to, on a period and on half-spaces.
+/// Many patches under a given tangential force, some cells at almost no pressure: few products, and
+/// the same solution as for the shift that the force causes, on a period and on half-spaces.
 #[test]
 fn a_wavy_surface_is_pulled_by_a_force() {
     let grid = Grid::new(60, 60, 0.05, 0.05).unwrap();

@@ -1,8 +1,9 @@
-//! How many products solutions cost: budgets on small grids, a table of all sizes on request.
+//! The number of products of a solution: limits on small grids, and a table of all sizes on
+//! request.
 //!
-//! An error of 1e-6 is the true one: root mean square against the converged solution on the same
-//! grid. Counts hold coarse grids, and boxes about the contact, by their cells and are the same on
-//! every machine.
+//! The error of 1e-6 is the true error: root mean square relative to the converged solution on the
+//! same grid. Products on coarse grids and boxes count in proportion to their cells; counts are the
+//! same on every machine.
 
 use std::time::Instant;
 
@@ -14,7 +15,7 @@ use carom_solver::{
     Gap, Method as _, SelfAffine,
 };
 
-/// The counts of one problem: to an error of 1e-6, and to the method's full tolerance.
+/// The counts of one problem: to an error of 1e-6, and to the full tolerance of the method.
 struct Counts {
     name: String,
     close: f64,
@@ -37,7 +38,8 @@ fn error(got: &[f64], want: &[f64]) -> f64 {
     (square / want.iter().map(|b| b * b).sum::<f64>()).sqrt()
 }
 
-/// The least count whose solution is within 1e-6, over tolerances from coarse to fine.
+/// The least count whose solution has an error of at most 1e-6, over tolerances from coarse to
+/// fine.
 fn least(want: &[f64], solve: impl Fn(f64) -> (Vec<f64>, f64)) -> f64 {
     for quarter in 8..44 {
         let (got, count) = solve(10.0_f64.powf(-0.25 * f64::from(quarter)));
@@ -107,7 +109,7 @@ fn flat_punch(n: usize, close: f64) {
     normal("flat punch by approach", problem, Driven::Shift(1.0)).check(close, 15.0);
 }
 
-/// A rough surface of which a part touches: pressed to a force, and to the approach of that force.
+/// A rough surface in partial contact: pressed to a force, and to the approach of that force.
 fn rough(n: usize, force: f64, part: [f64; 2]) {
     let problem = || {
         let (grid, shortest) = (square(n, 1.0), 8.0 / n as f64);

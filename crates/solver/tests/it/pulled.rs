@@ -1,4 +1,5 @@
-//! Contacts of all shapes pulled and twisted by loads: each step is solved and obeys the law.
+//! Contacts of various shapes pulled and twisted by loads: each step is solved and satisfies the
+//! friction law.
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -14,7 +15,7 @@ fn problem(gap: Gap, poisson: f64, friction: f64) -> ContactProblem {
     ContactProblem::of_half_spaces(gap, pair.unwrap(), Friction::new(friction).unwrap()).unwrap()
 }
 
-/// Presses by a force, then pulls by this part of the friction in so many steps.
+/// Presses by a force, then pulls with this fraction of the friction limit in this number of steps.
 fn pulled(problem: &ContactProblem, force: f64, friction: f64, part: [f64; 2], steps: usize) {
     let method = Frictional::default();
     let mut scratch = method.scratch(problem).unwrap();
@@ -52,7 +53,7 @@ fn a_rubber_cone_is_pulled_by_a_force() {
         method.step(&problem, &before, &drive, &mut state, &mut scratch, &mut ()).unwrap();
         assert!((state.load().f_x - f_x).abs() < 1e-9);
     }
-    // Next to all it can hold.
+    // Close to the friction limit.
     assert!(state.shift.xi > 7e-6 && state.shift.xi < 9e-6, "{}", state.shift.xi);
 }
 
@@ -109,8 +110,8 @@ fn all_shapes_on_finer_grids_are_pulled_by_forces() {
     }
 }
 
-/// Seven times the normal force at f = 10 and f gamma = 5, at once: it may not be found, but friction
-/// holds it.
+/// Seven times the normal force at f = 10 and f gamma = 5, in one step: the iteration may fail to
+/// converge, but friction can hold it.
 #[test]
 fn great_friction_does_not_slide_where_it_holds() {
     let grid = Grid::new(24, 24, 0.1, 0.1).unwrap();

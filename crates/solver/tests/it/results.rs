@@ -1,4 +1,4 @@
-//! What follows from states: energies, violations, stresses below the contact.
+//! Quantities derived from states: energies, violations, subsurface stresses.
 
 use carom_halfspace::{Grid, Material, MaterialPair, Point};
 use carom_laws::friction::Friction;
@@ -33,7 +33,7 @@ fn problem(poisson: [f64; 2], cells: usize) -> ContactProblem {
     ContactProblem::of_half_spaces(gap.unwrap(), pair, Friction::new(0.4).unwrap()).unwrap()
 }
 
-/// Pressed, shifted aside and back and aside, as Mindlin's loop.
+/// Pressed, then shifted forwards, backwards and forwards: Mindlin's loop.
 fn path(steps: usize) -> Vec<Shift> {
     let at = |zeta: f64, xi: f64| Shift { zeta, xi, ..Shift::default() };
     let leg =
@@ -77,8 +77,8 @@ fn the_heat_of_a_loop_is_mindlins() {
         .windows(2)
         .map(|pair| dissipated(&pair[0], &pair[1]).values().iter().sum::<f64>())
         .sum();
-    // F = f F_z (1 - (1 - s/(f zeta))^(3/2)) on the first leg, Masing's rule after that:
-    // a closed loop of amplitude s takes 8 int_0^s F - 4 s F(s).
+    // F = f F_z (1 - (1 - s/(f zeta))^(3/2)) on the first leg, Masing's rule after that: a closed
+    // loop of amplitude s dissipates 8 int_0^s F - 4 s F(s).
     let (f_z, x) = (4.0 / 3.0, 0.3 / 0.4_f64);
     let limit = 0.4 * f_z;
     let force = limit * (1.0 - (1.0 - x).powf(1.5));
@@ -98,7 +98,7 @@ fn converged_states_violate_nothing() {
             let left = violations(&problem, &pair[0], &pair[1]).unwrap();
             assert!(left.normal < 2e-9 && left.tangential < 2e-9, "{left:?}");
         }
-        // A state that is wrong is seen to be so.
+        // The violations of a wrong state are found.
         let mut wrong = states[3].clone();
         wrong.traction_x.values_mut()[24 * 12 + 12] += 0.01;
         wrong.pressure.values_mut()[24 * 12 + 12] *= 1.01;

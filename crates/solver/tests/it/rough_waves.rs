@@ -1,12 +1,12 @@
-//! A rough surface on an oblong grid of oblong cells: which waves it has, and how high they are.
+//! A rough surface on a grid with unequal sides and cells: its waves and their amplitudes.
 
 use std::f64::consts::TAU;
 
 use carom_halfspace::Grid;
 use carom_solver::SelfAffine;
 
-/// Each wave of the grid between the two wavelengths has the amplitude q^-(1 + H) up to one factor, all others
-/// have none; and their squares add up to the mean square asked for.
+/// Each wave of the grid between the two wavelengths has the amplitude q^-(1 + H) up to a common
+/// factor, all others are zero; the squares add up to the required mean square.
 #[test]
 fn waves_of_an_oblong_grid_follow_their_length_alone() {
     let grid = Grid::new(18, 28, 0.5, 0.25).unwrap();

@@ -1,4 +1,4 @@
-//! Cases of an independent program on the same discretisation, element by element.
+//! Comparison with an independent program on the same discretisation, element by element.
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -78,7 +78,7 @@ fn follow(case: &str, gap: impl Fn(f64, f64) -> f64) {
             for (got, key) in displacements {
                 assert!((got[cell] - number(probe, key)).abs() < 2e-8, "{case} {probe}");
             }
-            // What moved against the rigid step is slip.
+            // Displacement relative to the rigid step is slip.
             let (x, y) = grid.centres().nth(cell).unwrap();
             let turn = number(step, "dOmega");
             let rigid = [number(step, "dxi") + y * turn, number(step, "deta") - x * turn];

@@ -1,4 +1,4 @@
-//! Periods whose cells are up to 600 times longer than wide.
+//! Periods with cells up to 600 times longer than wide.
 
 use std::sync::Arc;
 
@@ -59,15 +59,15 @@ fn slender_cells_of_a_period_are_pressed() {
                     Ok(went) => {
                         most = most.max(went.products.normal);
                         let left = violations(&problem, &apart, &to).unwrap().normal;
-                        // Rows that carry little lie far below the mean plane.
+                        // Rows with small loads lie far below the mean plane.
                         let heights = problem.gap().heights().values();
                         let below = heights.iter().map(|h| to.shift.zeta - h);
                         let depth = below.clone().fold(0.0, f64::max);
                         let touching = below.zip(to.pressure.values()).filter(|(_, p)| **p > 0.0);
                         let moved = touching.fold(0.0_f64, |most, (w, _)| most.max(w.abs()));
                         let off = left * if depth > 0.0 { depth } else { 1.0 } / moved;
-                        // Tension within the tolerance of 1e-9 is dropped at the end, which moves the
-                        // means of rows by more: to 2.3e-7 where it was measured.
+                        // Tension within the tolerance of 1e-9 is removed at the end, which changes
+                        // the means of rows by more: measured up to 2.3e-7.
                         if off.is_nan() || off > 1e-6 {
                             wrong.push(format!("{at}: {off:e}"));
                         }

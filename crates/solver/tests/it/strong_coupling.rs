@@ -1,5 +1,5 @@
-//! Friction times gamma far above one, and infinite friction between dissimilar bodies: random steps
-//! are solved, and obey the law.
+//! Friction times gamma far above one, and infinite friction between dissimilar bodies: random
+//! steps are solved and satisfy the friction law.
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -9,7 +9,7 @@ use carom_solver::{
     violations,
 };
 
-/// Numbers without a pattern from a seed.
+/// Pseudo-random numbers from a seed.
 struct Random(u64);
 
 impl Random {
@@ -32,7 +32,7 @@ impl Random {
     }
 }
 
-/// Steps of a random history that were tried, and whether the last one was refused.
+/// Number of steps of a random history, and whether the last one failed.
 fn history(seed: u64, product: f64) -> (usize, bool) {
     let mut random = Random::of(seed);
     let [nx, ny] = [(); 2].map(|()| random.within(4.0, 26.0) as usize);
@@ -70,7 +70,7 @@ fn history(seed: u64, product: f64) -> (usize, bool) {
     (steps, false)
 }
 
-/// Steps tried and refused over many histories.
+/// Numbers of steps and of failures over many histories.
 fn share(product: f64, seeds: std::ops::Range<u64>) -> [usize; 2] {
     let all = seeds.map(|seed| history(seed, product));
     let [tried, refused] = all.fold([0, 0], |[tried, refused], (steps, ends)| {
@@ -96,13 +96,13 @@ fn next_to_no_step_is_refused() {
     }
 }
 
-/// Limits creep past the end of a solution for two hundred rounds before they find the next one.
+/// Near a fold the limits change slowly for two hundred passes before they reach the next solution.
 #[test]
 fn a_solution_that_has_just_ended_is_left_behind() {
     assert_eq!(history(1111, f64::INFINITY), (4, false));
 }
 
-/// What friction could hold at most says nothing of how exactly cells stick.
+/// The friction limit does not affect how exactly cells stick.
 #[test]
 fn great_friction_sticks_as_exactly_as_infinite_friction() {
     for other in [0.3, 0.0] {
@@ -131,7 +131,7 @@ fn great_friction_sticks_as_exactly_as_infinite_friction() {
     }
 }
 
-/// Forty-two of 160 cells were said to slip at infinite friction.
+/// Forty-two of 160 cells were marked as slipping with infinite friction.
 #[test]
 fn no_cell_is_said_to_slip_at_infinite_friction() {
     let grid = Grid::new(24, 24, 2.6e-4 / 24.0, 2.6e-4 / 24.0).unwrap();
@@ -151,7 +151,7 @@ fn no_cell_is_said_to_slip_at_infinite_friction() {
         assert_eq!(state.count(CellState::Slip), 0);
         let left = violations(&problem, &before, &state).unwrap();
         assert!(left.normal < 1e-8 && left.tangential < 1e-7, "{left:?}");
-        // What is dragged along has next to no pressure.
+        // Dragged cells have almost no pressure.
         let [u, v] = state.slip_since(&before);
         let p_max = state.pressure.values().iter().copied().fold(0.0, f64::max);
         for (i, p) in state.pressure.values().iter().enumerate().filter(|(_, p)| **p > 0.0) {

@@ -1,4 +1,5 @@
-//! The numbers of a step: each column its own field, kept and taken up again, and the torque about the origin.
+//! The scalar results of a step: each column has its own field, storage and restoring, and the
+//! torque about the origin.
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -9,7 +10,7 @@ use carom_solver::{
 };
 use carom_table::Value;
 
-/// Numbers from 1 on, errors from 101 on: none stands for another.
+/// Values from 1 on, errors from 101 on: all are different.
 fn step() -> StepSummary {
     let with = |value: f64| Estimated { value, error: 0.0 };
     let mut all = Estimates {
@@ -105,7 +106,8 @@ fn columns_and_kept_numbers_show_each_field_in_its_place() {
     assert_eq!(columns[20].value(&bare), Value::Undefined);
 }
 
-/// A force at the place (x, y) has the torque y F_x - x F_y about the origin; its error stays.
+/// A force at the point (x, y) has the torque y F_x - x F_y about the origin; its error is
+/// unchanged.
 #[test]
 fn the_torque_counts_about_the_origin() {
     let moved = step().with_middle_at([0.5, 0.25]);
@@ -116,7 +118,8 @@ fn the_torque_counts_about_the_origin() {
     assert_eq!((torque.value, torque.error), (moved.load.m_z, 108.0));
 }
 
-/// To and fro at a constant approach: the work of the force is what is stored and what was heat since the start.
+/// Back and forth at a constant approach: the work of the force equals stored energy plus heat
+/// since the start.
 #[test]
 fn work_since_the_start_is_stored_or_heat() {
     let grid = Grid::new(24, 20, 0.12, 0.14).unwrap();

@@ -1,4 +1,4 @@
-//! Torques: given ones between dissimilar bodies, and their part in the errors of a history.
+//! Prescribed torques between dissimilar bodies, and their contribution to the errors of a history.
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -6,8 +6,8 @@ use carom_solver::{
     ContactProblem, ContactState, Drive, Driven, Estimated, Estimates, Frictional, Gap, Method as _,
 };
 
-/// A body of nu = 0 on a rigid one: normal and tangential displacements are coupled,
-/// and with much friction pressures and tractions must be found together.
+/// A body of nu = 0 on a rigid one: normal and tangential displacements are coupled, and with large
+/// friction pressures and tractions must be solved together.
 fn problem(friction: f64) -> ContactProblem {
     let grid = Grid::new(20, 24, 0.12, 0.1).unwrap();
     let pair = MaterialPair::new(Material::from_shear(1.0, 0.0).unwrap(), Material::RIGID).unwrap();
@@ -29,7 +29,7 @@ fn sums(state: &ContactState) -> [f64; 4] {
     sums
 }
 
-/// A twist gives a torque; the torque gives the twist back, with the tractions of every cell.
+/// A twist gives a torque; the torque gives the same twist and the same tractions.
 #[test]
 fn a_given_torque_turns_dissimilar_bodies_as_far_as_the_twist_that_makes_it() {
     for friction in [0.4, 10.0] {
@@ -79,16 +79,17 @@ fn a_given_torque_turns_dissimilar_bodies_as_far_as_the_twist_that_makes_it() {
                     }
                 }
             }
-            // Both go on from the same state.
+            // Both continue from the same state.
             by_torque = by_shift.clone();
         }
     }
 }
 
-/// One of the values of some estimates.
+/// A mutable reference to one of the estimated values.
 type Part = fn(&mut Estimates) -> &mut Estimated;
 
-/// The worst error of a history is the greatest of eight, each over the greatest of its kind.
+/// The worst error of a history is the greatest of eight, each relative to the greatest value of
+/// its kind.
 #[test]
 fn each_load_and_shift_counts_for_the_worst_error() {
     let exact = |value| Estimated { value, error: 0.0 };

@@ -1,5 +1,5 @@
-//! Static friction above kinetic friction: the law cell by cell, its memory, and how much of it is
-//! left on finer grids.
+//! Static friction above kinetic friction: the law cell by cell, its memory, and its effect on
+//! finer grids.
 
 use carom_halfspace::{Grid, Material, MaterialPair};
 use carom_laws::friction::Friction;
@@ -70,8 +70,8 @@ fn cells_stick_up_to_static_and_slip_at_kinetic_friction() {
     }
 }
 
-/// A slipping cell has its kinetic friction in the next step; one at rest for a step has its static
-/// one again.
+/// A slipping cell has kinetic friction in the next step; after a step without slip it has static
+/// friction again.
 #[test]
 fn a_step_at_rest_heals() {
     let problem = problem(40, 0.45, false);
@@ -80,7 +80,7 @@ fn a_step_at_rest_heals() {
     assert!(rested > 1.001 * on, "{rested} {on}");
 }
 
-/// A load that static friction would hold and kinetic friction cannot: the bodies slide.
+/// A load that static friction could hold and kinetic friction cannot: the bodies slide.
 #[test]
 fn once_broken_the_bodies_slide() {
     let problem = problem(32, 0.36, false);
@@ -98,7 +98,8 @@ fn once_broken_the_bodies_slide() {
     assert!(matches!(error, Err(FrictionalError::Slides { .. })), "{error:?}");
 }
 
-/// The excess of the tangential force over that of kinetic friction alone falls with the cells.
+/// The excess of the tangential force over that of kinetic friction alone falls with the cell
+/// width.
 #[test]
 fn static_friction_matters_less_on_finer_grids() {
     let excess = |n: usize| {

@@ -2,7 +2,7 @@
 
 use crate::RangeError;
 
-/// An angle from 0 to pi/2, kept as sine and cosine so that both of its ends are exact.
+/// An angle from 0 to pi/2, stored as sine and cosine so that both ends of the range are exact.
 ///
 /// ```
 /// use carom_special::elliptic::Amplitude;
@@ -57,7 +57,7 @@ impl Amplitude {
         RangeError::non_negative("opposite", opposite)?;
         RangeError::non_negative("adjacent", adjacent)?;
         let larger = opposite.max(adjacent);
-        RangeError::check("adjacent", adjacent, larger > 0.0, "> 0 where opposite is 0")?;
+        RangeError::check("adjacent", adjacent, larger > 0.0, "> 0 if opposite is 0")?;
         let (s, c) = (opposite / larger, adjacent / larger);
         let hypotenuse = (s * s + c * c).sqrt();
         Ok(Self { sine: s / hypotenuse, cosine: c / hypotenuse })

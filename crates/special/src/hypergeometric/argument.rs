@@ -1,4 +1,4 @@
-//! An argument in the unit interval that keeps its complement.
+//! An argument in the unit interval, stored with its complement.
 
 use crate::RangeError;
 

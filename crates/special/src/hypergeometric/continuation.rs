@@ -1,19 +1,19 @@
-//! Continuation of 2F1 towards 1 by Taylor steps of its differential equation.
+//! Analytic continuation of 2F1 towards 1 by Taylor steps of its differential equation.
 //!
-//! `x (1 - x) F'' + (c - (a + b + 1) x) F' - a b F = 0` (DLMF 15.10.1) gives the Taylor coefficients
-//! of F about any point from F and F' there. From 1/2 on each step halves the distance to 1, so that
-//! the series converges like 2^-n; nothing is singular where `c - a - b` is an integer and the
-//! connection formula fails.
+//! `x (1 - x) F'' + (c - (a + b + 1) x) F' - a b F = 0` (DLMF 15.10.1) gives the Taylor
+//! coefficients of F about any point from F and F' there. From 1/2 on each step halves the distance
+//! to 1, so that the series converges like 2^-n. The method is regular for integer `c - a - b`,
+//! where the connection formula fails.
 
 use super::series::Sum;
 
-/// 2^-60 times the growth of the coefficients is below rounding.
+/// Number of Taylor terms: 2^-60 times the growth of the coefficients is below rounding.
 pub(super) const TERMS: usize = 72;
 
-/// F and (1 - x) F' at a point, by its distance y from 1.
+/// F and (1 - x) F' at a point, given by its distance y from 1.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct State {
-    /// The size of the terms that F was summed from at 1/2.
+    /// The magnitude of the terms summed for F at 1/2.
     pub(super) size: f64,
     pub(super) y: f64,
     pub(super) value: f64,
@@ -36,7 +36,7 @@ pub(super) struct Expansion {
 }
 
 impl Equation {
-    /// The Taylor coefficients about a state.
+    /// The Taylor coefficients about the point of a state.
     pub(super) fn expand(&self, state: State) -> Expansion {
         let Self { a, b, excess } = *self;
         let State { y, value, slope, size } = state;
@@ -53,7 +53,8 @@ impl Equation {
         Expansion { y, size, coefficients: g }
     }
 
-    /// The state at the distance `y` from 1, from one at 1/2; `visit` sees each step with its end.
+    /// The state at the distance `y` from 1, starting from 1/2; `visit` is called for each step
+    /// with its end.
     pub(super) fn carry(
         &self,
         from: State,

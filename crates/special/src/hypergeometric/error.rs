@@ -1,8 +1,8 @@
-//! Why a hypergeometric function has no value here.
+//! Errors of the hypergeometric functions.
 
 use crate::RangeError;
 
-/// Why a hypergeometric function has no value here.
+/// Why a hypergeometric function cannot be evaluated.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum HypergeometricError {
     /// A parameter or the argument is out of its range.
@@ -11,16 +11,16 @@ pub enum HypergeometricError {
     /// The series diverges at unit argument, as its parametric excess is not positive.
     #[error("the function is infinite at 1: the parametric excess {excess} is not positive")]
     Divergent {
-        /// Sum of the lower parameters less that of the upper ones.
+        /// Sum of the lower parameters minus that of the upper ones.
         excess: f64,
     },
-    /// The value is beyond the largest number.
+    /// The value exceeds the largest finite number.
     #[error("the value overflows")]
     Overflow,
-    /// Cancellation between the terms leaves fewer digits than promised.
-    #[error("cancellation: the value {value} has an estimated error of {bound}")]
+    /// Cancellation between the terms leaves fewer correct digits than specified.
+    #[error("the terms cancel: the value {value} has an estimated error of {bound}")]
     Cancellation {
-        /// The value found.
+        /// The computed value.
         value: f64,
         /// An estimate of its absolute error.
         bound: f64,

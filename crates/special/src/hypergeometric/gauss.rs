@@ -10,13 +10,13 @@ use crate::gamma::{gamma, is_pole, reciprocal};
 /// The largest parameter in absolute value.
 pub(super) const LARGEST_PARAMETER: f64 = 5.0;
 
-/// Next to an integer `c - a - b` the connection formula loses the digits of its inverse distance.
+/// If `c - a - b` is closer than this to an integer, the connection formula loses too many digits.
 const NEAR_INTEGER: f64 = 0.05;
 
-/// The error that a value may have: relative, and absolute below 0.1.
-const PROMISE: f64 = 1e-13;
+/// The specified error of a value: relative, and absolute for values below 0.1.
+const SPECIFIED_ERROR: f64 = 1e-13;
 
-/// 2F1(a, b; c; .) with its behaviour at 1 worked out once.
+/// The function 2F1(a, b; c; .) with fixed parameters, prepared for repeated evaluation.
 ///
 /// ```text
 /// F(a, b; c; x) = sum_n (a)_n (b)_n / ((c)_n n!) x^n
@@ -41,18 +41,18 @@ pub struct Gauss {
     end: End,
 }
 
-/// What happens between 1/2 and 1.
+/// The method used between 1/2 and 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 enum End {
     /// A polynomial in x.
     Polynomial,
     /// DLMF 15.8.4: a regular series in 1 - x and one times `(1 - x)^(c - a - b)`.
     Powers(Powers),
-    /// `c - a - b` is next to an integer: Taylor steps.
+    /// `c - a - b` is close to an integer: Taylor steps.
     Logarithmic,
 }
 
-/// The factors of both series in DLMF 15.8.4.
+/// The factors of the two series in DLMF 15.8.4.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Powers {
     pub(super) regular: f64,
@@ -60,13 +60,13 @@ pub(super) struct Powers {
 }
 
 impl Gauss {
-    /// The function with the parameters `a`, `b`, `c`.
+    /// Prepares the function with the parameters `a`, `b`, `c`.
     ///
     /// # Errors
     /// [`RangeError`] unless all are finite, from -5 to 5, and `c` is not 0, -1, -2, ...
     pub fn new(a: f64, b: f64, c: f64) -> Result<Self, HypergeometricError> {
         check(a, b, c)?;
-        // The function is symmetric in a and b, and so are its digits.
+        // The function is symmetric in a and b; so is its rounding error.
         let (a, b) = (a.min(b), a.max(b));
         let excess = c - a - b;
         let end = if is_pole(a) || is_pole(b) {
@@ -85,9 +85,9 @@ impl Gauss {
     /// The value at `argument`.
     ///
     /// # Errors
-    /// [`HypergeometricError`]: infinite at 1; or cancellation that costs more than 1e-13 of the value
-    /// (of 0.1 where it is smaller): not in the parameter sets of the thesis, in less than one of a
-    /// hundred random sets.
+    /// [`HypergeometricError`] if the value is infinite at 1, or if cancellation costs more than
+    /// 1e-13 of the value (of 0.1 for smaller values). This does not occur for the parameters of
+    /// the thesis, and for fewer than one in a hundred random sets.
     pub fn at(&self, argument: UnitArgument) -> Result<f64, HypergeometricError> {
         let &Self { a, b, c, .. } = self;
         let (x, y) = (argument.value(), argument.complement());
@@ -119,7 +119,7 @@ impl Gauss {
         first.plus(weighted(c - a, c - b, 1.0 + excess, y, |_| 1.0).scaled(power))
     }
 
-    /// Taylor steps, of the bounded one of F and `(1 - x)^(a + b - c) F` (DLMF 15.8.1).
+    /// Taylor steps for F or `(1 - x)^(a + b - c) F` (DLMF 15.8.1), whichever is bounded.
     fn stepped(&self, y: f64) -> Sum {
         let &Self { a, b, c, excess, .. } = self;
         if excess < 0.0 {
@@ -131,7 +131,7 @@ impl Gauss {
         Sum { value, size: value.abs().max(start.size) }
     }
 
-    /// `y^(c - a - b)`; far from 1 it magnifies what rounding took from the exponent.
+    /// `y^(c - a - b)`; far from 1 it would magnify the rounding error of the exponent.
     pub(super) fn singular_power(&self, y: f64) -> f64 {
         let &Self { a, b, c, excess, .. } = self;
         let (first, lost) = difference(c, a);
@@ -159,7 +159,7 @@ impl Gauss {
         Equation { a: self.a, b: self.b, excess: self.excess }
     }
 
-    /// Value and slope at 1/2.
+    /// Value and derivative at 1/2.
     pub(super) fn at_half(&self) -> State {
         let &Self { a, b, c, .. } = self;
         let slope = weighted(a + 1.0, b + 1.0, c + 1.0, 0.5, |_| 1.0).scaled(a * b / c);
@@ -174,9 +174,10 @@ impl Gauss {
 /// ```
 ///
 /// Parameters from -5 to 5, c not 0, -1, -2, ...; x from 0 to 1, at 1 only if `c - a - b > 0` or
-/// the series ends. Up to 1/2 the series is summed; above, its transformation to 1 - x, or Taylor
-/// steps of its differential equation where `c - a - b` is within 0.05 of an integer. Within 1e-13,
-/// relative (absolute below 0.1); a value that cancellation has spoilt is an error.
+/// the series terminates. Up to 1/2 the series is summed. Above 1/2 its transformation to 1 - x is
+/// used, or Taylor steps of its differential equation if `c - a - b` is within 0.05 of an integer.
+/// The error is at most 1e-13, relative (absolute for values below 0.1); if cancellation makes it
+/// larger, an error is returned.
 ///
 /// Source: DLMF 15.2.1, 15.8.4, 15.10.1; thesis (9.9), (9.17).
 ///
@@ -207,20 +208,20 @@ fn check(a: f64, b: f64, c: f64) -> Result<(), RangeError> {
     Ok(())
 }
 
-/// `x - y` rounded, and what rounding took from it.
+/// `x - y` rounded, and its rounding error.
 fn difference(x: f64, y: f64) -> (f64, f64) {
     let rounded = x - y;
     let subtracted = x - rounded;
     (rounded, (x - (rounded + subtracted)) + (subtracted - y))
 }
 
-/// The value of a sum that did not lose its digits.
+/// The value of a sum, if cancellation has not made it inaccurate.
 pub(super) fn trusted(sum: Sum) -> Result<f64, HypergeometricError> {
     let bound = f64::EPSILON * sum.size;
     if !sum.value.is_finite() {
         return Err(HypergeometricError::Overflow);
     }
-    if bound > PROMISE * sum.value.abs().max(0.1) {
+    if bound > SPECIFIED_ERROR * sum.value.abs().max(0.1) {
         return Err(HypergeometricError::Cancellation { value: sum.value, bound });
     }
     Ok(sum.value)

@@ -1,7 +1,8 @@
 //! Hypergeometric functions of real parameters on the unit interval.
 //!
-//! The argument is a [`UnitArgument`]: it knows x and 1 - x both, as most functions here behave like
-//! a power of one of them at an end, and neither can be had from the other without loss.
+//! The argument is a [`UnitArgument`], which stores both x and 1 - x. Most functions here behave
+//! like a power of one of them at an end of the interval, and neither can be computed from the
+//! other without loss of accuracy.
 
 mod argument;
 mod continuation;

@@ -1,9 +1,9 @@
-//! Sums of hypergeometric series with a record of their size.
+//! Sums of hypergeometric series, with the sum of the magnitudes of their terms.
 
-/// Terms that follow the last one counted are below this part of the sum.
+/// The series is truncated where its terms are below this fraction of the sum.
 const NEGLIGIBLE: f64 = 1e-18;
 
-/// More than any series needs at |x| <= 1/2 within the parameter range.
+/// More terms than any series needs at |x| <= 1/2 in the parameter range.
 const MOST_TERMS: usize = 2000;
 
 /// A sum and the sum of the absolute values of its terms.
@@ -23,9 +23,9 @@ impl Sum {
     }
 }
 
-/// `sum weight(n) (a)_n (b)_n / ((c)_n n!) x^n` for `|x| <= 1/2` or a series that ends.
+/// `sum weight(n) (a)_n (b)_n / ((c)_n n!) x^n` for `|x| <= 1/2` or a terminating series.
 ///
-/// The weights must not grow faster than the terms fall.
+/// The weights must not grow faster than the terms decrease.
 pub(super) fn weighted(a: f64, b: f64, c: f64, x: f64, weight: impl Fn(f64) -> f64) -> Sum {
     let mut coefficient = 1.0;
     let mut sum = Compensated::default();
@@ -45,7 +45,7 @@ pub(super) fn weighted(a: f64, b: f64, c: f64, x: f64, weight: impl Fn(f64) -> f
     Sum { value: sum.high + sum.low, size: sum.size }
 }
 
-/// Neumaier's sum.
+/// Neumaier's compensated sum.
 #[derive(Default)]
 struct Compensated {
     high: f64,

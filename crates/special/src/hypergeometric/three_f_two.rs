@@ -10,10 +10,10 @@ use crate::RangeError;
 /// Coefficients of the series in 1 - z; at 1/2 the last is below 1e-17 of the sum.
 const TERMS: usize = 64;
 
-/// The distance from 1 where the leading power stands for the rest of a unit integral.
-const LAST: f64 = 1e-20;
+/// Distance from 1 below which the leading power represents the rest of the integral.
+const INTEGRATION_END: f64 = 1e-20;
 
-/// 3F2(s, a, b; s + 1, c; .) with its behaviour at 1 worked out once.
+/// The function 3F2(s, a, b; s + 1, c; .) with fixed parameters, prepared for repeated evaluation.
 ///
 /// ```text
 /// z^s 3F2(s, a, b; s + 1, c; z) = s int_0^z t^(s - 1) F(a, b; c; t) dt
@@ -32,19 +32,19 @@ const LAST: f64 = 1e-20;
 pub struct ThreeFTwo {
     s: f64,
     gauss: Gauss,
-    /// The integral to 1/2.
+    /// The integral from 0 to 1/2.
     half: Sum,
     end: End,
 }
 
-/// What happens between 1/2 and 1.
+/// The method used between 1/2 and 1.
 #[derive(Debug, Clone, PartialEq)]
 enum End {
     /// A polynomial in z.
     Polynomial,
     /// The integral from 0 is `constant - y sum_n (regular_n + singular_n y^excess) y^n`.
     Powers(Box<Tail>),
-    /// The excess of 2F1 is next to an integer: Taylor steps.
+    /// The excess of 2F1 is close to an integer: Taylor steps.
     Logarithmic,
 }
 
@@ -56,7 +56,8 @@ struct Tail {
 }
 
 impl ThreeFTwo {
-    /// The function with the parameters `s`, `a`, `b`, `c`; the second lower one is `s + 1`.
+    /// Prepares the function with the parameters `s`, `a`, `b`, `c`; the second lower parameter is
+    /// `s + 1`.
     ///
     /// # Errors
     /// [`RangeError`] unless `s` is above 0 and all are from -5 to 5, and `c` is not 0, -1, ...
@@ -76,8 +77,8 @@ impl ThreeFTwo {
     /// The value at `argument`.
     ///
     /// # Errors
-    /// [`HypergeometricError`]: infinite at 1; or cancellation that costs more than 1e-13 of the value
-    /// (of 0.1 where it is smaller).
+    /// [`HypergeometricError`] if the value is infinite at 1, or if cancellation costs more than
+    /// 1e-13 of the value (of 0.1 for smaller values).
     pub fn at(&self, argument: UnitArgument) -> Result<f64, HypergeometricError> {
         let (s, z, y) = (self.s, argument.value(), argument.complement());
         if z <= 0.5 || self.end == End::Polynomial {
@@ -92,7 +93,7 @@ impl ThreeFTwo {
             End::Powers(tail) => tail.integral(y, &self.gauss),
             End::Logarithmic | End::Polynomial => self.stepped(y),
         };
-        // ln z from the complement where that is the more exact.
+        // ln z from the complement if that is more accurate.
         let power = libm::exp(-s * libm::log1p(-y));
         trusted(integral.scaled(s * if y == 0.0 { 1.0 } else { power }))
     }
@@ -102,9 +103,9 @@ impl ThreeFTwo {
         let visit = |expansion: &Expansion, next: f64| {
             integral = integral.plus(step_integral(self.s, expansion, next));
         };
-        let end = self.gauss.equation().carry(self.gauss.at_half(), y.max(LAST), visit);
-        if y < LAST {
-            // The rest of the leading power y^excess; of a regular F it is lost in rounding.
+        let end = self.gauss.equation().carry(self.gauss.at_half(), y.max(INTEGRATION_END), visit);
+        if y < INTEGRATION_END {
+            // The rest of the leading power y^excess; for a regular F it is below rounding.
             let power = 1.0 + self.gauss.excess().min(0.0);
             let rest = end.value * end.y * part_above(y / end.y, power);
             integral = integral.plus(Sum { value: rest, size: rest.abs() });
@@ -200,9 +201,10 @@ fn step_integral(s: f64, expansion: &Expansion, next: f64) -> Sum {
 ///                           = s z^(-s) int_0^z t^(s - 1) F(a, b; c; t) dt
 /// ```
 ///
-/// s above 0; s, a, b, c to 5 in absolute value, c not 0, -1, -2, ...; z from 0 to 1, at 1 only if
-/// `c - a - b > -1` or the series ends. Up to 1/2 the series is summed; above, the expansion of 2F1
-/// in 1 - t is integrated term by term. Within 1e-13, relative (absolute below 0.1).
+/// s above 0; s, a, b, c at most 5 in magnitude, c not 0, -1, -2, ...; z from 0 to 1, at 1 only if
+/// `c - a - b > -1` or the series terminates. Up to 1/2 the series is summed; above, the expansion
+/// of 2F1 in 1 - t is integrated term by term. The error is at most 1e-13, relative (absolute for
+/// values below 0.1).
 ///
 /// Source: DLMF 16.2.1, 15.8.4; thesis (9.20), (9.21).
 ///

@@ -4,7 +4,7 @@ use super::tableau::{
     A1, A2, A3, A4, A5, A6, A7, A8, A9, A10, A11, A13, A14, A15, B, C, D, E3, E5,
 };
 
-/// Absolute and relative tolerance of one step, the same for every component.
+/// Absolute and relative tolerance of a step, the same for every component.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
     /// Absolute tolerance, in the units of the unknowns.
@@ -13,10 +13,10 @@ pub struct Tolerance {
     pub relative: f64,
 }
 
-/// Why an integration could not go on; the state is that of the last accepted step.
+/// Why an integration failed. The state is that of the last accepted step.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum OdeError {
-    /// The step fell below what the argument can resolve.
+    /// The step became too small to change the argument.
     #[error("step {step:e} at x = {x} is too small to go on")]
     StepTooSmall {
         /// Argument of the last accepted step.
@@ -24,15 +24,15 @@ pub enum OdeError {
         /// The step that was tried.
         step: f64,
     },
-    /// The slope was not a finite number at an accepted point.
+    /// The derivative was not finite at an accepted point.
     #[error("the slope is not finite at x = {x}")]
     NotFinite {
-        /// Argument of that point.
+        /// The argument at that point.
         x: f64,
     },
 }
 
-/// An integration of `y' = f(x, y)` with `N` unknowns under way.
+/// An integration of `y' = f(x, y)` with `N` unknowns.
 ///
 /// Each call of [`Stepper::step`] takes one accepted step of adaptive length (order 8, error
 /// estimates of order 5 and 3), never beyond the limit given. No allocation.
@@ -61,10 +61,10 @@ pub struct Stepper<const N: usize, F> {
 }
 
 impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
-    /// Start at `x`, `y` with a first trial step of `step` (its sign is the direction).
+    /// Starts at `x`, `y` with a first trial step of `step`, whose sign is the direction.
     ///
     /// # Errors
-    /// [`OdeError::NotFinite`] if the slope at the start is not finite.
+    /// [`OdeError::NotFinite`] if the derivative at the start is not finite.
     pub fn new(
         x: f64,
         y: [f64; N],
@@ -80,19 +80,19 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
         Ok(Self { slope, tolerance, x, y, trial: step, last: 0.0, previous: y, stages })
     }
 
-    /// The argument reached.
+    /// The present argument.
     #[must_use]
     pub fn x(&self) -> f64 {
         self.x
     }
 
-    /// The unknowns there.
+    /// The present unknowns.
     #[must_use]
     pub fn y(&self) -> &[f64; N] {
         &self.y
     }
 
-    /// The slope there.
+    /// The present derivative.
     #[must_use]
     pub fn slope(&self) -> &[f64; N] {
         &self.stages[0]
@@ -110,10 +110,11 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
         self.trial
     }
 
-    /// One accepted step towards `limit`, ending there at the latest.
+    /// Makes one accepted step towards `limit`, ending there at the latest.
     ///
     /// # Errors
-    /// [`OdeError::StepTooSmall`] if no step length meets the tolerance; the state is unchanged.
+    /// [`OdeError::StepTooSmall`] if no step length satisfies the tolerance; the state is
+    /// unchanged.
     pub fn step(&mut self, limit: f64) -> Result<(), OdeError> {
         let room = limit - self.x;
         if room == 0.0 {
@@ -122,7 +123,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
         let mut step = self.trial.abs().copysign(room);
         let mut rejected = false;
         loop {
-            // Stretch by up to 1 % rather than leave a sliver.
+            // Lengthen the step by up to 1 % rather than leave a very short last step.
             let lands = step.abs() * 1.01 >= room.abs();
             if lands {
                 step = room;
@@ -135,7 +136,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
                 self.accept(step, y, if lands { limit } else { self.x + step });
                 let factor = if error == 0.0 { 10.0 } else { 0.9 * growth(error) };
                 let factor = factor.clamp(0.333, if rejected { 1.0 } else { 6.0 });
-                // A step cut by the limit says nothing against the longer trial.
+                // A step shortened by the limit is no reason to reduce the trial step.
                 self.trial = (step * factor).abs().max(if lands && !rejected {
                     self.trial.abs()
                 } else {
@@ -150,7 +151,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
     }
 
     fn attempt(&mut self, step: f64) -> ([f64; N], f64) {
-        // Spelled out so that the compiler knows every index.
+        // Written out so that the compiler knows every index.
         self.stage::<1, _>(step, &A1);
         self.stage::<2, _>(step, &A2);
         self.stage::<3, _>(step, &A3);
@@ -207,7 +208,7 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
     }
 
     fn accept(&mut self, step: f64, y: [f64; N], x: f64) {
-        // Stage 12 keeps the slope at the new point, for the next step and for dense output.
+        // Stage 12 keeps the derivative at the new point, for the next step and for dense output.
         self.stages[12] = (self.slope)(x, &y);
         self.previous = self.y;
         self.y = y;
@@ -216,12 +217,12 @@ impl<const N: usize, F: FnMut(f64, &[f64; N]) -> [f64; N]> Stepper<N, F> {
         self.swap_slopes();
     }
 
-    // Stage 0 becomes the slope at the new point, stage 12 that at the old one.
+    // Stage 0 becomes the derivative at the new point, stage 12 that at the old one.
     fn swap_slopes(&mut self) {
         self.stages.swap(0, 12);
     }
 
-    /// The dense output over the last accepted step: three more evaluations of the slope.
+    /// The dense output over the last accepted step; three more evaluations of the derivative.
     pub fn dense(&mut self) -> DenseStep<N> {
         let (start, step) = (self.x - self.last, self.last);
         let reached = self.x;
@@ -264,13 +265,13 @@ impl<const N: usize> DenseStep<N> {
         self.start
     }
 
-    /// The argument at its end.
+    /// The argument at the end of the step.
     #[must_use]
     pub fn end(&self) -> f64 {
         self.start + self.step
     }
 
-    /// The unknowns at `x`, meant for x between start and end.
+    /// The unknowns at `x`, for x between start and end.
     #[must_use]
     pub fn at(&self, x: f64) -> [f64; N] {
         let t = (x - self.start) / self.step;

@@ -2,7 +2,7 @@
 
 use super::{Integral, QuadratureError, Tolerance, check_bounds, finite};
 
-/// The most pieces of an interval.
+/// Greatest number of subintervals.
 const MOST_PIECES: usize = 400;
 
 /// Kronrod nodes in (0, 1), descending, with the Kronrod weight and the weight of the embedded
@@ -20,11 +20,11 @@ const PAIRS: [[f64; 3]; 10] = [
     [0.148_874_338_981_631_211, 0.147_739_104_901_338_491_37, 0.295_524_224_714_752_870_17],
 ];
 
-/// The Kronrod weight of the middle.
+/// The Kronrod weight of the central node.
 const MIDDLE: f64 = 0.149_445_554_002_916_905_66;
 
-/// The integral of `function` from `lower` to `upper`, halving the piece with the largest estimated
-/// error until the sum of the estimates meets the tolerance.
+/// The integral of `function` from `lower` to `upper`. The subinterval with the largest estimated
+/// error is halved until the sum of the estimates meets the tolerance.
 ///
 /// The estimate is QUADPACK's, from the difference of the 21-point Kronrod and the 10-point Gauss
 /// rule; it never falls below the rounding error of the sums, about 1e-14 of the integral of |f|.
@@ -33,8 +33,8 @@ const MIDDLE: f64 = 0.149_445_554_002_916_905_66;
 /// Source: R. Piessens and others, QUADPACK (1983), algorithm QAG.
 ///
 /// # Errors
-/// [`QuadratureError`]: bounds or an integrand that are not finite; tolerance not met with 400
-/// pieces.
+/// [`QuadratureError`] if a bound or the integrand is not finite, or if the tolerance is not met
+/// with 400 subintervals.
 ///
 /// ```
 /// use carom_special::quadrature::{Tolerance, adaptive};
@@ -107,7 +107,7 @@ impl Piece {
     }
 }
 
-/// QUADPACK's estimate from the difference of both rules, for a half width of 1.
+/// QUADPACK's estimate from the difference of both rules, for a half-width of 1.
 fn estimate(difference: f64, spread: f64, size: f64) -> f64 {
     let difference = difference.abs();
     let mut error = difference;

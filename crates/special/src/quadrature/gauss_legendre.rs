@@ -20,8 +20,9 @@ pub struct Node {
 /// int_(-1)^1 f(x) dx = sum w_i f(x_i),   P_n(x_i) = 0,   w_i = 2 / ((1 - x_i^2) P_n'(x_i)^2)
 /// ```
 ///
-/// The nodes are found by Newton's method in `1 - x`, so that they and their weights keep all digits
-/// next to the ends: positions within 2e-16, weights within 3e-15 relative up to 200 nodes.
+/// The nodes are found by Newton's method in `1 - x`, so that nodes and weights are accurate close
+/// to the ends: errors are at most 2e-16 for positions and, up to 200 nodes, 3e-15 relative for
+/// weights.
 /// Source: DLMF 3.5(v).
 ///
 /// ```
@@ -36,8 +37,8 @@ pub struct GaussLegendre<S = Vec<Node>> {
     nodes: S,
 }
 
-/// A [`GaussLegendre`] rule of `N` nodes that is made when the program is compiled, for `N` from 1
-/// to 200: its nodes and weights are the doubles next to the exact ones.
+/// A [`GaussLegendre`] rule of `N` nodes computed at compile time, for `N` from 1 to 200. Nodes and
+/// weights are the exact ones rounded to double precision.
 ///
 /// ```
 /// use carom_special::quadrature::FixedRule;
@@ -47,7 +48,7 @@ pub struct GaussLegendre<S = Vec<Node>> {
 pub type FixedRule<const N: usize> = GaussLegendre<[Node; N]>;
 
 impl GaussLegendre {
-    /// The largest order: the work to make a rule grows as its square.
+    /// The greatest order: the work to compute a rule grows with its square.
     pub const MOST_NODES: usize = 20_000;
 
     /// The rule of `order` nodes.
@@ -89,7 +90,7 @@ impl<const N: usize> FixedRule<N> {
         self.nodes
     }
 
-    /// Places and weights on (0, 1), ascending.
+    /// Positions and weights on (0, 1), ascending.
     #[must_use]
     pub const fn parts() -> [(f64, f64); N] {
         let mut parts = [(0.0, 0.0); N];
@@ -128,20 +129,20 @@ impl<S: AsRef<[Node]>> GaussLegendre<S> {
     }
 }
 
-/// A node by its distance from 1.
+/// A node, given by its distance from 1.
 struct Gap {
     from_one: f64,
     weight: f64,
 }
 
-/// The same to all digits of a double and more.
+/// The same in double-double precision.
 struct Exact {
     from_one: Twofold,
     weight: Twofold,
 }
 
 impl Gap {
-    /// By one more of Newton's steps.
+    /// Refined by one more Newton step.
     const fn exact(&self, order: usize) -> Exact {
         let [one, two, n] = [Twofold::new(1.0), Twofold::new(2.0), Twofold::new(order as f64)];
         let mut y = Twofold::new(self.from_one);
@@ -179,7 +180,7 @@ const fn nth_from_above(order: usize, i: usize) -> Gap {
     let mut y = if is_middle {
         1.0
     } else {
-        // Tricomi's estimate, off by O(n^-4).
+        // Tricomi's estimate, with an error of O(n^-4).
         let half_angle = 0.5 * PI * (4.0 * i as f64 + 3.0) / (4.0 * n + 2.0);
         let half = sine(half_angle);
         let shrink = (n - 1.0) / (8.0 * n * n * n);
@@ -196,12 +197,12 @@ const fn nth_from_above(order: usize, i: usize) -> Gap {
         }
         steps += 1;
     }
-    // One step further changes nothing in y but what rounding leaves in the slope.
+    // One more step changes y only by the rounding error of the derivative.
     let slope = legendre.slope;
     Gap { from_one: y, weight: 2.0 / (y * (2.0 - y) * slope * slope) }
 }
 
-/// sin x for x in [0, pi/4], by its series: libm's is not known to the compiler.
+/// sin x for x in [0, pi/4] by its series: libm's is not available at compile time.
 const fn sine(x: f64) -> f64 {
     let (mut sum, mut k) = (1.0, 8.0);
     while k > 0.0 {
@@ -218,7 +219,7 @@ struct Legendre {
 }
 
 impl Legendre {
-    /// By the recurrence of the differences `P_(k+1) - P_k`, which loses nothing for small `y`.
+    /// By the recurrence of the differences `P_(k+1) - P_k`, which is accurate for small `y`.
     const fn at(order: usize, y: f64) -> Self {
         let (mut value, mut before) = (1.0 - y, 1.0);
         let mut difference = -y;

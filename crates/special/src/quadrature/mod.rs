@@ -3,12 +3,12 @@
 //! | rule | use |
 //! |---|---|
 //! | [`GaussLegendre`] | smooth integrand, known order; nothing allocated while integrating |
-//! | [`FixedRule`] | the same, with the order fixed when the program is compiled |
-//! | [`adaptive`] | smooth in pieces, unknown difficulty; with an error estimate |
+//! | [`FixedRule`] | the same, with the order fixed at compile time |
+//! | [`adaptive`] | piecewise smooth, unknown difficulty; with an error estimate |
 //! | [`tanh_sinh`] | algebraic or logarithmic singularities at the ends |
 //!
-//! The last two return a typed error that still carries value and estimate when the tolerance is
-//! not met.
+//! If the tolerance is not met, the last two return an error that contains the value and the
+//! estimate.
 
 mod gauss_kronrod;
 mod gauss_legendre;
@@ -21,7 +21,8 @@ pub use tanh_sinh::{Abscissa, tanh_sinh};
 
 use crate::RangeError;
 
-/// What an integral must reach: the estimated error at most the larger of both.
+/// The required accuracy of an integral: the estimated error is at most the larger of both
+/// tolerances.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Tolerance {
     absolute: f64,
@@ -37,11 +38,16 @@ impl Tolerance {
         RangeError::non_negative("absolute_tolerance", absolute)?;
         RangeError::non_negative("relative_tolerance", relative)?;
         let holds = absolute > 0.0 || relative > 0.0;
-        RangeError::check("relative_tolerance", relative, holds, "> 0 where the absolute is 0")?;
+        RangeError::check(
+            "relative_tolerance",
+            relative,
+            holds,
+            "> 0 if the absolute tolerance is 0",
+        )?;
         Ok(Self { absolute, relative })
     }
 
-    /// A relative tolerance alone.
+    /// A relative tolerance only.
     ///
     /// # Errors
     /// [`RangeError`] unless it is finite and positive.
@@ -55,27 +61,27 @@ impl Tolerance {
     }
 }
 
-/// The value of an integral with what is known of it.
+/// The value of an integral with its error estimate.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Integral {
     /// The value.
     pub value: f64,
     /// The estimated absolute error.
     pub error: f64,
-    /// How often the integrand was evaluated.
+    /// Number of evaluations of the integrand.
     pub evaluations: usize,
 }
 
-/// Why an integral is not given.
+/// Why an integral could not be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum QuadratureError {
     /// A bound is not finite.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// The integrand is infinite or not a number.
+    /// The integrand is infinite or NaN.
     #[error("the integrand is not finite at {position}")]
     Undefined {
-        /// Where it is not finite.
+        /// The point at which it is not finite.
         position: f64,
     },
     /// The tolerance is not met.
@@ -84,7 +90,7 @@ pub enum QuadratureError {
         integral.evaluations, integral.value, integral.error
     )]
     NotConverged {
-        /// The best value and its estimate.
+        /// The best value, with its error estimate.
         integral: Integral,
     },
 }
@@ -94,10 +100,10 @@ fn finite(value: f64, position: f64) -> Result<f64, QuadratureError> {
     if value.is_finite() { Ok(value) } else { Err(QuadratureError::Undefined { position }) }
 }
 
-/// The bounds, checked.
+/// Checks the bounds.
 fn check_bounds(lower: f64, upper: f64) -> Result<(), RangeError> {
     RangeError::finite("lower", lower)?;
     let holds = upper.is_finite() && (upper - lower).is_finite();
-    RangeError::check("upper", upper, holds, "finite, and so its distance to lower")?;
+    RangeError::check("upper", upper, holds, "finite, with a finite distance to lower")?;
     Ok(())
 }

@@ -1,4 +1,4 @@
-//! The double exponential rule of Takahasi and Mori.
+//! The double exponential (tanh-sinh) rule of Takahasi and Mori.
 
 use super::{Integral, QuadratureError, Tolerance, check_bounds, finite};
 use std::f64::consts::{FRAC_PI_2, PI};
@@ -6,10 +6,11 @@ use std::f64::consts::{FRAC_PI_2, PI};
 /// Step halvings after the first sum with step 1/2.
 const LEVELS: u32 = 9;
 
-/// Beyond this the distance to the end of a unit interval underflows.
+/// Beyond this t the distance to the end of a unit interval underflows.
 const REACH: f64 = 6.1;
 
-/// A point of an interval with its distances to both ends, exact where the position is not.
+/// A point of an interval with its distances to both ends, which are exact where the position is
+/// rounded.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Abscissa {
     /// The position.
@@ -20,18 +21,18 @@ pub struct Abscissa {
     pub to_upper: f64,
 }
 
-/// The integral of `function` from `lower` to `upper`, which may have integrable singularities at
-/// the ends.
+/// The integral of `function` from `lower` to `upper`; the integrand may have integrable
+/// singularities at the ends.
 ///
 /// With `x = (lower + upper)/2 + (upper - lower)/2 tanh((pi/2) sinh t)` the trapezoidal rule in t
-/// converges exponentially for a function analytic inside the interval. A singularity at an end other
-/// than 0 must be evaluated from [`Abscissa::from_lower`] or [`Abscissa::to_upper`], as the position
-/// rounds to the end.
+/// converges exponentially for an integrand that is analytic inside the interval. An integrand that
+/// is singular at an end other than 0 must use [`Abscissa::from_lower`] or [`Abscissa::to_upper`],
+/// because the position is rounded to the end.
 ///
 /// Source: H. Takahasi and M. Mori, Publ. RIMS Kyoto 9 (1974) 721-741.
 ///
 /// # Errors
-/// [`QuadratureError`]: bounds or an integrand that are not finite; tolerance not met.
+/// [`QuadratureError`] if a bound or the integrand is not finite, or if the tolerance is not met.
 ///
 /// ```
 /// use carom_special::quadrature::{Tolerance, tanh_sinh};
@@ -57,7 +58,7 @@ pub fn tanh_sinh(
         sum += rule.sum(0.5 * step, step, &mut function)?;
         step *= 0.5;
         let value = sum * step;
-        // The error of a level is about the square of that of the one before.
+        // The error of a level is about the square of the error of the previous one.
         let change = (value - integral.value).abs();
         integral = Integral { value, error: change, evaluations: rule.evaluations };
         if step < 0.2 && tolerance.allows(integral) {
@@ -83,7 +84,7 @@ impl Rule {
     ) -> Result<f64, QuadratureError> {
         let count = ((REACH - first) / step) as u32;
         let mut sum = 0.0;
-        // From the ends inwards: small terms first.
+        // From the ends inwards, so that small terms are added first.
         for i in (0..=count).rev() {
             let t = first + f64::from(i) * step;
             sum += self.pair(t, function)?;

@@ -1,8 +1,8 @@
-//! Sums of two doubles, for twice the digits, in functions that run when the program is compiled.
+//! Double-double arithmetic for functions evaluated at compile time.
 //!
 //! Source: T. J. Dekker, A floating-point technique for extending the available precision (1971).
 
-/// `high + low`, the second at most half a unit in the last place of the first.
+/// The unevaluated sum `high + low`; `low` is at most half a unit in the last place of `high`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Twofold {
     pub(super) high: f64,
@@ -49,7 +49,7 @@ impl Twofold {
     }
 }
 
-/// A double as the sum of two with half its digits.
+/// Splits a double into two with half of its digits.
 const fn halves(a: f64) -> [f64; 2] {
     let wide = 134_217_729.0 * a; // 2^27 + 1
     let upper = wide - (wide - a);

@@ -1,4 +1,4 @@
-//! The tests of `carom-special` that see it as its users do: one executable, a module for each subject.
+//! The integration tests of `carom-special`: one executable with a module for each subject.
 
 mod common;
 mod complete;

@@ -1,4 +1,4 @@
-//! Nodes of Gauss's rule on an interval: in order, and each with its own weight.
+//! Gauss nodes on an interval: in ascending order, each with its own weight.
 
 use carom_special::quadrature::GaussLegendre;
 

@@ -20,7 +20,7 @@ use crate::input::CaseFile;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
 use bodies::Bodies;
-use carom_solver::{Accuracy, ContactState, Doubt, Estimates, StepSummary, Window};
+use carom_solver::{Accuracy, ContactState, Estimates, GridWarning, StepSummary, Window};
 use follow::{Followed, Run};
 use kept::Folder;
 use serde::Serialize;
@@ -119,7 +119,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     if followed.found > 0 {
         warnings.push(format!("{} of {} steps were there already", followed.found, steps.len()));
     }
-    warnings.extend(doubts(&followed));
+    warnings.extend(few_cells(&followed));
     warnings.extend(unreached(&case, steps));
     let picture = match plot {
         Some(to) => Some((to, plot::draw(&followed, &case)?)),
@@ -156,10 +156,10 @@ pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<Solved, CliError
 }
 
 /// A warning if few cells lie across the contact.
-fn doubts(followed: &Followed) -> Option<String> {
-    let across = followed.state.doubts().into_iter().find_map(|doubt| match doubt {
-        Doubt::FewCells { across } => Some(across),
-        Doubt::Border { .. } => None,
+fn few_cells(followed: &Followed) -> Option<String> {
+    let across = followed.state.warnings().into_iter().find_map(|warning| match warning {
+        GridWarning::FewCells { across } => Some(across),
+        GridWarning::Border { .. } => None,
     })?;
     let last = followed.steps.last()?;
     let error = last.estimates.map(|all| Estimates::worst(&[all]));

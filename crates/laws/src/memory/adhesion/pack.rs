@@ -1,4 +1,4 @@
-//! The state of a contact without slip as plain numbers, to be kept elsewhere.
+//! Stores the state of a contact without slip as plain numbers.
 
 use carom_special::RangeError;
 
@@ -9,15 +9,15 @@ use crate::profile::NormalProfile;
 
 /// The version of the format; the first number is `1e4 version + vertices`.
 const VERSION: f64 = 4.0;
-/// Numbers of a vertex.
+/// Numbers per vertex.
 const EACH: usize = 9;
 
 impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
-    /// Writes the state into numbers: a mark, the approach, the shift, the force, and nine numbers of each
-    /// vertex. What is left over becomes zero. All zeros are two bodies apart.
+    /// Writes the state as numbers: a mark, the approach, the shift, the force, and nine numbers
+    /// per vertex. The rest of the slice is set to zero. All zeros represent two separated bodies.
     ///
     /// # Errors
-    /// [`RangeError`] if there is no room for the vertices; nothing is then written.
+    /// [`RangeError`] if the slice is too short for the vertices; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
         let len = self.stack.len();
         let room = numbers.len() as f64;
@@ -39,11 +39,11 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         Ok(())
     }
 
-    /// Takes the state from numbers that [`AdhesionMemory::pack`] wrote, to the same bits.
+    /// Restores a state from the numbers of [`AdhesionMemory::pack`], bit for bit.
     ///
     /// # Errors
-    /// [`RangeError`] as [`crate::memory::Memory::unpack`], and for forces that are not those of the
-    /// anchors; the state is then unchanged.
+    /// [`RangeError`] as [`crate::memory::Memory::unpack`], and for forces that do not follow from
+    /// the anchors; the state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let format = (VERSION, EACH, "of version 4");
         let (_, len) = check(numbers, format, self.stack.capacity())?;
@@ -56,7 +56,12 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
             let above = if i < len { vertex(i) } else { tip };
             let begins = i == 0 && above.force == V::default();
             let holds = begins || i > 0 && self.carries(&below, &above);
-            RangeError::check("force", above.force.length(), holds, "that of the anchors below")?;
+            RangeError::check(
+                "force",
+                above.force.length(),
+                holds,
+                "the force of the anchors below",
+            )?;
             below = above;
         }
         (self.zeta, self.shift, self.force) = (zeta, shift, force);
@@ -65,8 +70,8 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         Ok(())
     }
 
-    /// Whether the force up to a vertex is that up to the one below, with the rings between and the jump of the
-    /// anchor, to round-off.
+    /// Whether the force up to a vertex follows from that up to the one below, with the annuli in
+    /// between and the jump of the anchor, to rounding.
     fn carries(&self, below: &Vertex<V>, above: &Vertex<V>) -> bool {
         let jump = above.anchor.minus(below.anchor_at(above.depth));
         let stiffness = self.profile.stiffness(above.depth);
@@ -75,14 +80,14 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         let size = below.force.length() + grown.length() + above.force.length();
         let ways =
             below.anchor.length() + below.anchor_at(above.depth).length() + above.anchor.length();
-        off <= OFF * (size + stiffness * ways)
+        off <= FORCE_TOLERANCE * (size + stiffness * ways)
     }
 }
 
-/// By how much a force may be off, over what it is summed from.
-const OFF: f64 = 1e-9;
+/// Relative tolerance of a force, compared with the terms of its sum.
+const FORCE_TOLERANCE: f64 = 1e-9;
 
-/// The vertex that nine numbers tell.
+/// The vertex that nine numbers represent.
 fn vertex<V: Lateral>(numbers: &[f64]) -> Vertex<V> {
     let vector = |at: usize| V::from_components([numbers[at], numbers[at + 1]]);
     Vertex {

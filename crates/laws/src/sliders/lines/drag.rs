@@ -1,17 +1,17 @@
-//! The rings of the line that slip in one step.
+//! The annuli of the line that slip in one step.
 
 use std::ops::Range;
 
 use super::super::ring::SlipStep;
 use super::vertex::{Resolution, Slipped, Vertex, front};
 
-/// How often the place between two rings is halved in one step.
-const HALVED: u32 = 6;
-/// A ring is left out again where that costs this part of what would bring it in: else rings would
-/// come and go from step to step, each time a little off.
-const LOSS: f64 = 1.0 / 8.0;
+/// Greatest number of halvings of the interval between two annuli in one step.
+const MOST_HALVINGS: u32 = 6;
+/// An annulus is removed only if the loss is below this fraction of the loss that would insert it.
+/// Otherwise annuli would be inserted and removed repeatedly, each time with a small error.
+const REMOVAL_FRACTION: f64 = 1.0 / 8.0;
 
-/// A straight step between two shifts in which rings slip.
+/// A straight step between two shifts in which annuli slip.
 pub(super) struct Drag<'a> {
     pub(super) step: &'a SlipStep,
     pub(super) from: [f64; 2],
@@ -19,15 +19,16 @@ pub(super) struct Drag<'a> {
     pub(super) resolution: Resolution,
 }
 
-/// Two rings before the step and after it; the line before is straight between them.
+/// Two neighbouring annuli before and after the step; between them the line before the step is
+/// straight.
 struct Between<'a> {
     before: [&'a Vertex; 2],
     after: [&'a Slipped; 2],
 }
 
 impl Drag<'_> {
-    /// What takes the place of a run of slipping rings of the line, from the inside outwards, and how
-    /// many were dragged for it.
+    /// The replacement of a run of slipping annuli of the line, from the inside outwards, and the
+    /// number of annuli dragged for it.
     pub(super) fn lay(&self, line: &[Vertex], run: Range<usize>, fresh: &mut Vec<Vertex>) -> usize {
         fresh.clear();
         let mut laid =
@@ -43,7 +44,7 @@ impl Drag<'_> {
             let now = self.dragged(vertex, &mut laid);
             if let Some((before, last)) = last {
                 let between = Between { before: [before, vertex], after: [&last, &now] };
-                self.fill(&between, HALVED, &mut laid);
+                self.fill(&between, MOST_HALVINGS, &mut laid);
             }
             self.put(now.after, &mut laid);
             last = Some((vertex, now));
@@ -53,7 +54,7 @@ impl Drag<'_> {
         {
             let now = Slipped::at(front, self.step, self.to);
             let between = Between { before: [before, above], after: [&last, &now] };
-            self.fill(&between, HALVED, &mut laid);
+            self.fill(&between, MOST_HALVINGS, &mut laid);
             self.put(front, &mut laid);
         }
         laid.dragged
@@ -64,19 +65,19 @@ impl Drag<'_> {
         Slipped::dragged(vertex, self.step, self.from, self.to)
     }
 
-    // The last ring is left out where the line is as good without it.
+    // The previous annulus is left out if the line is as accurate without it.
     fn put(&self, vertex: Vertex, laid: &mut Laid<'_>) {
         let fresh = &mut laid.fresh;
         let before = fresh.len().checked_sub(2).map_or(laid.below, |i| Some(&fresh[i]));
         if let (Some(before), Some(last)) = (before, fresh.last())
-            && self.resolution.finer(LOSS).spares(before, last, &vertex)
+            && self.resolution.finer(REMOVAL_FRACTION).spares(before, last, &vertex)
         {
             fresh.pop();
         }
         fresh.push(vertex);
     }
 
-    // Rings between two whose tractions turned apart.
+    // Annuli between two whose tractions rotated differently.
     fn fill(&self, between: &Between<'_>, left: u32, laid: &mut Laid<'_>) {
         let Between { before, after: [a, b] } = *between;
         if left == 0 || !self.resolution.bends(a, b) {
@@ -90,10 +91,10 @@ impl Drag<'_> {
     }
 }
 
-/// What is laid so far.
+/// The part of the line that is complete.
 struct Laid<'a> {
     fresh: &'a mut Vec<Vertex>,
-    /// The ring that sticks inside of the run.
+    /// The annulus that sticks, inside the run.
     below: Option<&'a Vertex>,
     dragged: usize,
 }

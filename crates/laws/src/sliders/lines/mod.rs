@@ -1,11 +1,12 @@
-//! Coulomb's friction in two directions: a line of anchors that slips ring by ring.
+//! Coulomb friction in two directions: a line of anchors that slips annulus by annulus.
 //!
-//! The ring that touches at the approach s carries the traction f c_z (X - W(s)), with the shift
-//! `X = C x/(f c_z)` and its anchor W(s), at which it is free; `|X - W(s)| <= zeta - s`, and a ring at
-//! this limit slips along its traction in the physical plane. Between vertices W is linear in s. The
-//! vertices are the edge after every step, so that adhesion on a straight path is exact, the places
-//! where slip begins, and those between which tractions turn: each where leaving it out would cost
-//! force, so that a slip ring thinner than any distance of fixed rings is resolved.
+//! The annulus that came into contact at the approach s carries the traction f c_z (X - W(s)), with
+//! the shift `X = C x/(f c_z)` and its anchor W(s), the shift of zero traction. It satisfies `|X -
+//! W(s)| <= zeta - s`; an annulus at this limit slips in the direction of its traction in the
+//! physical plane. Between vertices W is linear in s. Vertices are the edge after every step, so
+//! that adhesion on a straight path is exact, the depths at which slip begins, and those between
+//! which tractions rotate. A vertex is kept only if leaving it out would change the force; a slip
+//! annulus may therefore be thinner than any fixed spacing of annuli.
 
 mod drag;
 mod vertex;
@@ -22,11 +23,11 @@ use crate::law::{ContactLaw, ContactLoad, ImpactLaw, Shift};
 use crate::memory::MemoryRegime as Regime;
 use crate::stiffness::ContactStiffness;
 
-/// Angle to which the directions of tractions are known at least.
+/// Directions of tractions are computed at least to this angle, radians.
 const FINEST: f64 = 1e-6;
 
-/// Coulomb's law on a line of anchors, straight between them, of contacts as stiff along x as along y
-/// or not.
+/// Coulomb's law on a piecewise linear line of anchors, for contacts with equal or different
+/// stiffness along x and y.
 ///
 /// ```
 /// use carom_laws::sliders::SlipLines;
@@ -44,29 +45,31 @@ pub struct SlipLines {
     stiffness: ContactStiffness,
     /// f c_z.
     limit: f64,
-    /// What may be left out, over the greatest force.
+    /// Error allowed by leaving out annuli, relative to the greatest force.
     tolerance: f64,
     resolution: Resolution,
     shift: Shift,
-    /// X from an origin that moves along in gross sliding, as the anchors.
+    /// X and the anchors are measured from an origin that moves along in gross sliding.
     at: [f64; 2],
     vertices: Vec<Vertex>,
     watch: Watch,
     /// The integral of the anchors over the radius.
     integral: [f64; 2],
-    /// How far the limits of all rings have come closer since touch.
+    /// The accumulated decrease of the distance of all annuli from their limits, since first
+    /// contact.
     approached: f64,
     regime: Regime,
     force: [f64; 2],
-    /// Those that a step drags, what takes their place, and how many it dragged.
+    /// Annuli that a step drags, their replacement, and the number dragged.
     slipping: Vec<usize>,
     fresh: Vec<Vertex>,
     moved: usize,
 }
 
 impl SlipLines {
-    /// At rest, for friction that is neither zero nor infinite; a ring is left out of the line where
-    /// that costs no more than `tolerance` times the greatest force since touch.
+    /// A law in its initial state, for friction that is neither zero nor infinite. An annulus is
+    /// left out of the line if that changes the force by at most `tolerance` times the greatest
+    /// force since first contact.
     ///
     /// # Errors
     /// [`RangeError`] unless friction and tolerance are finite and positive.
@@ -96,7 +99,7 @@ impl SlipLines {
         })
     }
 
-    /// A law of the same contact at rest with so small a part of the tolerance.
+    /// A law of the same contact in its initial state, with the tolerance divided by `times`.
     #[must_use]
     pub fn refined(&self, times: usize) -> Self {
         let mut law = self.clone();
@@ -107,7 +110,7 @@ impl SlipLines {
         law
     }
 
-    /// What the last step did; which ring slips again is not told apart.
+    /// The contact state after the last step; an overlay is not distinguished from slip.
     #[must_use]
     pub const fn regime(&self) -> Regime {
         self.regime
@@ -120,7 +123,7 @@ impl SlipLines {
         self.force = [0.0; 2];
     }
 
-    // The first ring, at the shift where the bodies touch.
+    // The first annulus, at the shift of first contact.
     fn touch(&mut self) {
         self.at = [0.0; 2];
         self.approached = 0.0;
@@ -150,7 +153,7 @@ impl SlipLines {
         Some(last)
     }
 
-    // The edge of a contact that recedes.
+    // The edge of a receding contact.
     fn recede(&mut self, zeta: f64) {
         let mut outer = None;
         while self.vertices.last().is_some_and(|last| last.depth >= zeta) {
@@ -162,7 +165,7 @@ impl SlipLines {
         }
     }
 
-    // The edge of a contact that grows.
+    // The edge of a growing contact.
     fn grow(&mut self, edge: Vertex) {
         if let [.., a, b] = &self.vertices[..]
             && self.resolution.spares(a, b, &edge)
@@ -172,7 +175,7 @@ impl SlipLines {
         self.push(edge, self.approached);
     }
 
-    // Rings beyond their limits slip.
+    // Annuli beyond their limits slip.
     fn slip(&mut self, step: &SlipStep, to: [f64; 2]) {
         let (vertices, zeta) = (&self.vertices, step.to);
         let excess = |i: usize| {
@@ -225,7 +228,7 @@ impl SlipLines {
         self.add(before, -1.0);
     }
 
-    // Anchors from the present shift: no digits are lost in long sliding.
+    // Anchors are measured from the present shift: long sliding loses no digits.
     fn move_origin(&mut self) {
         let by = std::mem::take(&mut self.at);
         for vertex in &mut self.vertices {
@@ -254,7 +257,7 @@ impl SlipLines {
             self.regime = Regime::Adhesion;
         } else {
             let ContactStiffness { c_x, c_y, .. } = self.stiffness;
-            // A ring of the limit L is about L/(2 sqrt(zeta)) wide.
+            // An annulus with the limit L is about L/(2 sqrt(zeta)) wide.
             let accuracy = 2.0 * to.sqrt() * self.resolution.area;
             self.slip(
                 &SlipStep { from, to, by, stiffness: [c_x, c_y], accuracy, finest: FINEST },
@@ -310,7 +313,7 @@ impl ContactLaw for SlipLines {
 }
 
 impl ImpactLaw for SlipLines {
-    // Those that the last step moved: they are its work.
+    // Those that the last step moved, as a measure of its work.
     fn rings(&self) -> Option<usize> {
         Some(self.moved)
     }

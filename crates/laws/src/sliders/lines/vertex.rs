@@ -1,10 +1,11 @@
-//! A place on the line of anchors, and what may be left out of the line.
+//! A vertex on the line of anchors, and the criterion for leaving it out.
 
 use super::super::ring::SlipStep;
 
-/// What may be left out: areas between the anchors over the radius and a straight line up to this.
+/// A vertex may be left out if the area between the anchors over the radius and a straight line is
+/// at most this.
 ///
-/// An area times f c_z is the force that is lost with it; how thin a slip ring is does not count.
+/// The area times f c_z is the change of the force; the width of a slip annulus does not matter.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Resolution {
     pub(super) area: f64,
@@ -27,7 +28,7 @@ impl Vertex {
         Self::new(depth, [0, 1].map(|k| self.anchor[k] + part * (other.anchor[k] - self.anchor[k])))
     }
 
-    /// The integral of the anchors over the radius up to another.
+    /// The integral of the anchors over the radius from this vertex to another.
     pub(super) fn integral(&self, other: &Self) -> [f64; 2] {
         let sum = other.radius + self.radius;
         let unit = if sum > 0.0 { (other.radius - self.radius) / (3.0 * sum) } else { 0.0 };
@@ -42,7 +43,7 @@ impl Vertex {
 }
 
 impl Resolution {
-    /// This part of it.
+    /// This fraction of the resolution.
     pub(super) const fn finer(&self, part: f64) -> Self {
         Self { area: part * self.area }
     }
@@ -57,18 +58,18 @@ impl Resolution {
         0.5 * length(off) * (c.radius - a.radius) <= self.area
     }
 
-    /// Whether the tractions between two rings at their limits turn so far that those between are
-    /// off the straight line.
+    /// Whether the tractions of two annuli at their limits rotated so differently that the annuli
+    /// between them are not on the straight line.
     pub(super) fn bends(&self, a: &Slipped, b: &Slipped) -> bool {
         let [x, y] = [a.direction[0] - b.direction[0], a.direction[1] - b.direction[1]];
-        // Where the limit vanishes tractions turn at will.
+        // Where the limit vanishes the direction of the traction is arbitrary.
         let turn = if b.limit > 0.0 { x * x + y * y } else { 1.0 };
         let limit = 0.5 * (a.limit + b.limit);
         limit * turn * (b.after.radius - a.after.radius) > 16.0 * self.area
     }
 }
 
-/// A ring at its limit after a step, and the direction of its traction.
+/// An annulus at its limit after a step, and the direction of its traction.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Slipped {
     pub(super) after: Vertex,
@@ -77,14 +78,14 @@ pub(super) struct Slipped {
 }
 
 impl Slipped {
-    /// One dragged by the step from the shift `from` to the shift `to`.
+    /// An annulus dragged by the step from the shift `from` to the shift `to`.
     pub(super) fn dragged(vertex: &Vertex, step: &SlipStep, from: [f64; 2], to: [f64; 2]) -> Self {
         let stretch = step.drag(vertex.stretch(from), vertex.depth);
         let after = Vertex { anchor: [to[0] - stretch[0], to[1] - stretch[1]], ..*vertex };
         Self::at(after, step, to)
     }
 
-    /// One that has come to its limit at the end of the step.
+    /// An annulus that reaches its limit at the end of the step.
     pub(super) fn at(after: Vertex, step: &SlipStep, to: [f64; 2]) -> Self {
         let limit = (step.to - after.depth).max(0.0);
         let norm = length(after.stretch(to));
@@ -93,9 +94,10 @@ impl Slipped {
     }
 }
 
-/// Where between a ring that sticks and one beyond its limit the limit is met.
+/// The depth at which the limit is reached, between an annulus that sticks and one beyond its
+/// limit.
 ///
-/// Found from the ring that slips, so that nothing cancels where the part that slips is thin.
+/// Computed from the slipping annulus, to avoid cancellation where the slipping part is thin.
 pub(super) fn front(inside: &Vertex, outside: &Vertex, zeta: f64, to: [f64; 2]) -> Option<Vertex> {
     let (u, w) = (inside.stretch(to), outside.stretch(to));
     let rise = [u[0] - w[0], u[1] - w[1]];
@@ -108,12 +110,12 @@ pub(super) fn front(inside: &Vertex, outside: &Vertex, zeta: f64, to: [f64; 2]) 
     let excess = (norm - limit).max(0.0) * (norm + limit);
     let root = (slope * slope - curve * excess).max(0.0).sqrt();
     let part = if slope <= 0.0 { excess / (root - slope) } else { (slope + root) / -curve };
-    // Where all but nothing slips the ring that sticks is the place.
+    // If almost nothing slips, the depth is that of the sticking annulus.
     if part.is_nan() || part >= 1.0 - 1e-9 {
         return None;
     }
     let depth = outside.depth - part * length;
-    // However thin the part that slips, the line before it stays where it is.
+    // However thin the slipping part is, the rest of the line stays unchanged.
     let depth = match depth == outside.depth {
         true if length > 0.0 => depth.next_down(),
         true => depth.next_up(),

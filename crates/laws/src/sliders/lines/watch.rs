@@ -1,11 +1,11 @@
-//! Which rings might have come to their limits.
+//! Finds the annuli that may have reached their limits.
 
-/// Up to which value of `approached` each ring cannot slip, in blocks that are looked at only when
-/// one of theirs might.
+/// For each annulus the value of `approached` up to which it cannot slip. They are grouped in
+/// blocks, which are examined only if one of their annuli may slip.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Watch {
     safe: Vec<f64>,
-    /// The least of each block, or less.
+    /// The least value of each block, or a lower one.
     low: Vec<f64>,
 }
 
@@ -49,8 +49,8 @@ impl Watch {
         }
     }
 
-    /// Writes down the rings beyond their limits, the outermost first, and says whether others are
-    /// not.
+    /// Lists the annuli beyond their limits, the outermost first. Returns whether other annuli are
+    /// within their limits.
     pub(super) fn find(
         &mut self,
         approached: f64,

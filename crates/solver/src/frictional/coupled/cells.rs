@@ -1,34 +1,34 @@
-//! What the cells do, seen from their tractions, gaps and slips.
+//! The state of each cell, chosen from its tractions, gap and slip.
 
 use carom_halfspace::operator::SurfaceOperator;
 
 use super::CoupledTask;
 use super::system::System;
 use crate::convergence::Residuals;
-use crate::friction::firm;
+use crate::friction::finite_coefficient;
 use crate::state::CellState;
-use crate::tangential::within;
+use crate::tangential::project_to_disc;
 
-/// States, and rays of those that slip.
+/// The states of the cells, and the cone rays of those that slip.
 #[derive(Clone)]
 pub(super) struct Cells {
-    /// Influences of a cell on itself, normal and along the surface.
+    /// Influences of a cell on itself, normal and tangential.
     own: [f64; 2],
     pub(super) states: Vec<CellState>,
     /// Directions of the tangential tractions of slipping cells.
     pub(super) rim: [Vec<f64>; 2],
-    /// Slip over traction there: what turning the traction takes.
+    /// Slip over traction in slipping cells: the stiffness term for turning the traction.
     pub(super) bend: Vec<f64>,
-    /// (cos, sin) of the cone's half angle, between the normal and its rays.
+    /// (cos, sin) of the half angle of the friction cone, from the normal to its rays.
     pub(super) ray: Vec<[f64; 2]>,
 }
 
-/// What a cell should do.
+/// The state that a cell should have.
 #[derive(Clone, Copy)]
 struct Wanted {
     state: CellState,
     rim: [f64; 2],
-    /// Along the ray.
+    /// Traction along the ray of the cone.
     length: f64,
     bend: f64,
 }
@@ -45,7 +45,7 @@ impl Cells {
         }
     }
 
-    /// The rays of the start.
+    /// The rays of the initial tractions.
     pub(super) fn begin(&mut self, task: &CoupledTask<'_>) {
         for i in 0..task.cells.len() {
             let at = [task.traction[0][i], task.traction[1][i]];
@@ -55,9 +55,9 @@ impl Cells {
         }
     }
 
-    /// What is left of the conditions: normal over the greatest displacement, tangential over the
-    /// greatest limit, but over no more than the greatest pressure or traction. Where nothing touches
-    /// the normal one is infinite.
+    /// The residuals: the normal one relative to the greatest displacement, the tangential one
+    /// relative to the greatest limit, or to the greatest pressure or traction if these are
+    /// smaller. The normal one is infinite if no cell is in contact.
     pub(super) fn residuals(&self, task: &CoupledTask<'_>, system: &System) -> Residuals {
         let (mut normal, mut tangential) = (system.unbalance(task)[0], system.unbalance(task)[1]);
         let (mut depth, mut most, mut reached) = (0.0_f64, 0.0_f64, 0.0_f64);
@@ -69,9 +69,9 @@ impl Cells {
                 (-gap).max(-pressure * self.own[0]).max(0.0)
             };
             let at = [task.traction[0][i], task.traction[1][i]];
-            let limit = firm(task.friction[i]) * pressure.max(0.0);
+            let limit = finite_coefficient(task.friction[i]) * pressure.max(0.0);
             let pulled = [0, 1].map(|axis| at[axis] - system.slip[axis][i] / self.own[1]);
-            let to = within(pulled, limit);
+            let to = project_to_disc(pulled, limit);
             let distance = (at[0] - to[0]).hypot(at[1] - to[1]);
             if off.is_nan() || distance.is_nan() {
                 return Residuals { normal: f64::NAN, tangential: f64::NAN };
@@ -91,8 +91,8 @@ impl Cells {
         }
     }
 
-    /// Sets the states and takes the tractions into what they admit; of the changes, only this
-    /// share, the most pressing ones.
+    /// Sets the states and projects the tractions onto what the states admit. Only this share of
+    /// the changes is made, those with the greatest violation.
     pub(super) fn choose(&mut self, task: &mut CoupledTask<'_>, system: &System, share: f64) {
         let wanted: Vec<Wanted> =
             (0..task.cells.len()).map(|i| self.wanted(task, system, i)).collect();
@@ -122,13 +122,13 @@ impl Cells {
         }
     }
 
-    /// Takes what is in its cone but for the tolerance there.
+    /// Projects tractions that violate their cone within the tolerance onto it.
     pub(super) fn finish(&self, task: &mut CoupledTask<'_>) {
         for i in 0..task.cells.len() {
             let pressure = task.pressure[i].max(0.0);
             task.pressure[i] = pressure;
             let at = [task.traction[0][i], task.traction[1][i]];
-            let [x, y] = within(at, firm(task.friction[i]) * pressure);
+            let [x, y] = project_to_disc(at, finite_coefficient(task.friction[i]) * pressure);
             (task.traction[0][i], task.traction[1][i]) = (x, y);
             if pressure == 0.0 {
                 task.cells[i] = CellState::Exterior;
@@ -160,7 +160,7 @@ impl Cells {
         if sizes.len() > most { sizes[sizes.len() - most] } else { 0.0 }
     }
 
-    /// The part of a cell's traction along its ray.
+    /// The component of a cell's traction along its ray.
     fn length(&self, task: &CoupledTask<'_>, i: usize) -> f64 {
         let [cos, sin] = ray(task.friction[i]);
         let along = task.traction[0][i] * self.rim[0][i] + task.traction[1][i] * self.rim[1][i];
@@ -169,7 +169,7 @@ impl Cells {
 
     fn wanted(&self, task: &CoupledTask<'_>, system: &System, i: usize) -> Wanted {
         let nothing = |state| Wanted { state, rim: [0.0; 2], length: 0.0, bend: 0.0 };
-        let friction = firm(task.friction[i]);
+        let friction = finite_coefficient(task.friction[i]);
         let [cos, sin] = ray(friction);
         let slip = [system.slip[0][i], system.slip[1][i]];
         let at = [task.traction[0][i], task.traction[1][i]];
@@ -222,7 +222,7 @@ impl Cells {
 
 /// (cos, sin) of the half angle of Coulomb's cone.
 fn ray(friction: f64) -> [f64; 2] {
-    let friction = firm(friction);
+    let friction = finite_coefficient(friction);
     let over = (1.0 + friction * friction).sqrt();
     [1.0 / over, friction / over]
 }

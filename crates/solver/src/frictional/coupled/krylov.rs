@@ -1,6 +1,6 @@
-//! Generalised minimal residuals (GMRES) with a preconditioner on the right.
+//! The generalised minimal residual method (GMRES) with a right preconditioner.
 
-/// Directions that are kept before a restart: fewer than these, and as many values together.
+/// GMRES restarts after at most this number of directions.
 const DIRECTIONS: usize = 240;
 const VALUES: usize = 10_000_000;
 
@@ -11,15 +11,15 @@ pub(super) trait LinearMap {
     /// Puts the image of `x` into `y`.
     fn apply(&mut self, x: &[f64], y: &mut [f64]) -> Result<(), Self::Error>;
 
-    /// Puts what is about the inverse image of `y` into `x`.
+    /// Puts an approximate solution of `map x = y` into `x`.
     fn precondition(&mut self, y: &[f64], x: &mut [f64]);
 }
 
-/// Solves `map x = right` from zero until what is left is at most `least` in norm, in at most so
-/// many products; the norm that is left.
+/// Solves `map x = right`, starting from zero, until the residual is at most `least` in norm or
+/// after at most this many products. Returns the norm of the residual.
 ///
 /// # Errors
-/// Those of the map.
+/// The errors of the map.
 pub(super) fn solve<M: LinearMap>(
     map: &mut M,
     right: &[f64],
@@ -37,7 +37,7 @@ pub(super) fn solve<M: LinearMap>(
         let before = left;
         spent += cycle(map, &mut rest, solution, least, most)?;
         left = norm(&rest);
-        // A restart that gains nothing will not gain more.
+        // A restart without progress is the last one.
         if left.is_nan() || left > 0.999 * before {
             break;
         }
@@ -45,7 +45,8 @@ pub(super) fn solve<M: LinearMap>(
     Ok(left)
 }
 
-/// Up to `most` directions; `rest` and `solution` follow. The products spent.
+/// One cycle of up to `most` directions; updates `rest` and `solution`. Returns the number of
+/// products.
 fn cycle<M: LinearMap>(
     map: &mut M,
     rest: &mut [f64],
@@ -56,7 +57,7 @@ fn cycle<M: LinearMap>(
     let size = norm(rest);
     let mut basis: Vec<Vec<f64>> = vec![rest.iter().map(|value| value / size).collect()];
     let mut step = vec![0.0; rest.len()];
-    // Columns of the triangle that Givens' rotations make of the Hessenberg matrix.
+    // Columns of the triangular matrix that Givens rotations make of the Hessenberg matrix.
     let mut columns: Vec<Vec<f64>> = Vec::new();
     let mut rotations: Vec<[f64; 2]> = Vec::new();
     let mut target = vec![size];
@@ -109,7 +110,7 @@ fn cycle<M: LinearMap>(
     Ok(parts.len() + 1)
 }
 
-/// The solution of the triangle.
+/// Solves the triangular system by back substitution.
 fn back(columns: &[Vec<f64>], target: &[f64]) -> Vec<f64> {
     let mut parts = target[..columns.len()].to_vec();
     for k in (0..columns.len()).rev() {

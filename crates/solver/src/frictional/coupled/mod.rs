@@ -1,12 +1,12 @@
-//! Pressures and tractions together, where solving for them in turn does not converge.
+//! Newton's method on pressures and tractions together, used if the alternation does not converge.
 //!
-//! Newton's method on the conditions of contact and friction as they stand: in each cell the
-//! traction (p, t) lies in Coulomb's cone `|t| <= f p`. A cell is apart, sticks (three unknowns:
-//! no gap, no slip) or slips (two: along a ray of the cone, with no gap, and around it, with slip
-//! against the traction). Rays are followed by their length, so that the cone may open to the
-//! half-space of infinite friction. There a cell at the edge may be neither stuck, for its own
-//! tractions would pull it off, nor apart, for without them it overlaps: it slips with next to no
-//! pressure.
+//! The unknowns of a cell are its pressure p and traction t in Coulomb's cone `|t| <= f p`. A cell
+//! is separated, sticks (three unknowns; conditions: no gap, no slip) or slips (two unknowns: one
+//! along a ray of the cone, with no gap, one around it, with the slip opposite to the traction).
+//! Positions on a ray are measured by their length, so that the cone may open to the half-space of
+//! infinite friction. With infinite friction a cell at the edge may be unable to stick, because its
+//! own tractions would pull it off, and to separate, because without them the bodies overlap: it
+//! then slips at almost no pressure.
 
 mod cells;
 mod krylov;
@@ -23,25 +23,25 @@ use crate::tangential::Rigid;
 use cells::Cells;
 use system::System;
 
-/// What is left of a linear system, over what there was.
-const INEXACT: f64 = 1e-4;
-/// Products of a linear system.
-const PRODUCTS: usize = 240;
-/// Newton's steps without progress after which half as many cells may change at once.
-const PATIENCE: usize = 6;
-/// Newton's steps without progress after which it is given up.
-const HOPELESS: usize = 8;
-/// Gaps of this part of the greatest displacement are no start.
-const LOST: f64 = 0.5;
+/// Relative residual to which each linear system is solved.
+const LINEAR_RESIDUAL: f64 = 1e-4;
+/// Greatest number of products for one linear system.
+const MOST_PRODUCTS: usize = 240;
+/// After this many Newton steps without progress half as many cells may change at once.
+const STEPS_BEFORE_FEWER_CHANGES: usize = 6;
+/// After this many Newton steps without progress the method gives up.
+const STEPS_BEFORE_GIVING_UP: usize = 8;
+/// A start whose gaps exceed this fraction of the greatest displacement is rejected.
+const LARGEST_INITIAL_GAP: f64 = 0.5;
 
-/// What is to be solved and what is found.
+/// The problem and its solution.
 pub(crate) struct CoupledTask<'a> {
     pub(crate) operator: &'a dyn SurfaceOperator,
-    /// Distances of the surfaces at approach zero, without any traction.
+    /// Distances of the surfaces at zero approach, without tractions.
     pub(crate) heights: &'a [f64],
-    /// Coefficients of friction.
+    /// Friction coefficient of each cell.
     pub(crate) friction: &'a [f64],
-    /// The slip of cells without tractions, but for what has a given load.
+    /// The slip of the cells without tractions and without the motions whose loads are prescribed.
     pub(crate) offset: [&'a [f64]; 2],
     pub(crate) normal: Driven,
     pub(crate) approach: f64,
@@ -51,7 +51,7 @@ pub(crate) struct CoupledTask<'a> {
     pub(crate) cells: &'a mut [CellState],
 }
 
-/// The working memory.
+/// The working memory of Newton's method.
 #[derive(Clone)]
 pub(crate) struct Coupled {
     system: System,
@@ -65,10 +65,10 @@ impl Coupled {
         Self { system, cells, products: Products::default() }
     }
 
-    /// Solves a task from its own start.
+    /// Solves a task, starting from its own values.
     ///
     /// # Errors
-    /// The operator's.
+    /// The errors of the operator.
     pub(crate) fn solve(
         &mut self,
         task: &mut CoupledTask<'_>,
@@ -85,11 +85,11 @@ impl Coupled {
             let residuals = self.cells.residuals(task, &self.system);
             let touching = task.pressure.iter().filter(|pressure| **pressure > 0.0).count();
             let worst = residuals.worst();
-            // Where nothing touches any more, the next step may press again.
-            let lost = touching > 0 && residuals.normal > LOST;
+            // If no cell is left in contact, the next step may press the bodies together again.
+            let lost = touching > 0 && residuals.normal > LARGEST_INITIAL_GAP;
             let cells = task.pressure.len();
             let seen = observer.see(&Progress { iteration, cells, touching, residuals });
-            let stop = if worst.is_nan() || since > HOPELESS || lost {
+            let stop = if worst.is_nan() || since > STEPS_BEFORE_GIVING_UP || lost {
                 Some(Stop::Stalled)
             } else if worst <= tolerance && iteration > 0 {
                 Some(Stop::Converged)
@@ -107,7 +107,7 @@ impl Coupled {
                 (least, since, share) = (worst, 0, 1.0);
             } else {
                 since += 1;
-                if since % PATIENCE == 0 {
+                if since % STEPS_BEFORE_FEWER_CHANGES == 0 {
                     share *= 0.5;
                 }
             }

@@ -1,8 +1,9 @@
-//! The linear system of one of Newton's steps.
+//! The linear system of a Newton step.
 //!
-//! Unknowns of a cell: if it sticks pressure and both tractions, if it slips the length along its
-//! ray and the traction around it; then the motions whose loads are given. Its equations: the gap,
-//! and the slip or the part of it around the ray.
+//! Unknowns of a cell: pressure and both tractions if it sticks; the length along its ray and the
+//! traction around the ray if it slips. Further unknowns are the motions whose loads are
+//! prescribed. Equations of a cell: the gap and the slip, or the component of the slip around the
+//! ray.
 
 use carom_halfspace::operator::{
     DisplacementField, OperatorError, SurfaceOperator, TorusInverse, TractionField, Workspace,
@@ -11,21 +12,21 @@ use nalgebra::{Matrix4, Vector4};
 
 use super::cells::Cells;
 use super::krylov::{self, LinearMap};
-use super::{CoupledTask, INEXACT, PRODUCTS};
+use super::{CoupledTask, LINEAR_RESIDUAL, MOST_PRODUCTS};
 use crate::convergence::Products;
 use crate::drive::Driven;
 use crate::state::CellState;
 
-/// What stands for the influence beside the bend where slipping cells are taken one by one, over that
-/// of a cell on itself.
-const ALONE: f64 = 10.0;
-/// Motions: approach, shifts, twist.
+/// Diagonal term of the preconditioner for slipping cells that are treated one by one, relative to
+/// the influence of a cell on itself.
+const ISOLATED_CELL_COMPLIANCE: f64 = 10.0;
+/// Motions: approach, two shifts, twist.
 const MOTIONS: usize = 4;
 
-/// Three values in each cell.
+/// Three values for each cell.
 type Space = [Vec<f64>; 3];
 
-/// Gaps and slips, and the working memory of the linear system.
+/// Gaps and slips, with the working memory of the linear system.
 #[derive(Clone)]
 pub(super) struct System {
     inverse: Option<TorusInverse>,
@@ -33,13 +34,13 @@ pub(super) struct System {
     centres: [Vec<f64>; 2],
     /// Influence of a tangential traction on its own cell.
     own: f64,
-    /// The coupling, as a part of the normal influence.
+    /// Ratio of the coupling influence to the normal one.
     gamma: f64,
     pub(super) gap: Vec<f64>,
     pub(super) slip: [Vec<f64>; 2],
     traction: Space,
     image: Space,
-    /// What the preconditioner makes of each motion, and how that changes the loads.
+    /// The preconditioner applied to each unit motion, and the loads of the result.
     corrections: Vec<Vec<f64>>,
     answers: Matrix4<f64>,
 }
@@ -66,7 +67,7 @@ impl System {
         }
     }
 
-    /// Gaps and slips of the tractions of a task.
+    /// Computes gaps and slips from the tractions of a task.
     pub(super) fn displace(
         &mut self,
         task: &CoupledTask<'_>,
@@ -87,7 +88,7 @@ impl System {
         Ok(())
     }
 
-    /// Loads of tractions over the area of a cell, F_z first.
+    /// The loads of tractions divided by the area of a cell, F_z first.
     fn loads(&self, pressure: &[f64], traction: [&[f64]; 2]) -> Vector4<f64> {
         let mut sums = Vector4::zeros();
         for (i, pressure) in pressure.iter().enumerate() {
@@ -98,14 +99,14 @@ impl System {
         sums
     }
 
-    /// The given loads less those of the tractions; zero where the shift is given.
+    /// Prescribed loads minus those of the tractions; zero where the shift is prescribed.
     fn missing(&self, task: &CoupledTask<'_>) -> Vector4<f64> {
         let given = given(task);
         let now = self.loads(task.pressure, [task.traction[0], task.traction[1]]);
         Vector4::from_fn(|k, _| given[k].map_or(0.0, |load| load - now[k]))
     }
 
-    /// How far the loads are from the given ones: a displacement and a traction.
+    /// The errors of the loads, as a displacement (normal) and as a traction (tangential).
     pub(super) fn unbalance(&self, task: &CoupledTask<'_>) -> [f64; 2] {
         let missing = self.missing(task);
         let touching = task.pressure.iter().filter(|p| **p > 0.0).count().max(1) as f64;
@@ -115,7 +116,7 @@ impl System {
         [self.own * missing[0].abs() / touching, tangential / touching]
     }
 
-    /// One of Newton's steps for the states of the cells.
+    /// Makes one Newton step for the given states of the cells.
     pub(super) fn newton_step(
         &mut self,
         task: &mut CoupledTask<'_>,
@@ -139,8 +140,8 @@ impl System {
             right[3 * n + k] = map.weight(k) * missing[k];
         }
         let mut step = vec![0.0; 3 * n + MOTIONS];
-        let least = INEXACT * krylov::norm(&right);
-        krylov::solve(&mut map, &right, &mut step, least, PRODUCTS)?;
+        let least = LINEAR_RESIDUAL * krylov::norm(&right);
+        krylov::solve(&mut map, &right, &mut step, least, MOST_PRODUCTS)?;
         for (i, state) in cells.states.iter().enumerate() {
             let [t_x, t_y, p] =
                 unknowns(cells, i, *state, [step[3 * i], step[3 * i + 1], step[3 * i + 2]]);
@@ -162,7 +163,7 @@ fn count(products: &mut Products) {
     products.coupling += 2.0;
 }
 
-/// Given loads over the area of a cell.
+/// Prescribed loads divided by the area of a cell.
 fn given(task: &CoupledTask<'_>) -> [Option<f64>; MOTIONS] {
     let normal = match task.normal {
         Driven::Shift(_) => None,
@@ -172,7 +173,7 @@ fn given(task: &CoupledTask<'_>) -> [Option<f64>; MOTIONS] {
     [normal, x, y, twist]
 }
 
-/// What a cell has of its equations; `turned` is its traction around the ray.
+/// The equations of a cell from its gap and slip; `turned` is its traction around the ray.
 fn equations(
     cells: &Cells,
     i: usize,
@@ -191,7 +192,7 @@ fn equations(
     }
 }
 
-/// Tractions x, y and pressure of a cell's unknowns.
+/// Tractions x, y and pressure from the unknowns of a cell.
 fn unknowns(cells: &Cells, i: usize, state: CellState, own: [f64; 3]) -> [f64; 3] {
     match state {
         CellState::Exterior => [0.0; 3],
@@ -204,7 +205,7 @@ fn unknowns(cells: &Cells, i: usize, state: CellState, own: [f64; 3]) -> [f64; 3
     }
 }
 
-/// The linear system at given states.
+/// The linear system for given states of the cells.
 struct Newton<'a> {
     system: &'a mut System,
     operator: &'a dyn SurfaceOperator,
@@ -214,7 +215,7 @@ struct Newton<'a> {
 }
 
 impl Newton<'_> {
-    /// What makes of a load equation a displacement.
+    /// The factor that turns a load equation into a displacement.
     fn weight(&self, motion: usize) -> f64 {
         let grid = self.operator.grid();
         let arm = 0.5 * (grid.nx() as f64 * grid.dx()).hypot(grid.ny() as f64 * grid.dy());
@@ -223,14 +224,14 @@ impl Newton<'_> {
         self.system.own / (touching.max(1) as f64).sqrt() / over
     }
 
-    /// The rows of a cell in a unit motion.
+    /// The equations of a cell in a unit motion.
     fn motion_rows(&self, i: usize, motion: &Vector4<f64>) -> [f64; 3] {
         let (x, y) = (self.system.centres[0][i], self.system.centres[1][i]);
         let slip = [-motion[1] - y * motion[3], -motion[2] + x * motion[3]]; // (12.2)
         equations(self.cells, i, self.cells.states[i], -motion[0], slip, 0.0)
     }
 
-    /// Answers of the loads to the motions, by the preconditioner.
+    /// The loads that the preconditioner gives for each unit motion.
     fn prepare(&mut self) {
         let n = self.cells.states.len();
         self.system.corrections.clear();
@@ -266,8 +267,8 @@ impl Newton<'_> {
         sums
     }
 
-    /// The preconditioner of the cells: the inverses on a torus, normal and tangential each by
-    /// itself, weighted where the surfaces slip.
+    /// The preconditioner of the cells: the normal and the tangential inverse on a torus, applied
+    /// separately and weighted in slipping cells.
     fn invert(&mut self, rows: &[f64], x: &mut [f64]) {
         let (n, own) = (self.cells.states.len(), self.system.own);
         let cells = self.cells;
@@ -310,7 +311,8 @@ impl Newton<'_> {
                     let bend = cells.bend[i];
                     let sigma = 1.0 / (1.0 + bend / own);
                     let around = cells.rim[0][i] * t_y - cells.rim[1][i] * t_x;
-                    let direct = (1.0 - sigma) / (bend + ALONE * own) * rows[3 * i + 1];
+                    let direct =
+                        (1.0 - sigma) / (bend + ISOLATED_CELL_COMPLIANCE * own) * rows[3 * i + 1];
                     [p / cos.hypot(system.gamma * sin), sigma.sqrt() * around + direct, 0.0]
                 }
             };

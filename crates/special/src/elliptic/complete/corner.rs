@@ -6,7 +6,7 @@
 
 use std::f64::consts::LN_2;
 
-/// Terms needed at `q = 0.1716`: the last is below 1e-17 of the sum.
+/// Number of terms at `q = 0.1716`: the last is below 1e-17 of the sum.
 const TERMS: usize = 26;
 
 /// A sum of `q^n (logarithmic_n L - regular_n)`.
@@ -16,7 +16,7 @@ struct Series {
 }
 
 impl Series {
-    /// From the factor of `a_n (L - h_n) q^n` and that of `a_n q^n`, as functions of n.
+    /// From the factors of `a_n (L - h_n) q^n` and of `a_n q^n`, as functions of n.
     const fn new(factors: [[f64; 2]; TERMS]) -> Self {
         let mut series = Self { logarithmic: [0.0; TERMS], regular: [0.0; TERMS] };
         let mut coefficient = 1.0;
@@ -43,7 +43,7 @@ impl Series {
             p = p * q + self.logarithmic[n];
             r = r * q + self.regular[n];
         }
-        // ln 4 joins the constant first: L - 2 of C is small beside L.
+        // ln 4 is added to the constant first: L - 2 of C is small compared with L.
         let constant = self.logarithmic[0] * (2.0 * LN_2) - self.regular[0];
         let first = constant - self.logarithmic[0] * log_kc;
         first + q * (p * logarithm - r)

@@ -12,10 +12,10 @@
 
 use std::f64::consts::{FRAC_PI_2, FRAC_PI_4};
 
-/// Terms needed at `l = 0.1716` (k' = 0.41): the last is below 1e-17 of the sum.
+/// Number of terms at `l = 0.1716` (k' = 0.41): the last is below 1e-17 of the sum.
 const SHORT: usize = 22;
 
-/// Terms needed at `l = 0.29` (k' = 0.3), the reach of [`c`].
+/// Number of terms at `l = 0.29` (k' = 0.3), the limit of [`c`].
 const TERMS: usize = 34;
 
 /// `((1/2)_n/n!)^2`, the coefficients of `2 K1/pi`.
@@ -95,7 +95,7 @@ fn b_or_d(kc: f64, weight: f64) -> f64 {
     FRAC_PI_4 * (polynomial(&B1[..SHORT], l) + d1) / sum
 }
 
-/// For k' of 0.3 and more.
+/// Valid for k' >= 0.3.
 pub(super) fn c(kc: f64) -> f64 {
     let sum = 1.0 + kc;
     2.0 * FRAC_PI_4 * polynomial(&D1, step(kc)) / (sum * sum * sum)

@@ -1,53 +1,64 @@
-//! A part of a step in which slip rings may lie apart.
+//! A substep in which several disjoint slip annuli may occur.
 //!
-//! The stack's own solutions are tried first and held against the friction law on rings of finite
-//! width: traction within its limit, and slip along it. Where none holds the rings themselves are
-//! solved, for any pattern of slip, and their densities are laid on the stack.
+//! The solutions with one slip annulus are tried first and checked against the friction law on
+//! rings of finite width: tractions within their limits, and slip in their direction. If none
+//! satisfies it, the rings themselves are solved for any pattern of slip, and their densities
+//! replace those of the stack.
 
 use super::heat::{Meter, RingHeat};
-use super::history::{TwistHistory, Way};
+use super::history::{SlipPath, TwistHistory};
 use super::recede::lowest_rate;
 use super::rings::{RingSolution, Rings};
 use super::segment::{Density, Segment};
 use super::sliding::{sliding_torque, sliding_twist};
 
-/// Rings reach at least to this part of the radius at which slip may go on, but not below
-/// [`LOWEST`] of the contact radius: the torque of what lies there is below 3e-5 of that of
-/// sliding, and it slips as a whole.
-const MARGIN: f64 = 0.8;
-const LOWEST: f64 = 0.0302;
+/// The rings extend at least down to this fraction of the radius outside which slip may continue,
+/// but not below [`INNERMOST_RING`] times the contact radius. The torque of the contact inside is below
+/// 3e-5 of the sliding torque, and it slips as a whole.
+const RING_MARGIN: f64 = 0.8;
+const INNERMOST_RING: f64 = 0.0302;
 
-/// By how much of its limit a traction may be off in the stack's solution.
-const TRACTION: f64 = 1e-4;
-/// The slip against its sense, over the step's, that is put down to the width of rings.
-const SLIP: f64 = 1e-4;
+/// Relative excess of a traction over its limit that is accepted in a solution with one slip
+/// annulus.
+const TRACTION_TOLERANCE: f64 = 1e-4;
+/// Slip in the wrong direction, relative to the greatest slip, that is attributed to the width of
+/// rings.
+const SLIP_TOLERANCE: f64 = 1e-4;
 
-/// A change of density that counts.
-const CHANGE: f64 = 1e-11;
+/// Changes of density below this count as zero.
+const NEGLIGIBLE_CHANGE: f64 = 1e-11;
+
+/// A solution of a substep with one slip annulus.
+enum SingleAnnulus {
+    /// Growth, whose path [`TwistHistory::grow`] finds.
+    Growth,
+    /// A known path.
+    Path(SlipPath),
+}
 
 impl TwistHistory {
-    /// Goes through a part of a step; whether rings lay apart. None if the rings do not settle:
-    /// nothing has moved then.
-    pub(super) fn tried(
+    /// Tries one substep. Returns whether several slip annuli occurred, or `None` if the ring solve
+    /// did not converge; the state is then unchanged.
+    pub(super) fn try_substep(
         &mut self,
         radius: f64,
         twist: f64,
         meter: &mut impl Meter,
     ) -> Option<bool> {
-        let mut lowest = MARGIN * self.restless().min(radius).min(self.stick);
+        let mut lowest = RING_MARGIN * self.innermost_slip().min(radius).min(self.stick);
         loop {
-            let rings = Rings::new(radius, lowest.max(LOWEST * radius), self.level);
+            let rings = Rings::new(radius, lowest.max(INNERMOST_RING * radius), self.level);
             let before = Cells::averaged(rings.edges(), self);
-            if let Some(way) = self.way_on(&rings, &before, radius, twist) {
-                match way {
-                    Some(way) => self.metered(way, radius, twist, meter),
-                    None => self.grow(radius, twist, meter),
+            if let Some(solution) = self.single_annulus(&rings, &before, radius, twist) {
+                match solution {
+                    SingleAnnulus::Path(path) => self.metered(path, radius, twist, meter),
+                    SingleAnnulus::Growth => self.grow(radius, twist, meter),
                 }
                 return Some(false);
             }
             let solution = rings.turn(&before.densities, twist - before.below[0])?;
             if solution.slips[solution.slips.len() - 3..].iter().any(|slip| *slip != 0.0)
-                && lowest > LOWEST * radius
+                && lowest > INNERMOST_RING * radius
             {
                 lowest *= 0.4;
                 continue;
@@ -56,50 +67,50 @@ impl TwistHistory {
             let slips = rings.slips(&solution.changes, solution.core);
             let signs = &solution.slips;
             meter.slides(RingHeat { rings: &rings, from: self.radius, signs, slips: &slips });
-            self.lay(&rings, &before, &solution, twist);
+            self.set_ring_densities(&rings, &before, &solution, twist);
             return Some(true);
         }
     }
 
-    /// The radius outside which slip may go on as the contact recedes.
-    fn restless(&self) -> f64 {
+    /// The radius outside which slip may continue while the contact recedes.
+    fn innermost_slip(&self) -> f64 {
         let calm = self.segments.partition_point(|segment| segment.demand < self.radius);
         self.segments.get(calm).map_or(self.stick, |segment| segment.from)
     }
 
-    /// A way with one slip ring that obeys the friction law on rings: None if there is none, and
-    /// Some(None) for growth.
-    fn way_on(
+    /// A solution with one slip annulus that satisfies the friction law on rings, if there is one.
+    fn single_annulus(
         &self,
         rings: &Rings,
         before: &Cells,
         radius: f64,
         twist: f64,
-    ) -> Option<Option<Way>> {
+    ) -> Option<SingleAnnulus> {
         if radius > self.radius {
             let mut grown = self.clone();
             grown.grow(radius, twist, &mut super::heat::Unmetered);
-            return grown.obeys(rings, before).then_some(None);
+            return grown.obeys(rings, before).then_some(SingleAnnulus::Growth);
         }
         let inward = self.slip_sign().filter(|sign| {
             let back = -sign * (twist - self.twist) / (self.radius - radius);
             back <= lowest_rate(back, self.stick / self.radius)
                 && self.goes_on_slipping(radius, twist, *sign)
         });
-        let way = inward.map_or(Way::FromRim, Way::Inward);
+        let path = inward.map_or(SlipPath::FromRim, SlipPath::Inward);
         let mut moved = self.clone();
-        moved.follow(way, radius, twist);
-        moved.obeys(rings, before).then_some(Some(way))
+        moved.follow(path, radius, twist);
+        moved.obeys(rings, before).then_some(SingleAnnulus::Path(path))
     }
 
-    /// Whether this state may follow that of the cells.
+    /// Whether this state, following that of the cells, satisfies the friction law.
     fn obeys(&self, rings: &Rings, before: &Cells) -> bool {
         if !self.is_admissible() {
             return false;
         }
         let after = Cells::averaged(rings.edges(), self);
         let tractions = rings.tractions(&after.densities);
-        let within = |(traction, limit): (&f64, &f64)| traction.abs() <= (1.0 + TRACTION) * limit;
+        let within =
+            |(traction, limit): (&f64, &f64)| traction.abs() <= (1.0 + TRACTION_TOLERANCE) * limit;
         if !tractions.iter().zip(rings.limits()).all(within) {
             return false;
         }
@@ -109,14 +120,21 @@ impl TwistHistory {
         let core = after.core() - before.core();
         let slips = rings.slips(&changes, core);
         let most = slips.iter().fold(0.0_f64, |most, slip| most.max(slip.abs()));
-        slips.iter().all(|slip| sign * slip >= -SLIP * most)
+        slips.iter().all(|slip| sign * slip >= -SLIP_TOLERANCE * most)
     }
 
-    /// Puts new densities on the rings, and on the outer slip ring that of sliding itself, down to
-    /// where the twist demands: within a ring, so that one narrower than a ring has its place.
-    fn lay(&mut self, rings: &Rings, before: &Cells, solution: &RingSolution, twist: f64) {
+    /// Sets new densities on the rings. In the outer slip annulus the sliding density itself is
+    /// used, down to the radius that the twist requires; this radius may lie inside a ring, so that
+    /// an annulus narrower than a ring is represented.
+    fn set_ring_densities(
+        &mut self,
+        rings: &Rings,
+        before: &Cells,
+        solution: &RingSolution,
+        twist: f64,
+    ) {
         let edges = rings.edges();
-        let changed = solution.changes.iter().rposition(|change| change.abs() > CHANGE);
+        let changed = solution.changes.iter().rposition(|change| change.abs() > NEGLIGIBLE_CHANGE);
         let lowest = changed.map_or(0, |i| i + 1);
         let outer = outer_ring(&solution.slips).min(lowest);
         let old = self.clone();
@@ -141,10 +159,10 @@ impl TwistHistory {
         for i in (outer + 1..lowest).rev() {
             start = ring(self, i);
         }
-        self.lay_old(&old, edges[lowest.min(outer + 1)], start);
+        self.copy_densities(&old, edges[lowest.min(outer + 1)], start);
         let radius = rings.radius();
         if outer == 0 {
-            return self.follow(Way::FromRim, radius, twist);
+            return self.follow(SlipPath::FromRim, radius, twist);
         }
         let (sign, edge) = (solution.slips[0], edges[outer]);
         let outside = sign * sliding_twist(edge, radius);
@@ -163,8 +181,8 @@ impl TwistHistory {
         (self.radius, self.twist) = (radius, twist);
     }
 
-    /// Lays the densities of another state from a radius outwards.
-    fn lay_old(&mut self, old: &Self, from: f64, (twist, torque): (f64, f64)) {
+    /// Copies the densities of another state from a radius outwards.
+    fn copy_densities(&mut self, old: &Self, from: f64, (twist, torque): (f64, f64)) {
         let (lift, gain) = (twist - old.twist_below(from), torque - old.torque_below(from));
         let first = old.segments.partition_point(|segment| segment.from <= from);
         for (i, segment) in old.segments.iter().enumerate().skip(first.saturating_sub(1)) {
@@ -173,7 +191,8 @@ impl TwistHistory {
             if start >= end {
                 continue;
             }
-            // A constant density counts from where it begins, that of sliding from its rim.
+            // A constant density is measured from where it begins, the sliding density from its
+            // outer radius.
             let (twist, torque) = match segment.density {
                 Density::Stick(_) => (segment.twist_to(start), segment.torque_to(start)),
                 Density::Slip { .. } => (segment.twist, segment.torque),
@@ -183,8 +202,8 @@ impl TwistHistory {
         }
     }
 
-    /// Below the rings slip goes on down to a stick radius that takes the twist. The torque of what
-    /// lies there.
+    /// Inside the rings slip extends down to a stick radius that gives the required twist. Returns
+    /// the torque of that part.
     fn slip_in_core(&mut self, twist: f64, rings: &Rings) -> f64 {
         let (radius, edge) = (rings.radius(), rings.edges()[rings.edges().len() - 1]);
         let sign = 1.0_f64.copysign(twist - self.twist_below(edge));
@@ -193,7 +212,7 @@ impl TwistHistory {
     }
 }
 
-/// How many rings from the rim inwards slip in one sense.
+/// The number of rings, from the edge inwards, that slip in the same direction.
 fn outer_ring(slips: &[f64]) -> usize {
     if slips[0] == 0.0 {
         return 0;
@@ -201,15 +220,15 @@ fn outer_ring(slips: &[f64]) -> usize {
     slips.iter().position(|slip| *slip != slips[0]).unwrap_or(slips.len())
 }
 
-/// `int s^3 b ds` of a ring over the mean density, for densities that fall as 1/s.
+/// `int s^3 b ds` of a ring divided by the mean density, for densities that decrease as 1/s.
 fn moment(outer: f64, inner: f64) -> f64 {
     let width = outer - inner;
     let cubes = width * (outer * outer + outer * inner + inner * inner) / 3.0;
     cubes * width / libm::log(outer / inner)
 }
 
-/// A contact radius at which sliding has a density of at least this between the edges of a ring,
-/// from what it has at another one.
+/// A contact radius at which the sliding density exceeds this density between the edges of a ring,
+/// from its value at another radius.
 fn demand_of(density: f64, sliding: f64, radius: f64, edge: f64) -> f64 {
     let over = density - sliding;
     if over <= 1e-9 * sliding {
@@ -219,7 +238,7 @@ fn demand_of(density: f64, sliding: f64, radius: f64, edge: f64) -> f64 {
     (radius + 2.0 * edge * over).min(std::f64::consts::FRAC_PI_2 * density * edge)
 }
 
-/// Densities averaged over rings, and the twist of all discs below their edges.
+/// Densities averaged over rings, and the twist of all discs inside their edges.
 struct Cells {
     below: Vec<f64>,
     densities: Vec<f64>,
@@ -233,7 +252,7 @@ impl Cells {
         Self { below, densities }
     }
 
-    /// The twist below all rings.
+    /// The twist inside all rings.
     fn core(&self) -> f64 {
         self.below[self.below.len() - 1]
     }

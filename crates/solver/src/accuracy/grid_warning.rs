@@ -1,42 +1,43 @@
-//! What casts doubt on a solution: a contact cut off by the window, or too few cells.
+//! Warnings about the grid: the window cuts the contact off, or the cells are too coarse.
 
 use crate::state::ContactState;
 
-/// Fewer cells than this across a contact are too few.
-const FEW: usize = 10;
+/// A contact narrower than this number of cells is poorly resolved.
+const FEWEST_CELLS_ACROSS: usize = 10;
 
 /// A side of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Side {
-    /// That of the lowest x.
+    /// The side of lowest x.
     Left,
-    /// That of the greatest x.
+    /// The side of greatest x.
     Right,
-    /// That of the lowest y.
+    /// The side of lowest y.
     Bottom,
-    /// That of the greatest y.
+    /// The side of greatest y.
     Top,
 }
 
-/// What casts doubt on a solution.
+/// A reason why the grid may be unsuitable for a solution.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum Doubt {
-    /// The contact is cut off by the window.
+pub enum GridWarning {
+    /// The contact reaches the border of the window and may be cut off.
     #[error("the contact reaches the {side:?} border of the window")]
     Border {
-        /// Where.
+        /// The border that it reaches.
         side: Side,
     },
-    /// The contact is only a few cells wide.
-    #[error("the contact is {across} cells wide, fewer than {FEW}")]
+    /// The contact is only a few cells wide, so that its size and pressure are inaccurate.
+    #[error("the contact is {across} cells wide, fewer than {FEWEST_CELLS_ACROSS}")]
     FewCells {
-        /// Its width along its narrower direction.
+        /// The number of cells across its narrower direction.
         across: usize,
     },
 }
 
 impl ContactState {
-    /// The columns and rows between which cells touch: first and last of each; none apart.
+    /// The first and last column and row of the cells in contact; `None` if the bodies are
+    /// separated.
     #[must_use]
     pub fn extent(&self) -> Option<[[usize; 2]; 2]> {
         let grid = self.pressure.grid();
@@ -52,10 +53,10 @@ impl ContactState {
         extent
     }
 
-    /// What casts doubt on this state: a contact that reaches the border of the grid, or fewer than
-    /// ten cells wide.
+    /// Warnings about the grid of this state: a contact that reaches its border, or one that is
+    /// fewer than ten cells wide.
     #[must_use]
-    pub fn doubts(&self) -> Vec<Doubt> {
+    pub fn warnings(&self) -> Vec<GridWarning> {
         let (grid, Some([x, y])) = (self.pressure.grid(), self.extent()) else {
             return Vec::new();
         };
@@ -65,15 +66,15 @@ impl ContactState {
             (y[0] == 0, Side::Bottom),
             (y[1] + 1 == grid.ny(), Side::Top),
         ];
-        let mut doubts: Vec<Doubt> = sides
+        let mut warnings: Vec<GridWarning> = sides
             .iter()
             .filter(|(at, _)| *at)
-            .map(|(_, side)| Doubt::Border { side: *side })
+            .map(|(_, side)| GridWarning::Border { side: *side })
             .collect();
         let across = (x[1] - x[0] + 1).min(y[1] - y[0] + 1);
-        if across < FEW {
-            doubts.push(Doubt::FewCells { across });
+        if across < FEWEST_CELLS_ACROSS {
+            warnings.push(GridWarning::FewCells { across });
         }
-        doubts
+        warnings
     }
 }

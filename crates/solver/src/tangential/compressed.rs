@@ -1,19 +1,19 @@
-//! A task on the cells of its contact, one after the other.
+//! A task compressed to the cells of the contact.
 
 use super::active_set::{Plane, TangentialTask};
 use super::contact::Contact;
 use crate::state::CellState;
 
-/// The fields of a task without what lies outside the contact.
+/// The fields of a task on the cells of the contact.
 #[derive(Clone, Default)]
-pub(super) struct Packed {
+pub(super) struct Compressed {
     limits: Vec<f64>,
     offset: Plane,
     traction: Plane,
     cells: Vec<CellState>,
 }
 
-impl Packed {
+impl Compressed {
     pub(super) fn take(&mut self, task: &TangentialTask<'_>, contact: &Contact) {
         contact.gather(task.limits, &mut self.limits);
         contact.gather(task.cells, &mut self.cells);
@@ -23,7 +23,7 @@ impl Packed {
         }
     }
 
-    /// The same task on these fields.
+    /// The same task on the compressed fields.
     pub(super) fn task<'a>(&'a mut self, whole: &TangentialTask<'a>) -> TangentialTask<'a> {
         let [x, y] = &mut self.traction;
         TangentialTask {
@@ -37,7 +37,7 @@ impl Packed {
         }
     }
 
-    /// The solution to the whole grid, where all else carries nothing.
+    /// Writes the solution to the whole grid; tractions outside the contact are zero.
     pub(super) fn give(&self, task: &mut TangentialTask<'_>, contact: &Contact) {
         for (field, own) in task.traction.iter_mut().zip(&self.traction) {
             field.fill(0.0);

@@ -1,0 +1,73 @@
+//! State of the iteration: when the active set changes, and when changes are made cautiously.
+
+use crate::convergence::Products;
+
+/// The active set changes when the violation of the inequalities exceeds this fraction of the last
+/// step.
+const EAGERNESS: f64 = 0.3;
+/// Fraction of a preconditioned step made when pressures are dropped: a full step overshoots where
+/// the edge moves.
+const DAMPING: f64 = 0.4;
+/// The same while changes are made cautiously.
+const CAREFUL_DAMPING: f64 = 0.2;
+/// Changes of the set become cautious if the violation twice falls by less than this factor between
+/// two changes.
+const SLOW_DECREASE: f64 = 0.6;
+/// After this many such changes only pressures are dropped, without a step of the other cells.
+const CHANGES_BEFORE_DROPPING_ONLY: u32 = 8;
+
+/// State of the iteration on one grid.
+#[derive(Default)]
+pub(super) struct IterationState {
+    pub(super) products: Products,
+    /// `<K g, g>` of the last step on the present set; `None` if conjugate gradients restart.
+    pub(super) power: Option<f64>,
+    /// The norm of the last correction.
+    pub(super) step: f64,
+    /// The violation at the last change of the set, and how often it hardly decreased.
+    pub(super) last_violation: Option<f64>,
+    pub(super) slow_changes: u32,
+    /// The set is kept for one step.
+    pub(super) held: bool,
+    /// Whether the iteration was restarted after losing the contact.
+    pub(super) rescued: bool,
+}
+
+impl IterationState {
+    /// After losing the contact: only pressures are dropped, without a step of the other cells.
+    pub(super) fn rescue(products: Products) -> Self {
+        Self {
+            products,
+            rescued: true,
+            slow_changes: CHANGES_BEFORE_DROPPING_ONLY,
+            ..Self::default()
+        }
+    }
+
+    const fn careful(&self) -> bool {
+        self.slow_changes >= 2
+    }
+
+    /// Fraction of a preconditioned step made when pressures are dropped.
+    pub(super) const fn damping(&self) -> f64 {
+        match self.slow_changes {
+            0 | 1 => DAMPING,
+            2..CHANGES_BEFORE_DROPPING_ONLY => CAREFUL_DAMPING,
+            _ => 0.0,
+        }
+    }
+
+    pub(super) fn changes(&mut self, violation: f64) {
+        if self.last_violation.is_some_and(|last| violation > SLOW_DECREASE * last) {
+            self.slow_changes += 1;
+        }
+        self.last_violation = Some(violation);
+        self.held = self.careful();
+    }
+
+    /// Whether the set is to change before the next step.
+    pub(super) fn asks_for_change(&self, violation: f64) -> bool {
+        let eagerness = if self.careful() { 1.0 } else { EAGERNESS };
+        !self.held && violation > eagerness * self.step
+    }
+}
