@@ -6,8 +6,8 @@ use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
 use carom_capi::{
-    CAROM_CONTACT_WORDS, CAROM_LAW_CHAPTER_7, CAROM_LAW_COULOMB, CAROM_STATE_NUMBERS, CaromContact,
-    CaromLoad, CaromMaterial, CaromPair, CaromShift, CaromState, CaromStatus,
+    CAROM_CONTACT_WORDS, CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_STATE_NUMBERS,
+    CaromContact, CaromLoad, CaromMaterial, CaromPair, CaromShift, CaromState, CaromStatus,
     carom_contact_advance, carom_contact_advance_many, carom_pair_of_spheres, carom_state_advance,
     carom_state_advance_many,
 };
@@ -52,7 +52,7 @@ fn by_law(pair: &CaromPair, path: &[[CaromShift; CONTACTS]]) -> f64 {
     let stiffness = ContactStiffness::new(pair.c_x, pair.c_y, pair.c_z).expect("a pair's");
     let friction = Friction::new(pair.friction).expect("a pair's");
     let fresh: ShiftLaw<[f64; 2], Fixed<_, 12>> = match pair.law {
-        CAROM_LAW_CHAPTER_7 => ShiftLaw::of_chapter_7(stiffness, friction),
+        CAROM_LAW_FIXED_DIRECTION => ShiftLaw::with_fixed_direction(stiffness, friction),
         _ => ShiftLaw::new(stiffness, friction),
     };
     let mut laws = [fresh; CONTACTS];
@@ -107,7 +107,9 @@ fn all_at_once<K>(
 
 fn border(criterion: &mut Criterion) {
     let path = shifts();
-    for (name, law) in [("chapter 7", CAROM_LAW_CHAPTER_7), ("Coulomb", CAROM_LAW_COULOMB)] {
+    for (name, law) in
+        [("fixed-direction", CAROM_LAW_FIXED_DIRECTION), ("coulomb", CAROM_LAW_COULOMB)]
+    {
         let pair = pair(law);
         let mut group = criterion.benchmark_group(format!("C border, {name}"));
         group.throughput(Throughput::Elements((CONTACTS * STEPS) as u64));

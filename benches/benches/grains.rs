@@ -5,7 +5,7 @@ use std::mem::{MaybeUninit, zeroed};
 use std::ptr::null_mut;
 
 use carom_capi::{
-    CAROM_LAW_CHAPTER_7, CAROM_LAW_COULOMB, CAROM_TOUCH_WORDS, CaromEncounter, CaromGrain,
+    CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_TOUCH_WORDS, CaromEncounter, CaromGrain,
     CaromGrainLoad, CaromGrains, CaromMaterial, CaromStatus, CaromTouch, carom_grains_of,
     carom_touch_grains, carom_touch_many,
 };
@@ -83,7 +83,9 @@ fn many(grains: &CaromGrains, path: &[[[CaromGrain; 2]; PAIRS]]) -> f64 {
 
 fn steps(criterion: &mut Criterion) {
     let path = path();
-    for (name, law) in [("chapter 7", CAROM_LAW_CHAPTER_7), ("Coulomb", CAROM_LAW_COULOMB)] {
+    for (name, law) in
+        [("fixed-direction", CAROM_LAW_FIXED_DIRECTION), ("coulomb", CAROM_LAW_COULOMB)]
+    {
         let grains = grains(law);
         let [alone, together] = [one_by_one(&grains, &path), many(&grains, &path)];
         assert!((alone / together - 1.0).abs() < 1e-12);

@@ -9,7 +9,7 @@
 use std::hint::black_box;
 
 use carom_impact::Mobility;
-use carom_impact::coupled::{CoupledImpact, VectorLaw};
+use carom_impact::coupled::{CoupledImpact, TurningLaw};
 use carom_laws::friction::Friction;
 use carom_laws::sliders::SlipLines;
 use carom_laws::stiffness::ContactStiffness;
@@ -35,13 +35,13 @@ fn spatial() -> CoupledImpact {
 
 fn bench(criterion: &mut Criterion) {
     let mut group = criterion.benchmark_group("coupled impact");
-    let mut run = |name: &str, law: VectorLaw, tolerance: f64, impact: CoupledImpact| {
+    let mut run = |name: &str, law: TurningLaw, tolerance: f64, impact: CoupledImpact| {
         let impact = impact.within(tolerance).expect("positive");
         group.bench_function(format!("{name}, {tolerance:e}"), |bencher| {
             bencher.iter(|| black_box(impact).solve(law).expect("separates"));
         });
     };
-    let (coulomb, fixed) = (VectorLaw::Coulomb, VectorLaw::FixedDirection);
+    let (coulomb, fixed) = (TurningLaw::Coulomb, TurningLaw::FixedDirection);
     run("planar", coulomb, 1e-8, planar());
     run("planar", coulomb, 1e-5, planar());
     run("spatial, fixed direction", fixed, 1e-8, spatial());
@@ -73,7 +73,7 @@ fn turning_impacts(criterion: &mut Criterion) {
             bencher.iter(|| {
                 black_box(&impacts)
                     .each_ref()
-                    .map(|(impact, _)| impact.solve(VectorLaw::Coulomb).expect("separates"))
+                    .map(|(impact, _)| impact.solve(TurningLaw::Coulomb).expect("separates"))
             });
         });
         group.bench_function(format!("line, {tolerance:e}"), |bencher| {

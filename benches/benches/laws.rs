@@ -269,7 +269,7 @@ fn turning(c: &mut Criterion) {
                 sum
             });
         });
-        group.bench_function("chapter 7", |b| {
+        group.bench_function("fixed-direction", |b| {
             b.iter(|| {
                 let mut sum = [0.0; 2];
                 for path in black_box(&paths) {
@@ -329,7 +329,7 @@ fn in_storage<const N: usize>(
             sum
         });
     });
-    group.bench_function(format!("{size} steps, chapter 7, {N} vertices"), |b| {
+    group.bench_function(format!("{size} steps, fixed-direction, {N} vertices"), |b| {
         b.iter(|| {
             let mut sum = [0.0; 2];
             for path in black_box(paths) {

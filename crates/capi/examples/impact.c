@@ -42,18 +42,18 @@ static void impact(void) {
     failures += 1;
     return;
   }
-  printf("after: v = (%.6f, %.6f, %.6f) m/s, spin about y %.3f 1/s\n", rebound.velocity[0][0],
-         rebound.velocity[0][1], rebound.velocity[0][2], rebound.spin[0][1]);
-  printf("R_x = %.6f in %.1f us at up to %.0f N\n", rebound.restitution, 1e6 * rebound.duration,
+  printf("after: v = (%.6f, %.6f, %.6f) m/s, spin about y %.3f 1/s\n", rebound.body_1_velocity[0],
+         rebound.body_1_velocity[1], rebound.body_1_velocity[2], rebound.body_1_spin[1]);
+  printf("R_x = %.6f in %.1f us at up to %.0f N\n", rebound.R_x, 1e6 * rebound.duration,
          rebound.maximal_force);
-  must(fabs(rebound.velocity[0][2] - 2.0) < 1e-12, "it rises as fast as it fell");
-  const double balance = rebound.energy_before - rebound.energy_after - rebound.dissipated;
+  must(fabs(rebound.body_1_velocity[2] - 2.0) < 1e-12, "it rises as fast as it fell");
+  const double balance = rebound.energy_before - rebound.energy_after - rebound.energy_dissipated;
   must(fabs(balance) < 1e-9 * rebound.energy_before, "friction takes the energy that is missing");
 
   /* The same of steel that gives back 0.9 of the normal velocity. */
   must(carom_collide_losing(&ball, &plate, 0.15, CAROM_LOSS_GIVEN, 0.9, up, &rebound, &error) ==
                CAROM_STATUS_OK &&
-           fabs(rebound.velocity[0][2] - 1.8) < 1e-12 && rebound.lost > 0.0,
+           fabs(rebound.body_1_velocity[2] - 1.8) < 1e-12 && rebound.energy_lost > 0.0,
        "it rises slower");
 
   ball.mass = -1.0;

@@ -72,7 +72,7 @@
 
 // The law of chapter 7 of the thesis: one direction of traction in a slip ring. Exact on straight
 // paths; where the direction turns, off by 5 % of the friction limit in the mean. Faster.
-#define CAROM_LAW_CHAPTER_7 1
+#define CAROM_LAW_FIXED_DIRECTION 1
 
 // R_x from the table: within 1e-8 of the exact impact, in tens of nanoseconds.
 #define CAROM_BY_TABLE 0
@@ -177,7 +177,7 @@ typedef struct carom_pair {
   double torsion_stiffness;
   // The torque of sliding over friction times F_z, over zeta^0.5, m^0.5; 0 if it is not known.
   double torsion_arm;
-  // CAROM_LAW_COULOMB or CAROM_LAW_CHAPTER_7.
+  // CAROM_LAW_COULOMB or CAROM_LAW_FIXED_DIRECTION.
   uint32_t law;
   // CAROM_ABI_VERSION of the library that made it.
   uint32_t version;
@@ -361,17 +361,22 @@ typedef struct carom_body {
   double spin[3];
 } carom_body;
 
-// How two bodies part. Velocities of the contact are of body 2 against body 1.
+// How two bodies part. Velocities of the contact are of body 2 against body 1. The command's columns and
+// Python's record have the same names.
 typedef struct carom_rebound {
   // 1 if they collide; 0 if they do not approach each other, where nothing happens and only
-  // `velocity` and `spin` are given.
+  // place, normal and motions are given.
   uint32_t collides;
   // The CAROM_WARNING bits that hold.
   uint32_t warnings;
-  // The velocities of both centres of mass afterwards, m/s.
-  double velocity[2][3];
-  // The angular velocities of both bodies afterwards, rad/s.
-  double spin[2][3];
+  // The velocity of the centre of mass of body 1 afterwards, m/s.
+  double body_1_velocity[3];
+  // The angular velocity of body 1 afterwards, rad/s.
+  double body_1_spin[3];
+  // The velocity of the centre of mass of body 2 afterwards, m/s.
+  double body_2_velocity[3];
+  // The angular velocity of body 2 afterwards, rad/s.
+  double body_2_spin[3];
   // The impulse that body 2 gave body 1, N s.
   double impulse[3];
   // The place where they touch, m.
@@ -379,13 +384,13 @@ typedef struct carom_rebound {
   // The normal there, from body 2 into body 1.
   double normal[3];
   // The relative velocity of the contact points before, m/s.
-  double velocity_before[3];
+  double contact_velocity_before[3];
   // The relative velocity of the contact points after, m/s.
-  double velocity_after[3];
-  // R_x, the tangential velocity after over that before, reversed in sign, if `has_restitution`.
-  double restitution;
+  double contact_velocity_after[3];
+  // The tangential velocity after over that before, reversed in sign, if `has_R_x`.
+  double R_x;
   // 1 if there is an R_x.
-  uint32_t has_restitution;
+  uint32_t has_R_x;
   // How often the approach grew.
   uint32_t compressions;
   // The time from touch to separation, s.
@@ -394,16 +399,18 @@ typedef struct carom_rebound {
   double maximal_force;
   // The greatest approach, m.
   double maximal_approach;
-  // The semi-axes of the greatest contact ellipse, m.
-  double semi_axes[2];
+  // The semi-axis of the greatest contact ellipse along the contact's x, the smaller one, m.
+  double maximal_semi_axis_a;
+  // The semi-axis of the greatest contact ellipse along the contact's y, m.
+  double maximal_semi_axis_b;
   // The kinetic energy before, J.
   double energy_before;
   // The kinetic energy after, J.
   double energy_after;
   // What friction took, J.
-  double dissipated;
+  double energy_dissipated;
   // What the bodies' material took, J: 0 of elastic ones.
-  double lost;
+  double energy_lost;
   // How far the velocity after may be off over that before; 0 where the solution is exact.
   double error_estimate;
 } carom_rebound;

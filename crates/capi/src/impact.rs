@@ -74,19 +74,25 @@ pub struct CaromBody {
     pub spin: [f64; 3],
 }
 
-/// How two bodies part. Velocities of the contact are of body 2 against body 1.
+/// How two bodies part. Velocities of the contact are of body 2 against body 1. The command's columns and
+/// Python's record have the same names.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 #[repr(C)]
+#[allow(non_snake_case)] // R_x, as everywhere
 pub struct CaromRebound {
     /// 1 if they collide; 0 if they do not approach each other, where nothing happens and only
-    /// `velocity` and `spin` are given.
+    /// place, normal and motions are given.
     pub collides: u32,
     /// The CAROM_WARNING bits that hold.
     pub warnings: u32,
-    /// The velocities of both centres of mass afterwards, m/s.
-    pub velocity: [[f64; 3]; 2],
-    /// The angular velocities of both bodies afterwards, rad/s.
-    pub spin: [[f64; 3]; 2],
+    /// The velocity of the centre of mass of body 1 afterwards, m/s.
+    pub body_1_velocity: [f64; 3],
+    /// The angular velocity of body 1 afterwards, rad/s.
+    pub body_1_spin: [f64; 3],
+    /// The velocity of the centre of mass of body 2 afterwards, m/s.
+    pub body_2_velocity: [f64; 3],
+    /// The angular velocity of body 2 afterwards, rad/s.
+    pub body_2_spin: [f64; 3],
     /// The impulse that body 2 gave body 1, N s.
     pub impulse: [f64; 3],
     /// The place where they touch, m.
@@ -94,13 +100,13 @@ pub struct CaromRebound {
     /// The normal there, from body 2 into body 1.
     pub normal: [f64; 3],
     /// The relative velocity of the contact points before, m/s.
-    pub velocity_before: [f64; 3],
+    pub contact_velocity_before: [f64; 3],
     /// The relative velocity of the contact points after, m/s.
-    pub velocity_after: [f64; 3],
-    /// R_x, the tangential velocity after over that before, reversed in sign, if `has_restitution`.
-    pub restitution: f64,
+    pub contact_velocity_after: [f64; 3],
+    /// The tangential velocity after over that before, reversed in sign, if `has_R_x`.
+    pub R_x: f64,
     /// 1 if there is an R_x.
-    pub has_restitution: u32,
+    pub has_R_x: u32,
     /// How often the approach grew.
     pub compressions: u32,
     /// The time from touch to separation, s.
@@ -109,16 +115,18 @@ pub struct CaromRebound {
     pub maximal_force: f64,
     /// The greatest approach, m.
     pub maximal_approach: f64,
-    /// The semi-axes of the greatest contact ellipse, m.
-    pub semi_axes: [f64; 2],
+    /// The semi-axis of the greatest contact ellipse along the contact's x, the smaller one, m.
+    pub maximal_semi_axis_a: f64,
+    /// The semi-axis of the greatest contact ellipse along the contact's y, m.
+    pub maximal_semi_axis_b: f64,
     /// The kinetic energy before, J.
     pub energy_before: f64,
     /// The kinetic energy after, J.
     pub energy_after: f64,
     /// What friction took, J.
-    pub dissipated: f64,
+    pub energy_dissipated: f64,
     /// What the bodies' material took, J: 0 of elastic ones.
-    pub lost: f64,
+    pub energy_lost: f64,
     /// How far the velocity after may be off over that before; 0 where the solution is exact.
     pub error_estimate: f64,
 }
@@ -259,10 +267,12 @@ impl CaromBody {
 
 fn solve(collision: &Collision) -> Result<CaromRebound, Failure> {
     let outcome = collision.solve()?;
-    let motions = outcome.motions();
+    let [one, two] = outcome.motions();
     let known = CaromRebound {
-        velocity: motions.map(|motion| motion.velocity.into()),
-        spin: motions.map(|motion| motion.spin.into()),
+        body_1_velocity: one.velocity.into(),
+        body_1_spin: one.spin.into(),
+        body_2_velocity: two.velocity.into(),
+        body_2_spin: two.spin.into(),
         point: collision.point().into(),
         normal: collision.frame().z().into(),
         ..CaromRebound::default()
@@ -279,19 +289,20 @@ fn with_rebound(known: CaromRebound, rebound: &Rebound) -> CaromRebound {
         collides: 1,
         warnings: rebound.warnings.iter().map(bit).fold(0, |all, one| all | one),
         impulse: rebound.impulse.into(),
-        velocity_before: rebound.velocity_before.into(),
-        velocity_after: rebound.velocity_after.into(),
-        restitution: rebound.tangential_restitution.unwrap_or(0.0),
-        has_restitution: rebound.tangential_restitution.is_some().into(),
+        contact_velocity_before: rebound.contact_velocity_before.into(),
+        contact_velocity_after: rebound.contact_velocity_after.into(),
+        R_x: rebound.r_x.unwrap_or(0.0),
+        has_R_x: rebound.r_x.is_some().into(),
         compressions: rebound.compressions,
         duration: rebound.duration,
         maximal_force: rebound.maximal_force,
         maximal_approach: rebound.maximal_approach,
-        semi_axes: [ellipse.semi_axis_a(), ellipse.semi_axis_b()],
+        maximal_semi_axis_a: ellipse.semi_axis_a(),
+        maximal_semi_axis_b: ellipse.semi_axis_b(),
         energy_before: rebound.energy.before,
         energy_after: rebound.energy.after,
-        dissipated: rebound.energy.dissipated,
-        lost: rebound.energy.lost,
+        energy_dissipated: rebound.energy.dissipated,
+        energy_lost: rebound.energy.lost,
         error_estimate: rebound.error_estimate,
         ..known
     }

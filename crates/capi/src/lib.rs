@@ -53,8 +53,8 @@ pub use impact::{
 };
 pub use law::{CaromLoad, CaromRegime, CaromReport, CaromShift};
 pub use pair::{
-    CAROM_LAW_CHAPTER_7, CAROM_LAW_COULOMB, CaromMaterial, CaromPair, carom_pair_of_curvatures,
-    carom_pair_of_spheres, carom_pair_of_stiffness,
+    CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CaromMaterial, CaromPair,
+    carom_pair_of_curvatures, carom_pair_of_spheres, carom_pair_of_stiffness,
 };
 pub use restitution::{CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_restitution_many};
 pub use state::{

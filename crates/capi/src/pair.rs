@@ -13,11 +13,11 @@ use carom_laws::torsion::law::TorsionConstants;
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::pointers::{read, write};
 
-/// Coulomb's law in two directions, each ring of the contact by itself, to a tolerance.
+/// `coulomb`: each ring of the contact slips by itself, to a tolerance.
 pub const CAROM_LAW_COULOMB: u32 = 0;
-/// The law of chapter 7 of the thesis: one direction of traction in a slip ring. Exact on straight
+/// `fixed-direction`: one direction of traction in a slip ring (chapter 7 of the thesis). Exact on straight
 /// paths; where the direction turns, off by 5 % of the friction limit in the mean. Faster.
-pub const CAROM_LAW_CHAPTER_7: u32 = 1;
+pub const CAROM_LAW_FIXED_DIRECTION: u32 = 1;
 
 /// An elastic material, or a rigid one.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -61,7 +61,7 @@ pub struct CaromPair {
     pub torsion_stiffness: f64,
     /// The torque of sliding over friction times F_z, over zeta^0.5, m^0.5; 0 if it is not known.
     pub torsion_arm: f64,
-    /// CAROM_LAW_COULOMB or CAROM_LAW_CHAPTER_7.
+    /// CAROM_LAW_COULOMB or CAROM_LAW_FIXED_DIRECTION.
     pub law: u32,
     /// CAROM_ABI_VERSION of the library that made it.
     pub version: u32,
@@ -128,9 +128,10 @@ impl CaromPair {
                 let tolerance = Tolerance::new(self.tolerance)?;
                 Ok(ShiftLaw::with_tolerance(stiffness, friction, tolerance))
             }
-            CAROM_LAW_CHAPTER_7 => Ok(ShiftLaw::of_chapter_7(stiffness, friction)),
+            CAROM_LAW_FIXED_DIRECTION => Ok(ShiftLaw::with_fixed_direction(stiffness, friction)),
             law => {
-                let text = format_args!("law = {law} is neither Coulomb's (0) nor chapter 7's (1)");
+                let text =
+                    format_args!("law = {law} is neither coulomb (0) nor fixed-direction (1)");
                 let failure = Failure::new(CaromStatus::OutOfRange, "law", text);
                 Err(Failure { value: f64::from(law), ..failure })
             }

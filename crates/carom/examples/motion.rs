@@ -16,7 +16,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         let ball = Body::sphere(0.02, rubber, 0.037)?.moving(thrown);
         let outcome = Collision::new(ball, floor.clone(), Friction::new(0.5)?)?.solve()?;
         let rebound = outcome.rebound().ok_or("the ball flies away from the floor")?;
-        let restitution = rebound.tangential_restitution.ok_or("the ball falls straight down")?;
+        let restitution = rebound.r_x.ok_or("the ball falls straight down")?;
         let regimes: Vec<_> = rebound.log.iter().map(|entry| entry.regime.name()).collect();
         let spin = rebound.motions[0].spin.y;
         println!("{degrees:>6} {restitution:>8.4} {spin:>12.2}  {}", regimes.join(" "));

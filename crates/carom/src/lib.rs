@@ -6,6 +6,7 @@
 //!
 //! | floor | module | thesis |
 //! |---|---|---|
+//! | impact on a grid | [`numerical`] | 15.2 |
 //! | motion | [`impact`] | ch. 8, 9, 10, 15 |
 //! | rolling | [`rolling`] | 16.2 |
 //! | programs of 1992 | [`classic`] | ch. 11, 12 |
@@ -37,6 +38,7 @@ pub use carom_geometry::nalgebra;
 pub use carom_halfspace as halfspace;
 pub use carom_impact as impact;
 pub use carom_laws as laws;
+pub use carom_numerical as numerical;
 pub use carom_rolling as rolling;
 pub use carom_solver as solver;
 pub use carom_special as special;

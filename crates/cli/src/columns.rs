@@ -56,6 +56,7 @@ pub fn add_fields<M: SerializeMap>(map: &mut M, row: &[Cell]) -> Result<(), M::E
             Value::Count(count) => map.serialize_entry(name, count)?,
             Value::Text(text) => map.serialize_entry(name, text)?,
             Value::Words(words) => map.serialize_entry(name, words)?,
+            Value::Texts(texts) => map.serialize_entry(name, texts)?,
             Value::Vector(parts) => map.serialize_entry(name, parts)?,
             Value::Undefined => map.serialize_entry(name, &None::<f64>)?,
             Value::Absent => {}

@@ -3,10 +3,11 @@
 use crate::case::CaseError;
 use crate::command::StepsError;
 use carom_classic::DirectError;
+use carom_impact::CollisionError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
-use carom_impact::{CollisionError, NumericalImpactError};
+use carom_numerical::NumericalImpactError;
 use carom_plot::PlotError;
 use carom_rolling::RollingError;
 use carom_solver::{FitError, FrictionalError, ProblemError};

@@ -11,7 +11,7 @@
 //! | [`oblique`] | the exact impact of spheres and planes, in two dimensionless groups |
 //! | [`restitution`], [`closed_form`] | R_x as one number, as a table and as a tensor; its limits |
 //! | [`torsional`] | the impact of a spin about the normal |
-//! | [`NumericalImpact`] | an impact of unlike materials, on a grid |
+//! | [`RingImpact`] | an impact of spheres of dissimilar materials, with spin about the normal |
 //! | [`scene`], [`uncertain`] | repeated bounces between walls; inputs that are not known exactly |
 //!
 //! ```
@@ -33,8 +33,9 @@ mod collision;
 mod mobility;
 mod normal_restitution;
 mod normal_spin;
-mod numerical;
 mod outcome;
+mod outcome_columns;
+mod rings;
 mod wave_share;
 
 pub mod closed_form;
@@ -51,5 +52,5 @@ pub use collision::{Collision, CollisionError};
 pub use mobility::{Lever, Mobility};
 pub use normal_restitution::NormalRestitution;
 pub use normal_spin::NormalSpinError;
-pub use numerical::{NumericalImpact, NumericalImpactError};
 pub use outcome::{EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Torsion, Warning};
+pub use rings::{RingImpact, RingImpactError};

@@ -1,12 +1,13 @@
 //! What an impact leaves behind: motions, impulse, extremes, energy, log, history, warnings.
 
 use carom_laws::ellipse::ContactEllipse;
-use carom_table::{Column, Value};
+use carom_table::Column;
 use nalgebra::Vector3;
 
 use crate::body::Motion;
 use crate::coupled::ImpactMethod;
 use crate::oblique::{Event, Regime};
+use crate::outcome_columns::{Columns, Ended};
 
 /// The outcome of two bodies meeting.
 #[derive(Debug, Clone, PartialEq)]
@@ -21,6 +22,10 @@ pub enum Outcome {
 }
 
 impl Outcome {
+    /// All that an impact leaves, whoever shows it: the names of these columns are those of the Python
+    /// record and of the C struct too.
+    pub const COLUMNS: &'static [Column<Self>] = Columns::<Self>::COLUMNS;
+
     /// The motions afterwards, of body 1 and body 2.
     #[must_use]
     pub fn motions(&self) -> [Motion; 2] {
@@ -40,6 +45,31 @@ impl Outcome {
     }
 }
 
+impl Ended for Outcome {
+    fn motions(&self) -> [Motion; 2] {
+        self.motions()
+    }
+
+    fn rebound(&self) -> Option<&Rebound> {
+        self.rebound()
+    }
+}
+
+impl Rebound {
+    /// The columns of [`Outcome::COLUMNS`].
+    pub const COLUMNS: &'static [Column<Self>] = Columns::<Self>::COLUMNS;
+}
+
+impl Ended for Rebound {
+    fn motions(&self) -> [Motion; 2] {
+        self.motions
+    }
+
+    fn rebound(&self) -> Option<&Rebound> {
+        Some(self)
+    }
+}
+
 /// An impact from touch to separation. Velocities of the contact are of body 2 against body 1.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rebound {
@@ -48,16 +78,16 @@ pub struct Rebound {
     /// The impulse that body 2 gave body 1.
     pub impulse: Vector3<f64>,
     /// Relative velocity of the contact points before.
-    pub velocity_before: Vector3<f64>,
+    pub contact_velocity_before: Vector3<f64>,
     /// Relative velocity of the contact points after.
-    pub velocity_after: Vector3<f64>,
+    pub contact_velocity_after: Vector3<f64>,
     /// R_x: tangential velocity after, along that before, over it, reversed in sign.
     ///
     /// Where there was none before it is the limit for vanishing ones: (9.46), or -1 without
     /// friction. None if that limit depends on their direction, as of an elliptic contact, or if
     /// the normal motion of a [`crate::Collision`] itself brings about a tangential velocity; a
     /// tangential velocity within rounding of the motions counts as none there.
-    pub tangential_restitution: Option<f64>,
+    pub r_x: Option<f64>,
     /// Duration from touch to separation.
     pub duration: f64,
     /// The greatest normal force.
@@ -81,41 +111,6 @@ pub struct Rebound {
     pub log: Vec<LogEntry>,
     /// What limits the validity of this outcome.
     pub warnings: Vec<Warning>,
-}
-
-impl Rebound {
-    /// What came of it, motions and how it was followed apart.
-    pub const COLUMNS: &'static [Column<Self>] = &[
-        Column::new("R_x", "", "tangential restitution", |rebound| {
-            rebound.tangential_restitution.map_or(Value::Undefined, Value::Number)
-        }),
-        Column::vector("impulse", "N s", "on body 1", |r| <[f64; 3]>::from(r.impulse).into()),
-        Column::vector("contact_velocity_before", "m/s", "of body 2 against body 1", |rebound| {
-            <[f64; 3]>::from(rebound.velocity_before).into()
-        }),
-        Column::vector("contact_velocity_after", "m/s", "of body 2 against body 1", |rebound| {
-            <[f64; 3]>::from(rebound.velocity_after).into()
-        }),
-        Column::new("duration", "s", "from touch to separation", |r| r.duration.into()),
-        Column::new("maximal_force", "N", "normal", |rebound| rebound.maximal_force.into()),
-        Column::new("maximal_approach", "m", "of distant points", |r| r.maximal_approach.into()),
-        Column::new("maximal_semi_axis_a", "m", "of the contact along x", |rebound| {
-            rebound.maximal_contact.semi_axis_a().into()
-        }),
-        Column::new("maximal_semi_axis_b", "m", "of the contact along y", |rebound| {
-            rebound.maximal_contact.semi_axis_b().into()
-        }),
-        Column::new("energy_before", "J", "kinetic", |rebound| rebound.energy.before.into()),
-        Column::new("energy_after", "J", "kinetic", |rebound| rebound.energy.after.into()),
-        Column::new("energy_dissipated", "J", "by friction", |r| r.energy.dissipated.into()),
-        Column::new("energy_lost", "J", "in the bodies' material", |r| r.energy.lost.into()),
-        Column::new(
-            "regimes",
-            "",
-            "in order; sign: traction on body 1 along the first slip",
-            |r| r.log.iter().map(|entry| entry.regime.name()).collect::<Vec<_>>().into(),
-        ),
-    ];
 }
 
 impl Torsion {

@@ -16,20 +16,21 @@ use crate::memory::{
 };
 use crate::profile::{Hertzian, NormalProfile};
 use crate::stiffness::ContactStiffness;
+use crate::turning_law::TurningLaw;
 
 /// The contact law for shifts: normal force by Hertz, tangential force by Coulomb friction with
 /// memory. `V = [f64; 2]` for two directions, `V = f64` for shifts along x.
 ///
 /// It is exact for uncoupled pairs (epsilon = 0, (5.20)) on straight paths, within the assumptions
 /// of Cattaneo and Mindlin. If the direction of the shift changes, each annulus slips by itself
-/// ([`crate::coulomb`]), to a given [`Tolerance`]; [`ShiftLaw::of_chapter_7`] is the law of the
-/// thesis, with one direction of traction in a slip annulus. If c_x differs from c_y, slip is
+/// ([`crate::coulomb`]), to a given [`Tolerance`]; [`ShiftLaw::with_fixed_direction`] is the law of
+/// the thesis, with one direction of traction in a slip annulus. If c_x differs from c_y, slip is
 /// parallel to the traction in normalised shifts, not in lengths. The twist Omega is stored but has
 /// no effect.
 ///
 /// The friction heat is not summed up by default; [`crate::accounted::Accounted`] does that. It is
-/// not negative, except in the law of chapter 7 if c_x differs from c_y: a step whose direction
-/// changes may then return some heat.
+/// not negative, except in the law of fixed directions if c_x differs from c_y: a step whose
+/// direction changes may then return some heat.
 ///
 /// With a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices it
 /// takes 936 bytes in one direction and 1472 in two.
@@ -73,7 +74,7 @@ enum State<V, S> {
     /// No friction: no tangential load.
     Frictionless = tags::FRICTIONLESS,
     /// Coulomb friction with one direction of traction in a slip annulus.
-    Chapter7(Memory<V, S>) = tags::CHAPTER_7,
+    FixedDirection(Memory<V, S>) = tags::FIXED_DIRECTION,
     /// Coulomb friction in two directions, annulus by annulus.
     Coulomb(CoulombMemory<V, S>) = tags::COULOMB,
     /// Infinite friction.
@@ -100,16 +101,30 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         tolerance: Tolerance,
     ) -> Self {
         match V::DIMENSION {
-            1 => Self::of_chapter_7(stiffness, friction),
+            1 => Self::with_fixed_direction(stiffness, friction),
             _ => Self::of(stiffness, friction, || State::Coulomb(CoulombMemory::new(tolerance))),
         }
     }
 
-    /// The law of chapter 7 in its initial state: one direction of traction in a slip annulus. In
-    /// one direction it is the same as [`ShiftLaw::new`].
+    /// The chosen law in its initial state; the tolerance is used by [`TurningLaw::Coulomb`].
     #[must_use]
-    pub fn of_chapter_7(stiffness: ContactStiffness, friction: Friction) -> Self {
-        Self::of(stiffness, friction, || State::Chapter7(Memory::new()))
+    pub fn chosen(
+        law: TurningLaw,
+        stiffness: ContactStiffness,
+        friction: Friction,
+        tolerance: Tolerance,
+    ) -> Self {
+        match law {
+            TurningLaw::Coulomb => Self::with_tolerance(stiffness, friction, tolerance),
+            TurningLaw::FixedDirection => Self::with_fixed_direction(stiffness, friction),
+        }
+    }
+
+    /// The law of [`TurningLaw::FixedDirection`] in its initial state: one direction of traction in
+    /// a slip annulus, the law of chapter 7. In one direction it is the same as [`ShiftLaw::new`].
+    #[must_use]
+    pub fn with_fixed_direction(stiffness: ContactStiffness, friction: Friction) -> Self {
+        Self::of(stiffness, friction, || State::FixedDirection(Memory::new()))
     }
 
     fn of(
@@ -148,7 +163,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     pub fn traction(&self, q: f64) -> Option<V> {
         match &self.state {
             State::Frictionless | State::Adhesion(_) => None,
-            State::Chapter7(memory) => Some(memory.traction(q)),
+            State::FixedDirection(memory) => Some(memory.traction(q)),
             State::Coulomb(memory) => Some(memory.traction(q)),
         }
     }
@@ -157,7 +172,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     #[must_use]
     pub fn memory(&self) -> Option<&Memory<V, S>> {
         match &self.state {
-            State::Chapter7(memory) => Some(memory),
+            State::FixedDirection(memory) => Some(memory),
             _ => None,
         }
     }
@@ -169,7 +184,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
             _ if self.shift.zeta <= 0.0 => Regime::Separated,
             State::Frictionless => Regime::Sliding,
             State::Adhesion(_) => Regime::Adhesion,
-            State::Chapter7(memory) => memory.regime(),
+            State::FixedDirection(memory) => memory.regime(),
             State::Coulomb(memory) => memory.regime(),
         }
     }
@@ -181,7 +196,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
             _ if self.shift.zeta <= 0.0 => 0.0,
             State::Frictionless => 0.0,
             State::Adhesion(_) => 1.0,
-            State::Chapter7(memory) => memory.stick_depth() / memory.zeta(),
+            State::FixedDirection(memory) => memory.stick_depth() / memory.zeta(),
             State::Coulomb(memory) => memory.sticking(),
         }
     }
@@ -194,7 +209,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         let normal = self.stiffness.c_z * zeta.sqrt();
         let tangent = match &self.state {
             State::Frictionless => Tangent { by_shift: [[0.0; 2]; 2], by_approach: [0.0; 2] },
-            State::Chapter7(memory) => memory.tangent(),
+            State::FixedDirection(memory) => memory.tangent(),
             State::Coulomb(memory) => memory.tangent(),
             State::Adhesion(_) => {
                 let k = Hertzian.stiffness(zeta);
@@ -254,7 +269,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         self.shift = shift;
         let phi = match &mut self.state {
             State::Frictionless => V::default(),
-            State::Chapter7(memory) => {
+            State::FixedDirection(memory) => {
                 memory.step(shift.zeta, to);
                 memory.force()
             }
@@ -274,7 +289,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     fn force(&self) -> [f64; 2] {
         let phi = match &self.state {
             State::Frictionless => V::default(),
-            State::Chapter7(memory) => memory.force(),
+            State::FixedDirection(memory) => memory.force(),
             State::Coulomb(memory) => memory.force(),
             State::Adhesion(memory) => memory.force(),
         };
@@ -314,7 +329,7 @@ impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
     fn stored_energy(&self) -> f64 {
         let tangential = match &self.state {
             State::Frictionless => V::default(),
-            State::Chapter7(memory) => memory.stored_energy(),
+            State::FixedDirection(memory) => memory.stored_energy(),
             State::Coulomb(memory) => memory.stored_energy(),
             State::Adhesion(memory) => memory.stored_energy(),
         };
@@ -327,7 +342,7 @@ impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
         let unit = self.scale_of_energies();
         match (self.reachable(to), &self.state) {
             (Err(_), _) | (_, State::Frictionless) => 0.0,
-            (Ok(x), State::Chapter7(memory)) => memory.heat(to.zeta, x, unit),
+            (Ok(x), State::FixedDirection(memory)) => memory.heat(to.zeta, x, unit),
             (Ok(x), State::Coulomb(memory)) => memory.heat(to.zeta, x, unit),
             (Ok(x), State::Adhesion(memory)) => memory.dissipation(to.zeta, x).dot(unit),
         }
@@ -347,7 +362,7 @@ impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
         let to = self.normalised(self.shift);
         match &mut self.state {
             State::Frictionless => {}
-            State::Chapter7(memory) => {
+            State::FixedDirection(memory) => {
                 memory.turn_frame(angle);
                 memory.translate(to.minus(memory.shift()));
             }

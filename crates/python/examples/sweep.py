@@ -24,7 +24,7 @@ def motions(count: int) -> np.ndarray:
 
 def rebounds(velocities: np.ndarray) -> np.ndarray:
     """The velocities afterwards."""
-    return carom.collide_many(BALL, PLATE, 0.3, velocity_1=velocities).velocity_1
+    return carom.collide_many(BALL, PLATE, 0.3, body_1_velocity=velocities).body_1_velocity
 
 
 def main(count: int = 100_000, workers: int = 2) -> np.ndarray:

@@ -1,5 +1,6 @@
 //! Cases from TOML files, as the command `carom` takes them.
 
+use carom::impact::Outcome;
 use carom::solver::{CellState, ContactState};
 use carom_cli::case::CaseKind;
 use carom_cli::cases::{self, HistoryStep, Impacts, Solved, history_columns};
@@ -12,7 +13,7 @@ use pyo3::types::PyDict;
 use std::path::PathBuf;
 
 use crate::error::{CaromError, Fault};
-use crate::records::{Parted, arrays};
+use crate::records::arrays;
 use crate::threads::without_python;
 
 /// Name, unit and values of the number that a case sweeps over.
@@ -26,9 +27,8 @@ pub(crate) fn case_impact<'py>(
 ) -> PyResult<(Option<Swept<'py>>, Bound<'py, PyDict>)> {
     let followed = without_python(py, || cases::impact(&CaseFile::read(&path)?));
     let Impacts { swept, outcomes } = followed.map_err(raised)?;
-    let outcomes: Vec<Parted> = outcomes.into_iter().map(Parted::from).collect();
     let swept = swept.map(|(name, unit, values)| (name, unit, PyArray1::from_vec(py, values)));
-    Ok((swept, arrays(py, Parted::COLUMNS, &outcomes)?))
+    Ok((swept, arrays(py, Outcome::COLUMNS, &outcomes)?))
 }
 
 /// The contact after each step of a history.

@@ -1,16 +1,16 @@
 //! Collisions, one and many.
 
-use carom::impact::coupled::VectorLaw;
-use carom::impact::{Body as Colliding, Collision, HistoryPoint, NormalRestitution};
+use carom::impact::coupled::TurningLaw;
+use carom::impact::{Body as Colliding, Collision, HistoryPoint, NormalRestitution, Outcome};
 use carom::prelude::Friction;
-use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::{Numbers, Rows, map_by, same_length};
 use crate::bodies::{Body, motion};
+use crate::contact::turning_law;
 use crate::error::Fault;
-use crate::records::{self, Parted, arrays};
+use crate::records::{self, arrays};
 use crate::room;
 
 /// Impacts that a thread takes at least: an exact one takes some microseconds, one in steps many more.
@@ -21,7 +21,7 @@ const SHARE: usize = 8;
 struct Way {
     normal: Option<[f64; 3]>,
     torsion: bool,
-    law: VectorLaw,
+    law: TurningLaw,
     tolerance: Option<f64>,
     loss: NormalRestitution,
 }
@@ -33,14 +33,7 @@ impl Way {
         law: &str,
         tolerance: Option<f64>,
     ) -> PyResult<Self> {
-        let law = match law {
-            "coulomb" => VectorLaw::Coulomb,
-            "chapter 8" => VectorLaw::FixedDirection,
-            _ => {
-                let text = format!("law = '{law}': must be 'coulomb' or 'chapter 8'");
-                return Err(PyValueError::new_err(text));
-            }
-        };
+        let law = turning_law(law)?;
         Ok(Self { normal, torsion, law, tolerance, loss: NormalRestitution::ELASTIC })
     }
 
@@ -83,9 +76,8 @@ pub(crate) fn collide<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution)?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
-    let solve =
-        || -> Result<Parted, Fault> { Ok(way.collision(one, two, friction)?.solve()?.into()) };
-    arrays(py, Parted::COLUMNS, &[py.detach(solve)?])
+    let solve = || -> Result<Outcome, Fault> { Ok(way.collision(one, two, friction)?.solve()?) };
+    arrays(py, Outcome::COLUMNS, &[py.detach(solve)?])
 }
 
 /// Two bodies collide in many motions.
@@ -112,12 +104,12 @@ pub(crate) fn collide_many<'py>(
         same_length("motion", rows.len(), friction.len())?;
     }
     let [v_1, w_1, v_2, w_2] = rows;
-    let parted = map_by(SHARE, py, friction.len(), |i| {
+    let outcomes = map_by(SHARE, py, friction.len(), |i| {
         let one = one.clone().moving(motion(v_1[i], w_1[i])?);
         let two = two.clone().moving(motion(v_2[i], w_2[i])?);
-        Ok(Parted::from(way.collision(one, two, friction[i])?.solve()?))
+        Ok(way.collision(one, two, friction[i])?.solve()?)
     })?;
-    arrays(py, Parted::COLUMNS, &parted)
+    arrays(py, Outcome::COLUMNS, &outcomes)
 }
 
 /// The course of a collision at so many instants.

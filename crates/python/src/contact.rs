@@ -5,7 +5,9 @@ use carom::laws::coulomb::{Tolerance, packed_numbers};
 use carom::laws::law::{Checked as _, ContactLaw as _, Dissipative as _, Energies as _, Shift};
 use carom::laws::memory::{Fixed, Lateral, VertexStack};
 use carom::laws::shift_law::ShiftLaw;
+use carom::laws::turning_law::TurningLaw;
 use carom::prelude::{ContactLoad, ContactStiffness, Friction, RangeError};
+use carom::special::WordError;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
@@ -17,6 +19,11 @@ use crate::error::Fault;
 const VERTICES: usize = 64;
 
 type Law = ShiftLaw<[f64; 2], Fixed<[f64; 2], VERTICES>>;
+
+/// The law of a word.
+pub(crate) fn turning_law(word: &str) -> PyResult<TurningLaw> {
+    word.parse().map_err(|error: WordError| PyValueError::new_err(error.to_string()))
+}
 
 /// What a contact was made of.
 #[derive(Debug, Clone, PartialEq)]
@@ -30,17 +37,12 @@ pub(crate) struct Constants {
 impl Constants {
     pub(crate) fn law<V: Lateral, S: VertexStack<V>>(&self) -> PyResult<ShiftLaw<V, S>> {
         let friction = Friction::new(self.friction).map_err(Fault::from)?;
-        match self.law.as_str() {
-            "coulomb" => {
-                let tolerance = Tolerance::new(self.tolerance).map_err(Fault::from)?;
-                Ok(ShiftLaw::with_tolerance(self.stiffness, friction, tolerance))
-            }
-            "chapter 7" => Ok(ShiftLaw::of_chapter_7(self.stiffness, friction)),
-            law => {
-                let text = format!("law = '{law}': must be 'coulomb' or 'chapter 7'");
-                Err(PyValueError::new_err(text))
-            }
-        }
+        let law = turning_law(&self.law)?;
+        let tolerance = match law {
+            TurningLaw::Coulomb => Tolerance::new(self.tolerance).map_err(Fault::from)?,
+            TurningLaw::FixedDirection => Tolerance::FINE,
+        };
+        Ok(ShiftLaw::chosen(law, self.stiffness, friction, tolerance))
     }
 
     /// Numbers that a state of so many vertices takes; without slip a vertex takes more.
@@ -106,7 +108,7 @@ impl Walked {
 ///
 /// Contact(stiffness, friction, law='coulomb', tolerance=1e-3, heat=True): `stiffness` is a Hertz contact or
 /// (c_x, c_y, c_z), N/m^1.5; `friction` is from 0 to infinity (no slip). `law` is 'coulomb', where each ring of
-/// the contact slips by itself, to a `tolerance` of the friction limit, or 'chapter 7', one direction
+/// the contact slips by itself, to a `tolerance` of the friction limit, or 'fixed-direction', one direction
 /// of traction in a slip ring. On straight paths both are exact. At most 64 vertices are remembered.
 /// The heat of a step costs up to a thousand times the step itself where the path turns: without `heat` there
 /// is no `dissipated`. Contacts copy, and pickle: one from a pickle sums its forces anew, which is round-off.

@@ -35,11 +35,11 @@ friction = 0.2
     expected = carom.collide(ball, carom.plane(steel), 0.2)
     found = carom.cases.impact(written(case))
     assert found.to_dict().keys() == expected.to_dict().keys()
-    assert found.restitution == expected.restitution and found.swept is None
-    assert (found.velocity_1 == expected.velocity_1).all()
+    assert found.R_x == expected.R_x and found.swept is None
+    assert (found.body_1_velocity == expected.body_1_velocity).all()
     sweep = carom.cases.impact(written(case.replace("friction = 0.2", "friction = [0, 0.1, 0.2]")))
-    assert sweep.restitution.shape == (3,) and sweep.velocity_1.shape == (3, 3)
-    assert sweep.restitution[2] == expected.restitution and sweep.restitution[0] == -1.0
+    assert sweep.R_x.shape == (3,) and sweep.body_1_velocity.shape == (3, 3)
+    assert sweep.R_x[2] == expected.R_x and sweep.R_x[0] == -1.0
     name, unit, values = sweep.swept
     assert (name, unit) == ("contact.friction", "") and (values == [0, 0.1, 0.2]).all()
     assert pickle.loads(pickle.dumps(sweep)).swept[0] == name
@@ -58,11 +58,11 @@ def test_a_sweep_goes_on_with_its_number():
     angles = np.linspace(5, 85, 17)
     frame = sweep.to_pandas()
     assert isinstance(frame, pandas.DataFrame) and frame.index.name == "angle"
-    assert np.allclose(frame.index, angles) and (frame["restitution"] == sweep.restitution).all()
+    assert np.allclose(frame.index, angles) and (frame["R_x"] == sweep.R_x).all()
     data = sweep.to_xarray()
     assert isinstance(data, xarray.Dataset) and data["angle"].attrs["units"] == "deg"
-    assert data["velocity_1"].dims == ("angle", "axis")
-    assert float(data["restitution"].sel(angle=45.0)) == sweep.restitution[8]
+    assert data["body_1_velocity"].dims == ("angle", "axis")
+    assert float(data["R_x"].sel(angle=45.0)) == sweep.R_x[8]
 
 
 def test_a_history_is_that_of_a_contact():

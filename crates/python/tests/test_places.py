@@ -61,9 +61,9 @@ def test_motions_that_are_not_given_are_those_of_the_bodies():
     one = carom.sphere(0.01, steel, 0.03, velocity=(1.0, 0.3, -2.0), spin=(20.0, -30.0, 5.0))
     two = carom.sphere(0.02, glass, 0.05, velocity=(0.2, -0.1, 0.5), spin=(-40.0, 10.0, 7.0))
     once = carom.collide(one, two, 0.2)
-    motions = {name: getattr(body, name[:-2]) for name, body in
-               (("velocity_1", one), ("spin_1", one), ("velocity_2", two), ("spin_2", two))}
-    fields = ("velocity_1", "spin_1", "velocity_2", "spin_2", "energy_before", "dissipated")
+    motions = {name: getattr(body, name.split("_")[-1]) for name, body in
+               (("body_1_velocity", one), ("body_1_spin", one), ("body_2_velocity", two), ("body_2_spin", two))}
+    fields = ("body_1_velocity", "body_1_spin", "body_2_velocity", "body_2_spin", "energy_before", "energy_dissipated")
     for left_out in (*motions, None):
         given = {name: v for name, v in motions.items() if name != left_out}
         for chosen in (given, {}):
@@ -83,7 +83,7 @@ def test_motions_that_are_not_given_are_those_of_the_bodies():
         )
         assert np.isclose(many.energy_before[0], energy, rtol=1e-12), (i, name)
         before = sum(m * np.asarray(now[f"velocity_{k}"]) for k, m in ((1, 0.03), (2, 0.05)))
-        after = 0.03 * many.velocity_1[0] + 0.05 * many.velocity_2[0]
+        after = 0.03 * many.body_1_velocity[0] + 0.05 * many.body_2_velocity[0]
         assert np.allclose(before, after, rtol=1e-12)
 
 
@@ -137,11 +137,11 @@ def test_the_impact_of_a_case_is_one_and_that_of_a_sweep_as_many_as_it_has(tmp_p
     once = carom.cases.new("impact")
     path.write_text(once)
     rebound = carom.cases.impact(path)
-    assert isinstance(rebound.restitution, float) and rebound.velocity_1.shape == (3,)
+    assert isinstance(rebound.R_x, float) and rebound.body_1_velocity.shape == (3,)
     path.write_text(once.replace("friction = 0.2", "friction = [0.1, 0.2, 0.3]"))
     swept = carom.cases.impact(path)
-    assert swept.restitution.shape == (3,) and swept.restitution[1] == rebound.restitution
-    assert np.array_equal(swept.velocity_1[1], rebound.velocity_1)
+    assert swept.R_x.shape == (3,) and swept.R_x[1] == rebound.R_x
+    assert np.array_equal(swept.body_1_velocity[1], rebound.body_1_velocity)
 
 
 @pytest.mark.parametrize("side, x, y", [("left", -1, 0), ("right", 1, 0), ("lower", 0, -1), ("upper", 0, 1)])

@@ -37,8 +37,8 @@ CALLS = {
     "xi": lambda x: contacts().advance(1e-6, x),
     "eta": lambda x: contacts().follow(1e-6, 0.0, x),
     "friction": lambda x: carom.collide_many(BALL, FLOOR, x),
-    "velocity_1": lambda x: carom.collide_many(BALL, FLOOR, 0.5, velocity_1=x),
-    "spin_2": lambda x: carom.collide_many(BALL, FLOOR, 0.5, spin_2=x),
+    "body_1_velocity": lambda x: carom.collide_many(BALL, FLOOR, 0.5, body_1_velocity=x),
+    "body_2_spin": lambda x: carom.collide_many(BALL, FLOOR, 0.5, body_2_spin=x),
     "gap": lambda x: carom.Solver(x, (1.0, 1.0), PAIR, 0.3),
     "size": lambda x: carom.Solver(np.zeros((4, 4)), x, PAIR, 0.3),
     "force": lambda x: carom.hertz(HERTZ, force=x),
@@ -57,7 +57,7 @@ def test_what_is_no_number_is_named(name, wrong):
         CALLS[name](wrong)
 
 
-@pytest.mark.parametrize("name", ["zeta", "xi", "velocity_1", "spin_2", "size", "gap"])
+@pytest.mark.parametrize("name", ["zeta", "xi", "body_1_velocity", "body_2_spin", "size", "gap"])
 @pytest.mark.parametrize("shape", [(0,), (2,), (5,), (3, 0), (3, 1), (2, 2, 2)])
 def test_a_wrong_shape_is_named(name, shape):
     if (name, shape) in (("size", (2,)), ("gap", (3, 1))):
@@ -142,8 +142,8 @@ def test_any_layout_of_an_array_is_the_same():
 
 
 def test_a_motion_is_no_number():
-    with pytest.raises(ValueError, match=r"velocity_1 has the shape \(\)"):
-        carom.collide_many(BALL, FLOOR, 0.5, velocity_1=-1.0)
+    with pytest.raises(ValueError, match=r"body_1_velocity has the shape \(\)"):
+        carom.collide_many(BALL, FLOOR, 0.5, body_1_velocity=-1.0)
 
 
 def test_a_path_is_as_long_as_it_is():

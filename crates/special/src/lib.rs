@@ -32,7 +32,9 @@ pub mod roots;
 mod axis_ratio;
 mod error;
 mod spacing;
+mod word;
 
 pub use axis_ratio::AxisRatio;
 pub use error::{RangeError, Readable};
 pub use spacing::{linspace, logspace};
+pub use word::{WordError, nearest};

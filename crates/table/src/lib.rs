@@ -35,6 +35,8 @@ pub enum Value {
     Text(Cow<'static, str>),
     /// Several words.
     Words(Vec<&'static str>),
+    /// Several texts.
+    Texts(Vec<String>),
     /// A vector: one cell for each component of the column.
     Vector([f64; 3]),
     /// The quantity does not exist for this record.
@@ -211,6 +213,7 @@ impl Cell {
             Value::Count(count) => texts.push(count.to_string()),
             Value::Text(text) => texts.push(text.clone().into_owned()),
             Value::Words(words) => texts.push(words.join(" ")),
+            Value::Texts(several) => texts.push(several.join("; ")),
             Value::Vector(parts) => texts.extend(parts.map(number)),
             Value::Absent | Value::Undefined => {
                 texts.extend(std::iter::repeat_n(String::new(), self.parts.len().max(1)));
@@ -313,6 +316,12 @@ impl From<String> for Value {
 impl From<Vec<&'static str>> for Value {
     fn from(words: Vec<&'static str>) -> Self {
         Self::Words(words)
+    }
+}
+
+impl From<Vec<String>> for Value {
+    fn from(texts: Vec<String>) -> Self {
+        Self::Texts(texts)
     }
 }
 

@@ -96,8 +96,8 @@ int Law::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
   if (word == "law") {
     const std::string name = narg < 2 ? "" : arg[1];
     if (name == "coulomb") law = CAROM_LAW_COULOMB;
-    else if (name == "chapter7") law = CAROM_LAW_CHAPTER_7;
-    else lmp->error->all(FLERR, who + ": law is neither coulomb nor chapter7: '" + name + "'");
+    else if (name == "fixed-direction") law = CAROM_LAW_FIXED_DIRECTION;
+    else lmp->error->all(FLERR, who + ": law is neither coulomb nor fixed-direction: '" + name + "'");
     return 2;
   }
   if (word == "torsion" && narg > 1) {

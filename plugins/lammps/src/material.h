@@ -34,13 +34,14 @@ struct Material {
   bool has_young = false, has_shear = false, has_poisson = false;
 };
 
-// law chapter7 | coulomb, tolerance T, torsion yes | no
+// law fixed-direction | coulomb, tolerance T, torsion yes | no
 struct Law {
-  uint32_t law = CAROM_LAW_CHAPTER_7;
+  uint32_t law = CAROM_LAW_FIXED_DIRECTION;
   int torsion = 0;    // whether a twist about the normal has its torque
   double tolerance = 0.0;
 
   int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
+  const char *name() const { return law == CAROM_LAW_COULOMB ? "coulomb" : "fixed-direction"; }
 };
 
 // The constants of a pair of bodies; ends in an error of the host that says what is out of range.

@@ -106,6 +106,7 @@ void PairCarom::settings(int narg, char **arg)
                             "': only law, tolerance, torsion and energy");
     k += words;
   }
+  if (comm->me == 0) utils::logmesg(lmp, std::string("pair_style carom: law ") + law_.name() + "\n");
 }
 
 void PairCarom::coeff(int narg, char **arg)
@@ -482,7 +483,7 @@ void PairCarom::read_restart_settings(FILE *fp)
   MPI_Bcast(&law_, sizeof law_, MPI_BYTE, 0, world);
   MPI_Bcast(&account, sizeof account, MPI_BYTE, 0, world);
   const auto is_flag = [](int flag) { return flag == 0 || flag == 1; };
-  const bool known = law_.law == CAROM_LAW_COULOMB || law_.law == CAROM_LAW_CHAPTER_7;
+  const bool known = law_.law == CAROM_LAW_COULOMB || law_.law == CAROM_LAW_FIXED_DIRECTION;
   if (!known || !is_flag(law_.torsion) || !is_flag(account) || !(law_.tolerance >= 0.0 && law_.tolerance <= 0.1))
     error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion or energy is none");
 }

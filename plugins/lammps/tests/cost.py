@@ -14,7 +14,7 @@ HERE = pathlib.Path(__file__).parent
 CAROM = "young 1e7 poisson 0.3 friction 0.5 damping 2e-4"
 STYLES = {
     "granular mindlin": ("granular", "hertz/material 1e7 100 0.3 damping viscoelastic tangential mindlin NULL 0.0 0.5"),
-    "carom chapter7": ("carom law chapter7", CAROM),
+    "carom fixed-direction": ("carom law fixed-direction", CAROM),
     "carom coulomb": ("carom law coulomb", CAROM),
 }
 AGAIN = """
@@ -46,7 +46,7 @@ run 3000
 
 def main(rounds, copies):
     with tempfile.TemporaryDirectory() as folder:
-        style, coeff = STYLES["carom chapter7"]
+        style, coeff = STYLES["carom fixed-direction"]
         lmp((HERE / "bed.in").read_text() + "write_data settled.data\n", folder, n1=24000, style=style, coeff=coeff)
         best = {}
         for _ in range(rounds):

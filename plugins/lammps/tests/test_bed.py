@@ -18,7 +18,7 @@ WIDTH, DIAMETER = 0.06, 0.01
 
 def settle(folder, steps=30000):
     coeff = "young 1e7 poisson 0.3 friction 0.5 damping 2e-4"
-    lmp(SETTLE, folder, style="carom law chapter7", coeff=coeff, n1=steps)
+    lmp(SETTLE, folder, style="carom law fixed-direction", coeff=coeff, n1=steps)
     return folder / "settled.bin"
 
 
@@ -69,8 +69,8 @@ def twisting(tmp_path_factory):
     """A bed that has come to rest without torsion, and then taken it up."""
     folder = tmp_path_factory.mktemp("twisting")
     coeff = "young 1e7 poisson 0.3 friction 0.5 damping 2e-4"
-    lmp(SETTLE + "write_data settled.data\n", folder, style="carom law chapter7", coeff=coeff, n1=45000)
-    lmp(TWIST, folder, style="carom law chapter7 torsion yes", coeff=coeff, n1=2000)
+    lmp(SETTLE + "write_data settled.data\n", folder, style="carom law fixed-direction", coeff=coeff, n1=45000)
+    lmp(TWIST, folder, style="carom law fixed-direction torsion yes", coeff=coeff, n1=2000)
     return folder / "settled.bin"
 
 
@@ -140,7 +140,7 @@ def test_a_grain_with_sixty_contacts_changes_its_rank_before_the_first_step(clus
 
 @pytest.mark.parametrize(
     "law, ranks, newton",
-    [("law chapter7", 1, "off"), ("law coulomb", 1, "on"), ("law chapter7", 2, "on"), ("law chapter7 torsion yes", 2, "on")],
+    [("law fixed-direction", 1, "off"), ("law coulomb", 1, "on"), ("law fixed-direction", 2, "on"), ("law fixed-direction torsion yes", 2, "on")],
 )
 def test_restart_in_the_middle_goes_on_bit_for_bit(tmp_path, law, ranks, newton):
     """Grains in full motion between a moving floor and walls, a restart file written on the way."""

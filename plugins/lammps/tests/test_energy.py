@@ -11,13 +11,13 @@ BOX = (HERE / "box.in").read_text()
 WALLS = (HERE / "box_walls.in").read_text()
 
 
-@pytest.mark.parametrize("law", ["law chapter7", "law coulomb", "law chapter7 torsion yes"])
+@pytest.mark.parametrize("law", ["law fixed-direction", "law coulomb", "law fixed-direction torsion yes"])
 def test_energy_goes_where_it_is_booked(tmp_path, law):
     """Kinetic, potential and stored energy, heats and the work of the moving floor: their sum stays, to the
     leapfrog's error. This falls as the square of the step, and where grains meet as its power 3/2: there
     damping begins as the root of the time."""
     missed = []
-    for dt in (1e-5, 5e-6, 2.5e-6) if law == "law chapter7" else (1e-5, 5e-6):
+    for dt in (1e-5, 5e-6, 2.5e-6) if law == "law fixed-direction" else (1e-5, 5e-6):
         steps = round(0.02 / dt)
         script = BOX + WALLS + f"thermo {steps // 30}\nrun {steps}\n"
         table = thermo(lmp(script, tmp_path, dt=dt, law=law, shake=0.3))

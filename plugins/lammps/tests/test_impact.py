@@ -67,7 +67,7 @@ def carom(law, poisson):
     ]
 
 
-@pytest.mark.parametrize("law", ["coulomb tolerance 3e-3", "chapter7"])
+@pytest.mark.parametrize("law", ["coulomb tolerance 3e-3", "fixed-direction"])
 @pytest.mark.parametrize("poisson", ["0", "0.3", "0.5"])
 @pytest.mark.parametrize("steps, bound", [(50, 1.2e-3), (100, 4e-4), (2000, 1e-4)])
 def test_impact_of_spheres_meets_the_exact_one(host, law, poisson, steps, bound):

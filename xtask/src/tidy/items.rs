@@ -136,7 +136,7 @@ mod tests {
     #[test]
     fn an_item_tells_the_equations_in_its_comments() {
         let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
-        let quotes = quotes(&root, "laws/rigid_slip.rs::pole_of").unwrap().unwrap();
+        let quotes = quotes(&root, "classic/rigid_slip.rs::pole_of").unwrap().unwrap();
         assert_eq!(quotes.into_iter().collect::<Vec<_>>(), [(14, 4)]);
     }
 }

@@ -123,7 +123,7 @@ fn meeting(time: f64) -> [CaromGrain; 2] {
 #[test]
 fn a_changed_tag_of_a_touch_is_a_status_and_no_jump() {
     let mut refused = 0;
-    for law in [CAROM_LAW_COULOMB, CAROM_LAW_CHAPTER_7] {
+    for law in [CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION] {
         let grains = grains(law);
         let mut whole = CaromTouch { mark: 0, words: [MaybeUninit::new(0); CAROM_TOUCH_WORDS] };
         // SAFETY: zeros are plain numbers.

@@ -211,7 +211,7 @@ fn worst(law: u32, tolerance: f64, steps: usize, parts: &[f64]) -> f64 {
 /// Wherever in a step the two touch.
 #[test]
 fn stepped_impact_meets_the_exact_one() {
-    for (law, tolerance) in [(CAROM_LAW_CHAPTER_7, 0.0), (CAROM_LAW_COULOMB, 3e-3)] {
+    for (law, tolerance) in [(CAROM_LAW_FIXED_DIRECTION, 0.0), (CAROM_LAW_COULOMB, 3e-3)] {
         let parts = [0.05, 0.2, 0.35, 0.5, 0.65, 0.8, 0.95];
         assert!(worst(law, tolerance, 50, &parts) < 1.2e-3);
         assert!(worst(law, tolerance, 100, &parts) < 4e-4);
@@ -223,7 +223,7 @@ fn stepped_impact_meets_the_exact_one() {
 /// Energy goes into heat as it is booked: what the balance misses falls with the square of the step.
 #[test]
 fn energy_of_a_damped_impact_is_accounted_for() {
-    for law in [CAROM_LAW_COULOMB, CAROM_LAW_CHAPTER_7] {
+    for law in [CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION] {
         let grains = made([0.2, 0.35], 0.3, law, 2e-5).unwrap();
         let missed = |steps: usize| {
             let mut impact = Impact::new(grains, 2.0, steps);
@@ -248,7 +248,7 @@ fn energy_of_a_damped_impact_is_accounted_for() {
 /// In numbers and back in the middle of the way: the load is the same to the bit, and so is what follows.
 #[test]
 fn kept_in_numbers_and_taken_up_again() {
-    for law in [CAROM_LAW_COULOMB, CAROM_LAW_CHAPTER_7] {
+    for law in [CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION] {
         for at in [0, 1, 13, 40, 75, 101, 110] {
             let mut impact = Impact::new(made([0.3; 2], 0.4, law, 1e-5).unwrap(), 1.7, 100);
             for _ in 0..at {
@@ -400,7 +400,7 @@ fn what_is_out_of_range_is_named() {
 /// the constants of their curvatures, and what turning them costs is stored or heat.
 #[test]
 fn spin_about_the_normal_meets_the_law_of_a_twist() {
-    let grains = made([0.3, 0.2], 0.4, CAROM_LAW_CHAPTER_7, 0.0).unwrap();
+    let grains = made([0.3, 0.2], 0.4, CAROM_LAW_FIXED_DIRECTION, 0.0).unwrap();
     let bodies = [0.3, 0.2].map(|poisson| CaromMaterial { young_modulus: 70e9, poisson });
     let [one, two] = &bodies;
     let normal = [0.36, 0.48, 0.8];
@@ -421,7 +421,7 @@ fn spin_about_the_normal_meets_the_law_of_a_twist() {
             RADII[0],
             RADII[1],
             0.4,
-            CAROM_LAW_CHAPTER_7,
+            CAROM_LAW_FIXED_DIRECTION,
             0.0,
             to,
             null_mut(),
@@ -505,7 +505,7 @@ fn spin_about_the_normal_meets_the_law_of_a_twist() {
 fn encounters_go_through_one_call_as_one_by_one() {
     const PAIRS: usize = 11;
     let grains = [
-        made([0.3, 0.2], 0.4, CAROM_LAW_CHAPTER_7, 1e-7).unwrap(),
+        made([0.3, 0.2], 0.4, CAROM_LAW_FIXED_DIRECTION, 1e-7).unwrap(),
         made([0.1, 0.4], 0.2, CAROM_LAW_COULOMB, 0.0).unwrap(),
     ];
     let body =

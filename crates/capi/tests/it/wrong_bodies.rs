@@ -30,12 +30,22 @@ fn numbers(body: &mut CaromBody) -> &mut [f64] {
 }
 
 fn is_finite(rebound: &CaromRebound) -> bool {
-    let vectors = [rebound.velocity[0], rebound.velocity[1], rebound.spin[0], rebound.spin[1]];
-    let others = [rebound.impulse, rebound.velocity_before, rebound.velocity_after];
-    let energies = [rebound.energy_before, rebound.energy_after, rebound.dissipated, rebound.lost];
+    let vectors = [
+        rebound.body_1_velocity,
+        rebound.body_2_velocity,
+        rebound.body_1_spin,
+        rebound.body_2_spin,
+    ];
+    let others = [rebound.impulse, rebound.contact_velocity_before, rebound.contact_velocity_after];
+    let energies = [
+        rebound.energy_before,
+        rebound.energy_after,
+        rebound.energy_dissipated,
+        rebound.energy_lost,
+    ];
     let single = [rebound.duration, rebound.maximal_force, rebound.maximal_approach];
     let all = vectors.iter().chain(&others).flatten().chain(&energies).chain(&single);
-    all.chain(&rebound.semi_axes).all(|x| x.is_finite())
+    all.chain(&[rebound.maximal_semi_axis_a, rebound.maximal_semi_axis_b]).all(|x| x.is_finite())
 }
 
 fn told(status: CaromStatus, error: &CaromError) -> String {

@@ -5,10 +5,10 @@ use super::field::{Default, Field, Form, Word};
 use super::range::Range;
 use super::section::Section;
 use carom_impact::NormalRestitution;
-use carom_impact::coupled::VectorLaw;
+use carom_impact::coupled::TurningLaw;
 
-pub(super) const COULOMB: &str = "coulomb";
-pub(super) const FIXED_DIRECTION: &str = "fixed-direction";
+pub(super) const COULOMB: &str = TurningLaw::Coulomb.name();
+const FIXED_DIRECTION: &str = TurningLaw::FixedDirection.name();
 const NUMERICAL: &str = "numerical";
 const RINGS: Word = (COULOMB, "each ring slips by itself");
 const ONE_DIRECTION: Word =
@@ -58,13 +58,18 @@ pub(super) fn normal_restitution(section: &Section<'_>) -> Result<NormalRestitut
     Ok(NormalRestitution::by_waves())
 }
 
+/// The law of a word; "numerical" leaves the usual one.
+pub(super) fn turning_law(word: &str) -> TurningLaw {
+    word.parse().unwrap_or_default()
+}
+
 /// Friction, law and torsion of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Contact {
     /// Coefficient of friction; infinite for no slip.
     pub friction: f64,
     /// The law where the direction of the tangential motion turns.
-    pub law: VectorLaw,
+    pub law: TurningLaw,
     /// Whether the contact is solved on a grid instead.
     pub is_numerical: bool,
     /// The line of `torsion = true`; none if the spin about the normal is left alone.
@@ -74,15 +79,18 @@ pub struct Contact {
 }
 
 impl Contact {
+    /// The word for the law.
+    #[must_use]
+    pub const fn law_name(&self) -> &'static str {
+        if self.is_numerical { NUMERICAL } else { self.law.name() }
+    }
+
     /// Reads the fields.
     pub(super) fn read(contact: &Section<'_>) -> Result<Self, CaseError> {
         let friction = contact.number(&FRICTION)?;
         let word = contact.word(&LAW)?;
-        let law = match word {
-            FIXED_DIRECTION => VectorLaw::FixedDirection,
-            _ => VectorLaw::Coulomb,
-        };
         let is_numerical = word == NUMERICAL;
+        let law = turning_law(word);
         let torsion = contact.switch(&TORSION)?.then(|| contact.line(&TORSION));
         if is_numerical && torsion.is_some() {
             let reason = "the numerical law leaves the spin about the normal alone";

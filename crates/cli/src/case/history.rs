@@ -1,6 +1,6 @@
 //! The case file of `carom history`.
 
-use super::contact::{COULOMB, FIXED_DIRECTION, FRICTION, LAWS_OF_SHIFTS};
+use super::contact::{COULOMB, FRICTION, LAWS_OF_SHIFTS, turning_law};
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Rows};
 use super::pair::{self, ANGLE, BODY_1, BODY_2};
@@ -10,6 +10,7 @@ use super::unit::{Dimension, Measure};
 use carom_laws::coulomb::Tolerance;
 use carom_laws::hertz::Hertz;
 use carom_laws::law::Shift;
+use carom_laws::turning_law::TurningLaw;
 use std::path::PathBuf;
 
 const LAW: Field = Field::new(
@@ -66,17 +67,10 @@ pub struct HistoryCase {
     pub friction: f64,
     /// What is done where the direction of the shift turns.
     pub law: TurningLaw,
+    /// How far Coulomb's law may be off.
+    pub tolerance: Tolerance,
     /// The shifts.
     pub steps: Steps,
-}
-
-/// The law of a shift whose direction turns.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum TurningLaw {
-    /// Each ring slips by itself, to a tolerance.
-    Coulomb(Tolerance),
-    /// Chapter 7's, one direction of traction in a slip ring.
-    FixedDirection,
 }
 
 /// Where the shifts are given.
@@ -98,7 +92,7 @@ impl HistoryCase {
         let table = parse(source)?;
         let case = Section::root(source, table.get_ref(), FIELDS)?;
         let contact = case.section(&CONTACT)?;
-        let law = turning_law(&contact)?;
+        let (law, tolerance) = law(&contact)?;
         let hertz = pair::read(&case, &contact)?;
         let friction = contact.number(&FRICTION)?;
         let history = case.section(&HISTORY)?;
@@ -110,20 +104,18 @@ impl HistoryCase {
             [] | [_] => Steps::File(history.text(&FILE)?.into()),
             both => return Err(history.several(both, "give one of them")),
         };
-        Ok(Self { hertz, friction, law, steps })
+        Ok(Self { hertz, friction, law, tolerance, steps })
     }
 }
 
-fn turning_law(contact: &Section<'_>) -> Result<TurningLaw, CaseError> {
-    if contact.word(&LAW)? == FIXED_DIRECTION {
-        return match contact.has(&TOLERANCE) {
-            true => Err(contact.conflict(&TOLERANCE, &LAW, "a fixed direction needs none")),
-            false => Ok(TurningLaw::FixedDirection),
-        };
+fn law(contact: &Section<'_>) -> Result<(TurningLaw, Tolerance), CaseError> {
+    let law = turning_law(contact.word(&LAW)?);
+    if law == TurningLaw::FixedDirection && contact.has(&TOLERANCE) {
+        return Err(contact.conflict(&TOLERANCE, &LAW, "a fixed direction needs none"));
     }
-    Tolerance::new(contact.number(&TOLERANCE)?)
-        .map(TurningLaw::Coulomb)
-        .map_err(|error| contact.out_of_range(&TOLERANCE, error.value, error.allowed))
+    let tolerance = Tolerance::new(contact.number(&TOLERANCE)?)
+        .map_err(|error| contact.out_of_range(&TOLERANCE, error.value, error.allowed))?;
+    Ok((law, tolerance))
 }
 
 /// The shift of a row zeta, xi, eta, omega.

@@ -2,9 +2,10 @@
 
 use super::error::CaseError;
 use super::field::{Entry, Field, Form, Need, entries};
-use super::section::{Section, nearest, parse};
+use super::section::{Section, parse};
 use super::{HertzCase, HistoryCase, ImpactFile, RollCase, SceneCase, SolveCase, StressCase};
 use super::{begin, hertz, history, impact, roll, scene, solve, stress, varied};
+use carom_special::nearest;
 use carom_table::Column;
 use toml::de::{DeTable, DeValue};
 

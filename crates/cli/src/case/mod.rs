@@ -27,7 +27,7 @@ pub use contact::Contact;
 pub use error::CaseError;
 pub use field::{Default, Entry, Field, Form, Need, Rows, Word, entries};
 pub use hertz::{Given, HertzCase};
-pub use history::{HistoryCase, Steps, TurningLaw};
+pub use history::{HistoryCase, Steps};
 pub use impact::{ImpactCase, ImpactFile};
 pub use kind::{CaseKind, Understood};
 pub use range::{End, Range};

@@ -4,8 +4,6 @@ mod arrays;
 mod error;
 mod spelling;
 
-pub(super) use spelling::nearest;
-
 use super::error::CaseError;
 use super::field::{Default, Field, Form, Need};
 use super::unit::Measure;

@@ -53,8 +53,7 @@ fn bodies_of_every_shape_touch_and_part() {
 #[test]
 fn a_ball_goes_as_fast_as_the_outcome_says() {
     let outcome = json(&["impact", &example("rubber_on_table.toml")]);
-    let after = &outcome["after"]["body_1"];
-    let number = |what: &str, i: usize| after[what][i].as_f64().unwrap();
+    let number = |what: &str, i: usize| outcome[format!("body_1_{what}")][i].as_f64().unwrap();
     let ball = &moving(&animated("rubber_on_table"), "polygon")[0];
     let pace = |from: usize, to: usize| {
         let (from, to, frames) = (middle(&ball[from]), middle(&ball[to]), (to - from) as f64);

@@ -1,6 +1,7 @@
 //! Bad case files: every error names the field, its value and what is allowed.
 
-use carom_cli::case::{CaseError, HistoryCase, ImpactFile, TurningLaw};
+use carom_cli::case::{CaseError, HistoryCase, ImpactFile};
+use carom_laws::turning_law::TurningLaw;
 
 const CASE: &str = "\
 [body_1]
@@ -243,15 +244,16 @@ fn histories_choose_the_law_where_the_direction_turns() {
     let source = std::fs::read_to_string(path).unwrap();
     let law = |fields: &str| {
         let contact = format!("friction = 0.3\n{fields}");
-        HistoryCase::parse(&source.replacen("friction = 0.3", &contact, 1)).map(|case| case.law)
+        HistoryCase::parse(&source.replacen("friction = 0.3", &contact, 1))
+            .map(|case| (case.law, case.tolerance.get()))
     };
     let coulomb = |tolerance: &str| match law(tolerance) {
-        Ok(TurningLaw::Coulomb(tolerance)) => tolerance.get(),
+        Ok((TurningLaw::Coulomb, tolerance)) => tolerance,
         other => panic!("{other:?}"),
     };
     assert_eq!(coulomb(""), 1e-3);
     assert_eq!(coulomb("law = \"coulomb\"\ntolerance = 1e-5"), 1e-5);
-    assert_eq!(law("law = \"fixed-direction\"").unwrap(), TurningLaw::FixedDirection);
+    assert_eq!(law("law = \"fixed-direction\"").unwrap().0, TurningLaw::FixedDirection);
     for bad in ["0", "0.2", "-1e-3", "nan"] {
         let error = law(&format!("tolerance = {bad}")).unwrap_err().to_string();
         assert!(error.contains("contact.tolerance"), "{error}");

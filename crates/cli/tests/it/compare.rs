@@ -40,6 +40,13 @@ fn all_methods_that_apply_agree_and_the_others_say_why_not() {
             }
             assert!(row["difference"].as_f64().unwrap() < 1e-7, "{row}");
             assert!(row["iterations"].as_u64().unwrap() > 4, "{row}");
+            // Only the solver of today counts products with blocks of the influence, and needs at least one
+            // along the normal and one along the surface in each of the six steps.
+            let products = row["products"].as_f64();
+            match row["method"].as_str().unwrap() {
+                "frictional" => assert!(products.unwrap() > 12.0, "{row}"),
+                _ => assert!(products.is_none_or(|products| products > 0.0), "{row}"),
+            }
         }
     }
 }

@@ -344,8 +344,8 @@ angle = [10, 25, 40, 60, 80]
         rows,
         &[
             ("", [label, "R_x"], named("R_x")),
-            ("", [label, "v_x of body 1 afterwards / m/s"], named("after.body_1.velocity.0")),
-            ("", [label, "spin_y of body 1 afterwards / rad/s"], named("after.body_1.spin.1")),
+            ("", [label, "v_x of body 1 afterwards / m/s"], named("body_1_velocity.0")),
+            ("", [label, "spin_y of body 1 afterwards / rad/s"], named("body_1_spin.1")),
         ],
     );
 }

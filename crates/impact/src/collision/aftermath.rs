@@ -5,14 +5,13 @@ use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use super::method::Passed;
 use super::{Collision, CollisionError};
 use crate::body::{Body, Motion};
 use crate::closed_form::{NOTICEABLE, restitution_without_slip};
-use crate::coupled::is_coupled;
+use crate::coupled::{CoupledOutcome, is_coupled};
 use crate::normal::NormalImpact;
 use crate::normal_spin::{NormalSpin, NormalSpinError, Pivot};
-use crate::outcome::{EnergyBudget, Rebound, Torsion, TorsionMode, Warning};
+use crate::outcome::{EnergyBudget, LogEntry, Rebound, Torsion, TorsionMode, Warning};
 use crate::wave_share::wave_share;
 
 /// Couplings of the normal motion below this part of D_zz are round-off.
@@ -24,10 +23,38 @@ const ROUNDING: f64 = 8.0 * f64::EPSILON;
 /// Differences of chi between directions below this part of it are round-off.
 const EVEN: f64 = 1e-12;
 
+/// What a method knows of an impact beyond velocities and impulse.
+#[derive(Debug, Clone, Copy, Default)]
+pub(crate) struct Known {
+    /// R_x of an elastic impact.
+    pub(crate) r_x: Option<f64>,
+    /// What became of the spin about the normal.
+    pub(crate) torsion: Option<Torsion>,
+}
+
 impl Collision {
-    pub(crate) fn rebound(&self, passed: Passed) -> Result<Rebound, CollisionError> {
-        let (before, elastic) = (passed.before, passed.after);
-        let whole = passed.impulse;
+    /// The rebound of the bodies after an impact that was followed in contact axes, here or by other means:
+    /// motions, energies, torsion and warnings.
+    ///
+    /// # Errors
+    /// [`CollisionError::Range`] if impulse or energy overflow; [`CollisionError::NormalSpin`] for torsion
+    /// that cannot be computed.
+    pub fn rebound_of(
+        &self,
+        outcome: CoupledOutcome,
+        log: Vec<LogEntry>,
+    ) -> Result<Rebound, CollisionError> {
+        self.rebound_with(outcome, log, Known::default())
+    }
+
+    /// The same where the method itself knows what else follows from velocities and shapes.
+    pub(crate) fn rebound_with(
+        &self,
+        outcome: CoupledOutcome,
+        log: Vec<LogEntry>,
+        known: Known,
+    ) -> Result<Rebound, CollisionError> {
+        let (before, elastic, whole) = (self.velocity(), outcome.velocity, outcome.impulse);
         let share = self.wave_share(before.z)?;
         let damped = self.normal_restitution.damped(share, [before.z, elastic.z]);
         let [impulse, after] = damped.motion(whole, [&before, &elastic]);
@@ -36,11 +63,12 @@ impl Collision {
             self.levers[i].pushed(self.frame().axes(), &self.bodies[i].motion(), &push)
         });
         // E_A - E_E of the relative motion, without its cancellation.
-        let mut dissipated =
-            passed.dissipated.unwrap_or_else(|| 0.5 * whole.dot(&(before + elastic)));
-        dissipated *= damped.part;
+        let mut dissipated = damped.part * (0.5 * whole.dot(&(before + elastic)));
         let mut lost = damped.lost(0.5 * whole.dot(&(before - elastic)));
-        let mut torsion = self.torsion(before.z)?;
+        let mut torsion = match known.torsion {
+            None => self.torsion(before.z)?,
+            torsion => torsion,
+        };
         if let Some(torsion) = &mut torsion {
             let spin = self.normal_spin(before.z);
             lost += damped.lost(spin.exchanged(torsion));
@@ -60,28 +88,34 @@ impl Collision {
         // Of bodies next to as heavy as numbers go.
         RangeError::finite("impulse", impulse.abs().sum())?;
         RangeError::finite("kinetic energy", energy.before + energy.after)?;
-        let maximal_contact = self.hertz.ellipse(passed.maximal_approach)?;
+        let maximal_contact = self.hertz.ellipse(outcome.maximal_approach)?;
         let mut warnings = self.warnings(maximal_contact.semi_axis_b(), before.z, share);
-        warnings.extend(passed.warning);
+        if outcome.method.counts_coupling() {
+            warnings.retain(|warning| !matches!(warning, Warning::Coupling { .. }));
+        }
+        if known.torsion.is_some() {
+            warnings.retain(|warning| !matches!(warning, Warning::SpinLeftAlone { .. }));
+        }
+        warnings.extend(outcome.warning);
         Ok(Rebound {
             motions,
             impulse: self.frame().to_space(&impulse),
-            velocity_before: self.frame().to_space(&before),
-            velocity_after: self.frame().to_space(&after),
-            tangential_restitution: passed
-                .restitution
+            contact_velocity_before: self.frame().to_space(&before),
+            contact_velocity_after: self.frame().to_space(&after),
+            r_x: known
+                .r_x
                 .or_else(|| self.restitution(&before, &elastic))
                 .map(|elastic| damped.restitution(elastic)),
-            duration: passed.duration,
-            maximal_force: passed.maximal_force,
-            maximal_approach: passed.maximal_approach,
+            duration: outcome.duration,
+            maximal_force: outcome.maximal_force,
+            maximal_approach: outcome.maximal_approach,
             maximal_contact,
             energy,
             torsion,
-            method: passed.method,
-            compressions: passed.compressions,
-            error_estimate: passed.error_estimate,
-            log: passed.log,
+            method: outcome.method,
+            compressions: outcome.compressions,
+            error_estimate: outcome.error_estimate,
+            log,
             warnings,
         })
     }

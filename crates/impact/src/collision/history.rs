@@ -3,11 +3,9 @@
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use super::method::{Method, Symmetric};
 use super::{Collision, CollisionError};
-use crate::coupled::{Sample, Stage};
+use crate::coupled::{Sample, Traced};
 use crate::normal;
-use crate::oblique::{ObliqueImpact, Regime};
 use crate::outcome::HistoryPoint;
 
 impl Collision {
@@ -19,53 +17,32 @@ impl Collision {
     /// As [`Collision::solve`]; [`RangeError`] for fewer than two instants.
     pub fn history(&self, count: usize) -> Result<Vec<HistoryPoint>, CollisionError> {
         RangeError::check("history points", count as f64, count >= 2, ">= 2")?;
-        match self.method()? {
-            None => Ok(Vec::new()),
-            Some(Method::Symmetric(symmetric)) => self.traced(&symmetric, count),
-            Some(Method::Coupled(impact)) => {
-                self.sampled(&impact.history(self.law)?, count, &impact.velocity())
-            }
-        }
-    }
-
-    fn traced(
-        &self,
-        symmetric: &Symmetric,
-        count: usize,
-    ) -> Result<Vec<HistoryPoint>, CollisionError> {
-        // The normal motion by time: the velocity alone does not resolve the first instants.
-        let times: Vec<f64> = instants(normal::DURATION, count).collect();
-        let states: Vec<_> = times.iter().map(|time| normal::state_at(*time)).collect();
-        let velocities: Vec<f64> = states.iter().map(|state| state.velocity).collect();
-        let trace = ObliqueImpact::trace(symmetric.groups, &velocities)?;
-        let Symmetric { slip, direction, normal, .. } = symmetric;
-        let (unit, clock) = (normal.maximal_approach(), normal.time_unit());
-        let (force, speed) = (normal.maximal_force(), normal.velocity());
-        let stiffness = self.hertz.stiffness();
-        let tangential = force * stiffness.c_x / stiffness.c_z * slip / speed;
-        let along = |tangential: f64, normal: f64| {
-            Vector3::new(direction.x * tangential, direction.y * tangential, normal)
+        let Some(impact) = self.impact()? else { return Ok(Vec::new()) };
+        let Some(direction) = impact.exact_direction() else {
+            return self.sampled(&impact.history(self.law)?, count, &impact.velocity());
         };
-        let points = trace.iter().zip(&times).zip(&states);
-        points
-            .map(|((point, time), state)| {
-                let zeta = state.compression;
-                let pull = if *slip > 0.0 { tangential * point.force } else { 0.0 };
-                Ok(HistoryPoint {
-                    time: clock * time,
-                    shift: along(slip * clock * point.shift, unit * zeta),
-                    velocity: along(slip * point.velocity, speed * point.normal_velocity),
-                    force: along(pull, force * zeta * zeta.sqrt()),
-                    semi_axes: self.semi_axes(unit * zeta)?,
-                    stick_radius: Some(self.semi_axes(unit * point.stick_depth.min(zeta))?[0]),
-                    regime: point.regime,
-                })
+        let times: Vec<f64> = instants(normal::DURATION, count).collect();
+        let point = |Traced { sample, regime, stick_depth }: Traced| {
+            let radius = || Ok::<_, RangeError>(self.semi_axes(stick_depth)?[0]);
+            Ok(HistoryPoint {
+                time: sample.time,
+                shift: sample.shift,
+                velocity: sample.velocity,
+                force: sample.force,
+                semi_axes: self.semi_axes(sample.shift.z)?,
+                stick_radius: self.is_symmetric().then(radius).transpose()?,
+                regime,
             })
-            .collect()
+        };
+        impact.traced(&direction, &times)?.into_iter().map(point).collect()
     }
 
-    /// `count` instants, straight between those that were computed.
-    pub(crate) fn sampled(
+    /// `count` instants of an impact that was followed otherwise, equally spaced in time and interpolated
+    /// linearly between the computed ones; `initial` is the velocity before, in contact axes.
+    ///
+    /// # Errors
+    /// [`RangeError`] for fewer than two instants, and for an approach that has no ellipse.
+    pub fn sampled(
         &self,
         computed: &[Sample],
         count: usize,
@@ -98,6 +75,7 @@ impl Collision {
         let part = if length > 0.0 { ((time - one.time) / length).clamp(0.0, 1.0) } else { 0.0 };
         let shift = one.shift.lerp(&two.shift, part);
         let force = one.force.lerp(&two.force, part);
+        let stage = if part > 0.0 { two.stage } else { one.stage };
         Ok(HistoryPoint {
             time,
             shift,
@@ -105,7 +83,7 @@ impl Collision {
             force,
             semi_axes: self.semi_axes(shift.z)?,
             stick_radius: None,
-            regime: regime(if part > 0.0 { two.stage } else { one.stage }, &force, initial),
+            regime: stage.regime(force.xy().dot(&initial.xy()) >= 0.0),
         })
     }
 
@@ -121,16 +99,4 @@ impl Collision {
 fn instants(duration: f64, count: usize) -> impl Iterator<Item = f64> {
     let step = duration / (count - 1) as f64;
     (0..count - 1).map(move |i| step * i as f64).chain([duration])
-}
-
-/// The sign is that of the traction on body 1 along the initial slip.
-fn regime(stage: Stage, force: &Vector3<f64>, initial: &Vector3<f64>) -> Regime {
-    let forward = force.xy().dot(&initial.xy()) >= 0.0;
-    match (stage, forward) {
-        (Stage::Adhesion, _) => Regime::Adhesion,
-        (Stage::Slip, true) => Regime::SlipForward,
-        (Stage::Slip, false) => Regime::SlipBackward,
-        (Stage::Slide, true) => Regime::SlideForward,
-        (Stage::Slide, false) => Regime::SlideBackward,
-    }
 }

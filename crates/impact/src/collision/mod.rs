@@ -3,7 +3,6 @@
 mod aftermath;
 mod columns;
 mod history;
-mod method;
 
 use carom_geometry::{ContactFrame, ContactPoint, SearchError};
 use carom_halfspace::MaterialPair;
@@ -13,14 +12,17 @@ use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
 use crate::body::Body;
-use crate::coupled::{CoupledError, CoupledImpact, Unsettled, VectorLaw};
+use crate::coupled::{CoupledError, CoupledImpact, TurningLaw, Unsettled};
 use crate::mobility::{Lever, Mobility};
 use crate::normal_restitution::NormalRestitution;
 use crate::normal_spin::NormalSpinError;
 use crate::oblique::ObliqueError;
 use crate::outcome::{Outcome, TorsionMode};
 
-pub(crate) use method::{Passed, log};
+pub(crate) use aftermath::Known;
+
+/// Differences of D between tangents below this part of it are round-off.
+const EVEN: f64 = 1e-12;
 
 /// Why two bodies have no collision that can be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -97,7 +99,7 @@ impl From<CoupledError> for CollisionError {
 pub struct Collision {
     bodies: [Body; 2],
     friction: Friction,
-    law: VectorLaw,
+    law: TurningLaw,
     torsion: TorsionMode,
     normal_restitution: NormalRestitution,
     tolerance: Option<f64>,
@@ -213,7 +215,7 @@ impl Collision {
         Ok(Self {
             bodies,
             friction,
-            law: VectorLaw::default(),
+            law: TurningLaw::default(),
             torsion: TorsionMode::default(),
             normal_restitution: NormalRestitution::ELASTIC,
             tolerance: None,
@@ -228,7 +230,7 @@ impl Collision {
 
     /// The same collision with another law for turning directions.
     #[must_use]
-    pub fn with_law(self, law: VectorLaw) -> Self {
+    pub fn with_law(self, law: TurningLaw) -> Self {
         Self { law, ..self }
     }
 
@@ -346,6 +348,9 @@ impl Collision {
         }
         let stiffness = self.hertz.stiffness();
         let mut impact = CoupledImpact::new(self.mobility, stiffness, self.friction, velocity)?;
+        if self.is_symmetric() {
+            impact = impact.of_symmetric_bodies();
+        }
         if let Some(tolerance) = self.tolerance {
             impact = impact.within(tolerance)?;
         }
@@ -362,17 +367,22 @@ impl Collision {
     /// followed, [`CollisionError::Range`] if a derived quantity overflows,
     /// [`CollisionError::NormalSpin`] if torsion was asked for and cannot be given.
     pub fn solve(&self) -> Result<Outcome, CollisionError> {
-        match self.method()? {
-            None => Ok(self.missed()),
-            Some(method) => {
-                let passed = method.follow(self.law)?;
-                Ok(Outcome::Rebound(Box::new(self.rebound(passed)?)))
-            }
-        }
+        let Some(impact) = self.impact()? else { return Ok(self.missed()) };
+        let (outcome, log) = impact.solve_with_log(self.law)?;
+        Ok(Outcome::Rebound(Box::new(self.rebound_of(outcome, log)?)))
     }
 
-    // The bodies do not approach each other.
-    pub(crate) fn missed(&self) -> Outcome {
+    /// Whether spheres and planes turn as easily about all tangents: their tangential motion keeps its
+    /// direction and stays exactly apart from the normal one.
+    fn is_symmetric(&self) -> bool {
+        let d = self.mobility.matrix();
+        let skew = (d.m11 - d.m22).abs().max(2.0 * d.m12.abs());
+        self.bodies.iter().all(|body| body.height().is_some()) && skew <= EVEN * d.m11
+    }
+
+    /// The outcome of bodies that do not approach each other: the motions they have.
+    #[must_use]
+    pub fn missed(&self) -> Outcome {
         Outcome::NoImpact { motions: self.bodies.each_ref().map(Body::motion) }
     }
 }

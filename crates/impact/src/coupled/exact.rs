@@ -4,24 +4,55 @@ use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-use super::{CoupledError, CoupledImpact, CoupledOutcome, Sample, Stage};
-use crate::normal;
-use crate::oblique::{Groups, ObliqueImpact};
+use super::{CoupledError, CoupledImpact, CoupledOutcome, ImpactMethod, Sample, Stage};
+use crate::normal::{self, NormalImpact};
+use crate::oblique::{Groups, ObliqueImpact, Regime};
+use crate::outcome::LogEntry;
+
+/// One instant of the exact walk.
+pub(crate) struct Traced {
+    pub(crate) sample: Sample,
+    pub(crate) regime: Regime,
+    /// Approach at which the stick area was the contact.
+    pub(crate) stick_depth: f64,
+}
 
 impl CoupledImpact {
-    pub(super) fn groups(&self, direction: &Vector3<f64>) -> Result<Groups, RangeError> {
-        let ContactStiffness { c_x, c_y, c_z } = self.stiffness;
-        let along = c_x * direction.x * direction.x + c_y * direction.y * direction.y;
-        let tangential = direction.dot(&(self.mobility.matrix() * direction));
-        let chi = tangential / self.mobility.matrix().m33 * along / c_z;
-        let slip = self.tangential().norm();
-        let ratio = along / c_z * (slip / self.velocity.z);
-        let psi = if slip == 0.0 { 0.0 } else { ratio / self.friction.get() };
-        Groups::new(chi, psi)
+    /// The direction of the tangential motion, where normal and tangential motion are apart and the walk is
+    /// exact.
+    pub(crate) fn exact_direction(&self) -> Option<Vector3<f64>> {
+        match self.method() {
+            ImpactMethod::Uncoupled { direction } => Some(direction),
+            ImpactMethod::Frictionless => {
+                let direction = length_and_direction(&self.velocity).1;
+                let exact = self.is_symmetric || !super::is_coupled(self.mobility.matrix());
+                (exact && self.groups(&direction).is_ok()).then_some(direction)
+            }
+            _ => None,
+        }
     }
 
-    pub(super) fn tangential(&self) -> Vector3<f64> {
-        Vector3::new(self.velocity.x, self.velocity.y, 0.0)
+    /// c_t, the stiffness, and D_tt, the mobility along a direction.
+    fn tangential(&self, direction: &Vector3<f64>) -> (f64, f64) {
+        let (ContactStiffness { c_x, c_y, .. }, d) = (self.stiffness, self.mobility.matrix());
+        if self.is_symmetric {
+            return (c_x, d.m11);
+        }
+        let stiffness = c_x * direction.x * direction.x + c_y * direction.y * direction.y;
+        (stiffness, direction.dot(&(d * direction)))
+    }
+
+    pub(super) fn groups(&self, direction: &Vector3<f64>) -> Result<Groups, RangeError> {
+        let (stiffness, mobility) = self.tangential(direction);
+        let ratio = stiffness / self.stiffness.c_z;
+        let chi = mobility * stiffness / (self.mobility.matrix().m33 * self.stiffness.c_z);
+        let slip = length_and_direction(&self.velocity).0;
+        let psi = match self.friction.coefficient() {
+            None => 0.0,
+            Some(0.0) => f64::INFINITY,
+            Some(f) => ratio * slip / self.velocity.z / f,
+        };
+        Groups::new(chi, psi)
     }
 
     pub(super) fn uncoupled(
@@ -29,11 +60,12 @@ impl CoupledImpact {
         oblique: &ObliqueImpact,
         direction: &Vector3<f64>,
     ) -> CoupledOutcome {
-        let mut velocity = self.tangential() * -oblique.restitution();
+        let (slip, mobility) =
+            (length_and_direction(&self.velocity).0, self.tangential(direction).1);
+        let mut velocity = direction * (-oblique.restitution() * slip);
         velocity.z = -self.velocity.z;
-        let mobility = direction.dot(&(self.mobility.matrix() * direction));
         let limit = self.friction.get() * self.normal.impulse();
-        let mut impulse = direction * oblique.drag(self.tangential().norm(), mobility, limit);
+        let mut impulse = direction * oblique.drag(slip, mobility, limit);
         impulse.z = self.normal.impulse();
         self.exact(velocity, impulse)
     }
@@ -59,29 +91,60 @@ impl CoupledImpact {
         }
     }
 
-    pub(super) fn traced(&self, direction: &Vector3<f64>) -> Result<Vec<Sample>, CoupledError> {
-        const COUNT: usize = 200;
-        let step = normal::DURATION / COUNT as f64;
-        let states: Vec<_> = (0..=COUNT).map(|i| normal::state_at(step * i as f64)).collect();
+    /// The exact walk at these times since touch, in units of the normal impact.
+    pub(crate) fn traced(
+        &self,
+        direction: &Vector3<f64>,
+        times: &[f64],
+    ) -> Result<Vec<Traced>, CoupledError> {
+        // The normal motion by time: the velocity alone does not resolve the first instants.
+        let states: Vec<_> = times.iter().map(|time| normal::state_at(*time)).collect();
         let velocities: Vec<f64> = states.iter().map(|state| state.velocity).collect();
         let trace = ObliqueImpact::trace(self.groups(direction)?, &velocities)?;
-        let (units, slip) = (self.units(), self.tangential().norm());
-        let along = direction.component_mul(direction);
-        let stiffness = self.stiffness.c_x * along.x + self.stiffness.c_y * along.y;
+        let (units, slip) = (self.units(), length_and_direction(&self.velocity).0);
+        let stiffness = self.tangential(direction).0;
         let tangential = units.force * stiffness / self.stiffness.c_z * slip / units.speed;
-        let samples = trace.iter().zip(&states).enumerate().map(|(i, (point, state))| {
+        let along = |tangential: f64, normal: f64| {
+            Vector3::new(direction.x * tangential, direction.y * tangential, normal)
+        };
+        let instants = trace.iter().zip(times).zip(&states).map(|((point, time), state)| {
             let zeta = state.compression;
-            let drag = if slip > 0.0 { tangential * point.force } else { 0.0 };
-            Sample {
-                time: units.time * step * i as f64,
-                shift: direction * (slip * units.time * point.shift)
-                    + Vector3::z() * (units.length * zeta),
-                velocity: direction * (slip * point.velocity)
-                    + Vector3::z() * (units.speed * state.velocity),
-                force: direction * drag + Vector3::z() * (units.force * zeta * zeta.sqrt()),
+            let pull = if slip > 0.0 { tangential * point.force } else { 0.0 };
+            let sample = Sample {
+                time: units.time * time,
+                shift: along(slip * units.time * point.shift, units.length * zeta),
+                velocity: along(slip * point.velocity, units.speed * state.velocity),
+                force: along(pull, units.force * zeta * zeta.sqrt()),
                 stage: Stage::of(point.regime),
-            }
+            };
+            let stick_depth = units.length * point.stick_depth.min(zeta);
+            Traced { sample, regime: point.regime, stick_depth }
         });
-        Ok(samples.collect())
+        Ok(instants.collect())
     }
+}
+
+/// Of the tangential part, without under- or overflow of the squares; any direction where there is none.
+pub(super) fn length_and_direction(velocity: &Vector3<f64>) -> (f64, Vector3<f64>) {
+    let tangential = Vector3::new(velocity.x, velocity.y, 0.0);
+    let largest = tangential.amax();
+    if largest == 0.0 {
+        return (0.0, Vector3::x());
+    }
+    let scaled = tangential / largest;
+    let length = scaled.norm();
+    (largest * length, scaled / length)
+}
+
+pub(super) fn log(normal: &NormalImpact, oblique: &ObliqueImpact) -> Vec<LogEntry> {
+    let unit = normal.time_unit();
+    oblique
+        .phases()
+        .iter()
+        .map(|phase| LogEntry {
+            time: unit * normal::time(phase.start),
+            event: phase.began_by,
+            regime: phase.regime,
+        })
+        .collect()
 }

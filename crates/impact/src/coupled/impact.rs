@@ -6,15 +6,16 @@ use carom_special::RangeError;
 use nalgebra::{Matrix3, Vector3};
 
 use super::any_law::AnyLaw;
+use super::exact::{length_and_direction, log};
 use super::limits::Limits;
 use super::log::Log;
 use super::refine::{Failure, Level, Problem, Settled};
 use super::scaled::{Units, View};
 use super::{
-    CoupledError, CoupledOutcome, ImpactLaw, ImpactMethod, Point, Sample, Staged, VectorLaw,
+    CoupledError, CoupledOutcome, ImpactLaw, ImpactMethod, Point, Sample, Staged, TurningLaw,
 };
 use crate::mobility::Mobility;
-use crate::normal::NormalImpact;
+use crate::normal::{self, NormalImpact};
 use crate::oblique::{Event, ObliqueImpact, Regime};
 use crate::outcome::LogEntry;
 
@@ -27,7 +28,7 @@ const SPATIAL: f64 = 5e-6;
 ///
 /// ```
 /// use carom_impact::Mobility;
-/// use carom_impact::coupled::{CoupledImpact, VectorLaw};
+/// use carom_impact::coupled::{CoupledImpact, TurningLaw};
 /// use carom_laws::friction::Friction;
 /// use carom_laws::stiffness::ContactStiffness;
 /// use nalgebra::{Matrix3, Vector3};
@@ -35,7 +36,7 @@ const SPATIAL: f64 = 5e-6;
 /// let stiffness = ContactStiffness::new(0.9, 0.8, 1.1)?;
 /// let velocity = Vector3::new(0.3, 0.5, 1.0);
 /// let impact = CoupledImpact::new(d, stiffness, Friction::new(0.2)?, velocity)?;
-/// let outcome = impact.solve(VectorLaw::Coulomb)?;
+/// let outcome = impact.solve(TurningLaw::Coulomb)?;
 /// assert!(outcome.velocity.z < 0.0);
 /// assert!(d.energy(&outcome.velocity) < d.energy(&velocity));
 /// # Ok::<(), Box<dyn std::error::Error>>(())
@@ -47,6 +48,7 @@ pub struct CoupledImpact {
     pub(super) friction: Friction,
     pub(super) velocity: Vector3<f64>,
     pub(super) normal: NormalImpact,
+    pub(super) is_symmetric: bool,
     tolerance: Option<f64>,
     unsettled: Unsettled,
 }
@@ -79,6 +81,7 @@ impl CoupledImpact {
             friction,
             velocity,
             normal,
+            is_symmetric: false,
             tolerance: None,
             unsettled: Unsettled::Refused,
         })
@@ -104,6 +107,12 @@ impl CoupledImpact {
         Self { unsettled: Unsettled::Accepted, ..self }
     }
 
+    /// The same impact of bodies whose shapes make D and the stiffness alike in all tangential directions and
+    /// keep normal and tangential motion apart: what is round-off of that is left out.
+    pub(crate) const fn of_symmetric_bodies(self) -> Self {
+        Self { is_symmetric: true, ..self }
+    }
+
     pub(super) fn tolerance(&self) -> f64 {
         let spatial = matches!(self.method(), ImpactMethod::Spatial { .. });
         self.tolerance.unwrap_or(if spatial { SPATIAL } else { PLANAR })
@@ -115,7 +124,11 @@ impl CoupledImpact {
         if self.friction.get() == 0.0 {
             return ImpactMethod::Frictionless;
         }
-        match ImpactMethod::of(self.mobility.matrix(), &self.stiffness, &self.velocity) {
+        let method = match self.is_symmetric {
+            true => ImpactMethod::Uncoupled { direction: length_and_direction(&self.velocity).1 },
+            false => ImpactMethod::of(self.mobility.matrix(), &self.stiffness, &self.velocity),
+        };
+        match method {
             // Beyond the range of the exact walk (chi) the memory is stepped.
             ImpactMethod::Uncoupled { direction } if self.groups(&direction).is_err() => {
                 ImpactMethod::Planar { direction }
@@ -137,7 +150,7 @@ impl CoupledImpact {
     ///
     /// # Errors
     /// [`CoupledError`] if the walk fails or does not settle to the tolerance.
-    pub fn solve(&self, law: VectorLaw) -> Result<CoupledOutcome, CoupledError> {
+    pub fn solve(&self, law: TurningLaw) -> Result<CoupledOutcome, CoupledError> {
         match self.method() {
             ImpactMethod::Frictionless => Ok(self.frictionless()),
             ImpactMethod::Uncoupled { direction } => {
@@ -204,7 +217,7 @@ impl CoupledImpact {
     /// As [`CoupledImpact::solve`].
     pub fn solve_with_log(
         &self,
-        law: VectorLaw,
+        law: TurningLaw,
     ) -> Result<(CoupledOutcome, Vec<LogEntry>), CoupledError> {
         match self.method() {
             ImpactMethod::Frictionless => {
@@ -214,7 +227,7 @@ impl CoupledImpact {
             }
             ImpactMethod::Uncoupled { direction } => {
                 let oblique = ObliqueImpact::new(self.groups(&direction)?)?;
-                let log = crate::collision::log(&self.normal, &oblique);
+                let log = log(&self.normal, &oblique);
                 Ok((self.uncoupled(&oblique, &direction), log))
             }
             _ => {
@@ -230,13 +243,17 @@ impl CoupledImpact {
     }
 
     /// Every instant of the finest run in order, touch and separation included. Between two of
-    /// them the law's path is straight. An uncoupled impact gives 201 instants of the exact walk.
+    /// them the law's path is straight. An exact impact gives 201 instants.
     ///
     /// # Errors
     /// As [`CoupledImpact::solve`].
-    pub fn history(&self, law: VectorLaw) -> Result<Vec<Sample>, CoupledError> {
-        if let ImpactMethod::Uncoupled { direction } = self.method() {
-            return self.traced(&direction);
+    pub fn history(&self, law: TurningLaw) -> Result<Vec<Sample>, CoupledError> {
+        const COUNT: usize = 200;
+        if let Some(direction) = self.exact_direction() {
+            let step = normal::DURATION / COUNT as f64;
+            let times: Vec<f64> = (0..=COUNT).map(|i| step * i as f64).collect();
+            let traced = self.traced(&direction, &times)?;
+            return Ok(traced.into_iter().map(|instant| instant.sample).collect());
         }
         let settled = self.settled(law)?;
         self.samples(&settled, |level| self.law(law, level), self.view())
@@ -244,7 +261,7 @@ impl CoupledImpact {
 }
 
 impl CoupledImpact {
-    fn settled(&self, law: VectorLaw) -> Result<Settled, CoupledError> {
+    fn settled(&self, law: TurningLaw) -> Result<Settled, CoupledError> {
         let problem = self.problem();
         let apart = self.method() == ImpactMethod::Spatial { coupled: false };
         let limits = Limits::new(&problem.mobility, self.friction, &problem.velocity, apart);
@@ -321,7 +338,7 @@ impl CoupledImpact {
         Ok(samples)
     }
 
-    fn law(&self, law: VectorLaw, level: Level) -> AnyLaw {
+    fn law(&self, law: TurningLaw, level: Level) -> AnyLaw {
         let (stiffness, friction) = (self.scaled(), self.friction);
         match self.method() {
             ImpactMethod::Planar { .. } => AnyLaw::in_line(stiffness, friction),

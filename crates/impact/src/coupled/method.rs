@@ -3,6 +3,8 @@
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
+use super::exact::length_and_direction;
+
 /// Couplings below this part of the largest entry are round-off. What the shapes of bodies keep
 /// apart is exactly zero already, whatever their sizes ([`crate::Mobility::new`]).
 const UNCOUPLED: f64 = 1e-13;
@@ -33,6 +35,10 @@ pub enum ImpactMethod {
         /// Whether the normal motion is coupled to the tangential one.
         coupled: bool,
     },
+    /// The contact of spheres or planes of dissimilar materials is solved on rings, step by step.
+    Rings,
+    /// The contact is solved on a grid, step by step.
+    Numerical,
 }
 
 impl ImpactMethod {
@@ -44,25 +50,26 @@ impl ImpactMethod {
         let small = UNCOUPLED * mobility.amax();
         let pull = Vector3::new(mobility.m13, mobility.m23, 0.0);
         let coupled = is_coupled(mobility);
-        let slip = Vector3::new(velocity.x, velocity.y, 0.0);
-        // Scaled first: no square underflows.
-        let direction = if slip.amax() > 0.0 {
-            (slip / slip.amax()).normalize()
-        } else if coupled {
-            pull.normalize()
-        } else {
-            Vector3::x()
-        };
+        let (slip, mut direction) = length_and_direction(velocity);
+        if slip == 0.0 && coupled {
+            direction = pull.normalize();
+        }
         let across = Vector3::z().cross(&direction);
         let stays = (mobility * direction).dot(&across).abs() <= small
             && (!coupled || pull.dot(&across).abs() <= small);
         let twist = (stiffness.c_y - stiffness.c_x) * direction.x * direction.y;
         let straight = stays && twist.abs() <= UNCOUPLED * stiffness.c_x.max(stiffness.c_y);
-        match (coupled, straight || (slip.amax() == 0.0 && !coupled)) {
+        match (coupled, straight || (slip == 0.0 && !coupled)) {
             (false, true) => Self::Uncoupled { direction },
             (true, true) => Self::Planar { direction },
             (coupled, false) => Self::Spatial { coupled },
         }
+    }
+
+    /// Whether the coupling of normal and tangential displacements of dissimilar bodies counts.
+    #[must_use]
+    pub const fn counts_coupling(&self) -> bool {
+        matches!(self, Self::Rings | Self::Numerical)
     }
 
     /// A word for it.
@@ -73,6 +80,8 @@ impl ImpactMethod {
             Self::Uncoupled { .. } => "uncoupled",
             Self::Planar { .. } => "planar",
             Self::Spatial { .. } => "spatial",
+            Self::Rings => "rings",
+            Self::Numerical => "numerical",
         }
     }
 }

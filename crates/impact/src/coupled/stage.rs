@@ -47,7 +47,7 @@ impl Stage {
 
     /// The regime of this stage whose traction on body 1 points along the initial slip direction
     /// (`forward`) or against it.
-    pub(super) const fn regime(self, forward: bool) -> Regime {
+    pub(crate) const fn regime(self, forward: bool) -> Regime {
         match (self, forward) {
             (Self::Adhesion, _) => Regime::Adhesion,
             (Self::Slip, true) => Regime::SlipForward,

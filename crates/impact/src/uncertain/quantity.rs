@@ -83,7 +83,7 @@ impl Quantity {
     pub(super) fn of(self, rebound: &Rebound, normal: &Vector3<f64>) -> Option<f64> {
         let motion = |body: usize| &rebound.motions[body.min(1)];
         Some(match self {
-            Self::Restitution => return rebound.tangential_restitution,
+            Self::Restitution => return rebound.r_x,
             Self::Speed(body) => motion(body).velocity.norm(),
             Self::Angle(body) => {
                 let sign = if body == 0 { 1.0 } else { -1.0 };

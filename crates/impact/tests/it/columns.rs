@@ -2,7 +2,9 @@
 
 use carom_halfspace::Material;
 use carom_impact::scene::{Ball, Bounce, Limits, PathPoint, Scene, Wall};
-use carom_impact::{Body, Collision, HistoryPoint, LogEntry, Motion, Outcome, Rebound, Torsion};
+use carom_impact::{
+    Body, Collision, HistoryPoint, LogEntry, Motion, Outcome, Rebound, Torsion, Warning,
+};
 use carom_laws::friction::Friction;
 use carom_table::{Column, Value};
 use nalgebra::Vector3;
@@ -51,31 +53,41 @@ fn columns_of_a_rebound_show_its_fields() {
     let Outcome::Rebound(mut rebound) = collision.solve().unwrap() else { panic!("a rebound") };
     // Of elastic bodies; a number of its own shows where it stands.
     rebound.energy.lost = 0.123;
-    rebound.tangential_restitution = Some(0.456);
-    let r: &Rebound = &rebound;
+    rebound.r_x = Some(0.456);
+    let r: &mut Rebound = &mut rebound;
     let regimes: Vec<&'static str> = r.log.iter().map(|entry| entry.regime.name()).collect();
-    are(
-        Rebound::COLUMNS,
-        r,
-        &[
-            ("R_x", "", Value::Number(0.456)),
-            ("impulse", "N s", vector(r.impulse)),
-            ("contact_velocity_before", "m/s", vector(r.velocity_before)),
-            ("contact_velocity_after", "m/s", vector(r.velocity_after)),
-            ("duration", "s", Value::Number(r.duration)),
-            ("maximal_force", "N", Value::Number(r.maximal_force)),
-            ("maximal_approach", "m", Value::Number(r.maximal_approach)),
-            ("maximal_semi_axis_a", "m", Value::Number(r.maximal_contact.semi_axis_a())),
-            ("maximal_semi_axis_b", "m", Value::Number(r.maximal_contact.semi_axis_b())),
-            ("energy_before", "J", Value::Number(r.energy.before)),
-            ("energy_after", "J", Value::Number(r.energy.after)),
-            ("energy_dissipated", "J", Value::Number(r.energy.dissipated)),
-            ("energy_lost", "J", Value::Number(0.123)),
-            ("regimes", "", Value::Words(regimes)),
-        ],
-    );
-    rebound.tangential_restitution = None;
-    assert_eq!(Rebound::COLUMNS[0].value(&rebound), Value::Undefined);
+    r.warnings = vec![Warning::PointSampled, Warning::LargeContact { ratio: 0.25 }];
+    r.compressions = 7;
+    let outcome = Outcome::Rebound(Box::new(r.clone()));
+    let expected = [
+        ("outcome", "", "rebound".into()),
+        ("R_x", "", Value::Number(0.456)),
+        ("body_1_velocity", "m/s", vector(r.motions[0].velocity)),
+        ("body_1_spin", "rad/s", vector(r.motions[0].spin)),
+        ("body_2_velocity", "m/s", vector(r.motions[1].velocity)),
+        ("body_2_spin", "rad/s", vector(r.motions[1].spin)),
+        ("impulse", "N s", vector(r.impulse)),
+        ("contact_velocity_before", "m/s", vector(r.contact_velocity_before)),
+        ("contact_velocity_after", "m/s", vector(r.contact_velocity_after)),
+        ("duration", "s", Value::Number(r.duration)),
+        ("maximal_force", "N", Value::Number(r.maximal_force)),
+        ("maximal_approach", "m", Value::Number(r.maximal_approach)),
+        ("maximal_semi_axis_a", "m", Value::Number(r.maximal_contact.semi_axis_a())),
+        ("maximal_semi_axis_b", "m", Value::Number(r.maximal_contact.semi_axis_b())),
+        ("energy_before", "J", Value::Number(r.energy.before)),
+        ("energy_after", "J", Value::Number(r.energy.after)),
+        ("energy_dissipated", "J", Value::Number(r.energy.dissipated)),
+        ("energy_lost", "J", Value::Number(0.123)),
+        ("regimes", "", Value::Words(regimes)),
+        ("method", "", "spatial".into()),
+        ("compressions", "", Value::Count(7)),
+        ("error_estimate", "", Value::Number(r.error_estimate)),
+        ("warnings", "", Value::Texts(r.warnings.iter().map(ToString::to_string).collect())),
+    ];
+    are(Rebound::COLUMNS, r, &expected);
+    are(Outcome::COLUMNS, &outcome, &expected);
+    r.r_x = None;
+    assert_eq!(Rebound::COLUMNS[1].value(r), Value::Undefined);
     let [motion, _] = rebound.motions;
     are(
         Motion::COLUMNS,
@@ -99,6 +111,25 @@ fn columns_of_a_rebound_show_its_fields() {
             ("centre_2", "m", vector(c.bodies()[1].placed().centre())),
         ],
     );
+}
+
+#[test]
+fn bodies_that_do_not_meet_have_their_motions_alone() {
+    let moving = |z| Motion::new([0.1, 0.2, z], [1.0, 2.0, 3.0]).unwrap();
+    let steel = Material::from_young(208e9, 0.3).unwrap();
+    let ball = |z| Body::sphere(0.01, steel, 0.03).unwrap().moving(moving(z));
+    let outcome = Collision::new(ball(1.0), ball(-0.5), Friction::new(0.2).unwrap()).unwrap();
+    let outcome = outcome.solve().unwrap();
+    for column in Outcome::COLUMNS {
+        let expected = match column.name() {
+            "outcome" => "no_impact".into(),
+            "body_1_velocity" => vector(moving(1.0).velocity),
+            "body_2_velocity" => vector(moving(-0.5).velocity),
+            "body_1_spin" | "body_2_spin" => vector(moving(1.0).spin),
+            _ => Value::Absent,
+        };
+        assert_eq!(column.value(&outcome), expected, "{}", column.name());
+    }
 }
 
 #[test]

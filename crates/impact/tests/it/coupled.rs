@@ -2,7 +2,7 @@
 
 use carom_impact::Mobility;
 use carom_impact::coupled::{
-    CoupledError, CoupledImpact, CoupledOutcome, ImpactLaw, ImpactMethod, Stage, VectorLaw,
+    CoupledError, CoupledImpact, CoupledOutcome, ImpactLaw, ImpactMethod, Stage, TurningLaw,
 };
 use carom_impact::oblique::Regime;
 use carom_laws::friction::Friction;
@@ -41,7 +41,7 @@ fn cases() -> Vec<(String, CoupledImpact, Value)> {
 #[test]
 fn spring_solutions_of_the_incremental_law() {
     for (name, impact, results) in cases() {
-        let outcome = impact.solve(VectorLaw::Coulomb).unwrap();
+        let outcome = impact.solve(TurningLaw::Coulomb).unwrap();
         let reference = &results["coulomb"];
         let error = (outcome.velocity - vector(&reference["v_end"])).norm();
         println!("{name}: {:e} {:?}", error / impact.velocity().norm(), outcome);
@@ -58,7 +58,7 @@ fn spring_solutions_of_the_incremental_law() {
 #[test]
 fn the_fixed_direction_law_stays_within_one_per_cent() {
     for (name, impact, results) in cases() {
-        let outcome = impact.solve(VectorLaw::FixedDirection).unwrap();
+        let outcome = impact.solve(TurningLaw::FixedDirection).unwrap();
         let error = (outcome.velocity - vector(&results["coulomb"]["v_end"])).norm();
         println!("{name}: {:e}", error / impact.velocity().norm());
         assert!(error < 0.01 * impact.velocity().norm(), "{name}: {error:e}");
@@ -82,7 +82,7 @@ fn impact(a: [f64; 6], c: [f64; 2], f: f64, v: [f64; 2]) -> CoupledImpact {
 }
 
 fn solve(impact: &CoupledImpact) -> CoupledOutcome {
-    impact.solve(VectorLaw::Coulomb).unwrap()
+    impact.solve(TurningLaw::Coulomb).unwrap()
 }
 
 #[test]
@@ -91,9 +91,10 @@ fn any_law_may_be_given() {
     let impact = impact.within(1e-7).unwrap();
     let stiffness = ContactStiffness::new(0.9, 0.8, 1.0).unwrap();
     let friction = Friction::new(0.3).unwrap();
-    let given =
-        impact.solve_with(|_| ShiftLaw::<[f64; 2]>::of_chapter_7(stiffness, friction)).unwrap();
-    let own = impact.solve(VectorLaw::FixedDirection).unwrap();
+    let given = impact
+        .solve_with(|_| ShiftLaw::<[f64; 2]>::with_fixed_direction(stiffness, friction))
+        .unwrap();
+    let own = impact.solve(TurningLaw::FixedDirection).unwrap();
     assert!((given.velocity - own.velocity).norm() < 1e-9);
 }
 
@@ -102,9 +103,10 @@ fn any_law_may_be_given() {
 fn a_given_law_has_log_and_history() {
     let impact = impact([0.3, 0.2, 0.5, 0.1, -0.2, 0.0], [0.9, 0.8], 0.3, [0.5, 0.2]);
     let stiffness = ContactStiffness::new(0.9, 0.8, 1.0).unwrap();
-    let law = |_| ShiftLaw::<[f64; 2]>::of_chapter_7(stiffness, Friction::new(0.3).unwrap());
+    let law =
+        |_| ShiftLaw::<[f64; 2]>::with_fixed_direction(stiffness, Friction::new(0.3).unwrap());
     let (outcome, log) = impact.solve_with_law_and_log(law).unwrap();
-    let (own, expected) = impact.solve_with_log(VectorLaw::FixedDirection).unwrap();
+    let (own, expected) = impact.solve_with_log(TurningLaw::FixedDirection).unwrap();
     assert!((outcome.velocity - own.velocity).norm() < 1e-9);
     assert!(log.len() > 2 && log.len() == expected.len(), "{log:?} {expected:?}");
     for (one, other) in log.iter().zip(&expected) {
@@ -112,7 +114,7 @@ fn a_given_law_has_log_and_history() {
         assert!((one.time - other.time).abs() < 1e-9 * own.duration);
     }
     let samples = impact.history_with(law).unwrap();
-    let expected = impact.history(VectorLaw::FixedDirection).unwrap();
+    let expected = impact.history(TurningLaw::FixedDirection).unwrap();
     assert_eq!(samples.len(), expected.len());
     for (one, other) in samples.iter().zip(&expected) {
         assert_eq!(one.stage, other.stage);
@@ -254,7 +256,7 @@ fn a_history_begins_and_ends_as_its_log() {
     for (impact, first) in
         [(slides, Stage::Slide), (straight, Stage::Slide), (sticks, Stage::Adhesion)]
     {
-        for law in [VectorLaw::Coulomb, VectorLaw::FixedDirection] {
+        for law in [TurningLaw::Coulomb, TurningLaw::FixedDirection] {
             let samples = impact.history(law).unwrap();
             let (_, log) = impact.solve_with_log(law).unwrap();
             assert_eq!(log[0].regime == Regime::Adhesion, first == Stage::Adhesion);
@@ -282,7 +284,7 @@ proptest! {
     #[test]
     fn energy_and_friction_limit((a, c, f, v) in random()) {
         let impact = impact(a, c, f, v);
-        for law in [VectorLaw::Coulomb, VectorLaw::FixedDirection] {
+        for law in [TurningLaw::Coulomb, TurningLaw::FixedDirection] {
             let (outcome, log) = impact.solve_with_log(law).unwrap();
             let (before, after) =
                 (matrix(a).energy(&impact.velocity()), matrix(a).energy(&outcome.velocity));
@@ -307,11 +309,11 @@ proptest! {
         let power = |x: f64| 10.0_f64.powf(x);
         let v = speed.map(|(back, x)| if back { -power(x) } else { power(x) });
         let impact = impact(a, c.map(power), power(f), v);
-        for law in [VectorLaw::Coulomb, VectorLaw::FixedDirection] {
+        for law in [TurningLaw::Coulomb, TurningLaw::FixedDirection] {
             let energy = |v: &Vector3<f64>| matrix(a).energy(v);
             let before = energy(&impact.velocity());
             let outcome = match impact.solve(law) {
-                Err(CoupledError::NotSettled { .. }) if law == VectorLaw::FixedDirection => {
+                Err(CoupledError::NotSettled { .. }) if law == TurningLaw::FixedDirection => {
                     // This law may create energy, one impact in 60 000; what is accepted all the same has
                     // as much as there was.
                     let held = impact.accepting_unsettled().solve(law).unwrap();

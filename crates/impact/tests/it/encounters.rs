@@ -199,7 +199,7 @@ fn check_alone(pair: &Pair, worst: &Worst) -> Result<(), TestCaseError> {
     worst.see("found curvature", (a(&found) / a(&given) - 1.0).abs(), 1e-7)?;
     let rebound = rebound(&given);
     prop_assert!(rebound.duration > 0.0 && rebound.duration.is_finite());
-    let away = rebound.velocity_after.dot(&given.frame().z());
+    let away = rebound.contact_velocity_after.dot(&given.frame().z());
     prop_assert!(away <= 0.0, "still approaching: {away}");
     conserves(&given, &rebound, worst)?;
     // Without friction the normal velocity turns round.
@@ -207,8 +207,8 @@ fn check_alone(pair: &Pair, worst: &Worst) -> Result<(), TestCaseError> {
     let [one, two] = pair.bodies();
     let outcome = meet(one, two, 0.0).solve().unwrap();
     let outcome = outcome.rebound().unwrap();
-    let sum = (outcome.velocity_after + outcome.velocity_before).dot(&smooth);
-    worst.see("frictionless restitution", sum.abs() / outcome.velocity_before.norm(), 1e-14)
+    let sum = (outcome.contact_velocity_after + outcome.contact_velocity_before).dot(&smooth);
+    worst.see("frictionless restitution", sum.abs() / outcome.contact_velocity_before.norm(), 1e-14)
 }
 
 // Velocities of both bodies against those expected; spins times the body's length.
@@ -312,7 +312,8 @@ fn check_upright(pair: &Pair, worst: &Worst) -> Result<(), TestCaseError> {
         other => return Err(TestCaseError::fail(format!("{other:?}"))),
     };
     let z = given.frame().z();
-    let (before, after) = (rebound.velocity_before.dot(&z), rebound.velocity_after.dot(&z));
+    let (before, after) =
+        (rebound.contact_velocity_before.dot(&z), rebound.contact_velocity_after.dot(&z));
     worst.see(measure, (after / before + 1.0).abs(), 1e-13)?;
     conserves(&given, &rebound, worst)
 }

@@ -3,7 +3,7 @@
 
 use approx::{assert_abs_diff_eq, assert_relative_eq};
 use carom_halfspace::Material;
-use carom_impact::coupled::{CoupledImpact, ImpactMethod, Sample, VectorLaw};
+use carom_impact::coupled::{CoupledImpact, ImpactMethod, Sample, TurningLaw};
 use carom_impact::oblique::Regime;
 use carom_impact::{Body, Collision, HistoryPoint, Mobility, Motion, Warning};
 use carom_laws::friction::Friction;
@@ -149,7 +149,7 @@ fn histories_of_coupled_impacts_balance_impulse_and_shift() {
         (9.0, [0.4, 0.3, 1.5]),
     ] {
         let (impact, mobility) = impact(coupling, velocity);
-        let samples = impact.history(VectorLaw::Coulomb).unwrap();
+        let samples = impact.history(TurningLaw::Coulomb).unwrap();
         check(&impact, &mobility, &samples, 2e-3);
     }
 }

@@ -12,12 +12,12 @@ mod known_values;
 mod levers;
 mod normal_restitution;
 mod normal_spin;
-mod numerical_law;
 mod oblique;
 #[path = "../../../geometry/tests/it/random/mod.rs"]
 mod random;
 mod reference_values;
 mod restitution;
+mod ring_impacts;
 mod scene;
 mod small_spin;
 mod sphere_pairs;
@@ -27,3 +27,4 @@ mod systems_of_units;
 mod torsional;
 mod torsional_collocation;
 mod uncertain;
+mod units;

@@ -43,11 +43,7 @@ fn a_ball_that_slides_throughout_has_the_closed_form() {
     let inertia = 0.4 * MASS * RADIUS * RADIUS;
     assert_relative_eq!(after.spin.y, f * impulse * RADIUS / inertia, max_relative = 1e-13);
     let slip = vx - after.velocity.x + RADIUS * after.spin.y;
-    assert_relative_eq!(
-        rebound.tangential_restitution.unwrap(),
-        slip / vx - 1.0,
-        max_relative = 1e-12
-    );
+    assert_relative_eq!(rebound.r_x.unwrap(), slip / vx - 1.0, max_relative = 1e-12);
 }
 
 #[test]
@@ -140,7 +136,7 @@ proptest! {
         let collision = collision.accepting_unsettled();
         let normal = collision.frame().z();
         let Outcome::Rebound(elastic) = collision.solve().unwrap() else { return Ok(()) };
-        let elastic_before = elastic.velocity_before;
+        let elastic_before = elastic.contact_velocity_before;
         let rebound = losing(collision, e);
         let energy = rebound.energy;
         let balance = energy.before - energy.after - energy.dissipated - energy.lost;
@@ -152,7 +148,7 @@ proptest! {
         prop_assert!(rubbed <= f * pushed * (1.0 + 1e-9));
         let speed = |velocity: nalgebra::Vector3<f64>| velocity.dot(&normal);
         // They part, however much friction took of the elastic rebound.
-        let [got, want] = [rebound, *elastic].map(|rebound| speed(rebound.velocity_after));
+        let [got, want] = [rebound, *elastic].map(|rebound| speed(rebound.contact_velocity_after));
         prop_assert!((got - e * want).abs() < 1e-12 * speed(elastic_before).abs());
     }
 }

@@ -213,7 +213,7 @@ proptest! {
         let ball = Body::sphere(0.02, material, 0.1).unwrap();
         let ball = ball.moving(Motion::new(velocity, [0.0; 3]).unwrap());
         let collision = Collision::new(ball, Body::plane(material), friction(f)).unwrap();
-        let own = collided(&collision).tangential_restitution.unwrap();
+        let own = collided(&collision).r_x.unwrap();
         let psi = slip / f * chi / 3.5;
         prop_assert!((own - limit).abs() <= 2.0 * psi + 1e-11, "{own} {limit} {psi:e}");
     }

@@ -20,7 +20,7 @@ fn study(sampling: Sampling, input: Distribution, tangential: f64) -> Study {
 
 fn restitution(friction: f64, tangential: f64) -> f64 {
     let outcome = collision(friction, tangential, 0.01).unwrap().solve().unwrap();
-    outcome.rebound().unwrap().tangential_restitution.unwrap()
+    outcome.rebound().unwrap().r_x.unwrap()
 }
 
 #[test]
@@ -182,5 +182,50 @@ fn the_summary_of_each_input_is_that_of_the_values_used() {
         // Linear between the two values beside it: the place of part p is p (n - 1).
         let quantile = values[124] + 0.75 * (values[125] - values[124]);
         assert_relative_eq!(summary.quantile(0.25).unwrap(), quantile, max_relative = 1e-12);
+    }
+}
+
+/// Two balls that turn and meet obliquely, so that no component of a motion afterwards vanishes.
+fn turning_pair(friction: f64) -> Result<Collision, CollisionError> {
+    let ball = |poisson, velocity, spin| {
+        let material = Material::from_young(70e9, poisson)?;
+        let body = Body::sphere(0.01, material, 0.02)?;
+        Ok::<_, CollisionError>(body.moving(Motion::new(velocity, spin)?))
+    };
+    let one = ball(0.2, [0.3, -0.2, -1.0], [5.0, -7.0, 2.0])?;
+    let two = ball(0.3, [-0.1, 0.15, 0.4], [-3.0, 4.0, 6.0])?;
+    Collision::along(one, two, [0.3, -0.2, 1.0], Friction::new(friction)?)
+}
+
+#[test]
+fn each_quantity_is_that_of_the_rebound_that_its_name_says() {
+    let outcome = turning_pair(0.2).unwrap().solve().unwrap();
+    let rebound = outcome.rebound().unwrap();
+    let narrow = Distribution::uniform(0.2, 0.2 * (1.0 + 1e-9)).unwrap();
+    let study = Sampling::new(4, 1).unwrap().run(&[narrow], |f| turning_pair(f[0])).unwrap();
+    let normal = [0.3, -0.2, 1.0].map(|part| part / 1.13_f64.sqrt());
+    for quantity in Quantity::ALL {
+        let got = study.summary(quantity).unwrap().mean();
+        let name = quantity.name();
+        let want = match name.split_at(name.len().min(7)) {
+            ("R_x", "") => rebound.r_x.unwrap(),
+            (body @ ("body_1_" | "body_2_"), of) => {
+                let motion = &rebound.motions[usize::from(body == "body_2_")];
+                let away = if body == "body_1_" { 1.0 } else { -1.0 };
+                let along: f64 = (0..3).map(|i| away * normal[i] * motion.velocity[i]).sum();
+                let axis = |letter: &str| "xyz".find(letter).unwrap();
+                match of.split_once('_') {
+                    Some(("velocity", letter)) => motion.velocity[axis(letter)],
+                    Some(("spin", letter)) => motion.spin[axis(letter)],
+                    _ if of == "speed" => motion.velocity.norm(),
+                    _ => (along / motion.velocity.norm()).acos().to_degrees(),
+                }
+            }
+            _ if name == "duration" => rebound.duration,
+            _ if name == "maximal_force" => rebound.maximal_force,
+            _ => rebound.energy.dissipated,
+        };
+        assert!(want != 0.0, "{name}");
+        assert_relative_eq!(got, want, max_relative = 1e-7);
     }
 }

@@ -72,7 +72,12 @@ impl<V: Lateral> Step<V> {
     /// where the shift returns to where it has been.
     #[inline]
     pub(super) fn is_beyond(&self, depth: f64, anchor: V) -> bool {
-        let excess = self.excess(depth, anchor);
+        self.counts(self.excess(depth, anchor), depth)
+    }
+
+    /// Whether an excess of the ring of a depth is more than round-off.
+    #[inline]
+    pub(super) fn counts(&self, excess: f64, depth: f64) -> bool {
         excess > 0.0 && excess > BEYOND * self.grain * (self.zeta - depth)
     }
 
@@ -101,66 +106,61 @@ impl<V: Lateral> Step<V> {
             && across * limit * (1.0 - self.slope) <= exact * met
     }
 
-    /// What is left of the error of a ring that is on one line with the step, see
-    /// [`Step::is_in_line`].
-    #[cold]
-    pub(super) fn left_in_line(&self, depth: f64, anchor: V, error: f64) -> f64 {
-        let limit = self.zeta - depth;
-        if self.dz > 0.0 && limit <= self.dz {
-            return 0.0;
-        }
-        let along = self.shift.minus(anchor).dot(self.ahead);
-        let rest = ((along - limit) / (1.0 - self.slope)).clamp(0.0, self.length);
-        let met = limit - self.slope * rest;
-        let met = Met { rest, at: along - rest, arm: met, limit: met, half: None, grazes: false };
-        in_line_left(&met, limit, error)
-    }
-
     /// The anchor of the ring of a depth at the end of the step.
     ///
     /// A ring within its limit at both ends never slipped, since the limit is a convex cone. Else
     /// it leaves its limit once, and from there the traction's direction turns towards that of the
     /// step, `tan(theta/2)` falling as `exp(-int dl/r)`, r the limit (8.56).
-    #[inline]
+    #[inline(always)]
     pub(crate) fn drag(&self, depth: f64, anchor: V) -> V {
-        self.drag_with(depth, anchor, 0.0).0
+        let [x, y] = anchor.components();
+        let (x, y) = self.drag_parts(depth, x, y);
+        V::from_components([x, y])
     }
 
-    /// The same of an anchor that may be off by so much, and how much is left of that.
+    /// The same of the parts of an anchor, which stay in registers.
     #[inline(never)]
-    pub(super) fn drag_with(&self, depth: f64, anchor: V, error: f64) -> (V, f64) {
+    fn drag_parts(&self, depth: f64, x: f64, y: f64) -> (f64, f64) {
+        let anchor = V::from_components([x, y]);
         let limit = self.zeta - depth;
         let stretch = self.shift.minus(anchor);
         let square = stretch.dot(stretch);
         if square <= limit * limit {
-            return (anchor, error);
+            return (x, y);
         }
+        let [x, y] = self.slipped((depth, anchor), stretch, square, limit).components();
+        (x, y)
+    }
+
+    /// The same of a ring that is beyond its limit.
+    #[inline(always)]
+    fn slipped(&self, (depth, anchor): (f64, V), stretch: V, square: f64, limit: f64) -> V {
         if limit <= 0.0 {
-            return (self.shift, 0.0);
+            return self.shift;
         }
         if self.length == 0.0 {
-            return (self.shift.minus(stretch.times(limit / square.sqrt())), error);
+            return self.shift.minus(stretch.times(limit / square.sqrt()));
         }
         let along = stretch.dot(self.ahead);
         let across = cross(self.ahead, stretch);
         let met = self.met(along, across, limit);
         if met.grazes {
-            return self.drag_settled(depth, anchor, error);
+            return self.drag_settled(depth, anchor);
         }
-        self.turned(&met, limit, error)
+        self.turned(&met, limit)
     }
 
     /// The same of a ring that was drawn beyond its limit and would not have come within it: it
     /// settles on its limit before the step.
     #[cold]
-    fn drag_settled(&self, depth: f64, anchor: V, error: f64) -> (V, f64) {
+    fn drag_settled(&self, depth: f64, anchor: V) -> V {
         let (limit, anchor) = (self.zeta - depth, self.settled(depth, anchor));
         let stretch = self.shift.minus(anchor);
         if stretch.dot(stretch) <= limit * limit {
-            return (anchor, error);
+            return anchor;
         }
         let met = self.met(stretch.dot(self.ahead), cross(self.ahead, stretch), limit);
-        self.turned(&met, limit, error)
+        self.turned(&met, limit)
     }
 
     /// The anchor from which a ring is at its limit at the start.
@@ -242,55 +242,18 @@ impl<V: Lateral> Step<V> {
         Some(if at > 0.0 { [arm + at, across] } else { [across, arm - at] })
     }
 
-    /// The anchor of a slipping ring at the end, and what is left of an error.
+    /// The anchor of a slipping ring at the end.
     #[inline(always)]
-    fn turned(&self, met: &Met, limit: f64, error: f64) -> (V, f64) {
+    fn turned(&self, met: &Met, limit: f64) -> V {
         let Some([near, far]) = met.half else {
-            let anchor = self.shift.minus(self.ahead.times(limit.copysign(met.at)));
-            let turns = error > 0.0 && met.at > 0.0;
-            let left = if turns { in_line_left(met, limit, error) } else { error };
-            return (anchor, left);
+            return self.shift.minus(self.ahead.times(limit.copysign(met.at)));
         };
         let [over, under] = decay(fall(met.rest, [met.limit, limit], self.slope));
-        let left = left(([near, far], [over, under]), [met.limit, limit], error);
         let (near, far) = (near * under, far * over);
         let scale = limit / (near * near + far * far);
         let (forward, aside) = ((near - far) * (near + far) * scale, 2.0 * near * far * scale);
-        (self.shift.minus(combine(self.ahead, forward, aside)), left)
+        self.shift.minus(combine(self.ahead, forward, aside))
     }
-}
-
-/// What is left of the error of an anchor as its traction turns from `tan(theta/2)` to `q` times that,
-/// both as two numbers to be divided, and the limit changes: neighbouring directions come closer as
-/// `sin(theta)`, and a true anchor that is off by the error begins farther from the step.
-///
-/// No error grows, since a step does not expand distances.
-#[inline(always)]
-fn left(
-    ([near, far], [over, under]): ([f64; 2], [f64; 2]),
-    [from, to]: [f64; 2],
-    error: f64,
-) -> f64 {
-    if error == 0.0 || error >= from {
-        return error;
-    }
-    let turn = 0.5 * error / from;
-    let far = far.abs() + near.abs() * turn;
-    let near = near.abs() - far * turn;
-    let (near, far) = (near * near, far * far);
-    let (by, of) =
-        (over * under * (near + far) * to, (near * under * under + far * over * over) * from);
-    if by < of { error * (by / of) } else { error }
-}
-
-/// The same of a traction along the step.
-#[cold]
-fn in_line_left(met: &Met, limit: f64, error: f64) -> f64 {
-    if met.limit <= 0.0 {
-        return 0.0;
-    }
-    let way = met.rest / if met.limit > limit { met.limit } else { limit };
-    left(([1.0, 0.0], [1.0, 1.0 + way * (1.0 + 0.5 * way)]), [met.limit, limit], error)
 }
 
 /// A ring where it meets its limit.

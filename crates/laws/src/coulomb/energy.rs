@@ -5,7 +5,7 @@ use carom_special::roots::bisect;
 
 use super::CoulombMemory;
 use super::drag::Step;
-use super::piece::{End, Knot, Piece};
+use super::piece::{End, Piece};
 use crate::bounds::in_memory;
 use crate::memory::{Lateral, VertexStack};
 use crate::profile::GAUSS;
@@ -75,22 +75,6 @@ impl<V: Lateral> Notes<V> for Book {
 }
 
 impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
-    /// The pieces of the curve, from the deepest ring to the edge.
-    pub(super) fn chain(&self) -> impl Iterator<Item = Piece<V>> + '_ {
-        self.chain_to(End { depth: self.zeta, root: self.root, anchor: self.shift })
-    }
-
-    /// The same to another end.
-    pub(super) fn chain_to(&self, tip: End<V>) -> impl Iterator<Item = Piece<V>> + '_ {
-        (0..self.stack.len()).map(move |i| {
-            let end = match i + 1 < self.stack.len() {
-                true => Knot::of(self.stack.get(i + 1)).end(),
-                false => tip,
-            };
-            Piece::new(&Knot::of(self.stack.get(i)), end)
-        })
-    }
-
     /// The elastic energy of the tangential shift, conjugate to Phi and X, per direction:
     /// `(3/4) int |X - W(t^2)|^2 dt`.
     #[must_use]

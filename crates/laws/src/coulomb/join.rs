@@ -3,7 +3,8 @@
 use super::drag::cross;
 use super::energy::Notes;
 use super::piece::{End, Knot, Piece, weights};
-use crate::memory::{Lateral, VertexStack};
+use super::storage::Vertices;
+use crate::memory::Lateral;
 
 /// Lengths that count in a step.
 #[derive(Debug, Clone, Copy)]
@@ -77,8 +78,8 @@ pub(super) struct Pair<V> {
 }
 
 impl<V: Lateral> Pair<V> {
-    #[inline]
-    pub(super) fn at<S: VertexStack<V>>(stack: &S, i: usize, tip: End<V>) -> Self {
+    #[inline(always)]
+    pub(super) fn at<S: Vertices<V>>(stack: &S, i: usize, tip: End<V>) -> Self {
         let (below, here) = (Knot::of(stack.get(i - 1)), Knot::of(stack.get(i)));
         let end = if i + 1 < stack.len() { Knot::of(stack.get(i + 1)).end() } else { tip };
         Self { below: Piece::new(&below, here.end()), above: Piece::new(&here, end) }
@@ -92,21 +93,21 @@ impl<V: Lateral> Pair<V> {
     }
 
     /// The rises of both together and of the lower one.
-    #[inline]
+    #[inline(always)]
     fn rises(&self) -> [V; 2] {
         let foot = self.below.low.anchor;
         [self.above.high.anchor.minus(foot), self.below.high.anchor.minus(foot)]
     }
 
     /// The share of the lower one in the depth.
-    #[inline]
+    #[inline(always)]
     fn part(&self) -> f64 {
         let (low, high) = (self.below.low.depth, self.above.high.depth);
         (self.below.high.depth - low) / (high - low)
     }
 
     /// Whether both are straight and on one line, to and fro, as all are on a collinear path.
-    #[inline]
+    #[inline(always)]
     fn in_line(&self, exact: f64) -> bool {
         if self.below.bubble != V::default() || self.above.bubble != V::default() {
             return false;
@@ -127,7 +128,7 @@ impl<V: Lateral> Pair<V> {
     }
 
     /// The places whose moves count: the vertex taken out and both middles.
-    #[inline]
+    #[inline(always)]
     pub(super) fn places(&self) -> [Place<V>; 3] {
         let part = self.part();
         let rest = 1.0 - part;
@@ -142,7 +143,7 @@ impl<V: Lateral> Pair<V> {
     }
 
     /// The square of how far the curve moves.
-    #[inline]
+    #[inline(always)]
     pub(super) fn move_by(places: &[Place<V>; 3], bubble: V) -> f64 {
         let [vertex, below, above] = places.each_ref().map(|place| {
             let by = place.off.minus(bubble.times(place.weight));
@@ -152,7 +153,7 @@ impl<V: Lateral> Pair<V> {
     }
 
     /// How far apart the vertex and a middle are from one parabola, times what is second.
-    #[inline]
+    #[inline(always)]
     fn gap(vertex: &Place<V>, middle: &Place<V>) -> [f64; 2] {
         let gap = vertex.off.times(middle.weight).minus(middle.off.times(vertex.weight));
         let weight = vertex.weight + middle.weight;
@@ -170,7 +171,7 @@ impl<V: Lateral> Pair<V> {
     }
 
     /// Whether no bubble that is allowed keeps the moves within a length.
-    #[inline]
+    #[inline(always)]
     fn is_hopeless([vertex, below, above]: &[Place<V>; 3], miss: f64, bulge: f64) -> bool {
         let reach = miss + vertex.weight * bulge;
         let square = miss * miss;
@@ -183,7 +184,7 @@ impl<V: Lateral> Pair<V> {
 
     /// The bubble of one piece in the place of both, if it may take it, and how far their anchors
     /// move at most.
-    #[inline]
+    #[inline(always)]
     fn joint(&self, sizes: &Sizes) -> Option<(V, f64)> {
         let places = self.places();
         if self.in_line(sizes.exact) {
@@ -202,37 +203,49 @@ impl<V: Lateral> Pair<V> {
 }
 
 impl<V: Lateral> Pair<V> {
-    /// One piece in the place of both, between which vertex i lies, that moves their anchors so far.
+    /// One piece in the place of both, between which vertex i lies, that moves their anchors so far; returns it.
     #[inline]
-    pub(super) fn replace<S: VertexStack<V>>(
+    pub(super) fn replace<S: Vertices<V>>(
         &self,
         stack: &mut S,
         i: usize,
         (bubble, moved): (V, f64),
         shift: V,
         notes: &mut impl Notes<V>,
-    ) {
+    ) -> Piece<V> {
         let one = self.one(bubble);
         notes.joined([&self.below, &self.above], &one, shift);
         stack.get_mut(i - 1).slope = bubble;
         stack.get_mut(i - 1).force_slope = V::from_components([one.error + moved, 0.0]);
         stack.remove(i);
+        Piece { error: one.error + moved, ..one }
     }
 }
 
-/// Joins the piece below vertex i and that above, if they may be.
+/// Joins what may be joined of the pieces from that below vertex i on.
 #[inline]
-pub(super) fn join<V: Lateral, S: VertexStack<V>>(
+pub(super) fn join_from<V: Lateral, S: Vertices<V>>(
     stack: &mut S,
-    i: usize,
+    mut i: usize,
     tip: End<V>,
     sizes: &Sizes,
     notes: &mut impl Notes<V>,
-) -> bool {
-    let pair = Pair::at(stack, i, tip);
-    let joint = pair.joint(sizes);
-    if let Some((bubble, moved)) = joint {
-        pair.replace(stack, i, (bubble, moved), tip.anchor, notes);
+) {
+    let mut here = Knot::of(stack.get(i));
+    let mut below = Piece::new(&Knot::of(stack.get(i - 1)), here.end());
+    loop {
+        let next = (i + 1 < stack.len()).then(|| Knot::of(stack.get(i + 1)));
+        let high = next.map_or(tip, |next| next.end());
+        let pair = Pair { below, above: Piece::new(&here, high) };
+        if let Some((bubble, moved)) = pair.joint(sizes) {
+            below = pair.replace(stack, i, (bubble, moved), tip.anchor, notes);
+        } else {
+            below = pair.above;
+            i += 1;
+        }
+        match next {
+            Some(next) => here = next,
+            None => return,
+        }
     }
-    joint.is_some()
 }

@@ -25,11 +25,13 @@ mod energy;
 mod heat;
 mod join;
 mod lay;
+mod left;
 mod pack;
 mod piece;
 mod report;
 mod room;
 mod step;
+mod storage;
 mod zones;
 
 pub(crate) use drag::Step;
@@ -78,11 +80,12 @@ pub struct CoulombMemory<V, S = Growing<V>> {
 ///
 /// Against rings of sliders on ordinary turning paths the force at 1e-2 was off, over its limit, by
 /// 5e-5 in the mean and 1e-3 at most, with each step in 16 by 3e-4 and 4e-3; at 1e-3 by 4e-6 and 4e-5,
-/// in parts by 2e-5 and 2e-4. On paths found by climbing it was off by twice the tolerance at 1e-2. What
+/// in parts by 2e-5 and 2e-4. On paths found by climbing it was off by 8 times the tolerance at 1e-2. What
 /// is joined deep in the contact is measured by its own approach, since the contact may recede to it,
 /// and what carries little of the force may be off by more.
 ///
-/// Storage that is full holds no tolerance: pieces are merged until the rest fits.
+/// Storage that is full holds no tolerance: pieces are merged until the rest fits, and drawn no finer than so
+/// few last, at a tolerance of 7e-3 for 8 vertices and 2e-3 for 12.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct Tolerance(f64);
 

@@ -1,6 +1,8 @@
 //! A piece of the anchor's curve: a parabola over its chord.
 
+use super::CoulombMemory;
 use super::drag::Step;
+use super::storage::Vertices;
 use crate::memory::{Lateral, Vertex};
 
 /// The lower end of a piece of the curve W(s), as the law sees a [`Vertex`].
@@ -192,4 +194,22 @@ pub(super) fn weights<V>(low: &End<V>, high: &End<V>) -> [f64; 2] {
     let inverse = 1.0 / sum;
     let product = a * b * inverse;
     [sum - product, 0.8 * (high.depth - low.depth) * inverse * (1.0 + product * inverse)]
+}
+
+impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
+    /// The pieces of the curve, from the deepest ring to the edge.
+    pub(super) fn chain(&self) -> impl Iterator<Item = Piece<V>> + '_ {
+        self.chain_to(End { depth: self.zeta, root: self.root, anchor: self.shift })
+    }
+
+    /// The same to another end.
+    pub(super) fn chain_to(&self, tip: End<V>) -> impl Iterator<Item = Piece<V>> + '_ {
+        (0..self.stack.len()).map(move |i| {
+            let end = match i + 1 < self.stack.len() {
+                true => Knot::of(self.stack.get(i + 1)).end(),
+                false => tip,
+            };
+            Piece::new(&Knot::of(self.stack.get(i)), end)
+        })
+    }
 }

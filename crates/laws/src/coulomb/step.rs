@@ -3,9 +3,10 @@
 use super::CoulombMemory;
 use super::drag::{BEYOND, Step, grain};
 use super::energy::{Notes, Unnoted};
-use super::join::{Sizes, join};
-use super::lay::HALVINGS;
+use super::join::{Sizes, join_from};
+use super::lay::{Dragged, HALVINGS};
 use super::piece::{End, Knot, Piece};
+use super::storage::Vertices;
 use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 
 /// What counts as no length at all, over the approach and over the shift.
@@ -48,25 +49,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         if square > self.extent * self.extent {
             self.extent = square.sqrt();
         }
-        if self.is_short() {
-            self.step_with_room(zeta, shift, notes);
-        } else {
-            self.go(zeta, shift, notes);
-        }
-    }
-
-    /// A step of a pair in contact, in storage that has room.
-    #[inline]
-    pub(super) fn go(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
-        let (dz, dx) = (zeta - self.zeta, shift.minus(self.shift));
-        // On the cone itself, to round-off, the rings that touch may as well slip.
-        let clear = dz - grain(zeta, shift);
-        if clear > 0.0 && dx.dot(dx) <= clear * clear {
-            self.adhere(zeta, shift, notes);
-        } else {
-            self.slip(zeta, shift, notes);
-        }
-        (self.zeta, self.shift) = (zeta, shift);
+        self.step_within_room(zeta, shift, notes);
     }
 
     #[cold]
@@ -84,6 +67,22 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         (self.zeta, self.root, self.force) = (0.0, 0.0, V::default());
         self.extent = 0.0;
         self.stack.push(self.tip().vertex());
+    }
+}
+
+impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
+    /// A step of a pair in contact, in storage that has room.
+    #[inline]
+    pub(super) fn go(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
+        let (dz, dx) = (zeta - self.zeta, shift.minus(self.shift));
+        // On the cone itself, to round-off, the rings that touch may as well slip.
+        let clear = dz - grain(zeta, shift);
+        if clear > 0.0 && dx.dot(dx) <= clear * clear {
+            self.adhere(zeta, shift, notes);
+        } else {
+            self.slip(zeta, shift, notes);
+        }
+        (self.zeta, self.shift) = (zeta, shift);
     }
 
     #[inline]
@@ -119,7 +118,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         if top > 0 {
             let sizes = self.sizes(end);
             notes.drawn(self.chain_to(end), shift);
-            join(&mut self.stack, top, end, &sizes, notes);
+            join_from(&mut self.stack, top, end, &sizes, notes);
         }
         (self.root, self.regime, self.front) = (end.root, Regime::Adhesion, self.zeta);
         self.hold_limit(end);
@@ -207,13 +206,16 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         }
         for i in 0..len {
             let piece = Piece::new(&knot, self.end_of(i, old));
-            if step.is_beyond(piece.middle_depth(), piece.middle()) {
+            let excess = step.excess(piece.middle_depth(), piece.middle());
+            if step.counts(excess, piece.middle_depth()) {
                 return Front::On { piece: i, within: 0.0, beyond: 0.5 };
             }
             let high = piece.high;
             let beyond = step.is_beyond(high.depth, high.anchor);
             // Before the upper end there may be a band that no end and no middle sees.
-            if let Some([within, beyond]) = piece.hidden_slip(step) {
+            if piece.may_slip(step, excess)
+                && let Some([within, beyond]) = piece.look_for_slip(step)
+            {
                 return Front::On { piece: i, within, beyond };
             }
             if beyond {
@@ -299,27 +301,26 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
                 continue;
             }
             let sticks = sticks && i == first;
-            let (low, left) = if sticks {
-                (knot.anchor, knot.error)
-            } else {
-                step.drag_with(knot.depth, knot.anchor, knot.error)
-            };
-            let (middle, left_there) =
-                step.drag_with(piece.middle_depth(), piece.middle(), knot.error);
-            let left = if left > left_there { left } else { left_there };
+            let low = if sticks { knot.anchor } else { step.drag(knot.depth, knot.anchor) };
+            let middle = step.drag(piece.middle_depth(), piece.middle());
             in_line = in_line
                 && near(knot.depth, low)
                 && (knot.depth >= self.zeta || near(piece.middle_depth(), middle));
             if in_line {
+                let left = step.left(&piece, step.across([low, middle, new]));
                 error = if left > error { left } else { error };
                 self.lay_line(i, low, error);
             } else {
                 let new = [low, middle, new];
                 let ways = piece.ways(new);
                 slides = slides && ways[0] > 0.0 && ways[1] > 0.0;
-                let left = if ways[2] > 0.0 { left } else { knot.error };
+                let across = step.across(new);
+                let slips = ways[0] > 0.0 && ways[1] > 0.0 && ways[2] > 0.0;
+                let left = if slips { step.left(&piece, across) } else { knot.error };
                 let ways = if sticks { [ways[1], ways[1], ways[2]] } else { ways };
-                self.lay(i, (&piece, ways, left), new, step, (sizes, HALVINGS));
+                let at_front = ways[0] == ways[1];
+                let dragged = Dragged { old: &piece, new, ways, at_front, across, left };
+                self.lay(i, &dragged, step, (sizes, HALVINGS));
             }
             (old, new) = (piece.low, low);
         }
@@ -339,16 +340,13 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     #[inline]
     pub(super) fn finish(&mut self, end: End<V>, first: usize) {
         let mut knot = Knot::of(self.stack.get(first));
-        for i in first..self.stack.len() {
-            let high = self.end_of(i, end);
-            let force = knot.force.plus(Piece::new(&knot, high).force());
-            if i + 1 < self.stack.len() {
-                self.stack.get_mut(i + 1).force = force;
-                knot = Knot::of(self.stack.get(i + 1));
-            } else {
-                self.force = force;
-            }
+        for i in first + 1..self.stack.len() {
+            let next = Knot::of(self.stack.get(i));
+            let force = knot.force.plus(Piece::new(&knot, next.end()).force());
+            self.stack.get_mut(i).force = force;
+            knot = Knot { force, ..next };
         }
+        self.force = knot.force.plus(Piece::new(&knot, end).force());
         self.root = end.root;
         self.hold_limit(end);
     }
@@ -366,12 +364,9 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     /// Joins what can be joined from a vertex up.
     #[inline]
     fn join_from(&mut self, first: usize, end: End<V>, notes: &mut impl Notes<V>) {
-        let sizes = self.sizes(end);
-        let mut i = first;
-        while i < self.stack.len() {
-            if !join(&mut self.stack, i, end, &sizes, notes) {
-                i += 1;
-            }
+        if first < self.stack.len() {
+            let sizes = self.sizes(end);
+            join_from(&mut self.stack, first, end, &sizes, notes);
         }
     }
 

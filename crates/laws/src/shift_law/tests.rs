@@ -8,7 +8,7 @@ use approx::assert_relative_eq;
 
 fn law<V: Lateral>(friction: f64) -> ShiftLaw<V> {
     let stiffness = ContactStiffness::new(0.9, 0.7, 1.1).unwrap();
-    ShiftLaw::of_chapter_7(stiffness, Friction::new(friction).unwrap())
+    ShiftLaw::with_fixed_direction(stiffness, Friction::new(friction).unwrap())
 }
 
 fn accounted(friction: f64) -> Accounted<ShiftLaw<[f64; 2]>> {
@@ -156,7 +156,8 @@ fn is_plain_data_on_a_fixed_stack() {
 fn turned_frame_carries_the_law_along() {
     for friction in [0.0, 0.3, f64::INFINITY] {
         let stiffness = ContactStiffness::new(0.9, 0.9, 1.1).unwrap();
-        let round = ShiftLaw::<[f64; 2]>::of_chapter_7(stiffness, Friction::new(friction).unwrap());
+        let round =
+            ShiftLaw::<[f64; 2]>::with_fixed_direction(stiffness, Friction::new(friction).unwrap());
         let (mut fixed, mut turning) = (Accounted::new(round.clone()), Accounted::new(round));
         let mut angle = 0.0_f64;
         for (i, (zeta, xi, eta)) in PATH.into_iter().enumerate() {

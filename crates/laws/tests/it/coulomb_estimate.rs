@@ -98,6 +98,53 @@ const FULL_LONG: [Point; 12] = [
     (0.134_528_293_738_685_13, [0.326_861_396_017_249_73, -0.245_210_196_280_201_4]),
 ];
 
+/// Twelve points found by climbing: a long slide leaves a traction across it that decays within a piece, once
+/// drawn as a parabola and off by 4.5 times the estimate at 1e-5.
+const DECAYING: [Point; 12] = [
+    (0.049_704_612_4, [-0.700_584_194, -1.435_619_05]),
+    (0.368_879_811, [-1.480_381_7, -1.439_719_89]),
+    (0.908_883_918, [-0.436_925_692, -1.446_250_15]),
+    (0.674_089_232, [-0.701_510_27, -1.432_493_22]),
+    (0.125_361_552, [-0.700_843_793, -1.434_406_7]),
+    (0.204_860_167, [-1.480_381_7, -1.431_563_9]),
+    (0.161_205_775, [-1.146_353, 0.655_449_961]),
+    (0.302_714_125, [-0.756_843_902, -1.112_894_36]),
+    (0.680_252_369, [-0.857_822_131, -1.195_189_89]),
+    (0.186_513_152, [-0.825_149_804, -1.094_300_95]),
+    (0.798_427_441, [-0.782_635_243, -1.033_247_69]),
+    (0.077_924_909_9, [-0.816_360_309, -0.982_425_285]),
+];
+
+/// Fourteen points found by climbing: rings meet their limits late in a step, and the bubble of their piece grows;
+/// once off by 2.8 times the estimate at 1e-5.
+const GROWN: [Point; 14] = [
+    (0.050_185_129_7, [0.494_915_781, -0.847_194_382]),
+    (0.002_564_149_83, [-0.140_725_412, -0.704_300_463]),
+    (0.839_583_909, [-0.140_725_412, -0.704_300_463]),
+    (0.079_363_364_6, [-0.737_136_484, 0.206_145_648]),
+    (0.001, [0.490_107_573, -0.822_315_451]),
+    (0.789_717_025, [-0.140_660_194, -0.704_379_256]),
+    (0.775_858_086, [-0.161_362_142, -0.390_087_464]),
+    (0.947_619_202, [-0.146_958_308, -0.341_492_945]),
+    (0.898_674_828, [-0.161_190_82, -0.390_005_955]),
+    (0.890_953_42, [-0.145_360_656, -0.707_241_137]),
+    (0.890_953_42, [0.489_289_392, -0.821_684_03]),
+    (0.839_181_563, [0.476_464_825, -0.827_169_743]),
+    (0.839_181_563, [0.490_832_514, -0.822_440_371]),
+    (0.033_713_7, [0.490_832_514, -0.822_440_371]),
+];
+
+/// The same in seven points and twelve vertices, once off by 11 times the estimate at 1e-5.
+const GROWN_IN_TWELVE: [Point; 7] = [
+    (1.019_223_86, [-0.102_867_505, -0.031_694_329_7]),
+    (0.453_529_627, [-0.112_043_713, 0.105_727_578]),
+    (1.493_837_49, [-1.253_381_5, 0.776_514_468]),
+    (1.493_837_49, [-1.195_114_8, 0.654_325_869]),
+    (1.395_979_8, [-0.112_043_713, 0.105_727_578]),
+    (0.093_376_355_9, [-0.057_287_22, 0.027_615_463_4]),
+    (0.084_063_874_4, [-0.057_084_200_7, 0.027_765_688_8]),
+];
+
 /// Asserts that no error exceeds its estimate; the errors.
 #[track_caller]
 fn within_estimates(path: &[Point], tolerance: f64, rings: usize) -> [f64; 5] {
@@ -133,6 +180,17 @@ fn a_piece_that_winds_about_its_parabola_is_split() {
         let [growing, ..] = within_estimates(&FINE_BUT_OFF, tolerance, 12_000);
         assert!(growing < largest);
     }
+}
+
+#[test]
+fn what_climbs_found_is_within_the_estimates() {
+    for tolerance in [1e-2, 1e-3, 1e-5] {
+        within_estimates(&DECAYING, tolerance, 12_000);
+        within_estimates(&GROWN, tolerance, 12_000);
+        within_estimates(&GROWN_IN_TWELVE, tolerance, 12_000);
+    }
+    let [growing, ..] = within_estimates(&DECAYING, 1e-5, 40_000);
+    assert!(growing < 2e-6);
 }
 
 #[test]
@@ -239,8 +297,7 @@ proptest! {
     fn estimate_covers_the_error_and_the_force_is_within_its_limit(path in path(), scale in -5.0..-2.0_f64) {
         let tolerance = 10_f64.powf(scale);
         for [error, estimate] in errors(&path, tolerance, 1500) {
-            // What the adversary allows: climbs came to 1.8 of the estimate.
-            prop_assert!(error <= 3.0 * estimate + of_rings(1500), "{error:e} beyond {estimate:e}");
+            prop_assert!(error <= estimate + of_rings(1500), "{error:e} beyond {estimate:e}");
         }
         let mut law = CoulombMemory::<[f64; 2], Fixed<[f64; 2], 8>>::new(Tolerance::PARTICLES);
         for &(zeta, x) in &path {

@@ -213,7 +213,7 @@ impl Energetic for Shifted {
 #[test]
 fn law_in_its_own_units() {
     let stiffness = ContactStiffness::new(0.3, 0.3, 1.0).unwrap();
-    let mut law = Shifted(ShiftLaw::of_chapter_7(stiffness, Friction::new(0.3).unwrap()));
+    let mut law = Shifted(ShiftLaw::with_fixed_direction(stiffness, Friction::new(0.3).unwrap()));
     let mut wanderer = Wanderer::new(32);
     for _ in 0..steps() / 2 {
         let to = wanderer.next(&law);

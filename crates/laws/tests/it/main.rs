@@ -22,6 +22,7 @@ mod merging;
 mod outside;
 mod packed;
 mod parts_known;
+mod rings;
 mod settled_bed;
 mod shift;
 mod sliders;

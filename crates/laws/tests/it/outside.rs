@@ -81,9 +81,9 @@ fn histories(count: u64) {
         type Few = Fixed<[f64; 2], 4>;
         type Many = Fixed<[f64; 2], 12>;
         let (f, free, stuck) = (friction(f), Friction::NONE, Friction::INFINITE);
-        all_are_taken(&Plane::<Few>::of_chapter_7(STIFFNESS, f), &path, 5);
-        all_are_taken(&Plane::<Many>::of_chapter_7(STIFFNESS, f), &path, 5);
-        all_are_taken(&Plane::<Growing<_>>::of_chapter_7(STIFFNESS, f), &path, 5);
+        all_are_taken(&Plane::<Few>::with_fixed_direction(STIFFNESS, f), &path, 5);
+        all_are_taken(&Plane::<Many>::with_fixed_direction(STIFFNESS, f), &path, 5);
+        all_are_taken(&Plane::<Growing<_>>::with_fixed_direction(STIFFNESS, f), &path, 5);
         all_are_taken(&Plane::<Few>::with_tolerance(STIFFNESS, f, fine), &path, 5);
         all_are_taken(&Plane::<Many>::with_tolerance(STIFFNESS, f, fine), &path, 5);
         all_are_taken(&Plane::<Many>::new(STIFFNESS, f), &path, 5);
@@ -113,7 +113,7 @@ type Law = ShiftLaw<[f64; 2], Fixed<[f64; 2], 12>>;
 const NUMBERS: usize = packed_numbers(12);
 
 fn laws(f: f64) -> [Law; 2] {
-    [Law::of_chapter_7(STIFFNESS, friction(f)), Law::new(STIFFNESS, friction(f))]
+    [Law::with_fixed_direction(STIFFNESS, friction(f)), Law::new(STIFFNESS, friction(f))]
 }
 
 /// A state that has turned, as numbers.

@@ -15,7 +15,7 @@ fn laws(friction: f64) -> [Law; 2] {
     let stiffness = ContactStiffness::new(3e9, 2.6e9, 4e9).unwrap();
     let friction = Friction::new(friction).unwrap();
     [
-        Law::of_chapter_7(stiffness, friction),
+        Law::with_fixed_direction(stiffness, friction),
         Law::with_tolerance(stiffness, friction, Tolerance::PARTICLES),
     ]
 }

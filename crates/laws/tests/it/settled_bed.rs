@@ -188,7 +188,7 @@ fn both<const N: usize>() -> [f64; 2] {
     let stiffness = ContactStiffness::new(0.85 * STIFFNESS, 0.85 * STIFFNESS, STIFFNESS).unwrap();
     let friction = Friction::new(0.3).unwrap();
     let coulomb = growth(ShiftLaw::<[f64; 2], Fixed<_, N>>::new(stiffness, friction));
-    let old = growth(ShiftLaw::<[f64; 2], Fixed<_, N>>::of_chapter_7(stiffness, friction));
+    let old = growth(ShiftLaw::<[f64; 2], Fixed<_, N>>::with_fixed_direction(stiffness, friction));
     for (name, (apart, contacts)) in [("Coulomb", coulomb), ("chapter 7", old)] {
         println!("{N} vertices, {name}: {apart:.1e} apart, {contacts} contacts");
     }

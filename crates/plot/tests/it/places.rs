@@ -199,3 +199,18 @@ fn words_at_the_right_end_stand_before_their_point() {
         assert!(line.contains(&format!("text-anchor=\"{anchor}\"")), "{x}: {line}");
     }
 }
+
+#[test]
+fn equal_axes_show_a_circle_as_a_circle_whichever_way_the_data_are_long() {
+    for [x, y] in [[1.0, 0.2], [0.2, 1.0], [1.0, 1.0]] {
+        let mut panel = Panel::new(Axis::linear(""), Axis::linear("")).equal_aspect();
+        let corners = [(-x, -y), (x, y), (-0.1, 0.0), (0.1, 0.0), (0.0, -0.1), (0.0, 0.1)];
+        panel.add(Series::markers("", Marker::Dot, corners));
+        let (cx, cy, _) = markers(panel);
+        near(&[(cx[3] - cx[2]).abs()], &[(cy[5] - cy[4]).abs()]);
+        near(&[(cx[1] - cx[0]).abs() * y], &[(cy[1] - cy[0]).abs() * x]);
+        // Nothing stands outside of the axes, and one of them is filled.
+        assert!(cx.iter().all(|at| *at >= 0.0) && cy.iter().all(|at| *at >= 0.0));
+        assert!((cx[1] - cx[0]).abs() > 200.0 || (cy[1] - cy[0]).abs() > 200.0);
+    }
+}

@@ -9,9 +9,9 @@ A ball of alumina meets a plate of the same material at 45 degrees:
 >>> alumina = carom.Material(380e9, 0.23)
 >>> ball = carom.sphere(2.5e-3, alumina, mass=2.618e-4, velocity=(2.758, 0, -2.758))
 >>> rebound = carom.collide(ball, carom.plane(alumina), friction=0.092)
->>> round(rebound.restitution, 4)
+>>> round(rebound.R_x, 4)
 -0.356
->>> float(rebound.velocity_1[2])
+>>> float(rebound.body_1_velocity[2])
 2.758
 
 R_x of spheres for a thousand angles:

@@ -78,7 +78,7 @@ class Hertz:
         self, given: Literal["force", "approach", "semi_axis_a", "semi_axis_b"], values: Array
     ) -> _Columns: ...
 
-_Law = Literal["coulomb", "chapter 7"]
+_Law = Literal["coulomb", "fixed-direction"]
 
 class Contact:
     def __new__(

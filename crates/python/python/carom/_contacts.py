@@ -17,7 +17,7 @@ class Contacts:
     """Many contacts of the same constants, advanced together: arrays of shifts in, arrays of loads out.
 
     `stiffness` is a Hertz contact or (c_x, c_y, c_z); `law` is 'coulomb', to a `tolerance` of the friction
-    limit, or 'chapter 7', one direction of traction in a slip ring: faster, exact on straight
+    limit, or 'fixed-direction', one direction of traction in a slip ring: faster, exact on straight
     paths. With `directions=1` only xi moves, and the law is exact and fastest. With `threads` all cores
     help, to the same bits.
 

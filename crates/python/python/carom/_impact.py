@@ -68,7 +68,7 @@ def collide(
     """Two bodies collide: body 1 is put on body 2 with this common normal, from body 2 into body 1.
 
     With `normal=None` they touch where they are; of bodies with a centre one or the other must be said. `torsion`
-    takes the spin about the normal along. Where the direction of slip turns, `law` is 'coulomb' or 'chapter 8',
+    takes the spin about the normal along. Where the direction of slip turns, `law` is 'coulomb' or 'fixed-direction',
     one direction for each ring. With a `normal_restitution` below 1 the material takes a part, beyond the elastic
     theory; with `wave_loss` as much as elastic waves carry away; duration and greatest force are those of the
     elastic impact. A body held fast that moves, as a racket does, works on the other: the energies do not add up
@@ -78,10 +78,10 @@ def collide(
     >>> rubber = carom.Material(5e6, 0.5)
     >>> ball = carom.sphere(0.02, rubber, 0.037, velocity=(1, 0, -3))
     >>> rebound = carom.collide(ball, carom.plane(carom.RIGID), friction=0.9)
-    >>> bool(rebound.restitution > 0.1)  # it comes back
+    >>> bool(rebound.R_x > 0.1)  # it comes back
     True
     >>> lost = rebound.energy_before - rebound.energy_after
-    >>> bool(abs(lost - rebound.dissipated) < 1e-9 * rebound.energy_before)
+    >>> bool(abs(lost - rebound.energy_dissipated) < 1e-9 * rebound.energy_before)
     True
     """
     along, left = _along(body_1, body_2, normal), _left(normal_restitution, wave_loss)
@@ -94,10 +94,10 @@ def collide_many(
     body_2: Body,
     friction: ArrayLike,
     *,
-    velocity_1: ArrayLike | None = None,
-    spin_1: ArrayLike | None = None,
-    velocity_2: ArrayLike | None = None,
-    spin_2: ArrayLike | None = None,
+    body_1_velocity: ArrayLike | None = None,
+    body_1_spin: ArrayLike | None = None,
+    body_2_velocity: ArrayLike | None = None,
+    body_2_spin: ArrayLike | None = None,
     normal: Vector | None = UP,
     torsion: bool = False,
     law: str = "coulomb",
@@ -113,13 +113,13 @@ def collide_many(
     >>> steel = carom.Material(208e9, 0.3)
     >>> ball = carom.sphere(0.01, steel, 0.033)
     >>> velocities = np.stack([np.linspace(0, 3, 7), np.zeros(7), np.full(7, -2.0)], axis=1)
-    >>> rebound = carom.collide_many(ball, carom.plane(steel), 0.15, velocity_1=velocities)
-    >>> rebound.velocity_1.shape, rebound.restitution.shape
+    >>> rebound = carom.collide_many(ball, carom.plane(steel), 0.15, body_1_velocity=velocities)
+    >>> rebound.body_1_velocity.shape, rebound.R_x.shape
     ((7, 3), (7,))
     """
     default = (body_1.velocity, body_1.spin, body_2.velocity, body_2.spin)
-    names = ("velocity_1", "spin_1", "velocity_2", "spin_2")
-    told = zip(names, (velocity_1, spin_1, velocity_2, spin_2), default, strict=True)
+    names = ("body_1_velocity", "body_1_spin", "body_2_velocity", "body_2_spin")
+    told = zip(names, (body_1_velocity, body_1_spin, body_2_velocity, body_2_spin), default, strict=True)
     given = {name: numbers(name, d if v is None else v) for name, v, d in told}
     friction = numbers("friction", friction)
     counts = [len(v) for v in given.values() if v.ndim == 2]

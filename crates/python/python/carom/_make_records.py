@@ -11,7 +11,6 @@ RESULTS = {
     "SolverStep": "A step of the numerical solver.",
     "Rebound": "How two bodies part. What only an impact has is not a number where they do not meet.",
 }
-TEXTS = {"method", "warnings", "regime", "twist_regime"}
 
 
 def made() -> str:
@@ -27,7 +26,7 @@ def made() -> str:
             text += f"    {column:<{width}}  {meaning}{f', {unit}' if unit else ''}\n"
         text += '    """\n\n'
         for column, _, _, parts in columns:
-            kind = "str | list[str]" if column in TEXTS else "Array" if parts == 3 else "Numbers"
+            kind = {0: "str | list[str]", 1: "Numbers", 3: "Array"}[parts]
             text += f"    {column}: {kind}\n"
         units = {column: unit for column, unit, _, _ in columns}
         meanings = {column: meaning for column, _, meaning, _ in columns}

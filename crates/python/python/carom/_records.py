@@ -192,50 +192,56 @@ SolverStep._vectors = frozenset([])
 class Rebound(Record):
     """How two bodies part. What only an impact has is not a number where they do not meet.
 
-    velocity_1        of the centre of body 1 afterwards, m/s
-    spin_1            of body 1 afterwards, 1/s
-    velocity_2        of the centre of body 2 afterwards, m/s
-    spin_2            of body 2 afterwards, 1/s
-    impulse           that body 2 gave body 1, N s
-    velocity_before   of contact point 2 against 1 before, m/s
-    velocity_after    of contact point 2 against 1 after, m/s
-    restitution       R_x, the tangential velocity after over that before, reversed
-    duration          from touch to separation, s
-    maximal_force     greatest normal force, N
-    maximal_approach  greatest approach, m
-    semi_axis_a       of the greatest contact, smaller, m
-    semi_axis_b       of the greatest contact, larger, m
-    energy_before     kinetic energy before, bodies held fast left out, J
-    energy_after      kinetic energy after, the same, J
-    dissipated        what friction took, J
-    lost              what the bodies' material took, J
-    error_estimate    of the velocity after, over that before
-    method            how the impact was followed
-    warnings          what limits the validity
+    outcome                  rebound, or no_impact
+    R_x                      tangential restitution
+    body_1_velocity          of the centre of mass, afterwards, m/s
+    body_1_spin              angular velocity, afterwards, rad/s
+    body_2_velocity          of the centre of mass, afterwards, m/s
+    body_2_spin              angular velocity, afterwards, rad/s
+    impulse                  on body 1, N s
+    contact_velocity_before  of body 2 against body 1, m/s
+    contact_velocity_after   of body 2 against body 1, m/s
+    duration                 from touch to separation, s
+    maximal_force            normal, N
+    maximal_approach         of distant points, m
+    maximal_semi_axis_a      of the contact along x, m
+    maximal_semi_axis_b      of the contact along y, m
+    energy_before            kinetic, without bodies held fast, J
+    energy_after             kinetic, without bodies held fast, J
+    energy_dissipated        by friction, J
+    energy_lost              in the bodies' material, J
+    regimes                  in order; sign: traction on body 1 along the first slip
+    method                   how it was solved
+    compressions             how often the approach grew
+    error_estimate           of the contact velocity, over that before
+    warnings                 what limits the validity
     """
 
-    velocity_1: Array
-    spin_1: Array
-    velocity_2: Array
-    spin_2: Array
+    outcome: str | list[str]
+    R_x: Numbers
+    body_1_velocity: Array
+    body_1_spin: Array
+    body_2_velocity: Array
+    body_2_spin: Array
     impulse: Array
-    velocity_before: Array
-    velocity_after: Array
-    restitution: Numbers
+    contact_velocity_before: Array
+    contact_velocity_after: Array
     duration: Numbers
     maximal_force: Numbers
     maximal_approach: Numbers
-    semi_axis_a: Numbers
-    semi_axis_b: Numbers
+    maximal_semi_axis_a: Numbers
+    maximal_semi_axis_b: Numbers
     energy_before: Numbers
     energy_after: Numbers
-    dissipated: Numbers
-    lost: Numbers
-    error_estimate: Numbers
+    energy_dissipated: Numbers
+    energy_lost: Numbers
+    regimes: str | list[str]
     method: str | list[str]
+    compressions: Numbers
+    error_estimate: Numbers
     warnings: str | list[str]
 
 
-Rebound.units = {'velocity_1': 'm/s', 'spin_1': '1/s', 'velocity_2': 'm/s', 'spin_2': '1/s', 'impulse': 'N s', 'velocity_before': 'm/s', 'velocity_after': 'm/s', 'restitution': '', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'semi_axis_a': 'm', 'semi_axis_b': 'm', 'energy_before': 'J', 'energy_after': 'J', 'dissipated': 'J', 'lost': 'J', 'error_estimate': '', 'method': '', 'warnings': ''}
-Rebound.meanings = {'velocity_1': 'of the centre of body 1 afterwards', 'spin_1': 'of body 1 afterwards', 'velocity_2': 'of the centre of body 2 afterwards', 'spin_2': 'of body 2 afterwards', 'impulse': 'that body 2 gave body 1', 'velocity_before': 'of contact point 2 against 1 before', 'velocity_after': 'of contact point 2 against 1 after', 'restitution': 'R_x, the tangential velocity after over that before, reversed', 'duration': 'from touch to separation', 'maximal_force': 'greatest normal force', 'maximal_approach': 'greatest approach', 'semi_axis_a': 'of the greatest contact, smaller', 'semi_axis_b': 'of the greatest contact, larger', 'energy_before': 'kinetic energy before, bodies held fast left out', 'energy_after': 'kinetic energy after, the same', 'dissipated': 'what friction took', 'lost': "what the bodies' material took", 'error_estimate': 'of the velocity after, over that before', 'method': 'how the impact was followed', 'warnings': 'what limits the validity'}
-Rebound._vectors = frozenset(['velocity_1', 'spin_1', 'velocity_2', 'spin_2', 'impulse', 'velocity_before', 'velocity_after'])
+Rebound.units = {'outcome': '', 'R_x': '', 'body_1_velocity': 'm/s', 'body_1_spin': 'rad/s', 'body_2_velocity': 'm/s', 'body_2_spin': 'rad/s', 'impulse': 'N s', 'contact_velocity_before': 'm/s', 'contact_velocity_after': 'm/s', 'duration': 's', 'maximal_force': 'N', 'maximal_approach': 'm', 'maximal_semi_axis_a': 'm', 'maximal_semi_axis_b': 'm', 'energy_before': 'J', 'energy_after': 'J', 'energy_dissipated': 'J', 'energy_lost': 'J', 'regimes': '', 'method': '', 'compressions': '', 'error_estimate': '', 'warnings': ''}
+Rebound.meanings = {'outcome': 'rebound, or no_impact', 'R_x': 'tangential restitution', 'body_1_velocity': 'of the centre of mass, afterwards', 'body_1_spin': 'angular velocity, afterwards', 'body_2_velocity': 'of the centre of mass, afterwards', 'body_2_spin': 'angular velocity, afterwards', 'impulse': 'on body 1', 'contact_velocity_before': 'of body 2 against body 1', 'contact_velocity_after': 'of body 2 against body 1', 'duration': 'from touch to separation', 'maximal_force': 'normal', 'maximal_approach': 'of distant points', 'maximal_semi_axis_a': 'of the contact along x', 'maximal_semi_axis_b': 'of the contact along y', 'energy_before': 'kinetic, without bodies held fast', 'energy_after': 'kinetic, without bodies held fast', 'energy_dissipated': 'by friction', 'energy_lost': "in the bodies' material", 'regimes': 'in order; sign: traction on body 1 along the first slip', 'method': 'how it was solved', 'compressions': 'how often the approach grew', 'error_estimate': 'of the contact velocity, over that before', 'warnings': 'what limits the validity'}
+Rebound._vectors = frozenset(['body_1_velocity', 'body_1_spin', 'body_2_velocity', 'body_2_spin', 'impulse', 'contact_velocity_before', 'contact_velocity_after'])

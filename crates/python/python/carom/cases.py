@@ -49,7 +49,7 @@ def impact(path: Path) -> Rebound:
     >>> once = carom.cases.new("impact")
     >>> _ = path.write_text(once.replace("friction = 0.2", "friction = [0.05, 0.1, 0.2]"))
     >>> rebounds = carom.cases.impact(path)
-    >>> rebounds.swept[0], rebounds.restitution.shape
+    >>> rebounds.swept[0], rebounds.R_x.shape
     ('contact.friction', (3,))
     """
     swept, columns = _carom.case_impact(os.fspath(path))
@@ -70,10 +70,7 @@ def history(path: Path) -> HistoryStep:
     True
     """
     columns = _carom.case_history(os.fspath(path))
-    count = len(columns["step"])
-    if not isinstance(columns["twist_regime"], list):
-        columns["twist_regime"] = [""] * count
-    return HistoryStep._of(columns, (count,))
+    return HistoryStep._of(columns, (len(columns["step"]),))
 
 
 @dataclass(frozen=True, eq=False)

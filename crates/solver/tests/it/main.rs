@@ -16,6 +16,7 @@ mod loads;
 mod memory;
 mod near_the_limit;
 mod normal;
+mod outlines;
 mod periodic;
 mod products;
 mod pulled;

@@ -28,3 +28,19 @@ fn nodes_of_an_interval_ascend_in_its_direction() {
         }
     }
 }
+
+#[test]
+fn nodes_of_an_interval_ascend_from_its_lower_end() {
+    for (lower, upper) in [(2.0, 5.0), (-1.0, 0.5)] {
+        let rule = GaussLegendre::new(7).unwrap();
+        let nodes: Vec<_> = rule.on(lower, upper).collect();
+        assert!(nodes.windows(2).all(|pair| pair[0].position < pair[1].position));
+        assert!(nodes[0].position > lower && nodes[6].position < upper);
+        // The same interval from its other end: the nodes in the other order.
+        let back: Vec<_> = rule.on(upper, lower).collect();
+        for (node, back) in nodes.iter().zip(back.iter().rev()) {
+            assert!((node.position - back.position).abs() < 1e-15);
+            assert!((node.weight + back.weight).abs() < 1e-15);
+        }
+    }
+}

@@ -2,7 +2,7 @@
 //! the thesis's law.
 
 use carom_impact::Mobility;
-use carom_impact::coupled::{CoupledImpact, VectorLaw};
+use carom_impact::coupled::{CoupledImpact, TurningLaw};
 use carom_laws::friction::Friction;
 use carom_laws::sliders::SlipLines;
 use carom_laws::stiffness::ContactStiffness;
@@ -71,11 +71,11 @@ impl Case {
     }
 
     fn on_curve(&self, asked: f64) -> Result<f64, Failure> {
-        Ok(self.error(self.impact.within(asked)?.solve(VectorLaw::Coulomb)?.velocity))
+        Ok(self.error(self.impact.within(asked)?.solve(TurningLaw::Coulomb)?.velocity))
     }
 
     fn of_chapter_7(&self) -> Result<f64, Failure> {
-        let outcome = self.impact.within(1e-4)?.solve(VectorLaw::FixedDirection)?;
+        let outcome = self.impact.within(1e-4)?.solve(TurningLaw::FixedDirection)?;
         Ok(self.error(outcome.velocity))
     }
 }

@@ -48,7 +48,7 @@ pub(super) fn draw() -> FigureResult {
     figure.assumed("f", "1");
     figure.assumed("axes", "F_x, F_y and the angle of the force against ξ/ζ");
     let (stiffness, friction) = (stiffness()?, Friction::new(1.0)?);
-    let thesis = follow(ShiftLaw::<[f64; 2]>::of_chapter_7(stiffness, friction))?;
+    let thesis = follow(ShiftLaw::<[f64; 2]>::with_fixed_direction(stiffness, friction))?;
     let coulomb = follow(SlipLines::new(stiffness, 1.0, 1e-6)?)?;
     let run = numerical()?;
     panels(&mut figure, &thesis, &coulomb, &run);

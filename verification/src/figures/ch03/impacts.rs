@@ -218,7 +218,7 @@ fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
     figure
         .close(
             "R_x of the tangential impact",
-            oblique.tangential_restitution.ok_or("no R_x")?,
+            oblique.r_x.ok_or("no R_x")?,
             stepped,
             Absolute(5e-6),
         )
@@ -244,7 +244,7 @@ fn tangential_claims(figure: &mut Figure) -> Result<(), Failure> {
     history_claim(figure, &oblique, stepped)?;
     let taken = 0.5 * MASS / 7.0 * (1.0 - stepped * stepped) * SLIP * SLIP;
     let budget = oblique.energy;
-    let restitution = oblique.tangential_restitution.ok_or("no R_x")?;
+    let restitution = oblique.r_x.ok_or("no R_x")?;
     let closed = tangential_energy_loss([MASS, MASS], restitution, SLIP)?;
     figure
         .all_close(

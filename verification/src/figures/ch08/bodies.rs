@@ -2,7 +2,7 @@
 
 use carom_geometry::{Attitude, Surface};
 use carom_halfspace::Material;
-use carom_impact::coupled::{Sample, VectorLaw};
+use carom_impact::coupled::{Sample, TurningLaw};
 use carom_impact::{Body, Collision, Lever, Motion, Rebound};
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
@@ -72,7 +72,7 @@ fn relative(levers: &[Lever; 2], motions: &[Motion; 2]) -> Vector3<f64> {
 /// Every instant that was computed.
 fn history(encounter: &Collision) -> Result<Vec<Sample>, Failure> {
     let impact = encounter.impact()?.ok_or("they approach each other")?;
-    Ok(impact.history(VectorLaw::default())?)
+    Ok(impact.history(TurningLaw::default())?)
 }
 
 /// Kinetic energy of both bodies.
@@ -109,12 +109,12 @@ fn claims(figure: &mut Figure, encounter: &Collision, rebound: &Rebound) {
     figure
         .at_most(
             "the bodies after the impulse part with v_E at the contact point",
-            (after - rebound.velocity_after).norm(),
+            (after - rebound.contact_velocity_after).norm(),
             1e-13,
         )
         .source("(8.27)");
     let d = encounter.mobility().matrix();
-    let change = encounter.frame().to_contact(&(rebound.velocity_before - after));
+    let change = encounter.frame().to_contact(&(rebound.contact_velocity_before - after));
     let impulse = encounter.frame().to_contact(&rebound.impulse);
     figure
         .at_most("v_A - v_E = D J", (d * impulse - change).norm() / change.norm(), 1e-13)
@@ -133,7 +133,7 @@ fn claims(figure: &mut Figure, encounter: &Collision, rebound: &Rebound) {
         )
         .source("m v²/2 and θ ω²/2 of both bodies");
     // Pressed together to rest at the contact point, the bodies would lose v D^-1 v/2.
-    let approach = encounter.frame().to_contact(&rebound.velocity_before);
+    let approach = encounter.frame().to_contact(&rebound.contact_velocity_before);
     let most =
         d.try_inverse().map_or(f64::NAN, |inverse| 0.5 * approach.dot(&(inverse * approach)));
     figure
@@ -179,7 +179,7 @@ fn course_claims(
         ).source("∫F dt and ∫F·dx by the trapezoidal rule");
     let outcome = smooth.solve()?;
     let free = outcome.rebound().ok_or("the bodies approach each other")?;
-    let approach = smooth.frame().to_contact(&free.velocity_before).z;
+    let approach = smooth.frame().to_contact(&free.contact_velocity_before).z;
     let along = 2.0 * approach / smooth.mobility().matrix().m33;
     let impulse = smooth.frame().to_contact(&free.impulse);
     figure

@@ -3,7 +3,7 @@
 use carom_geometry::Surface;
 use carom_halfspace::Material;
 use carom_impact::closed_form::phi;
-use carom_impact::coupled::VectorLaw;
+use carom_impact::coupled::TurningLaw;
 use carom_impact::restitution::of_groups;
 use carom_impact::{Body, Collision, Motion};
 use carom_laws::friction::Friction;
@@ -195,7 +195,7 @@ fn restitution(figure: &mut Figure) -> Result<(), Failure> {
         let (chi, stiffness) = (body.chi()?, body.stiffness_ratio()?);
         let solved = |lambda: f64| -> Result<f64, Failure> {
             let outcome = body.encounter(lambda * FRICTION * APPROACH)?.solve()?;
-            Ok(outcome.rebound().and_then(|r| r.tangential_restitution).ok_or("the body falls")?)
+            Ok(outcome.rebound().and_then(|r| r.r_x).ok_or("the body falls")?)
         };
         for psi in [0.4, 1.5, 3.0] {
             stepped.push((solved(psi / stiffness)?, spring_impact::restitution(chi, psi)));
@@ -206,7 +206,7 @@ fn restitution(figure: &mut Figure) -> Result<(), Failure> {
     for lambda in [0.5, 2.0, 5.0] {
         let ball = Ellipsoid::of_revolution(1.0).encounter(lambda * FRICTION * APPROACH)?;
         let outcome = ball.solve()?;
-        let r = outcome.rebound().and_then(|r| r.tangential_restitution).ok_or("the ball falls")?;
+        let r = outcome.rebound().and_then(|r| r.r_x).ok_or("the ball falls")?;
         sphere.push((r, carom_impact::restitution::of_spheres(1.5, lambda)?));
     }
     energy_claim(figure)?;
@@ -265,7 +265,7 @@ fn energy_claim(figure: &mut Figure) -> Result<(), Failure> {
         )
         .source("energy (2/5) F ζ = m v²/2; T_N of (9.8)");
     let impact = body.encounter(slip)?.impact()?.ok_or("they approach each other")?;
-    let course = impact.history(VectorLaw::default())?;
+    let course = impact.history(TurningLaw::default())?;
     let (mut tangential, mut normal) = (0.0, 0.0);
     for pair in course.windows(2) {
         let impulse = 0.5 * (pair[0].force + pair[1].force) * (pair[1].time - pair[0].time);

@@ -69,7 +69,7 @@ fn degrees(figure: &mut Figure) -> Result<(), Failure> {
         let motion = Motion::new([2.0 * slope, 0.0, -2.0], [0.0; 3])?;
         let ball = Body::sphere(0.004, glass, 6.7e-4)?.moving(motion);
         let outcome = Collision::new(ball, Body::plane(glass), Friction::new(0.3)?)?.solve()?;
-        let after = outcome.rebound().ok_or("the ball falls on the plate")?.velocity_after;
+        let after = outcome.rebound().ok_or("the ball falls on the plate")?.contact_velocity_after;
         let limit = 0.3 * kappa(nu);
         pairs.push((-after.x / (2.0 * limit), rebound(nu, slope / limit)?));
     }

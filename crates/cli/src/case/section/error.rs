@@ -1,11 +1,12 @@
 //! What is wrong with a field of a table.
 
-use super::spelling::{line_at, nearest, shortened};
+use super::spelling::{line_at, shortened};
 use super::{Place, Section};
 use crate::case::error::CaseError;
 use crate::case::field::{Field, Need};
 use crate::case::unit::Measure;
 use carom_special::RangeError;
+use carom_special::nearest;
 use toml::Spanned;
 use toml::de::DeValue;
 

@@ -1,7 +1,7 @@
 //! The laws of a history: shift and, if there is one, twist.
 
 use super::view;
-use crate::case::{HistoryCase, TurningLaw};
+use crate::case::HistoryCase;
 use carom_laws::accounted::Accounted;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::{Hertz, HertzState};
@@ -28,10 +28,7 @@ impl Laws {
         steps: &[Shift],
     ) -> Result<Self, RangeError> {
         let stiffness = case.hertz.stiffness();
-        let shift = match case.law {
-            TurningLaw::Coulomb(allowed) => ShiftLaw::with_tolerance(stiffness, friction, allowed),
-            TurningLaw::FixedDirection => ShiftLaw::of_chapter_7(stiffness, friction),
-        };
+        let shift = ShiftLaw::chosen(case.law, stiffness, friction, case.tolerance);
         let torsion = TorsionLaw::new(&case.hertz, friction)?;
         let law = Accounted::new(ShiftTwistLaw::of(shift, torsion)?);
         let twists = view::is_twisted(steps);

@@ -3,11 +3,10 @@
 use crate::case::{ImpactCase, Input};
 use crate::columns::{self, Fields, add_fields};
 use crate::command::theory::Excess;
-use carom_impact::coupled::VectorLaw;
 use carom_impact::{
     Body, Collision, HistoryPoint, LogEntry, Motion, Outcome, Rebound, Torsion, Warning,
 };
-use carom_table::{Cell, Column, Quantity as _, Value, row};
+use carom_table::{Cell, Column, Quantity as _, row};
 use serde::ser::{Serialize, SerializeMap, SerializeSeq, Serializer};
 
 /// An impact and what came of it. SI units.
@@ -37,39 +36,9 @@ impl Parameter {
     }
 }
 
-/// How the impact was followed.
-const METHOD: &[Column<Record>] = &[
-    Column::new("method", "", "how it was solved", |record| {
-        let method = |rebound: &Rebound| match record.case.contact.is_numerical {
-            true => "numerical",
-            false => rebound.method.name(),
-        };
-        record.of_rebound(method)
-    }),
-    Column::new("law", "", "for turning directions", |record| {
-        match (record.case.contact.is_numerical, record.case.contact.law) {
-            (true, _) => "numerical",
-            (false, VectorLaw::Coulomb) => "coulomb",
-            (false, VectorLaw::FixedDirection) => "fixed-direction",
-        }
-        .into()
-    }),
-    Column::new("compressions", "", "how often the approach grew", |record| {
-        record.of_rebound(|rebound| u64::from(rebound.compressions))
-    }),
-    Column::new("error_estimate", "", "of the velocity, over that before", |record| {
-        record.of_rebound(|rebound| rebound.error_estimate)
-    }),
-];
-const OUTCOME: Column<Record> =
-    Column::new("outcome", "", "rebound, or no_impact", |record| match record.outcome {
-        Outcome::Rebound(_) => "rebound".into(),
-        Outcome::NoImpact { .. } => "no_impact".into(),
-    });
-const WARNINGS: Column<Record> =
-    Column::new("warnings", "", "what limits the validity", |record| {
-        record.warnings().join("; ").into()
-    });
+const LAW: Column<Record> = Column::new("law", "", "for turning directions", |record| {
+    record.case.contact.law_name().into()
+});
 
 impl Record {
     /// What came of an impact.
@@ -90,7 +59,7 @@ impl Record {
 
     /// R_x, if there is one.
     pub(super) fn restitution(&self) -> Option<f64> {
-        self.rebound()?.tangential_restitution
+        self.rebound()?.r_x
     }
 
     /// The motions before and after, of body 1 and body 2.
@@ -102,21 +71,17 @@ impl Record {
         self.rebound().map_or(&[], |rebound| &rebound.warnings)
     }
 
-    fn warnings(&self) -> Vec<String> {
-        self.limits().iter().map(ToString::to_string).collect()
-    }
-
-    fn of_rebound<T: Into<Value>>(&self, value: impl Fn(&Rebound) -> T) -> Value {
-        self.rebound().map_or(Value::Undefined, |rebound| value(rebound).into())
-    }
-
-    /// Where the bodies touch and how the impact was followed.
+    /// Where the bodies touch, and the law.
     pub(super) fn contact(&self) -> Vec<Cell> {
-        [row(Collision::COLUMNS, Some(&self.case.collision)), row(METHOD, Some(self))].concat()
+        let mut cells = row(Collision::COLUMNS, Some(&self.case.collision));
+        cells.push(LAW.cell(Some(self)));
+        cells
     }
 
-    /// What came of it, and what torsion did.
+    /// What came of it, and what torsion did; motions and warnings apart.
     pub(super) fn quantities(&self) -> Vec<Cell> {
+        let mut outcome = row(Outcome::COLUMNS, Some(&self.outcome));
+        outcome.retain(|cell| !is_motion(cell) && !["outcome", "warnings"].contains(&cell.name()));
         let torsion = self.rebound().and_then(|rebound| rebound.torsion);
         let torsion = row(Torsion::COLUMNS, torsion.as_ref());
         let named = |cell: Cell| {
@@ -124,7 +89,7 @@ impl Record {
             cell.named(name)
         };
         let torsion = torsion.into_iter().map(named);
-        row(Rebound::COLUMNS, self.rebound()).into_iter().chain(torsion).collect()
+        outcome.into_iter().chain(torsion).collect()
     }
 
     /// What happened when.
@@ -142,24 +107,11 @@ fn parameter(record: Option<&Record>) -> Cell {
     Cell::new(name, unit, "that the case gives or sweeps over", value)
 }
 
-/// A row of comma-separated values; without a record, what stands in one. Motions are those after the
-/// impact.
+/// A row of comma-separated values; without a record, what stands in one.
 pub(super) fn cells(record: Option<&Record>) -> Vec<Cell> {
-    let mut cells = vec![parameter(record), OUTCOME.cell(record)];
-    let rebound = row(Rebound::COLUMNS, record.and_then(Record::rebound));
-    let (restitution, others) = rebound.split_at(1);
-    cells.extend_from_slice(restitution);
-    let after = record.map(|record| record.outcome.motions());
-    for (i, body) in ["body_1", "body_2"].into_iter().enumerate() {
-        let motion = row(Motion::COLUMNS, after.as_ref().map(|motions| &motions[i]));
-        cells.extend(motion.into_iter().map(|cell| {
-            let name = format!("{body}_{}", cell.name());
-            cell.named(name)
-        }));
-    }
-    cells.extend_from_slice(others);
-    cells.push(WARNINGS.cell(record));
-    cells.extend(row(METHOD, record));
+    let mut cells = vec![parameter(record)];
+    cells.extend(row(Outcome::COLUMNS, record.map(|record| &record.outcome)));
+    cells.push(LAW.cell(record));
     let place = row(Collision::COLUMNS, record.map(|record| &record.case.collision));
     cells.extend(place.into_iter().filter_map(|cell| match cell.name() {
         "point" => Some(cell),
@@ -172,20 +124,17 @@ pub(super) fn cells(record: Option<&Record>) -> Vec<Cell> {
 impl Serialize for Record {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let mut map = serializer.serialize_map(None)?;
-        add_fields(&mut map, &[parameter(Some(self)), OUTCOME.cell(Some(self))])?;
+        add_fields(&mut map, &[parameter(Some(self))])?;
         map.serialize_entry("contact", &Fields(&self.contact()))?;
-        for (when, motions) in ["before", "after"].into_iter().zip(self.motions()) {
-            map.serialize_entry(when, &Motions(motions))?;
-        }
+        map.serialize_entry("before", &Fields(&motions(&self.motions()[0])))?;
+        add_fields(&mut map, &row(Outcome::COLUMNS, Some(&self.outcome)))?;
         if let Some(rebound) = self.rebound() {
-            add_fields(&mut map, &row(Rebound::COLUMNS, Some(rebound)))?;
             if let Some(torsion) = &rebound.torsion {
                 let torsion = columns::Record::new(Torsion::COLUMNS, torsion);
                 map.serialize_entry("torsion", &torsion)?;
             }
             map.serialize_entry("events", &List(LogEntry::COLUMNS, &rebound.log))?;
         }
-        map.serialize_entry("warnings", &self.warnings())?;
         map.serialize_entry("outside_theory", &self.excess.reasons())?;
         if let Some(points) = &self.history {
             map.serialize_entry("history", &List(HistoryPoint::COLUMNS, points))?;
@@ -194,17 +143,15 @@ impl Serialize for Record {
     }
 }
 
-/// Motions of body 1 and body 2.
-struct Motions([Motion; 2]);
+/// Motions of body 1 and body 2, named as those of an outcome.
+fn motions(motions: &[Motion; 2]) -> Vec<Cell> {
+    let outcome = Outcome::NoImpact { motions: *motions };
+    row(Outcome::COLUMNS, Some(&outcome)).into_iter().filter(is_motion).collect()
+}
 
-impl Serialize for Motions {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(2))?;
-        for (body, motion) in ["body_1", "body_2"].into_iter().zip(&self.0) {
-            map.serialize_entry(body, &columns::Record::new(Motion::COLUMNS, motion))?;
-        }
-        map.end()
-    }
+/// Whether a cell of an outcome tells of a body's motion.
+fn is_motion(cell: &Cell) -> bool {
+    cell.name().starts_with("body_")
 }
 
 /// Records by their columns, one after another.

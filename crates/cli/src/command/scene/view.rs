@@ -8,7 +8,7 @@ use crate::error::CliError;
 use crate::rows::indented;
 use carom_impact::Rebound;
 use carom_impact::scene::{Bounce, Ending, PathPoint};
-use carom_table::{Cell, row};
+use carom_table::{Cell, Quantity as _, row};
 use serde::ser::{Serialize, SerializeMap, Serializer};
 
 /// What a table to read shows of a bounce.
@@ -34,7 +34,10 @@ pub(super) fn cells(bounce: Option<(&SceneCase, &Bounce)>) -> Vec<Cell> {
     let mut cells = row(Bounce::COLUMNS, bounce.map(|(_, bounce)| bounce));
     let wall = bounce.map(|(case, bounce)| case.names[bounce.wall].clone());
     cells.insert(1, Cell::new("wall", "", "that it meets", wall));
-    cells.extend(row(Rebound::COLUMNS, bounce.map(|(_, bounce)| &bounce.rebound)));
+    let rebound = row(Rebound::COLUMNS, bounce.map(|(_, bounce)| &bounce.rebound));
+    // The ball is body 1 and its motions are there already; the walls stay.
+    let is_new = |cell: &Cell| cell.name() != "outcome" && !cell.name().starts_with("body_");
+    cells.extend(rebound.into_iter().filter(is_new));
     cells
 }
 
@@ -71,10 +74,8 @@ impl<'a> BounceRecord<'a> {
 impl Serialize for BounceRecord<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
         let rebound = &self.bounce.rebound;
-        let warnings: Vec<String> = rebound.warnings.iter().map(ToString::to_string).collect();
         let mut map = serializer.serialize_map(None)?;
         add_fields(&mut map, &cells(Some((self.case, self.bounce))))?;
-        map.serialize_entry("warnings", &warnings)?;
         map.serialize_entry("outside_theory", &Excess::of_impact(rebound).reasons())?;
         map.end()
     }

@@ -1,15 +1,16 @@
-//! Impacts on the numerical contact: any materials, dissimilar ones too (15.2).
+//! Impacts whose contact is solved on a grid: any materials, dissimilar ones too (15.2).
+//!
+//! [`NumericalImpact`] follows a [`carom_impact::Collision`] with the contact of `carom-solver` in place of an
+//! analytic law.
+#![forbid(unsafe_code)]
 
+use carom_impact::coupled::{
+    CoupledImpact, CoupledOutcome, ImpactMethod, LawFailure, Point, Sample, Stage, Trajectory,
+};
+use carom_impact::normal::NormalImpact;
+use carom_impact::{Collision, CollisionError, HistoryPoint, Outcome};
 use carom_solver::{CellState, NumericalLaw, NumericalLawError};
 use carom_special::RangeError;
-
-use crate::collision::{Collision, CollisionError, Passed};
-use crate::coupled::{
-    CoupledImpact, CoupledOutcome, ImpactMethod, LawFailure, Point, Sample, Stage, Staged,
-    Trajectory,
-};
-use crate::normal::NormalImpact;
-use crate::outcome::{HistoryPoint, Outcome, Warning};
 
 /// To which the solver takes each step.
 const TOLERANCE: f64 = 1e-7;
@@ -45,15 +46,16 @@ pub enum NumericalImpactError {
 ///
 /// ```
 /// use carom_halfspace::Material;
-/// use carom_impact::{Body, Collision, Motion, NumericalImpact};
+/// use carom_impact::{Body, Collision, Motion};
 /// use carom_laws::friction::Friction;
+/// use carom_numerical::NumericalImpact;
 /// let ball = |nu| Body::sphere(0.0405, Material::from_shear(82e9, nu)?, 2.188);
 /// let upper = ball(0.0)?.moving(Motion::new([-0.05, 0.0, -1.0], [0.0; 3])?);
 /// let collision = Collision::new(upper, ball(0.5)?, Friction::new(0.1)?)?;
 /// let outcome = NumericalImpact::new(&collision).with(12, 40)?.solve()?;
 /// let rebound = outcome.rebound().ok_or("they meet")?;
 /// // Alike they would slide back a little; unlike they are thrown back (0.317 on finer grids).
-/// assert!((rebound.tangential_restitution.unwrap_or(0.0) - 0.317).abs() < 0.02);
+/// assert!((rebound.r_x.unwrap_or(0.0) - 0.317).abs() < 0.02);
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone, Copy)]
@@ -108,13 +110,11 @@ impl<'a> NumericalImpact<'a> {
             maximal_approach: fine.peak,
             maximal_force: fine.force,
             compressions: fine.compressions,
-            method: ImpactMethod::Spatial { coupled: true },
+            method: ImpactMethod::Numerical,
             error_estimate: change / before.norm(),
             warning: None,
         };
-        let passed = Passed::coupled(before, outcome, Vec::new());
-        let mut rebound = self.collision.rebound(passed)?;
-        rebound.warnings.retain(|warning| !matches!(warning, Warning::Coupling { .. }));
+        let rebound = self.collision.rebound_of(outcome, Vec::new())?;
         Ok(Outcome::Rebound(Box::new(rebound)))
     }
 
@@ -155,17 +155,16 @@ impl<'a> NumericalImpact<'a> {
     }
 }
 
-impl Staged for NumericalLaw {
-    fn stage(&self) -> Stage {
-        match (self.count(CellState::Stick), self.count(CellState::Slip)) {
-            (_, 0) => Stage::Adhesion,
-            (0, _) => Stage::Slide,
-            _ => Stage::Slip,
-        }
-    }
-}
-
 fn sample(point: &Point, law: &NumericalLaw) -> Sample {
     let Point { time, shift, velocity, force, .. } = *point;
-    Sample { time, shift, velocity, force, stage: law.stage() }
+    Sample { time, shift, velocity, force, stage: stage(law) }
+}
+
+/// What slipped in the last step.
+fn stage(law: &NumericalLaw) -> Stage {
+    match (law.count(CellState::Stick), law.count(CellState::Slip)) {
+        (_, 0) => Stage::Adhesion,
+        (0, _) => Stage::Slide,
+        _ => Stage::Slip,
+    }
 }

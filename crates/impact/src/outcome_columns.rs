@@ -1,0 +1,102 @@
+//! What an impact leaves, as one table of columns.
+
+use std::marker::PhantomData;
+
+use carom_table::{Column, Value};
+
+use crate::body::Motion;
+use crate::outcome::Rebound;
+
+/// Two bodies after they met, or did not.
+pub(crate) trait Ended {
+    /// The motions afterwards, of body 1 and body 2.
+    fn motions(&self) -> [Motion; 2];
+    /// The rebound, if there was an impact.
+    fn rebound(&self) -> Option<&Rebound>;
+}
+
+/// The table of what an impact leaves.
+pub(crate) struct Columns<E>(PhantomData<E>);
+
+impl<E: Ended + 'static> Columns<E> {
+    /// What only an impact has is absent where there was none.
+    pub(crate) const COLUMNS: &'static [Column<E>] = &[
+        Column::new("outcome", "", "rebound, or no_impact", |ended| {
+            if ended.rebound().is_some() { "rebound" } else { "no_impact" }.into()
+        }),
+        Column::new("R_x", "", "tangential restitution", |ended| {
+            of(ended, |rebound| rebound.r_x.map_or(Value::Undefined, Value::Number))
+        }),
+        Column::vector("body_1_velocity", "m/s", "of the centre of mass, afterwards", |ended| {
+            <[f64; 3]>::from(ended.motions()[0].velocity).into()
+        }),
+        Column::vector("body_1_spin", "rad/s", "angular velocity, afterwards", |ended| {
+            <[f64; 3]>::from(ended.motions()[0].spin).into()
+        }),
+        Column::vector("body_2_velocity", "m/s", "of the centre of mass, afterwards", |ended| {
+            <[f64; 3]>::from(ended.motions()[1].velocity).into()
+        }),
+        Column::vector("body_2_spin", "rad/s", "angular velocity, afterwards", |ended| {
+            <[f64; 3]>::from(ended.motions()[1].spin).into()
+        }),
+        Column::vector("impulse", "N s", "on body 1", |ended| {
+            of(ended, |rebound| <[f64; 3]>::from(rebound.impulse))
+        }),
+        Column::vector("contact_velocity_before", "m/s", "of body 2 against body 1", |ended| {
+            of(ended, |rebound| <[f64; 3]>::from(rebound.contact_velocity_before))
+        }),
+        Column::vector("contact_velocity_after", "m/s", "of body 2 against body 1", |ended| {
+            of(ended, |rebound| <[f64; 3]>::from(rebound.contact_velocity_after))
+        }),
+        Column::new("duration", "s", "from touch to separation", |e| of(e, |r| r.duration)),
+        Column::new("maximal_force", "N", "normal", |e| of(e, |r| r.maximal_force)),
+        Column::new("maximal_approach", "m", "of distant points", |ended| {
+            of(ended, |rebound| rebound.maximal_approach)
+        }),
+        Column::new("maximal_semi_axis_a", "m", "of the contact along x", |ended| {
+            of(ended, |rebound| rebound.maximal_contact.semi_axis_a())
+        }),
+        Column::new("maximal_semi_axis_b", "m", "of the contact along y", |ended| {
+            of(ended, |rebound| rebound.maximal_contact.semi_axis_b())
+        }),
+        Column::new("energy_before", "J", "kinetic, without bodies held fast", |ended| {
+            of(ended, |rebound| rebound.energy.before)
+        }),
+        Column::new("energy_after", "J", "kinetic, without bodies held fast", |ended| {
+            of(ended, |rebound| rebound.energy.after)
+        }),
+        Column::new("energy_dissipated", "J", "by friction", |ended| {
+            of(ended, |rebound| rebound.energy.dissipated)
+        }),
+        Column::new("energy_lost", "J", "in the bodies' material", |ended| {
+            of(ended, |rebound| rebound.energy.lost)
+        }),
+        Column::new(
+            "regimes",
+            "",
+            "in order; sign: traction on body 1 along the first slip",
+            |ended| {
+                let name = |rebound: &Rebound| -> Vec<_> {
+                    rebound.log.iter().map(|entry| entry.regime.name()).collect()
+                };
+                of(ended, name)
+            },
+        ),
+        Column::new("method", "", "how it was solved", |e| of(e, |r| r.method.name())),
+        Column::new("compressions", "", "how often the approach grew", |ended| {
+            of(ended, |rebound| u64::from(rebound.compressions))
+        }),
+        Column::new("error_estimate", "", "of the contact velocity, over that before", |ended| {
+            of(ended, |rebound| rebound.error_estimate)
+        }),
+        Column::new("warnings", "", "what limits the validity", |ended| {
+            of(ended, |rebound| -> Vec<String> {
+                rebound.warnings.iter().map(ToString::to_string).collect()
+            })
+        }),
+    ];
+}
+
+fn of<T: Into<Value>>(ended: &impl Ended, value: impl FnOnce(&Rebound) -> T) -> Value {
+    ended.rebound().map_or(Value::Absent, |rebound| value(rebound).into())
+}

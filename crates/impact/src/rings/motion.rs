@@ -1,0 +1,70 @@
+//! The motion through a contact that takes twist: shift, approach and twist by a leapfrog of equal steps.
+
+use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+
+/// Contact that lasts longer than this many times the steps of a free impact is given up.
+const PATIENCE: usize = 64;
+
+/// Rates of the shift: zeta, xi, eta, omega.
+pub(super) type Rates = [f64; 4];
+
+/// What moves, contact axes: rates change by minus mobility times load.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Motion {
+    /// D_zz, D_xx = D_yy, and that of the twist.
+    pub(super) mobility: [f64; 3],
+    pub(super) before: Rates,
+    /// That of the free impact.
+    pub(super) duration: f64,
+}
+
+/// How a motion ended.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Passage {
+    pub(super) after: Rates,
+    pub(super) duration: f64,
+    pub(super) maximal_approach: f64,
+    pub(super) maximal_force: f64,
+    pub(super) compressions: u32,
+}
+
+impl Motion {
+    /// Follows a law from touch to separation; none if the bodies do not part.
+    pub(super) fn follow<L: ContactLaw>(
+        &self,
+        mut law: L,
+        steps: usize,
+    ) -> Result<Option<Passage>, L::Error> {
+        let h = self.duration / steps as f64;
+        let (mut at, mut rates) = ([0.0; 4], self.before);
+        let mut load = ContactLoad::default();
+        let mut passage = Passage { compressions: 1, ..Passage::default() };
+        for step in 0..PATIENCE * steps {
+            // Rates of the middle of the step.
+            let middle = self.pushed(&rates, &load, 0.5 * h);
+            let next: Rates = std::array::from_fn(|i| at[i] + h * middle[i]);
+            if next[0] <= 0.0 {
+                // The force falls with the power 3/2 of the time left: its mean is 2/5.
+                let part = (at[0] / (at[0] - next[0])).clamp(0.0, 1.0);
+                passage.after = self.pushed(&rates, &load, 0.4 * part * h);
+                passage.duration = (step as f64 + part) * h;
+                return Ok(Some(passage));
+            }
+            let [zeta, xi, eta, omega] = next;
+            load = law.advance(Shift { zeta, xi, eta, omega })?;
+            let old = rates[0];
+            (at, rates) = (next, self.pushed(&middle, &load, 0.5 * h));
+            passage.compressions += u32::from(old <= 0.0 && rates[0] > 0.0);
+            passage.maximal_approach = passage.maximal_approach.max(zeta);
+            passage.maximal_force = passage.maximal_force.max(load.f_z);
+        }
+        Ok(None)
+    }
+
+    /// Rates after a load has acted for a time.
+    fn pushed(&self, rates: &Rates, load: &ContactLoad, time: f64) -> Rates {
+        let [along, across, about] = self.mobility;
+        let pushes = [along * load.f_z, across * load.f_x, across * load.f_y, about * load.m_z];
+        std::array::from_fn(|i| rates[i] - time * pushes[i])
+    }
+}

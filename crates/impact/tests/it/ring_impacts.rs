@@ -1,0 +1,190 @@
+//! Impacts of spheres: everyday pairs, alike bodies, spin about the normal, limits.
+
+use carom_halfspace::Material;
+use carom_impact::{Body, Collision, Motion, RingImpact, Warning};
+use carom_laws::friction::Friction;
+
+const STEEL: [f64; 2] = [210e9, 0.3];
+const GLASS: [f64; 2] = [70e9, 0.22];
+const ALUMINA: [f64; 2] = [380e9, 0.23];
+const SILICA: [f64; 2] = [72e9, 0.17];
+const ALUMINIUM: [f64; 2] = [70e9, 0.33];
+const RADIUS: f64 = 0.0025;
+
+fn material([young, poisson]: [f64; 2]) -> Material {
+    Material::from_young(young, poisson).unwrap()
+}
+
+/// A sphere that meets a plane at an angle to the normal, degrees, and spins about it.
+fn collision(pair: [[f64; 2]; 2], friction: f64, angle: f64, spin: f64) -> Collision {
+    let angle = angle.to_radians();
+    let mass = 7800.0 * 4.19 * RADIUS * RADIUS * RADIUS;
+    let velocity = [-angle.sin(), 0.0, -angle.cos()];
+    let ball = Body::sphere(RADIUS, material(pair[0]), mass).unwrap();
+    let ball = ball.moving(Motion::new(velocity, [0.0, 0.0, spin]).unwrap());
+    let friction = Friction::new(friction).unwrap();
+    Collision::new(ball, Body::plane(material(pair[1])), friction).unwrap()
+}
+
+/// R_x and its estimated error.
+fn by_rings(collision: &Collision, tolerance: f64) -> [f64; 2] {
+    let impact = RingImpact::new(collision).within(tolerance).unwrap();
+    let outcome = impact.solve().unwrap();
+    let rebound = outcome.rebound().unwrap();
+    let v = rebound.contact_velocity_before;
+    let part = v.norm() / v.x.hypot(v.y);
+    [rebound.r_x.unwrap(), rebound.error_estimate * part]
+}
+
+fn exact(collision: &Collision) -> f64 {
+    collision.solve().unwrap().rebound().unwrap().r_x.unwrap()
+}
+
+#[test]
+fn everyday_pairs_come_back_as_on_a_fine_grid() {
+    // R_x at 2.5, 7.5 and 15 degrees on a grid of 64 cells in 256 steps, itself off by .001 to .003.
+    let pairs = [
+        ([ALUMINA, GLASS], 0.092, [0.196, 0.294, 0.4385]),
+        ([STEEL, GLASS], 0.15, [-0.0665, 0.072, 0.2655]),
+        ([GLASS, STEEL], 0.1, [0.100, 0.238, 0.417]),
+        ([SILICA, STEEL], 0.08, [0.214, 0.320, 0.455]),
+        ([STEEL, ALUMINIUM], 0.3, [-0.164, -0.095, 0.023]),
+    ];
+    for (pair, friction, grid) in pairs {
+        for (angle, grid) in [2.5, 7.5, 15.0].into_iter().zip(grid) {
+            let collision = collision(pair, friction, angle, 0.0);
+            let [coarse, _] = by_rings(&collision, 1.0);
+            let [fine, _] = by_rings(&collision, 2e-3);
+            let name = format!("{pair:?} {angle}: {coarse}, {fine}, {grid}");
+            // What the exact impact of alike bodies misses is far more.
+            assert!(angle > 10.0 || (exact(&collision) - grid).abs() > 0.009, "{name}");
+            assert!((coarse - grid).abs() < 0.008, "{name}");
+            assert!((fine - grid).abs() < 0.004, "{name}");
+        }
+    }
+}
+
+#[test]
+fn alike_bodies_are_followed_exactly() {
+    for angle in [1.0, 10.0, 30.0, 60.0, 89.0] {
+        for friction in [0.0, 0.05, 0.3, 1.5, f64::INFINITY] {
+            let collision = collision([STEEL, STEEL], friction, angle, 0.0);
+            let [restitution, _] = by_rings(&collision, 5e-3);
+            let off = restitution - exact(&collision);
+            assert!(off.abs() < 1e-12, "{friction} {angle}: {off:e}");
+        }
+    }
+}
+
+#[test]
+fn the_estimate_covers_what_finer_rings_change() {
+    let mut covered = 0;
+    let mut count = 0;
+    for pair in [[ALUMINA, GLASS], [STEEL, GLASS], [SILICA, STEEL], [STEEL, ALUMINIUM]] {
+        for friction in [0.06, 0.2] {
+            for angle in [4.0, 12.0, 30.0, 50.0] {
+                let collision = collision(pair, friction, angle, 0.0);
+                let [coarse, estimate] = by_rings(&collision, 1.0);
+                let [fine, smaller] = by_rings(&collision, 2.1e-3);
+                covered += i32::from((coarse - fine).abs() <= estimate + smaller);
+                count += 1;
+                assert!((coarse - fine).abs() <= 3.0 * (estimate + smaller));
+            }
+        }
+    }
+    assert!(covered >= count - 1, "{covered} of {count}");
+}
+
+#[test]
+fn exchanged_bodies_have_the_same_impact() {
+    let one = by_rings(&collision([ALUMINA, GLASS], 0.1, 5.0, 0.0), 1.0)[0];
+    let two = by_rings(&collision([GLASS, ALUMINA], 0.1, 5.0, 0.0), 1.0)[0];
+    // The mass is the same, and only gamma changes its sign.
+    assert!((one - two).abs() < 1e-9, "{one} {two}");
+}
+
+#[test]
+fn a_vanishing_tangential_velocity_has_the_limit_of_small_ones() {
+    let limit = |angle: f64| {
+        let collision = collision([SILICA, STEEL], 0.08, angle, 0.0);
+        let outcome = RingImpact::new(&collision).solve().unwrap();
+        outcome.rebound().unwrap().r_x.unwrap()
+    };
+    let [zero, small] = [limit(0.0), limit(0.2)];
+    assert!((zero - small).abs() < 0.02, "{zero} {small}");
+}
+
+#[test]
+fn spin_about_the_normal_is_taken_down_and_pushes_sideways() {
+    let v = 1.0_f64;
+    for (pair, spin) in
+        [([STEEL, STEEL], 400.0), ([ALUMINA, GLASS], 400.0), ([ALUMINA, GLASS], -400.0)]
+    {
+        let collision = collision(pair, 0.1, 8.0, spin);
+        let outcome = RingImpact::new(&collision).solve().unwrap();
+        let rebound = outcome.rebound().unwrap();
+        let torsion = rebound.torsion.unwrap();
+        assert!(torsion.spin_ratio < 1.0 && torsion.spin_ratio > 0.9, "{torsion:?}");
+        let after = rebound.motions[0].spin.z;
+        assert!((after / spin - torsion.spin_ratio).abs() < 1e-9, "{after}");
+        // Books: what friction took is what kinetic energy lost.
+        let lost = rebound.energy.before - rebound.energy.after;
+        let off = (lost - rebound.energy.dissipated) / rebound.energy.before;
+        assert!(off.abs() < 1e-9 && lost > 0.0, "{off:e}");
+        // The torsional impact by itself, as if there were no shift.
+        let alone = collision.clone().with_torsion().solve().unwrap();
+        let alone = alone.rebound().unwrap().torsion.unwrap().spin_ratio;
+        assert!((1.0 - torsion.spin_ratio) < 1.2 * (1.0 - alone), "{alone} {torsion:?}");
+        assert!(!rebound.warnings.iter().any(|warning| {
+            matches!(warning, Warning::Coupling { .. } | Warning::SpinLeftAlone { .. })
+        }));
+        // Twist and coupling push sideways, alike bodies' twist does not.
+        let sideways = rebound.contact_velocity_after.y;
+        match pair[0] == pair[1] {
+            true => assert!(sideways.abs() < 1e-9 * v, "{sideways}"),
+            false => assert!(sideways.abs() > 1e-5 * v, "{sideways}"),
+        }
+    }
+}
+
+#[test]
+fn spins_of_opposite_sense_push_to_opposite_sides() {
+    let sideways = |spin: f64| {
+        let collision = collision([ALUMINA, GLASS], 0.1, 8.0, spin);
+        let outcome = RingImpact::new(&collision).solve().unwrap();
+        outcome.rebound().unwrap().contact_velocity_after.y
+    };
+    let [one, two] = [sideways(400.0), sideways(-400.0)];
+    assert!((one + two).abs() < 1e-9 && one.abs() > 1e-5, "{one} {two}");
+}
+
+#[test]
+fn pure_spin_is_the_torsional_impact() {
+    // Without tangential velocity, alike bodies: the torsional impact of its own.
+    let body = Material::from_shear(1e6, 0.5).unwrap();
+    for spin in [20.0, 100.0, 400.0] {
+        let ball = Body::sphere(0.02, body, 0.0369).unwrap();
+        let ball = ball.moving(Motion::new([0.0, 0.0, -1.0], [0.0, 0.0, spin]).unwrap());
+        let floor = Body::plane(body);
+        let collision = Collision::new(ball, floor, Friction::new(0.5).unwrap()).unwrap();
+        let outcome = RingImpact::new(&collision).solve().unwrap();
+        let got = outcome.rebound().unwrap().torsion.unwrap().spin_ratio;
+        let alone = collision.with_torsion().solve().unwrap();
+        let want = alone.rebound().unwrap().torsion.unwrap().spin_ratio;
+        let off = (got - want) / (1.0 - want);
+        assert!(off.abs() < 0.01, "{spin}: {got} {want}");
+    }
+}
+
+#[test]
+fn other_shapes_and_bad_tolerances_are_refused() {
+    let pair = collision([ALUMINA, GLASS], 0.1, 8.0, 0.0);
+    assert!(RingImpact::new(&pair).within(0.0).is_err());
+    let egg = carom_geometry::Surface::ellipsoid([0.03, 0.02, 0.015]).unwrap();
+    let inertia = egg.solid(0.3).unwrap();
+    let egg = Body::new(egg, material(STEEL), inertia)
+        .moving(Motion::new([0.1, 0.0, -1.0], [0.0; 3]).unwrap());
+    let friction = Friction::new(0.1).unwrap();
+    let collision = Collision::new(egg, Body::plane(material(GLASS)), friction).unwrap();
+    assert!(RingImpact::new(&collision).solve().unwrap_err().to_string().contains("bodies"));
+}

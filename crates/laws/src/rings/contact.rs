@@ -1,0 +1,270 @@
+//! The state of a contact of rings and its step, in normalised units.
+//!
+//! Lengths are such that the approach is a^2; shifts and displacements are over f, tractions over f
+//! times the modulus (1 - nu)/G = 1, so that Hertz's pressure `(4/pi) sqrt(a^2 - r^2)` is their limit.
+//! Vectors stand in the radial and circumferential direction. Twists are counter-clockwise.
+
+use super::pair::Pair;
+use super::solve::{Share, Tractions};
+use super::transform::Field;
+
+/// A ratio of steps above which slip is not looked ahead any further.
+const FARTHEST: f64 = 2.0;
+/// Below this part of its radius a contact that recedes has forgotten all: what it carries along is rounding.
+const FORGOTTEN: f64 = 1e-7;
+/// Way of a step over the approach beyond which it only slides: it is taken in this length.
+const LONGEST: f64 = 1e3;
+
+/// The contact since it touched.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Contact<const N: usize, const M: usize> {
+    /// The contact radius; 0 where the bodies just touch.
+    pub(super) radius: f64,
+    /// What has slipped at each place, against the rigid shift and twist of now.
+    pub(super) slip: Field<N, M>,
+    /// As `slip`, at the rim.
+    pub(super) rim: [[f64; 2]; M],
+    pub(super) tractions: Tractions<N, M>,
+    /// The length of the last step.
+    pub(super) length: f64,
+}
+
+/// A step in normalised units.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Step {
+    pub(super) approach: f64,
+    pub(super) approached: f64,
+    pub(super) shifted: [f64; 2],
+    pub(super) twisted: f64,
+}
+
+/// What a step did.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Done {
+    pub(super) iterations: usize,
+    /// In the unit of energy.
+    pub(super) heat: f64,
+}
+
+/// Loads and energy in normalised units, tangential ones over f.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+pub(super) struct Sums {
+    pub(super) force: [f64; 2],
+    pub(super) torque: f64,
+    pub(super) normal: f64,
+    /// Of the tangential tractions.
+    pub(super) stored: f64,
+}
+
+impl<const N: usize, const M: usize> Default for Contact<N, M> {
+    fn default() -> Self {
+        let slip = [[[0.0; N]; 2]; M];
+        let (tractions, rim) = (Tractions::default(), [[0.0; 2]; M]);
+        Self { radius: 0.0, slip, rim, tractions, length: 0.0 }
+    }
+}
+
+impl Step {
+    /// The tangential way at the rim of a contact of this radius.
+    fn way(&self, radius: f64) -> f64 {
+        let [x, y] = self.shifted;
+        libm::hypot(libm::hypot(x, y), radius * self.twisted)
+    }
+
+    /// The same direction, this part of the way.
+    fn shortened(&self, part: f64) -> Self {
+        let (shifted, twisted) = (self.shifted.map(|x| part * x), part * self.twisted);
+        Self { shifted, twisted, ..*self }
+    }
+}
+
+impl<const N: usize, const M: usize> Contact<N, M> {
+    /// Goes straight to a positive approach.
+    pub(super) fn advance(&mut self, pair: &Pair<N, M>, tolerance: f64, step: &Step) -> Done {
+        let radius = step.approach.sqrt();
+        if radius < FORGOTTEN * self.radius {
+            *self = Self::default();
+            let still = Step { shifted: [0.0; 2], twisted: 0.0, ..*step };
+            return self.go(pair, tolerance, radius, &still);
+        }
+        let way = step.way(radius);
+        let longest = LONGEST * step.approach;
+        if pair.slips && way > longest {
+            let part = longest / way;
+            let done = self.go(pair, tolerance, radius, &step.shortened(part));
+            // All slides on the rest of the way.
+            let sums = self.sums(pair);
+            let [x, y] = sums.force;
+            let along = x * step.shifted[0] + y * step.shifted[1] + sums.torque * step.twisted;
+            return Done { heat: done.heat + ((1.0 - part) * along).max(0.0), ..done };
+        }
+        self.go(pair, tolerance, radius, step)
+    }
+
+    fn go(&mut self, pair: &Pair<N, M>, tolerance: f64, radius: f64, step: &Step) -> Done {
+        let square = step.approach;
+        let length = libm::hypot(step.way(radius), step.approached);
+        let factor = self.radius / radius;
+        let [by, further] = self.ahead(length).map(|by| by * factor * factor);
+        let ahead = self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| by * y)));
+        // Slip that goes on at its rate is the first guess.
+        self.tractions.y =
+            self.tractions.y.map(|parts| parts.map(|ring| ring.map(|y| further * y)));
+        let share = Self::share(pair, factor);
+        let enters = share.of_rim[N - 1] > 0.0;
+        let mut before = self.carried(pair, radius);
+        self.move_along(pair, (radius, &share), step, &mut before);
+        let mut c = before;
+        for [radial, around] in &mut c {
+            for i in 0..N {
+                radial[i] = pair.spread * pair.layout.spread[i] - radial[i] / square;
+                around[i] = -around[i] / square;
+            }
+        }
+        let share_of = enters.then_some(&share);
+        let iterations = pair.solve(&c, &ahead, share_of, tolerance, &mut self.tractions);
+        let heat = self.settle(pair, (square, &share), &before);
+        (self.radius, self.length) = (radius, length);
+        Done { iterations, heat: heat * radius * square * square / M as f64 }
+    }
+
+    /// Slip before the step on the rings of a contact of this radius.
+    #[inline(always)]
+    fn carried(&self, pair: &Pair<N, M>, radius: f64) -> Field<N, M> {
+        if radius == self.radius {
+            return self.slip;
+        }
+        // Where the bodies just touch all rings are beyond the old rim.
+        pair.nodes.carried(&self.slip, &self.rim, radius / self.radius.max(f64::MIN_POSITIVE))
+    }
+
+    /// The slip against the shift and twist of after the step; rings that enter begin with their share of
+    /// what the rim slips by Hertz's pressure.
+    #[inline(always)]
+    fn move_along(
+        &self,
+        pair: &Pair<N, M>,
+        (radius, share): (f64, &Share<N>),
+        step: &Step,
+        slip: &mut Field<N, M>,
+    ) {
+        let rim = pair.spread * step.approach * pair.spread_at_rim;
+        let [x, y] = step.shifted;
+        // A twist of the old rim, in proportion to the radius.
+        let twist = mean_around(&self.rim);
+        let outside = |i: usize| match share.of_rim[i] > 0.0 && self.radius > 0.0 {
+            true => twist * (pair.layout.radius[i] * radius / self.radius - 1.0),
+            false => 0.0,
+        };
+        let outside: [f64; N] = std::array::from_fn(outside);
+        for ([radial, around], [cosine, sine]) in slip.iter_mut().zip(&pair.directions) {
+            let along = [x * cosine + y * sine, y * cosine - x * sine];
+            for i in 0..N {
+                let keeps = 1.0 - share.of_rim[i];
+                let turned = step.twisted * radius * pair.layout.radius[i];
+                radial[i] = keeps * (radial[i] - along[0]) + share.of_rim[i] * rim;
+                around[i] = keeps * (around[i] + outside[i] - along[1] - turned);
+            }
+        }
+    }
+
+    /// The slip after the step and at the rim; the heat over a^5/M.
+    #[inline(always)]
+    fn settle(
+        &mut self,
+        pair: &Pair<N, M>,
+        (square, share): (f64, &Share<N>),
+        before: &Field<N, M>,
+    ) -> f64 {
+        let now = &self.tractions;
+        let twist = mean_around(&now.rim);
+        let mut heat = 0.0;
+        let all = self.slip.iter_mut().zip(before).zip(now.z.iter().zip(&now.y)).zip(&now.rim);
+        for (((slip, before), (z, y)), rim) in all {
+            for d in 0..2 {
+                for i in 0..N {
+                    let slipped = pair.sigma[i] * y[d][i];
+                    heat += pair.layout.area[i] * z[d][i] * slipped;
+                    let mut of_rim = share.of_rim[i] * rim[d];
+                    if d == 1 {
+                        of_rim += (share.of_twist[i] - share.of_rim[i]) * twist;
+                    }
+                    slip[d][i] = before[d][i] + square * (slipped - of_rim);
+                }
+            }
+        }
+        self.rim = self.at_rim(pair, square);
+        heat
+    }
+
+    /// The slip of the rim: its spread without what tractions displace.
+    pub(super) fn at_rim(&self, pair: &Pair<N, M>, square: f64) -> [[f64; 2]; M] {
+        let spread = pair.spread * pair.spread_at_rim;
+        self.tractions.rim.map(|[radial, around]| [square * (spread - radial), -square * around])
+    }
+
+    /// `old` is the old radius over the new one.
+    #[inline]
+    fn share(pair: &Pair<N, M>, old: f64) -> Share<N> {
+        let square = old * old;
+        let of_rim: [f64; N] = std::array::from_fn(|i| {
+            if pair.layout.radius[i] <= old {
+                return 0.0;
+            }
+            ((pair.layout.square[i] - square) / (1.0 - square)).clamp(0.0, 1.0)
+        });
+        let of_twist = std::array::from_fn(|i| of_rim[i] * pair.layout.radius[i]);
+        Share { of_rim, of_twist }
+    }
+
+    /// By how much of the last slip this step begins ahead, the second-order backward difference; and the
+    /// length of this step over that of the last.
+    #[inline]
+    fn ahead(&self, length: f64) -> [f64; 2] {
+        if self.length == 0.0 {
+            return [0.0; 2];
+        }
+        let ratio = (length / self.length).min(FARTHEST);
+        [ratio * ratio / (1.0 + 2.0 * ratio), ratio]
+    }
+
+    /// The elastic displacement at a place, over f.
+    #[inline(always)]
+    pub(super) fn stretch(&self, pair: &Pair<N, M>, j: usize, i: usize) -> [f64; 2] {
+        let spread = pair.spread * self.radius * self.radius * pair.layout.spread[i];
+        [spread - self.slip[j][0][i], -self.slip[j][1][i]]
+    }
+
+    /// Loads and stored energy of the tangential tractions.
+    pub(super) fn sums(&self, pair: &Pair<N, M>) -> Sums {
+        let mut sums = Sums::default();
+        let (a, layout) = (self.radius, &pair.layout);
+        for (j, [cosine, sine]) in pair.directions.iter().enumerate() {
+            let [radial, around] = &self.tractions.z[j];
+            let mut of = [0.0; 2];
+            for i in 0..N {
+                let area = layout.area[i];
+                of[0] += area * radial[i];
+                of[1] += area * around[i];
+                sums.torque += area * layout.radius[i] * around[i];
+                sums.normal += area * self.tractions.limit[j][i];
+                let stretch = self.stretch(pair, j, i);
+                sums.stored += area * (radial[i] * stretch[0] + around[i] * stretch[1]);
+            }
+            sums.force[0] += cosine * of[0] - sine * of[1];
+            sums.force[1] += sine * of[0] + cosine * of[1];
+        }
+        let part = a * a * a / M as f64;
+        sums.force = sums.force.map(|f| part * f);
+        sums.torque *= part * a;
+        sums.normal *= part;
+        sums.stored = (0.5 * part * sums.stored).max(0.0);
+        sums
+    }
+}
+
+/// The mean circumferential component.
+#[inline(always)]
+fn mean_around<const M: usize>(of: &[[f64; 2]; M]) -> f64 {
+    of.iter().map(|[_, around]| around).sum::<f64>() / M as f64
+}

@@ -1,0 +1,238 @@
+//! The constant matrices of a pair of materials with friction, contact of radius 1.
+//!
+//! Traction Q (radial + i circumferential) of harmonics k and -k displaces, with q = (Q_k, Q_-k),
+//!
+//! ```text
+//! U_k  = kappa W(k+1,k+1) Q_k  + (kappa-1) W(k+1,k-1) conj(Q_-k) - gamma^2 W(k+1,k) P
+//! U_-k = kappa W(k-1,k-1) Q_-k + (kappa-1) W(k-1,k+1) conj(Q_k)  + gamma^2 W(k-1,k) conj(P)
+//! P = W(k,k)^-1 [W(k,k+1) Q_k - W(k,k-1) conj(Q_-k)]/2
+//! ```
+//!
+//! where gamma P is the pressure that tractions add so that the bodies do not overlap. What is even under
+//! reflection is real, what is odd imaginary: two real blocks a harmonic.
+
+use super::carry::Nodes;
+use super::dense::{Rows, combined, inverse, product, zeros};
+use super::influence::{Harmonic, Influence};
+use super::kernel::spread_at;
+use super::layout::Layout;
+use super::transform::{directions, parts};
+
+/// A block acts on two parts of N rings each: `[in part][in ring][out part][out ring]`.
+pub(super) type Block<const N: usize> = [[[[f64; N]; 2]; N]; 2];
+/// Rows of a block for the rim: `[out part][in part][in ring]`.
+pub(super) type RimBlock<const N: usize> = [[[f64; N]; 2]; 2];
+/// Pressures of a harmonic by the tractions of a block: `[in part][in ring][out ring]`.
+pub(super) type PressBlock<const N: usize> = [[[f64; N]; N]; 2];
+
+/// Hertz's pressure in the middle of a contact of radius 1.
+const PEAK: f64 = 4.0 / std::f64::consts::PI;
+/// Above this friction, tractions are held against the pressure, not against what friction could carry.
+const MOST_CARRIED: f64 = 3.0;
+
+/// The matrices of a pair.
+#[derive(Debug, Clone)]
+pub(super) struct Pair<const N: usize, const M: usize> {
+    pub(super) layout: Layout<N>,
+    pub(super) nodes: Nodes<N>,
+    /// The spread at the rim, as `Layout::spread`.
+    pub(super) spread_at_rim: f64,
+    pub(super) directions: [[f64; 2]; M],
+    /// The preconditioner, a ring's own displacement.
+    pub(super) sigma: [f64; N],
+    /// `(M + sigma)^-1` by blocks.
+    pub(super) inverse: Vec<Block<N>>,
+    /// `M^-1` by blocks: tractions that stick.
+    pub(super) sticking: Vec<Block<N>>,
+    pub(super) rim: Vec<RimBlock<N>>,
+    /// Pressures by tractions over gamma f; block b gives the harmonic of its first part, real if even.
+    pub(super) press: Vec<PressBlock<N>>,
+    /// Gamma over f: the radial spread of the surfaces in the unit of the shifts.
+    pub(super) spread: f64,
+    /// Gamma f: pressure by tractions over f.
+    pub(super) lift: f64,
+    /// The scale of tractions, over f: Hertz's peak pressure, or what is a few times a force of the size
+    /// of the normal one where friction could carry more.
+    pub(super) scale: f64,
+    /// Whether tractions have a limit.
+    pub(super) slips: bool,
+}
+
+/// The real block of a harmonic: four matrices of one out and one in part.
+struct Blocks([[Rows; 2]; 2]);
+
+impl<const N: usize, const M: usize> Pair<N, M> {
+    /// That of stiffness ratio kappa, coupling gamma and friction f, 0 < f; infinite f: tractions are
+    /// over 1.
+    pub(super) fn new(kappa: f64, gamma: f64, friction: f64) -> Self {
+        let influence = Influence::<N>::shared(M);
+        let slips = friction.is_finite();
+        let (spread, lift) =
+            if slips { (gamma / friction, gamma * friction) } else { (gamma, gamma) };
+        let blocks = |of: &[Harmonic]| -> Vec<Blocks> {
+            (0..M).map(|block| matrix::<M>(of, kappa, gamma, block)).collect()
+        };
+        let whole = blocks(&influence.rings);
+        let mut sigma = [0.0; N];
+        for (i, sigma) in sigma.iter_mut().enumerate() {
+            let own = |b: &Blocks| b.0[0][0][i][i] + b.0[1][1][i][i];
+            *sigma = whole.iter().map(own).sum::<f64>() / (2 * M) as f64;
+        }
+        Self {
+            nodes: Nodes::new(&influence.layout.radius),
+            layout: influence.layout.clone(),
+            spread_at_rim: spread_at(influence.rim_radius),
+            directions: directions(),
+            inverse: whole.iter().map(|block| inverted(block, &sigma)).collect(),
+            sticking: whole.iter().map(|block| inverted(block, &[0.0; N])).collect(),
+            sigma,
+            scale: PEAK * (MOST_CARRIED / friction).min(1.0),
+            rim: blocks(&influence.rim).iter().map(rim_block).collect(),
+            press: (0..M).map(|block| press_block::<N, M>(&influence.rings, block)).collect(),
+            spread,
+            lift,
+            slips,
+        }
+    }
+}
+
+/// The harmonic of a block, and 1 for what is even under reflection, -1 for what is odd.
+const fn harmonic<const M: usize>(block: usize) -> (usize, f64) {
+    (parts::<M>(block)[0].0, if block.is_multiple_of(2) { 1.0 } else { -1.0 })
+}
+
+fn matrix<const M: usize>(of: &[Harmonic], kappa: f64, gamma: f64, block: usize) -> Blocks {
+    let (k, sign) = harmonic::<M>(block);
+    let at = &of[k];
+    let none = || {
+        let [rows, columns] = [at.own[0].len(), at.own[0][0].len()];
+        zeros(rows, columns)
+    };
+    let square = gamma * gamma;
+    let through = |spread: &Rows, lift: &Rows| product(spread, &product(&at.normal_inverse, lift));
+    if block == 0 {
+        let pressed = through(&at.spread[0], &at.lift[0]);
+        let radial = combined(1.0, &at.own[0], -square, &pressed);
+        let around = combined(2.0 * kappa - 1.0, &at.own[1], 0.0, &pressed);
+        return Blocks([[radial, none()], [none(), around]]);
+    }
+    if block == 1 {
+        let own = combined(0.5 * kappa, &at.own[0], 0.5 * kappa, &at.own[1]);
+        let other = combined(0.5 * (kappa - 1.0), &at.other[0], 0.5 * (kappa - 1.0), &at.other[1]);
+        let spread = combined(0.5, &at.spread[0], -0.5, &at.spread[1]);
+        let lift = combined(0.5, &at.lift[0], -0.5, &at.lift[1]);
+        let radial = combined(1.0, &own, 1.0, &other);
+        let radial = combined(1.0, &radial, -square, &through(&spread, &lift));
+        let around = combined(1.0, &own, -1.0, &other);
+        return Blocks([[radial, none()], [none(), around]]);
+    }
+    let part = |own: &Rows, factor: f64, spread: &Rows, lift: &Rows, press: f64| {
+        combined(factor, own, -0.5 * square * press, &through(spread, lift))
+    };
+    let [up, down] = [0, 1];
+    Blocks([
+        [
+            part(&at.own[up], kappa, &at.spread[up], &at.lift[up], 1.0),
+            part(&at.other[up], sign * (kappa - 1.0), &at.spread[up], &at.lift[down], -sign),
+        ],
+        [
+            part(&at.other[down], sign * (kappa - 1.0), &at.spread[down], &at.lift[up], -sign),
+            part(&at.own[down], kappa, &at.spread[down], &at.lift[down], 1.0),
+        ],
+    ])
+}
+
+fn inverted<const N: usize>(block: &Blocks, sigma: &[f64; N]) -> Block<N> {
+    let mut whole = zeros(2 * N, 2 * N);
+    for (i, row) in whole.iter_mut().enumerate() {
+        for (j, value) in row.iter_mut().enumerate() {
+            *value = block.0[i / N][j / N][i % N][j % N];
+        }
+        row[i] += sigma[i % N];
+    }
+    let inverse = inverse(&whole);
+    let mut out = [[[[0.0; N]; 2]; N]; 2];
+    for (i, row) in inverse.iter().enumerate() {
+        for (j, value) in row.iter().enumerate() {
+            out[j / N][j % N][i / N][i % N] = *value;
+        }
+    }
+    out
+}
+
+fn rim_block<const N: usize>(block: &Blocks) -> RimBlock<N> {
+    std::array::from_fn(|out| {
+        std::array::from_fn(|part| std::array::from_fn(|ring| block.0[out][part][0][ring]))
+    })
+}
+
+fn press_block<const N: usize, const M: usize>(of: &[Harmonic], block: usize) -> PressBlock<N> {
+    let (k, sign) = harmonic::<M>(block);
+    let at = &of[k];
+    let by = |factor: f64, lift: &Rows| -> [[f64; N]; N] {
+        let rows = product(&at.normal_inverse, lift);
+        std::array::from_fn(|j| std::array::from_fn(|i| factor * rows[i][j]))
+    };
+    match block {
+        0 => [by(1.0, &at.lift[0]), [[0.0; N]; N]],
+        1 => [by(1.0, &combined(0.5, &at.lift[0], -0.5, &at.lift[1])), [[0.0; N]; N]],
+        _ => [by(0.5, &at.lift[0]), by(-0.5 * sign, &at.lift[1])],
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use approx::assert_relative_eq;
+
+    /// The traction that sticks to a displacement of a block's first part, and its load.
+    fn stiffness<const N: usize>(
+        kappa: f64,
+        block: usize,
+        part: usize,
+        u: impl Fn(f64) -> f64,
+    ) -> f64 {
+        let pair = Pair::<N, 8>::new(kappa, 0.0, f64::INFINITY);
+        let layout = &pair.layout;
+        let mut load = 0.0;
+        for j in 0..N {
+            for i in 0..N {
+                let q = pair.sticking[block][part][j][part][i] * u(layout.radius[j]);
+                load += layout.area[i] * u(layout.radius[i]) * q;
+            }
+        }
+        load
+    }
+
+    #[test]
+    fn stiffness_in_shift_and_twist_is_that_of_mindlin_and_reissner() {
+        // Rigid shift is the harmonic -1 in turning axes: F = 4/kappa; twist: M = (16/3) G/... with
+        // (1-nu)/G = 1 and 1/(1-nu) = 2 kappa - 1.
+        for kappa in [1.0, 7.0 / 6.0, 1.5] {
+            let shift = stiffness::<8>(kappa, 2, 1, |_| 1.0);
+            assert_relative_eq!(shift, 4.0 / kappa, max_relative = 2e-4);
+            let twist = stiffness::<8>(kappa, 0, 1, |r| r);
+            assert_relative_eq!(twist, 16.0 / 3.0 / (2.0 * kappa - 1.0), max_relative = 2e-4);
+        }
+    }
+
+    #[test]
+    fn blocks_are_symmetric_by_area_and_positive() {
+        for (kappa, gamma) in [(1.0, 0.5), (1.5, 0.0), (1.125, -0.25), (0.8, 0.3)] {
+            let pair = Pair::<6, 8>::new(kappa, gamma, 0.3);
+            for (block, inverse) in pair.inverse.iter().enumerate() {
+                for i in 0..12 {
+                    assert!(inverse[i / 6][i % 6][i / 6][i % 6] > 0.0, "{block} {i}");
+                    for j in 0..12 {
+                        let one = inverse[j / 6][j % 6][i / 6][i % 6] * pair.layout.area[i % 6];
+                        let two = inverse[i / 6][i % 6][j / 6][j % 6] * pair.layout.area[j % 6];
+                        assert!(
+                            (one - two).abs() < 1e-9 * pair.layout.area[5].max(one.abs()),
+                            "{block}"
+                        );
+                    }
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,355 @@
+//! Tractions of a step: within their limits, and slip along those that reach them.
+//!
+//! `min q M q/2 - q c` over discs, by splitting: the quadratic form and the discs in turn, with one
+//! inverse that is made once. The multiplier of a disc is the slip.
+
+use super::pair::{Block, Pair, PressBlock, RimBlock};
+use super::transform::{Field, parts, transform};
+
+/// Over-relaxation.
+const RELAX: f64 = 1.6;
+/// The iterations after which the added pressures are brought up to date: the first and each fourth.
+const PRESS_EACH: usize = 3;
+/// The most iterations; 19 are the mean of large steps at a tolerance of 1e-4.
+const MOST: usize = 400;
+/// About the greatest displacement by tractions at their limits, over a^2.
+const STICKING: f64 = 1.5;
+/// After so many iterations less and less slip is taken ahead: some points would else go to and fro.
+const PATIENCE: usize = 16;
+
+/// What is sought: tractions z over the contact radius, and y, the slip over sigma a^2.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Tractions<const N: usize, const M: usize> {
+    pub(super) z: Field<N, M>,
+    pub(super) y: Field<N, M>,
+    /// The limits that z keeps: Hertz's pressure and what tractions add.
+    pub(super) limit: [[f64; N]; M],
+    /// The displacement of the rim over a^2, radial and circumferential.
+    pub(super) rim: [[f64; 2]; M],
+}
+
+/// The part of the rim's slip that each ring takes which comes into contact.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Share<const N: usize> {
+    pub(super) of_rim: [f64; N],
+    /// The same of its mean circumferential slip: that grows as the radius, too.
+    pub(super) of_twist: [f64; N],
+}
+
+/// How rings that come into contact follow the displacement of the rim.
+#[derive(Debug, Clone, Copy)]
+struct Entering<const N: usize, const M: usize> {
+    /// By blocks, the inverse times the share that a ring has of the rim, for each part of a block.
+    columns: [[[[f64; N]; 2]; 2]; M],
+    /// By blocks, `(1 - Rim columns)^-1`.
+    small: [[[f64; 2]; 2]; M],
+}
+
+impl<const N: usize, const M: usize> Entering<N, M> {
+    /// With the share of each ring, by one of the inverses of a pair.
+    #[inline(never)]
+    fn new(inverses: &[Block<N>], rims: &[RimBlock<N>], share: &Share<N>) -> Self {
+        let mut out = Self { columns: [[[[0.0; N]; 2]; 2]; M], small: [[[0.0; 2]; 2]; M] };
+        for (b, (inverse, rim)) in inverses.iter().zip(rims).enumerate() {
+            let mut small = [[0.0; 2]; 2];
+            for part in 0..2 {
+                let mut sources = [[0.0; N]; 2];
+                // The second part of the first block is the twist.
+                sources[part] = if (b, part) == (0, 1) { share.of_twist } else { share.of_rim };
+                let column = applied(inverse, &sources);
+                let at_rim = seen(rim, &column);
+                for out in 0..2 {
+                    small[out][part] = f64::from(u8::from(out == part)) - at_rim[out];
+                }
+                out.columns[b][part] = column;
+            }
+            let [[p, q], [r, s]] = small;
+            let scale = 1.0 / (p * s - q * r);
+            out.small[b] = [[s * scale, -q * scale], [-r * scale, p * scale]];
+        }
+        out
+    }
+}
+
+/// A block times the tractions of its parts.
+#[inline(always)]
+fn applied<const N: usize>(block: &Block<N>, of: &[[f64; N]; 2]) -> [[f64; N]; 2] {
+    let mut out = [[0.0; N]; 2];
+    for (columns, part) in block.iter().zip(of) {
+        for (column, value) in columns.iter().zip(part) {
+            for c in 0..2 {
+                for i in 0..N {
+                    out[c][i] += column[c][i] * value;
+                }
+            }
+        }
+    }
+    out
+}
+
+#[inline(always)]
+fn seen<const N: usize>(rim: &RimBlock<N>, of: &[[f64; N]; 2]) -> [f64; 2] {
+    std::array::from_fn(|out| {
+        (0..2).map(|part| (0..N).map(|i| rim[out][part][i] * of[part][i]).sum::<f64>()).sum()
+    })
+}
+
+#[inline(always)]
+fn pressed<const N: usize>(press: &PressBlock<N>, of: &[[f64; N]; 2]) -> [f64; N] {
+    let mut out = [0.0; N];
+    for (columns, part) in press.iter().zip(of) {
+        for (column, value) in columns.iter().zip(part) {
+            for i in 0..N {
+                out[i] += column[i] * value;
+            }
+        }
+    }
+    out
+}
+
+#[inline(always)]
+fn block_of<const N: usize, const M: usize>(hat: &Field<N, M>, block: usize) -> [[f64; N]; 2] {
+    parts::<M>(block).map(|(k, c)| hat[k][c])
+}
+
+impl<const N: usize, const M: usize> Pair<N, M> {
+    /// An inverse of the pair times a right side, by harmonics; the spectrum stays in `hat`.
+    #[inline(always)]
+    fn divided(
+        &self,
+        inverses: &[Block<N>],
+        hat: &mut Field<N, M>,
+        entering: Option<&Entering<N, M>>,
+    ) -> Field<N, M> {
+        transform(hat, &self.directions, -1.0);
+        let scale = 1.0 / M as f64;
+        for (b, inverse) in inverses.iter().enumerate() {
+            let places = parts::<M>(b);
+            let mut sources = places.map(|(k, c)| hat[k][c]);
+            sources.iter_mut().flatten().for_each(|x| *x *= scale);
+            let mut q = applied(inverse, &sources);
+            if let Some(entering) = entering {
+                let at_rim = seen(&self.rim[b], &q);
+                let by = entering.small[b].map(|row| row[0] * at_rim[0] + row[1] * at_rim[1]);
+                for (column, by) in entering.columns[b].iter().zip(by) {
+                    for c in 0..2 {
+                        for i in 0..N {
+                            q[c][i] += column[c][i] * by;
+                        }
+                    }
+                }
+            }
+            for ((k, c), part) in places.into_iter().zip(q) {
+                hat[k][c] = part;
+            }
+        }
+        let mut q = *hat;
+        transform(&mut q, &self.directions, 1.0);
+        q
+    }
+
+    /// The limits with the pressures that tractions of this spectrum add.
+    #[inline(always)]
+    fn limits(&self, hat: &Field<N, M>) -> [[f64; N]; M] {
+        let mut added: Field<N, M> = [[[0.0; N]; 2]; M];
+        for (b, press) in self.press.iter().enumerate() {
+            let [(k, _), (mirror, _)] = parts::<M>(b);
+            let p = pressed(press, &block_of(hat, b));
+            match b {
+                0 | 1 => added[k][0] = p,
+                _ if b % 2 == 0 => (added[k][0], added[mirror][0]) = (p, p),
+                _ => (added[k][1], added[mirror][1]) = (p, p.map(|x| -x)),
+            }
+        }
+        transform(&mut added, &self.directions, 1.0);
+        added.map(|[p, _]| {
+            std::array::from_fn(|i| (self.layout.pressure[i] + self.lift * p[i]).max(0.0))
+        })
+    }
+
+    /// The displacement of the rim by tractions of this spectrum.
+    #[inline(always)]
+    fn at_rim(&self, hat: &Field<N, M>) -> [[f64; 2]; M] {
+        let mut out: Field<1, M> = [[[0.0; 1]; 2]; M];
+        for (b, rim) in self.rim.iter().enumerate() {
+            let u = seen(rim, &block_of(hat, b));
+            for ((k, c), u) in parts::<M>(b).into_iter().zip(u) {
+                out[k][c] = [u];
+            }
+        }
+        transform(&mut out, &self.directions, 1.0);
+        out.map(|parts| parts.map(|[u]| u))
+    }
+
+    /// Where nothing slipped before: the tractions that stick, if they keep their limits.
+    fn stuck(&self, c: &Field<N, M>, share: Option<&Share<N>>, now: &mut Tractions<N, M>) -> bool {
+        let slipped = now.y.iter().flatten().flatten().any(|&y| y != 0.0);
+        if self.slips && slipped {
+            return false;
+        }
+        let mut hat = *c;
+        let entering = share.map(|share| Entering::new(&self.sticking, &self.rim, share));
+        let q = self.divided(&self.sticking, &mut hat, entering.as_ref());
+        let limit = self.limits(&hat);
+        let within = |([x, y], limit): (&[[f64; N]; 2], &[f64; N])| {
+            (0..N).all(|i| x[i] * x[i] + y[i] * y[i] <= limit[i] * limit[i])
+        };
+        if self.slips && !q.iter().zip(&limit).all(within) {
+            return false;
+        }
+        (now.z, now.limit) = (q, limit);
+        now.rim = self.at_rim(&self.spectrum(&now.z));
+        true
+    }
+
+    /// Finds the tractions that balance `c = M q + sigma y`, from those of before; how many iterations
+    /// that took. Slip begins with `ahead`, in the unit of y; rings that come
+    /// into contact have a share of the rim's slip.
+    pub(super) fn solve(
+        &self,
+        c: &Field<N, M>,
+        ahead: &Field<N, M>,
+        share: Option<&Share<N>>,
+        tolerance: f64,
+        now: &mut Tractions<N, M>,
+    ) -> usize {
+        if self.stuck(c, share, now) {
+            return 1;
+        }
+        let entering = share.map(|share| Entering::new(&self.inverse, &self.rim, share));
+        let close = tolerance * self.scale;
+        let couples = self.lift != 0.0;
+        if !couples {
+            now.limit = [self.layout.pressure; M];
+        }
+        if now.y.iter().flatten().flatten().all(|&y| y == 0.0) {
+            self.slide(c, now);
+        }
+        let mut part = 1.0;
+        let mut count = MOST;
+        for iteration in 0..MOST {
+            let mut hat = *c;
+            let places = now.z.as_flattened().iter().zip(now.y.as_flattened());
+            for (hat, (z, y)) in hat.as_flattened_mut().iter_mut().zip(places) {
+                for i in 0..N {
+                    hat[i] += self.sigma[i] * (z[i] - y[i]);
+                }
+            }
+            let q = self.divided(&self.inverse, &mut hat, entering.as_ref());
+            if couples && iteration % PRESS_EACH == 0 {
+                now.limit = self.limits(&hat);
+            }
+            if iteration >= PATIENCE {
+                part *= 0.75;
+            }
+            if cut(&q, ahead, part, now) < close * close {
+                count = iteration + 1;
+                break;
+            }
+        }
+        now.rim = self.at_rim(&self.spectrum(&now.z));
+        count
+    }
+
+    /// Begins where a step from rest is far beyond what sticks: there it slides.
+    #[cold]
+    fn slide(&self, c: &Field<N, M>, now: &mut Tractions<N, M>) {
+        for (j, [x, y]) in c.iter().enumerate() {
+            for i in 0..N {
+                let size = x[i].hypot(y[i]);
+                if size <= STICKING {
+                    continue;
+                }
+                let [slip, traction] =
+                    [(1.0 - STICKING / size) / self.sigma[i], self.layout.pressure[i] / size];
+                for (d, c) in [x[i], y[i]].into_iter().enumerate() {
+                    (now.y[j][d][i], now.z[j][d][i]) = (slip * c, traction * c);
+                }
+            }
+        }
+    }
+
+    /// Harmonics of tractions.
+    #[inline(always)]
+    fn spectrum(&self, z: &Field<N, M>) -> Field<N, M> {
+        let mut hat = *z;
+        transform(&mut hat, &self.directions, -1.0);
+        hat.map(|parts| parts.map(|ring| ring.map(|x| x / M as f64)))
+    }
+
+    /// What follows from tractions that were kept: the displacement of the rim, and the limits.
+    pub(super) fn follow(&self, now: &mut Tractions<N, M>) {
+        let hat = self.spectrum(&now.z);
+        (now.rim, now.limit) = (self.at_rim(&hat), self.limits(&hat));
+    }
+
+    /// Tractions that stick to these displacements.
+    pub(super) fn sticking_to(&self, u: &Field<N, M>) -> Field<N, M> {
+        self.divided(&self.sticking, &mut u.clone(), None)
+    }
+}
+
+/// Cuts to the limits; the square of the greatest change.
+#[inline(always)]
+fn cut<const N: usize, const M: usize>(
+    q: &Field<N, M>,
+    ahead: &Field<N, M>,
+    part: f64,
+    now: &mut Tractions<N, M>,
+) -> f64 {
+    let mut greatest = 0.0_f64;
+    for j in 0..M {
+        let ([zx, zy], [yx, yy]) = (&mut now.z[j], &mut now.y[j]);
+        let [qx, qy] = &q[j];
+        for i in 0..N {
+            let vx = RELAX * qx[i] + (1.0 - RELAX) * zx[i] + yx[i];
+            let vy = RELAX * qy[i] + (1.0 - RELAX) * zy[i] + yy[i];
+            let limit = now.limit[j][i];
+            let mut at = [vx, vy];
+            if vx * vx + vy * vy > limit * limit {
+                at = on_limit(at, [part * ahead[j][0][i], part * ahead[j][1][i]], limit);
+            }
+            let [nx, ny] = at;
+            let moved = (nx - zx[i]) * (nx - zx[i]) + (ny - zy[i]) * (ny - zy[i]);
+            let apart = (nx - qx[i]) * (nx - qx[i]) + (ny - qy[i]) * (ny - qy[i]);
+            greatest = greatest.max(moved).max(apart);
+            (zx[i], zy[i]) = (nx, ny);
+            (yx[i], yy[i]) = (vx - nx, vy - ny);
+        }
+    }
+    greatest
+}
+
+/// The traction at its limit that slips by what v has beyond it: first by what slip was ahead, then along
+/// itself. It takes no work.
+#[inline(always)]
+fn on_limit(v: [f64; 2], ahead: [f64; 2], limit: f64) -> [f64; 2] {
+    let dot = |a: [f64; 2], b: [f64; 2]| a[0] * b[0] + a[1] * b[1];
+    let square = dot(v, v);
+    let along = dot(v, ahead);
+    if along > 0.0 {
+        let beyond = [v[0] - ahead[0], v[1] - ahead[1]];
+        let rest = dot(beyond, beyond);
+        if rest <= limit * limit {
+            // Less than what was ahead is enough: |v - part ahead| = limit.
+            let size = dot(ahead, ahead);
+            let over = square - limit * limit;
+            let part = over / (along + (along * along - size * over).max(0.0).sqrt());
+            return [v[0] - part * ahead[0], v[1] - part * ahead[1]];
+        }
+        let scale = limit / rest.sqrt();
+        let z = beyond.map(|x| scale * x);
+        if dot(z, v) >= limit * limit {
+            return z;
+        }
+    }
+    let scale = limit / square.sqrt();
+    v.map(|x| scale * x)
+}
+
+impl<const N: usize, const M: usize> Default for Tractions<N, M> {
+    fn default() -> Self {
+        let none = [[[0.0; N]; 2]; M];
+        Self { z: none, y: none, limit: [[0.0; N]; M], rim: [[0.0; 2]; M] }
+    }
+}

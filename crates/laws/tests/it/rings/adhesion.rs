@@ -1,0 +1,48 @@
+//! What sticks from touch on has closed forms.
+
+use super::common::{alike, law, law_of, shift};
+use carom_laws::law::ContactLaw;
+
+/// In adhesion dF = c_x zeta^(1/2) dxi, whatever the step: two thirds of the stiffness where the shift grows
+/// with the approach.
+fn oblique<const N: usize>(within: f64) {
+    for kappa in [1.0, 7.0 / 6.0, 1.5] {
+        for friction in [f64::INFINITY, 1e6, 5.0] {
+            let mut law = law_of::<N, 8>([kappa, 0.0, friction], 1e-4);
+            let load = law.advance(shift([0.7, 1.1, 0.5, 0.0])).unwrap();
+            let want = 2.0 / 3.0 * 4.0 / kappa * 0.7_f64.sqrt();
+            let off =
+                (load.f_x / (want * 1.1) - 1.0).abs().max((load.f_y / (want * 0.5) - 1.0).abs());
+            assert!(off < within, "{N} rings, kappa {kappa}, f {friction}: {off:e}");
+            // In ten steps as in one.
+            let mut law = law_of::<N, 8>([kappa, 0.0, friction], 1e-4);
+            for k in 1..=10 {
+                let part = f64::from(k) / 10.0;
+                law.advance(shift([0.7 * part, 1.1 * part, 0.5 * part, 0.0])).unwrap();
+            }
+            let off = (law.load().f_x / load.f_x - 1.0).abs();
+            assert!(off < 3e-3, "{N} rings, kappa {kappa}, f {friction}: {off:e} by ten steps");
+        }
+    }
+}
+
+#[test]
+fn oblique_loading_without_slip_is_exact_in_one_step() {
+    oblique::<6>(1e-3);
+    oblique::<8>(1e-3);
+    oblique::<16>(1e-3);
+}
+
+#[test]
+fn stiffness_after_pressing_is_mindlins_and_reissners() {
+    for poisson in [0.0, 0.3, 0.5] {
+        let hertz = alike(poisson);
+        let mut law = law::<8, 8>(&hertz, f64::INFINITY, 1e-4);
+        law.advance(shift([1.0, 0.0, 0.0, 0.0])).unwrap();
+        let load = law.advance(shift([1.0, 1e-3, 0.0, 1e-3])).unwrap();
+        assert!((load.f_x / (1e-3 * hertz.stiffness().c_x) - 1.0).abs() < 2e-4);
+        // (16/3) G a^3, G = 1 combined.
+        assert!((load.m_z / (1e-3 * 16.0 / 3.0) - 1.0).abs() < 2e-4, "{}", load.m_z);
+        assert!(load.f_y.abs() < 1e-16);
+    }
+}

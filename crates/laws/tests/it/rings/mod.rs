@@ -1,0 +1,12 @@
+//! The law of rings against closed forms, other laws and invariants.
+
+mod common;
+
+mod adhesion;
+mod balance;
+mod coupling;
+mod invariance;
+mod limits;
+mod packed;
+mod partial_slip;
+mod twist;

@@ -1,0 +1,78 @@
+//! The state as plain numbers.
+
+use super::common::{Random, hertz, law, shift};
+use carom_laws::law::ContactLaw;
+use carom_laws::rings::packed_numbers;
+
+const ROOM: usize = packed_numbers(6, 8);
+
+#[test]
+fn what_was_packed_goes_on_to_the_same_bits() {
+    const { assert!(ROOM <= 300) }
+    let fresh = law::<6, 8>(&hertz([2.0, 2.0], [0.0, 0.5]), 0.3, 1e-2);
+    let mut law = fresh.clone();
+    let mut numbers = [0.0; ROOM];
+    for at in Random(1).path(10, 12, [0.4, 0.4]).into_iter().chain([shift([-1.0, 0.0, 0.0, 0.0])]) {
+        let load = law.advance(at).unwrap();
+        law.pack(&mut numbers).unwrap();
+        law = fresh.clone();
+        law.unpack(&numbers).unwrap();
+        assert_eq!((law.load(), law.shift()), (load, at));
+        let mut on = law.clone();
+        let mut straight = law.clone();
+        straight.unpack(&numbers).unwrap();
+        let next = shift([0.9, 0.1, 0.1, 0.1]);
+        assert_eq!(on.advance(next).unwrap(), straight.advance(next).unwrap());
+    }
+}
+
+#[test]
+fn a_law_taken_up_at_every_step_is_the_law() {
+    let fresh = law::<6, 8>(&hertz([2.0, 2.0], [0.0, 0.5]), 0.3, 1e-2);
+    let (mut law, mut kept) = (fresh.clone(), fresh.clone());
+    let mut numbers = [0.0; ROOM];
+    for at in Random(9).path(10, 12, [0.4, 0.4]) {
+        let load = law.advance(at).unwrap();
+        assert_eq!(kept.advance(at).unwrap(), load);
+        kept.pack(&mut numbers).unwrap();
+        kept = fresh.clone();
+        kept.unpack(&numbers).unwrap();
+    }
+}
+
+#[test]
+fn zeros_are_two_bodies_that_just_touch() {
+    let fresh = law::<6, 8>(&hertz([2.0, 2.0], [0.0, 0.5]), 0.3, 1e-2);
+    let mut law = fresh.clone();
+    law.advance(shift([1.0, 0.1, 0.0, 0.0])).unwrap();
+    law.unpack(&[0.0; ROOM]).unwrap();
+    let at = shift([1.0, 0.2, 0.1, 0.1]);
+    assert_eq!(law.advance(at).unwrap(), fresh.clone().advance(at).unwrap());
+}
+
+#[test]
+fn numbers_that_are_no_state_are_refused() {
+    let mut law = law::<6, 8>(&hertz([2.0, 2.0], [0.0, 0.5]), 0.3, 1e-2);
+    for at in Random(9).path(3, 8, [0.4, 0.4]) {
+        law.advance(at).unwrap();
+    }
+    let mut numbers = [0.0; ROOM];
+    law.pack(&mut numbers).unwrap();
+    let load = law.load();
+    assert_eq!(law.pack(&mut numbers[..ROOM - 1].to_vec()).unwrap_err().field, "numbers");
+    assert_eq!(law.unpack(&numbers[..ROOM - 1]).unwrap_err().field, "numbers");
+    let mut refuse = |at: usize, value: f64, field: &str| {
+        let mut bad = numbers;
+        bad[at] = value;
+        assert_eq!(law.unpack(&bad).map_err(|e| e.field), Err(field), "{at} {value}");
+        assert_eq!(law.load(), load);
+    };
+    refuse(0, f64::NAN, "zeta");
+    refuse(0, 50.0, "traction");
+    refuse(4, -1.0, "length");
+    refuse(5, 0.0, "normal force");
+    refuse(5, 1e9, "normal force");
+    refuse(6, 30.0, "traction");
+    refuse(6, f64::NAN, "slip or traction");
+    refuse(6 + 96, 40.0, "traction");
+}

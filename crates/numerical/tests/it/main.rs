@@ -1,0 +1,7 @@
+//! The tests of `carom-numerical` that see it as its users do: one executable, a module for each subject.
+
+mod numerical_law;
+mod ring_histories;
+mod systems_of_units;
+#[path = "../../../impact/tests/it/units.rs"]
+mod units;
