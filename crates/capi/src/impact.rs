@@ -2,7 +2,8 @@
 
 use carom_geometry::{Attitude, Inertia, Surface, SurfaceError};
 use carom_impact::{
-    Body, Collision, CollisionError, Motion, NormalRestitution, Outcome, Rebound, Warning,
+    Body, Collision, CollisionError, Motion, NeededLaw, NormalRestitution, Outcome, Rebound,
+    RingImpact, RingImpactError, Warning,
 };
 use carom_laws::friction::Friction;
 use carom_special::RangeError;
@@ -133,6 +134,9 @@ pub struct CaromRebound {
 
 /// The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
 /// 2 with that common normal, from body 2 into body 1.
+///
+/// The coupling of normal and tangential displacements of dissimilar bodies counts for spheres and planes, and with
+/// it the spin about the normal. For other shapes it is neglected; CAROM_WARNING_COUPLING says so.
 ///
 /// # Safety
 /// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `rebound` and `error` are
@@ -266,7 +270,12 @@ impl CaromBody {
 }
 
 fn solve(collision: &Collision) -> Result<CaromRebound, Failure> {
-    let outcome = collision.solve()?;
+    let outcome = match collision.needed_law(RingImpact::TOLERANCE) {
+        NeededLaw::Analytic => collision.solve_with_coupling_bound()?,
+        NeededLaw::Rings => RingImpact::new(collision).solve()?,
+        // No grid stands behind this border: CAROM_WARNING_COUPLING tells what is neglected.
+        NeededLaw::Grid => collision.solve()?,
+    };
     let [one, two] = outcome.motions();
     let known = CaromRebound {
         body_1_velocity: one.velocity.into(),
@@ -316,6 +325,16 @@ fn bit(warning: &Warning) -> u32 {
         Warning::SpinLeftAlone { .. } => CAROM_WARNING_SPIN_LEFT_ALONE,
         Warning::NotSettled { .. } => CAROM_WARNING_NOT_SETTLED,
         Warning::PointSampled => CAROM_WARNING_POINT_SAMPLED,
+    }
+}
+
+impl From<RingImpactError> for Failure {
+    fn from(error: RingImpactError) -> Self {
+        match error {
+            RingImpactError::Range(error) => error.into(),
+            RingImpactError::Collision(error) => error.into(),
+            error @ RingImpactError::NoSeparation => Self::new(CaromStatus::NotFollowed, "", error),
+        }
     }
 }
 

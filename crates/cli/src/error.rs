@@ -3,11 +3,11 @@
 use crate::case::CaseError;
 use crate::command::StepsError;
 use carom_classic::DirectError;
-use carom_impact::CollisionError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
-use carom_numerical::NumericalImpactError;
+use carom_impact::{CollisionError, RingImpactError};
+use carom_numerical::{CollisionLawError, NumericalImpactError};
 use carom_plot::PlotError;
 use carom_rolling::RollingError;
 use carom_solver::{FitError, FrictionalError, ProblemError};
@@ -34,13 +34,13 @@ pub enum CliError {
         /// Why.
         source: Box<CollisionError>,
     },
-    /// The collision of a case could not be followed on the numerical contact.
+    /// The collision of a case could not be followed with its contact law.
     #[error("{}: {source}", path.display())]
-    Numerical {
+    CollisionLaw {
         /// The case file.
         path: PathBuf,
         /// Why.
-        source: Box<NumericalImpactError>,
+        source: Box<CollisionLawError>,
     },
     /// The scene of a case cannot be run.
     #[error("{}: {source}", path.display())]
@@ -216,8 +216,9 @@ impl CliError {
             | Self::Uncertain { source: UncertainError::Collision { source, .. }, .. } => {
                 of_collision(source)
             }
-            Self::Numerical { source, .. } => match **source {
-                NumericalImpactError::Range(_) => 2,
+            Self::CollisionLaw { source, .. } => match **source {
+                CollisionLawError::Rings(RingImpactError::Range(_))
+                | CollisionLawError::Numerical(NumericalImpactError::Range(_)) => 2,
                 _ => 1,
             },
             Self::Step { source, .. } => match **source {

@@ -48,7 +48,7 @@ pub mod torsional;
 pub mod uncertain;
 
 pub use body::{Body, Motion};
-pub use collision::{Collision, CollisionError};
+pub use collision::{Collision, CollisionError, NeededLaw};
 pub use mobility::{Lever, Mobility};
 pub use normal_restitution::NormalRestitution;
 pub use normal_spin::NormalSpinError;

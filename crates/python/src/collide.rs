@@ -1,14 +1,15 @@
 //! Collisions, one and many.
 
-use carom::impact::coupled::TurningLaw;
 use carom::impact::{Body as Colliding, Collision, HistoryPoint, NormalRestitution, Outcome};
+use carom::numerical::CollisionLaw;
 use carom::prelude::Friction;
+use carom::special::WordError;
+use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use pyo3::types::PyDict;
 
 use crate::arrays::{Numbers, Rows, map_by, same_length};
 use crate::bodies::{Body, motion};
-use crate::contact::turning_law;
 use crate::error::Fault;
 use crate::records::{self, arrays};
 use crate::room;
@@ -21,7 +22,7 @@ const SHARE: usize = 8;
 struct Way {
     normal: Option<[f64; 3]>,
     torsion: bool,
-    law: TurningLaw,
+    law: CollisionLaw,
     tolerance: Option<f64>,
     loss: NormalRestitution,
 }
@@ -33,7 +34,8 @@ impl Way {
         law: &str,
         tolerance: Option<f64>,
     ) -> PyResult<Self> {
-        let law = turning_law(law)?;
+        let law = law.parse();
+        let law = law.map_err(|error: WordError| PyValueError::new_err(error.to_string()))?;
         Ok(Self { normal, torsion, law, tolerance, loss: NormalRestitution::ELASTIC })
     }
 
@@ -52,7 +54,7 @@ impl Way {
             Some(normal) => Collision::along(one, two, normal, friction)?,
             None => Collision::touching(one, two, friction)?,
         };
-        collision = collision.with_law(self.law).with_normal_restitution(self.loss);
+        collision = collision.with_normal_restitution(self.loss);
         if let Some(tolerance) = self.tolerance {
             collision = collision.within(tolerance)?;
         }
@@ -76,7 +78,8 @@ pub(crate) fn collide<'py>(
 ) -> PyResult<Bound<'py, PyDict>> {
     let way = Way::new(normal, torsion, law, tolerance)?.losing(normal_restitution)?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
-    let solve = || -> Result<Outcome, Fault> { Ok(way.collision(one, two, friction)?.solve()?) };
+    let solve =
+        || -> Result<Outcome, Fault> { Ok(way.law.solve(&way.collision(one, two, friction)?)?) };
     arrays(py, Outcome::COLUMNS, &[py.detach(solve)?])
 }
 
@@ -107,7 +110,7 @@ pub(crate) fn collide_many<'py>(
     let outcomes = map_by(SHARE, py, friction.len(), |i| {
         let one = one.clone().moving(motion(v_1[i], w_1[i])?);
         let two = two.clone().moving(motion(v_2[i], w_2[i])?);
-        Ok(way.collision(one, two, friction[i])?.solve()?)
+        Ok(way.law.solve(&way.collision(one, two, friction[i])?)?)
     })?;
     arrays(py, Outcome::COLUMNS, &outcomes)
 }
@@ -129,7 +132,7 @@ pub(crate) fn history<'py>(
     room::check("points", points, records::bytes(HistoryPoint::COLUMNS))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let trace = || -> Result<Vec<HistoryPoint>, Fault> {
-        Ok(way.collision(one, two, friction)?.history(points)?)
+        Ok(way.law.history(&way.collision(one, two, friction)?, points)?)
     };
     arrays(py, HistoryPoint::COLUMNS, &py.detach(trace)?)
 }

@@ -96,6 +96,8 @@ macro_rules! fault_of {
 
 fault_of! {
     carom::impact::CollisionError: carom::impact::CollisionError::Range(error) => error;
+    carom::numerical::CollisionLawError:
+        carom::numerical::CollisionLawError::Collision(carom::impact::CollisionError::Range(error)) => error;
     carom::impact::restitution::RestitutionError:
         carom::impact::restitution::RestitutionError::Range(error) => error;
     carom::laws::curvature::CurvatureError: carom::laws::curvature::CurvatureError::Range(error) => error;

@@ -181,7 +181,7 @@ def test_bodies_pickle_and_are_checked():
         carom.Body("cube", [1.0], STEEL, 1.0)
     with pytest.raises(ValueError, match="quaternion"):
         carom.Body("sphere", [1.0], STEEL, 1.0, attitude=(2, 0, 0, 0))
-    with pytest.raises(ValueError, match='law = "newton" .*must be "coulomb" or "fixed-direction"$'):
+    with pytest.raises(ValueError, match='law = "newton" .*must be "auto" or "coulomb" or "fixed-direction" or "rings" or "numerical"$'):
         carom.collide(BALL, PLATE, 0.1, law="newton")
     with pytest.raises(ValueError, match='did you mean "fixed-direction"'):
         carom.collide(BALL, PLATE, 0.1, law="fixed_direction")

@@ -6,10 +6,10 @@ use super::range::Range;
 use super::section::Section;
 use carom_impact::NormalRestitution;
 use carom_impact::coupled::TurningLaw;
+use carom_numerical::CollisionLaw;
 
 pub(super) const COULOMB: &str = TurningLaw::Coulomb.name();
 const FIXED_DIRECTION: &str = TurningLaw::FixedDirection.name();
-const NUMERICAL: &str = "numerical";
 const RINGS: Word = (COULOMB, "each ring slips by itself");
 const ONE_DIRECTION: Word =
     (FIXED_DIRECTION, "one direction of traction in a slip ring, as in chapter 7");
@@ -22,13 +22,18 @@ pub(super) const FRICTION: Field =
 pub(super) const LAW: Field = Field::new(
     "law",
     Form::Word(&[
+        (
+            CollisionLaw::Auto.name(),
+            "the cheapest law in which the coupling of unlike materials counts",
+        ),
         RINGS,
         ONE_DIRECTION,
-        (NUMERICAL, "the contact on a grid, also of unlike materials"),
+        (CollisionLaw::Rings.name(), "rings that know coupling and spin, for spheres and planes"),
+        (CollisionLaw::Numerical.name(), "the contact on a grid, also of unlike materials"),
     ]),
-    "how friction follows a tangential motion that turns",
+    "the contact law; coulomb and fixed-direction neglect the coupling of unlike materials",
 )
-.default(Default::Word(COULOMB));
+.default(Default::Word(CollisionLaw::Auto.name()));
 pub(super) const TORSION: Field =
     Field::new("torsion", Form::Switch, "whether friction acts on the spin about the normal too")
         .default(Default::False);
@@ -58,7 +63,7 @@ pub(super) fn normal_restitution(section: &Section<'_>) -> Result<NormalRestitut
     Ok(NormalRestitution::by_waves())
 }
 
-/// The law of a word; "numerical" leaves the usual one.
+/// The law of a word.
 pub(super) fn turning_law(word: &str) -> TurningLaw {
     word.parse().unwrap_or_default()
 }
@@ -68,10 +73,8 @@ pub(super) fn turning_law(word: &str) -> TurningLaw {
 pub struct Contact {
     /// Coefficient of friction; infinite for no slip.
     pub friction: f64,
-    /// The law where the direction of the tangential motion turns.
-    pub law: TurningLaw,
-    /// Whether the contact is solved on a grid instead.
-    pub is_numerical: bool,
+    /// The contact law.
+    pub law: CollisionLaw,
     /// The line of `torsion = true`; none if the spin about the normal is left alone.
     pub torsion: Option<usize>,
     /// What the material takes.
@@ -79,18 +82,12 @@ pub struct Contact {
 }
 
 impl Contact {
-    /// The word for the law.
-    #[must_use]
-    pub const fn law_name(&self) -> &'static str {
-        if self.is_numerical { NUMERICAL } else { self.law.name() }
-    }
-
     /// Reads the fields.
     pub(super) fn read(contact: &Section<'_>) -> Result<Self, CaseError> {
         let friction = contact.number(&FRICTION)?;
         let word = contact.word(&LAW)?;
-        let is_numerical = word == NUMERICAL;
-        let law = turning_law(word);
+        let law: CollisionLaw = word.parse().unwrap_or_default();
+        let is_numerical = law == CollisionLaw::Numerical;
         let torsion = contact.switch(&TORSION)?.then(|| contact.line(&TORSION));
         if is_numerical && torsion.is_some() {
             let reason = "the numerical law leaves the spin about the normal alone";
@@ -101,6 +98,6 @@ impl Contact {
             return Err(contact.out_of_range(&FRICTION, friction, allowed));
         }
         let normal_restitution = normal_restitution(contact)?;
-        Ok(Self { friction, law, is_numerical, torsion, normal_restitution })
+        Ok(Self { friction, law, torsion, normal_restitution })
     }
 }

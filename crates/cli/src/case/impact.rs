@@ -163,10 +163,8 @@ fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase
         None => meet(one),
         Some(approach) => approach.meet(&one, touch.is_approach(), meet),
     };
-    let collision = collision
-        .map_err(at_fault)?
-        .with_law(contact.law)
-        .with_normal_restitution(contact.normal_restitution);
+    let collision =
+        collision.map_err(at_fault)?.with_normal_restitution(contact.normal_restitution);
     let collision = if contact.torsion.is_some() { collision.with_torsion() } else { collision };
     Ok(ImpactCase { collision, contact, angle: approach.map(|approach| approach.angle) })
 }

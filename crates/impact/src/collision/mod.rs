@@ -3,6 +3,7 @@
 mod aftermath;
 mod columns;
 mod history;
+mod needed_law;
 
 use carom_geometry::{ContactFrame, ContactPoint, SearchError};
 use carom_halfspace::MaterialPair;
@@ -20,6 +21,7 @@ use crate::oblique::ObliqueError;
 use crate::outcome::{Outcome, TorsionMode};
 
 pub(crate) use aftermath::Known;
+pub use needed_law::NeededLaw;
 
 /// Differences of D between tangents below this part of it are round-off.
 const EVEN: f64 = 1e-12;
@@ -374,7 +376,7 @@ impl Collision {
 
     /// Whether spheres and planes turn as easily about all tangents: their tangential motion keeps its
     /// direction and stays exactly apart from the normal one.
-    fn is_symmetric(&self) -> bool {
+    pub(crate) fn is_symmetric(&self) -> bool {
         let d = self.mobility.matrix();
         let skew = (d.m11 - d.m22).abs().max(2.0 * d.m12.abs());
         self.bodies.iter().all(|body| body.height().is_some()) && skew <= EVEN * d.m11

@@ -28,17 +28,30 @@ pub(super) struct Passage {
     pub(super) compressions: u32,
 }
 
+/// One instant of a motion.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Instant {
+    pub(super) time: f64,
+    /// zeta, xi, eta, omega since touch.
+    pub(super) shift: Rates,
+    pub(super) rates: Rates,
+    pub(super) load: ContactLoad,
+}
+
 impl Motion {
-    /// Follows a law from touch to separation; none if the bodies do not part.
+    /// Follows a law from touch to separation, observed at touch, after each step and at separation; none if the
+    /// bodies do not part.
     pub(super) fn follow<L: ContactLaw>(
         &self,
         mut law: L,
         steps: usize,
+        mut observe: impl FnMut(Instant, &L),
     ) -> Result<Option<Passage>, L::Error> {
         let h = self.duration / steps as f64;
         let (mut at, mut rates) = ([0.0; 4], self.before);
         let mut load = ContactLoad::default();
         let mut passage = Passage { compressions: 1, ..Passage::default() };
+        observe(Instant { time: 0.0, shift: at, rates, load }, &law);
         for step in 0..PATIENCE * steps {
             // Rates of the middle of the step.
             let middle = self.pushed(&rates, &load, 0.5 * h);
@@ -48,12 +61,20 @@ impl Motion {
                 let part = (at[0] / (at[0] - next[0])).clamp(0.0, 1.0);
                 passage.after = self.pushed(&rates, &load, 0.4 * part * h);
                 passage.duration = (step as f64 + part) * h;
+                let mut shift: Rates = std::array::from_fn(|i| at[i] + part * (next[i] - at[i]));
+                shift[0] = 0.0;
+                let load = ContactLoad::default();
+                observe(
+                    Instant { time: passage.duration, shift, rates: passage.after, load },
+                    &law,
+                );
                 return Ok(Some(passage));
             }
             let [zeta, xi, eta, omega] = next;
             load = law.advance(Shift { zeta, xi, eta, omega })?;
             let old = rates[0];
             (at, rates) = (next, self.pushed(&middle, &load, 0.5 * h));
+            observe(Instant { time: (step + 1) as f64 * h, shift: at, rates, load }, &law);
             passage.compressions += u32::from(old <= 0.0 && rates[0] > 0.0);
             passage.maximal_approach = passage.maximal_approach.max(zeta);
             passage.maximal_force = passage.maximal_force.max(load.f_z);

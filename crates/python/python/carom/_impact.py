@@ -60,7 +60,7 @@ def collide(
     *,
     normal: Vector | None = UP,
     torsion: bool = False,
-    law: str = "coulomb",
+    law: str = "auto",
     tolerance: float | None = None,
     normal_restitution: float = 1.0,
     wave_loss: bool = False,
@@ -68,8 +68,9 @@ def collide(
     """Two bodies collide: body 1 is put on body 2 with this common normal, from body 2 into body 1.
 
     With `normal=None` they touch where they are; of bodies with a centre one or the other must be said. `torsion`
-    takes the spin about the normal along. Where the direction of slip turns, `law` is 'coulomb' or 'fixed-direction',
-    one direction for each ring. With a `normal_restitution` below 1 the material takes a part, beyond the elastic
+    takes the spin about the normal along. `law` is 'auto', 'coulomb', 'fixed-direction', 'rings' or 'numerical': by
+    'auto' the coupling of unlike materials counts where it matters, by rings for spheres and planes and on a grid for
+    other shapes; 'coulomb' and 'fixed-direction' neglect it. With a `normal_restitution` below 1 the material takes a part, beyond the elastic
     theory; with `wave_loss` as much as elastic waves carry away; duration and greatest force are those of the
     elastic impact. A body held fast that moves, as a racket does, works on the other: the energies do not add up
     then.
@@ -100,7 +101,7 @@ def collide_many(
     body_2_spin: ArrayLike | None = None,
     normal: Vector | None = UP,
     torsion: bool = False,
-    law: str = "coulomb",
+    law: str = "auto",
     tolerance: float | None = None,
     normal_restitution: float = 1.0,
     wave_loss: bool = False,
@@ -141,7 +142,7 @@ def history(
     points: int = 101,
     *,
     normal: Vector | None = UP,
-    law: str = "coulomb",
+    law: str = "auto",
     tolerance: float | None = None,
 ) -> HistoryPoint:
     """The course of a collision of elastic bodies at instants equally spaced in time, from touch to separation.

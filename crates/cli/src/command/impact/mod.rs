@@ -16,7 +16,7 @@ use crate::input::CaseFile;
 use crate::output::{Answer, Format, Results, json};
 use crate::rows::{BLOCK, Rows, check_count, indented};
 use carom_impact::{CollisionError, HistoryPoint, Outcome};
-use carom_numerical::{NumericalImpact, NumericalImpactError};
+use carom_numerical::CollisionLawError;
 use carom_table::row;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -223,38 +223,29 @@ fn record(
 }
 
 fn outcome(path: &Path, case: &ImpactCase) -> Result<Outcome, CliError> {
-    match case.contact.is_numerical {
-        true => {
-            NumericalImpact::new(&case.collision).solve().map_err(|source| on_grid(path, source))
-        }
-        false => case.collision.solve().map_err(|source| blamed(path, case, source)),
-    }
+    case.contact.law.solve(&case.collision).map_err(|source| blamed(path, case, source))
 }
 
 fn course(path: &Path, file: &ImpactFile<'_>, count: usize) -> Result<Vec<HistoryPoint>, CliError> {
     let case = file.nominal();
-    let history = match case.contact.is_numerical {
-        true => NumericalImpact::new(&case.collision)
-            .history(count)
-            .map_err(|source| on_grid(path, source))?,
-        false => case.collision.history(count).map_err(|source| blamed(path, case, source))?,
-    };
+    let history = case.contact.law.history(&case.collision, count);
+    let history = history.map_err(|source| blamed(path, case, source))?;
     columns::check(path, HistoryPoint::COLUMNS, &history)?;
     Ok(history)
 }
 
 /// The case is to blame for torsion that cannot be given.
-fn blamed(path: &Path, case: &ImpactCase, source: CollisionError) -> CliError {
+fn blamed(path: &Path, case: &ImpactCase, source: CollisionLawError) -> CliError {
+    let path = path.to_owned();
     match (source, case.contact.torsion) {
-        (CollisionError::NormalSpin(source), Some(line)) => {
-            refused(path, CaseError::Torsion { line, source: Box::new(source) })
+        (CollisionLawError::Collision(CollisionError::NormalSpin(source)), Some(line)) => {
+            refused(&path, CaseError::Torsion { line, source: Box::new(source) })
         }
-        (source, _) => CliError::Collision { path: path.to_owned(), source: Box::new(source) },
+        (CollisionLawError::Collision(source), _) => {
+            CliError::Collision { path, source: Box::new(source) }
+        }
+        (source, _) => CliError::CollisionLaw { path, source: Box::new(source) },
     }
-}
-
-fn on_grid(path: &Path, source: NumericalImpactError) -> CliError {
-    CliError::Numerical { path: path.to_owned(), source: Box::new(source) }
 }
 
 fn refused(path: &Path, source: CaseError) -> CliError {

@@ -37,7 +37,7 @@ impl Parameter {
 }
 
 const LAW: Column<Record> = Column::new("law", "", "for turning directions", |record| {
-    record.case.contact.law_name().into()
+    record.case.contact.law.name().into()
 });
 
 impl Record {

@@ -16,7 +16,7 @@ fn stick_radius<const N: usize>(law: &RingLaw<N, 8>) -> [f64; 2] {
 
 #[test]
 fn a_pressed_contact_sticks_within_the_radius_of_the_fine_solution() {
-    // kappa = 1.125 and small gamma: stick radii of 64 rings of 16 angles and of a grid of 40 cells.
+    // kappa = 1.125 and small gamma: stick radii that an independent program found on fine rings.
     for (ratio, want) in [(0.5, 0.976), (1.0, 0.889), (1.5, 0.67), (2.0, 0.47), (3.0, 0.12)] {
         let gamma = 1e-3;
         let mut law = law_of::<16, 8>([1.125, gamma, gamma / ratio], 1e-4);

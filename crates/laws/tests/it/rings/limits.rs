@@ -5,7 +5,7 @@ use carom_halfspace::{Material, MaterialPair};
 use carom_laws::curvature::RelativeCurvature;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
-use carom_laws::law::{ContactLaw, ContactLoad, Dissipative, Shift};
+use carom_laws::law::{ContactLaw, ContactLoad, Dissipative};
 use carom_laws::rings::{RingConstants, RingLaw, Tolerance};
 
 fn is_finite(load: &ContactLoad) -> bool {
