@@ -26,7 +26,7 @@ use crate::{Displacement, Force, Material, Point, Rectangle, Stress, Traction};
 /// let body = Material::from_young(208e3, 0.3)?;
 /// let square = LoadedRectangle::new(body, Rectangle::new(2.0, 2.0)?)?;
 /// let load = Traction { normal: 1.0, ..Traction::default() };
-/// Just below the surface the normal stress equals the pressure, with sigma_xx = -(1 + 2 nu)/2.
+/// // Just below the surface the normal stress equals the pressure, with sigma_xx = -(1 + 2 nu)/2.
 /// let stress = square.stress(load, Point::default())?;
 /// assert!((stress.zz + 1.0).abs() < 1e-15);
 /// assert!((stress.xx + 0.8).abs() < 1e-15);

@@ -15,7 +15,7 @@ use crate::{Displacement, Force, Material, Point, Stress};
 /// use carom_halfspace::{Force, Material, Point, PointLoad};
 /// let body = Material::from_shear(1.0, 0.5)?;
 /// let load = PointLoad::new(body, Force { z: 4.0 * std::f64::consts::PI, ..Force::default() })?;
-/// Incompressible: the surface sinks by F_z (1 - nu)/(2 pi G r) without tangential displacement.
+/// // Incompressible: the surface sinks by F_z (1 - nu)/(2 pi G r) without tangential displacement.
 /// let surface = load.displacement(Point::on_surface(2.0, 0.0))?;
 /// assert!((surface.w - 0.5).abs() < 1e-15);
 /// assert_eq!(surface.u, 0.0);

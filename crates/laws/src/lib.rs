@@ -5,16 +5,14 @@
 //!
 //! - Statics: [`curvature`], [`ellipse`], [`stiffness`], [`hertz`], [`shift`], [`field`].
 //! - Load histories: [`memory`] is the law of the thesis, exact in one direction, with storage that
-//!   grows or has a fixed capacity; [`coulomb`] is the law for shifts whose direction changes,
-//!   [`turning_law`] the choice between them.
-//!   [`sliders`] is an alternative with springs and sliders, and [`profile`] contains other
-//!   indenters.
+//!   grows or has a fixed capacity; [`coulomb`] is the law for shifts whose direction changes;
+//!   [`turning_law`] is the choice between them. [`sliders`] is an alternative with springs and
+//!   sliders, and [`profile`] contains other indenters.
 //! - Twist: [`torsion`].
-//! - Dissimilar bodies: [`rings`], shift, twist and their coupling with the approach together.
+//! - Dissimilar bodies: [`rings`], a law for approach, shift and twist with their coupling.
 //! - [`law::ContactLaw`] is the interface for the higher layers: [`shift_law::ShiftLaw`],
-//!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`],
-//!   [`rings::RingLaw`]. [`accounted`] sums up the heat,
-//!   [`grains`] moves contacts along with spheres and walls.
+//!   [`torsion::law::TorsionLaw`], [`torsion::law::ShiftTwistLaw`], [`rings::RingLaw`].
+//!   [`accounted`] sums up the heat, [`grains`] moves contacts along with spheres and walls.
 //!
 //! ```
 //! use carom_halfspace::{Material, MaterialPair};

@@ -23,14 +23,14 @@ use crate::turning_law::TurningLaw;
 ///
 /// It is exact for uncoupled pairs (epsilon = 0, (5.20)) on straight paths, within the assumptions
 /// of Cattaneo and Mindlin. If the direction of the shift changes, each annulus slips by itself
-/// ([`crate::coulomb`]), to a given [`Tolerance`]; [`ShiftLaw::with_fixed_direction`] is the law of the
-/// thesis, with one direction of traction in a slip annulus. If c_x differs from c_y, slip is
+/// ([`crate::coulomb`]), to a given [`Tolerance`]; [`ShiftLaw::with_fixed_direction`] is the law of
+/// the thesis, with one direction of traction in a slip annulus. If c_x differs from c_y, slip is
 /// parallel to the traction in normalised shifts, not in lengths. The twist Omega is stored but has
 /// no effect.
 ///
 /// The friction heat is not summed up by default; [`crate::accounted::Accounted`] does that. It is
-/// not negative, except in the law of fixed directions if c_x differs from c_y: a step whose direction
-/// changes may then return some heat.
+/// not negative, except in the law of fixed directions if c_x differs from c_y: a step whose
+/// direction changes may then return some heat.
 ///
 /// With a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices it
 /// takes 936 bytes in one direction and 1472 in two.
@@ -74,7 +74,7 @@ enum State<V, S> {
     /// No friction: no tangential load.
     Frictionless = tags::FRICTIONLESS,
     /// Coulomb friction with one direction of traction in a slip annulus.
-    Chapter7(Memory<V, S>) = tags::CHAPTER_7,
+    FixedDirection(Memory<V, S>) = tags::FIXED_DIRECTION,
     /// Coulomb friction in two directions, annulus by annulus.
     Coulomb(CoulombMemory<V, S>) = tags::COULOMB,
     /// Infinite friction.
@@ -106,7 +106,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
-    /// The chosen law, at rest; the tolerance is that of [`TurningLaw::Coulomb`].
+    /// The chosen law in its initial state; the tolerance is used by [`TurningLaw::Coulomb`].
     #[must_use]
     pub fn chosen(
         law: TurningLaw,
@@ -120,11 +120,11 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         }
     }
 
-    /// [`TurningLaw::FixedDirection`], at rest: one direction of traction in a slip ring, the law of
-    /// chapter 7. In one direction there is no other.
+    /// The law of [`TurningLaw::FixedDirection`] in its initial state: one direction of traction in
+    /// a slip annulus, the law of chapter 7. In one direction it is the same as [`ShiftLaw::new`].
     #[must_use]
     pub fn with_fixed_direction(stiffness: ContactStiffness, friction: Friction) -> Self {
-        Self::of(stiffness, friction, || State::Chapter7(Memory::new()))
+        Self::of(stiffness, friction, || State::FixedDirection(Memory::new()))
     }
 
     fn of(
@@ -163,7 +163,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     pub fn traction(&self, q: f64) -> Option<V> {
         match &self.state {
             State::Frictionless | State::Adhesion(_) => None,
-            State::Chapter7(memory) => Some(memory.traction(q)),
+            State::FixedDirection(memory) => Some(memory.traction(q)),
             State::Coulomb(memory) => Some(memory.traction(q)),
         }
     }
@@ -172,7 +172,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     #[must_use]
     pub fn memory(&self) -> Option<&Memory<V, S>> {
         match &self.state {
-            State::Chapter7(memory) => Some(memory),
+            State::FixedDirection(memory) => Some(memory),
             _ => None,
         }
     }
@@ -184,7 +184,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
             _ if self.shift.zeta <= 0.0 => Regime::Separated,
             State::Frictionless => Regime::Sliding,
             State::Adhesion(_) => Regime::Adhesion,
-            State::Chapter7(memory) => memory.regime(),
+            State::FixedDirection(memory) => memory.regime(),
             State::Coulomb(memory) => memory.regime(),
         }
     }
@@ -196,7 +196,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
             _ if self.shift.zeta <= 0.0 => 0.0,
             State::Frictionless => 0.0,
             State::Adhesion(_) => 1.0,
-            State::Chapter7(memory) => memory.stick_depth() / memory.zeta(),
+            State::FixedDirection(memory) => memory.stick_depth() / memory.zeta(),
             State::Coulomb(memory) => memory.sticking(),
         }
     }
@@ -209,7 +209,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         let normal = self.stiffness.c_z * zeta.sqrt();
         let tangent = match &self.state {
             State::Frictionless => Tangent { by_shift: [[0.0; 2]; 2], by_approach: [0.0; 2] },
-            State::Chapter7(memory) => memory.tangent(),
+            State::FixedDirection(memory) => memory.tangent(),
             State::Coulomb(memory) => memory.tangent(),
             State::Adhesion(_) => {
                 let k = Hertzian.stiffness(zeta);
@@ -269,7 +269,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         self.shift = shift;
         let phi = match &mut self.state {
             State::Frictionless => V::default(),
-            State::Chapter7(memory) => {
+            State::FixedDirection(memory) => {
                 memory.step(shift.zeta, to);
                 memory.force()
             }
@@ -289,7 +289,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     fn force(&self) -> [f64; 2] {
         let phi = match &self.state {
             State::Frictionless => V::default(),
-            State::Chapter7(memory) => memory.force(),
+            State::FixedDirection(memory) => memory.force(),
             State::Coulomb(memory) => memory.force(),
             State::Adhesion(memory) => memory.force(),
         };
@@ -329,7 +329,7 @@ impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
     fn stored_energy(&self) -> f64 {
         let tangential = match &self.state {
             State::Frictionless => V::default(),
-            State::Chapter7(memory) => memory.stored_energy(),
+            State::FixedDirection(memory) => memory.stored_energy(),
             State::Coulomb(memory) => memory.stored_energy(),
             State::Adhesion(memory) => memory.stored_energy(),
         };
@@ -342,7 +342,7 @@ impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
         let unit = self.scale_of_energies();
         match (self.reachable(to), &self.state) {
             (Err(_), _) | (_, State::Frictionless) => 0.0,
-            (Ok(x), State::Chapter7(memory)) => memory.heat(to.zeta, x, unit),
+            (Ok(x), State::FixedDirection(memory)) => memory.heat(to.zeta, x, unit),
             (Ok(x), State::Coulomb(memory)) => memory.heat(to.zeta, x, unit),
             (Ok(x), State::Adhesion(memory)) => memory.dissipation(to.zeta, x).dot(unit),
         }
@@ -362,7 +362,7 @@ impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
         let to = self.normalised(self.shift);
         match &mut self.state {
             State::Frictionless => {}
-            State::Chapter7(memory) => {
+            State::FixedDirection(memory) => {
                 memory.turn_frame(angle);
                 memory.translate(to.minus(memory.shift()));
             }

@@ -1,13 +1,13 @@
-//! The choice of a friction law for tangential motions whose direction turns.
+//! The choice of a friction law for tangential shifts whose direction changes.
 
 use std::fmt;
 use std::str::FromStr;
 
 use carom_special::WordError;
 
-/// The friction law where the direction of the tangential motion turns. On straight paths both are exact.
+/// The friction law for tangential shifts whose direction changes. On straight paths both are exact.
 ///
-/// The same words choose it in case files, in Python and in LAMMPS:
+/// Case files, Python and LAMMPS use the same words for it:
 ///
 /// ```
 /// use carom_laws::turning_law::TurningLaw;
@@ -19,21 +19,22 @@ use carom_special::WordError;
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
 pub enum TurningLaw {
-    /// Coulomb's: every ring of the contact slips along its own traction ([`crate::coulomb`]).
+    /// Coulomb's law: every annulus of the contact slips in the direction of its own traction
+    /// ([`crate::coulomb`]).
     #[default]
     Coulomb,
-    /// Every slip ring keeps the direction in which it formed, measured with c_x xi and c_y eta
-    /// ([`crate::memory`]; chapter 7 of the thesis, of impacts (8.51)). Faster; where the shift turns, off
-    /// by 5 % of the friction limit in the mean.
+    /// Every slip annulus keeps the direction in which it formed, in terms of c_x xi and c_y eta
+    /// ([`crate::memory`]; chapter 7 of the thesis, for impacts (8.51)). It is faster; for shifts whose
+    /// direction changes its mean error is 5 % of the friction limit.
     FixedDirection,
 }
 
 impl TurningLaw {
-    /// All of them.
+    /// All friction laws.
     pub const ALL: [Self; 2] = [Self::Coulomb, Self::FixedDirection];
     const NAMES: [&'static str; 2] = [Self::Coulomb.name(), Self::FixedDirection.name()];
 
-    /// Its word.
+    /// The word for it.
     #[must_use]
     pub const fn name(self) -> &'static str {
         match self {
@@ -53,7 +54,7 @@ impl FromStr for TurningLaw {
     type Err = WordError;
 
     /// # Errors
-    /// [`WordError`] with the words that are allowed.
+    /// [`WordError`], which lists the allowed words.
     fn from_str(word: &str) -> Result<Self, WordError> {
         let law = Self::ALL.into_iter().find(|law| law.name() == word);
         law.ok_or_else(|| WordError::new("law", word, &Self::NAMES))

@@ -21,7 +21,7 @@ use super::{CreepCoefficients, Creepage};
 ///     friction: 0.3,
 ///     mesh: [50, 50],
 /// };
-/// For small creepage F_x = G a b C11 xi.
+/// // For small creepage F_x = G a b C11 xi.
 /// let forces = springs.forces(Creepage { along: 1e-4, ..Creepage::default() })?;
 /// assert!((forces.f_x / (1e-4 * coefficients.c11) - 1.0).abs() < 2e-3);
 /// # Ok::<(), Box<dyn std::error::Error>>(())

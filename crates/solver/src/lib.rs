@@ -22,7 +22,7 @@
 //! let problem = ContactProblem::of_half_spaces(ball, pair, Friction::new(0.4)?)?;
 //! let (method, apart) = (Frictional::default(), ContactState::apart(grid));
 //! let (mut scratch, mut state) = (method.scratch(&problem)?, apart.clone());
-//! Pressed by an approach of 0.5 and pulled along x by a force.
+//! // Pressed by an approach of 0.5 and pulled along x by a force.
 //! let drive = Drive { normal: Driven::Shift(0.5), x: Driven::Load(0.3), ..Drive::default() };
 //! method.step(&problem, &apart, &drive, &mut state, &mut scratch, &mut ())?;
 //! assert!((state.load().f_x - 0.3).abs() < 1e-7 && state.load().f_z > 1.0);

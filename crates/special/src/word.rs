@@ -1,8 +1,8 @@
-//! A choice among words: which are allowed, and which one a mistyped word was meant to be.
+//! The error for an unknown word, with the allowed words and the most similar one.
 
 use std::cmp::Reverse;
 
-/// A word that is none of those allowed.
+/// A word that is not one of the allowed words.
 ///
 /// ```
 /// use carom_special::WordError;
@@ -34,7 +34,7 @@ impl WordError {
         Self { field, word: word.to_owned(), allowed }
     }
 
-    /// The allowed word that was probably meant.
+    /// The allowed word that was probably intended, if one is similar.
     #[must_use]
     pub fn meant(&self) -> Option<&'static str> {
         nearest(&self.word, self.allowed)
@@ -45,8 +45,8 @@ fn quoted(words: &[&str]) -> String {
     words.iter().map(|word| format!("{word:?}")).collect::<Vec<_>>().join(" or ")
 }
 
-/// The valid name most like `name`, of several that which begins like it longest; none if none is
-/// like it at all.
+/// The valid name most similar to `name`; among equally similar ones that with the longest common
+/// beginning. `None` if no name is similar.
 #[must_use]
 pub fn nearest(name: &str, valid: &[&'static str]) -> Option<&'static str> {
     let same = |candidate: &str| {
@@ -57,7 +57,7 @@ pub fn nearest(name: &str, valid: &[&'static str]) -> Option<&'static str> {
     (distance(name, candidate) <= 1 + candidate.len() / 3).then_some(candidate)
 }
 
-/// How many letters must be put in, taken out or changed (Levenshtein).
+/// The Levenshtein distance: the least number of letters to insert, delete or change.
 fn distance(one: &str, other: &str) -> usize {
     let other: Vec<char> = other.chars().collect();
     let mut row: Vec<usize> = (0..=other.len()).collect();

@@ -33,9 +33,9 @@ pub enum Value {
     Count(u64),
     /// A text.
     Text(Cow<'static, str>),
-    /// Several words.
+    /// A list of words.
     Words(Vec<&'static str>),
-    /// Several texts.
+    /// A list of texts.
     Texts(Vec<String>),
     /// A vector: one cell for each component of the column.
     Vector([f64; 3]),
@@ -51,7 +51,7 @@ pub trait Quantity {
     fn name(&self) -> &str;
     /// The unit; empty for pure numbers and words.
     fn unit(&self) -> &'static str;
-    /// What it is, in a few words.
+    /// The meaning of the quantity, in a few words.
     fn meaning(&self) -> &'static str;
     /// The components of a vector; empty for anything else.
     fn parts(&self) -> &'static [&'static str];
@@ -120,7 +120,7 @@ impl<R> Column<R> {
         self.unit
     }
 
-    /// What it is, in a few words.
+    /// The meaning of the quantity, in a few words.
     #[must_use]
     pub const fn meaning(&self) -> &'static str {
         self.meaning

@@ -22,7 +22,7 @@ pub enum OperatorError {
     Length {
         /// The field.
         field: &'static str,
-        /// Its number of values.
+        /// Number of values in the field.
         found: usize,
         /// Number of cells.
         expected: usize,

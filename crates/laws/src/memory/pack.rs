@@ -9,7 +9,7 @@ use crate::profile::NormalProfile;
 /// The version of the format; the first number is `1e4 version + 100 regime + vertices`. Version 1
 /// is that of [`crate::coulomb`], 3 that of a contact without friction.
 const VERSION: f64 = 2.0;
-/// Numbers before the vertices.
+/// Number of values stored before the vertices.
 pub(super) const HEAD: usize = 6;
 const EACH: usize = 5;
 /// The greatest number of vertices that the first number can represent.

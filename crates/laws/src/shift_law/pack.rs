@@ -41,7 +41,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// [`RangeError`] if the slice is too short for the vertices; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
         match &self.state {
-            State::Chapter7(memory) => memory.pack(numbers),
+            State::FixedDirection(memory) => memory.pack(numbers),
             State::Coulomb(memory) => memory.pack(numbers),
             State::Frictionless => {
                 let room = numbers.len() as f64;
@@ -64,7 +64,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         let shift = self.shift_in(numbers);
         match &mut self.state {
             State::Frictionless => return self.unpack_free(numbers),
-            State::Chapter7(memory) => shift.and_then(|_| memory.unpack(numbers))?,
+            State::FixedDirection(memory) => shift.and_then(|_| memory.unpack(numbers))?,
             State::Coulomb(memory) => shift.and_then(|_| memory.unpack(numbers))?,
             State::Adhesion(memory) => shift.and_then(|_| memory.unpack(numbers))?,
         }

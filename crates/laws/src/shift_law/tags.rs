@@ -8,7 +8,7 @@ use crate::memory::{Fixed, Lateral, Memory, MemoryRegime, VertexStack};
 
 /// The tags of [`State`].
 pub(super) const FRICTIONLESS: u8 = 0;
-pub(super) const CHAPTER_7: u8 = 1;
+pub(super) const FIXED_DIRECTION: u8 = 1;
 pub(super) const COULOMB: u8 = 2;
 pub(super) const ADHESION: u8 = 3;
 
@@ -24,7 +24,7 @@ impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
         let memory = tag + align_of::<State<V, Fixed<V, N>>>();
         let regime = match byte(tag) {
             FRICTIONLESS | ADHESION => return true,
-            CHAPTER_7 => Memory::<V, Fixed<V, N>>::REGIME_AT,
+            FIXED_DIRECTION => Memory::<V, Fixed<V, N>>::REGIME_AT,
             COULOMB => CoulombMemory::<V, Fixed<V, N>>::REGIME_AT,
             _ => return false,
         };
@@ -38,7 +38,7 @@ impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
     pub fn fits(&self) -> bool {
         let (zeta, len) = match &self.state {
             State::Frictionless => return true,
-            State::Chapter7(memory) => (memory.zeta(), memory.stack().len()),
+            State::FixedDirection(memory) => (memory.zeta(), memory.stack().len()),
             State::Coulomb(memory) => (memory.zeta(), memory.stack().len()),
             State::Adhesion(memory) => (memory.zeta(), memory.stack().len()),
         };

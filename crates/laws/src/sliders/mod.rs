@@ -96,7 +96,7 @@ impl SliderLaw {
     /// let mut law = SliderLaw::new(100, 1.0, 1.0)?;
     /// law.advance(1.0, [0.0, 0.0])?;
     /// law.advance(1.0, [0.5, 0.0])?;
-    /// Beyond half the depth a spring carries its limit, the rest of the depth.
+    /// // Beyond half the depth a spring carries its limit, the rest of the depth.
     /// let held = law.springs().all(|(depth, anchor)| {
     ///     (0.5 - anchor[0] - 0.5_f64.min(1.0 - depth)).abs() < 1e-15
     /// });
@@ -138,7 +138,7 @@ impl SliderLaw {
     /// use carom_laws::sliders::SliderLaw;
     /// let mut law = SliderLaw::new(400, 1.0, 1.0)?;
     /// law.advance(1.0, [2.0, 0.0])?;
-    /// In full sliding the force is 1, and all work becomes heat.
+    /// // In full sliding the force is 1, and all work becomes heat.
     /// let [heat, _] = law.dissipation(1.0, [2.5, 0.0]);
     /// assert!((heat - 0.5).abs() < 1e-5);
     /// # Ok::<(), carom_special::RangeError>(())

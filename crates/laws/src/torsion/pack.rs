@@ -11,7 +11,7 @@ use crate::bounds::in_contact;
 
 /// The version of the format; the first number is `1e4 version + level of the rings`.
 const VERSION: f64 = 5.0;
-/// Numbers before the pieces.
+/// Number of values stored before the pieces.
 const HEAD: usize = 7;
 /// Numbers per piece.
 const EACH: usize = 6;

@@ -87,7 +87,7 @@ fn influence(level: usize) -> &'static Influence {
 /// number, the same for every contact radius, so that a receding contact keeps its rings.
 pub(super) struct Rings {
     radius: f64,
-    /// Ring edges from outside inwards, one more than rings.
+    /// Radii of the ring edges, outermost first; one more than the number of rings.
     edges: Vec<f64>,
     middles: Vec<f64>,
     /// Traction divided by radius of a ring due to the density of another, row by row; only
@@ -127,7 +127,7 @@ impl Rings {
         self.radius
     }
 
-    /// Ring edges from outside inwards, one more than rings.
+    /// Radii of the ring edges, outermost first; one more than the number of rings.
     pub(super) fn edges(&self) -> &[f64] {
         &self.edges
     }

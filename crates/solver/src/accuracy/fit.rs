@@ -52,7 +52,7 @@ const CONVERGENCE_ORDERS: [f64; 2] = [0.5, 2.0];
 ///     let gap = window.gap(|x, y| 50.0 * (x * x + y * y)).map_err(OperatorError::from)?;
 ///     ContactProblem::of_half_spaces(gap, pair, Friction::NONE)
 /// };
-/// Any window that contains the contact will do as a start.
+/// // Any window that contains the contact will do as a start.
 /// let start = [1.0, 1.0];
 /// let pressed = Drive { normal: Driven::Load(10.0), ..Drive::default() };
 /// let fit = Accuracy::new(1e-3)?.fit(Frictionless::default(), make, start, &[pressed])?;

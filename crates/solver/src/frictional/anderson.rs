@@ -16,7 +16,7 @@ pub(crate) struct Mixing {
 }
 
 impl Mixing {
-    /// Forgets all passes.
+    /// Clears the memory.
     pub(crate) fn clear(&mut self) {
         (self.arguments, self.residuals, self.least) = Default::default();
     }

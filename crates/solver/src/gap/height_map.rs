@@ -31,9 +31,9 @@ pub enum HeightMapError {
     Ragged {
         /// The row, from 1.
         row: usize,
-        /// Its number of values.
+        /// Number of values in this row.
         found: usize,
-        /// That of the first row.
+        /// Number of values in the first row.
         expected: usize,
     },
     /// A value is infinite or not a number.

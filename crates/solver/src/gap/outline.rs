@@ -33,9 +33,9 @@ pub enum Outline {
     },
     /// A rectangle with its sides along x and y.
     Rectangle {
-        /// Half of the side along x.
+        /// Half the side length along x.
         half_x: f64,
-        /// Half of the side along y.
+        /// Half the side length along y.
         half_y: f64,
     },
     /// A triangle with these corners.

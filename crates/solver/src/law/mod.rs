@@ -60,8 +60,8 @@ pub enum NumericalLawError {
 /// law.advance(Shift { zeta: 0.005, ..Shift::default() })?;
 /// let mut trial = law.clone();
 /// let pushed = trial.advance(Shift { zeta: 0.005, xi: 0.001, ..Shift::default() })?;
-/// All of it slides, though not yet exactly along x: dissimilar bodies are drawn sideways when
-/// pressed together.
+/// // All of it slides, though not yet exactly along x: dissimilar bodies are drawn sideways when
+/// // pressed together.
 /// let of_limit = pushed.f_x / (0.1 * pushed.f_z);
 /// assert!(of_limit > 0.98 && of_limit < 0.999);
 /// assert_eq!(law.shift().xi, 0.0);

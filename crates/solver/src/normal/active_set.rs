@@ -28,8 +28,8 @@ const LARGEST_FORCE_ERROR: f64 = 1e-9;
 pub(super) struct Limits {
     /// Greatest violation relative to the greatest displacement.
     pub(super) tolerance: f64,
-    /// Norm of correction and violation relative to that of the pressure; zero if the tolerance
-    /// applies.
+    /// The iteration also stops when correction and violation, in norm, fall below this fraction of
+    /// the pressure; zero: it stops at the tolerance only.
     pub(super) change: f64,
     pub(super) iterations: usize,
 }

@@ -49,8 +49,8 @@ pub(crate) struct TangentialTask<'a> {
 pub(super) struct Limits {
     /// Greatest violation of the friction law relative to the greatest friction bound.
     pub(super) tolerance: f64,
-    /// Norm of correction and violation relative to that of the tractions; zero if the tolerance
-    /// applies.
+    /// The iteration also stops when correction and violation, in norm, fall below this fraction of
+    /// the tractions; zero: it stops at the tolerance only.
     pub(super) change: f64,
     pub(super) iterations: usize,
 }

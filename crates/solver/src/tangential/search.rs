@@ -38,14 +38,13 @@ pub(super) struct Search {
     cells: Vec<CellState>,
 }
 
-/// Scaled loads, which grow linearly with the shifts, and their derivative with respect to the
-/// loads.
+/// Loads L scaled to `L / sqrt(1 - g^2)`, and the derivative of the scaled loads with respect to L.
 struct Stretched {
     loads: Vector3<f64>,
     slope: Matrix3<f64>,
 }
 
-/// Scales loads; `None` beyond the limit.
+/// Scales loads by `1 / sqrt(1 - g^2)`; `None` if they exceed the friction limit.
 fn stretched(surface: &LimitSurface, loads: &Vector3<f64>) -> Option<Stretched> {
     let used = surface.used(loads);
     let missing = (1.0 - used.part) * (1.0 + used.part);

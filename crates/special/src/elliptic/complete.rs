@@ -84,7 +84,7 @@ pub fn e(ratio: AxisRatio) -> f64 {
 /// ```
 /// use carom_special::{AxisRatio, elliptic::complete::d};
 /// assert_eq!(d(AxisRatio::CIRCLE), std::f64::consts::FRAC_PI_4);
-/// Where (K - E)/k^2 would have no correct digit: ln(4e20) - 1.
+/// // Where (K - E)/k^2 would have no correct digit: ln(4e20) - 1.
 /// let ratio = AxisRatio::new(1e-20)?;
 /// assert!((d(ratio) - 46.437_996_221_000_81).abs() < 1e-14);
 /// # Ok::<(), carom_special::RangeError>(())

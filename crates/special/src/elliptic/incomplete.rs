@@ -153,7 +153,7 @@ impl Place {
         existing(ellip::elliprd(self.c * self.c, delta * delta, 1.0))
     }
 
-    /// F near the corner: ln(4/(c + Delta)), DLMF 19.27.1.
+    /// F for a slender ellipse and an angle near pi/2: ln(4/(c + Delta)), DLMF 19.27.1.
     fn corner_logarithm(&self) -> f64 {
         2.0 * LN_2 - libm::log(self.c + self.delta)
     }
