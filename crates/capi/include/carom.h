@@ -94,7 +94,7 @@
 
 // Changes whenever a structure or a function of this header does; compare it with
 // `carom_abi_version()` of the library that is loaded.
-#define CAROM_ABI_VERSION 3
+#define CAROM_ABI_VERSION 4
 
 // How a call ended.
 enum carom_status

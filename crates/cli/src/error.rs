@@ -1,47 +1,21 @@
 //! What can go wrong in a command, and the exit code for it.
 
-use crate::case::CaseError;
-use crate::command::StepsError;
-use carom_classic::DirectError;
+use carom_cases::Error;
+use carom_impact::CollisionError;
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
-use carom_impact::{CollisionError, RingImpactError};
-use carom_numerical::{CollisionLawError, NumericalImpactError};
 use carom_plot::PlotError;
 use carom_rolling::RollingError;
-use carom_solver::{FitError, FrictionalError, ProblemError};
 use carom_special::RangeError;
-use carom_special::quadrature::QuadratureError;
 use std::path::{Path, PathBuf};
 
 /// Why a command did not do its work.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
-    /// A case file says something that cannot be.
-    #[error("{}: {source}", path.display())]
-    Case {
-        /// The case file.
-        path: PathBuf,
-        /// What is wrong with it.
-        source: CaseError,
-    },
-    /// The collision of a case could not be followed.
-    #[error("{}: {source}", path.display())]
-    Collision {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: Box<CollisionError>,
-    },
-    /// The collision of a case could not be followed with its contact law.
-    #[error("{}: {source}", path.display())]
-    CollisionLaw {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: Box<CollisionLawError>,
-    },
+    /// A case cannot be read or followed, or a file not be written.
+    #[error(transparent)]
+    Case(Error),
     /// The scene of a case cannot be run.
     #[error("{}: {source}", path.display())]
     Scene {
@@ -58,34 +32,6 @@ pub enum CliError {
         /// Why.
         source: UncertainError,
     },
-    /// A law refuses a value of a case.
-    #[error("{}: {source}", path.display())]
-    Law {
-        /// The case file.
-        path: PathBuf,
-        /// Which value, and what is allowed.
-        source: RangeError,
-    },
-    /// A step on a grid could not be solved.
-    #[error("{}: step {step}: {source}", path.display())]
-    Step {
-        /// The case file.
-        path: PathBuf,
-        /// The number of the step, from 1.
-        step: usize,
-        /// Why.
-        source: Box<FrictionalError>,
-    },
-    /// A step could not be solved by the method that the case asks for.
-    #[error("{}: step {step}: {source}{}", path.display(), advice(source))]
-    Classic {
-        /// The case file.
-        path: PathBuf,
-        /// The number of the step, from 1; 0 before the first.
-        step: usize,
-        /// Why.
-        source: Box<DirectError>,
-    },
     /// A rolling contact could not be solved.
     #[error("{}: row {row}: {source}", path.display())]
     Rolling {
@@ -95,48 +41,6 @@ pub enum CliError {
         row: usize,
         /// Why.
         source: Box<RollingError>,
-    },
-    /// A contact does not fit on its grid.
-    #[error("{}: step {step}: the contact reaches the {side} border of the grid; `grid.size` must be larger", path.display())]
-    Border {
-        /// The case file.
-        path: PathBuf,
-        /// The number of the step, from 1.
-        step: usize,
-        /// Left, right, lower or upper.
-        side: &'static str,
-    },
-    /// No grid fits a contact.
-    #[error("{}: {source}; give `grid.cells` and `grid.size` instead of an accuracy", path.display())]
-    Fit {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: Box<FitError<FrictionalError>>,
-    },
-    /// A contact problem could not be set up.
-    #[error("{}: {source}", path.display())]
-    Problem {
-        /// The case file.
-        path: PathBuf,
-        /// Why.
-        source: Box<ProblemError>,
-    },
-    /// A file of steps says something that cannot be.
-    #[error("{}: {source}", path.display())]
-    Steps {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        source: StepsError,
-    },
-    /// An input is no text file of an allowed size, or is written to in the same run.
-    #[error("{}: {reason}", path.display())]
-    Input {
-        /// The file.
-        path: PathBuf,
-        /// What is wrong with it.
-        reason: String,
     },
     /// Standard error goes to an input: there is nowhere to tell it.
     #[error("{}: standard error goes to this input", path.display())]
@@ -171,25 +75,12 @@ pub enum CliError {
         /// What came out.
         value: f64,
     },
-    /// A traction could not be integrated.
-    #[error("cannot work out a traction: {0}")]
-    Quadrature(#[from] QuadratureError),
     /// An option has a value that cannot be.
     #[error("--{0}")]
     Option(#[from] RangeError),
     /// Options that exclude each other, or the case.
     #[error("{0}")]
     Options(&'static str),
-    /// A file could not be read or written.
-    #[error("cannot {action} {}: {source}", path.display())]
-    Io {
-        /// `read` or `write`.
-        action: &'static str,
-        /// The file.
-        path: PathBuf,
-        /// The system's reason.
-        source: std::io::Error,
-    },
     /// The system gives no such number of threads.
     #[error("cannot start {count} threads: {source}")]
     Threads {
@@ -211,78 +102,43 @@ impl CliError {
     #[must_use]
     pub fn exit_code(&self) -> u8 {
         match self {
-            Self::Collision { source, .. } => of_collision(source),
+            Self::Case(source) => 1 + u8::from(source.is_bad_input()),
             Self::Scene { source: SceneError::Collision { source, .. }, .. }
             | Self::Uncertain { source: UncertainError::Collision { source, .. }, .. } => {
                 of_collision(source)
             }
-            Self::CollisionLaw { source, .. } => match **source {
-                CollisionLawError::Rings(RingImpactError::Range(_))
-                | CollisionLawError::Numerical(NumericalImpactError::Range(_)) => 2,
-                _ => 1,
-            },
-            Self::Step { source, .. } => match **source {
-                FrictionalError::Range(_)
-                | FrictionalError::Period(_)
-                | FrictionalError::Slides { .. }
-                | FrictionalError::Turns { .. } => 2,
-                _ => 1,
-            },
-            Self::Fit { source, .. } => match **source {
-                FitError::Range(_)
-                | FitError::Problem(_)
-                | FitError::NoWindow { .. }
-                | FitError::Endless { .. }
-                | FitError::Method(
-                    FrictionalError::Range(_)
-                    | FrictionalError::Period(_)
-                    | FrictionalError::Slides { .. }
-                    | FrictionalError::Turns { .. },
-                ) => 2,
-                _ => 1,
-            },
-            Self::Classic { source, .. } => match **source {
-                DirectError::NotConverged { .. } | DirectError::Singular { .. } => 1,
-                _ => 2,
-            },
             Self::Rolling { source, .. } => match **source {
                 RollingError::Range(_) => 2,
                 _ => 1,
             },
-            Self::Case { .. }
-            | Self::Border { .. }
-            | Self::Problem { .. }
-            | Self::Overflow { .. }
+            Self::Overflow { .. }
             | Self::Uncertain { .. }
             | Self::Scene { .. }
-            | Self::Law { .. }
-            | Self::Steps { .. }
-            | Self::Input { .. }
             | Self::Messages { .. }
             | Self::Destination { .. }
             | Self::Option(_)
             | Self::Options(_) => 2,
-            Self::Impact(_)
-            | Self::Quadrature(_)
-            | Self::Io { .. }
-            | Self::Threads { .. }
-            | Self::Format(_)
-            | Self::Plot(_) => 1,
+            Self::Impact(_) | Self::Threads { .. } | Self::Format(_) | Self::Plot(_) => 1,
         }
     }
 
     /// A refusal of the system while reading or writing `path`.
     #[must_use]
     pub fn io(action: &'static str, path: &Path, source: std::io::Error) -> Self {
-        Self::Io { action, path: path.to_owned(), source }
+        Self::Case(Error::io(action, path, source))
     }
 }
 
-/// What applies where an older method does not.
-const fn advice(error: &DirectError) -> &'static str {
-    match error {
-        DirectError::Range(_) | DirectError::Operator(_) => "",
-        _ => "; `contact.method` = \"newton\", the default, takes it",
+/// What this command told a reader of cases is told as it was.
+impl From<Error> for CliError {
+    fn from(error: Error) -> Self {
+        match error {
+            Error::Refused(source) => match source.downcast::<Self>() {
+                Ok(own) => *own,
+                Err(other) => Self::Case(Error::Refused(other)),
+            },
+            error => Self::Case(error),
+        }
     }
 }
 

@@ -1,6 +1,6 @@
 //! Which file a name means, whatever the way it is written.
 
-use crate::input::STANDARD_INPUT;
+use carom_cases::input::STANDARD_INPUT;
 use std::ffi::OsString;
 #[cfg(unix)]
 use std::fs::{File, Metadata};

@@ -9,8 +9,11 @@ use crate::destination::{Destination, Kind};
 use crate::error::CliError;
 use crate::identity::{Identity, folder, resolved};
 use crate::output::{Format, is_open};
+use carom_cases::Error;
+use carom_cases::input::CaseFile;
 use std::fs::Metadata;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// All outputs of a run.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -129,6 +132,15 @@ impl Outputs {
         Ok(path.to_owned())
     }
 
+    /// Reads the case file at `path` in a run that writes these outputs.
+    ///
+    /// # Errors
+    /// As [`CaseFile::read_guarded`] and [`Outputs::check_input`].
+    pub fn read_case(self, path: &Path) -> Result<CaseFile, CliError> {
+        let guard = move |input: &Path| self.check_input(input).map_err(Into::into);
+        Ok(CaseFile::read_guarded(path, Arc::new(guard))?)
+    }
+
     /// Whether `input` may be read, as no output goes there.
     ///
     /// # Errors
@@ -138,7 +150,7 @@ impl Outputs {
         // What is not there, or no file, is told where it is opened.
         let Ok(identity) = Identity::of(input) else { return Ok(()) };
         let refused =
-            |reason: &str| CliError::Input { path: input.to_owned(), reason: reason.into() };
+            |reason: &str| Error::Input { path: input.to_owned(), reason: reason.into() }.into();
         if resolved(input).is_ok_and(|place| place.file_name().is_some_and(is_aside)) {
             return Err(refused(
                 "carom was writing this file when it was stopped; give it another name",

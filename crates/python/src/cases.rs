@@ -2,10 +2,13 @@
 
 use carom::impact::Outcome;
 use carom::solver::{CellState, ContactState};
-use carom_cli::case::CaseKind;
-use carom_cli::cases::{self, HistoryStep, Impacts, Solved, history_columns};
-use carom_cli::error::CliError;
-use carom_cli::input::CaseFile;
+use carom::special::WordError;
+use carom_cases::Error;
+use carom_cases::case::CaseKind;
+use carom_cases::history::{self, Step, all_columns};
+use carom_cases::impact::{self, Followed as Impacts};
+use carom_cases::input::CaseFile;
+use carom_cases::solve::{self, Followed as Solved};
 use numpy::PyArray1;
 use pyo3::exceptions::{PyOSError, PyValueError};
 use pyo3::prelude::*;
@@ -25,7 +28,7 @@ pub(crate) fn case_impact<'py>(
     py: Python<'py>,
     path: PathBuf,
 ) -> PyResult<(Option<Swept<'py>>, Bound<'py, PyDict>)> {
-    let followed = without_python(py, || cases::impact(&CaseFile::read(&path)?));
+    let followed = without_python(py, || impact::followed(&CaseFile::read(&path)?));
     let Impacts { swept, outcomes } = followed.map_err(raised)?;
     let swept = swept.map(|(name, unit, values)| (name, unit, PyArray1::from_vec(py, values)));
     Ok((swept, arrays(py, Outcome::COLUMNS, &outcomes)?))
@@ -34,9 +37,9 @@ pub(crate) fn case_impact<'py>(
 /// The contact after each step of a history.
 #[pyfunction]
 pub(crate) fn case_history(py: Python<'_>, path: PathBuf) -> PyResult<Bound<'_, PyDict>> {
-    let steps = without_python(py, || cases::history(&CaseFile::read(&path)?));
-    let steps: Vec<HistoryStep> = steps.map_err(raised)?;
-    arrays(py, &history_columns(), &steps)
+    let steps = without_python(py, || history::followed(&CaseFile::read(&path)?));
+    let steps: Vec<Step> = steps.map_err(raised)?;
+    arrays(py, &all_columns(), &steps)
 }
 
 /// A contact on a grid: its steps, the middles of the cells along x and y, and the fields at the end as a
@@ -53,8 +56,8 @@ pub(crate) fn case_solve<'py>(
     [Bound<'py, PyArray1<f64>>; 5],
     Bound<'py, PyArray1<i8>>,
 )> {
-    let solved = without_python(py, || cases::solve(&CaseFile::read(&path)?, accuracy));
-    let Solved { steps, state, window } = solved.map_err(raised)?;
+    let solved = without_python(py, || solve::solved(&CaseFile::read(&path)?, accuracy));
+    let Solved { steps, state, window, .. } = solved.map_err(raised)?;
     let (grid, [x, y]) = (window.grid(), window.middle());
     let axes = [
         (0..grid.nx()).map(|i| x + grid.centred_x(i)).collect::<Vec<_>>(),
@@ -68,11 +71,8 @@ pub(crate) fn case_solve<'py>(
 /// A commented case of a kind, with every field that it may have: it runs as it stands.
 #[pyfunction]
 pub(crate) fn case_new(kind: &str) -> PyResult<String> {
-    let found = CaseKind::ALL.into_iter().find(|known| known.name() == kind);
-    let names = CaseKind::ALL.map(CaseKind::name).join(", ");
-    let kind = found
-        .ok_or_else(|| PyValueError::new_err(format!("kind = {kind:?}: must be one of {names}")))?;
-    Ok(kind.begin())
+    let kind: Result<CaseKind, WordError> = kind.parse();
+    Ok(kind.map_err(|error| PyValueError::new_err(error.to_string()))?.begin())
 }
 
 /// Fields and cells of a state, one number after the other: pressure, tractions, displacements.
@@ -104,14 +104,14 @@ fn reason(error: &std::io::Error) -> String {
 }
 
 /// What is wrong with a case is a `ValueError`, a file that cannot be read an `OSError`.
-fn raised(error: CliError) -> PyErr {
+fn raised(error: Error) -> PyErr {
     match error {
-        CliError::Option(range) => Fault::from(range).into(),
-        CliError::Io { path, source, .. } => match source.raw_os_error() {
+        Error::Range(range) => Fault::from(range).into(),
+        Error::Io { path, source, .. } => match source.raw_os_error() {
             Some(code) => PyOSError::new_err((code, reason(&source), path.display().to_string())),
             None => PyOSError::new_err(format!("{}: {source}", path.display())),
         },
-        error if error.exit_code() == 2 => PyValueError::new_err(error.to_string()),
+        error if error.is_bad_input() => PyValueError::new_err(error.to_string()),
         error => CaromError::new_err(error.to_string()),
     }
 }

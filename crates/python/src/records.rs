@@ -3,7 +3,7 @@
 use carom::impact::{HistoryPoint, Outcome};
 use carom::laws::hertz::HertzState;
 use carom::table::{Column, Quantity as _, Value};
-use carom_cli::cases::history_columns;
+use carom_cases::history::all_columns as history_columns;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;

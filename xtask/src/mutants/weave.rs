@@ -8,7 +8,7 @@ use std::ops::Range;
 use std::path::{Path, PathBuf};
 
 /// The crates with mutants, below the workspace; each gets a switch of its own.
-pub(super) const CRATES: [&str; 11] = [
+pub(super) const CRATES: [&str; 12] = [
     "crates/special",
     "crates/geometry",
     "crates/halfspace",
@@ -19,6 +19,7 @@ pub(super) const CRATES: [&str; 11] = [
     "crates/impact",
     "crates/plot",
     "crates/capi",
+    "crates/cases",
     "crates/cli",
 ];
 

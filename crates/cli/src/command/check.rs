@@ -1,12 +1,14 @@
 //! `carom check`: what a case says, without computing it.
 
-use crate::case::{CaseKind, HistoryCase, SolveCase, Steps, Understood};
 use crate::columns::{self, Record};
-use crate::command::{history, solve};
+use crate::command::kind;
 use crate::error::CliError;
-use crate::input::CaseFile;
 use crate::output::{Answer, Format, json};
 use crate::outputs::Outputs;
+use carom_cases::case::{CaseKind, HistoryCase, SolveCase, Steps, Understood};
+use carom_cases::history::read_steps;
+use carom_cases::input::CaseFile;
+use carom_cases::solve::Bodies;
 use serde::Serialize;
 use std::path::PathBuf;
 
@@ -20,7 +22,7 @@ pub(super) struct Arguments {
     #[arg(value_name = "CASE.toml")]
     case: PathBuf,
     /// The kind of case; that whose tables the file has if this is left out.
-    #[arg(long, value_enum)]
+    #[arg(long, value_parser = kind())]
     kind: Option<CaseKind>,
     /// Format of the table.
     #[arg(long, value_enum, default_value_t)]
@@ -36,7 +38,7 @@ struct Checked<'a> {
 
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let outputs = Outputs::of_command(arguments.format)?;
-    let file = CaseFile::read_for(&arguments.case, outputs)?;
+    let file = outputs.read_case(&arguments.case)?;
     let kind = match arguments.kind {
         Some(kind) => kind,
         None => file.parse(CaseKind::of)?,
@@ -60,16 +62,17 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
 fn check_files(file: &CaseFile, kind: CaseKind) -> Result<(), CliError> {
     match kind {
         CaseKind::History => match file.parse(HistoryCase::parse)?.steps {
-            Steps::File(name) => history::read_steps(file, &name).map(|_| ()),
-            Steps::Inline(_) => Ok(()),
+            Steps::File(name) => read_steps(file, &name).map(|_| ())?,
+            Steps::Inline(_) => {}
         },
         CaseKind::Solve => {
-            solve::bodies::Bodies::of(file, &file.parse(SolveCase::parse)?).map(|_| ())
+            Bodies::of(file, &file.parse(SolveCase::parse)?)?;
         }
         CaseKind::Impact
         | CaseKind::Hertz
         | CaseKind::Scene
         | CaseKind::Roll
-        | CaseKind::Stress => Ok(()),
+        | CaseKind::Stress => {}
     }
+    Ok(())
 }

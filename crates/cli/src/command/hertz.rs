@@ -1,12 +1,13 @@
 //! `carom hertz`: the contact of two surfaces under normal load.
 
-use crate::case::{Given, HertzCase, Numbers};
 use crate::columns::{self, Record, add_fields};
 use crate::command::plot::{Course, MOST_MARKS};
 use crate::command::theory::{Excess, caution};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
+use carom_cases::Error;
+use carom_cases::case::{Given, HertzCase, Numbers};
 use carom_laws::hertz::{Hertz, HertzState};
 use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
@@ -40,7 +41,7 @@ struct Row<'a> {
 pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let command::Given { case: file, plot } = arguments.given.read()?;
     let case = file.parse(HertzCase::parse)?;
-    let at_fault = |source| CliError::Law { path: file.path.clone(), source };
+    let at_fault = |source| Error::Law { path: file.path.clone(), source };
     let states = case
         .values
         .as_slice()

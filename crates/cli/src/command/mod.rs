@@ -2,7 +2,6 @@
 //! that are too many to hold.
 
 mod begin;
-pub mod cases;
 mod check;
 mod completions;
 mod hertz;
@@ -20,14 +19,14 @@ mod stress;
 mod theory;
 mod thinned;
 
-pub use history::StepsError;
-
 use crate::destination::Destination;
 use crate::error::CliError;
-use crate::input::CaseFile;
 use crate::manner::{Manner, Messages};
 use crate::output::{Answer, Format, Results};
 use crate::outputs::Outputs;
+use carom_cases::case::CaseKind;
+use carom_cases::input::CaseFile;
+use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 
 /// Elastic impact with friction: how two bodies touch, slip, stick, twist and rebound.
@@ -67,6 +66,12 @@ impl Carom {
     }
 }
 
+/// A kind of case among the arguments.
+fn kind() -> impl TypedValueParser<Value = CaseKind> {
+    let value = |kind: CaseKind| PossibleValue::new(kind.name()).help(kind.meaning());
+    PossibleValuesParser::new(CaseKind::ALL.map(value)).try_map(|word| word.parse::<CaseKind>())
+}
+
 /// What every command with a case file takes.
 #[derive(Debug, clap::Args)]
 struct CaseArguments {
@@ -104,7 +109,7 @@ impl CaseArguments {
         let to = |path: &PathBuf| outputs.picture("plot", path, self.format);
         let plot = self.plot.as_ref().map(to).transpose()?;
         let claimed = claims(&mut outputs)?;
-        Ok((Given { case: CaseFile::read_for(&self.case, outputs)?, plot }, claimed))
+        Ok((Given { case: outputs.read_case(&self.case)?, plot }, claimed))
     }
 }
 

@@ -1,9 +1,10 @@
 //! `carom schema`: the fields of a kind of case.
 
-use crate::case::{CaseKind, Entry};
 use crate::columns::{self, Record};
+use crate::command::kind;
 use crate::error::CliError;
 use crate::output::{Answer, Format, json};
+use carom_cases::case::{CaseKind, Entry};
 
 /// All fields of a kind of case: kind, range, unit, default, meaning.
 ///
@@ -13,7 +14,7 @@ use crate::output::{Answer, Format, json};
 #[command(after_long_help = columns::help("A row for each field", Entry::COLUMNS))]
 pub(super) struct Arguments {
     /// The kind of case.
-    #[arg(value_enum)]
+    #[arg(value_parser = kind())]
     kind: CaseKind,
     /// Format of the table.
     #[arg(long, value_enum, default_value_t)]

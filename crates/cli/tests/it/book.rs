@@ -2,7 +2,7 @@
 //! say. `cargo xtask book --update` writes both anew.
 
 use crate::common::{folder, stdout};
-use carom_cli::case::{CaseKind, Entry, Need};
+use carom_cases::case::{CaseKind, Entry, Need};
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::process::Command;

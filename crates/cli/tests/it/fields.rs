@@ -1,7 +1,7 @@
 //! The tables of fields: what reads a case, its errors, the examples and new cases agree with them.
 
 use crate::common::{carom, case, examples, stdout};
-use carom_cli::case::{CaseKind, Entry, Form, Need};
+use carom_cases::case::{CaseKind, Entry, Form, Need};
 use std::collections::BTreeSet;
 use toml::{Table, Value};
 

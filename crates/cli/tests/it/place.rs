@@ -5,7 +5,7 @@ use crate::common;
 use crate::common::examples;
 use crate::common::pebble::{all_close, numbers, refused, solved};
 use crate::common::stdout;
-use carom_cli::case::CaseKind;
+use carom_cases::case::CaseKind;
 use toml::{Table, Value};
 
 /// The same fields, words and numbers, but for places.

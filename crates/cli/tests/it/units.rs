@@ -1,6 +1,6 @@
 //! Every unit that a case may name, by what it stands for.
 
-use carom_cli::case::Dimension;
+use carom_cases::case::Dimension;
 use std::f64::consts::PI;
 
 /// The units of each dimension, the plain one first, and how much of the plain one each is.
@@ -81,7 +81,7 @@ fn each_unit_stands_for_what_it_says() {
             assert!((read - expected).abs() <= 4e-16 * expected.abs(), "{name}: {read} {expected}");
         }
         // The list is whole: what is allowed names no other unit.
-        let allowed = dimension.allowed(carom_cli::case::Range::Finite);
+        let allowed = dimension.allowed(carom_cases::case::Range::Finite);
         let named =
             allowed.split_once("with a unit of ").map_or(0, |(_, units)| units.split(", ").count());
         assert_eq!(named, units.len(), "{allowed}");

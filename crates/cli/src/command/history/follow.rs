@@ -1,14 +1,13 @@
 //! Following a history, and what lies between its steps for a picture.
 
-use super::laws::Laws;
 use super::plot;
-use super::view::{self, Step};
-use crate::case::HistoryCase;
-use crate::command::hertz::smallest_radius;
 use crate::command::plot::MOST_MARKS;
 use crate::command::thinned::Thinned;
 use crate::error::CliError;
 use crate::rows::BLOCK;
+use carom_cases::Error;
+use carom_cases::case::HistoryCase;
+use carom_cases::history::{self, Laws, Step};
 use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_special::RangeError;
@@ -43,15 +42,14 @@ pub(super) fn follow(
     case: &HistoryCase,
     shifts: &[Shift],
     wanted: Wanted,
-    at_fault: impl Fn(RangeError) -> CliError,
+    at_fault: impl Fn(RangeError) -> Error,
     mut visit: impl FnMut(&mut Vec<Step>) -> Result<(), CliError>,
 ) -> Result<Drawn, CliError> {
     let friction = Friction::new(case.friction).map_err(&at_fault)?;
     if wanted.radii > 0 && friction.coefficient().is_none() {
         return Err(CliError::Options("--tractions takes a case with finite friction"));
     }
-    let radius = smallest_radius(&case.hertz);
-    let state = |number, laws: &Laws, radii| view::step(number, laws, friction, radii, radius);
+    let state = |number, laws: &Laws, radii| history::step(number, laws, friction, radii);
     let mut laws = Laws::new(case, friction, shifts).map_err(&at_fault)?;
     let (mut course, mut marked) = (Thinned::new(plot::QUANTITIES), Vec::new());
     let (mut steps, mut last) = (Vec::new(), None);

@@ -1,29 +1,22 @@
 //! `carom history`: loads of a contact along a history of shifts.
 
 mod follow;
-mod laws;
 mod plot;
-mod steps;
-mod twist;
 mod view;
 
-pub use steps::StepsError;
-pub(super) use steps::read as read_steps;
-
-use crate::case::{HistoryCase, Steps};
 use crate::columns;
 use crate::command::hertz::smallest_radius;
 use crate::command::theory::{Excess, Worst};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
-use crate::input::CaseFile;
 use crate::output::{Answer, Format, Results};
 use crate::rows::{Rows, check_count, indented};
+use carom_cases::Error;
+use carom_cases::case::HistoryCase;
+use carom_cases::history::{self, Step, Traction, shifts};
 use carom_laws::stiffness::ContactStiffness;
 use carom_table::row;
 use follow::{Wanted, follow};
-use view::Traction;
-pub use view::{Step, all_columns};
 
 /// Loads of a contact along a history of shifts and twists, with memory.
 ///
@@ -46,35 +39,32 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     let command::Given { case: file, plot } = arguments.given.read()?;
     let path = &file.path;
     let case = file.parse(HistoryCase::parse)?;
-    let shifts = match &case.steps {
-        Steps::Inline(shifts) => shifts.clone(),
-        Steps::File(name) => read_steps(&file, name)?,
-    };
+    let shifts = shifts(&file, &case)?;
     let format = arguments.given.format;
     let radii = arguments.tractions.map_or(0, |count| count as usize);
     check_count(format, shifts.len().saturating_mul(radii.max(1)))?;
     let wanted = Wanted { radii, picture: plot.is_some() };
-    let at_fault = |source| CliError::Law { path: path.clone(), source };
+    let at_fault = |source| Error::Law { path: path.clone(), source };
     let radius = smallest_radius(&case.hertz);
-    let columns = view::columns(&shifts);
+    let columns = history::columns(&shifts);
     let (mut steps, mut tractions) =
-        (Rows::new(format), Rows::new(format).of(view::TRACTION_COLUMNS));
+        (Rows::new(format), Rows::new(format).of(history::TRACTION_COLUMNS));
     let (mut worst, mut limits, mut first) = (Worst::default(), Limits::default(), 0);
-    let drawn = follow(&case, &shifts, wanted, at_fault, |history| {
+    let drawn = follow(&case, &shifts, wanted, at_fault, |done| {
         let cells = |step: &Step| row(&columns, Some(step));
-        columns::check_rows(path, history, [first, shifts.len()], cells)?;
-        first += history.len();
-        for step in history.iter() {
+        columns::check_rows(path, done, [first, shifts.len()], cells)?;
+        first += done.len();
+        for step in done.iter() {
             worst.add(Excess::of_contact(step.shift.zeta, radius));
             limits.add(step);
         }
         if format != Format::Csv || radii == 0 {
-            let json = |step: &Step, depth| indented(&view::record(&columns, step), depth);
-            steps.put(history, cells, json, results)?;
+            let json = |step: &Step, depth| indented(&view::record(&columns, step, radius), depth);
+            steps.put(done, cells, json, results)?;
         }
         if matches!(format, Format::Csv | Format::Table) && radii > 0 {
-            let given: Vec<_> = history.iter().flat_map(|step| &step.tractions).collect();
-            let cells = |traction: &&Traction| row(view::TRACTION_COLUMNS, Some(traction));
+            let given: Vec<_> = done.iter().flat_map(|step| &step.tractions).collect();
+            let cells = |traction: &&Traction| row(history::TRACTION_COLUMNS, Some(traction));
             tractions.put(&given, cells, |_, _| Ok(String::new()), results)?;
         }
         Ok(())
@@ -90,32 +80,12 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     Ok(answer.cautioned(worst.caution("steps"), format))
 }
 
-/// The contact after each step of a history; files that the case names lie beside it.
-///
-/// # Errors
-/// If the case is bad, a file cannot be read, or a law refuses a value.
-pub fn followed(file: &CaseFile) -> Result<Vec<Step>, CliError> {
-    let case = file.parse(HistoryCase::parse)?;
-    let shifts = match &case.steps {
-        Steps::Inline(shifts) => shifts.clone(),
-        Steps::File(name) => read_steps(file, name)?,
-    };
-    let at_fault = |source| CliError::Law { path: file.path.clone(), source };
-    let wanted = Wanted { radii: 0, picture: false };
-    let mut all = Vec::with_capacity(shifts.len());
-    follow(&case, &shifts, wanted, at_fault, |steps| {
-        all.append(steps);
-        Ok(())
-    })?;
-    Ok(all)
-}
-
 /// What the rows hold.
 fn help() -> String {
-    let steps = columns::help("A row for each step", view::COLUMNS);
-    let twists = columns::help("with a twist also", view::TWIST_COLUMNS);
+    let steps = columns::help("A row for each step", history::COLUMNS);
+    let twists = columns::help("with a twist also", history::TWIST_COLUMNS);
     let tractions =
-        columns::help("With --tractions as CSV, a row for each radius", view::TRACTION_COLUMNS);
+        columns::help("With --tractions as CSV, a row for each radius", history::TRACTION_COLUMNS);
     format!("{steps}{twists}\n{tractions}")
 }
 

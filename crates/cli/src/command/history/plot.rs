@@ -1,9 +1,9 @@
 //! The picture of a history.
 
 use super::follow::Drawn;
-use super::view::{Step, Traction};
 use crate::command::plot::{Course, MOST_MARKS, Value};
 use crate::output::Picture;
+use carom_cases::history::{Step, Traction};
 use carom_plot::Panel;
 
 /// What is drawn of a step.

@@ -1,98 +1,10 @@
-//! The states of a history as records and rows.
+//! The states of a history as records.
 
-use super::laws::Laws;
-use super::twist::{self, Twist};
 use crate::columns::Record;
 use crate::command::theory::Excess;
-use crate::error::CliError;
-use carom_laws::ellipse::ContactEllipse;
-use carom_laws::friction::Friction;
-use carom_laws::hertz::HertzState;
-use carom_laws::law::{ContactLoad, Shift};
-use carom_laws::memory::MemoryRegime;
-use carom_special::linspace;
+use carom_cases::history::{Step, TRACTION_COLUMNS, Traction};
 use carom_table::Column;
 use serde::Serialize;
-
-/// The contact after a step of a history. SI units; loads act on body 1.
-#[derive(Debug, Clone)]
-pub struct Step {
-    pub(super) step: f64,
-    pub(super) shift: Shift,
-    pub(super) load: ContactLoad,
-    pub(super) regime: &'static str,
-    pub(super) semi_axis_a: f64,
-    pub(super) semi_axis_b: f64,
-    pub(super) stick_semi_axis_a: f64,
-    pub(super) stick_semi_axis_b: f64,
-    pub(super) stored_energy: f64,
-    pub(super) dissipated: f64,
-    pub(super) twist: Option<Twist>,
-    pub(super) tractions: Vec<Traction>,
-    /// What lies outside the theory, if anything.
-    pub(super) outside_theory: Vec<String>,
-    /// The shift's load over that of complete sliding.
-    pub(super) share: f64,
-}
-
-/// The columns of every history.
-pub(super) const COLUMNS: &[Column<Step>] = &[
-    // Those drawn between the steps have a broken number.
-    Column::new("step", "", "number of the step, from 1", |step| (step.step as u64).into()),
-    Column::new("zeta", "m", "approach", |step| step.shift.zeta.into()),
-    Column::new("xi", "m", "shift of body 2 against body 1 along x", |step| step.shift.xi.into()),
-    Column::new("eta", "m", "the same along y", |step| step.shift.eta.into()),
-    Column::new("F_x", "N", "force on body 1 along x", |step| step.load.f_x.into()),
-    Column::new("F_y", "N", "the same along y", |step| step.load.f_y.into()),
-    Column::new("F_z", "N", "normal force", |step| step.load.f_z.into()),
-    Column::new("regime", "", "what the step did", |step| step.regime.into()),
-    Column::new("semi_axis_a", "m", "of the contact ellipse along x", |step| {
-        step.semi_axis_a.into()
-    }),
-    Column::new("semi_axis_b", "m", "the same along y", |step| step.semi_axis_b.into()),
-    Column::new("stick_semi_axis_a", "m", "of the stick area along x", |step| {
-        step.stick_semi_axis_a.into()
-    }),
-    Column::new("stick_semi_axis_b", "m", "the same along y", |step| step.stick_semi_axis_b.into()),
-    Column::new("stored_energy", "J", "elastic energy of the contact", |step| {
-        step.stored_energy.into()
-    }),
-    Column::new("dissipated", "J", "friction heat since the start", |step| step.dissipated.into()),
-];
-
-/// Those of a history with a twist.
-pub(super) const TWIST_COLUMNS: &[Column<Step>] = &[
-    Column::new("omega", "rad", "twist about the normal", |step| step.shift.omega.into()),
-    Column::new("M_z", "N m", "torque on body 1", |step| step.load.m_z.into()),
-    Column::new("twist_regime", "", "what the twist does", |step| {
-        step.twist.map(|twist| twist.regime).into()
-    }),
-    Column::new("twist_stick_semi_axis_a", "m", "of the twist's stick area along x", |step| {
-        step.twist.map(|twist| twist.stick_semi_axis_a).into()
-    }),
-    Column::new("twist_stick_semi_axis_b", "m", "the same along y", |step| {
-        step.twist.map(|twist| twist.stick_semi_axis_b).into()
-    }),
-];
-
-/// The columns of any history; what only a twist has is absent without one.
-#[must_use]
-pub fn all_columns() -> Vec<Column<Step>> {
-    [COLUMNS, TWIST_COLUMNS].concat()
-}
-
-/// The columns of a history of these shifts.
-pub(super) fn columns(shifts: &[Shift]) -> Vec<Column<Step>> {
-    match is_twisted(shifts) {
-        true => all_columns(),
-        false => COLUMNS.to_vec(),
-    }
-}
-
-/// Whether any shift twists.
-pub(super) fn is_twisted(shifts: &[Shift]) -> bool {
-    shifts.iter().any(|shift| shift.omega != 0.0)
-}
 
 /// A step as it stands in JSON.
 #[derive(Serialize)]
@@ -101,117 +13,19 @@ pub(super) struct StepRecord<'a> {
     step: Record<'a, Step>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     tractions: Vec<Record<'a, Traction>>,
-    outside_theory: &'a [String],
+    outside_theory: Vec<String>,
 }
 
-/// A step as it stands in JSON.
-pub(super) fn record<'a>(columns: &'a [Column<Step>], step: &'a Step) -> StepRecord<'a> {
+/// A step as it stands in JSON; `radius` is the smallest of curvature.
+pub(super) fn record<'a>(
+    columns: &'a [Column<Step>],
+    step: &'a Step,
+    radius: f64,
+) -> StepRecord<'a> {
     let traction = |traction| Record::new(&TRACTION_COLUMNS[1..], traction);
     StepRecord {
         step: Record::new(columns, step),
         tractions: step.tractions.iter().map(traction).collect(),
-        outside_theory: &step.outside_theory,
-    }
-}
-
-/// The tangential traction on body 1 at a radius: 0 is the centre, 1 the edge of the ellipse.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Traction {
-    pub(super) step: f64,
-    pub(super) radius: f64,
-    pub(super) t_x: f64,
-    pub(super) t_y: f64,
-    /// Along a circle only.
-    pub(super) t_twist: Option<f64>,
-    pub(super) limit: f64,
-}
-
-/// Its columns; the first says to which step it belongs.
-pub(super) const TRACTION_COLUMNS: &[Column<Traction>] = &[
-    Column::new("step", "", "number of the step, from 1", |traction| (traction.step as u64).into()),
-    Column::new("radius", "", "from the centre (0) to the edge (1)", |traction| {
-        traction.radius.into()
-    }),
-    Column::new("t_x", "Pa", "traction on body 1 along x", |traction| traction.t_x.into()),
-    Column::new("t_y", "Pa", "the same along y", |traction| traction.t_y.into()),
-    Column::new("t_twist", "Pa", "around the normal, in the sense of M_z", |traction| {
-        traction.t_twist.into()
-    }),
-    Column::new("limit", "Pa", "friction times pressure", |traction| traction.limit.into()),
-];
-
-/// The present state of the laws, with the traction at `count` radii; `radius` is the smallest of
-/// curvature.
-pub(super) fn step(
-    number: f64,
-    laws: &Laws,
-    friction: Friction,
-    count: usize,
-    radius: f64,
-) -> Result<Step, CliError> {
-    let (shift, load, law) = (laws.present(), laws.load(), laws.shift());
-    let state = laws.contact();
-    let [a, b] =
-        state.map_or([0.0; 2], |state| [state.ellipse.semi_axis_a(), state.ellipse.semi_axis_b()]);
-    let stick = law.stick_depth().sqrt(); // (a*/a)^2 = zeta*/zeta
-    let limit = friction.get() * load.f_z;
-    Ok(Step {
-        step: number,
-        shift,
-        load,
-        regime: regime_name(law.regime()),
-        semi_axis_a: a,
-        semi_axis_b: b,
-        stick_semi_axis_a: stick * a,
-        stick_semi_axis_b: stick * b,
-        stored_energy: laws.stored_energy(),
-        dissipated: laws.dissipated(),
-        twist: laws.torsion().map(|law| twist::twist(law, state.as_ref(), friction)),
-        tractions: tractions(number, laws, friction, state.as_ref(), count)?,
-        outside_theory: Excess::of_contact(shift.zeta, radius).reasons(),
-        share: if limit > 0.0 { libm::hypot(load.f_x, load.f_y) / limit } else { 0.0 },
-    })
-}
-
-/// The traction at `count` radii, in units of the greatest friction f sigma_z0 before.
-fn tractions(
-    step: f64,
-    laws: &Laws,
-    friction: Friction,
-    state: Option<&HertzState>,
-    count: usize,
-) -> Result<Vec<Traction>, CliError> {
-    if count == 0 {
-        return Ok(Vec::new());
-    }
-    let greatest = state.map_or(0.0, |state| friction.get() * state.peak_pressure);
-    let is_circle = state.is_none_or(|state| is_circle(&state.ellipse));
-    let history = laws.torsion().and_then(|law| law.history()).filter(|_| is_circle);
-    let traction = |radius: f64| {
-        let unit = laws.shift().traction(radius * radius).unwrap_or_default();
-        let [t_x, t_y] = unit.map(|part| greatest * part);
-        let t_twist = history
-            .map(|history| Ok::<f64, CliError>(greatest * twist::traction(history, radius)?))
-            .transpose()?;
-        let limit = greatest * ((1.0 - radius) * (1.0 + radius)).sqrt();
-        Ok(Traction { step, radius, t_x, t_y, t_twist, limit })
-    };
-    linspace(0.0, 1.0, count).into_iter().map(traction).collect()
-}
-
-/// Whether the axes are equal up to round-off.
-pub(super) fn is_circle(ellipse: &ContactEllipse) -> bool {
-    (ellipse.axis_ratio().get() - 1.0).abs() < 1e-12
-}
-
-const fn regime_name(regime: MemoryRegime) -> &'static str {
-    match regime {
-        MemoryRegime::Separated => "separated",
-        MemoryRegime::Adhesion => "adhesion",
-        MemoryRegime::Release => "release",
-        MemoryRegime::Slip => "slip",
-        MemoryRegime::Reversal => "reversal",
-        MemoryRegime::Overlay => "overlay",
-        MemoryRegime::Sliding => "sliding",
+        outside_theory: Excess::of_contact(step.shift.zeta, radius).reasons(),
     }
 }

@@ -6,17 +6,16 @@ mod table;
 mod uncertain;
 mod view;
 
-use crate::case::{CaseError, ImpactCase, ImpactFile, Input, Uncertainty};
 use crate::columns;
 use crate::command::theory::{Warnings, Worst, caution};
 use crate::command::{self, CaseArguments};
 use crate::destination::Destination;
 use crate::error::CliError;
-use crate::input::CaseFile;
 use crate::output::{Answer, Format, Results, json};
 use crate::rows::{BLOCK, Rows, check_count, indented};
-use carom_impact::{CollisionError, HistoryPoint, Outcome};
-use carom_numerical::CollisionLawError;
+use carom_cases::case::{ImpactCase, ImpactFile, Input, Uncertainty};
+use carom_cases::impact::{self, outcome, swept};
+use carom_impact::HistoryPoint;
 use carom_table::row;
 use rayon::prelude::*;
 use std::path::{Path, PathBuf};
@@ -172,33 +171,6 @@ fn sweep(
     Ok(answer.cautioned(worst.caution(what), format))
 }
 
-/// The impacts of a case.
-#[derive(Debug)]
-pub struct Followed {
-    /// Name, unit and values of the number that is swept over, if there is one.
-    pub swept: Option<(&'static str, &'static str, Vec<f64>)>,
-    /// What came of each.
-    pub outcomes: Vec<Outcome>,
-}
-
-/// The impact of a case, or all of its sweep, in parallel.
-///
-/// # Errors
-/// If the case is bad, has `[uncertainty]`, or an impact cannot be followed.
-pub fn followed(file: &CaseFile) -> Result<Followed, CliError> {
-    let (path, file) = (&file.path, file.parse(ImpactFile::parse)?);
-    if file.uncertainty().is_some() {
-        return Err(CliError::Options("a case with [uncertainty] is for `carom impact` alone"));
-    }
-    let Some((input, values)) = file.sweep() else {
-        return Ok(Followed { swept: None, outcomes: vec![outcome(path, file.nominal())?] });
-    };
-    let outcome = |value: &f64| outcome(path, &swept(path, &file, *value)?);
-    let outcomes = values.par_iter().map(outcome).collect::<Result<_, _>>()?;
-    let Parameter { name, unit, .. } = Parameter::of(input, 0.0);
-    Ok(Followed { swept: Some((name, unit, values.to_vec())), outcomes })
-}
-
 /// The impacts of a sweep over these values, in their order.
 fn records(path: &Path, file: &ImpactFile<'_>, values: &[f64]) -> Result<Vec<Record>, CliError> {
     let input = file.sweep().map(|(input, _)| input);
@@ -209,11 +181,6 @@ fn records(path: &Path, file: &ImpactFile<'_>, values: &[f64]) -> Result<Vec<Rec
     values.par_iter().map(record).collect()
 }
 
-/// The case at a value of its sweep.
-fn swept(path: &Path, file: &ImpactFile<'_>, value: f64) -> Result<ImpactCase, CliError> {
-    file.case(&[value]).map_err(|source| refused(path, source))
-}
-
 fn record(
     path: &Path,
     parameter: Option<Parameter>,
@@ -222,34 +189,11 @@ fn record(
     Ok(Record::new(parameter, case.clone(), outcome(path, case)?))
 }
 
-fn outcome(path: &Path, case: &ImpactCase) -> Result<Outcome, CliError> {
-    case.contact.law.solve(&case.collision).map_err(|source| blamed(path, case, source))
-}
-
+/// The course of the impact, checked.
 fn course(path: &Path, file: &ImpactFile<'_>, count: usize) -> Result<Vec<HistoryPoint>, CliError> {
-    let case = file.nominal();
-    let history = case.contact.law.history(&case.collision, count);
-    let history = history.map_err(|source| blamed(path, case, source))?;
+    let history = impact::course(path, file.nominal(), count)?;
     columns::check(path, HistoryPoint::COLUMNS, &history)?;
     Ok(history)
-}
-
-/// The case is to blame for torsion that cannot be given.
-fn blamed(path: &Path, case: &ImpactCase, source: CollisionLawError) -> CliError {
-    let path = path.to_owned();
-    match (source, case.contact.torsion) {
-        (CollisionLawError::Collision(CollisionError::NormalSpin(source)), Some(line)) => {
-            refused(&path, CaseError::Torsion { line, source: Box::new(source) })
-        }
-        (CollisionLawError::Collision(source), _) => {
-            CliError::Collision { path, source: Box::new(source) }
-        }
-        (source, _) => CliError::CollisionLaw { path, source: Box::new(source) },
-    }
-}
-
-fn refused(path: &Path, source: CaseError) -> CliError {
-    CliError::Case { path: path.to_owned(), source }
 }
 
 fn scatter(

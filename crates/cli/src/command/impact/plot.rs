@@ -1,10 +1,10 @@
 //! The picture of the course of an impact, or of a sweep.
 
 use super::view::{Parameter, Record};
-use crate::case::Input;
 use crate::command::plot::{Course, MOST_MARKS, Value};
 use crate::command::thinned::{MOST_DRAWN, Thinned};
 use crate::output::Picture;
+use carom_cases::case::Input;
 use carom_impact::HistoryPoint;
 use carom_special::linspace;
 

@@ -1,10 +1,10 @@
 //! An impact with uncertain inputs: what its outcome is, and how it scatters.
 
-use crate::case::{CaseError, ImpactFile, Input, Uncertainty};
 use crate::columns::{self, add_fields};
 use crate::command::theory::Excess;
 use crate::error::CliError;
 use crate::output::{Format, Picture, json, short};
+use carom_cases::case::{CaseError, ImpactFile, Input, Uncertainty};
 use carom_impact::uncertain::{Bin, Quantity, Study, Summary, UncertainError};
 use carom_impact::{CollisionError, Outcome};
 use carom_plot::{Axis, Panel, Series};

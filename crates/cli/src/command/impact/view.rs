@@ -1,8 +1,9 @@
 //! The outcome of a collision as records for JSON and rows of cells.
 
-use crate::case::{ImpactCase, Input};
 use crate::columns::{self, Fields, add_fields};
 use crate::command::theory::Excess;
+use carom_cases::case::{ImpactCase, Input};
+use carom_cases::impact;
 use carom_impact::{
     Body, Collision, HistoryPoint, LogEntry, Motion, Outcome, Rebound, Torsion, Warning,
 };
@@ -31,8 +32,7 @@ pub(super) struct Parameter {
 impl Parameter {
     /// The number of a sweep: the angle of incidence has a name of its own.
     pub(super) fn of(input: &Input, value: f64) -> Self {
-        let name = if input.field == "approach.angle" { "angle" } else { input.field };
-        Self { name, unit: input.unit, value }
+        Self { name: impact::name(input), unit: input.unit, value }
     }
 }
 

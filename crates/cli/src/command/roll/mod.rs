@@ -4,12 +4,12 @@ mod plot;
 mod solve;
 mod view;
 
-use crate::case::RollCase;
 use crate::columns::{self, Record};
 use crate::command::theory::{Excess, caution};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, json};
+use carom_cases::case::RollCase;
 use carom_table::row;
 use serde::Serialize;
 use solve::Rolling;

@@ -1,8 +1,9 @@
 //! The rolling contact on its grid.
 
 use super::view::{Creep, Row};
-use crate::case::RollCase;
 use crate::error::CliError;
+use carom_cases::Error;
+use carom_cases::case::RollCase;
 use carom_halfspace::Grid;
 use carom_laws::friction::Friction;
 use carom_rolling::{
@@ -27,7 +28,7 @@ pub(super) struct Rolling<'a> {
 
 impl<'a> Rolling<'a> {
     pub(super) fn new(path: &'a Path, case: &'a RollCase) -> Result<Self, CliError> {
-        let range = |source| CliError::Law { path: path.to_owned(), source };
+        let range = |source| Error::Law { path: path.to_owned(), source };
         let ellipse = case.loaded.ellipse;
         let count = case.elements as f64;
         let [dx, dy] =
@@ -39,7 +40,7 @@ impl<'a> Rolling<'a> {
         let gap = Gap::from_function(grid, move |x, y| a * x * x + b * y * y).map_err(range)?;
         let friction = Friction::new(case.friction).map_err(range)?;
         let problem = ContactProblem::of_half_spaces(gap, case.hertz.materials(), friction)
-            .map_err(|source| CliError::Problem { path: path.to_owned(), source: source.into() })?;
+            .map_err(|source| Error::Problem { path: path.to_owned(), source: source.into() })?;
         Ok(Self { path, case, problem })
     }
 
@@ -87,8 +88,7 @@ impl<'a> Rolling<'a> {
             mesh: SPRINGS,
         };
         let forces = fastsim.forces(creepage);
-        let forces =
-            forces.map_err(|source| CliError::Law { path: self.path.to_owned(), source })?;
+        let forces = forces.map_err(|source| Error::Law { path: self.path.to_owned(), source })?;
         Ok([forces.f_x, forces.f_y])
     }
 
@@ -126,7 +126,7 @@ pub(super) fn creep(path: &Path, case: &RollCase) -> Result<Creep, CliError> {
     let ratio = ellipse.semi_axis_a() / ellipse.semi_axis_b();
     let poisson = materials.poisson();
     let coefficients = creep_coefficients(ratio, poisson).map_err(|source| match source {
-        RollingError::Range(source) => CliError::Law { path: path.to_owned(), source },
+        RollingError::Range(source) => Error::Law { path: path.to_owned(), source }.into(),
         source => CliError::Rolling { path: path.to_owned(), row: 1, source: Box::new(source) },
     })?;
     Ok(Creep { coefficients, ratio, shear_modulus: 2.0 * materials.shear_modulus(), poisson })

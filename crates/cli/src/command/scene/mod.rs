@@ -3,13 +3,13 @@
 mod plot;
 mod view;
 
-use crate::case::SceneCase;
 use crate::columns;
 use crate::command::theory::{Excess, Warnings, Worst};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Results, short};
 use crate::rows::{BLOCK, Rows, indented};
+use carom_cases::case::SceneCase;
 use carom_impact::scene::{Bounce, Ending, Leg, PathPoint};
 use carom_table::row;
 use std::path::Path;

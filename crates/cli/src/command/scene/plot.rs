@@ -1,10 +1,10 @@
 //! Walls, path and bounces as a picture, seen along the axis on which least happens.
 
-use crate::case::SceneCase;
 use crate::command::plot::Value;
 use crate::command::thinned::Thinned;
 use crate::error::CliError;
 use crate::output::Picture;
+use carom_cases::case::SceneCase;
 use carom_impact::scene::{Leg, Wall};
 use carom_plot::{Axis, Marker, Panel, Series};
 use std::f64::consts::TAU;

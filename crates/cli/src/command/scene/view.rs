@@ -1,11 +1,11 @@
 //! A path as records for JSON and rows of cells.
 
 use super::End;
-use crate::case::SceneCase;
 use crate::columns::{self, add_fields};
 use crate::command::theory::Excess;
 use crate::error::CliError;
 use crate::rows::indented;
+use carom_cases::case::SceneCase;
 use carom_impact::Rebound;
 use carom_impact::scene::{Bounce, Ending, PathPoint};
 use carom_table::{Cell, Quantity as _, row};

@@ -1,7 +1,8 @@
 //! Stresses below the contact at the end.
 
-use crate::case::SolveCase;
 use crate::error::CliError;
+use carom_cases::Error;
+use carom_cases::case::SolveCase;
 use carom_halfspace::{Material, Stress};
 use carom_solver::{ContactState, StepSummary, Subsurface};
 use carom_special::RangeError;
@@ -42,7 +43,7 @@ pub(super) fn along_normal(
     last: &StepSummary,
     count: usize,
 ) -> Result<Vec<Below>, CliError> {
-    let failed = |source| CliError::Law { path: path.to_owned(), source };
+    let failed = |source| Error::Law { path: path.to_owned(), source };
     let values = state.pressure.values().iter().copied().zip(state.pressure.grid().centres());
     let greatest = values.max_by(|one, other| one.0.total_cmp(&other.0));
     let Some((_, (x, y))) = greatest.filter(|(pressure, _)| *pressure > 0.0) else {

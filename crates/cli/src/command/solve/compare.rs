@@ -2,16 +2,14 @@
 
 use std::time::{Duration, Instant};
 
-use super::bodies::Bodies;
-use super::follow::Run;
-use super::store::Found;
-use crate::case::{SolveCase, SolveMethod};
+use super::follow;
 use crate::columns::{self, Record};
 use crate::error::CliError;
-use crate::input::CaseFile;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
 use crate::outputs::Outputs;
+use carom_cases::case::{SolveCase, SolveMethod};
+use carom_cases::solve::{Bodies, Found, Run};
 use carom_classic::jaeger::{DiscGaussSeidel, GaussSeidel};
 use carom_classic::kalker::{Johnson, Kombi, Panagiotopoulos};
 use carom_laws::law::Shift;
@@ -143,13 +141,13 @@ pub(in crate::command) fn run(
     messages: &Messages,
 ) -> Result<Answer, CliError> {
     let outputs = Outputs::of_command(arguments.format)?;
-    let file = CaseFile::read_for(&arguments.case, outputs)?;
+    let file = outputs.read_case(&arguments.case)?;
     // The one that the case asks for is among all.
     let case = SolveCase { method: SolveMethod::Newton, ..file.parse(SolveCase::parse)? };
     let bodies = Bodies::of(&file, &case)?;
     let run = Run::new(&file.path, &case, &bodies)?;
     let (problem, method) = (run.problem().clone(), run.method());
-    let followed = run.follow(Found::default(), None, messages)?;
+    let followed = follow(run, Found::default(), None, messages)?;
     let shifts = followed.steps.iter().map(|step| step.shift).collect();
     let touching = problem.grid().cells() - followed.state.count(CellState::Exterior);
     let path = Course { problem: &problem, shifts, want: followed.state, touching };

@@ -6,9 +6,10 @@
 use crate::aside::{self, Aside};
 use crate::columns;
 use crate::error::CliError;
-use crate::input;
 use crate::output::Format;
 use crate::outputs::Place;
+use carom_cases::Error;
+use carom_cases::input;
 use carom_solver::StepSummary;
 use std::ffi::{OsStr, OsString};
 use std::fs::{File, TryLockError};
@@ -184,7 +185,7 @@ impl Owned {
     /// # Errors
     /// If it cannot be read, is none of `most` bytes at most, or not there.
     pub(super) fn read(&self, name: &str, most: u64) -> Result<Vec<u8>, CliError> {
-        input::read(&self.folder.path.join(name), most, "a step")
+        Ok(input::read(&self.folder.path.join(name), most, "a step")?)
     }
 
     /// Writes one of its files: whole, or not at all.
@@ -207,7 +208,7 @@ fn is_own(name: &OsStr) -> bool {
 }
 
 fn refused(path: &Path, reason: &str) -> CliError {
-    CliError::Input { path: path.to_owned(), reason: reason.to_owned() }
+    Error::Input { path: path.to_owned(), reason: reason.to_owned() }.into()
 }
 
 /// FNV-1a, 64 bits, of all inputs with their lengths and of the program's version.

@@ -1,31 +1,24 @@
 //! `carom solve`: a contact with friction on a grid, step by step.
 
 mod below;
-pub(super) mod bodies;
-mod classic;
 pub(super) mod compare;
-mod follow;
-mod heights;
 mod kept;
-mod npy;
 pub(super) mod plot;
 mod store;
 mod view;
 
-use crate::case::{GridCase, SolveCase};
 use crate::columns::{self, Record};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
-use crate::input::CaseFile;
 use crate::manner::Messages;
 use crate::output::{Answer, Format, json};
-use bodies::Bodies;
-use carom_solver::{Accuracy, ContactState, Estimates, GridWarning, StepSummary, Window};
-use follow::{Followed, Run};
+use carom_cases::case::{GridCase, SolveCase};
+use carom_cases::solve::{Bodies, Followed, Found, Run};
+use carom_solver::{Accuracy, Estimates, GridWarning, StepSummary};
 use kept::Folder;
 use serde::Serialize;
 use std::path::PathBuf;
-use store::{Found, Store};
+use store::Store;
 
 /// A contact with friction on a grid: any gap, any materials, any history.
 ///
@@ -90,7 +83,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
         Some(store) => store.find(run.window().grid())?,
         None => Found::default(),
     };
-    let followed = run.follow(found, store.as_ref(), messages)?;
+    let followed = follow(run, found, store.as_ref(), messages)?;
     let (steps, format) = (&followed.steps, arguments.given.format);
     let all = StepSummary::columns();
     columns::check(&file.path, &all, steps)?;
@@ -128,31 +121,25 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     Ok(Answer { text, warnings, picture, ..Answer::default() })
 }
 
-/// A contact on a grid after all its steps.
-#[derive(Debug)]
-pub struct Solved {
-    /// A row for each.
-    pub steps: Vec<StepSummary>,
-    /// At the end.
-    pub state: ContactState,
-    /// Where the cells are.
-    pub window: Window,
-}
-
-/// Solves a case, to `accuracy` if one is given, whatever the case says of its grid.
-///
-/// # Errors
-/// If the case is bad, a file that it names cannot be read, or a step cannot be solved.
-pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<Solved, CliError> {
-    if let Some(accuracy) = accuracy {
-        Accuracy::new(accuracy)?;
-    }
-    let case = file.parse(|source| SolveCase::parse_to(source, accuracy))?;
-    let bodies = Bodies::of(file, &case)?;
-    let run = Run::new(&file.path, &case, &bodies)?;
-    let Followed { steps, state, window, .. } =
-        run.follow(Found::default(), None, &Messages::QUIET)?;
-    Ok(Solved { steps, state, window })
+/// Goes on from what was found to the last step; each step is kept when it is done.
+fn follow(
+    run: Run<'_>,
+    found: Found,
+    store: Option<&Store>,
+    messages: &Messages,
+) -> Result<Followed, CliError> {
+    let bar = messages.bar(run.count(), "steps");
+    bar.set_position(found.steps.len() as u64);
+    bar.reset_eta();
+    let followed = run.follow(found, |steps, history, window| {
+        if let Some(store) = store {
+            store.save(steps, history, window)?;
+        }
+        bar.inc(1);
+        Ok::<_, CliError>(())
+    })?;
+    bar.finish_and_clear();
+    Ok(followed)
 }
 
 /// A warning if few cells lie across the contact.

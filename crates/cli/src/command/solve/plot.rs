@@ -1,10 +1,10 @@
 //! The picture of a solution.
 
-use super::follow::Followed;
-use crate::case::SolveCase;
 use crate::command::plot::Course;
 use crate::error::CliError;
 use crate::output::Picture;
+use carom_cases::case::SolveCase;
+use carom_cases::solve::Followed;
 use carom_plot::{Arrow, Axis, Field, Marker, Panel, Point, Series};
 use carom_solver::{CellState, ContactState, Contour, StepSummary};
 

@@ -1,12 +1,12 @@
 //! A folder with the history so far: `loads.csv`, and each step's fields as `step-000001.npz`, from
 //! which the run goes on bit for bit.
 
-use super::classic::Chosen;
 use super::kept::{LOADS, Owned, step_name};
 use crate::columns;
 use crate::command::npz::{self, Array};
 use crate::error::CliError;
 use crate::output::Format;
+use carom_cases::solve::{Chosen, Found, Saved};
 use carom_halfspace::{Field, Grid};
 use carom_laws::law::Shift;
 use carom_solver::{CellState, ContactState, NestedHistory, StepSummary, Window};
@@ -15,20 +15,6 @@ use std::collections::BTreeMap;
 /// Where the steps go.
 #[derive(Debug)]
 pub(super) struct Store(Owned);
-
-/// Steps found, and the state after the last one.
-#[derive(Default)]
-pub(super) struct Found {
-    pub(super) steps: Vec<StepSummary>,
-    /// None before the first.
-    pub(super) saved: Option<Saved>,
-}
-
-/// A state, and those on two coarser grids as far as there are any.
-pub(super) struct Saved {
-    pub(super) state: ContactState,
-    pub(super) coarse: [Option<ContactState>; 2],
-}
 
 /// What the arrays of coarser grids begin with.
 const COARSE: [&str; 2] = ["coarse_", "coarsest_"];

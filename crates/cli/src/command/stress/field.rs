@@ -1,10 +1,10 @@
 //! The stresses at every point as a file for other programs: arrays of NumPy, or a grid of VTK.
 
 use super::StressPoint;
-use crate::case::StressCase;
 use crate::command::npz::{self, Array};
 use crate::error::CliError;
 use crate::outputs::{Outputs, Place};
+use carom_cases::case::StressCase;
 use carom_table::{Column, Value};
 use std::collections::BTreeMap;
 use std::path::Path;

@@ -2,13 +2,14 @@
 
 mod field;
 
-use crate::case::StressCase;
 use crate::columns::{self, Record};
 use crate::command::hertz::smallest_radius;
 use crate::command::theory::{Excess, caution};
 use crate::command::{self, CaseArguments};
 use crate::error::CliError;
 use crate::output::{Answer, Format, Picture, json};
+use carom_cases::Error;
+use carom_cases::case::StressCase;
 use carom_halfspace::{Point, Stress, Traction};
 use carom_laws::field::partial_slip_stress;
 use carom_laws::hertz::HertzState;
@@ -82,7 +83,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         arguments.field.as_ref().map(|path| FieldFile::new(path, outputs)).transpose()
     })?;
     let case = file.parse(StressCase::parse)?;
-    let failed = |source| CliError::Law { path: file.path.clone(), source };
+    let failed = |source| Error::Law { path: file.path.clone(), source };
     let state = case.hertz.at_force(case.force[2]).map_err(failed)?;
     let stick_radius = stick_radius(&case);
     let points = stresses(&case, &state, stick_radius).map_err(failed)?;

@@ -3,7 +3,7 @@ pub(crate) mod pebble;
 pub(crate) mod picture;
 mod rough;
 
-use carom_cli::case::CaseKind;
+use carom_cases::case::CaseKind;
 pub(crate) use rough::{grey_heights, heights, rough};
 use std::ops::Deref;
 use std::path::{Path, PathBuf};

@@ -71,7 +71,7 @@ fn classic(
 
 /// The method that a case asks for.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Chosen {
+pub struct Chosen {
     /// That of today.
     pub(super) today: Frictional,
     pub(super) method: SolveMethod,
@@ -80,16 +80,19 @@ pub(super) struct Chosen {
 
 /// Why it failed.
 #[derive(Debug, thiserror::Error)]
-pub(super) enum ChosenError {
+pub enum ChosenError {
+    /// The method of today.
     #[error(transparent)]
     Today(#[from] FrictionalError),
+    /// An older one.
     #[error(transparent)]
     Classic(#[from] DirectError),
 }
 
 /// Its memory.
 #[derive(Clone)]
-pub(super) struct Working(Kind);
+#[allow(missing_debug_implementations)] // memory of any method
+pub struct Working(Kind);
 
 #[derive(Clone)]
 enum Kind {

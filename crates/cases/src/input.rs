@@ -1,11 +1,12 @@
 //! Reading what the user gives: text files of a bounded size.
 
+use crate::Error;
 use crate::case::CaseError;
-use crate::error::CliError;
-use crate::outputs::Outputs;
+use std::fmt;
 use std::fs::{File, FileType};
 use std::io::Read;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 /// Standard input, in the place of a file.
 pub const STANDARD_INPUT: &str = "-";
@@ -15,38 +16,52 @@ const MOST_OF_CASE: u64 = 1 << 20;
 const MOST_OF_TABLE: u64 = 64 << 20;
 const TEXT: &str = "a text file";
 
+/// Says whether a file may be read: not one that the same run writes, for instance.
+pub type Guard =
+    Arc<dyn Fn(&Path) -> Result<(), Box<dyn std::error::Error + Send + Sync>> + Send + Sync>;
+
 /// The text of a case file and where it came from.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Clone)]
 pub struct CaseFile {
     /// The file.
     pub path: PathBuf,
     text: String,
-    /// What no input may be.
-    outputs: Outputs,
+    guard: Option<Guard>,
+}
+
+impl fmt::Debug for CaseFile {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        let Self { path, text, .. } = self;
+        f.debug_struct("CaseFile").field("path", path).field("text", text).finish_non_exhaustive()
+    }
 }
 
 impl CaseFile {
     /// Reads the case file at `path`, once; `-` is standard input.
     ///
     /// # Errors
-    /// As [`CaseFile::read_for`].
-    pub fn read(path: &Path) -> Result<Self, CliError> {
-        Self::read_for(path, Outputs::default())
+    /// As [`CaseFile::read_guarded`].
+    pub fn read(path: &Path) -> Result<Self, Error> {
+        Self::read_unguarded(path, None)
     }
 
-    /// The same in a run that writes these outputs.
+    /// The same, if the guard lets it be read; files that the case names are held against it too.
     ///
     /// # Errors
-    /// If an output goes to it, it cannot be read, is a device or a pipe, larger than 1 MiB, or no UTF-8.
-    pub fn read_for(path: &Path, outputs: Outputs) -> Result<Self, CliError> {
-        outputs.check_input(path)?;
+    /// If the guard refuses it, it cannot be read, is a device or a pipe, larger than 1 MiB, or no UTF-8.
+    pub fn read_guarded(path: &Path, guard: Guard) -> Result<Self, Error> {
+        guard(path).map_err(Error::Refused)?;
+        Self::read_unguarded(path, Some(guard))
+    }
+
+    fn read_unguarded(path: &Path, guard: Option<Guard>) -> Result<Self, Error> {
         let text = if path == Path::new(STANDARD_INPUT) {
             let bytes = bounded(std::io::stdin().lock(), path, MOST_OF_CASE, TEXT)?;
             text(bytes, path, MOST_OF_CASE)?
         } else {
             read_text(path, MOST_OF_CASE)?
         };
-        Ok(Self { path: path.to_owned(), text, outputs })
+        Ok(Self { path: path.to_owned(), text, guard })
     }
 
     /// The whole text.
@@ -64,10 +79,10 @@ impl CaseFile {
     /// Reads the table that the case names.
     ///
     /// # Errors
-    /// If an output goes to it, it cannot be read, is a device or a pipe, larger than 64 MiB, or no UTF-8.
-    pub fn table(&self, name: &Path) -> Result<String, CliError> {
+    /// If the guard refuses it, it cannot be read, is a device or a pipe, larger than 64 MiB, or no UTF-8.
+    pub fn table(&self, name: &Path) -> Result<String, Error> {
         let path = self.beside(name);
-        self.outputs.check_input(&path)?;
+        self.check(&path)?;
         read_text(&path, MOST_OF_TABLE)
     }
 
@@ -75,21 +90,25 @@ impl CaseFile {
     ///
     /// # Errors
     /// As [`CaseFile::table`], but for UTF-8.
-    pub fn bytes(&self, name: &Path) -> Result<Vec<u8>, CliError> {
+    pub fn bytes(&self, name: &Path) -> Result<Vec<u8>, Error> {
         let path = self.beside(name);
-        self.outputs.check_input(&path)?;
+        self.check(&path)?;
         read(&path, MOST_OF_TABLE, "a file")
+    }
+
+    fn check(&self, path: &Path) -> Result<(), Error> {
+        self.guard.as_ref().map_or(Ok(()), |guard| guard(path).map_err(Error::Refused))
     }
 
     /// What the text says.
     ///
     /// # Errors
-    /// [`CliError::Case`] if it says something that cannot be.
+    /// [`Error::Case`] if it says something that cannot be.
     pub fn parse<'a, T>(
         &'a self,
         parse: impl Fn(&'a str) -> Result<T, CaseError>,
-    ) -> Result<T, CliError> {
-        parse(&self.text).map_err(|source| CliError::Case { path: self.path.clone(), source })
+    ) -> Result<T, Error> {
+        parse(&self.text).map_err(|source| Error::Case { path: self.path.clone(), source })
     }
 }
 
@@ -97,16 +116,16 @@ fn allowed(most: u64, kind: &str) -> String {
     format!("must be {kind} of at most {} MiB", most >> 20)
 }
 
-fn read_text(path: &Path, most: u64) -> Result<String, CliError> {
+fn read_text(path: &Path, most: u64) -> Result<String, Error> {
     text(read(path, most, TEXT)?, path, most)
 }
 
-fn text(bytes: Vec<u8>, path: &Path, most: u64) -> Result<String, CliError> {
+fn text(bytes: Vec<u8>, path: &Path, most: u64) -> Result<String, Error> {
     String::from_utf8(bytes).map_err(|error| {
         let place = error.utf8_error().valid_up_to() + 1;
         let allowed = allowed(most, TEXT);
         let reason = format!("byte {place} is no UTF-8 text; it {allowed}, saved as UTF-8");
-        CliError::Input { path: path.to_owned(), reason }
+        Error::Input { path: path.to_owned(), reason }
     })
 }
 
@@ -114,7 +133,7 @@ fn text(bytes: Vec<u8>, path: &Path, most: u64) -> Result<String, CliError> {
 ///
 /// # Errors
 /// If it cannot be read, is a device or a pipe, or larger.
-pub(crate) fn read(path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, CliError> {
+pub fn read(path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, Error> {
     bounded(open(path, &allowed(most, kind))?, path, most, kind)
 }
 
@@ -123,12 +142,12 @@ pub(crate) fn read(path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, CliErr
 /// # Errors
 /// If it cannot be opened, or is a device or a pipe: those are not opened, as a pipe waits for a writer
 /// and a device does what it likes.
-pub(crate) fn open(path: &Path, allowed: &str) -> Result<File, CliError> {
-    let failed = |error| CliError::io("read", path, error);
+pub fn open(path: &Path, allowed: &str) -> Result<File, Error> {
+    let failed = |error| Error::io("read", path, error);
     let check = |of: FileType| match special(of) {
         Some(what) => {
             let reason = format!("this is {what}; it {allowed}");
-            Err(CliError::Input { path: path.to_owned(), reason })
+            Err(Error::Input { path: path.to_owned(), reason })
         }
         None => Ok(()),
     };
@@ -139,16 +158,16 @@ pub(crate) fn open(path: &Path, allowed: &str) -> Result<File, CliError> {
 }
 
 /// All that comes, if it is not too much.
-fn bounded(source: impl Read, path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, CliError> {
+fn bounded(source: impl Read, path: &Path, most: u64, kind: &str) -> Result<Vec<u8>, Error> {
     let mut bytes = Vec::new();
     source
         .take(most + 1)
         .read_to_end(&mut bytes)
-        .map_err(|error| CliError::io("read", path, error))?;
+        .map_err(|error| Error::io("read", path, error))?;
     if bytes.len() as u64 > most {
         let allowed = allowed(most, kind);
         let reason = format!("the file is larger; it {allowed}");
-        return Err(CliError::Input { path: path.to_owned(), reason });
+        return Err(Error::Input { path: path.to_owned(), reason });
     }
     Ok(bytes)
 }

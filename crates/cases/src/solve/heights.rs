@@ -1,8 +1,8 @@
 //! Heights from a file: rows of numbers as CSV or NPY, or the greys of a PNG.
 
 use super::npy;
+use crate::Error;
 use crate::case::HeightFile;
-use crate::error::CliError;
 use crate::input::CaseFile;
 use crate::numbers::{bare, delimiter};
 use carom_halfspace::Grid;
@@ -11,14 +11,10 @@ use carom_solver::{Gap, HeightMap, HeightMapError};
 /// The gap under the heights in the file that the case names, and all that was read.
 ///
 /// # Errors
-/// [`CliError::Input`] if the heights are ragged, of another size than the grid, too great, or hold
+/// [`Error::Input`] if the heights are ragged, of another size than the grid, too great, or hold
 /// anything but finite numbers.
-pub(super) fn gap(
-    case: &CaseFile,
-    map: &HeightFile,
-    grid: Grid,
-) -> Result<(Gap, Vec<u8>), CliError> {
-    let refused = |reason: String| CliError::Input { path: case.beside(&map.file), reason };
+pub(super) fn gap(case: &CaseFile, map: &HeightFile, grid: Grid) -> Result<(Gap, Vec<u8>), Error> {
+    let refused = |reason: String| Error::Input { path: case.beside(&map.file), reason };
     let check = |size| HeightMap::check_size(size, grid).map_err(|error| error.to_string());
     let ending = map.file.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
     let (rows, read) = match ending.to_ascii_lowercase().as_str() {

@@ -1,8 +1,8 @@
 //! The bodies of a case: what a grid anywhere makes of them.
 
 use super::heights;
+use crate::Error;
 use crate::case::{Border, GapCase, GridCase, SolveCase};
-use crate::error::CliError;
 use crate::input::CaseFile;
 use carom_halfspace::operator::{OperatorError, PeriodicOperator, Threads};
 use carom_halfspace::{Field, Grid, MaterialPair};
@@ -13,7 +13,7 @@ use carom_solver::{
 use std::sync::Arc;
 
 /// Gap, materials and friction.
-pub(in crate::command) struct Bodies {
+pub struct Bodies {
     gap: Given,
     materials: MaterialPair,
     friction: SurfaceFriction,
@@ -32,11 +32,11 @@ impl Bodies {
     /// Those of the case in the file.
     ///
     /// # Errors
-    /// [`CliError::Input`] if a file of heights is no such thing, an output goes to it, or heights on a grid of their own are
-    /// asked for to an accuracy.
-    pub(in crate::command) fn of(file: &CaseFile, case: &SolveCase) -> Result<Self, CliError> {
+    /// [`Error::Input`] if a file of heights is no such thing, or heights on a grid of their own are asked for to
+    /// an accuracy.
+    pub fn of(file: &CaseFile, case: &SolveCase) -> Result<Self, Error> {
         let path = &file.path;
-        let law = |source| CliError::Law { path: path.clone(), source };
+        let law = |source| Error::Law { path: path.clone(), source };
         let border = match case.grid {
             GridCase::Cells { border, .. } => border,
             GridCase::Accuracy(_) => Border::Free,
@@ -46,7 +46,7 @@ impl Bodies {
             GridCase::Accuracy(_) => {
                 let reason =
                     format!("{what} on a grid of their own; give `grid.cells`, not an accuracy");
-                Err(CliError::Input { path: path.clone(), reason })
+                Err(Error::Input { path: path.clone(), reason })
             }
         };
         let (gap, read) = match &case.gap {
@@ -68,7 +68,8 @@ impl Bodies {
     }
 
     /// What was read beside the case.
-    pub(super) fn read(&self) -> &[u8] {
+    #[must_use]
+    pub fn read(&self) -> &[u8] {
         &self.read
     }
 

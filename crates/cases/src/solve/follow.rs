@@ -2,10 +2,8 @@
 
 use super::bodies::Bodies;
 use super::classic::{Chosen, ChosenError};
-use super::store::{Found, Saved, Store};
+use crate::Error;
 use crate::case::{Border, GridCase, Leg, SolveCase, Target};
-use crate::error::CliError;
-use crate::manner::Messages;
 use carom_halfspace::operator::OperatorError;
 use carom_halfspace::{Grid, room};
 use carom_laws::law::{ContactLoad, Shift};
@@ -16,16 +14,39 @@ use carom_solver::{
 use std::path::Path;
 
 /// What a run leaves.
-pub(super) struct Followed {
-    pub(super) steps: Vec<StepSummary>,
-    pub(super) state: ContactState,
-    pub(super) window: Window,
+#[derive(Debug)]
+pub struct Followed {
+    /// A row for each step.
+    pub steps: Vec<StepSummary>,
+    /// The contact at the end.
+    pub state: ContactState,
+    /// Where the cells are.
+    pub window: Window,
     /// How many steps were there before.
-    pub(super) found: usize,
+    pub found: usize,
+}
+
+/// Steps that are there already, and the state after the last one.
+#[derive(Debug, Default)]
+pub struct Found {
+    /// A row for each.
+    pub steps: Vec<StepSummary>,
+    /// None before the first.
+    pub saved: Option<Saved>,
+}
+
+/// A state, and those on two coarser grids as far as there are any.
+#[derive(Debug)]
+pub struct Saved {
+    /// On the grid itself.
+    pub state: ContactState,
+    /// On coarser ones.
+    pub coarse: [Option<ContactState>; 2],
 }
 
 /// The contact on its grid, ready to be driven.
-pub(super) struct Run<'a> {
+#[allow(missing_debug_implementations)] // memory of any method
+pub struct Run<'a> {
     path: &'a Path,
     case: &'a SolveCase,
     window: Window,
@@ -37,17 +58,11 @@ impl<'a> Run<'a> {
     /// On the grid of the case, or on one that fits.
     ///
     /// # Errors
-    /// [`CliError`] if the grid is too large for memory, a value out of range, or no grid fits.
-    pub(super) fn new(
-        path: &'a Path,
-        case: &'a SolveCase,
-        bodies: &Bodies,
-    ) -> Result<Self, CliError> {
-        let range = |source| CliError::Law { path: path.to_owned(), source };
-        let problem = |source: ProblemError| CliError::Problem {
-            path: path.to_owned(),
-            source: source.into(),
-        };
+    /// [`Error`] if the grid is too large for memory, a value out of range, or no grid fits.
+    pub fn new(path: &'a Path, case: &'a SolveCase, bodies: &Bodies) -> Result<Self, Error> {
+        let range = |source| Error::Law { path: path.to_owned(), source };
+        let problem =
+            |source: ProblemError| Error::Problem { path: path.to_owned(), source: source.into() };
         let method = Frictional::default();
         let method = match case.tolerance {
             Some(tolerance) => method.within(tolerance).map_err(range)?,
@@ -59,11 +74,8 @@ impl<'a> Run<'a> {
                 let (drives, sides) = (ends(&case.legs), bodies.sides());
                 let make = |window: &Window| bodies.problem(window);
                 let fit = Accuracy::new(accuracy).map_err(range)?.fit(method, make, sides, &drives);
-                fit.map_err(|source| CliError::Fit {
-                    path: path.to_owned(),
-                    source: source.into(),
-                })?
-                .window
+                fit.map_err(|source| Error::Fit { path: path.to_owned(), source: source.into() })?
+                    .window
             }
         };
         let chosen = Chosen { today: method, method: case.method, tolerance: case.tolerance };
@@ -78,40 +90,45 @@ impl<'a> Run<'a> {
     }
 
     /// What is solved.
-    pub(super) const fn problem(&self) -> &ContactProblem {
+    #[must_use]
+    pub const fn problem(&self) -> &ContactProblem {
         self.history.problem()
     }
 
     /// Where.
-    pub(super) const fn window(&self) -> &Window {
+    #[must_use]
+    pub const fn window(&self) -> &Window {
         &self.window
     }
 
     /// By which method.
-    pub(super) const fn method(&self) -> Frictional {
+    #[must_use]
+    pub const fn method(&self) -> Frictional {
         self.method
     }
 
-    /// Goes on from what was found to the last step; each step is kept when it is done.
+    /// How many steps there are.
+    #[must_use]
+    pub fn count(&self) -> usize {
+        self.case.legs.iter().map(|leg| leg.count).sum()
+    }
+
+    /// Goes on from what was found to the last step; `done` is shown the steps, and where the contact is
+    /// now, after each.
     ///
     /// # Errors
-    /// [`CliError::Step`], [`CliError::Border`], or if a step cannot be kept.
-    pub(super) fn follow(
+    /// [`Error::Step`], [`Error::Border`], or what `done` says.
+    pub fn follow<E: From<Error>>(
         mut self,
         found: Found,
-        store: Option<&Store>,
-        messages: &Messages,
-    ) -> Result<Followed, CliError> {
+        mut done: impl FnMut(&[StepSummary], &NestedHistory<Chosen>, &Window) -> Result<(), E>,
+    ) -> Result<Followed, E> {
         let Found { mut steps, saved } = found;
         if let Some(Saved { state, coarse }) = saved {
-            let law = |source| CliError::Law { path: self.path.to_owned(), source };
+            let law = |source| Error::Law { path: self.path.to_owned(), source };
             self.history.restore(state, coarse).map_err(law)?;
         }
         let count = steps.len();
-        let drives = self.case.legs.iter().map(|leg| leg.count).sum::<usize>();
-        let bar = messages.bar(drives, "steps");
-        bar.set_position(count as u64);
-        bar.reset_eta();
         let (mut first, mut held) = (0, HELD);
         for leg in &self.case.legs {
             for number in first + 1..=first + leg.count {
@@ -120,16 +137,12 @@ impl<'a> Run<'a> {
                 if number > count {
                     let step = self.step(number, &drive, steps.last())?;
                     steps.push(step);
-                    if let Some(store) = store {
-                        store.save(&steps, &self.history, &self.window)?;
-                    }
-                    bar.inc(1);
+                    done(&steps, &self.history, &self.window)?;
                 }
             }
             first += leg.count;
             held = kept(leg, held);
         }
-        bar.finish_and_clear();
         let state = self.history.state().clone();
         Ok(Followed { steps, state, window: self.window, found: count })
     }
@@ -139,14 +152,14 @@ impl<'a> Run<'a> {
         number: usize,
         drive: &Drive,
         last: Option<&StepSummary>,
-    ) -> Result<StepSummary, CliError> {
+    ) -> Result<StepSummary, Error> {
         let path = self.path;
         let before = self.history.state().clone();
         let went =
             self.history.step(drive, &mut ()).map_err(|error| failed(path, number, error))?;
         let state = self.history.state();
         if let Some(side) = border(state).filter(|_| self.is_free()) {
-            return Err(CliError::Border { path: path.to_owned(), step: number, side });
+            return Err(Error::Border { path: path.to_owned(), step: number, side });
         }
         let estimates = self.history.estimates();
         let begin = last.copied().unwrap_or_default();
@@ -176,11 +189,11 @@ fn check_room(grid: Grid) -> Result<(), OperatorError> {
     }
 }
 
-fn failed(path: &Path, step: usize, error: ChosenError) -> CliError {
+fn failed(path: &Path, step: usize, error: ChosenError) -> Error {
     let path = path.to_owned();
     match error {
-        ChosenError::Today(source) => CliError::Step { path, step, source: source.into() },
-        ChosenError::Classic(source) => CliError::Classic { path, step, source: source.into() },
+        ChosenError::Today(source) => Error::Step { path, step, source: source.into() },
+        ChosenError::Classic(source) => Error::Classic { path, step, source: source.into() },
     }
 }
 

@@ -1,6 +1,6 @@
 //! The twist of a history: torque, stick area and the traction around the normal.
 
-use crate::error::CliError;
+use crate::Error;
 use carom_laws::friction::Friction;
 use carom_laws::hertz::HertzState;
 use carom_laws::law::ContactLaw as _;
@@ -17,12 +17,15 @@ const TOLERANCES: [f64; 2] = [1e-6, 1e-3];
 
 /// What a twist adds to a step.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Twist {
-    pub(super) regime: &'static str,
-    pub(super) stick_semi_axis_a: f64,
-    pub(super) stick_semi_axis_b: f64,
+pub struct Twist {
+    /// What the twist does.
+    pub regime: &'static str,
+    /// Of the twist's stick area along x.
+    pub stick_semi_axis_a: f64,
+    /// The same along y.
+    pub stick_semi_axis_b: f64,
     /// The torque over that of complete sliding.
-    pub(super) share: f64,
+    pub share: f64,
 }
 
 /// The present state of the law; `state` is that of the contact, none if it is open.
@@ -48,7 +51,7 @@ pub(super) fn twist(law: &TorsionLaw, state: Option<&HertzState>, friction: Fric
 /// The traction around the normal at a part `radius` of the contact radius, over that of sliding
 /// at the centre; on a circle:
 /// `rho int_rho^al b(s)/sqrt(s^2 - rho^2) ds/al`, which is `sqrt(1 - radius^2)` in sliding.
-pub(super) fn traction(history: &TwistHistory, radius: f64) -> Result<f64, CliError> {
+pub(super) fn traction(history: &TwistHistory, radius: f64) -> Result<f64, Error> {
     let edge = history.radius();
     if edge <= 0.0 || radius >= 1.0 {
         return Ok(0.0);

@@ -1,6 +1,6 @@
 //! The steps of a history from a CSV file.
 
-use crate::error::CliError;
+use crate::Error;
 use crate::input::CaseFile;
 use crate::numbers::{NumberTable, TableError};
 use carom_laws::law::Shift;
@@ -34,9 +34,10 @@ pub enum StepsError {
 /// Reads the steps in the file that a case names.
 ///
 /// # Errors
-/// If an output goes to it, it cannot be read, is no text of at most 64 MiB, lacks a column or has another one, or a value is no finite number.
-pub(in crate::command) fn read(case: &CaseFile, name: &Path) -> Result<Vec<Shift>, CliError> {
-    parse(&case.table(name)?).map_err(|source| CliError::Steps { path: case.beside(name), source })
+/// If it cannot be read, is no text of at most 64 MiB, lacks a column or has another one, or a value is no
+/// finite number.
+pub fn read(case: &CaseFile, name: &Path) -> Result<Vec<Shift>, Error> {
+    parse(&case.table(name)?).map_err(|source| Error::Steps { path: case.beside(name), source })
 }
 
 fn parse(text: &str) -> Result<Vec<Shift>, StepsError> {

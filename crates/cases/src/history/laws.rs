@@ -1,6 +1,6 @@
 //! The laws of a history: shift and, if there is one, twist.
 
-use super::view;
+use super::step::is_twisted;
 use crate::case::HistoryCase;
 use carom_laws::accounted::Accounted;
 use carom_laws::friction::Friction;
@@ -12,7 +12,7 @@ use carom_special::RangeError;
 
 /// The law of a contact, and what else is told of it.
 #[derive(Debug, Clone)]
-pub(super) struct Laws {
+pub struct Laws {
     hertz: Hertz,
     law: Accounted<ShiftTwistLaw>,
     /// Whether any step twists.
@@ -22,7 +22,10 @@ pub(super) struct Laws {
 
 impl Laws {
     /// At rest, before these steps.
-    pub(super) fn new(
+    ///
+    /// # Errors
+    /// [`RangeError`] if a law refuses a value.
+    pub fn new(
         case: &HistoryCase,
         friction: Friction,
         steps: &[Shift],
@@ -31,44 +34,60 @@ impl Laws {
         let shift = ShiftLaw::chosen(case.law, stiffness, friction, case.tolerance);
         let torsion = TorsionLaw::new(&case.hertz, friction)?;
         let law = Accounted::new(ShiftTwistLaw::of(shift, torsion)?);
-        let twists = view::is_twisted(steps);
+        let twists = is_twisted(steps);
         Ok(Self { hertz: case.hertz, law, twists, contact: None })
     }
 
-    pub(super) fn advance(&mut self, step: Shift) -> Result<(), RangeError> {
+    /// Goes to a shift.
+    ///
+    /// # Errors
+    /// [`RangeError`] if a law refuses it.
+    pub fn advance(&mut self, step: Shift) -> Result<(), RangeError> {
         self.law.advance(step)?;
         let zeta = step.zeta;
         self.contact = if zeta > 0.0 { Some(self.hertz.at_approach(zeta)?) } else { None };
         Ok(())
     }
 
-    pub(super) fn shift(&self) -> &ShiftLaw<[f64; 2]> {
+    /// The law of the shift.
+    #[must_use]
+    pub fn shift(&self) -> &ShiftLaw<[f64; 2]> {
         self.law.law().tangential()
     }
 
     /// The law of the twist, if there is one.
-    pub(super) fn torsion(&self) -> Option<&TorsionLaw> {
+    #[must_use]
+    pub fn torsion(&self) -> Option<&TorsionLaw> {
         self.twists.then(|| self.law.law().torsion())
     }
 
     /// The contact area and pressure; none while the bodies are apart.
-    pub(super) fn contact(&self) -> Option<HertzState> {
+    #[must_use]
+    pub fn contact(&self) -> Option<HertzState> {
         self.contact
     }
 
-    pub(super) fn present(&self) -> Shift {
+    /// The shift that was reached.
+    #[must_use]
+    pub fn present(&self) -> Shift {
         self.law.shift()
     }
 
-    pub(super) fn load(&self) -> ContactLoad {
+    /// The load on body 1.
+    #[must_use]
+    pub fn load(&self) -> ContactLoad {
         self.law.load()
     }
 
-    pub(super) fn stored_energy(&self) -> f64 {
+    /// Elastic energy of the contact.
+    #[must_use]
+    pub fn stored_energy(&self) -> f64 {
         self.law.stored_energy()
     }
 
-    pub(super) fn dissipated(&self) -> f64 {
+    /// Friction heat since the start.
+    #[must_use]
+    pub fn dissipated(&self) -> f64 {
         self.law.dissipated()
     }
 }

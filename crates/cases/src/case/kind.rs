@@ -5,12 +5,13 @@ use super::field::{Entry, Field, Form, Need, entries};
 use super::section::{Section, parse};
 use super::{HertzCase, HistoryCase, ImpactFile, RollCase, SceneCase, SolveCase, StressCase};
 use super::{begin, hertz, history, impact, roll, scene, solve, stress, varied};
-use carom_special::nearest;
+use carom_special::{WordError, nearest};
 use carom_table::Column;
+use std::str::FromStr;
 use toml::de::{DeTable, DeValue};
 
 /// A kind of case, named as the command that takes it.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, clap::ValueEnum)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CaseKind {
     /// An impact of two bodies, a sweep of impacts, or a scatter.
     Impact,
@@ -28,6 +29,17 @@ pub enum CaseKind {
     Stress,
 }
 
+impl FromStr for CaseKind {
+    type Err = WordError;
+
+    /// # Errors
+    /// [`WordError`] with the kinds that there are.
+    fn from_str(word: &str) -> Result<Self, WordError> {
+        let kind = Self::ALL.into_iter().find(|kind| kind.name() == word);
+        kind.ok_or_else(|| WordError::new("kind", word, &Self::NAMES))
+    }
+}
+
 impl CaseKind {
     /// All of them.
     pub const ALL: [Self; 7] = [
@@ -39,6 +51,16 @@ impl CaseKind {
         Self::Roll,
         Self::Stress,
     ];
+
+    const NAMES: [&'static str; 7] = {
+        let mut names = [""; 7];
+        let mut i = 0;
+        while i < names.len() {
+            names[i] = Self::ALL[i].name();
+            i += 1;
+        }
+        names
+    };
 
     /// The command that takes it.
     #[must_use]

@@ -1,0 +1,48 @@
+//! A contact along a history of shifts and twists.
+
+mod laws;
+mod step;
+mod steps;
+mod twist;
+
+pub use laws::Laws;
+pub use step::{
+    COLUMNS, Step, TRACTION_COLUMNS, TWIST_COLUMNS, Traction, all_columns, columns, is_circle,
+    is_twisted, step,
+};
+pub use steps::{StepsError, read as read_steps};
+pub use twist::Twist;
+
+use crate::Error;
+use crate::case::{HistoryCase, Steps};
+use crate::input::CaseFile;
+use carom_laws::friction::Friction;
+use carom_laws::law::Shift;
+
+/// The shifts of a case; a file that it names lies beside it.
+///
+/// # Errors
+/// As [`read_steps`].
+pub fn shifts(file: &CaseFile, case: &HistoryCase) -> Result<Vec<Shift>, Error> {
+    match &case.steps {
+        Steps::Inline(shifts) => Ok(shifts.clone()),
+        Steps::File(name) => read_steps(file, name),
+    }
+}
+
+/// The contact after each step of a history; files that the case names lie beside it.
+///
+/// # Errors
+/// If the case is bad, a file cannot be read, or a law refuses a value.
+pub fn followed(file: &CaseFile) -> Result<Vec<Step>, Error> {
+    let case = file.parse(HistoryCase::parse)?;
+    let shifts = shifts(file, &case)?;
+    let at_fault = |source| Error::Law { path: file.path.clone(), source };
+    let friction = Friction::new(case.friction).map_err(at_fault)?;
+    let mut laws = Laws::new(&case, friction, &shifts).map_err(at_fault)?;
+    let after = |(i, shift): (usize, &Shift)| {
+        laws.advance(*shift).map_err(at_fault)?;
+        step((i + 1) as f64, &laws, friction, 0)
+    };
+    shifts.iter().enumerate().map(after).collect()
+}

@@ -1,0 +1,83 @@
+//! The impact of a case, or all of its sweep.
+
+use crate::Error;
+use crate::case::{CaseError, ImpactCase, ImpactFile, Input};
+use crate::input::CaseFile;
+use carom_impact::{CollisionError, HistoryPoint, Outcome};
+use carom_numerical::CollisionLawError;
+use rayon::prelude::*;
+use std::path::Path;
+
+/// The impacts of a case.
+#[derive(Debug)]
+pub struct Followed {
+    /// Name, unit and values of the number that is swept over, if there is one.
+    pub swept: Option<(&'static str, &'static str, Vec<f64>)>,
+    /// What came of each.
+    pub outcomes: Vec<Outcome>,
+}
+
+/// The impact of a case, or all of its sweep, in parallel.
+///
+/// # Errors
+/// If the case is bad, has `[uncertainty]`, or an impact cannot be followed.
+pub fn followed(file: &CaseFile) -> Result<Followed, Error> {
+    let (path, file) = (&file.path, file.parse(ImpactFile::parse)?);
+    if file.uncertainty().is_some() {
+        return Err(Error::Uncertainty { path: path.clone() });
+    }
+    let Some((input, values)) = file.sweep() else {
+        return Ok(Followed { swept: None, outcomes: vec![outcome(path, file.nominal())?] });
+    };
+    let outcome = |value: &f64| outcome(path, &swept(path, &file, *value)?);
+    let outcomes = values.par_iter().map(outcome).collect::<Result<_, _>>()?;
+    Ok(Followed { swept: Some((name(input), input.unit, values.to_vec())), outcomes })
+}
+
+/// The name of the number of a sweep: the angle of incidence has one of its own.
+#[must_use]
+pub fn name(input: &Input) -> &'static str {
+    if input.field == "approach.angle" { "angle" } else { input.field }
+}
+
+/// The case at a value of its sweep.
+///
+/// # Errors
+/// [`Error::Case`] if something in it cannot be.
+pub fn swept(path: &Path, file: &ImpactFile<'_>, value: f64) -> Result<ImpactCase, Error> {
+    file.case(&[value]).map_err(|source| refused(path, source))
+}
+
+/// What comes of a case.
+///
+/// # Errors
+/// [`Error::Collision`], [`Error::CollisionLaw`] if it cannot be followed; [`Error::Case`] if its torsion cannot
+/// be given.
+pub fn outcome(path: &Path, case: &ImpactCase) -> Result<Outcome, Error> {
+    case.contact.law.solve(&case.collision).map_err(|source| blamed(path, case, source))
+}
+
+/// The history of a case at so many instants.
+///
+/// # Errors
+/// As [`outcome`].
+pub fn course(path: &Path, case: &ImpactCase, count: usize) -> Result<Vec<HistoryPoint>, Error> {
+    case.contact.law.history(&case.collision, count).map_err(|source| blamed(path, case, source))
+}
+
+/// The case is to blame for torsion that cannot be given.
+fn blamed(path: &Path, case: &ImpactCase, source: CollisionLawError) -> Error {
+    match (source, case.contact.torsion) {
+        (CollisionLawError::Collision(CollisionError::NormalSpin(source)), Some(line)) => {
+            refused(path, CaseError::Torsion { line, source: Box::new(source) })
+        }
+        (CollisionLawError::Collision(source), _) => {
+            Error::Collision { path: path.to_owned(), source: Box::new(source) }
+        }
+        (source, _) => Error::CollisionLaw { path: path.to_owned(), source: Box::new(source) },
+    }
+}
+
+fn refused(path: &Path, source: CaseError) -> Error {
+    Error::Case { path: path.to_owned(), source }
+}

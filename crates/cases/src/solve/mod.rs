@@ -1,0 +1,30 @@
+//! A contact with friction on a grid, step by step.
+
+mod bodies;
+mod classic;
+mod follow;
+mod heights;
+mod npy;
+
+pub use bodies::Bodies;
+pub use classic::{Chosen, ChosenError, Working};
+pub use follow::{Followed, Found, Run, Saved};
+
+use crate::Error;
+use crate::case::SolveCase;
+use crate::input::CaseFile;
+use carom_solver::Accuracy;
+
+/// Solves a case, to `accuracy` if one is given, whatever the case says of its grid.
+///
+/// # Errors
+/// If the case is bad, a file that it names cannot be read, or a step cannot be solved.
+pub fn solved(file: &CaseFile, accuracy: Option<f64>) -> Result<Followed, Error> {
+    if let Some(accuracy) = accuracy {
+        Accuracy::new(accuracy)?;
+    }
+    let case = file.parse(|source| SolveCase::parse_to(source, accuracy))?;
+    let bodies = Bodies::of(file, &case)?;
+    let run = Run::new(&file.path, &case, &bodies)?;
+    run.follow(Found::default(), |_, _, _| Ok(()))
+}
