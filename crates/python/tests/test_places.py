@@ -77,12 +77,12 @@ def test_motions_that_are_not_given_are_those_of_the_bodies():
         many = carom.collide_many(one, two, [0.2], **changed)
         now = {**motions, **changed}
         energy = sum(
-            0.5 * m * np.dot(now[f"velocity_{k}"], now[f"velocity_{k}"])
-            + 0.5 * (0.4 * m * r**2) * np.dot(now[f"spin_{k}"], now[f"spin_{k}"])
+            0.5 * m * np.dot(now[f"body_{k}_velocity"], now[f"body_{k}_velocity"])
+            + 0.5 * (0.4 * m * r**2) * np.dot(now[f"body_{k}_spin"], now[f"body_{k}_spin"])
             for k, m, r in ((1, 0.03, 0.01), (2, 0.05, 0.02))
         )
         assert np.isclose(many.energy_before[0], energy, rtol=1e-12), (i, name)
-        before = sum(m * np.asarray(now[f"velocity_{k}"]) for k, m in ((1, 0.03), (2, 0.05)))
+        before = sum(m * np.asarray(now[f"body_{k}_velocity"]) for k, m in ((1, 0.03), (2, 0.05)))
         after = 0.03 * many.body_1_velocity[0] + 0.05 * many.body_2_velocity[0]
         assert np.allclose(before, after, rtol=1e-12)
 
