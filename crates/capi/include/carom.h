@@ -67,10 +67,10 @@
 // What elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` says nothing.
 #define CAROM_LOSS_BY_WAVES 2
 
-// Coulomb's law in two directions, each ring of the contact by itself, to a tolerance.
+// `coulomb`: each ring of the contact slips by itself, to a tolerance.
 #define CAROM_LAW_COULOMB 0
 
-// The law of chapter 7 of the thesis: one direction of traction in a slip ring. Exact on straight
+// `fixed-direction`: one direction of traction in a slip ring (chapter 7 of the thesis). Exact on straight
 // paths; where the direction turns, off by 5 % of the friction limit in the mean. Faster.
 #define CAROM_LAW_FIXED_DIRECTION 1
 
@@ -645,6 +645,9 @@ carom_status carom_touch_wall_load(const struct carom_grains *grains,
 
 // The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
 // 2 with that common normal, from body 2 into body 1.
+//
+// The coupling of normal and tangential displacements of dissimilar bodies counts for spheres and planes, and with
+// it the spin about the normal. For other shapes it is neglected; CAROM_WARNING_COUPLING says so.
 //
 // # Safety
 // `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `rebound` and `error` are

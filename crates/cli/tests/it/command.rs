@@ -14,7 +14,9 @@ fn a_ball_thrown_under_a_book_comes_back() {
 
 #[test]
 fn a_sweep_gives_an_impact_an_angle() {
-    let records = json(&["impact", &example("alumina_on_plane.toml")]);
+    let text = std::fs::read_to_string(example("alumina_on_plane.toml")).unwrap();
+    let analytic = text.replace("friction = 0.092", "friction = 0.092\nlaw = \"coulomb\"");
+    let records = json(&["impact", &case("alumina_analytic.toml", &analytic)]);
     let records = records.as_array().unwrap();
     assert_eq!(records.len(), 17);
     // Independent values of the spin for 5, 20 and 80 degrees.
@@ -23,6 +25,17 @@ fn a_sweep_gives_an_impact_an_angle() {
         close(&records[index]["body_1_spin"][1], spin, 0.01);
     }
     assert!(records[0]["warnings"][0].as_str().unwrap().contains("gamma"));
+}
+
+#[test]
+fn coupling_counts_unless_a_case_neglects_it() {
+    let records = json(&["impact", &example("alumina_on_plane.toml")]);
+    let first = &records[0];
+    // R_x at 5 degrees on a grid of 64 cells; -0.095 if coupling is neglected.
+    assert!((first["R_x"].as_f64().unwrap() - 0.368).abs() < 0.005, "{first}");
+    assert_eq!(first["method"], "rings");
+    let warnings = first["warnings"].as_array().unwrap();
+    assert!(!warnings.iter().any(|warning| warning.as_str().unwrap().contains("gamma")));
 }
 
 #[test]
@@ -167,17 +180,24 @@ fn files_that_cannot_be_read_or_written_end_with_code_1() {
 #[test]
 fn alumina_straight_down_has_the_limit_of_small_angles() {
     let text = std::fs::read_to_string(example("alumina_on_plane.toml")).unwrap();
-    let at = |angle: &str| {
+    let at = |angle: &str, friction: &str| {
         let sweep = "angle = { start = 5, stop = 85, count = 17 }";
         assert!(text.contains(sweep));
         let file = case(
             &format!("alumina_{angle}.toml"),
-            &text.replace(sweep, &format!("angle = {angle}")),
+            &text.replace(sweep, &format!("angle = {angle}")).replace("friction = 0.092", friction),
         );
         json(&["impact", &file])["R_x"].as_f64().unwrap()
     };
-    assert!((at("0") - at("1e-14")).abs() < 1e-11);
-    assert!((at("0") + 0.2962).abs() < 5e-5);
+    let by = |law: &str| format!("friction = 0.092\nlaw = \"{law}\"");
+    let analytic = by("coulomb");
+    assert!((at("0", &analytic) - at("1e-14", &analytic)).abs() < 1e-11);
+    assert!((at("0", &analytic) + 0.2962).abs() < 5e-5);
+    // With coupling; at larger angles rings are solved for the velocity itself.
+    let rings = by("rings");
+    assert!((at("0", &rings) - at("1e-14", &rings)).abs() < 1e-11);
+    assert!((at("0", &rings) - at("0.05", &rings)).abs() < 0.01);
+    assert!((at("0", &rings) - at("0.2", &rings)).abs() < 0.02);
 }
 
 #[test]

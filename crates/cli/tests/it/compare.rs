@@ -83,7 +83,7 @@ fn a_case_names_its_method_and_what_does_not_apply_names_what_does() {
     let unlike = shifts.replace("POISSON", "0.5").replace("friction = 0.3", johnson);
     refused("method_unlike.toml", unlike, &["Johnson", "Panagiotopoulos", "\"newton\""]);
     let loaded = CASE.replace("POISSON", "0.0").replace("friction = 0.3", johnson);
-    refused("method_loaded.toml", loaded, &["F_z is given", "\"newton\""]);
+    refused("method_loaded.toml", loaded, &["F_z is prescribed", "\"newton\""]);
     let wrong = shifts
         .replace("POISSON", "0.0")
         .replace("friction = 0.3", "friction = 0.3\nmethod = \"tang\"");

@@ -134,7 +134,7 @@ fn bad_fields_are_refused_with_line_value_and_range() {
         (
             "friction = 0.2",
             "friction = 0.2\nlaw = \"elastic\"",
-            "line 19: `contact.law` = \"elastic\" is out of range: must be \"coulomb\", \"fixed-direction\" or \"numerical\"",
+            "line 19: `contact.law` = \"elastic\" is out of range: must be \"auto\", \"coulomb\", \"fixed-direction\", \"rings\" or \"numerical\"",
         ),
         (
             "friction = 0.2",

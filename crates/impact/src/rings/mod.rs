@@ -13,7 +13,7 @@ use crate::normal::NormalImpact;
 use crate::outcome::{HistoryPoint, Outcome, Torsion};
 use motion::{Instant, Motion, Passage, Rates};
 
-/// The tangential velocity over f times that of approach at which the limit for vanishing ones is taken.
+/// The tangential velocity, over f times that of approach, at which the limit for vanishing ones is taken.
 const PROBE: f64 = 0.02;
 /// Mobilities of two tangents that differ by less than this part are the same.
 const EVEN: f64 = 1e-12;
@@ -135,7 +135,7 @@ impl<'a> RingImpact<'a> {
     /// tangents; else as [`Collision::solve`].
     pub fn solve(&self) -> Result<Outcome, RingImpactError> {
         let Some(problem) = self.problem()? else { return Ok(self.collision.missed()) };
-        let found = self.found(&problem, self.exact(&problem)?)?;
+        let (found, r_x) = self.followed(&problem)?;
         let [speed, xi, eta, omega] = problem.motion.before;
         let [zeta_after, xi_after, eta_after, omega_after] = found.passage.after;
         let before = Vector3::new(xi, eta, speed);
@@ -152,10 +152,7 @@ impl<'a> RingImpact<'a> {
             error_estimate: found.estimate * scale / before.norm(),
             warning: None,
         };
-        let mut known = Known::default();
-        if xi == 0.0 && eta == 0.0 {
-            known.r_x = Some(self.limit(&problem)?);
-        }
+        let mut known = Known { r_x, ..Known::default() };
         let about = problem.motion.mobility[2];
         if omega != 0.0 && about > 0.0 {
             let torque_impulse = (omega_after - omega) / about;
@@ -239,13 +236,34 @@ impl<'a> RingImpact<'a> {
         best.ok_or(RingImpactError::NoSeparation)
     }
 
-    /// R_x of vanishing tangential velocities.
-    fn limit(&self, problem: &Problem) -> Result<f64, RingImpactError> {
+    /// The impact, and R_x where that is the limit for vanishing tangential velocities.
+    ///
+    /// Without spin about the normal the tangential velocity after the impact is linear in a small one before, so
+    /// that one below [`PROBE`] is scaled from the impact at `PROBE`.
+    fn followed(&self, problem: &Problem) -> Result<(Found, Option<f64>), RingImpactError> {
+        let [speed, xi, eta, omega] = problem.motion.before;
+        let (size, probe) = (xi.hypot(eta), PROBE * problem.scale() * speed);
+        if size >= probe || (omega != 0.0 && size > 0.0) {
+            return Ok((self.found(problem, self.exact(problem)?)?, None));
+        }
+        let (limit, probed) = self.limit(problem, probe)?;
+        if omega != 0.0 {
+            return Ok((self.found(problem, self.exact(problem)?)?, Some(limit)));
+        }
+        let mut found = probed;
+        found.passage.after = [found.passage.after[0], -limit * xi, -limit * eta, 0.0];
+        found.estimate *= size / probe;
+        Ok((found, Some(limit)))
+    }
+
+    /// R_x of small tangential velocities: that of like bodies and what coupling adds to it at one of this size
+    /// along x.
+    fn limit(&self, problem: &Problem, size: f64) -> Result<(f64, Found), RingImpactError> {
         let mut probe = *problem;
-        let slip = PROBE * problem.scale() * problem.motion.before[0];
-        (probe.motion.before[1], probe.motion.before[2]) = (slip, 0.0);
+        (probe.motion.before[1], probe.motion.before[2]) = (size, 0.0);
         let found = self.found(&probe, self.exact(&probe)?)?;
-        Ok((-found.passage.after[1] / slip).clamp(-1.0, 1.0))
+        let added = -found.passage.after[1] / size - exact_restitution(&probe)?;
+        Ok(((exact_restitution(problem)? + added).clamp(-1.0, 1.0), found))
     }
 }
 
