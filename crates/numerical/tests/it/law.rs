@@ -37,7 +37,7 @@ fn like_bodies_have_the_same_bits_as_by_the_analytic_law() {
 fn the_law_changes_where_the_bound_meets_the_tolerance_and_the_result_by_less() {
     // The contrast of the materials is refined until the choice changes.
     let at = |contrast: f64| ball([80e9, 80e9 * (1.0 + contrast)], [0.3, 0.3], 0.2, 0.1);
-    let needed = |contrast: f64| at(contrast).needed_law(CollisionLaw::TOLERANCE);
+    let needed = |contrast: f64| at(contrast).needed_law(Collision::NEGLIGIBLE_COUPLING);
     let (mut low, mut high) = (0.0, 3.0);
     assert_eq!([needed(low), needed(high)], [NeededLaw::Analytic, NeededLaw::Rings]);
     for _ in 0..40 {
@@ -49,11 +49,11 @@ fn the_law_changes_where_the_bound_meets_the_tolerance_and_the_result_by_less() 
     assert!(!warns(&below) && !warns(&above));
     let names = [&below, &above].map(|outcome| outcome.rebound().unwrap().method.name());
     assert_eq!(names, ["uncoupled", "rings"]);
-    assert!((r_x(&below) - r_x(&above)).abs() < CollisionLaw::TOLERANCE);
+    assert!((r_x(&below) - r_x(&above)).abs() < Collision::NEGLIGIBLE_COUPLING);
     // What is neglected stands in the estimate.
     let estimate = below.rebound().unwrap().error_estimate;
     let slip = 0.1 / 1.0_f64.hypot(0.1);
-    assert!((estimate / (CollisionLaw::TOLERANCE * slip) - 1.0).abs() < 1e-6, "{estimate}");
+    assert!((estimate / (Collision::NEGLIGIBLE_COUPLING * slip) - 1.0).abs() < 1e-6, "{estimate}");
 }
 
 #[test]
@@ -92,7 +92,7 @@ fn egg(friction: f64) -> Collision {
 #[test]
 fn other_shapes_go_to_the_grid_but_for_infinite_friction() {
     let collision = egg(0.1);
-    assert_eq!(collision.needed_law(CollisionLaw::TOLERANCE), NeededLaw::Grid);
+    assert_eq!(collision.needed_law(Collision::NEGLIGIBLE_COUPLING), NeededLaw::Grid);
     let outcome = CollisionLaw::Auto.solve(&collision).unwrap();
     assert_eq!(outcome.rebound().unwrap().method.name(), "numerical");
     assert!(!warns(&outcome));
