@@ -22,12 +22,23 @@ pub(crate) fn run_with(arguments: &[&str], name: &str, value: &str) -> anyhow::R
 }
 
 fn finish(command: &mut Command, arguments: &[&str]) -> anyhow::Result<()> {
-    let shown = format!("cargo {}", arguments.join(" "));
+    let shown = format!("{} {}", command.get_program().display(), arguments.join(" "));
     let status = command.status().with_context(|| format!("cannot start `{shown}`"))?;
     if !status.success() {
         bail!("`{shown}` failed ({status})");
     }
     Ok(())
+}
+
+/// Builds a binary or example with the dependencies that the tests of the workspace have built, and runs it; an
+/// exit code other than 0 is an error. A package built by itself may take other features of a dependency, which
+/// are then compiled once more.
+pub(crate) fn run_built(kind: &str, name: &str, arguments: &[&str]) -> anyhow::Result<()> {
+    run(&["build", "--release", "--workspace", "--quiet", kind, name])?;
+    let folder = if kind == "--example" { "target/release/examples" } else { "target/release" };
+    let root = concat!(env!("CARGO_MANIFEST_DIR"), "/..");
+    let mut program = Command::new(std::path::Path::new(root).join(folder).join(name));
+    finish(program.args(arguments).current_dir(root), &[&[name], arguments].concat())
 }
 
 /// Runs carom-verify with these arguments; returns its exit code.
