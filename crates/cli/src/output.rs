@@ -154,7 +154,7 @@ impl Results {
     /// Writes `bytes`, or holds them.
     ///
     /// # Errors
-    /// [`CliError::Io`] if they cannot be written, as on a full disk or where standard output was never
+    /// [`carom_cases::Error::Io`] if they cannot be written, as on a full disk or where standard output was never
     /// open.
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), CliError> {
         if !bytes.is_empty() && !self.is_checked {
@@ -220,7 +220,7 @@ impl Write for Results {
 /// on Linux only.
 ///
 /// # Errors
-/// [`CliError::Io`] if not.
+/// [`carom_cases::Error::Io`] if not.
 pub fn is_open() -> Result<(), CliError> {
     const CLOSED: &str = "it is closed, or the null device open for reading and writing; redirect it, or \
                           add --format none";

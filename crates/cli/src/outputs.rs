@@ -59,7 +59,7 @@ impl Outputs {
     /// Standard output and standard error: what every command writes to.
     ///
     /// # Errors
-    /// [`CliError::Io`] if the results have a format and standard output is closed.
+    /// [`carom_cases::Error::Io`] if the results have a format and standard output is closed.
     pub fn of_command(format: Format) -> Result<Self, CliError> {
         if format != Format::None {
             is_open()?;
@@ -95,7 +95,7 @@ impl Outputs {
     ///
     /// # Errors
     /// [`CliError::Destination`] if it is standard output, another output, or no file that may be
-    /// replaced; [`CliError::Io`] if its folder cannot be read.
+    /// replaced; [`carom_cases::Error::Io`] if its folder cannot be read.
     pub fn file(&mut self, option: &'static str, path: &Path) -> Result<Place, CliError> {
         let failed = |error| CliError::io("write", path, error);
         let place = resolved(path).map_err(failed)?;
@@ -144,7 +144,7 @@ impl Outputs {
     /// Whether `input` may be read, as no output goes there.
     ///
     /// # Errors
-    /// [`CliError::Input`] if standard output or standard error goes there, [`CliError::Destination`] if
+    /// [`carom_cases::Error::Input`] if standard output or standard error goes there, [`CliError::Destination`] if
     /// another output does, or the input lies in the folder of one.
     pub fn check_input(&self, input: &Path) -> Result<(), CliError> {
         // What is not there, or no file, is told where it is opened.
