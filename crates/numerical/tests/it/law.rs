@@ -76,6 +76,17 @@ fn without_friction_coupling_is_nothing() {
     assert_eq!(r_x(&CollisionLaw::Auto.solve(&collision).unwrap()), -1.0);
 }
 
+#[test]
+fn where_friction_hardly_lets_anything_slip_the_analytic_law_is_used_and_warns() {
+    for friction in [30.0, f64::INFINITY] {
+        let collision = ball([40e9, 160e9], [0.2, 0.3], friction, 1.5);
+        let outcome = CollisionLaw::Auto.solve(&collision).unwrap();
+        assert_eq!(collision.needed_law(Collision::NEGLIGIBLE_COUPLING), NeededLaw::Analytic);
+        assert!(warns(&outcome) && outcome.rebound().unwrap().error_estimate > 0.0);
+        assert_eq!(r_x(&outcome), r_x(&collision.solve().unwrap()));
+    }
+}
+
 /// An ellipsoid of one material on a plane of another.
 fn egg(friction: f64) -> Collision {
     let material = |shear, poisson| Material::from_shear(shear, poisson).unwrap();
