@@ -9,7 +9,7 @@ use crate::outcome::{Outcome, Warning};
 const MEASURED: RangeInclusive<f64> = 2.5..=5.0;
 
 /// |gamma| f up to which rings are used. Beyond it, at friction that hardly lets anything slip, they are farther off
-/// than the analytic laws: gamma = 0.25, f = 30 at 57 degrees, R_x = -0.319 on a grid, -0.330 analytic, -0.265 by
+/// than the analytic laws: gamma = 0.25, f = 30 at 57 degrees, R_x = -0.319 on a grid, -0.293 analytic, -0.265 by
 /// rings.
 const LARGEST_FOR_RINGS: f64 = 1.0;
 
