@@ -3,7 +3,7 @@
 mod motion;
 
 use carom_laws::friction::Friction;
-use carom_laws::rings::{RingConstants, RingLaw, Tolerance};
+use carom_laws::rings::{AlikePlane, Plane, RingConstants, RingLaw, Symmetry, Tolerance};
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
@@ -66,6 +66,8 @@ pub struct RingImpact<'a> {
 #[derive(Debug, Clone, Copy)]
 struct Level {
     run: Run,
+    steps: usize,
+    tolerance: f64,
     /// What part of the change from the coarser level counts for its error.
     left: f64,
     /// What is left in the velocity over f v_z where that change happens to be small.
@@ -78,14 +80,14 @@ struct Level {
 /// covered the change in nine of ten or more; what the last level itself misses is known of alike bodies only, 5e-4
 /// in the median and 2.2e-3 at worst, before it is taken off.
 const LEVELS: [Level; 4] = [
-    Level { run: run::<4, 8, 32, 300>, left: 1.0, floor: 1e-2 },
-    Level { run: run::<8, 8, 64, 500>, left: 0.6, floor: 1.3e-3 },
-    Level { run: run::<16, 16, 128, 2000>, left: 0.8, floor: 5e-4 },
-    Level { run: run::<24, 16, 256, 10_000>, left: 1.0, floor: 3e-4 },
+    Level { run: run::<4, 8, 5, 3>, steps: 32, tolerance: 1.0 / 300.0, left: 1.0, floor: 1e-2 },
+    Level { run: run::<8, 8, 5, 3>, steps: 64, tolerance: 2e-3, left: 0.6, floor: 1.3e-3 },
+    Level { run: run::<16, 16, 9, 5>, steps: 128, tolerance: 5e-4, left: 0.8, floor: 5e-4 },
+    Level { run: run::<24, 16, 9, 5>, steps: 256, tolerance: 1e-4, left: 1.0, floor: 3e-4 },
 ];
 
 /// A run of a fineness, observed at each instant.
-type Run = fn(&Problem, &mut dyn FnMut(Sample)) -> Result<Passage, RingImpactError>;
+type Run = fn(&Problem, usize, f64, &mut dyn FnMut(Sample)) -> Result<Passage, RingImpactError>;
 
 /// The impact in contact axes.
 #[derive(Debug, Clone, Copy)]
@@ -180,7 +182,7 @@ impl<'a> RingImpact<'a> {
         let Some(problem) = self.problem()? else { return Ok(Vec::new()) };
         let level = self.found(&problem, self.exact(&problem)?)?.level;
         let mut samples = Vec::new();
-        (level.run)(&problem, &mut |sample| samples.push(sample))?;
+        level.observed(&problem, &mut |sample| samples.push(sample))?;
         let [speed, xi, eta, _] = problem.motion.before;
         Ok(self.collision.sampled(&samples, count, &Vector3::new(xi, eta, speed))?)
     }
@@ -272,7 +274,15 @@ impl<'a> RingImpact<'a> {
 
 impl Level {
     fn passage(&self, problem: &Problem) -> Result<Passage, RingImpactError> {
-        (self.run)(problem, &mut |_| ())
+        self.observed(problem, &mut |_| ())
+    }
+
+    fn observed(
+        &self,
+        problem: &Problem,
+        observe: &mut dyn FnMut(Sample),
+    ) -> Result<Passage, RingImpactError> {
+        (self.run)(problem, self.steps, self.tolerance, observe)
     }
 }
 
@@ -337,18 +347,41 @@ fn exact_restitution(problem: &Problem) -> Result<f64, RingImpactError> {
 }
 
 /// One run of so many steps; `FINE` is one over the tolerance of the law.
-fn run<const N: usize, const M: usize, const STEPS: usize, const FINE: usize>(
+///
+/// H are the angles from 0 to half a turn and Q those to a quarter, for motions in a plane.
+fn run<const N: usize, const M: usize, const H: usize, const Q: usize>(
     problem: &Problem,
+    steps: usize,
+    tolerance: f64,
     observe: &mut dyn FnMut(Sample),
 ) -> Result<Passage, RingImpactError> {
-    let tolerance = Tolerance::new(1.0 / FINE as f64)?;
-    let law = RingLaw::<N, M>::from_constants(problem.constants, problem.friction, tolerance)?;
-    let observe = |instant: Instant, law: &RingLaw<N, M>| observe(sample(&instant, law));
-    problem.motion.follow(law, STEPS, observe)?.ok_or(RingImpactError::NoSeparation)
+    let Problem { motion, constants, friction } = problem;
+    let tolerance = Tolerance::new(tolerance)?;
+    let (motion, turned) = motion.along_its_plane();
+    let Some(turned) = turned else {
+        let law = RingLaw::<N, M>::from_constants(*constants, *friction, tolerance)?;
+        return ended(motion.follow(law, steps, |at, law| observe(sample(at, law)))?);
+    };
+    let observe = &mut |sample: Sample| observe(turned.back(sample));
+    let passage = if constants.gamma == 0.0 {
+        let law = RingLaw::<N, Q, AlikePlane>::alike_in_plane(*constants, *friction, tolerance)?;
+        ended(motion.follow(law, steps, |at, law| observe(sample(at, law)))?)
+    } else {
+        let law = RingLaw::<N, H, Plane>::in_plane(*constants, *friction, tolerance)?;
+        ended(motion.follow(law, steps, |at, law| observe(sample(at, law)))?)
+    };
+    passage.map(|passage| Passage { after: turned.rates_back(passage.after), ..passage })
 }
 
-fn sample<const N: usize, const M: usize>(instant: &Instant, law: &RingLaw<N, M>) -> Sample {
-    let Instant { time, shift: [zeta, xi, eta, _], rates: [speed, x, y, _], load } = *instant;
+fn ended(passage: Option<Passage>) -> Result<Passage, RingImpactError> {
+    passage.ok_or(RingImpactError::NoSeparation)
+}
+
+fn sample<const N: usize, const H: usize, S: Symmetry<H>>(
+    instant: Instant,
+    law: &RingLaw<N, H, S>,
+) -> Sample {
+    let Instant { time, shift: [zeta, xi, eta, _], rates: [speed, x, y, _], load } = instant;
     Sample {
         time,
         shift: Vector3::new(xi, eta, zeta),
@@ -359,7 +392,7 @@ fn sample<const N: usize, const M: usize>(instant: &Instant, law: &RingLaw<N, M>
 }
 
 /// What slipped in the last step; the last ring reaches beyond the contact.
-fn stage<const N: usize, const M: usize>(law: &RingLaw<N, M>) -> Stage {
+fn stage<const N: usize, const H: usize, S: Symmetry<H>>(law: &RingLaw<N, H, S>) -> Stage {
     let slipping = || law.slipping().map(|(_, share)| share);
     if slipping().all(|share| share == 0.0) {
         Stage::Adhesion

@@ -1,6 +1,9 @@
 //! The motion through a contact that takes twist: shift, approach and twist by a leapfrog of equal steps.
 
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
+use nalgebra::Vector3;
+
+use crate::coupled::Sample;
 
 /// Contact that lasts longer than this many times the steps of a free impact is given up.
 const PATIENCE: usize = 64;
@@ -38,7 +41,46 @@ pub(super) struct Instant {
     pub(super) load: ContactLoad,
 }
 
+/// A direction of the tangential motion: cosine and sine.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Turned([f64; 2]);
+
+impl Turned {
+    fn turn(self, [x, y]: [f64; 2]) -> [f64; 2] {
+        let Self([cosine, sine]) = self;
+        [cosine * x - sine * y, sine * x + cosine * y]
+    }
+
+    /// Rates of a motion along x, along this direction.
+    pub(super) fn rates_back(self, [speed, x, y, omega]: Rates) -> Rates {
+        let [x, y] = self.turn([x, y]);
+        [speed, x, y, omega]
+    }
+
+    /// An instant of a motion along x, along this direction.
+    pub(super) fn back(self, sample: Sample) -> Sample {
+        let turned = |v: Vector3<f64>| {
+            let [x, y] = self.turn([v.x, v.y]);
+            Vector3::new(x, y, v.z)
+        };
+        let Sample { shift, velocity, force, .. } = sample;
+        let [shift, velocity, force] = [shift, velocity, force].map(turned);
+        Sample { shift, velocity, force, ..sample }
+    }
+}
+
 impl Motion {
+    /// Without twist the motion stays in a plane: the same along x, and the direction; else none.
+    pub(super) fn along_its_plane(&self) -> (Self, Option<Turned>) {
+        let [speed, x, y, omega] = self.before;
+        if omega != 0.0 {
+            return (*self, None);
+        }
+        let size = libm::hypot(x, y);
+        let direction = if size > 0.0 { [x / size, y / size] } else { [1.0, 0.0] };
+        (Self { before: [speed, size, 0.0, 0.0], ..*self }, Some(Turned(direction)))
+    }
+
     /// Follows a law from touch to separation, observed at touch, after each step and at separation; none if the
     /// bodies do not part.
     pub(super) fn follow<L: ContactLaw>(

@@ -2,6 +2,7 @@
 //!
 //! With four, paths of 800 steps lost twice the accuracy to the many interpolations that ones of 100 did.
 
+use super::symmetry::Symmetry;
 use super::transform::Field;
 
 /// The largest number of rings.
@@ -75,12 +76,12 @@ impl<const N: usize> Nodes<N> {
     /// The field on rings whose radii have changed by a factor, from the field and its values on the
     /// old rim; rings outside the old contact take those of the rim.
     #[inline]
-    pub(super) fn carried<const M: usize>(
+    pub(super) fn carried<const H: usize, S: Symmetry<H>>(
         &self,
-        field: &Field<N, M>,
-        rim: &[[f64; 2]; M],
+        field: &Field<N, H>,
+        rim: &[[f64; 2]; H],
         factor: f64,
-    ) -> Field<N, M> {
+    ) -> Field<N, H> {
         let mut at_rim = [0.0; NEAR];
         at_rim[NEAR - 1] = 1.0;
         let stencils: [Stencil; N] = std::array::from_fn(|i| {
@@ -90,14 +91,15 @@ impl<const N: usize> Nodes<N> {
             }
             self.stencil(x, i)
         });
-        let mut out = [[[0.0; N]; 2]; M];
+        let mut out = [[[0.0; N]; 2]; H];
         let mut line = [0.0; NODES];
         for (j, parts) in out.iter_mut().enumerate() {
+            let (opposite, signs) = S::opposite(j);
             for (c, part) in parts.iter_mut().enumerate() {
                 // Beyond the middle both directions of the frame are reversed.
-                let across = &field[(j + M / 2) % M][c];
+                let across = &field[opposite][c];
                 for i in 0..BEYOND {
-                    line[i] = -across[BEYOND - 1 - i];
+                    line[i] = -signs[c] * across[BEYOND - 1 - i];
                 }
                 line[BEYOND..N + BEYOND].copy_from_slice(&field[j][c]);
                 line[N + BEYOND] = rim[j][c];
@@ -115,6 +117,7 @@ impl<const N: usize> Nodes<N> {
 mod tests {
     use super::*;
     use crate::rings::layout::Layout;
+    use crate::rings::symmetry::Whole;
     use crate::rings::transform::directions;
 
     #[test]
@@ -137,7 +140,7 @@ mod tests {
         };
         let rim: [[f64; 2]; 8] = std::array::from_fn(|j| at(1.0, turns[j]));
         for factor in [1.0, 1.01, 0.97, 0.5, 0.02, 1e-9, 1.6] {
-            let got = nodes.carried(&field_at(1.0), &rim, factor);
+            let got = nodes.carried::<8, Whole>(&field_at(1.0), &rim, factor);
             let want = field_at(factor);
             for j in 0..8 {
                 for i in 0..6 {

@@ -6,6 +6,7 @@
 
 use super::pair::Pair;
 use super::solve::{Share, Tractions};
+use super::symmetry::Symmetry;
 use super::transform::Field;
 
 /// A ratio of steps above which slip is not looked ahead any further.
@@ -17,14 +18,14 @@ const LONGEST: f64 = 1e3;
 
 /// The contact since it touched.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Contact<const N: usize, const M: usize> {
+pub(super) struct Contact<const N: usize, const H: usize> {
     /// The contact radius; 0 where the bodies just touch.
     pub(super) radius: f64,
     /// What has slipped at each place, against the rigid shift and twist of now.
-    pub(super) slip: Field<N, M>,
+    pub(super) slip: Field<N, H>,
     /// As `slip`, at the rim.
-    pub(super) rim: [[f64; 2]; M],
-    pub(super) tractions: Tractions<N, M>,
+    pub(super) rim: [[f64; 2]; H],
+    pub(super) tractions: Tractions<N, H>,
     /// The length of the last step.
     pub(super) length: f64,
 }
@@ -56,10 +57,10 @@ pub(super) struct Sums {
     pub(super) stored: f64,
 }
 
-impl<const N: usize, const M: usize> Default for Contact<N, M> {
+impl<const N: usize, const H: usize> Default for Contact<N, H> {
     fn default() -> Self {
-        let slip = [[[0.0; N]; 2]; M];
-        let (tractions, rim) = (Tractions::default(), [[0.0; 2]; M]);
+        let slip = [[[0.0; N]; 2]; H];
+        let (tractions, rim) = (Tractions::default(), [[0.0; 2]; H]);
         Self { radius: 0.0, slip, rim, tractions, length: 0.0 }
     }
 }
@@ -78,9 +79,14 @@ impl Step {
     }
 }
 
-impl<const N: usize, const M: usize> Contact<N, M> {
+impl<const N: usize, const H: usize> Contact<N, H> {
     /// Goes straight to a positive approach.
-    pub(super) fn advance(&mut self, pair: &Pair<N, M>, tolerance: f64, step: &Step) -> Done {
+    pub(super) fn advance<S: Symmetry<H>>(
+        &mut self,
+        pair: &Pair<N, H, S>,
+        tolerance: f64,
+        step: &Step,
+    ) -> Done {
         let radius = step.approach.sqrt();
         if radius < FORGOTTEN * self.radius {
             *self = Self::default();
@@ -101,7 +107,13 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         self.go(pair, tolerance, radius, step)
     }
 
-    fn go(&mut self, pair: &Pair<N, M>, tolerance: f64, radius: f64, step: &Step) -> Done {
+    fn go<S: Symmetry<H>>(
+        &mut self,
+        pair: &Pair<N, H, S>,
+        tolerance: f64,
+        radius: f64,
+        step: &Step,
+    ) -> Done {
         let square = step.approach;
         let length = libm::hypot(step.way(radius), step.approached);
         let factor = self.radius / radius;
@@ -125,33 +137,37 @@ impl<const N: usize, const M: usize> Contact<N, M> {
         let iterations = pair.solve(&c, &ahead, share_of, tolerance, &mut self.tractions);
         let heat = self.settle(pair, (square, &share), &before);
         (self.radius, self.length) = (radius, length);
-        Done { iterations, heat: heat * radius * square * square / M as f64 }
+        Done { iterations, heat: heat * radius * square * square / S::ANGLES as f64 }
     }
 
     /// Slip before the step on the rings of a contact of this radius.
     #[inline(always)]
-    fn carried(&self, pair: &Pair<N, M>, radius: f64) -> Field<N, M> {
+    fn carried<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>, radius: f64) -> Field<N, H> {
         if radius == self.radius {
             return self.slip;
         }
         // Where the bodies just touch all rings are beyond the old rim.
-        pair.nodes.carried(&self.slip, &self.rim, radius / self.radius.max(f64::MIN_POSITIVE))
+        pair.nodes.carried::<H, S>(
+            &self.slip,
+            &self.rim,
+            radius / self.radius.max(f64::MIN_POSITIVE),
+        )
     }
 
     /// The slip against the shift and twist of after the step; rings that enter begin with their share of
     /// what the rim slips by Hertz's pressure.
     #[inline(always)]
-    fn move_along(
+    fn move_along<S: Symmetry<H>>(
         &self,
-        pair: &Pair<N, M>,
+        pair: &Pair<N, H, S>,
         (radius, share): (f64, &Share<N>),
         step: &Step,
-        slip: &mut Field<N, M>,
+        slip: &mut Field<N, H>,
     ) {
         let rim = pair.spread * step.approach * pair.spread_at_rim;
         let [x, y] = step.shifted;
         // A twist of the old rim, in proportion to the radius.
-        let twist = mean_around(&self.rim);
+        let twist = mean_around::<H, S>(&self.rim);
         let outside = |i: usize| match share.of_rim[i] > 0.0 && self.radius > 0.0 {
             true => twist * (pair.layout.radius[i] * radius / self.radius - 1.0),
             false => 0.0,
@@ -170,21 +186,22 @@ impl<const N: usize, const M: usize> Contact<N, M> {
 
     /// The slip after the step and at the rim; the heat over a^5/M.
     #[inline(always)]
-    fn settle(
+    fn settle<S: Symmetry<H>>(
         &mut self,
-        pair: &Pair<N, M>,
+        pair: &Pair<N, H, S>,
         (square, share): (f64, &Share<N>),
-        before: &Field<N, M>,
+        before: &Field<N, H>,
     ) -> f64 {
         let now = &self.tractions;
-        let twist = mean_around(&now.rim);
+        let twist = mean_around::<H, S>(&now.rim);
         let mut heat = 0.0;
         let all = self.slip.iter_mut().zip(before).zip(now.z.iter().zip(&now.y)).zip(&now.rim);
-        for (((slip, before), (z, y)), rim) in all {
+        for (j, (((slip, before), (z, y)), rim)) in all.enumerate() {
+            let mut warmed = 0.0;
             for d in 0..2 {
                 for i in 0..N {
                     let slipped = pair.sigma[i] * y[d][i];
-                    heat += pair.layout.area[i] * z[d][i] * slipped;
+                    warmed += pair.layout.area[i] * z[d][i] * slipped;
                     let mut of_rim = share.of_rim[i] * rim[d];
                     if d == 1 {
                         of_rim += (share.of_twist[i] - share.of_rim[i]) * twist;
@@ -192,20 +209,25 @@ impl<const N: usize, const M: usize> Contact<N, M> {
                     slip[d][i] = before[d][i] + square * (slipped - of_rim);
                 }
             }
+            heat += S::weight(j) * warmed;
         }
         self.rim = self.at_rim(pair, square);
         heat
     }
 
     /// The slip of the rim: its spread without what tractions displace.
-    pub(super) fn at_rim(&self, pair: &Pair<N, M>, square: f64) -> [[f64; 2]; M] {
+    pub(super) fn at_rim<S: Symmetry<H>>(
+        &self,
+        pair: &Pair<N, H, S>,
+        square: f64,
+    ) -> [[f64; 2]; H] {
         let spread = pair.spread * pair.spread_at_rim;
         self.tractions.rim.map(|[radial, around]| [square * (spread - radial), -square * around])
     }
 
     /// `old` is the old radius over the new one.
     #[inline]
-    fn share(pair: &Pair<N, M>, old: f64) -> Share<N> {
+    fn share<S: Symmetry<H>>(pair: &Pair<N, H, S>, old: f64) -> Share<N> {
         let square = old * old;
         let of_rim: [f64; N] = std::array::from_fn(|i| {
             if pair.layout.radius[i] <= old {
@@ -230,31 +252,42 @@ impl<const N: usize, const M: usize> Contact<N, M> {
 
     /// The elastic displacement at a place, over f.
     #[inline(always)]
-    pub(super) fn stretch(&self, pair: &Pair<N, M>, j: usize, i: usize) -> [f64; 2] {
+    pub(super) fn stretch<S: Symmetry<H>>(
+        &self,
+        pair: &Pair<N, H, S>,
+        j: usize,
+        i: usize,
+    ) -> [f64; 2] {
         let spread = pair.spread * self.radius * self.radius * pair.layout.spread[i];
         [spread - self.slip[j][0][i], -self.slip[j][1][i]]
     }
 
     /// Loads and stored energy of the tangential tractions.
-    pub(super) fn sums(&self, pair: &Pair<N, M>) -> Sums {
+    pub(super) fn sums<S: Symmetry<H>>(&self, pair: &Pair<N, H, S>) -> Sums {
         let mut sums = Sums::default();
         let (a, layout) = (self.radius, &pair.layout);
         for (j, [cosine, sine]) in pair.directions.iter().enumerate() {
             let [radial, around] = &self.tractions.z[j];
-            let mut of = [0.0; 2];
+            let (weight, mut of) = (S::weight(j), [0.0; 2]);
+            let mut here = Sums::default();
             for i in 0..N {
                 let area = layout.area[i];
                 of[0] += area * radial[i];
                 of[1] += area * around[i];
-                sums.torque += area * layout.radius[i] * around[i];
-                sums.normal += area * self.tractions.limit[j][i];
+                here.torque += area * layout.radius[i] * around[i];
+                here.normal += area * self.tractions.limit[j][i];
                 let stretch = self.stretch(pair, j, i);
-                sums.stored += area * (radial[i] * stretch[0] + around[i] * stretch[1]);
+                here.stored += area * (radial[i] * stretch[0] + around[i] * stretch[1]);
             }
-            sums.force[0] += cosine * of[0] - sine * of[1];
-            sums.force[1] += sine * of[0] + cosine * of[1];
+            sums.force[0] += weight * (cosine * of[0] - sine * of[1]);
+            sums.normal += weight * here.normal;
+            sums.stored += weight * here.stored;
+            if !S::MIRRORED {
+                sums.force[1] += sine * of[0] + cosine * of[1];
+                sums.torque += here.torque;
+            }
         }
-        let part = a * a * a / M as f64;
+        let part = a * a * a / S::ANGLES as f64;
         sums.force = sums.force.map(|f| part * f);
         sums.torque *= part * a;
         sums.normal *= part;
@@ -265,6 +298,9 @@ impl<const N: usize, const M: usize> Contact<N, M> {
 
 /// The mean circumferential component.
 #[inline(always)]
-fn mean_around<const M: usize>(of: &[[f64; 2]; M]) -> f64 {
-    of.iter().map(|[_, around]| around).sum::<f64>() / M as f64
+fn mean_around<const H: usize, S: Symmetry<H>>(of: &[[f64; 2]; H]) -> f64 {
+    if S::MIRRORED {
+        return 0.0;
+    }
+    of.iter().map(|[_, around]| around).sum::<f64>() / H as f64
 }

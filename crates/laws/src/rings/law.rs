@@ -1,12 +1,11 @@
 //! The law of rings in the user's units.
 
-use std::sync::Arc;
-
 use carom_special::RangeError;
 
 use super::constants::{RingConstants, Tolerance};
 use super::contact::{Contact, Done, Step, Sums};
 use super::pair::Pair;
+use super::symmetry::{AlikePlane, Plane, Symmetry, Whole};
 use crate::bounds::in_contact;
 use crate::friction::Friction;
 use crate::hertz::Hertz;
@@ -61,9 +60,9 @@ pub(super) struct Units {
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
 #[derive(Debug, Clone)]
-pub struct RingLaw<const N: usize = 6, const M: usize = 8> {
+pub struct RingLaw<const N: usize = 6, const M: usize = 8, S: Symmetry<M> = Whole> {
     /// None without friction.
-    pub(super) pair: Option<Arc<Pair<N, M>>>,
+    pub(super) pair: Option<Pair<N, M, S>>,
     units: Units,
     pub(super) tolerance: f64,
     pub(super) contact: Contact<N, M>,
@@ -87,11 +86,52 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
 
     /// The law of a contact of which only the constants are known, at rest.
     ///
-    /// The first law of a size takes some 0.01 s, a further pair of materials 0.1 ms (6 x 8) to 2 ms.
+    /// The first law of a size takes some 0.01 s, a further pair of materials 0.1 ms (6 x 8) to 2 ms; the pairs
+    /// asked for last are kept.
     ///
     /// # Errors
     /// [`RangeError`] for a constant that is out of range.
     pub fn from_constants(
+        constants: RingConstants,
+        friction: Friction,
+        tolerance: Tolerance,
+    ) -> Result<Self, RangeError> {
+        Self::at_rest(constants, friction, tolerance)
+    }
+}
+
+impl<const N: usize, const M: usize> RingLaw<N, M, Plane> {
+    /// The law of shifts along x without twist, at rest, for half of the cost: as the mirror images, angles
+    /// beyond half a turn are left out. M is 5 for 8 angles a turn, 9 for 16.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a constant that is out of range.
+    pub fn in_plane(
+        constants: RingConstants,
+        friction: Friction,
+        tolerance: Tolerance,
+    ) -> Result<Self, RangeError> {
+        Self::at_rest(constants, friction, tolerance)
+    }
+}
+
+impl<const N: usize, const M: usize> RingLaw<N, M, AlikePlane> {
+    /// The law of shifts along x without twist, coupling left out, at rest, for a quarter of the cost: angles
+    /// beyond a quarter of a turn follow from the others. M is 3 for 8 angles a turn, 5 for 16.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a constant that is out of range.
+    pub fn alike_in_plane(
+        constants: RingConstants,
+        friction: Friction,
+        tolerance: Tolerance,
+    ) -> Result<Self, RangeError> {
+        Self::at_rest(RingConstants { gamma: 0.0, ..constants }, friction, tolerance)
+    }
+}
+
+impl<const N: usize, const M: usize, S: Symmetry<M>> RingLaw<N, M, S> {
+    fn at_rest(
         constants: RingConstants,
         friction: Friction,
         tolerance: Tolerance,
@@ -109,7 +149,7 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
             energy: force * f,
             traction: force / (radius * radius),
         };
-        let pair = (f > 0.0).then(|| Arc::new(Pair::new(kappa, gamma, friction.get())));
+        let pair = (f > 0.0).then(|| Pair::new(kappa, gamma, friction.get()));
         Ok(Self {
             pair,
             units,
@@ -179,7 +219,7 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
     }
 }
 
-impl<const N: usize, const M: usize> ContactLaw for RingLaw<N, M> {
+impl<const N: usize, const M: usize, S: Symmetry<M>> ContactLaw for RingLaw<N, M, S> {
     type Error = RangeError;
 
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
@@ -206,9 +246,13 @@ impl<const N: usize, const M: usize> ContactLaw for RingLaw<N, M> {
     }
 }
 
-impl<const N: usize, const M: usize> Checked for RingLaw<N, M> {
+impl<const N: usize, const M: usize, S: Symmetry<M>> Checked for RingLaw<N, M, S> {
     fn check(&self, to: Shift) -> Result<(), RangeError> {
         to.check_finite()?;
+        if S::MIRRORED {
+            RangeError::check("eta", to.eta, to.eta == 0.0, "0: the law of a plane")?;
+            RangeError::check("omega", to.omega, to.omega == 0.0, "0: the law of a plane")?;
+        }
         let Units { shift, twist, .. } = self.units;
         in_contact("shift over friction", (to.xi - self.shift.xi) * shift)?;
         in_contact("shift over friction", (to.eta - self.shift.eta) * shift)?;
@@ -217,7 +261,7 @@ impl<const N: usize, const M: usize> Checked for RingLaw<N, M> {
     }
 }
 
-impl<const N: usize, const M: usize> Dissipative for RingLaw<N, M> {
+impl<const N: usize, const M: usize, S: Symmetry<M>> Dissipative for RingLaw<N, M, S> {
     /// Compression by Hertz's law, and what tangential tractions have stored, with the pressures they add.
     fn stored_energy(&self) -> f64 {
         let zeta = self.shift.zeta.max(0.0);
@@ -235,4 +279,4 @@ impl<const N: usize, const M: usize> Dissipative for RingLaw<N, M> {
     }
 }
 
-impl<const N: usize, const M: usize> ImpactLaw for RingLaw<N, M> {}
+impl<const N: usize, const M: usize, S: Symmetry<M>> ImpactLaw for RingLaw<N, M, S> {}

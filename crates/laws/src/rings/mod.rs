@@ -30,9 +30,12 @@ mod law;
 mod layout;
 mod pack;
 mod pair;
+mod recent;
 mod solve;
+mod symmetry;
 mod transform;
 
 pub use constants::{RingConstants, Tolerance};
 pub use law::RingLaw;
 pub use pack::packed_numbers;
+pub use symmetry::{AlikePlane, Plane, Symmetry, Whole};

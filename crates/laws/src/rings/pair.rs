@@ -11,12 +11,17 @@
 //! where gamma P is the pressure that tractions add so that the bodies do not overlap. What is even under
 //! reflection is real, what is odd imaginary: two real blocks a harmonic.
 
+use std::ops::Deref;
+use std::sync::Arc;
+
 use super::carry::Nodes;
 use super::dense::{Rows, combined, inverse, product, zeros};
 use super::influence::{Harmonic, Influence};
 use super::kernel::spread_at;
 use super::layout::Layout;
-use super::transform::{directions, parts};
+use super::recent;
+use super::symmetry::{Symmetry, Whole};
+use super::transform::{direction, parts_of};
 
 /// A block acts on two parts of N rings each: `[in part][in ring][out part][out ring]`.
 pub(super) type Block<const N: usize> = [[[[f64; N]; 2]; N]; 2];
@@ -30,14 +35,16 @@ const PEAK: f64 = 4.0 / std::f64::consts::PI;
 /// Above this friction, tractions are held against the pressure, not against what friction could carry.
 const MOST_CARRIED: f64 = 3.0;
 
-/// The matrices of a pair.
-#[derive(Debug, Clone)]
-pub(super) struct Pair<const N: usize, const M: usize> {
+/// The matrices of a pair of materials.
+#[derive(Debug)]
+pub(super) struct Matrices<const N: usize, const H: usize, S: Symmetry<H>> {
     pub(super) layout: Layout<N>,
     pub(super) nodes: Nodes<N>,
     /// The spread at the rim, as `Layout::spread`.
     pub(super) spread_at_rim: f64,
-    pub(super) directions: [[f64; 2]; M],
+    /// Of the kept angles.
+    pub(super) directions: [[f64; 2]; H],
+    pub(super) waves: S::Waves,
     /// The preconditioner, a ring's own displacement.
     pub(super) sigma: [f64; N],
     /// `(M + sigma)^-1` by blocks.
@@ -47,6 +54,12 @@ pub(super) struct Pair<const N: usize, const M: usize> {
     pub(super) rim: Vec<RimBlock<N>>,
     /// Pressures by tractions over gamma f; block b gives the harmonic of its first part, real if even.
     pub(super) press: Vec<PressBlock<N>>,
+}
+
+/// The matrices of a pair and its friction.
+#[derive(Debug, Clone)]
+pub(super) struct Pair<const N: usize, const H: usize, S: Symmetry<H> = Whole> {
+    matrices: Arc<Matrices<N, H, S>>,
     /// Gamma over f: the radial spread of the surfaces in the unit of the shifts.
     pub(super) spread: f64,
     /// Gamma f: pressure by tractions over f.
@@ -58,51 +71,101 @@ pub(super) struct Pair<const N: usize, const M: usize> {
     pub(super) slips: bool,
 }
 
+impl<const N: usize, const H: usize, S: Symmetry<H>> Deref for Pair<N, H, S> {
+    type Target = Matrices<N, H, S>;
+
+    fn deref(&self) -> &Self::Target {
+        &self.matrices
+    }
+}
+
 /// The real block of a harmonic: four matrices of one out and one in part.
 struct Blocks([[Rows; 2]; 2]);
 
-impl<const N: usize, const M: usize> Pair<N, M> {
+impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
     /// That of stiffness ratio kappa, coupling gamma and friction f, 0 < f; infinite f: tractions are
     /// over 1.
     pub(super) fn new(kappa: f64, gamma: f64, friction: f64) -> Self {
-        let influence = Influence::<N>::shared(M);
         let slips = friction.is_finite();
         let (spread, lift) =
             if slips { (gamma / friction, gamma * friction) } else { (gamma, gamma) };
+        let scale = PEAK * (MOST_CARRIED / friction).min(1.0);
+        Self { matrices: Matrices::shared(kappa, gamma), spread, lift, scale, slips }
+    }
+}
+
+impl<const N: usize, const H: usize, S: Symmetry<H>> Matrices<N, H, S> {
+    fn new(kappa: f64, gamma: f64) -> Self {
+        let influence = Influence::<N>::shared(S::ANGLES);
         let blocks = |of: &[Harmonic]| -> Vec<Blocks> {
-            (0..M).map(|block| matrix::<M>(of, kappa, gamma, block)).collect()
+            (0..S::blocks()).map(|block| kept::<H, S>(of, kappa, gamma, block)).collect()
         };
         let whole = blocks(&influence.rings);
-        let mut sigma = [0.0; N];
-        for (i, sigma) in sigma.iter_mut().enumerate() {
-            let own = |b: &Blocks| b.0[0][0][i][i] + b.0[1][1][i][i];
-            *sigma = whole.iter().map(own).sum::<f64>() / (2 * M) as f64;
-        }
+        let sigma = own(&influence.rings, S::ANGLES, [kappa, gamma]);
         Self {
             nodes: Nodes::new(&influence.layout.radius),
             layout: influence.layout.clone(),
             spread_at_rim: spread_at(influence.rim_radius),
-            directions: directions(),
+            directions: std::array::from_fn(|j| direction(j, S::ANGLES)),
+            waves: S::waves(),
             inverse: whole.iter().map(|block| inverted(block, &sigma)).collect(),
             sticking: whole.iter().map(|block| inverted(block, &[0.0; N])).collect(),
             sigma,
-            scale: PEAK * (MOST_CARRIED / friction).min(1.0),
             rim: blocks(&influence.rim).iter().map(rim_block).collect(),
-            press: (0..M).map(|block| press_block::<N, M>(&influence.rings, block)).collect(),
-            spread,
-            lift,
-            slips,
+            press: (0..S::blocks()).map(|b| press_block::<N, H, S>(&influence.rings, b)).collect(),
         }
+    }
+
+    /// Those of a pair that was asked for lately are kept.
+    fn shared(kappa: f64, gamma: f64) -> Arc<Self> {
+        let key = [kappa, gamma.abs()].map(f64::to_bits);
+        recent::shared(key, || Self::new(kappa, gamma))
     }
 }
 
 /// The harmonic of a block, and 1 for what is even under reflection, -1 for what is odd.
-const fn harmonic<const M: usize>(block: usize) -> (usize, f64) {
-    (parts::<M>(block)[0].0, if block.is_multiple_of(2) { 1.0 } else { -1.0 })
+const fn harmonic(angles: usize, block: usize) -> (usize, f64) {
+    (parts_of(angles, block)[0].0, if block.is_multiple_of(2) { 1.0 } else { -1.0 })
 }
 
-fn matrix<const M: usize>(of: &[Harmonic], kappa: f64, gamma: f64, block: usize) -> Blocks {
-    let (k, sign) = harmonic::<M>(block);
+/// A kept block: where both sides are alike, it acts on the mean and half the difference of the harmonics k
+/// and -k.
+fn kept<const H: usize, S: Symmetry<H>>(
+    of: &[Harmonic],
+    kappa: f64,
+    gamma: f64,
+    block: usize,
+) -> Blocks {
+    let whole = S::whole_block(block);
+    let blocks = matrix(of, S::ANGLES, [kappa, gamma], whole);
+    if !S::MIRRORED || whole < 2 {
+        return blocks;
+    }
+    let [[a, b], [c, d]] = &blocks.0;
+    let turned = |signs: [f64; 4]| {
+        let [p, q, r, s] = signs.map(|sign| 0.5 * sign);
+        combined(1.0, &combined(p, a, q, b), 1.0, &combined(r, c, s, d))
+    };
+    Blocks([
+        [turned([1.0, 1.0, 1.0, 1.0]), turned([1.0, -1.0, 1.0, -1.0])],
+        [turned([1.0, 1.0, -1.0, -1.0]), turned([1.0, -1.0, -1.0, 1.0])],
+    ])
+}
+
+/// A ring's own displacement, the mean of all blocks of the whole turn.
+fn own<const N: usize>(of: &[Harmonic], angles: usize, pair: [f64; 2]) -> [f64; N] {
+    let mut sigma = [0.0; N];
+    for block in 0..angles {
+        let Blocks([[one, _], [_, two]]) = matrix(of, angles, pair, block);
+        for (i, sigma) in sigma.iter_mut().enumerate() {
+            *sigma += one[i][i] + two[i][i];
+        }
+    }
+    sigma.map(|sum| sum / (2 * angles) as f64)
+}
+
+fn matrix(of: &[Harmonic], angles: usize, [kappa, gamma]: [f64; 2], block: usize) -> Blocks {
+    let (k, sign) = harmonic(angles, block);
     let at = &of[k];
     let none = || {
         let [rows, columns] = [at.own[0].len(), at.own[0][0].len()];
@@ -166,17 +229,23 @@ fn rim_block<const N: usize>(block: &Blocks) -> RimBlock<N> {
     })
 }
 
-fn press_block<const N: usize, const M: usize>(of: &[Harmonic], block: usize) -> PressBlock<N> {
-    let (k, sign) = harmonic::<M>(block);
+fn press_block<const N: usize, const H: usize, S: Symmetry<H>>(
+    of: &[Harmonic],
+    block: usize,
+) -> PressBlock<N> {
+    let whole = S::whole_block(block);
+    let (k, sign) = harmonic(S::ANGLES, whole);
     let at = &of[k];
-    let by = |factor: f64, lift: &Rows| -> [[f64; N]; N] {
+    let by = |lift: &Rows| -> [[f64; N]; N] {
         let rows = product(&at.normal_inverse, lift);
-        std::array::from_fn(|j| std::array::from_fn(|i| factor * rows[i][j]))
+        std::array::from_fn(|j| std::array::from_fn(|i| rows[i][j]))
     };
-    match block {
-        0 => [by(1.0, &at.lift[0]), [[0.0; N]; N]],
-        1 => [by(1.0, &combined(0.5, &at.lift[0], -0.5, &at.lift[1])), [[0.0; N]; N]],
-        _ => [by(0.5, &at.lift[0]), by(-0.5 * sign, &at.lift[1])],
+    let halves = |p: f64, q: f64| by(&combined(p, &at.lift[0], q, &at.lift[1]));
+    match whole {
+        0 => [by(&at.lift[0]), [[0.0; N]; N]],
+        1 => [halves(0.5, -0.5), [[0.0; N]; N]],
+        _ if S::MIRRORED => [halves(0.5, -0.5), halves(0.5, 0.5)],
+        _ => [halves(0.5, 0.0), halves(0.0, -0.5 * sign)],
     }
 }
 

@@ -4,7 +4,8 @@
 //! inverse that is made once. The multiplier of a disc is the slip.
 
 use super::pair::{Block, Pair, PressBlock, RimBlock};
-use super::transform::{Field, parts, transform};
+use super::symmetry::Symmetry;
+use super::transform::Field;
 
 /// Over-relaxation.
 const RELAX: f64 = 1.6;
@@ -19,13 +20,13 @@ const PATIENCE: usize = 16;
 
 /// What is sought: tractions z over the contact radius, and y, the slip over sigma a^2.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Tractions<const N: usize, const M: usize> {
-    pub(super) z: Field<N, M>,
-    pub(super) y: Field<N, M>,
+pub(super) struct Tractions<const N: usize, const H: usize> {
+    pub(super) z: Field<N, H>,
+    pub(super) y: Field<N, H>,
     /// The limits that z keeps: Hertz's pressure and what tractions add.
-    pub(super) limit: [[f64; N]; M],
+    pub(super) limit: [[f64; N]; H],
     /// The displacement of the rim over a^2, radial and circumferential.
-    pub(super) rim: [[f64; 2]; M],
+    pub(super) rim: [[f64; 2]; H],
 }
 
 /// The part of the rim's slip that each ring takes which comes into contact.
@@ -38,24 +39,25 @@ pub(super) struct Share<const N: usize> {
 
 /// How rings that come into contact follow the displacement of the rim.
 #[derive(Debug, Clone, Copy)]
-struct Entering<const N: usize, const M: usize> {
+struct Entering<const N: usize, const H: usize> {
     /// By blocks, the inverse times the share that a ring has of the rim, for each part of a block.
-    columns: [[[[f64; N]; 2]; 2]; M],
+    columns: [[[[f64; N]; 2]; 2]; H],
     /// By blocks, `(1 - Rim columns)^-1`.
-    small: [[[f64; 2]; 2]; M],
+    small: [[[f64; 2]; 2]; H],
 }
 
-impl<const N: usize, const M: usize> Entering<N, M> {
+impl<const N: usize, const H: usize> Entering<N, H> {
     /// With the share of each ring, by one of the inverses of a pair.
     #[inline(never)]
-    fn new(inverses: &[Block<N>], rims: &[RimBlock<N>], share: &Share<N>) -> Self {
-        let mut out = Self { columns: [[[[0.0; N]; 2]; 2]; M], small: [[[0.0; 2]; 2]; M] };
+    fn new<S: Symmetry<H>>(inverses: &[Block<N>], rims: &[RimBlock<N>], share: &Share<N>) -> Self {
+        let mut out = Self { columns: [[[[0.0; N]; 2]; 2]; H], small: [[[0.0; 2]; 2]; H] };
         for (b, (inverse, rim)) in inverses.iter().zip(rims).enumerate() {
             let mut small = [[0.0; 2]; 2];
             for part in 0..2 {
                 let mut sources = [[0.0; N]; 2];
-                // The second part of the first block is the twist.
-                sources[part] = if (b, part) == (0, 1) { share.of_twist } else { share.of_rim };
+                // The second part of the first block of a whole turn is the twist.
+                sources[part] =
+                    if (S::whole_block(b), part) == (0, 1) { share.of_twist } else { share.of_rim };
                 let column = applied(inverse, &sources);
                 let at_rim = seen(rim, &column);
                 for out in 0..2 {
@@ -108,25 +110,26 @@ fn pressed<const N: usize>(press: &PressBlock<N>, of: &[[f64; N]; 2]) -> [f64; N
 }
 
 #[inline(always)]
-fn block_of<const N: usize, const M: usize>(hat: &Field<N, M>, block: usize) -> [[f64; N]; 2] {
-    parts::<M>(block).map(|(k, c)| hat[k][c])
+fn block_of<const N: usize, const H: usize, S: Symmetry<H>>(
+    hat: &Field<N, H>,
+    block: usize,
+) -> [[f64; N]; 2] {
+    S::places(block).map(|(k, c)| hat[k][c])
 }
 
-impl<const N: usize, const M: usize> Pair<N, M> {
+impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
     /// An inverse of the pair times a right side, by harmonics; the spectrum stays in `hat`.
     #[inline(always)]
     fn divided(
         &self,
         inverses: &[Block<N>],
-        hat: &mut Field<N, M>,
-        entering: Option<&Entering<N, M>>,
-    ) -> Field<N, M> {
-        transform(hat, &self.directions, -1.0);
-        let scale = 1.0 / M as f64;
+        hat: &mut Field<N, H>,
+        entering: Option<&Entering<N, H>>,
+    ) -> Field<N, H> {
+        S::to_harmonics(&self.waves, hat);
         for (b, inverse) in inverses.iter().enumerate() {
-            let places = parts::<M>(b);
-            let mut sources = places.map(|(k, c)| hat[k][c]);
-            sources.iter_mut().flatten().for_each(|x| *x *= scale);
+            let places = S::places(b);
+            let sources = places.map(|(k, c)| hat[k][c]);
             let mut q = applied(inverse, &sources);
             if let Some(entering) = entering {
                 let at_rim = seen(&self.rim[b], &q);
@@ -144,24 +147,28 @@ impl<const N: usize, const M: usize> Pair<N, M> {
             }
         }
         let mut q = *hat;
-        transform(&mut q, &self.directions, 1.0);
+        S::to_angles(&self.waves, &mut q);
         q
+    }
+
+    /// As `limits`; without coupling Hertz's pressure.
+    fn limits_now(&self, hat: &Field<N, H>) -> [[f64; N]; H] {
+        if self.lift == 0.0 { [self.layout.pressure; H] } else { self.limits(hat) }
     }
 
     /// The limits with the pressures that tractions of this spectrum add.
     #[inline(always)]
-    fn limits(&self, hat: &Field<N, M>) -> [[f64; N]; M] {
-        let mut added: Field<N, M> = [[[0.0; N]; 2]; M];
+    fn limits(&self, hat: &Field<N, H>) -> [[f64; N]; H] {
+        let mut added: Field<N, H> = [[[0.0; N]; 2]; H];
         for (b, press) in self.press.iter().enumerate() {
-            let [(k, _), (mirror, _)] = parts::<M>(b);
-            let p = pressed(press, &block_of(hat, b));
-            match b {
-                0 | 1 => added[k][0] = p,
-                _ if b % 2 == 0 => (added[k][0], added[mirror][0]) = (p, p),
-                _ => (added[k][1], added[mirror][1]) = (p, p.map(|x| -x)),
+            let [(k, c), (mirror, _)] = S::places(b);
+            let p = pressed(press, &block_of::<N, H, S>(hat, b));
+            added[k][c] = p;
+            if k != mirror {
+                added[mirror][c] = if c == 0 { p } else { p.map(|x| -x) };
             }
         }
-        transform(&mut added, &self.directions, 1.0);
+        S::to_angles(&self.waves, &mut added);
         added.map(|[p, _]| {
             std::array::from_fn(|i| (self.layout.pressure[i] + self.lift * p[i]).max(0.0))
         })
@@ -169,28 +176,28 @@ impl<const N: usize, const M: usize> Pair<N, M> {
 
     /// The displacement of the rim by tractions of this spectrum.
     #[inline(always)]
-    fn at_rim(&self, hat: &Field<N, M>) -> [[f64; 2]; M] {
-        let mut out: Field<1, M> = [[[0.0; 1]; 2]; M];
+    fn at_rim(&self, hat: &Field<N, H>) -> [[f64; 2]; H] {
+        let mut out: Field<1, H> = [[[0.0; 1]; 2]; H];
         for (b, rim) in self.rim.iter().enumerate() {
-            let u = seen(rim, &block_of(hat, b));
-            for ((k, c), u) in parts::<M>(b).into_iter().zip(u) {
+            let u = seen(rim, &block_of::<N, H, S>(hat, b));
+            for ((k, c), u) in S::places(b).into_iter().zip(u) {
                 out[k][c] = [u];
             }
         }
-        transform(&mut out, &self.directions, 1.0);
+        S::to_angles(&self.waves, &mut out);
         out.map(|parts| parts.map(|[u]| u))
     }
 
     /// Where nothing slipped before: the tractions that stick, if they keep their limits.
-    fn stuck(&self, c: &Field<N, M>, share: Option<&Share<N>>, now: &mut Tractions<N, M>) -> bool {
+    fn stuck(&self, c: &Field<N, H>, share: Option<&Share<N>>, now: &mut Tractions<N, H>) -> bool {
         let slipped = now.y.iter().flatten().flatten().any(|&y| y != 0.0);
         if self.slips && slipped {
             return false;
         }
         let mut hat = *c;
-        let entering = share.map(|share| Entering::new(&self.sticking, &self.rim, share));
+        let entering = share.map(|share| Entering::new::<S>(&self.sticking, &self.rim, share));
         let q = self.divided(&self.sticking, &mut hat, entering.as_ref());
-        let limit = self.limits(&hat);
+        let limit = self.limits_now(&hat);
         let within = |([x, y], limit): (&[[f64; N]; 2], &[f64; N])| {
             (0..N).all(|i| x[i] * x[i] + y[i] * y[i] <= limit[i] * limit[i])
         };
@@ -207,20 +214,20 @@ impl<const N: usize, const M: usize> Pair<N, M> {
     /// into contact have a share of the rim's slip.
     pub(super) fn solve(
         &self,
-        c: &Field<N, M>,
-        ahead: &Field<N, M>,
+        c: &Field<N, H>,
+        ahead: &Field<N, H>,
         share: Option<&Share<N>>,
         tolerance: f64,
-        now: &mut Tractions<N, M>,
+        now: &mut Tractions<N, H>,
     ) -> usize {
         if self.stuck(c, share, now) {
             return 1;
         }
-        let entering = share.map(|share| Entering::new(&self.inverse, &self.rim, share));
+        let entering = share.map(|share| Entering::new::<S>(&self.inverse, &self.rim, share));
         let close = tolerance * self.scale;
         let couples = self.lift != 0.0;
         if !couples {
-            now.limit = [self.layout.pressure; M];
+            now.limit = [self.layout.pressure; H];
         }
         if now.y.iter().flatten().flatten().all(|&y| y == 0.0) {
             self.slide(c, now);
@@ -253,7 +260,7 @@ impl<const N: usize, const M: usize> Pair<N, M> {
 
     /// Begins where a step from rest is far beyond what sticks: there it slides.
     #[cold]
-    fn slide(&self, c: &Field<N, M>, now: &mut Tractions<N, M>) {
+    fn slide(&self, c: &Field<N, H>, now: &mut Tractions<N, H>) {
         for (j, [x, y]) in c.iter().enumerate() {
             for i in 0..N {
                 let size = x[i].hypot(y[i]);
@@ -271,34 +278,34 @@ impl<const N: usize, const M: usize> Pair<N, M> {
 
     /// Harmonics of tractions.
     #[inline(always)]
-    fn spectrum(&self, z: &Field<N, M>) -> Field<N, M> {
+    fn spectrum(&self, z: &Field<N, H>) -> Field<N, H> {
         let mut hat = *z;
-        transform(&mut hat, &self.directions, -1.0);
-        hat.map(|parts| parts.map(|ring| ring.map(|x| x / M as f64)))
+        S::to_harmonics(&self.waves, &mut hat);
+        hat
     }
 
     /// What follows from tractions that were kept: the displacement of the rim, and the limits.
-    pub(super) fn follow(&self, now: &mut Tractions<N, M>) {
+    pub(super) fn follow(&self, now: &mut Tractions<N, H>) {
         let hat = self.spectrum(&now.z);
-        (now.rim, now.limit) = (self.at_rim(&hat), self.limits(&hat));
+        (now.rim, now.limit) = (self.at_rim(&hat), self.limits_now(&hat));
     }
 
     /// Tractions that stick to these displacements.
-    pub(super) fn sticking_to(&self, u: &Field<N, M>) -> Field<N, M> {
+    pub(super) fn sticking_to(&self, u: &Field<N, H>) -> Field<N, H> {
         self.divided(&self.sticking, &mut u.clone(), None)
     }
 }
 
 /// Cuts to the limits; the square of the greatest change.
 #[inline(always)]
-fn cut<const N: usize, const M: usize>(
-    q: &Field<N, M>,
-    ahead: &Field<N, M>,
+fn cut<const N: usize, const H: usize>(
+    q: &Field<N, H>,
+    ahead: &Field<N, H>,
     part: f64,
-    now: &mut Tractions<N, M>,
+    now: &mut Tractions<N, H>,
 ) -> f64 {
     let mut greatest = 0.0_f64;
-    for j in 0..M {
+    for j in 0..H {
         let ([zx, zy], [yx, yy]) = (&mut now.z[j], &mut now.y[j]);
         let [qx, qy] = &q[j];
         for i in 0..N {
@@ -347,9 +354,9 @@ fn on_limit(v: [f64; 2], ahead: [f64; 2], limit: f64) -> [f64; 2] {
     v.map(|x| scale * x)
 }
 
-impl<const N: usize, const M: usize> Default for Tractions<N, M> {
+impl<const N: usize, const H: usize> Default for Tractions<N, H> {
     fn default() -> Self {
-        let none = [[[0.0; N]; 2]; M];
-        Self { z: none, y: none, limit: [[0.0; N]; M], rim: [[0.0; 2]; M] }
+        let none = [[[0.0; N]; 2]; H];
+        Self { z: none, y: none, limit: [[0.0; N]; H], rim: [[0.0; 2]; H] }
     }
 }

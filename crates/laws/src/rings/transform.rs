@@ -5,28 +5,32 @@ use std::f64::consts::PI;
 /// Two components (radial and circumferential, or real and imaginary) on N rings at M angles.
 pub(super) type Field<const N: usize, const M: usize> = [[[f64; N]; 2]; M];
 
+/// Cosine and sine of j of so many equal parts of a turn.
+pub(super) fn direction(j: usize, parts: usize) -> [f64; 2] {
+    let j = j % parts;
+    // Multiples of an eighth of a turn are exact, whatever the library rounds.
+    let eighths = 8 * j;
+    let root = std::f64::consts::FRAC_1_SQRT_2;
+    if eighths % parts == 0 {
+        let exact = [
+            [1.0, 0.0],
+            [root, root],
+            [0.0, 1.0],
+            [-root, root],
+            [-1.0, 0.0],
+            [-root, -root],
+            [0.0, -1.0],
+            [root, -root],
+        ];
+        return exact[eighths / parts];
+    }
+    let angle = 2.0 * PI * j as f64 / parts as f64;
+    [libm::cos(angle), libm::sin(angle)]
+}
+
 /// Cosines and sines of the M angles.
 pub(super) fn directions<const M: usize>() -> [[f64; 2]; M] {
-    std::array::from_fn(|j| {
-        // Multiples of an eighth of a turn are exact, whatever the library rounds.
-        let eighths = 8 * j;
-        let root = std::f64::consts::FRAC_1_SQRT_2;
-        if eighths % M == 0 {
-            let exact = [
-                [1.0, 0.0],
-                [root, root],
-                [0.0, 1.0],
-                [-root, root],
-                [-1.0, 0.0],
-                [-root, -root],
-                [0.0, -1.0],
-                [root, -root],
-            ];
-            return exact[eighths / M];
-        }
-        let angle = 2.0 * PI * j as f64 / M as f64;
-        [libm::cos(angle), libm::sin(angle)]
-    })
+    std::array::from_fn(|j| direction(j, M))
 }
 
 /// The discrete Fourier transform over the angles, in place, times a factor; `SIGN` is -1 forward, 1 back.
@@ -83,10 +87,16 @@ fn butterfly<const N: usize, const M: usize>(
 /// with -k, first what is even under reflection (the real parts), then what is odd.
 #[inline(always)]
 pub(super) const fn parts<const M: usize>(block: usize) -> [(usize, usize); 2] {
+    parts_of(M, block)
+}
+
+/// The same for so many angles.
+#[inline(always)]
+pub(super) const fn parts_of(angles: usize, block: usize) -> [(usize, usize); 2] {
     match block {
         0 => [(0, 0), (0, 1)],
-        1 => [(M / 2, 0), (M / 2, 1)],
-        _ => [(block / 2, block % 2), (M - block / 2, block % 2)],
+        1 => [(angles / 2, 0), (angles / 2, 1)],
+        _ => [(block / 2, block % 2), (angles - block / 2, block % 2)],
     }
 }
 

@@ -6,6 +6,7 @@ mod adhesion;
 mod balance;
 mod coupling;
 mod invariance;
+mod kept_angles;
 mod limits;
 mod packed;
 mod partial_slip;
