@@ -4,10 +4,14 @@ use carom_special::RangeError;
 
 use crate::oblique::{Groups, ObliqueError, ObliqueImpact};
 
+mod dissimilar;
 mod map;
 mod table;
 mod tensor;
 
+pub use dissimilar::{
+    DissimilarGroups, DissimilarTable, check_dissimilar, fill_dissimilar, of_dissimilar,
+};
 pub use map::restitution_map;
 pub use table::RestitutionTable;
 pub use tensor::RestitutionTensor;

@@ -15,6 +15,8 @@ const PRESS_EACH: usize = 3;
 const MOST: usize = 400;
 /// About the greatest displacement by tractions at their limits, over a^2.
 const STICKING: f64 = 1.5;
+/// The same where slip has a first guess: only one that is far off is replaced.
+const FAR: f64 = 20.0;
 /// After so many iterations less and less slip is taken ahead: some points would else go to and fro.
 const PATIENCE: usize = 16;
 
@@ -229,9 +231,8 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         if !couples {
             now.limit = [self.layout.pressure; H];
         }
-        if now.y.iter().flatten().flatten().all(|&y| y == 0.0) {
-            self.slide(c, now);
-        }
+        let is_first = now.y.iter().flatten().flatten().all(|&y| y == 0.0);
+        self.slide(c, if is_first { STICKING } else { FAR }, now);
         let mut part = 1.0;
         let mut count = MOST;
         for iteration in 0..MOST {
@@ -258,15 +259,16 @@ impl<const N: usize, const H: usize, S: Symmetry<H>> Pair<N, H, S> {
         count
     }
 
-    /// Begins where a step from rest is far beyond what sticks: there it slides.
-    #[cold]
-    fn slide(&self, c: &Field<N, H>, now: &mut Tractions<N, H>) {
+    /// Begins with sliding where the first guess of slip leaves more than `most` to displacements by tractions.
+    fn slide(&self, c: &Field<N, H>, most: f64, now: &mut Tractions<N, H>) {
         for (j, [x, y]) in c.iter().enumerate() {
             for i in 0..N {
-                let size = x[i].hypot(y[i]);
-                if size <= STICKING {
+                let left =
+                    [x[i] - self.sigma[i] * now.y[j][0][i], y[i] - self.sigma[i] * now.y[j][1][i]];
+                if left[0] * left[0] + left[1] * left[1] <= most * most {
                     continue;
                 }
+                let size = x[i].hypot(y[i]).max(STICKING);
                 let [slip, traction] =
                     [(1.0 - STICKING / size) / self.sigma[i], self.layout.pressure[i] / size];
                 for (d, c) in [x[i], y[i]].into_iter().enumerate() {

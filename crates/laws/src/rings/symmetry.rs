@@ -165,7 +165,7 @@ impl Plane {
                 }
             }
         }
-        for k in 0..H {
+        for (k, out) in field.iter_mut().enumerate() {
             let mut lines = [[0.0; N]; 2];
             let is_odd = k % 2 == 1;
             for j in 0..quarter {
@@ -179,7 +179,7 @@ impl Plane {
                 true => add(&mut lines[1], waves.sine[k][quarter], &folded[quarter][1]),
                 false => add(&mut lines[0], waves.cosine[k][quarter], &folded[quarter][0]),
             }
-            field[k] = lines.map(|line| line.map(|x| scale * x));
+            *out = lines.map(|line| line.map(|x| scale * x));
         }
     }
 }
@@ -253,10 +253,10 @@ impl<const H: usize> Symmetry<H> for AlikePlane {
     #[inline(always)]
     fn to_harmonics<const N: usize>([to, _]: &Self::Waves, field: &mut Field<N, H>) {
         let mut lines = [[[0.0; N]; 2]; H];
-        for k in 0..H - 1 {
-            for j in 0..H {
-                add(&mut lines[k][0], to.cosine[k][j], &field[j][0]);
-                add(&mut lines[k][1], to.sine[k][j], &field[j][1]);
+        for (k, line) in lines.iter_mut().take(H - 1).enumerate() {
+            for (j, from) in field.iter().enumerate() {
+                add(&mut line[0], to.cosine[k][j], &from[0]);
+                add(&mut line[1], to.sine[k][j], &from[1]);
             }
         }
         *field = lines;
@@ -265,10 +265,10 @@ impl<const H: usize> Symmetry<H> for AlikePlane {
     #[inline(always)]
     fn to_angles<const N: usize>([_, from]: &Self::Waves, field: &mut Field<N, H>) {
         let mut lines = [[[0.0; N]; 2]; H];
-        for k in 0..H - 1 {
-            for j in 0..H {
-                add(&mut lines[j][0], from.cosine[k][j], &field[k][0]);
-                add(&mut lines[j][1], from.sine[k][j], &field[k][1]);
+        for (k, harmonic) in field.iter().take(H - 1).enumerate() {
+            for (j, line) in lines.iter_mut().enumerate() {
+                add(&mut line[0], from.cosine[k][j], &harmonic[0]);
+                add(&mut line[1], from.sine[k][j], &harmonic[1]);
             }
         }
         *field = lines;
@@ -312,15 +312,11 @@ mod tests {
         let odd = |k: usize| if S::OPPOSITE { 2 * k + 1 } else { k };
         let at = |j: usize| {
             let angle = 2.0 * PI * j as f64 / M as f64;
-            let mut value = [[0.0; 3]; 2];
-            for k in 0..3 {
-                let wave = odd(k) as f64 * angle;
-                for i in 0..3 {
-                    value[0][i] += (0.3 + (i * k) as f64) * libm::cos(wave);
-                    value[1][i] += (0.7 - (i + k) as f64) * libm::sin(wave);
-                }
-            }
-            value
+            let wave = |k: usize| odd(k) as f64 * angle;
+            let sum = |of: &dyn Fn(usize) -> f64| (0..3).map(of).sum::<f64>();
+            let radial = |i: usize| sum(&|k| (0.3 + (i * k) as f64) * libm::cos(wave(k)));
+            let around = |i: usize| sum(&|k| (0.7 - (i + k) as f64) * libm::sin(wave(k)));
+            [std::array::from_fn(radial), std::array::from_fn(around)]
         };
         [(0..M).map(at).collect(), (0..H).map(at).collect()]
     }

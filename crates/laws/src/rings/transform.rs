@@ -11,7 +11,7 @@ pub(super) fn direction(j: usize, parts: usize) -> [f64; 2] {
     // Multiples of an eighth of a turn are exact, whatever the library rounds.
     let eighths = 8 * j;
     let root = std::f64::consts::FRAC_1_SQRT_2;
-    if eighths % parts == 0 {
+    if eighths.is_multiple_of(parts) {
         let exact = [
             [1.0, 0.0],
             [root, root],

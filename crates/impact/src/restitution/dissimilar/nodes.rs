@@ -1,0 +1,180 @@
+//! Where the table has its entries, and interpolation between them.
+//!
+//! | coordinate | nodes | interpolation |
+//! |---|---|---|
+//! | Gamma/(Gamma + 1.5), Gamma = gamma/f from 0 to 12 | 25, equal distances | cubic, four nodes |
+//! | lambda/(lambda + 2), lambda from 0 to 8 | 25, equal distances | cubic, four nodes |
+//! | D_xx/D_zz from 1 to 6 | 9, Chebyshev's | by all |
+//! | kappa from 1 to 1.5 | 5, Chebyshev's | by all |
+//! | gamma^2 over its largest, that of (1.5 - kappa)^2 and Gamma^2 (f = 1) | 4, Chebyshev's | by all |
+
+use super::groups::DissimilarGroups;
+
+pub(super) const SPREADS: usize = 25;
+pub(super) const LAMBDAS: usize = 25;
+pub(super) const RATIOS: usize = 9;
+pub(super) const KAPPAS: usize = 5;
+pub(super) const SQUARES: usize = 4;
+/// Entries of one Gamma and one lambda.
+pub(super) const PLANE: usize = RATIOS * KAPPAS * SQUARES;
+/// All entries: by Gamma, lambda, ratio, kappa and gamma^2, the last fastest.
+pub(super) const ENTRIES: usize = SPREADS * LAMBDAS * PLANE;
+
+const MOST_SPREAD: f64 = 12.0;
+const MOST_LAMBDA: f64 = 8.0;
+const MIDDLE_SPREAD: f64 = 1.5;
+const MIDDLE_LAMBDA: f64 = 2.0;
+const RATIO: [f64; 2] = [1.0, 6.0];
+const KAPPA: [f64; 2] = [1.0, 1.5];
+/// What rounding may add to gamma^2 over its largest.
+const ROUNDING: f64 = 1e-9;
+
+/// The arguments of an entry: kappa, gamma, friction, lambda and D_xx/D_zz.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(super) struct Node {
+    pub(super) kappa: f64,
+    pub(super) gamma: f64,
+    /// None where Gamma = 0.
+    pub(super) friction: Option<f64>,
+    pub(super) lambda: f64,
+    pub(super) ratio: f64,
+}
+
+impl Node {
+    /// That of an entry.
+    pub(super) fn of(entry: usize) -> Self {
+        let (square, entry) = (entry % SQUARES, entry / SQUARES);
+        let (kappa, entry) = (entry % KAPPAS, entry / KAPPAS);
+        let (ratio, entry) = (entry % RATIOS, entry / RATIOS);
+        let (lambda, spread) = (entry % LAMBDAS, entry / LAMBDAS);
+        let even = |i: usize, count: usize, most: f64, middle: f64| {
+            let part = i as f64 / (count - 1) as f64 * (most / (most + middle));
+            part * middle / (1.0 - part)
+        };
+        let spread = even(spread, SPREADS, MOST_SPREAD, MIDDLE_SPREAD);
+        let kappa = within(KAPPA, points::<KAPPAS>()[kappa]);
+        let part = within([0.0, 1.0], points::<SQUARES>()[square]);
+        let gamma = part.sqrt() * (KAPPA[1] - kappa).min(spread);
+        Self {
+            kappa,
+            gamma,
+            friction: (spread > 0.0).then(|| gamma / spread),
+            lambda: even(lambda, LAMBDAS, MOST_LAMBDA, MIDDLE_LAMBDA),
+            ratio: within(RATIO, points::<RATIOS>()[ratio]),
+        }
+    }
+}
+
+/// A place from -1 to 1 in a range.
+fn within([low, high]: [f64; 2], x: f64) -> f64 {
+    0.5 * ((high + low) + (high - low) * x)
+}
+
+/// The place from -1 to 1 of a value; none beyond.
+fn place([low, high]: [f64; 2], value: f64) -> Option<f64> {
+    let holds = value >= low && value <= high;
+    holds.then(|| (2.0 * value - (high + low)) / (high - low))
+}
+
+/// Chebyshev's points.
+fn points<const N: usize>() -> [f64; N] {
+    std::array::from_fn(|i| -libm::cos((i as f64 + 0.5) * std::f64::consts::PI / N as f64))
+}
+
+/// What each of N points counts at a place: Lagrange's polynomials.
+#[inline]
+fn weights<const N: usize>(points: &[f64; N], factors: &[f64; N], x: f64) -> [f64; N] {
+    let mut weights = *factors;
+    let (mut below, mut above) = (1.0, 1.0);
+    for k in 0..N {
+        weights[k] *= below;
+        below *= x - points[k];
+        let last = N - 1 - k;
+        weights[last] *= above;
+        above *= x - points[last];
+    }
+    weights
+}
+
+/// The constant factors of Lagrange's polynomials.
+fn factors<const N: usize>(points: &[f64; N]) -> [f64; N] {
+    std::array::from_fn(|k| {
+        let others = (0..N).filter(|&m| m != k);
+        1.0 / others.map(|m| points[k] - points[m]).product::<f64>()
+    })
+}
+
+/// The four nodes about a part from 0 to 1 of equal distances, and what each counts.
+#[inline]
+fn near<const COUNT: usize>(part: f64) -> (usize, [f64; 4]) {
+    let x = part * (COUNT - 1) as f64;
+    let first = (x as usize).saturating_sub(1).min(COUNT - 4);
+    let t = x - first as f64;
+    let [a, b, c, d] = [t, t - 1.0, t - 2.0, t - 3.0];
+    (first, [-b * c * d / 6.0, 0.5 * a * c * d, -0.5 * a * b * d, a * b * c / 6.0])
+}
+
+/// Points and factors of the coordinates with Chebyshev's points.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Nodes {
+    ratio: [[f64; RATIOS]; 2],
+    kappa: [[f64; KAPPAS]; 2],
+    square: [[f64; SQUARES]; 2],
+}
+
+impl Nodes {
+    pub(super) fn new() -> Self {
+        let (ratio, kappa, square) = (points(), points(), points());
+        Self {
+            ratio: [ratio, factors(&ratio)],
+            kappa: [kappa, factors(&kappa)],
+            square: [square, factors(&square)],
+        }
+    }
+
+    /// The value between entries; none out of their range. It allocates nothing.
+    pub(super) fn value(&self, entries: &[f32], groups: &DissimilarGroups) -> Option<f64> {
+        let spread = groups.spread();
+        if spread > MOST_SPREAD || groups.lambda > MOST_LAMBDA {
+            return None;
+        }
+        let ratio = place(RATIO, groups.ratio)?;
+        let kappa = place(KAPPA, groups.kappa)?;
+        let most = (KAPPA[1] - groups.kappa).min(spread);
+        // Where materials leave no choice of gamma any will do.
+        let part = if most > 0.0 { (groups.gamma / most) * (groups.gamma / most) } else { 0.0 };
+        let square = place([0.0, 1.0 + ROUNDING], part)?;
+        let even = |value: f64, most: f64, middle: f64| {
+            (value / (value + middle) * ((most + middle) / most)).min(1.0)
+        };
+        let (spread, by_spread) = near::<SPREADS>(even(spread, MOST_SPREAD, MIDDLE_SPREAD));
+        let (lambda, by_lambda) = near::<LAMBDAS>(even(groups.lambda, MOST_LAMBDA, MIDDLE_LAMBDA));
+        let mut sums = [0.0_f32; PLANE];
+        for (i, of_spread) in by_spread.into_iter().enumerate() {
+            for (j, of_lambda) in by_lambda.into_iter().enumerate() {
+                let first = ((spread + i) * LAMBDAS + lambda + j) * PLANE;
+                let weight = (of_spread * of_lambda) as f32;
+                let plane = entries.get(first..first + PLANE)?;
+                sums.iter_mut().zip(plane).for_each(|(sum, x)| *sum += weight * x);
+            }
+        }
+        Some(self.across(&sums, [ratio, kappa, square]))
+    }
+
+    /// The value of one Gamma and lambda at places of the other coordinates.
+    #[inline]
+    fn across(&self, sums: &[f32; PLANE], [ratio, kappa, square]: [f64; 3]) -> f64 {
+        let by_ratio = weights(&self.ratio[0], &self.ratio[1], ratio);
+        let by_kappa = weights(&self.kappa[0], &self.kappa[1], kappa);
+        let by_square = weights(&self.square[0], &self.square[1], square);
+        let mut lines = [0.0; KAPPAS * SQUARES];
+        for (plane, weight) in sums.chunks_exact(KAPPAS * SQUARES).zip(by_ratio) {
+            lines.iter_mut().zip(plane).for_each(|(sum, &x)| *sum += weight * f64::from(x));
+        }
+        let rows = lines.chunks_exact(SQUARES).zip(by_kappa);
+        rows.map(|(row, weight)| {
+            weight * row.iter().zip(by_square).map(|(x, w)| x * w).sum::<f64>()
+        })
+        .sum()
+    }
+}
