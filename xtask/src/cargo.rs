@@ -3,6 +3,8 @@
 use anyhow::{Context as _, bail};
 use std::process::{Command, Stdio};
 
+use crate::flags::Generate;
+
 /// The cargo that runs this task, at the root of the workspace.
 pub(crate) fn command(arguments: &[&str]) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
@@ -47,6 +49,19 @@ pub(crate) fn verify(arguments: &[String]) -> anyhow::Result<u8> {
     command.args(["--bin", "carom-verify", "--"]).args(arguments);
     let status = command.status().context("cannot start cargo")?;
     Ok(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1))
+}
+
+/// Makes stored tables anew, or checks them.
+pub(crate) fn generate(options: &Generate) -> anyhow::Result<()> {
+    if !options.tables {
+        bail!("say what to generate: `cargo xtask generate --tables`");
+    }
+    let mut arguments = vec!["run", "--release", "--package", "carom-impact"];
+    arguments.extend(["--example", "dissimilar_table"]);
+    if options.check {
+        arguments.extend(["--", "--check"]);
+    }
+    run(&arguments)
 }
 
 /// Runs the benchmarks whose name contains `filter`.

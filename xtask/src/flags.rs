@@ -111,6 +111,13 @@ xflags::xflags! {
             /// Coulomb's law, every mutant against all tests.
             optional --long
         }
+        /// Computes anew what the crates store: the table of R_x of dissimilar spheres, in some 15 minutes.
+        cmd generate {
+            /// Must be there: the tables are all that there is to generate.
+            optional --tables
+            /// Compute 100 entries, drawn by a stated seed, and compare them with what is stored, writing nothing.
+            optional --check
+        }
         /// Runs the benchmarks.
         cmd bench {
             /// Only those whose name contains this.

@@ -1,6 +1,6 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `lammps`, `release`, `book`, `ci`, `bench`.
+//! `python`, `lammps`, `release`, `book`, `ci`, `generate`, `bench`.
 //!
 //! Calls cargo, and reads the sources for `mutants` and `tidy`: whatever computes lives in the crates, so
 //! that this one builds soon.
@@ -52,6 +52,7 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Lammps(lammps) => drop(lammps::run(lammps.short)?.accept()?),
         flags::XtaskCmd::Deny(_) => drop(deny::run()?.accept()?),
         flags::XtaskCmd::Ci(options) => ci::run(options.long)?,
+        flags::XtaskCmd::Generate(options) => cargo::generate(&options)?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }
     Ok(ExitCode::SUCCESS)

@@ -17,6 +17,7 @@ mod oblique;
 mod random;
 mod reference_values;
 mod restitution;
+mod restitution_dissimilar;
 mod ring_impacts;
 mod scene;
 mod small_spin;

@@ -158,7 +158,7 @@ impl Nodes {
                 sums.iter_mut().zip(plane).for_each(|(sum, x)| *sum += weight * x);
             }
         }
-        Some(self.across(&sums, [ratio, kappa, square]))
+        Some(self.across(&sums, [ratio, kappa, square]).clamp(-1.0, 1.0))
     }
 
     /// The value of one Gamma and lambda at places of the other coordinates.
