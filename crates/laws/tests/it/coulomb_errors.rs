@@ -211,6 +211,11 @@ fn layers_and_deep_joins_stay_below_their_share() {
         let errors = scan.run(kind, seed..seed + 1);
         assert!(errors.largest < 1e-3, "{kind:?}, {seed}");
     }
+    // Thin layers: off by 6e-4 if they are looked for at three quarters of the depth.
+    for (kind, seed) in [(Kind::Noise, 776), (Kind::Noise, 470), (Kind::Corners, 905)] {
+        let errors = scan.run(kind, seed..seed + 1);
+        assert!(errors.largest < 3e-4, "{kind:?}, {seed}");
+    }
 }
 
 /// Paths on which a zone of slip ends inside a piece, with stick above: off by five to ten times as much
