@@ -11,6 +11,7 @@ use carom_halfspace::{Field, Grid};
 use carom_laws::law::Shift;
 use carom_solver::{CellState, ContactState, NestedHistory, StepSummary, Window};
 use std::collections::BTreeMap;
+use std::path::Path;
 
 /// Where the steps go.
 #[derive(Debug)]
@@ -60,7 +61,10 @@ impl Store {
         window: &Window,
     ) -> Result<(), CliError> {
         let Some(last) = steps.last() else { return Ok(()) };
-        self.0.write(&step_name(steps.len()), &npz::encode(&self.arrays(last, history, window)))?;
+        let name = step_name(steps.len());
+        let archive = npz::encode(&self.arrays(last, history, window))
+            .map_err(|source| CliError::io("write", Path::new(&name), source))?;
+        self.0.write(&name, &archive)?;
         let text = columns::rows(Format::Csv, &StepSummary::columns(), steps)?;
         self.0.write(LOADS, text.as_bytes())
     }

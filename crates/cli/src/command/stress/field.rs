@@ -45,12 +45,20 @@ impl FieldFile {
     }
 
     /// Its place, and what goes there.
-    pub(super) fn encoded(self, case: &StressCase, points: &[StressPoint]) -> (Place, Vec<u8>) {
+    ///
+    /// # Errors
+    /// [`CliError::Case`] with what stands in the way of an archive.
+    pub(super) fn encoded(
+        self,
+        case: &StressCase,
+        points: &[StressPoint],
+    ) -> Result<(Place, Vec<u8>), CliError> {
         let bytes = match self.kind {
-            Kind::Npz => npz::encode(&arrays(case, points)),
+            Kind::Npz => npz::encode(&arrays(case, points))
+                .map_err(|source| CliError::io("write", self.place.path(), source))?,
             Kind::Vtk => grid(case, points),
         };
-        (self.place, bytes)
+        Ok((self.place, bytes))
     }
 }
 

@@ -109,7 +109,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         None => None,
     };
     let excess = Excess::of_contact(state.approach, smallest_radius(&case.hertz));
-    let file = to.map(|to| to.encoded(&case, &points));
+    let file = to.map(|to| to.encoded(&case, &points)).transpose()?;
     let answer = Answer { text, picture, file, ..Answer::default() };
     Ok(answer.cautioned(caution(&[excess], "loads"), format))
 }
