@@ -37,7 +37,7 @@ mod flags {
             optional --list
             /// What to print: table (unless said) or json.
             optional --format format: String
-            /// Also write the result as JUnit's XML into this file.
+            /// Also write the result as JUnit's XML into this file, from the root of the workspace.
             optional --junit file: PathBuf
             /// Also print failures as annotations of source lines, `::error file=...`; always
             /// if GITHUB_ACTIONS is set.

@@ -1,6 +1,7 @@
 //! Calling cargo.
 
 use anyhow::{Context as _, bail};
+use std::ffi::OsString;
 use std::process::{Command, Stdio};
 
 /// The cargo that runs this task, at the root of the workspace.
@@ -41,8 +42,8 @@ pub(crate) fn run_built(kind: &str, name: &str, arguments: &[&str]) -> anyhow::R
     finish(program.args(arguments).current_dir(root), &[&[name], arguments].concat())
 }
 
-/// Runs carom-verify with these arguments; returns its exit code.
-pub(crate) fn verify(arguments: &[String]) -> anyhow::Result<u8> {
+/// Runs carom-verify with these arguments at the root of the workspace; returns its exit code.
+pub(crate) fn verify(arguments: impl IntoIterator<Item = OsString>) -> anyhow::Result<u8> {
     let mut command = command(&["run", "--release", "--package", "carom-verification"]);
     command.args(["--bin", "carom-verify", "--"]).args(arguments);
     let status = command.status().context("cannot start cargo")?;

@@ -25,8 +25,13 @@ mod tools;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let flags = flags::Xtask::from_env_or_exit();
-    match run(flags) {
+    let mut arguments = std::env::args_os().skip(1);
+    // The options of carom-verify stand in its own program.
+    let done = match arguments.next() {
+        Some(word) if word == "verify" => cargo::verify(arguments).map(ExitCode::from),
+        _ => run(flags::Xtask::from_env_or_exit()),
+    };
+    match done {
         Ok(code) => code,
         Err(error) => {
             eprintln!("error: {error:#}");
@@ -37,10 +42,7 @@ fn main() -> ExitCode {
 
 fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
     match flags.subcommand {
-        flags::XtaskCmd::Verify(verify) => {
-            let code = cargo::verify(&verify.arguments())?;
-            return Ok(ExitCode::from(code));
-        }
+        flags::XtaskCmd::Verify(_) => return Ok(ExitCode::from(cargo::verify([])?)),
         flags::XtaskCmd::Test(options) => test::chosen(&options)?,
         flags::XtaskCmd::Mutants(options) => drop(mutants::run(&options)?.accept()?),
         flags::XtaskCmd::Tidy(_) => tidy::run()?,
