@@ -47,6 +47,11 @@ pub(crate) fn run() -> anyhow::Result<()> {
     let figures = figures(&root)?;
     faults.extend(index.figure_gaps(&figures));
     for path in sources(&root)? {
+        let folder = path.with_extension("");
+        if root.join(&folder).is_dir() {
+            let (path, folder) = (path.display(), folder.display());
+            faults.push(format!("{path}: a module with parts is written {folder}/mod.rs"));
+        }
         let text = read(&root.join(&path))?;
         for quote in quoted::in_comments(&text) {
             let is_known = match quote.kind {

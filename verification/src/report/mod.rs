@@ -15,8 +15,8 @@ use markup::{escape, prose};
 use std::fmt::Write as _;
 use std::path::Path;
 
-const STYLE: &str = include_str!("report/style.css");
-const SCRIPT: &str = include_str!("report/script.js");
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("script.js");
 
 /// What a report is made of.
 #[derive(Debug, Clone, Copy)]

@@ -9,8 +9,8 @@ use std::fmt::Write as _;
 use crate::Failure;
 pub(crate) use table::{Instant, Table, exact, lambda_of_sliding, restitution};
 
-const SCRIPT: &str = include_str!("play/script.js");
-const BODY: &str = include_str!("play/body.html");
+const SCRIPT: &str = include_str!("script.js");
+const BODY: &str = include_str!("body.html");
 
 /// A position of the sliders, and the exact answer there.
 struct Check {
