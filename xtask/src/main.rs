@@ -1,6 +1,6 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `lammps`, `release`, `book`, `ci`, `bench`.
+//! `python`, `lammps`, `release`, `book`, `generate`, `ci`, `bench`.
 //!
 //! Calls cargo, and reads the sources for `mutants` and `tidy`: whatever computes lives in the crates, so
 //! that this one builds soon.
@@ -12,6 +12,7 @@ mod changes;
 mod ci;
 mod deny;
 mod flags;
+mod generate;
 mod lammps;
 mod mutants;
 mod outcome;
@@ -22,6 +23,7 @@ mod test;
 mod tidy;
 mod tools;
 
+use generate::Mode;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
@@ -49,8 +51,11 @@ fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
         flags::XtaskCmd::Browse(_) => drop(browse::run()?.accept()?),
         flags::XtaskCmd::Python(_) => drop(python::run()?.accept()?),
         flags::XtaskCmd::Release(options) => drop(release::run(&options)?.accept()?),
-        flags::XtaskCmd::Book(options) if options.update => book::update()?,
         flags::XtaskCmd::Book(_) => drop(book::run()?.accept()?),
+        flags::XtaskCmd::Generate(options) => {
+            let mode = if options.check { Mode::Check } else { Mode::Write };
+            generate::run(mode)?.accept()?;
+        }
         flags::XtaskCmd::Lammps(lammps) => drop(lammps::run(lammps.short)?.accept()?),
         flags::XtaskCmd::Deny(_) => drop(deny::run()?.accept()?),
         flags::XtaskCmd::Ci(options) => ci::run(options.long)?,

@@ -2,7 +2,6 @@
 
 mod links;
 
-use crate::cargo;
 use crate::outcome::{Outcome, Part};
 use crate::tools::MDBOOK;
 use anyhow::{Context as _, ensure};
@@ -25,12 +24,6 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     ensure!(page.contains("<math"), "no formula is set in target/book/theory/impact.html");
     println!("the book: target/book/index.html");
     Ok(Outcome::Passed)
-}
-
-/// Draws the book's pictures and writes its case reference anew.
-pub(crate) fn update() -> anyhow::Result<()> {
-    let test = ["test", "--release", "--package", "carom-cli", "--test", "it", "book::"];
-    cargo::run_with(&test, "CAROM_BOOK", "update")
 }
 
 /// Whether all chapters are in the contents, and all links of the book and of the pages beside the sources
