@@ -1,8 +1,9 @@
-//! What a step needs of the storage of vertices, and storage that has more room than it lasts for.
+//! The operations of a step on the storage of vertices, and storage with spare capacity for one
+//! step.
 
 use crate::memory::{Lateral, Vertex, VertexStack};
 
-/// Vertices in the course of a step, see [`VertexStack`].
+/// Vertices during a step, see [`VertexStack`].
 pub trait Vertices<V: Lateral> {
     fn len(&self) -> usize;
     fn get(&self, index: usize) -> &Vertex<V>;
@@ -12,7 +13,7 @@ pub trait Vertices<V: Lateral> {
     fn push(&mut self, vertex: Vertex<V>);
     fn count_merge(&mut self);
 
-    /// Puts a vertex below the one at a position; there is room for it.
+    /// Inserts a vertex below the one at an index; there must be room for it.
     #[inline]
     fn insert(&mut self, index: usize, vertex: Vertex<V>) {
         let len = self.len();
@@ -23,7 +24,7 @@ pub trait Vertices<V: Lateral> {
         *self.get_mut(index) = vertex;
     }
 
-    /// Takes the vertex at a position out.
+    /// Removes the vertex at an index.
     #[inline]
     fn remove(&mut self, index: usize) {
         let last = self.len() - 1;
@@ -71,84 +72,89 @@ impl<V: Lateral, S: VertexStack<V>> Vertices<V> for S {
     }
 }
 
-/// How many vertices a step may need beyond the room there is, in parts.
-pub(super) const SPARE: usize = PARTS * PART;
-const PARTS: usize = 6;
-const PART: usize = 8;
+/// Number of vertices that a step may need beyond the capacity, in blocks.
+pub(super) const SPARE_VERTICES: usize = SPARE_BLOCKS * BLOCK;
+const SPARE_BLOCKS: usize = 6;
+const BLOCK: usize = 8;
 
-/// Storage with room to spare for one step. What fits stays where it is.
-pub(super) struct Roomy<'a, V, S> {
-    own: &'a mut S,
-    /// None until they are needed: most steps do without.
-    spare: [Option<[Vertex<V>; PART]>; PARTS],
-    spared: usize,
+/// Storage with spare capacity for one step. Vertices within the capacity are not copied.
+pub(super) struct WithSpare<'a, V, S> {
+    storage: &'a mut S,
+    /// Allocated on demand: most steps need none.
+    spare: [Option<[Vertex<V>; BLOCK]>; SPARE_BLOCKS],
+    spare_len: usize,
 }
 
-impl<'a, V: Lateral, S: VertexStack<V>> Roomy<'a, V, S> {
+impl<'a, V: Lateral, S: VertexStack<V>> WithSpare<'a, V, S> {
     #[inline]
-    pub(super) fn new(own: &'a mut S) -> Self {
-        Self { own, spare: [None; PARTS], spared: 0 }
+    pub(super) fn new(storage: &'a mut S) -> Self {
+        Self { storage, spare: [None; SPARE_BLOCKS], spare_len: 0 }
     }
 
-    /// How many vertices last.
+    /// The number of vertices that remain after the step.
     #[inline]
-    pub(super) fn lasting(&self) -> usize {
-        self.own.capacity()
+    pub(super) fn permanent_capacity(&self) -> usize {
+        self.storage.capacity()
     }
 
     #[inline]
     fn spare_mut(&mut self, index: usize) -> &mut Vertex<V> {
-        &mut self.spare[index / PART].get_or_insert_with(|| [Vertex::default(); PART])[index % PART]
+        &mut self.spare[index / BLOCK].get_or_insert_with(|| [Vertex::default(); BLOCK])
+            [index % BLOCK]
     }
 }
 
-impl<V: Lateral, S: VertexStack<V>> Vertices<V> for Roomy<'_, V, S> {
+impl<V: Lateral, S: VertexStack<V>> Vertices<V> for WithSpare<'_, V, S> {
     #[inline]
     fn len(&self) -> usize {
-        self.own.len() + self.spared
+        self.storage.len() + self.spare_len
     }
 
     #[inline]
     fn get(&self, index: usize) -> &Vertex<V> {
-        let room = self.own.capacity();
-        let past = index.wrapping_sub(room);
-        match self.spare.get(past / PART) {
-            Some(Some(part)) => &part[past % PART],
-            _ => self.own.get(index),
+        let capacity = self.storage.capacity();
+        let past = index.wrapping_sub(capacity);
+        match self.spare.get(past / BLOCK) {
+            Some(Some(part)) => &part[past % BLOCK],
+            _ => self.storage.get(index),
         }
     }
 
     #[inline]
     fn get_mut(&mut self, index: usize) -> &mut Vertex<V> {
-        let room = self.own.capacity();
-        if index < room { self.own.get_mut(index) } else { self.spare_mut(index - room) }
+        let capacity = self.storage.capacity();
+        if index < capacity {
+            self.storage.get_mut(index)
+        } else {
+            self.spare_mut(index - capacity)
+        }
     }
 
     #[inline]
     fn truncate(&mut self, len: usize) {
-        let room = self.own.capacity();
-        self.spared = len.saturating_sub(room);
-        if len < room {
-            self.own.truncate(len);
+        let capacity = self.storage.capacity();
+        self.spare_len = len.saturating_sub(capacity);
+        if len < capacity {
+            self.storage.truncate(len);
         }
     }
 
     #[inline]
     fn capacity(&self) -> usize {
-        self.own.capacity() + SPARE
+        self.storage.capacity() + SPARE_VERTICES
     }
 
     #[inline]
     fn push(&mut self, vertex: Vertex<V>) {
-        if self.own.len() < self.own.capacity() {
-            self.own.push(vertex);
+        if self.storage.len() < self.storage.capacity() {
+            self.storage.push(vertex);
         } else {
-            *self.spare_mut(self.spared) = vertex;
-            self.spared += 1;
+            *self.spare_mut(self.spare_len) = vertex;
+            self.spare_len += 1;
         }
     }
 
     fn count_merge(&mut self) {
-        self.own.count_merge();
+        self.storage.count_merge();
     }
 }
