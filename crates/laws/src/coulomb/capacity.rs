@@ -6,9 +6,9 @@
 use super::energy::{NoObserver, StepObserver};
 use super::join::{MAX_OVER_SAMPLED_MOVE, Pair};
 use super::piece::End;
-use super::storage::{SPARE_VERTICES, Vertices, WithSpare};
-use super::{BUBBLE_PER_TOLERANCE, CoulombMemory};
-use crate::memory::{Lateral, VertexStack};
+use super::storage::{SPARE_VERTICES, WithSpare};
+use super::{BUBBLE_PER_TOLERANCE, CoulombMemory, Node};
+use crate::memory::{Lateral, NodeStack, Nodes};
 
 /// No spare storage is needed from this capacity on.
 const CAPACITY_WITHOUT_SPARE: usize = 64;
@@ -25,7 +25,7 @@ const FREE_VERTICES_OF_FULL_STORAGE: usize = 3;
 /// follows from it: finer pieces would be merged again.
 const PIECES_PER_TOLERANCE: f64 = 1.5;
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     /// A step of a pair in contact, for any capacity.
     #[inline]
     pub(super) fn step_within_room(
@@ -34,13 +34,13 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         shift: V,
         observer: &mut impl StepObserver<V>,
     ) {
-        let capacity = VertexStack::capacity(&self.stack);
+        let capacity = self.stack.capacity();
         let needs = match self.tolerance {
             COARSE_TOLERANCE.. => MAX_ADDED_AT_COARSE,
             FINE_TOLERANCE.. => MAX_ADDED_AT_FINE,
             _ => capacity,
         };
-        if capacity < CAPACITY_WITHOUT_SPARE && VertexStack::len(&self.stack) + needs > capacity {
+        if capacity < CAPACITY_WITHOUT_SPARE && self.stack.len() + needs > capacity {
             self.step_with_spare(zeta, shift, observer);
         } else {
             self.step_in_contact(zeta, shift, observer);
@@ -51,8 +51,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     #[inline(never)]
     fn step_with_spare(&mut self, zeta: f64, shift: V, observer: &mut impl StepObserver<V>) {
         let (mut tolerance, mut max_bubble) = (self.tolerance, self.max_bubble);
-        let capacity = VertexStack::capacity(&self.stack);
-        if VertexStack::len(&self.stack) + FREE_VERTICES_OF_FULL_STORAGE > capacity {
+        let capacity = self.stack.capacity();
+        if self.stack.len() + FREE_VERTICES_OF_FULL_STORAGE > capacity {
             let part = PIECES_PER_TOLERANCE / capacity as f64;
             tolerance = tolerance.max(part * part * part);
             max_bubble = max_bubble.max(BUBBLE_PER_TOLERANCE * part * part);
@@ -81,7 +81,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 }
 
-impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: Nodes<Node<V>>> CoulombMemory<V, S> {
     /// Makes room for one vertex.
     #[inline]
     pub(super) fn make_room(&mut self, tip: End<V>) {
@@ -95,7 +95,7 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
 /// A measure of how merging two pieces may change a later load: the square of the displacement of
 /// the curve times that of the share of these annuli in the force.
 #[inline]
-fn effect<V: Lateral, S: Vertices<V>>(stack: &S, i: usize, tip: End<V>) -> f64 {
+fn effect<V: Lateral, S: Nodes<Node<V>>>(stack: &S, i: usize, tip: End<V>) -> f64 {
     let pair = Pair::at(stack, i, tip);
     let width = pair.above.high.root - pair.below.low.root;
     Pair::least_move(&pair.samples()) * (width * width)
@@ -104,7 +104,7 @@ fn effect<V: Lateral, S: Vertices<V>>(stack: &S, i: usize, tip: End<V>) -> f64 {
 /// Merges the pairs of least effect until `fits` vertices are left; the force does not change.
 #[cold]
 #[inline(never)]
-fn merge_until<V: Lateral, S: Vertices<V>>(
+fn merge_until<V: Lateral, S: Nodes<Node<V>>>(
     stack: &mut S,
     fits: usize,
     tip: End<V>,

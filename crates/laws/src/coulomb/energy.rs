@@ -3,11 +3,11 @@
 use carom_special::quadrature::{QuadratureError, Tolerance, adaptive};
 use carom_special::roots::bisect;
 
-use super::CoulombMemory;
 use super::drag::Step;
 use super::piece::{End, Piece};
+use super::{CoulombMemory, Node};
 use crate::bounds::in_memory;
-use crate::memory::{Lateral, VertexStack};
+use crate::memory::{Lateral, NodeStack};
 use crate::profile::GAUSS;
 
 /// Largest error of an integral over the annuli: relative, and over the energy at the largest
@@ -74,7 +74,7 @@ impl<V: Lateral> StepObserver<V> for EnergyChange {
     }
 }
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     /// The elastic energy of the tangential shift per direction, `(3/4) int |X - W(t^2)|^2 dt`,
     /// conjugate to Phi and X.
     #[must_use]

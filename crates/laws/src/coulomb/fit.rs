@@ -4,8 +4,7 @@ use super::CoulombMemory;
 use super::drag::{Step, cross};
 use super::join::ControlLengths;
 use super::piece::{Node, Piece};
-use super::storage::Vertices;
-use crate::memory::Lateral;
+use crate::memory::{Lateral, Nodes};
 
 /// Largest error of a parabola in a boundary layer, as a share of the displacement allowed to a
 /// join.
@@ -83,7 +82,7 @@ impl<'a, V: Lateral> Dragged<'a, V> {
     }
 }
 
-impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: Nodes<Node<V>>> CoulombMemory<V, S> {
     /// Fits one parabola, or several, to a piece above vertex `i` after the return mapping.
     #[inline(always)]
     pub(super) fn fit(
@@ -114,7 +113,7 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
             return;
         }
         let error = remaining_error + missed + dragged.fit_error(bubble, step);
-        self.stack.get_mut(i).force_slope = V::from_components([error, 0.0]);
+        self.stack.get_mut(i).error = error;
     }
 
     /// The same for a part of a piece.
@@ -137,7 +136,7 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
         let is_straight = bubble.dot(bubble) <= straight * straight;
         let vertex = self.stack.get_mut(i);
         vertex.anchor = new[0];
-        vertex.slope = if is_straight { V::default() } else { bubble };
+        vertex.bubble = if is_straight { V::default() } else { bubble };
         bubble
     }
 
@@ -168,7 +167,7 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
             force: V::default(),
             error: remaining_error,
         };
-        self.stack.insert(i + 1, node.vertex());
+        self.stack.insert(i + 1, node);
         let middle = |piece: &Piece<V>| step.drag(piece.middle_depth(), piece.middle());
         let [low, high] = [[new[0], middle(&below), anchor], [anchor, middle(&above), new[2]]];
         let lengths = (lengths, halvings - 1);

@@ -3,8 +3,7 @@
 use super::drag::cross;
 use super::energy::StepObserver;
 use super::piece::{End, Node, Piece, weights};
-use super::storage::Vertices;
-use crate::memory::Lateral;
+use crate::memory::{Lateral, Nodes};
 
 /// The lengths that control splitting and joining in a step.
 #[derive(Debug, Clone, Copy)]
@@ -82,9 +81,9 @@ pub(super) struct Pair<V> {
 
 impl<V: Lateral> Pair<V> {
     #[inline(always)]
-    pub(super) fn at<S: Vertices<V>>(stack: &S, i: usize, tip: End<V>) -> Self {
-        let (below, here) = (Node::of(stack.get(i - 1)), Node::of(stack.get(i)));
-        let end = if i + 1 < stack.len() { Node::of(stack.get(i + 1)).end() } else { tip };
+    pub(super) fn at<S: Nodes<Node<V>>>(stack: &S, i: usize, tip: End<V>) -> Self {
+        let (below, here) = ((*stack.get(i - 1)), (*stack.get(i)));
+        let end = if i + 1 < stack.len() { (*stack.get(i + 1)).end() } else { tip };
         Self { below: Piece::new(&below, here.end()), above: Piece::new(&here, end) }
     }
 
@@ -216,7 +215,7 @@ impl<V: Lateral> Pair<V> {
     /// Replaces both pieces, of which vertex `i` is the common end, by one with the deviation
     /// `bubble` that moves the curve by at most `moved`; returns it.
     #[inline]
-    pub(super) fn replace<S: Vertices<V>>(
+    pub(super) fn replace<S: Nodes<Node<V>>>(
         &self,
         stack: &mut S,
         i: usize,
@@ -226,8 +225,8 @@ impl<V: Lateral> Pair<V> {
     ) -> Piece<V> {
         let merged = self.merged(bubble);
         observer.joined([&self.below, &self.above], &merged, shift);
-        stack.get_mut(i - 1).slope = bubble;
-        stack.get_mut(i - 1).force_slope = V::from_components([merged.error + moved, 0.0]);
+        stack.get_mut(i - 1).bubble = bubble;
+        stack.get_mut(i - 1).error = merged.error + moved;
         stack.remove(i);
         Piece { error: merged.error + moved, ..merged }
     }
@@ -235,17 +234,17 @@ impl<V: Lateral> Pair<V> {
 
 /// Joins pieces where the tolerance allows, from the one below vertex `i` upwards.
 #[inline]
-pub(super) fn join_from<V: Lateral, S: Vertices<V>>(
+pub(super) fn join_from<V: Lateral, S: Nodes<Node<V>>>(
     stack: &mut S,
     mut i: usize,
     tip: End<V>,
     lengths: &ControlLengths,
     observer: &mut impl StepObserver<V>,
 ) {
-    let mut here = Node::of(stack.get(i));
-    let mut below = Piece::new(&Node::of(stack.get(i - 1)), here.end());
+    let mut here = *stack.get(i);
+    let mut below = Piece::new(&(*stack.get(i - 1)), here.end());
     loop {
-        let next = (i + 1 < stack.len()).then(|| Node::of(stack.get(i + 1)));
+        let next = (i + 1 < stack.len()).then(|| *stack.get(i + 1));
         let high = next.map_or(tip, |next| next.end());
         let pair = Pair { below, above: Piece::new(&here, high) };
         if let Some((bubble, moved)) = pair.join_bubble(lengths) {

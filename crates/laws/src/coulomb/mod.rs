@@ -42,12 +42,13 @@ mod zones;
 
 pub(crate) use drag::Step;
 pub use pack::packed_numbers;
+pub use piece::Node;
 pub use report::Arc;
 
 use carom_special::RangeError;
 
 use crate::bounds::in_memory;
-use crate::memory::{Growing, Lateral, MemoryRegime as Regime, VertexStack};
+use crate::memory::{FixedStack, GrowingStack, Lateral, MemoryRegime as Regime, NodeStack};
 
 /// The memory of a contact in which each annulus slips by itself.
 ///
@@ -61,7 +62,7 @@ use crate::memory::{Growing, Lateral, MemoryRegime as Regime, VertexStack};
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CoulombMemory<V, S = Growing<V>> {
+pub struct CoulombMemory<V, S = GrowingStack<Node<V>>> {
     zeta: f64,
     /// The square root of zeta.
     root: f64,
@@ -78,6 +79,9 @@ pub struct CoulombMemory<V, S = Growing<V>> {
     max_bubble: f64,
     stack: S,
 }
+
+/// Storage of at most N nodes for a [`CoulombMemory`]: plain data.
+pub type FixedCurve<V, const N: usize> = FixedStack<Node<V>, N>;
 
 /// Relative accuracy of the curve W(s), and through it of the force: > 0 and at most 0.1.
 ///
@@ -138,7 +142,7 @@ impl Default for Tolerance {
     }
 }
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     /// Byte offset of the regime in the struct.
     pub(crate) const REGIME_AT: usize = std::mem::offset_of!(Self, regime);
 

@@ -6,7 +6,7 @@ use super::CoulombMemory;
 use super::check::check_meaning;
 use super::piece::{End, Node};
 use crate::bounds::in_memory;
-use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
+use crate::memory::{Lateral, MemoryRegime as Regime, NodeStack};
 
 /// Version of the format. The first number is `1e4 version + 100 regime + vertices`.
 const VERSION: f64 = 1.0;
@@ -25,7 +25,7 @@ pub const fn packed_numbers(vertices: usize) -> usize {
     HEAD_NUMBERS + NUMBERS_PER_VERTEX * vertices
 }
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     /// Writes the state as plain numbers.
     ///
     /// They are: a mark of version, regime and number of vertices; the approach; the shift; the
@@ -46,7 +46,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         for (i, numbers) in
             numbers[HEAD_NUMBERS..].chunks_exact_mut(NUMBERS_PER_VERTEX).take(len).enumerate()
         {
-            let node = Node::of(self.stack.get(i));
+            let node = *self.stack.get(i);
             let ([w_x, w_y], [b_x, b_y]) = (node.anchor.components(), node.bubble.components());
             numbers.copy_from_slice(&[node.depth, w_x, w_y, b_x, b_y]);
         }
@@ -72,7 +72,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         (self.regime, self.force) = (regime, V::default());
         self.stack.truncate(0);
         for vertex in numbers[HEAD_NUMBERS..].chunks_exact(NUMBERS_PER_VERTEX).take(len) {
-            self.stack.push(node_of::<V>(vertex).vertex());
+            self.stack.push(node_of::<V>(vertex));
         }
         if len > 0 {
             self.finish(End { depth: self.zeta, root: self.root, anchor: self.shift }, 0);

@@ -2,14 +2,14 @@
 
 use super::CoulombMemory;
 use super::drag::Step;
-use super::storage::Vertices;
-use crate::memory::{Lateral, Vertex};
+use crate::memory::{Lateral, Nodes};
 
-/// The lower end of a piece of the curve W(s); stored as a [`Vertex`].
+/// The lower end of a piece of the curve W(s).
 ///
 /// The piece is `W = chord + 4 tau (1 - tau) bubble`, with tau from 0 to 1 over the depth.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Node<V> {
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct Node<V> {
     pub(super) depth: f64,
     /// The square root of the depth.
     pub(super) root: f64,
@@ -20,32 +20,6 @@ pub(super) struct Node<V> {
     pub(super) force: V,
     /// Estimated error of W on the piece above.
     pub(super) error: f64,
-}
-
-impl<V: Lateral> Node<V> {
-    #[inline]
-    pub(super) fn of(vertex: &Vertex<V>) -> Self {
-        Self {
-            depth: vertex.depth,
-            root: vertex.curb,
-            anchor: vertex.anchor,
-            bubble: vertex.slope,
-            force: vertex.force,
-            error: vertex.force_slope.components()[0],
-        }
-    }
-
-    #[inline]
-    pub(super) fn vertex(self) -> Vertex<V> {
-        Vertex {
-            depth: self.depth,
-            anchor: self.anchor,
-            slope: self.bubble,
-            force_slope: V::from_components([self.error, 0.0]),
-            force: self.force,
-            curb: self.root,
-        }
-    }
 }
 
 /// The upper end of a piece.
@@ -201,7 +175,7 @@ pub(super) fn weights<V>(low: &End<V>, high: &End<V>) -> [f64; 2] {
     [sum - product, 0.8 * (high.depth - low.depth) * inverse * (1.0 + product * inverse)]
 }
 
-impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: Nodes<Node<V>>> CoulombMemory<V, S> {
     /// The pieces of the curve, from the centre to the edge.
     pub(super) fn chain(&self) -> impl Iterator<Item = Piece<V>> + '_ {
         self.chain_to(End { depth: self.zeta, root: self.root, anchor: self.shift })
@@ -211,10 +185,10 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
     pub(super) fn chain_to(&self, tip: End<V>) -> impl Iterator<Item = Piece<V>> + '_ {
         (0..self.stack.len()).map(move |i| {
             let end = match i + 1 < self.stack.len() {
-                true => Node::of(self.stack.get(i + 1)).end(),
+                true => (*self.stack.get(i + 1)).end(),
                 false => tip,
             };
-            Piece::new(&Node::of(self.stack.get(i)), end)
+            Piece::new(&(*self.stack.get(i)), end)
         })
     }
 }

@@ -1,8 +1,8 @@
 //! What can be asked of the law: stick area, tractions, tangent stiffness.
 
-use super::CoulombMemory;
 use super::piece::Piece;
-use crate::memory::{Lateral, MemoryRegime as Regime, Tangent, Turn, VertexStack};
+use super::{CoulombMemory, Node};
+use crate::memory::{Lateral, MemoryRegime as Regime, NodeStack, Tangent, Turn};
 use crate::profile::GAUSS;
 
 /// A piece of the curve of zero-traction shifts: `W = chord + 4 tau (1 - tau) bubble`, with tau
@@ -27,7 +27,7 @@ const ROUND_OFF: f64 = 1e-12;
 const COARSE_TOLERANCE: f64 = 5e-3;
 const FACTOR_AT_FINE_TOLERANCE: f64 = 2.0;
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     /// The approach zeta; negative while the bodies are separated.
     #[must_use]
     pub fn zeta(&self) -> f64 {
@@ -149,7 +149,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     /// [`CoulombMemory::stick_depth`], and those above it that are farther from their limit than
     /// the tolerance.
     #[must_use]
-    pub fn sticking(&self) -> f64 {
+    pub fn stick_fraction(&self) -> f64 {
         if self.zeta <= 0.0 {
             return 0.0;
         }
@@ -285,7 +285,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 }
 
-impl<S: VertexStack<[f64; 2]>> CoulombMemory<[f64; 2], S> {
+impl<S: NodeStack<Node<[f64; 2]>>> CoulombMemory<[f64; 2], S> {
     /// Turns the frame in the contact plane: all components refer to axes rotated by `angle`
     /// (radians, counter-clockwise).
     pub fn turn_frame(&mut self, angle: f64) {
@@ -293,10 +293,10 @@ impl<S: VertexStack<[f64; 2]>> CoulombMemory<[f64; 2], S> {
         self.shift = turn.of(self.shift);
         self.force = turn.of(self.force);
         for i in 0..self.stack.len() {
-            let vertex = self.stack.get_mut(i);
-            let error = vertex.force_slope;
-            turn.vertex(vertex);
-            vertex.force_slope = error;
+            let node = self.stack.get_mut(i);
+            for vector in [&mut node.anchor, &mut node.bubble, &mut node.force] {
+                *vector = turn.of(*vector);
+            }
         }
     }
 }

@@ -7,8 +7,7 @@ use super::energy::{NoObserver, StepObserver};
 use super::fit::{Dragged, MAX_HALVINGS};
 use super::join::{ControlLengths, join_from};
 use super::piece::{End, Node, Piece};
-use super::storage::Vertices;
-use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
+use crate::memory::{Lateral, MemoryRegime as Regime, NodeStack, Nodes};
 
 /// Lengths up to these shares of the approach and of the shift count as zero.
 const ZERO_LENGTH_SHARES: [f64; 2] = [1e-13, 1e-15];
@@ -25,7 +24,7 @@ enum Front {
     On { piece: usize, within: f64, beyond: f64 },
 }
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     /// A step with checked arguments.
     #[inline]
     pub(crate) fn step(&mut self, zeta: f64, shift: V) {
@@ -73,11 +72,11 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         self.shift = self.shift.plus(shift.minus(self.shift).times(part));
         (self.zeta, self.root, self.force) = (0.0, 0.0, V::default());
         self.extent = 0.0;
-        self.stack.push(self.tip().vertex());
+        self.stack.push(self.tip());
     }
 }
 
-impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: Nodes<Node<V>>> CoulombMemory<V, S> {
     /// A step of a pair in contact, in storage that has room.
     #[inline]
     pub(super) fn step_in_contact(
@@ -145,7 +144,7 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
         }
         let tip = self.tip();
         self.make_room(tip.end());
-        self.stack.push(tip.vertex());
+        self.stack.push(tip);
         self.stack.len() - 1
     }
 
@@ -189,15 +188,15 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
         if zeta < self.zeta {
             let mut top = self.stack.len() - 1;
             while self.stack.get(top).depth >= zeta {
-                end = Node::of(self.stack.get(top)).end();
+                end = (*self.stack.get(top)).end();
                 self.stack.truncate(top);
                 top -= 1;
             }
-            let node = Node::of(self.stack.get(top));
+            let node = *self.stack.get(top);
             let piece = Piece::new(&node, end);
             let part = (zeta - node.depth) / (end.depth - node.depth);
             end = End { depth: zeta, root: zeta.sqrt(), anchor: piece.at(part) };
-            self.stack.get_mut(top).slope = node.bubble.times(part * part);
+            self.stack.get_mut(top).bubble = node.bubble.times(part * part);
         }
         end
     }
@@ -205,14 +204,14 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
     /// The upper end of the piece above a vertex.
     #[inline]
     fn end_of(&self, i: usize, tip: End<V>) -> End<V> {
-        if i + 1 < self.stack.len() { Node::of(self.stack.get(i + 1)).end() } else { tip }
+        if i + 1 < self.stack.len() { (*self.stack.get(i + 1)).end() } else { tip }
     }
 
     /// The slip front: the deepest point that slips. Annuli above it may stick.
     #[inline]
     fn find_front(&self, step: &Step<V>, old: End<V>) -> Front {
         let len = self.stack.len();
-        let mut node = Node::of(self.stack.get(0));
+        let mut node = *self.stack.get(0);
         if step.is_beyond_limit(node.depth, node.anchor) {
             return Front::Bottom;
         }
@@ -234,7 +233,7 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
                 return Front::On { piece: i, within: 0.5, beyond: 1.0 };
             }
             if i + 1 < len {
-                node = Node::of(self.stack.get(i + 1));
+                node = *self.stack.get(i + 1);
             }
         }
         Front::None
@@ -249,7 +248,7 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
         within: f64,
         beyond: f64,
     ) -> (usize, bool) {
-        let node = Node::of(self.stack.get(i));
+        let node = *self.stack.get(i);
         let piece = Piece::new(&node, self.end_of(i, old));
         let part = piece.front(step, within, beyond);
         let cut = piece.cut(part);
@@ -270,8 +269,8 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
             force: V::default(),
             error: node.error,
         };
-        self.stack.get_mut(i).slope = node.bubble.times(part * part);
-        self.stack.insert(i + 1, front.vertex());
+        self.stack.get_mut(i).bubble = node.bubble.times(part * part);
+        self.stack.insert(i + 1, front);
         (i + 1, true)
     }
 
@@ -301,7 +300,7 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
         // The error of the straight piece behind the tip.
         let mut error = 0.0;
         for i in (first..self.stack.len()).rev() {
-            let node = Node::of(self.stack.get(i));
+            let node = *self.stack.get(i);
             let piece = Piece::new(&node, old);
             was_in_line = was_in_line
                 && node.bubble == V::default()
@@ -355,16 +354,16 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
     fn fit_line(&mut self, i: usize, anchor: V, error: f64) {
         self.stack.truncate(i + 1);
         let vertex = self.stack.get_mut(i);
-        (vertex.anchor, vertex.slope) = (anchor, V::default());
-        vertex.force_slope = V::from_components([error, 0.0]);
+        (vertex.anchor, vertex.bubble) = (anchor, V::default());
+        vertex.error = error;
     }
 
     /// Sums the forces from a vertex upwards and ends the step.
     #[inline]
     pub(super) fn finish(&mut self, end: End<V>, first: usize) {
-        let mut node = Node::of(self.stack.get(first));
+        let mut node = *self.stack.get(first);
         for i in first + 1..self.stack.len() {
-            let next = Node::of(self.stack.get(i));
+            let next = *self.stack.get(i);
             let force = node.force.plus(Piece::new(&node, next.end()).force());
             self.stack.get_mut(i).force = force;
             node = Node { force, ..next };

@@ -1,76 +1,8 @@
 //! The operations of a step on the storage of vertices, and storage with spare capacity for one
 //! step.
 
-use crate::memory::{Lateral, Vertex, VertexStack};
-
-/// Vertices during a step, see [`VertexStack`].
-pub trait Vertices<V: Lateral> {
-    fn len(&self) -> usize;
-    fn get(&self, index: usize) -> &Vertex<V>;
-    fn get_mut(&mut self, index: usize) -> &mut Vertex<V>;
-    fn truncate(&mut self, len: usize);
-    fn capacity(&self) -> usize;
-    fn push(&mut self, vertex: Vertex<V>);
-    fn count_merge(&mut self);
-
-    /// Inserts a vertex below the one at an index; there must be room for it.
-    #[inline]
-    fn insert(&mut self, index: usize, vertex: Vertex<V>) {
-        let len = self.len();
-        self.push(vertex);
-        for i in (index..len).rev() {
-            *self.get_mut(i + 1) = *self.get(i);
-        }
-        *self.get_mut(index) = vertex;
-    }
-
-    /// Removes the vertex at an index.
-    #[inline]
-    fn remove(&mut self, index: usize) {
-        let last = self.len() - 1;
-        for i in index..last {
-            *self.get_mut(i) = *self.get(i + 1);
-        }
-        self.truncate(last);
-    }
-}
-
-impl<V: Lateral, S: VertexStack<V>> Vertices<V> for S {
-    #[inline]
-    fn len(&self) -> usize {
-        VertexStack::len(self)
-    }
-
-    #[inline]
-    fn get(&self, index: usize) -> &Vertex<V> {
-        VertexStack::get(self, index)
-    }
-
-    #[inline]
-    fn get_mut(&mut self, index: usize) -> &mut Vertex<V> {
-        VertexStack::get_mut(self, index)
-    }
-
-    #[inline]
-    fn truncate(&mut self, len: usize) {
-        VertexStack::truncate(self, len);
-    }
-
-    #[inline]
-    fn capacity(&self) -> usize {
-        VertexStack::capacity(self)
-    }
-
-    #[inline]
-    fn push(&mut self, vertex: Vertex<V>) {
-        VertexStack::push(self, vertex);
-    }
-
-    #[inline]
-    fn count_merge(&mut self) {
-        VertexStack::count_merge(self);
-    }
-}
+use super::Node;
+use crate::memory::{Lateral, NodeStack, Nodes};
 
 /// Number of vertices that a step may need beyond the capacity, in blocks.
 pub(super) const SPARE_VERTICES: usize = SPARE_BLOCKS * BLOCK;
@@ -81,11 +13,11 @@ const BLOCK: usize = 8;
 pub(super) struct WithSpare<'a, V, S> {
     storage: &'a mut S,
     /// Allocated on demand: most steps need none.
-    spare: [Option<[Vertex<V>; BLOCK]>; SPARE_BLOCKS],
+    spare: [Option<[Node<V>; BLOCK]>; SPARE_BLOCKS],
     spare_len: usize,
 }
 
-impl<'a, V: Lateral, S: VertexStack<V>> WithSpare<'a, V, S> {
+impl<'a, V: Lateral, S: NodeStack<Node<V>>> WithSpare<'a, V, S> {
     #[inline]
     pub(super) fn new(storage: &'a mut S) -> Self {
         Self { storage, spare: [None; SPARE_BLOCKS], spare_len: 0 }
@@ -98,20 +30,20 @@ impl<'a, V: Lateral, S: VertexStack<V>> WithSpare<'a, V, S> {
     }
 
     #[inline]
-    fn spare_mut(&mut self, index: usize) -> &mut Vertex<V> {
-        &mut self.spare[index / BLOCK].get_or_insert_with(|| [Vertex::default(); BLOCK])
+    fn spare_mut(&mut self, index: usize) -> &mut Node<V> {
+        &mut self.spare[index / BLOCK].get_or_insert_with(|| [Node::default(); BLOCK])
             [index % BLOCK]
     }
 }
 
-impl<V: Lateral, S: VertexStack<V>> Vertices<V> for WithSpare<'_, V, S> {
+impl<V: Lateral, S: NodeStack<Node<V>>> Nodes<Node<V>> for WithSpare<'_, V, S> {
     #[inline]
     fn len(&self) -> usize {
         self.storage.len() + self.spare_len
     }
 
     #[inline]
-    fn get(&self, index: usize) -> &Vertex<V> {
+    fn get(&self, index: usize) -> &Node<V> {
         let capacity = self.storage.capacity();
         let past = index.wrapping_sub(capacity);
         match self.spare.get(past / BLOCK) {
@@ -121,7 +53,7 @@ impl<V: Lateral, S: VertexStack<V>> Vertices<V> for WithSpare<'_, V, S> {
     }
 
     #[inline]
-    fn get_mut(&mut self, index: usize) -> &mut Vertex<V> {
+    fn get_mut(&mut self, index: usize) -> &mut Node<V> {
         let capacity = self.storage.capacity();
         if index < capacity {
             self.storage.get_mut(index)
@@ -145,11 +77,11 @@ impl<V: Lateral, S: VertexStack<V>> Vertices<V> for WithSpare<'_, V, S> {
     }
 
     #[inline]
-    fn push(&mut self, vertex: Vertex<V>) {
+    fn push(&mut self, node: Node<V>) {
         if self.storage.len() < self.storage.capacity() {
-            self.storage.push(vertex);
+            self.storage.push(node);
         } else {
-            *self.spare_mut(self.spare_len) = vertex;
+            *self.spare_mut(self.spare_len) = node;
             self.spare_len += 1;
         }
     }

@@ -2,7 +2,7 @@
 //! tolerance.
 
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
-use carom_laws::memory::{VectorMemory, VertexStack as _};
+use carom_laws::memory::{Nodes as _, VectorMemory};
 
 use crate::common::Random;
 use crate::common::rings::{Rings, exact};
