@@ -123,11 +123,11 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
     pub fn traction(&self, ring: usize, angle: usize) -> Option<[f64; 2]> {
         let Rings { pair: Some(_), side, .. } = self.rings() else { return None };
         let contact = &self.memory.contact;
-        // Where x is reversed the angle is half a turn minus itself.
-        let place = if side < 0.0 { (M + M / 2).checked_sub(angle)? % M } else { angle };
+        // With the bodies exchanged y is reversed, and the traction is that on the other body.
+        let place = if side < 0.0 { M.checked_sub(angle)? % M } else { angle };
         let [radial, around] = contact.tractions.z.get(place)?;
         let scale = self.units.traction * contact.radius;
-        Some([scale * radial.get(ring)?, side * scale * around.get(ring)?])
+        Some([side * scale * radial.get(ring)?, scale * around.get(ring)?])
     }
 
     /// The share of the contact area on which nothing slipped in the last step.

@@ -92,8 +92,8 @@ impl<const N: usize, const M: usize> RingMatrices<N, M> {
 #[derive(Debug, Clone, Copy)]
 pub struct Rings<'a, const N: usize = 6, const M: usize = 8> {
     pub(super) pair: Option<&'a Pair<N, M>>,
-    /// The sign of x in the order of bodies in which gamma is not negative: an exchange of the bodies turns the
-    /// axes half about y.
+    /// -1 where the bodies are taken in the other order, so that gamma is not negative: y is then reversed, and so are
+    /// shift and force, which leaves x with this sign.
     pub(super) side: f64,
     pub(super) units: Units,
     pub(super) tolerance: f64,
