@@ -14,7 +14,7 @@ module carom
 
   type, bind(c) :: carom_pair
     real(c_double) :: c_x, c_y, c_z, friction, tolerance, a_squared, b_squared
-    real(c_double) :: torsion_stiffness, torsion_arm
+    real(c_double) :: torsion_stiffness, torsion_arm, gamma, coupling_bound
     integer(c_int32_t) :: law, version
   end type
 

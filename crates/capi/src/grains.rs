@@ -7,7 +7,7 @@ use carom_laws::hertz::Hertz;
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::pair::{CaromMaterial, CaromPair, materials};
+use crate::pair::{CAROM_LAW_RINGS, CaromMaterial, CaromPair, materials};
 use crate::pointers::{read, write};
 use crate::state::finite;
 use crate::touch::{CaromTouch, Contact};
@@ -268,7 +268,11 @@ fn constants(
     finite(&unit)?;
     let [share_1, share_2] = compliance_shares(&materials);
     let grains = CaromGrains { unit, relaxation, share_1, share_2 };
-    grains.contact(1.0).map(|_| grains)
+    match law {
+        CAROM_LAW_RINGS => RangeError::non_negative("relaxation", relaxation).map(|_| ())?,
+        _ => grains.contact(1.0).map(|_| ())?,
+    }
+    Ok(grains)
 }
 
 /// One step of the duration `dt` of the contact of two grains, at whose end they are as told; the

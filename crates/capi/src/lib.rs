@@ -25,6 +25,8 @@ mod law;
 mod pair;
 mod pointers;
 mod restitution;
+mod ring_touch;
+mod rings;
 mod state;
 mod stored;
 mod touch;
@@ -53,10 +55,17 @@ pub use impact::{
 };
 pub use law::{CaromLoad, CaromRegime, CaromReport, CaromShift};
 pub use pair::{
-    CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CaromMaterial, CaromPair,
+    CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_LAW_RINGS, CaromMaterial, CaromPair,
     carom_pair_of_curvatures, carom_pair_of_spheres, carom_pair_of_stiffness,
 };
 pub use restitution::{CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_restitution_many};
+pub use ring_touch::{
+    CAROM_RING_TOUCH_MARK, CAROM_RING_TOUCH_NUMBERS, CAROM_RING_TOUCH_WORDS, CaromRingTouch,
+    carom_ring_touch_energy, carom_ring_touch_grains, carom_ring_touch_grains_load,
+    carom_ring_touch_pack, carom_ring_touch_report, carom_ring_touch_unpack, carom_ring_touch_wall,
+    carom_ring_touch_wall_load,
+};
+pub use rings::{CaromRings, carom_rings_free, carom_rings_of};
 pub use state::{
     CAROM_STATE_NUMBERS, CaromState, carom_state_advance, carom_state_energy, carom_state_heat,
     carom_state_load, carom_state_report, carom_state_turn_frame,

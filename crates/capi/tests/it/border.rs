@@ -272,7 +272,7 @@ fn bad_constants_are_named() {
     assert_eq!(make(-1.0, 1.0, 0.3, 0, 0.0), bad("young_modulus"));
     assert_eq!(make(1.0, 0.0, 0.3, 0, 0.0), bad("radius"));
     assert_eq!(make(1.0, 1.0, -0.3, 0, 0.0), bad("friction"));
-    assert_eq!(make(1.0, 1.0, 0.3, 2, 0.0), bad("law"));
+    assert_eq!(make(1.0, 1.0, 0.3, 3, 0.0), bad("law"));
     assert_eq!(make(1.0, 1.0, 0.3, 0, 2.0), bad("tolerance"));
     assert_eq!(make(f64::INFINITY, 1.0, 0.3, 0, 0.0), bad("shear_modulus"));
     assert_eq!(make(1.0, f64::INFINITY, 0.3, 0, 0.0).0, CaromStatus::NoContact);

@@ -2,6 +2,8 @@
 
 use std::ops::RangeInclusive;
 
+use carom_laws::coupling::coupling_bound;
+
 use super::{Collision, CollisionError};
 use crate::outcome::{Outcome, Warning};
 
@@ -29,19 +31,14 @@ impl Collision {
     /// The change of R_x below which the coupling of dissimilar bodies is neglected by default: 5e-3.
     pub const NEGLIGIBLE_COUPLING: f64 = 5e-3;
 
-    /// A bound of how much the coupling of normal and tangential displacements changes R_x:
-    /// (gamma/f)^2/(4 + (gamma/f)^2) + gamma^2, with gamma of (15.2).
-    ///
-    /// It is 0 for like bodies and without friction. It was measured, not derived: in 150 impacts of spheres with
-    /// D_xx/D_zz from 2.5 to 5 the largest change was 0.91 of it.
+    /// A bound of how much the coupling of normal and tangential displacements changes R_x
+    /// ([`carom_laws::coupling::coupling_bound`]).
     #[must_use]
     pub fn coupling_bound(&self) -> f64 {
-        let (gamma, friction) = (self.materials.gamma().abs(), self.friction.get());
-        if self.materials.is_uncoupled() || friction == 0.0 {
+        if self.materials.is_uncoupled() {
             return 0.0;
         }
-        let ratio = gamma / friction;
-        1.0 / (1.0 + 4.0 / (ratio * ratio)) + gamma * gamma
+        coupling_bound(self.materials.gamma(), self.friction)
     }
 
     /// The cheapest law that knows R_x to this tolerance as far as coupling is concerned; of spheres and planes with

@@ -4,9 +4,10 @@ use std::array::from_fn;
 
 use carom_special::RangeError;
 
-use super::contact::{Before, GrainContact, GrainLoad, Step, drag, elastic, forces, parting};
+use super::contact::{GrainContact, GrainLoad};
 use super::meeting::{Grain, Meeting};
 use super::number::{LANES, Lanes, lanes};
+use super::step::{Before, Step, drag, elastic, forces, parting};
 use crate::bounds::{LARGEST, LARGEST_IN_MEMORY};
 use crate::law::{ContactLaw as _, Shift};
 use crate::memory::VertexStack;

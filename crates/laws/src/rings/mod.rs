@@ -28,11 +28,16 @@ mod influence;
 mod kernel;
 mod law;
 mod layout;
+mod matrices;
+mod memory;
 mod pack;
 mod pair;
 mod solve;
 mod transform;
+mod units;
 
 pub use constants::{RingConstants, Tolerance};
 pub use law::RingLaw;
+pub use matrices::{RingMatrices, Rings};
+pub use memory::RingMemory;
 pub use pack::packed_numbers;
