@@ -1,10 +1,10 @@
 //! What can go wrong in a command, and the exit code for it.
 
-use carom_cases::Error;
-use carom_impact::CollisionError;
+use carom_cases::{Error, is_bad_collision};
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
+use carom_numerical::CollisionLawError;
 use carom_plot::PlotError;
 use carom_rolling::RollingError;
 use carom_special::RangeError;
@@ -22,7 +22,7 @@ pub enum CliError {
         /// The case file.
         path: PathBuf,
         /// Why.
-        source: SceneError,
+        source: SceneError<CollisionLawError>,
     },
     /// No sample of an uncertain case gives an outcome.
     #[error("{}: {source}", path.display())]
@@ -30,7 +30,7 @@ pub enum CliError {
         /// The case file.
         path: PathBuf,
         /// Why.
-        source: UncertainError,
+        source: UncertainError<CollisionLawError>,
     },
     /// A rolling contact could not be solved.
     #[error("{}: row {row}: {source}", path.display())]
@@ -105,7 +105,7 @@ impl CliError {
             Self::Case(source) => 1 + u8::from(source.is_bad_input()),
             Self::Scene { source: SceneError::Collision { source, .. }, .. }
             | Self::Uncertain { source: UncertainError::Collision { source, .. }, .. } => {
-                of_collision(source)
+                1 + u8::from(is_bad_collision(source))
             }
             Self::Rolling { source, .. } => match **source {
                 RollingError::Range(_) => 2,
@@ -139,13 +139,5 @@ impl From<Error> for CliError {
             },
             error => Self::Case(error),
         }
-    }
-}
-
-/// An impact that could not be followed is no bad input.
-const fn of_collision(error: &CollisionError) -> u8 {
-    match error {
-        CollisionError::Oblique(_) | CollisionError::Coupled(_) => 1,
-        _ => 2,
     }
 }

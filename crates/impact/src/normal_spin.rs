@@ -111,17 +111,22 @@ impl NormalSpin<'_> {
         self.pivots[body].inverse_tensor * self.normal * (sign * torsion.torque_impulse)
     }
 
-    /// What an outcome without torsion should say: that torsion would take a noticeable part of
-    /// the spin, by the lesser of the closed forms of no slip and of sliding.
+    /// What an outcome without torsion should say: that torsion would take a noticeable part of the spin.
     pub(crate) fn left_alone(&self) -> Option<Warning> {
+        let share = self.greatest_loss()?;
+        (share > NOTICEABLE).then_some(Warning::SpinLeftAlone { share })
+    }
+
+    /// The part of the relative spin that torsion would take, from above: by the lesser of the closed forms of no slip
+    /// and of sliding. None without spin or friction.
+    pub(crate) fn greatest_loss(&self) -> Option<f64> {
         if self.relative_spin() == 0.0 {
             return None;
         }
         let groups = self.collision().ok()?.groups().ok()??;
         let (epsilon, omega) = (groups.epsilon(), groups.omega());
         let stuck = 1.0 - limits::no_slip_first_order(epsilon);
-        let share = stuck.min(1.0 - limits::sliding(epsilon, omega)).min(1.0);
-        (share > NOTICEABLE).then_some(Warning::SpinLeftAlone { share })
+        Some(stuck.min(1.0 - limits::sliding(epsilon, omega)).min(1.0))
     }
 
     fn relative_spin(&self) -> f64 {

@@ -158,14 +158,28 @@ pub struct EnergyBudget {
     pub lost: f64,
 }
 
-/// Whether the torsional impact is computed too.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum TorsionMode {
-    /// The spin about the normal is left alone.
+/// Whether friction acts on the spin about the normal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum TorsionMode {
+    /// Where it matters, of spheres and planes ([`crate::Collision::twist_bound`]), by those who choose the contact
+    /// law ([`crate::AnalyticOrRings`]) and by rings. [`crate::Collision::solve`] leaves the spin alone.
     #[default]
+    Auto,
+    /// The spin about the normal is left alone.
     LeftOut,
-    /// It is changed by the torsional impact of chapter 10.
+    /// Always: by rings together with the shift, by the analytic laws as if there were no tangential impact (chapter
+    /// 10).
     Included,
+}
+
+impl From<Option<bool>> for TorsionMode {
+    fn from(told: Option<bool>) -> Self {
+        match told {
+            None => Self::Auto,
+            Some(false) => Self::LeftOut,
+            Some(true) => Self::Included,
+        }
+    }
 }
 
 /// What the torsional impact did to the spin about the normal.

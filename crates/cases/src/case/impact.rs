@@ -165,7 +165,7 @@ fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase
     };
     let collision =
         collision.map_err(at_fault)?.with_normal_restitution(contact.normal_restitution);
-    let collision = if contact.torsion.is_some() { collision.with_torsion() } else { collision };
+    let collision = collision.with_torsion_mode(contact.torsion);
     Ok(ImpactCase { collision, contact, angle: approach.map(|approach| approach.angle) })
 }
 

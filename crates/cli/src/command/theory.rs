@@ -78,7 +78,7 @@ impl Excess {
 }
 
 /// With three digits.
-fn readable(value: f64) -> String {
+pub(super) fn readable(value: f64) -> String {
     short(format!("{value:.2e}").parse().unwrap_or(value))
 }
 

@@ -8,13 +8,13 @@ use crate::outcome::LogEntry;
 
 /// Writes down each change of stage.
 #[derive(Debug, Default)]
-pub(super) struct Log {
-    pub(super) entries: Vec<LogEntry>,
+pub(crate) struct Log {
+    pub(crate) entries: Vec<LogEntry>,
     stage: Option<(Stage, bool)>,
 }
 
 impl Log {
-    pub(super) fn see(&mut self, sample: &Sample, initial: &Vector3<f64>) {
+    pub(crate) fn see(&mut self, sample: &Sample, initial: &Vector3<f64>) {
         if sample.shift.z <= 0.0 {
             return;
         }

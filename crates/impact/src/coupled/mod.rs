@@ -46,6 +46,7 @@ pub use error::CoupledError;
 pub(crate) use exact::Traced;
 pub use impact::CoupledImpact;
 pub(crate) use impact::Unsettled;
+pub(crate) use log::Log;
 pub use method::ImpactMethod;
 pub(crate) use method::is_coupled;
 pub use outcome::{CoupledOutcome, Sample};
