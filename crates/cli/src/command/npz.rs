@@ -1,14 +1,14 @@
-//! Arrays in a file as NumPy writes them: `.npz`, a ZIP archive without compression of `.npy`.
+//! Arrays in NumPy's format `.npz`: an uncompressed ZIP archive of `.npy` files.
 //!
-//! The heads of the arrays are written and read here, in few lines: the libraries that know them bring a parser of
-//! Python and compressors in C.
+//! The headers of the arrays are written and read here in a few lines. The available libraries
+//! would add a parser of Python literals and compressors in C.
 
 use std::collections::BTreeMap;
 use std::io::{self, Cursor, Read as _, Write as _};
 use zip::write::SimpleFileOptions;
 use zip::{CompressionMethod, DateTime, ZipArchive, ZipWriter};
 
-/// Numbers with their shape, the last index running fastest.
+/// An array with its shape; the last index varies fastest.
 #[derive(Debug, Clone, PartialEq)]
 pub(crate) enum Array {
     /// `<f8`.
@@ -17,15 +17,15 @@ pub(crate) enum Array {
     Bytes(Vec<usize>, Vec<u8>),
 }
 
-/// The archive of these arrays.
+/// Encodes the arrays as an archive.
 ///
 /// # Errors
-/// What stands in the way of an archive, such as a name that is too long for it.
+/// The error of the archive, for example for a name that is too long.
 pub(crate) fn encode(arrays: &BTreeMap<String, Array>) -> io::Result<Vec<u8>> {
     let mut archive = ZipWriter::new(Cursor::new(Vec::new()));
     for (name, array) in arrays {
         let data = npy(array);
-        // Sizes of 64 bits where 32 are too few.
+        // 64-bit sizes if 32 bits are too few.
         let options = SimpleFileOptions::default()
             .compression_method(CompressionMethod::Stored)
             .last_modified_time(DateTime::DEFAULT)
@@ -56,7 +56,7 @@ fn npy(array: &Array) -> Vec<u8> {
     bytes
 }
 
-/// The arrays of an archive that [`encode`] wrote; none if it is no such archive or damaged.
+/// Reads an archive that [`encode`] wrote; `None` if it is damaged or another file.
 pub(crate) fn decode(archive: &[u8]) -> Option<BTreeMap<String, Array>> {
     let mut archive = ZipArchive::new(Cursor::new(archive)).ok()?;
     let mut arrays = BTreeMap::new();
@@ -118,7 +118,7 @@ mod tests {
         for at in (0..archive.len() / 2).step_by(7) {
             let mut damaged = archive.clone();
             damaged[at] ^= 0x10;
-            // A damaged name is no name of ours; what stands under one of ours is whole.
+            // A damaged name is no name of these arrays; arrays under known names are intact.
             let harmless = decode(&damaged).is_none_or(|read| {
                 let is_whole =
                     |name: &str, array| read.get(name).is_none_or(|found| found == array);

@@ -6,7 +6,7 @@ use super::{Sample, Stage};
 use crate::oblique::Event;
 use crate::outcome::LogEntry;
 
-/// Writes down each change of stage.
+/// Records each change of stage.
 #[derive(Debug, Default)]
 pub(crate) struct Log {
     pub(crate) entries: Vec<LogEntry>,
@@ -19,7 +19,7 @@ impl Log {
             return;
         }
         let forward = sample.force.x * initial.x + sample.force.y * initial.y >= 0.0;
-        // The sign matters where a ring slips.
+        // The sign matters if an annulus slips.
         let forward = forward || sample.stage == Stage::Adhesion;
         let now = (sample.stage, forward);
         let event = match self.stage {
