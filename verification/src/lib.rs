@@ -3,8 +3,8 @@
 //!
 //! # How to add a figure
 //!
-//! 1. Write a function `fn figure_5_3() -> FigureResult` in `src/figures/ch05.rs` (or a file
-//!    of its own below `src/figures/ch05/`). It fills a [`Figure`]: its inputs, each
+//! 1. Write a function `fn figure_5_3() -> FigureResult` in `src/figures/ch05/mod.rs` (or a
+//!    file of its own beside it). It fills a [`Figure`]: its inputs, each
 //!    [`stated`](Figure::stated), [`derived`](Figure::derived) or [`assumed`](Figure::assumed);
 //!    one or more [`Panel`]s of [`Series`]; [`Table`]s; [`Claim`]s; and the
 //!    [`deviation`](Figure::deviation)s from what the thesis prints. Any error leaves with `?`.
@@ -27,7 +27,8 @@
 //! Each page is computed in a [process of its own](launch) with a time limit and leaves a
 //! [record](page) in `target/verification/pages/`. Report, terminal, JSON and JUnit are made
 //! from the records, so that a run of a few pages keeps the others in the report, with their
-//! date.
+//! date. A test harness would give processes and limits, but no records; and the command of a
+//! user must not need one installed.
 //!
 //! ```
 //! use carom_verification::{Absolute, Figure, FigureResult, Panel, Series};
