@@ -48,7 +48,7 @@ fn a_golf_ball_comes_to_rest_and_its_energy_is_booked() {
 fn it_comes_to_rest(case: &str, method: &str, coupling: f64) {
     let path = fresh("golf.toml");
     std::fs::write(&path, case).unwrap();
-    let report = report(path, &[]);
+    let report = report(path.to_str().unwrap(), &[]);
     let bounces = report["bounces"].as_array().unwrap();
     assert!(bounces.len() > 8);
     assert_eq!(report["ending"], "it stays on floor");
