@@ -34,12 +34,27 @@ pub(super) const LAW: Field = Field::new(
     "the contact law; coulomb and fixed-direction neglect the coupling of unlike materials",
 )
 .default(Default::Word(CollisionLaw::Auto.name()));
+/// The law of a scene: a ball and planes turn alike about all tangents, so that rings know all that a grid does.
+pub(super) const LAW_OF_SCENE: Field = Field::new(
+    "law",
+    Form::Word(&[
+        (
+            CollisionLaw::Auto.name(),
+            "the cheapest law in which the coupling of unlike materials counts",
+        ),
+        (COULOMB, "the exact impact, which neglects the coupling of unlike materials"),
+        (CollisionLaw::Rings.name(), "rings that know coupling and spin"),
+    ]),
+    "the contact law of all bounces",
+)
+.default(Default::Word(CollisionLaw::Auto.name()));
 pub(super) const TORSION: Field = Field::new(
     "torsion",
     Form::Switch,
     "whether friction acts on the spin about the normal too",
 )
-.may("friction acts on it where that matters: of spheres and planes, by the laws auto and rings");
+.may("friction acts on it where that matters: of spheres and planes, by the laws auto and rings")
+.such_as("true");
 pub(super) const NORMAL_RESTITUTION: Field = Field::number(
     "normal_restitution",
     Range::Part.pure(),

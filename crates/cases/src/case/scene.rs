@@ -2,7 +2,8 @@
 
 use super::body::{BALL, BodyCase, INERTIA, MASS, POSITION, Velocity};
 use super::contact::{
-    FRICTION, LAW, NORMAL_RESTITUTION, TORSION, WAVE_LOSS, normal_restitution, torsion_mode,
+    FRICTION, LAW_OF_SCENE, NORMAL_RESTITUTION, TORSION, WAVE_LOSS, normal_restitution,
+    torsion_mode,
 };
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
@@ -10,7 +11,6 @@ use super::material::{self, MATERIAL};
 use super::range::Range;
 use super::section::{Section, parse};
 use super::unit::{Dimension, Measure};
-use carom_impact::TorsionMode;
 use carom_impact::scene::{Ball, Limits, Scene, SceneError, Wall};
 use carom_laws::friction::Friction;
 use carom_numerical::CollisionLaw;
@@ -84,7 +84,7 @@ const REBOUND_HEIGHT: Field = Field::number(
 .default(Default::Number(0.0));
 const SETTING: Field = Field::new(
     "scene",
-    Form::Table(&[START, GRAVITY, TIME, BOUNCES, REBOUND_HEIGHT, LAW, TORSION]),
+    Form::Table(&[START, GRAVITY, TIME, BOUNCES, REBOUND_HEIGHT, LAW_OF_SCENE, TORSION]),
     "start, gravity, limits and contact law",
 )
 .begun(&[(&START, "")]);
@@ -138,28 +138,14 @@ impl SceneCase {
                 false => case.unfit([&SETTING, &START], allowed),
             });
         }
-        let law = read_law(&setting, &scene)?;
-        let torsion = torsion_mode(&setting)?;
-        if law == CollisionLaw::Numerical && torsion == TorsionMode::Included {
-            let reason = "the numerical law leaves the spin about the normal alone";
-            return Err(setting.conflict(&TORSION, &LAW, reason));
-        }
-        let scene = scene.with_torsion_mode(torsion);
+        let law = setting.word(&LAW_OF_SCENE)?.parse().unwrap_or_default();
+        let scene = scene.with_torsion_mode(torsion_mode(&setting)?);
         let height = setting.number(&REBOUND_HEIGHT)?;
         let limits = Limits::new(setting.number(&TIME)?, setting.count(&BOUNCES)?)
             .and_then(|limits| limits.at_rest_below(height))
             .map_err(at(&setting))?;
         Ok(Self { scene, names, ball, limits, law })
     }
-}
-
-fn read_law(setting: &Section<'_>, scene: &Scene) -> Result<CollisionLaw, CaseError> {
-    let law = setting.word(&LAW)?.parse().unwrap_or_default();
-    let sticks = scene.walls().iter().any(|wall| wall.friction().coefficient().is_none());
-    if law == CollisionLaw::Numerical && sticks {
-        return Err(setting.unfit(&LAW, "another law: a wall has infinite friction".to_owned()));
-    }
-    Ok(law)
 }
 
 fn read_ball(case: &Section<'_>, setting: &Section<'_>) -> Result<Ball, CaseError> {

@@ -1,6 +1,6 @@
 //! `carom scene` as a user meets it.
 
-use crate::common::{carom, case, example, fresh};
+use crate::common::{carom, example, fresh};
 
 fn report(case: &str, more: &[&str]) -> serde_json::Value {
     let output = carom(&[&["scene", case, "--format", "json"], more].concat());
@@ -45,8 +45,10 @@ fn a_golf_ball_comes_to_rest_and_its_energy_is_booked() {
     it_comes_to_rest(&neglected, "uncoupled", 1e-12);
 }
 
-fn it_comes_to_rest(text: &str, method: &str, coupling: f64) {
-    let report = report(&case("golf.toml", text), &[]);
+fn it_comes_to_rest(case: &str, method: &str, coupling: f64) {
+    let path = fresh("golf.toml");
+    std::fs::write(&path, case).unwrap();
+    let report = report(path.to_str().unwrap(), &[]);
     let bounces = report["bounces"].as_array().unwrap();
     assert!(bounces.len() > 8);
     assert_eq!(report["ending"], "it stays on floor");
