@@ -242,7 +242,7 @@ pub(super) fn join_from<V: Lateral, S: Nodes<Node<V>>>(
     observer: &mut impl StepObserver<V>,
 ) {
     let mut here = *stack.get(i);
-    let mut below = Piece::new(&(*stack.get(i - 1)), here.end());
+    let mut below = Piece::new(stack.get(i - 1), here.end());
     loop {
         let next = (i + 1 < stack.len()).then(|| *stack.get(i + 1));
         let high = next.map_or(tip, |next| next.end());
