@@ -188,7 +188,7 @@ fn options_choose_law_tolerance_and_torsion() {
     let (_, twisted) = solved(twisted);
     assert_eq!((twisted.has_torsion, twisted.R_x), (1, alone.R_x));
     // A contact that slides along resists a twist less.
-    assert!(twisted.torque_impulse < rings.torque_impulse && rings.torque_impulse < 0.0);
+    assert!(twisted.torque_impulse > rings.torque_impulse && rings.torque_impulse > 0.0);
     let wrong = [
         CaromCollideOptions { law: 4, ..usual },
         CaromCollideOptions { torsion: 2, ..usual },
