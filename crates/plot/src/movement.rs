@@ -1,4 +1,4 @@
-//! Animated series: each shape with the list of its positions, which the reader's browser plays.
+//! Animated series: each shape with the list of its positions, played by the browser.
 
 use crate::draw::{MARKER, area_look, arrow, line_look};
 use crate::error::PlotError;

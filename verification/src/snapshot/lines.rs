@@ -4,11 +4,11 @@ use crate::claim::{Check, Claim, Order, Side, Tolerance, number};
 use crate::figure::{Cell, Figure, Table};
 use carom_plot::Series;
 
-/// Points of a series that a snapshot keeps.
-const KEPT: usize = 33;
+/// Largest number of points of a series in a snapshot.
+const MAX_POINTS_OF_SERIES: usize = 33;
 
-/// Half a rounding step, and a tenth of a step for the machine.
-const ALLOWED: f64 = 0.6;
+/// Allowed difference in rounding steps: half a step, and a tenth for differences between machines.
+const ALLOWED_ROUNDING_STEPS: f64 = 0.6;
 
 /// Digits of a tolerance.
 const TOLERANCE_DIGITS: u8 = 3;
@@ -27,17 +27,17 @@ pub(super) enum Kept {
     Word(String),
 }
 
-/// A number, the step to which it is rounded, and the size of what it belongs to.
+/// A number, its rounding step, and the largest value of its curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Rounded {
     value: f64,
     step: Step,
-    /// The largest of its curve; none for a number on its own.
+    /// The largest value of its curve; `None` for a single number.
     largest: Option<f64>,
     form: Form,
 }
 
-/// How a rounded number is written.
+/// Format of a rounded number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Form {
     /// With all digits of its step, as in a column.
@@ -65,7 +65,7 @@ impl Rounded {
     }
 
     fn agrees(self, stored: f64) -> bool {
-        (stored - self.value).abs() <= ALLOWED * self.step.size()
+        (stored - self.value).abs() <= ALLOWED_ROUNDING_STEPS * self.step.size()
     }
 
     /// The change from a stored value: over the largest of its curve, or over the stored value.
@@ -86,8 +86,8 @@ impl Step {
             .map_or(Self(-i32::from(digits)), |Self(power)| Self(power + 1 - i32::from(digits)))
     }
 
-    /// The place of the first digit, once the value is rounded to three: on both sides of a power of ten, where
-    /// many a curve ends, it is the same.
+    /// The power of ten of the first digit after rounding to three digits: it is then the same on
+    /// both sides of a power of ten, where many curves end.
     fn leading(value: f64) -> Option<Self> {
         if value == 0.0 || !value.is_finite() {
             return None;
@@ -115,7 +115,7 @@ impl Kept {
         Self::Word(word.into().replace(['\t', '\n', '\r'], " "))
     }
 
-    /// As the snapshot has it.
+    /// The number as written in the snapshot.
     pub(super) fn written(&self) -> String {
         match self {
             Self::Number(number) => number.written(),
@@ -132,7 +132,7 @@ impl Kept {
 }
 
 impl Line {
-    /// As the snapshot has it.
+    /// The cell as written in the snapshot.
     pub(super) fn written(&self) -> String {
         match self {
             Self::Head(words) => words.clone(),
@@ -178,8 +178,8 @@ pub(super) fn of(figure: &Figure) -> Vec<Line> {
     lines
 }
 
-/// Statement, expectation and source of a claim; what was measured is in the numbers below, or
-/// near enough to the expectation.
+/// Statement, expectation and source of a claim. The measurement is omitted: it is among the
+/// numbers below, or close to the expectation.
 fn claim_row(claim: &Claim, digits: u8) -> Line {
     let mut cells = vec![Kept::word("claim:"), Kept::word(&*claim.statement)];
     match &claim.check {
@@ -205,7 +205,7 @@ fn claim_row(claim: &Claim, digits: u8) -> Line {
     Line::Row(cells)
 }
 
-/// An expected value, no finer than its tolerance.
+/// An expected value, rounded no finer than its tolerance.
 fn expectation(expected: f64, tolerance: Tolerance, digits: u8) -> Rounded {
     let rounded = Rounded::short(expected, digits);
     let allowed = match tolerance {
@@ -233,7 +233,7 @@ fn push_series(lines: &mut Vec<Line>, series: &Series, digits: u8) {
     let largest = (largest(&mut xs()), largest(&mut ys()));
     let form = Form::Column;
     lines.push(Line::Head(format!("series: {} | {count} points", series.label)));
-    let kept = count.min(KEPT);
+    let kept = count.min(MAX_POINTS_OF_SERIES);
     let indices = (0..kept).map(|i| if kept > 1 { i * (count - 1) / (kept - 1) } else { 0 });
     lines.extend(indices.map(|i| {
         let point = series.points[i];
@@ -290,7 +290,7 @@ pub(super) mod tests {
         0.0000	0.00
         3.0000	1.29
         ");
-        assert_eq!(text.lines().count(), 6 + KEPT + 2);
+        assert_eq!(text.lines().count(), 6 + MAX_POINTS_OF_SERIES + 2);
         assert!(
             text.ends_with("99.0000\t1400.14\ntable: numbers | name | value\na\t-333333e-15\n")
         );

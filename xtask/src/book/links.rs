@@ -10,7 +10,7 @@ pub(super) struct Link {
     pub(super) target: String,
 }
 
-/// The links of a text, those in code left out.
+/// The links of a text, except those in code.
 pub(super) fn of(text: &str) -> Vec<Link> {
     let mut links = Vec::new();
     for (line, prose) in prose(text) {
@@ -23,7 +23,7 @@ pub(super) fn of(text: &str) -> Vec<Link> {
     links
 }
 
-/// Lines outside of blocks of code, with what stands between backticks left out.
+/// Lines outside code blocks, without the text between backticks.
 fn prose(text: &str) -> Vec<(usize, String)> {
     let mut is_code = false;
     let mut lines = Vec::new();
@@ -38,8 +38,8 @@ fn prose(text: &str) -> Vec<(usize, String)> {
     lines
 }
 
-/// What is wrong with a link on the page at `path`; nothing if it leads somewhere. Pages elsewhere are not
-/// asked for. Links of the book must stay `below` its sources.
+/// The fault of a link on the page at `path`, if there is one. Links to other hosts are not
+/// checked. Links of the book must stay `below` its sources.
 pub(super) fn fault(path: &Path, link: &Link, below: Option<&Path>) -> Option<String> {
     if ["http://", "https://", "mailto:"].iter().any(|start| link.target.starts_with(start)) {
         return None;
@@ -64,7 +64,7 @@ pub(super) fn fault(path: &Path, link: &Link, below: Option<&Path>) -> Option<St
     if anchors(&text).iter().any(|there| there == anchor) { None } else { told("no such heading") }
 }
 
-/// The anchors that the headings of a text get.
+/// The anchors of the headings of a text.
 fn anchors(text: &str) -> Vec<String> {
     let mut is_code = false;
     let mut anchors = Vec::new();
@@ -83,7 +83,7 @@ fn anchors(text: &str) -> Vec<String> {
     anchors
 }
 
-/// What is wrong with the `{{#include file:anchor}}` of a page.
+/// The faults of `{{#include file:anchor}}` on a page.
 pub(super) fn inclusions(path: &Path, text: &str) -> Vec<String> {
     let mut faults = Vec::new();
     for rest in text.split("{{#include ").skip(1) {

@@ -1,4 +1,4 @@
-//! A copy of the workspace with all mutants woven in, each behind its switch.
+//! A copy of the workspace that contains all mutants, each behind its switch.
 
 use super::list::Mutant;
 use super::place::{self, Place, Source};
@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// The crates with mutants, below the workspace; each gets a switch of its own.
+/// The folders of the crates with mutants; each gets its own switch.
 pub(super) const CRATES: [&str; 12] = [
     "crates/special",
     "crates/geometry",
@@ -27,8 +27,8 @@ const SWITCH: &str = include_str!("woven/switch.rs");
 const PAGES: &str = include_str!("woven/pages.rs");
 const PAGES_MANIFEST: &str = include_str!("woven/pages.toml");
 
-/// Brings the copy at `tree` up to date with the workspace at `root` and weaves the mutants in;
-/// files that stay the same are not touched, so that cargo does not build them again.
+/// Updates the copy at `tree` from the workspace at `root` and inserts the mutants. Unchanged files
+/// are not written, so that cargo does not rebuild them.
 pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Result<()> {
     let sources = sources(root)?;
     let places = places(mutants, &sources)?;
@@ -51,8 +51,8 @@ pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Res
     copy.prune(Path::new(""))
 }
 
-/// The manifest with a version of its own: both workspaces build into one folder, and of the same
-/// version cargo would take what one has built for the other's.
+/// The manifest with another version. Both workspaces are built into one folder, and with the same
+/// version cargo would confuse their results.
 fn apart(manifest: &str) -> anyhow::Result<String> {
     let mut lines: Vec<String> = manifest.lines().map(str::to_owned).collect();
     let version = lines.iter_mut().find(|line| line.starts_with("version = \""));
@@ -61,7 +61,7 @@ fn apart(manifest: &str) -> anyhow::Result<String> {
     Ok(lines.join("\n") + "\n")
 }
 
-/// Whether every place of the list is in the sources.
+/// Checks that the sources contain every place of the list.
 pub(super) fn check(root: &Path, mutants: &[Mutant]) -> anyhow::Result<()> {
     places(mutants, &sources(root)?).map(|_| ())
 }
@@ -108,14 +108,14 @@ fn woven(source: &Source, index: usize, mutants: &[Mutant], places: &[Place]) ->
     text
 }
 
-/// An expression and what stands in its place.
+/// An expression and its replacement.
 struct Edit<'a> {
     range: Range<usize>,
     number: usize,
     replace: &'a str,
 }
 
-/// The text of `range` with its edits, which are in the order of their places, outer before inner.
+/// The text of `range` with its edits, in order of position, outer before inner.
 fn rewrite(text: &str, range: Range<usize>, edits: &[Edit<'_>], switch: &str) -> String {
     let mut out = String::new();
     let mut at = range.start;
@@ -149,7 +149,7 @@ impl Mirror<'_> {
         self.write_bytes(path, text.as_bytes())
     }
 
-    /// Writes a file of the copy, unless it is there and the same.
+    /// Writes a file of the copy, unless it exists with the same content.
     fn write_bytes(&mut self, path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
         let target = self.tree.join(path);
         self.kept.insert(path.to_owned());
@@ -162,7 +162,7 @@ impl Mirror<'_> {
         std::fs::write(&target, bytes).with_context(|| format!("cannot write {}", target.display()))
     }
 
-    /// Copies what is not written yet; build results and the history stay behind.
+    /// Copies the files not yet written, without build results and history.
     fn rest(&mut self, folder: &Path) -> anyhow::Result<()> {
         for entry in std::fs::read_dir(self.root.join(folder))? {
             let entry = entry?;

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-/// With `CAROM_WRITE_HEADER` set it is written anew.
+/// With `CAROM_GENERATE` set it is written anew.
 #[test]
 fn header_is_current() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
@@ -22,13 +22,13 @@ fn header_is_current() {
     functions.dedup();
     assert!(all > 20 && functions.len() == all, "functions are declared twice");
     let path = root.join("include/carom.h");
-    if std::env::var_os("CAROM_WRITE_HEADER").is_some() {
+    if std::env::var_os("CAROM_GENERATE").is_some() {
         std::fs::write(&path, &made).unwrap();
     }
     let kept = std::fs::read_to_string(&path).unwrap_or_default();
     assert!(
         kept == made,
         "include/carom.h is not what the sources make: \
-         CAROM_WRITE_HEADER=1 cargo test --release -p carom-capi --test it header::"
+         cargo xtask generate"
     );
 }

@@ -1,36 +1,36 @@
-//! Which way an impact is solved: in closed form, exactly, in a plane, or in space.
+//! The method by which an impact is solved: closed form, exact, planar or spatial.
 
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
 use super::exact::length_and_direction;
 
-/// Couplings below this part of the largest entry are round-off. What the shapes of bodies keep
-/// apart is exactly zero already, whatever their sizes ([`crate::Mobility::new`]).
+/// Couplings below this share of the largest entry are round-off. Couplings that vanish by the
+/// symmetry of the bodies are already exact zeros, whatever their sizes ([`crate::Mobility::new`]).
 const UNCOUPLED: f64 = 1e-13;
 
-/// Whether normal forces bring about tangential motion.
+/// Whether a normal impulse changes the tangential velocity.
 pub(crate) fn is_coupled(mobility: &Matrix3<f64>) -> bool {
     mobility.m13.abs().max(mobility.m23.abs()) > UNCOUPLED * mobility.amax()
 }
 
-/// How an impact passes, by what its matrices couple.
+/// The method by which an impact is solved; it follows from the coupling in its matrices.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ImpactMethod {
     /// No friction: the impulse is 2 v_z/D_zz along the normal, in closed form.
     Frictionless,
-    /// Normal and tangential motion apart, the tangential one along this direction: the exact
-    /// walk of [`crate::oblique`].
+    /// Normal and tangential motion are uncoupled, the tangential one along this direction: the
+    /// exact solution of [`crate::oblique`].
     Uncoupled {
         /// Unit vector of the tangential motion, contact axes.
         direction: Vector3<f64>,
     },
-    /// Motion in the plane of the normal and this direction: the exact memory of one direction.
+    /// Motion in the plane of the normal and this direction: the memory for one direction is exact.
     Planar {
         /// Unit tangent of that plane, contact axes.
         direction: Vector3<f64>,
     },
-    /// Motion in space: a vector law.
+    /// Spatial motion: a law for turning shifts.
     Spatial {
         /// Whether the normal motion is coupled to the tangential one.
         coupled: bool,
@@ -66,13 +66,14 @@ impl ImpactMethod {
         }
     }
 
-    /// Whether the coupling of normal and tangential displacements of dissimilar bodies counts.
+    /// Whether the method includes the coupling of normal and tangential displacements of
+    /// dissimilar materials.
     #[must_use]
     pub const fn counts_coupling(&self) -> bool {
         matches!(self, Self::Rings | Self::Numerical)
     }
 
-    /// A word for it.
+    /// The name of the method, as in results.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {

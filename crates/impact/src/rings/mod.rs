@@ -10,7 +10,7 @@ use nalgebra::Vector3;
 use crate::collision::{Collision, CollisionError, Known};
 use crate::coupled::{CoupledOutcome, ImpactMethod, Sample, Stage};
 use crate::normal::NormalImpact;
-use crate::outcome::{HistoryPoint, Outcome, Torsion};
+use crate::outcome::{HistoryPoint, LogEntry, Outcome, Torsion, TorsionMode};
 use motion::{Instant, Motion, Passage, Rates};
 
 /// The tangential velocity, over f times that of approach, at which the limit for vanishing ones is taken.
@@ -103,6 +103,7 @@ struct Found {
     spin: f64,
     /// The fineness.
     level: Level,
+    log: Vec<LogEntry>,
 }
 
 impl<'a> RingImpact<'a> {
@@ -131,7 +132,8 @@ impl<'a> RingImpact<'a> {
 
     /// Follows the impact to separation.
     ///
-    /// The spin about the normal changes, where there is one, and [`crate::Rebound::torsion`] says by how much.
+    /// The spin about the normal changes, where there is one, and [`crate::Rebound::torsion`] says by how much;
+    /// [`TorsionMode::LeftOut`] takes the impact without it.
     ///
     /// # Errors
     /// [`RingImpactError::Range`] unless both bodies are spheres or planes that turn as easily about all
@@ -166,7 +168,7 @@ impl<'a> RingImpact<'a> {
                 error_estimate: found.spin,
             });
         }
-        let rebound = self.collision.rebound_with(outcome, Vec::new(), known)?;
+        let rebound = self.collision.rebound_with(outcome, found.log, known)?;
         Ok(Outcome::Rebound(Box::new(rebound)))
     }
 
@@ -203,9 +205,13 @@ impl<'a> RingImpact<'a> {
         let normal = NormalImpact::new(mobility.m33, hertz.stiffness().c_z, velocity.z)?;
         let about = |i: usize| z.dot(&(collision.levers()[i].inverse_tensor() * z));
         let spin = |i: usize| collision.bodies()[i].motion().spin.dot(&z);
+        let twist = match collision.torsion_mode() {
+            TorsionMode::LeftOut => 0.0,
+            TorsionMode::Auto | TorsionMode::Included => spin(0) - spin(1),
+        };
         let motion = Motion {
             mobility: [mobility.m33, mobility.m11, about(0) + about(1)],
-            before: [velocity.z, velocity.x, velocity.y, spin(0) - spin(1)],
+            before: [velocity.z, velocity.x, velocity.y, twist],
             duration: normal.duration(),
         };
         let friction = collision.friction();
@@ -224,10 +230,14 @@ impl<'a> RingImpact<'a> {
         let alike = problem.alike();
         let mut last: Option<[Passage; 2]> = None;
         let mut best = None;
+        let [speed, xi, eta, _] = problem.motion.before;
         for level in LEVELS {
-            let now = [level.passage(problem)?, level.passage(&alike)?];
+            let mut samples = Vec::new();
+            let passage = (level.run)(problem, &mut |sample| samples.push(sample))?;
+            let now = [passage, level.passage(&alike)?];
             if let Some(old) = &last {
-                let found = problem.judged(&level, old, &now, exact);
+                let mut found = problem.judged(&level, old, &now, exact);
+                found.log = self.collision.regimes(&samples, &Vector3::new(xi, eta, speed));
                 let enough = found.estimate <= self.tolerance;
                 best = Some(found);
                 if enough {
@@ -241,32 +251,36 @@ impl<'a> RingImpact<'a> {
 
     /// The impact, and R_x where that is the limit for vanishing tangential velocities.
     ///
-    /// Without spin about the normal the tangential velocity after the impact is linear in a small one before, so
-    /// that one below [`PROBE`] is scaled from the impact at `PROBE`.
+    /// The tangential velocity after the impact is linear in a small one before, so that one below [`PROBE`] is scaled
+    /// from the impact at `PROBE`.
     fn followed(&self, problem: &Problem) -> Result<(Found, Option<f64>), RingImpactError> {
         let [speed, xi, eta, omega] = problem.motion.before;
         let (size, probe) = (xi.hypot(eta), PROBE * problem.scale() * speed);
-        if size >= probe || (omega != 0.0 && size > 0.0) {
+        if size >= probe {
             return Ok((self.found(problem, self.exact(problem)?)?, None));
         }
         let (limit, probed) = self.limit(problem, probe)?;
-        if omega != 0.0 {
-            return Ok((self.found(problem, self.exact(problem)?)?, Some(limit)));
-        }
+        let [speed_after, _, across, omega_after] = probed.passage.after;
+        // Spin and coupling together push sideways.
+        let side = if omega == 0.0 { 0.0 } else { across / probe };
         let mut found = probed;
-        found.passage.after = [found.passage.after[0], -limit * xi, -limit * eta, 0.0];
+        found.passage.after =
+            [speed_after, -limit * xi - side * eta, -limit * eta + side * xi, omega_after];
         found.estimate *= size / probe;
         Ok((found, Some(limit)))
     }
 
     /// R_x of small tangential velocities: that of like bodies and what coupling adds to it at one of this size
-    /// along x.
+    /// along x. A velocity of spin at the edge above this size takes off the kink of like bodies at small ones.
     fn limit(&self, problem: &Problem, size: f64) -> Result<(f64, Found), RingImpactError> {
         let mut probe = *problem;
         (probe.motion.before[1], probe.motion.before[2]) = (size, 0.0);
         let found = self.found(&probe, self.exact(&probe)?)?;
-        let added = -found.passage.after[1] / size - exact_restitution(&probe)?;
-        Ok(((exact_restitution(problem)? + added).clamp(-1.0, 1.0), found))
+        let edge = problem.constants.radius * found.passage.maximal_approach.sqrt();
+        let part = 1.0 / (1.0 + (edge * problem.motion.before[3] / size).powi(2));
+        let kink = exact_restitution(problem)? - exact_restitution(&probe)?;
+        let limit = -found.passage.after[1] / size + part * kink;
+        Ok((limit.clamp(-1.0, 1.0), found))
     }
 }
 
@@ -316,7 +330,7 @@ impl Problem {
         let estimate =
             level.left * change[0].hypot(change[1]).hypot(change[2]) / over + level.floor;
         let spin = level.left * change[3] / self.motion.before[3].abs() + level.floor;
-        Found { passage, estimate, spin, level: *level }
+        Found { passage, estimate, spin, level: *level, log: Vec::new() }
     }
 }
 

@@ -33,9 +33,9 @@ use crate::shift_law::ShiftLaw;
 /// Damping is that of a viscoelastic material in the quasi-static limit: it adds `(2/3) c_z (3/2) A
 /// sqrt(zeta) dzeta/dt` to Hertz's force, with a relaxation time A of the material. The sum with
 /// Hertz's force is never tensile. The friction limit depends on Hertz's force only.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[repr(C)]
-pub struct GrainContact<S = Growing<[f64; 2]>> {
+pub struct GrainContact<S: VertexStack<[f64; 2]> = Growing<[f64; 2]>> {
     pub(super) law: ShiftLaw<[f64; 2], S>,
     /// The axis x of the contact; zero while the grains are separated.
     pub(super) tangent: Vector,
@@ -71,6 +71,8 @@ pub struct Heats {
     /// Energy dissipated by the viscoelastic material.
     pub damping: f64,
 }
+
+impl<S: VertexStack<[f64; 2]> + Copy> Copy for GrainContact<S> where S::Curve: Copy {}
 
 impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
     /// A contact without history, from a law in its initial state and a viscous relaxation time A

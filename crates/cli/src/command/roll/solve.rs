@@ -1,4 +1,4 @@
-//! The rolling contact on its grid.
+//! Solves the rolling contact on its grid.
 
 use super::view::{Creep, Row};
 use crate::error::CliError;
@@ -14,12 +14,12 @@ use carom_solver::{
 };
 use std::path::Path;
 
-/// Cells beyond the contact, on each side along and across: particles enter from the next one.
+/// Cells beyond the contact on each side, along and across: particles enter from the next cell.
 const BORDER: [usize; 2] = [2, 1];
 /// Strips and elements of FASTSIM.
 const SPRINGS: [usize; 2] = [100, 100];
 
-/// A contact ready to roll.
+/// A contact prepared for rolling.
 pub(super) struct Rolling<'a> {
     path: &'a Path,
     case: &'a RollCase,
@@ -52,7 +52,7 @@ impl<'a> Rolling<'a> {
         Row::of(state, went, [self.case.speed, self.case.friction], creepage)
     }
 
-    /// A row for each creepage, and the state under the last one.
+    /// A row for each creepage, and the state of the last one.
     pub(super) fn steadily(
         &self,
         creep: Option<&Creep>,
@@ -108,7 +108,7 @@ impl<'a> Rolling<'a> {
         let at = |row: Row, steps: usize| Row { distance: Some(steps as f64 * step), ..row };
         let mut rows = vec![at(self.row(&state, went, creepage), 0)];
         let roll = Roll { distance: step, creepage, normal };
-        // A whole number of cells, but for rounding.
+        // A whole number of cells, up to round-off.
         for number in 1..=(distance / step * (1.0 - 1e-9)).ceil() as usize {
             let before = state.clone();
             let went = roll
@@ -120,7 +120,7 @@ impl<'a> Rolling<'a> {
     }
 }
 
-/// The creep coefficients of the contact, its bodies replaced by two equal ones.
+/// The creep coefficients of the contact, with its bodies replaced by two equal ones.
 pub(super) fn creep(path: &Path, case: &RollCase) -> Result<Creep, CliError> {
     let (ellipse, materials) = (case.loaded.ellipse, case.hertz.materials());
     let ratio = ellipse.semi_axis_a() / ellipse.semi_axis_b();

@@ -3,7 +3,7 @@
 use carom_solver::StepSummary;
 use carom_table::Column;
 
-/// Those of a table to read.
+/// The columns of a table to read.
 pub(super) fn readable() -> &'static [Column<StepSummary>] {
     &StepSummary::COLUMNS[..14]
 }
@@ -29,5 +29,5 @@ pub(super) fn errors(steps: &[StepSummary]) -> String {
     if told.is_empty() {
         return String::new();
     }
-    format!("errors of the last step by the mesh, estimated: {}\n", told.join(", "))
+    format!("estimated discretisation errors of the last step: {}\n", told.join(", "))
 }

@@ -1,5 +1,5 @@
-//! The report: one HTML page with everything in it. A run of all pages gives the same bytes
-//! every time; what a run left as it was bears its date.
+//! The report: one self-contained HTML page. Two runs of all pages give the same bytes; pages of
+//! earlier runs have a date.
 
 mod contents;
 mod equations;
@@ -15,23 +15,23 @@ use markup::{escape, prose};
 use std::fmt::Write as _;
 use std::path::Path;
 
-const STYLE: &str = include_str!("report/style.css");
-const SCRIPT: &str = include_str!("report/script.js");
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("script.js");
 
-/// What a report is made of.
+/// The contents of a report.
 #[derive(Debug, Clone, Copy)]
 pub struct Report<'a> {
     /// All tables, figures and checks.
     pub catalogue: &'a [Entry],
-    /// The ones that were computed, in this run or an earlier one.
+    /// The pages computed in this run or an earlier one.
     pub pages: &'a [(Entry, Page)],
-    /// The folder of the workspace, below which the sources stand.
+    /// The root of the workspace, for links to sources.
     pub workspace: &'a Path,
 }
 
 impl Report<'_> {
-    /// The report, with a line for each entry of the catalogue; `is_fresh` says which pages are of
-    /// this run.
+    /// The report, with a line for each entry of the catalogue; `is_fresh` tells whether a page is
+    /// from this run.
     #[must_use]
     pub fn html(&self, is_fresh: impl Fn(&Entry) -> bool) -> String {
         let mut page = String::new();
