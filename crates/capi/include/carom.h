@@ -11,10 +11,33 @@
 #include <stdint.h>
 #include <stdlib.h>
 
-// Constants (carom_pair) are made once, memories (carom_state or carom_contact) are the caller's, and
+// Constants (carom_pair) are made once, memories (carom_contact, carom_touch) are the caller's, and
 // every function returns a carom_status; what is wrong it writes into a carom_error, which may be
 // null. All structures are plain data and may be copied as bytes. Nothing is kept between calls and
 // no function needs another thread's permission: different data may be used by different threads.
+
+// The law of an impact: the cheapest in which the coupling of dissimilar bodies counts. For spheres and planes it is
+// CAROM_IMPACT_RINGS where coupling matters; for other shapes coupling is neglected, and CAROM_WARNING_COUPLING
+// says so.
+#define CAROM_IMPACT_AUTO 0
+
+// `coulomb`, whichever the materials: coupling is neglected.
+#define CAROM_IMPACT_COULOMB 1
+
+// `fixed-direction`, whichever the materials: coupling is neglected.
+#define CAROM_IMPACT_FIXED_DIRECTION 2
+
+// `rings`, of spheres and planes: coupling and the spin about the normal count.
+#define CAROM_IMPACT_RINGS 3
+
+// Nothing is lost in the bodies' material.
+#define CAROM_LOSS_NONE 0
+
+// `normal_restitution` of the elastic normal velocity is left, in [0, 1].
+#define CAROM_LOSS_GIVEN 1
+
+// What elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` says nothing.
+#define CAROM_LOSS_BY_WAVES 2
 
 // The words of 8 bytes in a `carom_contact`, beside its mark.
 #define CAROM_CONTACT_WORDS 144
@@ -57,15 +80,6 @@
 
 // The contact point was found by sampling; the bodies may touch elsewhere too.
 #define CAROM_WARNING_POINT_SAMPLED 32
-
-// Nothing is lost in the bodies' material.
-#define CAROM_LOSS_NONE 0
-
-// `normal_restitution` of the elastic normal velocity is left, in [0, 1].
-#define CAROM_LOSS_GIVEN 1
-
-// What elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` says nothing.
-#define CAROM_LOSS_BY_WAVES 2
 
 // `coulomb`: each ring of the contact slips by itself, to a tolerance.
 #define CAROM_LAW_COULOMB 0
@@ -207,17 +221,18 @@ typedef struct carom_pair {
   uint32_t version;
 } carom_pair;
 
-// The memory of a contact in 66 numbers, the caller's: zeros are two bodies that just touch, unshifted.
-// The numbers mean the same on any machine and in any build of this `carom_state_version()`, so
-// that they can be kept in files and sent to other processes; a run that goes on from them goes on to
-// the same bits. The friction of the pair must be finite.
+// The memory of a contact, the caller's: 1160 bytes, aligned to 8, that may be copied as bytes. Zero bytes
+// are two bodies that just touch, unshifted. It is the law itself, constants and all, so that a
+// step reads and writes only what it needs; it is understood only by the build that wrote it:
+// `carom_contact_pack` makes a `carom_state` of it.
 //
-// Where two bodies come near, advance first to a negative zeta: the step that closes the gap finds the
-// place where they touch.
-typedef struct carom_state {
+// The constants are those of the pair with which it was first advanced; to change them, make it zero.
+typedef struct carom_contact {
   // Not to be changed but by the functions of this library.
-  double numbers[CAROM_STATE_NUMBERS];
-} carom_state;
+  uint64_t mark;
+  // The law.
+  uint64_t words[CAROM_CONTACT_WORDS];
+} carom_contact;
 
 // The rigid shift of body 2 against body 1 in contact axes, z into body 1.
 typedef struct carom_shift {
@@ -251,19 +266,6 @@ typedef struct carom_error {
   char text[200];
 } carom_error;
 
-// The memory of a contact, the caller's: 1160 bytes, aligned to 8, that may be copied as bytes. Zero bytes
-// are two bodies that just touch, unshifted. It is the law itself, constants and all, so that a
-// step reads and writes only what it needs; it is understood only by the build that wrote it:
-// `carom_contact_pack` makes a `carom_state` of it.
-//
-// The constants are those of the pair with which it was first advanced; to change them, make it zero.
-typedef struct carom_contact {
-  // Not to be changed but by the functions of this library.
-  uint64_t mark;
-  // The law.
-  uint64_t words[CAROM_CONTACT_WORDS];
-} carom_contact;
-
 // What a contact can tell beside its load.
 typedef struct carom_report {
   // The share of the contact area that sticks.
@@ -271,6 +273,16 @@ typedef struct carom_report {
   // What the last step did.
   carom_regime regime;
 } carom_report;
+
+// What a contact remembers, in 66 numbers, the caller's: zeros are two bodies that just touch, unshifted.
+// The numbers mean the same on any machine and in any build of this `carom_state_version()`, so
+// that they can be kept in files and sent to other processes. `carom_contact_pack` writes them,
+// `carom_contact_unpack` makes a contact of them, whose further way is the same to the bit. The friction of the
+// pair must be finite.
+typedef struct carom_state {
+  // Not to be changed but by the functions of this library.
+  double numbers[CAROM_STATE_NUMBERS];
+} carom_state;
 
 // The constants of the contacts of two materials: plain data, made by `carom_grains_of` and not to be
 // changed but by it.
@@ -385,6 +397,23 @@ typedef struct carom_body {
   double spin[3];
 } carom_body;
 
+// How an impact is computed. Zeros are what is usual in all but `size`.
+typedef struct carom_collide_options {
+  // `sizeof(carom_collide_options)`: later versions add fields at the end, which are zero for a caller of this one.
+  size_t size;
+  // A CAROM_IMPACT.
+  uint32_t law;
+  // A CAROM_LOSS: what the bodies' material takes, beyond the elastic theory. Impulse and heat of friction shrink with
+  // the normal pulse; duration, force and approach are those of the elastic impact.
+  uint32_t loss;
+  // The part of the elastic normal velocity that CAROM_LOSS_GIVEN leaves: 1 is elastic, at 0 the bodies do not part.
+  double normal_restitution;
+  // To which the outcome is settled; 0 for the usual one.
+  double tolerance;
+  // 1: the spin about the normal is changed by a torsional impact of its own where the law neglects it.
+  uint32_t torsion;
+} carom_collide_options;
+
 // How two bodies part. Velocities of the contact are of body 2 against body 1. The command's columns and
 // Python's record have the same names.
 typedef struct carom_rebound {
@@ -437,6 +466,12 @@ typedef struct carom_rebound {
   double energy_lost;
   // How far the velocity after may be off over that before; 0 where the solution is exact.
   double error_estimate;
+  // The relative spin about the normal after over that before, if `has_torsion`.
+  double spin_ratio;
+  // The impulse of the torque on body 1 about the normal, N m s, if `has_torsion`.
+  double torque_impulse;
+  // 1 if the spin about the normal was changed.
+  uint32_t has_torsion;
 } carom_rebound;
 
 // The memory of the contact of two grains with CAROM_LAW_RINGS, the caller's: 3368 bytes, aligned to 8, that may be
@@ -471,27 +506,13 @@ extern "C" {
 // entry to the next, so that the arrays may be columns of larger structures; `loads` may be null.
 //
 // All shifts are checked before anything moves: if one is out of range nothing is changed, and
-// `error->index` names it. A state that is none ends the call at its index: those before it have
+// `error->index` names it. A contact that is none ends the call at its index: those before it have
 // been advanced.
 //
 // # Safety
-// `pair` is null or may be read. `states`, `shifts` and `loads` are null, or each of their `count`
-// entries may be read and, but for the shifts, written; none overlaps another. `error` is null or
-// may be written.
-carom_status carom_state_advance_many(const struct carom_pair *pair,
-                                      size_t count,
-                                      struct carom_state *states,
-                                      size_t state_stride,
-                                      const struct carom_shift *shifts,
-                                      size_t shift_stride,
-                                      struct carom_load *loads,
-                                      size_t load_stride,
-                                      struct carom_error *error);
-
-// Advances many contacts of one pair, as `carom_state_advance_many`.
-//
-// # Safety
-// As `carom_state_advance_many`; each contact is as in `carom_contact_advance`.
+// `pair` is null or may be read. `contacts`, `shifts` and `loads` are null, or each of their `count`
+// entries may be read and, but for the shifts, written; none overlaps another. Each contact is as in
+// `carom_contact_advance`. `error` is null or may be written.
 carom_status carom_contact_advance_many(const struct carom_pair *pair,
                                         size_t count,
                                         struct carom_contact *contacts,
@@ -682,34 +703,19 @@ carom_status carom_touch_wall_load(const struct carom_grains *grains,
 // The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
 // 2 with that common normal, from body 2 into body 1.
 //
-// The coupling of normal and tangential displacements of dissimilar bodies counts for spheres and planes, and with
-// it the spin about the normal. For other shapes it is neglected; CAROM_WARNING_COUPLING says so.
+// `options` is null for what is usual: elastic bodies, and the coupling of normal and tangential displacements of
+// dissimilar ones counts for spheres and planes, with it the spin about the normal.
 //
 // # Safety
-// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `rebound` and `error` are
-// null or may be written.
+// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `options` is null, or as many bytes
+// as its `size` says may be read; `rebound` and `error` are null or may be written.
 carom_status carom_collide(const struct carom_body *body_1,
                            const struct carom_body *body_2,
                            double friction,
                            const double *normal,
+                           const struct carom_collide_options *options,
                            struct carom_rebound *rebound,
                            struct carom_error *error);
-
-// The same of bodies whose material loses energy, beyond the elastic theory. `loss` is a CAROM_LOSS, and
-// `normal_restitution` the part of the elastic normal velocity that CAROM_LOSS_GIVEN leaves: 1 is elastic,
-// at 0 the bodies do not part along the normal. Impulse and heat of friction shrink with the normal pulse;
-// duration, force and approach are those of the elastic impact.
-//
-// # Safety
-// As for `carom_collide`.
-carom_status carom_collide_losing(const struct carom_body *body_1,
-                                  const struct carom_body *body_2,
-                                  double friction,
-                                  uint32_t loss,
-                                  double normal_restitution,
-                                  const double *normal,
-                                  struct carom_rebound *rebound,
-                                  struct carom_error *error);
 
 // The constants of two spheres, or of a sphere on a plane (an infinite radius) or in a hollow sphere
 // (a negative radius). A tolerance of 0 is that of particles: 1e-2, of CAROM_LAW_RINGS
@@ -903,66 +909,6 @@ carom_status carom_rings_of(const struct carom_pair *pair,
 // # Safety
 // `rings` is null, or was made by `carom_rings_of` and is not used again.
 void carom_rings_free(struct carom_rings *rings);
-
-// Goes straight from the present shift to a new one; `load` may be null.
-//
-// A `zeta` that is not positive separates the bodies: the memory is lost.
-//
-// # Safety
-// `pair` is null or may be read; `state`, `load` and `error` are null or may be written.
-carom_status carom_state_advance(const struct carom_pair *pair,
-                                 struct carom_state *state,
-                                 struct carom_shift shift,
-                                 struct carom_load *load,
-                                 struct carom_error *error);
-
-// The present load.
-//
-// # Safety
-// `pair` and `state` are null or may be read; `load` and `error` are null or may be written.
-carom_status carom_state_load(const struct carom_pair *pair,
-                              const struct carom_state *state,
-                              struct carom_load *load,
-                              struct carom_error *error);
-
-// The elastic energy of the contact, compression included, J.
-//
-// # Safety
-// As `carom_state_load`.
-carom_status carom_state_energy(const struct carom_pair *pair,
-                                const struct carom_state *state,
-                                double *energy,
-                                struct carom_error *error);
-
-// The energy that the straight step to `shift` would turn into heat, or release at a receding edge,
-// J. Nothing moves.
-//
-// # Safety
-// As `carom_state_load`.
-carom_status carom_state_heat(const struct carom_pair *pair,
-                              const struct carom_state *state,
-                              struct carom_shift shift,
-                              double *heat,
-                              struct carom_error *error);
-
-// What the last step did, and how much of the contact sticks.
-//
-// # Safety
-// As `carom_state_load`.
-carom_status carom_state_report(const struct carom_pair *pair,
-                                const struct carom_state *state,
-                                struct carom_report *report,
-                                struct carom_error *error);
-
-// Turns the contact axes by an angle (radians, from x to y): what is remembered is expressed in the
-// new ones, and stays the same in space.
-//
-// # Safety
-// `pair` is null or may be read; `state` and `error` are null or may be written.
-carom_status carom_state_turn_frame(const struct carom_pair *pair,
-                                    struct carom_state *state,
-                                    double angle,
-                                    struct carom_error *error);
 
 // The elastic energy of a contact, compression included, J.
 //

@@ -38,7 +38,7 @@ pub(crate) unsafe trait Stored: Copy + 'static {
 }
 
 // SAFETY: beside the tags there are numbers alone.
-unsafe impl Stored for Law<Stack> {
+unsafe impl Stored for Law {
     const NAME: &'static str = "contact";
 
     #[inline(always)]

@@ -49,7 +49,10 @@ fn sphere(radius: f64, mass: f64, material: CaromMaterial) -> CaromBody {
 fn collide(one: &CaromBody, two: &CaromBody, friction: f64, normal: *const f64) -> CaromRebound {
     let mut rebound = CaromRebound::default();
     // SAFETY: all pointers are references, or null, or three numbers.
-    let status = unsafe { carom_collide(one, two, friction, normal, &mut rebound, null_mut()) };
+    let status = unsafe {
+        let options = null();
+        carom_collide(one, two, friction, normal, options, &mut rebound, null_mut())
+    };
     assert_eq!(status, CaromStatus::Ok);
     rebound
 }

@@ -209,7 +209,7 @@ impl<'a> Impact<'a> {
         // SAFETY: all pointers are references or null.
         let status = unsafe {
             let (normal, to) = (NORMAL.as_ptr(), &raw mut rebound);
-            carom_collide(&body(0), &body(1), friction, normal, to, null_mut())
+            carom_collide(&body(0), &body(1), friction, normal, std::ptr::null(), to, null_mut())
         };
         assert_eq!(status, CaromStatus::Ok);
         let [one, two] = self.bodies;
