@@ -129,14 +129,14 @@ fn section(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
 }
 
 fn tags(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
-    let (held, all) = (record.held(), record.claims.len());
+    let (claims_that_hold, all) = (record.claims_that_hold(), record.claims.len());
     let verdict = if record.passes() { "pass" } else { "fail" };
     let word = if record.passes() { "holds" } else { "FAILS" };
     let _ = write!(page, "<p class=\"tags\"><span class=\"{verdict}\">{word}</span>");
     if entry.state() == State::Partial {
         page.push_str("<span class=\"partial\">partial</span>");
     }
-    let _ = write!(page, "<span>{held} of {all} claims</span>");
+    let _ = write!(page, "<span>{claims_that_hold} of {all} claims</span>");
     if let Some(worst) = record.worst() {
         let _ = write!(page, "<span>worst deviation {} of its tolerance</span>", ratio(worst));
     }

@@ -215,9 +215,9 @@ impl<R: Recorder> SlipIntegration<'_, R> {
 
     // False at the bottom of a dip that only grazes zero.
     fn stops(&self, pair: &Pair) -> bool {
-        let left = self.slip.sign * pair.slip_velocity / self.slip.unit;
+        let velocity = self.slip.sign * pair.slip_velocity / self.slip.unit;
         let falls = || self.slip.load(pair).slip_rate < -MIN_DIP.sqrt() * self.slip.unit;
-        left < -MIN_DIP || (left <= 0.0 && falls())
+        velocity < -MIN_DIP || (velocity <= 0.0 && falls())
     }
 
     fn passed(&self, pair: &Pair) -> Option<SlipEvent> {

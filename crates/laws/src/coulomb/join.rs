@@ -64,7 +64,7 @@ const COLLINEAR_SINE: f64 = 1e-9;
 /// A point of two neighbouring pieces: its distance from their common chord, and the distance of
 /// one parabola there, over the deviation of its middle.
 pub(super) struct Sample<V> {
-    off: V,
+    deviation: V,
     weight: f64,
 }
 
@@ -137,12 +137,12 @@ impl<V: Lateral> Pair<V> {
         let part = self.part();
         let rest = 1.0 - part;
         let [rise, first] = self.rises();
-        let off = first.minus(rise.times(part));
-        let half = off.times(0.5);
+        let deviation = first.minus(rise.times(part));
+        let half = deviation.times(0.5);
         [
-            Sample { off, weight: 4.0 * part * rest },
-            Sample { off: half.plus(self.below.bubble), weight: part * (1.0 + rest) },
-            Sample { off: half.plus(self.above.bubble), weight: rest * (1.0 + part) },
+            Sample { deviation, weight: 4.0 * part * rest },
+            Sample { deviation: half.plus(self.below.bubble), weight: part * (1.0 + rest) },
+            Sample { deviation: half.plus(self.above.bubble), weight: rest * (1.0 + part) },
         ]
     }
 
@@ -150,7 +150,7 @@ impl<V: Lateral> Pair<V> {
     #[inline(always)]
     pub(super) fn move_by(samples: &[Sample<V>; 3], bubble: V) -> f64 {
         let [vertex, below, above] = samples.each_ref().map(|sample| {
-            let by = sample.off.minus(bubble.times(sample.weight));
+            let by = sample.deviation.minus(bubble.times(sample.weight));
             by.dot(by)
         });
         larger(vertex, larger(below, above))
@@ -160,7 +160,8 @@ impl<V: Lateral> Pair<V> {
     /// denominator.
     #[inline(always)]
     fn gap(vertex: &Sample<V>, middle: &Sample<V>) -> [f64; 2] {
-        let gap = vertex.off.times(middle.weight).minus(middle.off.times(vertex.weight));
+        let gap =
+            vertex.deviation.times(middle.weight).minus(middle.deviation.times(vertex.weight));
         let weight = vertex.weight + middle.weight;
         [gap.dot(gap), weight * weight]
     }
@@ -185,7 +186,7 @@ impl<V: Lateral> Pair<V> {
     ) -> bool {
         let reach = max_move + vertex.weight * max_bubble;
         let square = max_move * max_move;
-        vertex.off.dot(vertex.off) > reach * reach
+        vertex.deviation.dot(vertex.deviation) > reach * reach
             || [above, below].into_iter().any(|middle| {
                 let [gap, weight] = Self::gap(vertex, middle);
                 gap > square * weight
@@ -198,8 +199,9 @@ impl<V: Lateral> Pair<V> {
     fn join_bubble(&self, lengths: &ControlLengths) -> Option<(V, f64)> {
         let samples = self.samples();
         if self.is_collinear(lengths.exact) {
-            let off = samples[0].off;
-            return (off.dot(off) <= lengths.exact * lengths.exact).then(|| (V::default(), 0.0));
+            let deviation = samples[0].deviation;
+            return (deviation.dot(deviation) <= lengths.exact * lengths.exact)
+                .then(|| (V::default(), 0.0));
         }
         let [max_move, max_bubble] = lengths.allowed(&self.below.low, &self.above.high);
         if Self::cannot_join(&samples, max_move, max_bubble) {

@@ -289,8 +289,8 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
         let end = End { depth: step.zeta, root: old.root, anchor: new };
         let straight = lengths.straight(&end);
         let near = |depth: f64, anchor: V| {
-            let off = anchor.minus(step.behind(depth));
-            off.dot(off) <= straight * straight
+            let offset = anchor.minus(step.behind(depth));
+            offset.dot(offset) <= straight * straight
         };
         // Whether the curve above lies on a straight line behind the tip: after the step, and
         // before it.
