@@ -35,7 +35,7 @@ pub enum ImpactMethod {
         /// Whether the normal motion is coupled to the tangential one.
         coupled: bool,
     },
-    /// The contact of spheres or planes of dissimilar materials is solved on rings, step by step.
+    /// Spheres or planes of dissimilar materials: the contact is solved on annuli, step by step.
     Rings,
     /// The contact is solved on a grid, step by step.
     Numerical,
