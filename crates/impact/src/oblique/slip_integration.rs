@@ -10,9 +10,10 @@ const TOLERANCE: Tolerance = Tolerance { absolute: 5e-12, relative: 5e-12 };
 /// First steps: of tau* along the memory, and of tau for slow slip.
 pub(super) const FIRST_STEP: f64 = 0.05;
 const FIRST_SLOW_STEP: f64 = 0.03;
-/// Rates of the motion against the memory at which the independent variable changes: above `MAX_PACE_ALONG_MEMORY`,
-/// slip is slow and tau is taken; below `MIN_PACE_OF_SLOW_SLIP`, tau* again.
+/// Rates of the motion against the memory at which the independent variable changes. Above this
+/// rate slip is slow, and tau is taken.
 const MAX_PACE_ALONG_MEMORY: f64 = 1.6;
+/// Below this rate tau* is taken again.
 const MIN_PACE_OF_SLOW_SLIP: f64 = 1.25;
 /// Largest number of changes of the independent variable, and of steps with one.
 const MAX_CLOCKS: usize = 400;
