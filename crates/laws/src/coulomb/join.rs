@@ -11,10 +11,11 @@ use crate::memory::Lateral;
 pub(super) struct ControlLengths {
     /// Largest stretch of the centre since first contact.
     pub(super) extent: f64,
-    /// Largest displacement of the curve by a join at the edge, over the approach or, if it is
-    /// smaller, over `extent`.
+    /// Largest displacement of the curve by a join of pieces that reach from the centre to the edge,
+    /// over the approach or, if it is smaller, over `extent`.
     pub(super) max_move: f64,
-    /// Largest deviation of a parabola from its chord at the edge, over the same length.
+    /// Largest deviation from its chord of a parabola from the centre to the edge, over the same
+    /// length.
     pub(super) max_bubble: f64,
     /// Lengths up to this count as zero.
     pub(super) exact: f64,
@@ -49,8 +50,8 @@ impl ControlLengths {
     }
 }
 
-/// Largest factors by which narrow pieces, with a small share in the force, may exceed the
-/// displacement allowed at the edge, and the deviation. Fitted pieces stay within the tolerance.
+/// Largest factors by which narrow pieces, with a small share in the force, may exceed `max_move`
+/// and `max_bubble`. Fitted pieces stay within the tolerance.
 const MAX_MOVE_FACTOR: f64 = 10.0;
 const MAX_BUBBLE_FACTOR: f64 = 2.5;
 /// Largest deviation of a straight line, as a share of the displacement allowed to a join.

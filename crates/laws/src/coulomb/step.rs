@@ -12,7 +12,7 @@ use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
 
 /// Lengths up to these shares of the approach and of the shift count as zero.
 const ZERO_LENGTH_SHARES: [f64; 2] = [1e-13, 1e-15];
-/// Share of the tolerance by which a join may move the curve at the edge of the contact.
+/// Share of the tolerance by which a join of pieces from the centre to the edge may move the curve.
 const JOIN_SHARE_OF_TOLERANCE: f64 = 0.06;
 /// Where the slipping part of the curve begins.
 enum Front {
