@@ -135,8 +135,8 @@ impl<R: Recorder> SlipIntegration<'_, R> {
 
     // Over frozen stresses tau* is a poor variable at first.
     fn is_early(&self, pair: &Pair) -> bool {
-        const DEEP: f64 = 0.5;
-        matches!(self.slip.stretch.shape, Shape::Slip(_)) && pair.stick.tau < DEEP
+        const MAX_EARLY_TAU: f64 = 0.5;
+        matches!(self.slip.stretch.shape, Shape::Slip(_)) && pair.stick.tau < MAX_EARLY_TAU
     }
 
     // Whether the slip velocity had a minimum in between.
@@ -235,12 +235,12 @@ impl<R: Recorder> SlipIntegration<'_, R> {
 
     // The event whose quantity has vanished to within the tolerance.
     fn nearly_passed(&self, pair: &Pair) -> Option<SlipEvent> {
-        const NEAR: f64 = 1e-9;
-        if self.slip.sign * pair.slip_velocity < NEAR {
+        const EVENT_TOLERANCE: f64 = 1e-9;
+        if self.slip.sign * pair.slip_velocity < EVENT_TOLERANCE {
             Some(SlipEvent::SlipStop)
-        } else if pair.gap * self.slip.unit < NEAR && pair.now.tau < 0.0 {
+        } else if pair.gap * self.slip.unit < EVENT_TOLERANCE && pair.now.tau < 0.0 {
             Some(SlipEvent::RingClosed)
-        } else if self.slip.stretch.inner - pair.stick.tau < NEAR {
+        } else if self.slip.stretch.inner - pair.stick.tau < EVENT_TOLERANCE {
             Some(SlipEvent::StretchEnd)
         } else {
             None
