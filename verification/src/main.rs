@@ -213,21 +213,21 @@ fn compute(
 
 /// Updates the snapshots that differ where every claim holds; returns the result of each.
 fn rewrite(pages: &mut [(Entry, Page)], folder: &Folder) -> Result<String, Failure> {
-    let mut said = String::new();
+    let mut messages = String::new();
     for (entry, page) in pages {
         let (Some(before), Some(text)) = (page.snapshot.clone(), page.text.take()) else {
             continue;
         };
         if !page.holds() {
-            said += &format!("{}: snapshot left as it is, a claim fails\n", entry.name());
+            messages += &format!("{}: snapshot left as it is, a claim fails\n", entry.name());
             continue;
         }
         snapshot::accept(&snapshots(), entry.id, &text)?;
-        said += &terminal::rewritten(entry, &before);
+        messages += &terminal::rewritten(entry, &before);
         page.snapshot = Some(snapshot::Comparison::Written);
         folder.save(*entry, page)?;
     }
-    Ok(said)
+    Ok(messages)
 }
 
 /// These pages and those of earlier runs, in the order of the catalogue.

@@ -130,7 +130,7 @@ impl Page {
 
     /// How many claims hold.
     #[must_use]
-    pub fn held(&self) -> usize {
+    pub fn claims_that_hold(&self) -> usize {
         self.claims.iter().filter(|claim| claim.holds).count()
     }
 
@@ -181,9 +181,9 @@ mod tests {
         let page = |bound, snapshot| Page::new(&outcome(bound, snapshot), String::new());
         let good = page(4.0, Comparison::Same);
         assert!(good.passes() && good.text.is_none());
-        assert_eq!((good.held(), good.worst(), good.seconds), (1, Some(0.75), 1.5));
+        assert_eq!((good.claims_that_hold(), good.worst(), good.seconds), (1, Some(0.75), 1.5));
         let wrong = page(2.0, Comparison::Same);
-        assert!(!wrong.holds() && !wrong.passes() && wrong.held() == 0);
+        assert!(!wrong.holds() && !wrong.passes() && wrong.claims_that_hold() == 0);
         let new = page(4.0, Comparison::Missing);
         assert!(new.holds() && !new.passes());
         assert!(new.text.unwrap().contains("claim:\tsmall"));

@@ -43,7 +43,7 @@ impl Tally {
                 tally.checks += stands;
                 tally.checks_total += 1;
             }
-            tally.claims += page.map_or(0, Page::held);
+            tally.claims += page.map_or(0, Page::claims_that_hold);
             tally.claims_total += page.map_or(0, |page| page.claims.len());
         }
         tally

@@ -27,7 +27,7 @@ pub fn table(pages: &[(Entry, Page)]) -> String {
         table.add_row([
             entry.id.to_owned(),
             entry.title.to_owned(),
-            format!("{}/{}", page.held(), page.claims.len()),
+            format!("{}/{}", page.claims_that_hold(), page.claims.len()),
             page.worst().map_or_else(|| "-".to_owned(), ratio),
             format!("{:.2} s", page.seconds),
             state.to_owned(),

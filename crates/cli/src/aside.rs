@@ -77,16 +77,16 @@ impl Drop for Aside<'_> {
 /// Removes temporary files of ended processes beside `place`.
 pub(crate) fn clear(place: &Place) {
     let name = place.path().file_name().unwrap_or_default().to_owned();
-    clear_in(folder(place.path()), |own| *own == *name);
+    clear_in(folder(place.path()), |is_own| *is_own == *name);
 }
 
-/// Removes temporary files of ended processes in `folder`, for final names that satisfy `own`.
-pub(crate) fn clear_in(folder: &Path, own: impl Fn(&OsStr) -> bool) {
+/// Removes temporary files of ended processes in `folder`, for final names that satisfy `is_own`.
+pub(crate) fn clear_in(folder: &Path, is_own: impl Fn(&OsStr) -> bool) {
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         let name = entry.file_name();
         let Some((of, process)) = name.to_str().and_then(parts) else { continue };
         let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
-        if is_file && own(of.as_ref()) && is_dead(&entry.path(), process) {
+        if is_file && is_own(of.as_ref()) && is_dead(&entry.path(), process) {
             let _ = std::fs::remove_file(entry.path());
         }
     }

@@ -22,7 +22,7 @@ pub enum CliError {
         /// The case file.
         path: PathBuf,
         /// The cause.
-        source: SceneError<CollisionLawError>,
+        source: Box<SceneError<CollisionLawError>>,
     },
     /// No sample of an uncertain case gives an outcome.
     #[error("{}: {source}", path.display())]
@@ -30,7 +30,7 @@ pub enum CliError {
         /// The case file.
         path: PathBuf,
         /// The cause.
-        source: UncertainError<CollisionLawError>,
+        source: Box<UncertainError<CollisionLawError>>,
     },
     /// A rolling contact could not be solved.
     #[error("{}: row {row}: {source}", path.display())]
@@ -102,17 +102,19 @@ impl CliError {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Case(source) => 1 + u8::from(source.is_bad_input()),
-            Self::Scene { source: SceneError::Collision { source, .. }, .. }
-            | Self::Uncertain { source: UncertainError::Collision { source, .. }, .. } => {
-                1 + u8::from(is_bad_collision(source))
-            }
+            Self::Scene { source, .. } => match &**source {
+                SceneError::Collision { source, .. } => 1 + u8::from(is_bad_collision(source)),
+                _ => 2,
+            },
+            Self::Uncertain { source, .. } => match &**source {
+                UncertainError::Collision { source, .. } => 1 + u8::from(is_bad_collision(source)),
+                _ => 2,
+            },
             Self::Rolling { source, .. } => match **source {
                 RollingError::Range(_) => 2,
                 _ => 1,
             },
             Self::Overflow { .. }
-            | Self::Uncertain { .. }
-            | Self::Scene { .. }
             | Self::Messages { .. }
             | Self::Destination { .. }
             | Self::Option(_)

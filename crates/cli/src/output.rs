@@ -129,7 +129,7 @@ impl Answer {
 #[derive(Debug)]
 pub struct Results {
     out: BufWriter<Stdout>,
-    held: Vec<u8>,
+    buffer: Vec<u8>,
     is_flowing: bool,
     is_closed: bool,
     /// Whether it was checked that standard output is open.
@@ -142,7 +142,7 @@ const MAX_BYTES_HELD: usize = 16 << 20;
 impl Default for Results {
     fn default() -> Self {
         let out = BufWriter::with_capacity(1 << 16, std::io::stdout());
-        Self { out, held: Vec::new(), is_flowing: false, is_closed: false, is_checked: false }
+        Self { out, buffer: Vec::new(), is_flowing: false, is_closed: false, is_checked: false }
     }
 }
 
@@ -163,13 +163,13 @@ impl Results {
             is_open()?;
             self.is_checked = true;
         }
-        if !self.is_flowing && self.held.len() + bytes.len() <= MAX_BYTES_HELD {
-            self.held.extend_from_slice(bytes);
+        if !self.is_flowing && self.buffer.len() + bytes.len() <= MAX_BYTES_HELD {
+            self.buffer.extend_from_slice(bytes);
             return Ok(());
         }
         self.is_flowing = true;
         self.release()?;
-        self.write_all(bytes).map_err(refused)
+        self.write_all(bytes).map_err(write_error)
     }
 
     /// Flushes all held results.
@@ -178,12 +178,12 @@ impl Results {
     /// As [`Results::put`].
     pub fn finish(&mut self) -> Result<(), CliError> {
         self.release()?;
-        self.flush().map_err(refused)
+        self.flush().map_err(write_error)
     }
 
     fn release(&mut self) -> Result<(), CliError> {
-        let held = std::mem::take(&mut self.held);
-        self.write_all(&held).map_err(refused)
+        let buffer = std::mem::take(&mut self.buffer);
+        self.write_all(&buffer).map_err(write_error)
     }
 
     fn unless_closed<T>(
@@ -232,7 +232,7 @@ pub fn is_open() -> Result<(), CliError> {
     let flags = flags.and_then(|flags| u32::from_str_radix(flags.trim(), 8).ok());
     let is_both = flags.is_some_and(|flags| flags & ACCESS == READ_AND_WRITE);
     if goes_nowhere && is_both {
-        return Err(refused(std::io::Error::other(CLOSED)));
+        return Err(write_error(std::io::Error::other(CLOSED)));
     }
     Ok(())
 }
@@ -242,7 +242,7 @@ const NULL: &str = "/dev/null";
 const ACCESS: u32 = 0o3;
 const READ_AND_WRITE: u32 = 0o2;
 
-fn refused(source: std::io::Error) -> CliError {
+fn write_error(source: std::io::Error) -> CliError {
     CliError::io("write", Path::new("standard output"), source)
 }
 

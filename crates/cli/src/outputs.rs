@@ -34,7 +34,7 @@ struct Claim {
 }
 
 impl Claim {
-    fn refused(&self, reason: &'static str) -> CliError {
+    fn destination_error(&self, reason: &'static str) -> CliError {
         CliError::Destination { option: self.option, path: self.path.clone(), reason }
     }
 }
@@ -80,14 +80,15 @@ impl Outputs {
         path: &Path,
         format: Format,
     ) -> Result<Destination, CliError> {
-        let refused = |reason| CliError::Destination { option, path: path.to_owned(), reason };
+        let destination_error =
+            |reason| CliError::Destination { option, path: path.to_owned(), reason };
         if path == Path::new("-") {
             return match format {
                 Format::None => is_open().map(|()| Destination::StandardOutput),
-                _ => Err(refused("results go to standard output; add --format none")),
+                _ => Err(destination_error("results go to standard output; add --format none")),
             };
         }
-        let kind = Kind::of(path).map_err(refused)?;
+        let kind = Kind::of(path).map_err(destination_error)?;
         Ok(Destination::File { place: self.file(option, path)?, kind })
     }
 
@@ -103,18 +104,26 @@ impl Outputs {
         let identity = Identity::of(&place).map_err(failed)?;
         let claim = Claim { option, path: path.to_owned(), identity };
         match std::fs::metadata(&place) {
-            Ok(metadata) => check_replaceable(&metadata).map_err(|reason| claim.refused(reason))?,
+            Ok(metadata) => {
+                check_replaceable(&metadata).map_err(|reason| claim.destination_error(reason))?
+            }
             Err(_) => std::fs::read_dir(folder(&place)).map(|_| ()).map_err(failed)?,
         }
         let is_same = |other: &Option<Identity>| other.as_ref() == Some(&claim.identity);
         if is_same(&self.results) {
-            return Err(claim.refused("standard output goes to the same file; name another one"));
+            return Err(
+                claim.destination_error("standard output goes to the same file; name another one")
+            );
         }
         if is_same(&self.messages) {
-            return Err(claim.refused("standard error goes to the same file; name another one"));
+            return Err(
+                claim.destination_error("standard error goes to the same file; name another one")
+            );
         }
         if self.files.iter().any(|other| other.identity == claim.identity) {
-            return Err(claim.refused("another output goes to the same file; name another one"));
+            return Err(
+                claim.destination_error("another output goes to the same file; name another one")
+            );
         }
         self.files.push(claim);
         Ok(Place(place))
@@ -151,21 +160,23 @@ impl Outputs {
     pub fn check_input(&self, input: &Path) -> Result<(), CliError> {
         // An input that does not exist or is no file is reported when it is opened.
         let Ok(identity) = Identity::of(input) else { return Ok(()) };
-        let refused =
+        let destination_error =
             |reason: &str| Error::Input { path: input.to_owned(), reason: reason.into() }.into();
         if resolved(input).is_ok_and(|place| place.file_name().is_some_and(is_aside)) {
-            return Err(refused(
+            return Err(destination_error(
                 "this is a temporary file of an interrupted run of carom; rename it",
             ));
         }
         if self.results.as_ref() == Some(&identity) {
-            return Err(refused("standard output goes to this input; name another file"));
+            return Err(destination_error("standard output goes to this input; name another file"));
         }
         if self.messages.as_ref() == Some(&identity) {
             return Err(CliError::Messages { path: input.to_owned() });
         }
         if let Some(claim) = self.files.iter().find(|claim| claim.identity == identity) {
-            return Err(claim.refused("this is an input of the same run; name another file"));
+            return Err(
+                claim.destination_error("this is an input of the same run; name another file")
+            );
         }
         match &self.folder {
             Some((option, path)) if holds(path, &identity) => Err(CliError::Destination {

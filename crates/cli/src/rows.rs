@@ -37,7 +37,7 @@ pub struct Rows {
     /// Indices of the columns shown in a table.
     places: Vec<usize>,
     is_begun: bool,
-    held: Vec<Vec<String>>,
+    table_rows: Vec<Vec<String>>,
 }
 
 impl Rows {
@@ -51,7 +51,7 @@ impl Rows {
             head: Vec::new(),
             places: Vec::new(),
             is_begun: false,
-            held: Vec::new(),
+            table_rows: Vec::new(),
         }
     }
 
@@ -92,13 +92,14 @@ impl Rows {
         match self.format {
             Format::None => Ok(()),
             Format::Table => {
-                check_count(self.format, self.held.len() + rows.len())?;
+                check_count(self.format, self.table_rows.len() + rows.len())?;
                 let (all, places) = (self.chosen.is_none(), &self.places);
                 let pick = |texts: Vec<String>| match all {
                     true => texts,
                     false => places.iter().map(|place| texts[*place].clone()).collect(),
                 };
-                self.held.par_extend(rows.par_iter().map(|row| pick(texts(&cells(row), short))));
+                self.table_rows
+                    .par_extend(rows.par_iter().map(|row| pick(texts(&cells(row), short))));
                 Ok(())
             }
             Format::Csv => {
@@ -144,7 +145,7 @@ impl Rows {
     pub fn finish(self) -> Result<String, CliError> {
         match self.format {
             Format::None => Ok(String::new()),
-            Format::Table => Ok(table(&self.head, &self.held)),
+            Format::Table => Ok(table(&self.head, &self.table_rows)),
             Format::Csv if self.is_begun => Ok(String::new()),
             Format::Csv => csv_rows(Some(self.head.as_slice()), &[]),
             Format::Json => Ok(self.list.end()),

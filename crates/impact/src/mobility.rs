@@ -8,7 +8,7 @@ use crate::body::Motion;
 
 /// Couplings below this share of the largest rotational entry of D are round-off: arms are known to
 /// some hundred round-off units of the size of the body.
-const ROUND_OFF: f64 = 1e-13;
+const MAX_COUPLING_OF_ROUND_OFF: f64 = 1e-13;
 
 /// [R]^T theta^-1 [R] for the arm R from the centre of mass to the contact point and the inverse
 /// inertia tensor in the same axes (8.31), (8.43).
@@ -161,7 +161,7 @@ impl Mobility {
     /// As [`Mobility::from_matrix`]; also if neither body can be moved.
     pub fn new(levers: &[Lever; 2], axes: &Matrix3<f64>) -> Result<Self, RangeError> {
         let [one, two] = levers.each_ref().map(|lever| lever.turning_share_in(axes));
-        let round_off = ROUND_OFF * (one.amax() + two.amax());
+        let round_off = MAX_COUPLING_OF_ROUND_OFF * (one.amax() + two.amax());
         let turning = (one + two).map(|d| if d.abs() <= round_off { 0.0 } else { d });
         let along = levers[0].inertia.inverse_mass() + levers[1].inertia.inverse_mass();
         Self::from_matrix(turning + Matrix3::identity() * along)

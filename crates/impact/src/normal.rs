@@ -269,7 +269,7 @@ mod tests {
             let t = DURATION * i as f64 / 2000.0;
             let state = state_at(t);
             let s = state.compression.powf(2.5);
-            // From the compression: w alone does not resolve times near touch.
+            // From the compression: w alone does not resolve times near first contact.
             let z = 0.5 * s / (1.0 + state.velocity.abs());
             let early = compression_time(state.compression, z);
             let time = if state.velocity < 0.0 { DURATION - early } else { early };

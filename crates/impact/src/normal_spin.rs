@@ -14,7 +14,7 @@ use crate::outcome::{Torsion, Warning};
 use crate::torsional::{SpinCollision, Spinner, TorsionalError, limits};
 
 /// Couplings below this share of their largest possible value are round-off.
-const UNCOUPLED: f64 = 1e-9;
+const MAX_COUPLING_OF_ROUND_OFF: f64 = 1e-9;
 
 /// Why torsion cannot be treated separately.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
@@ -79,7 +79,7 @@ impl NormalSpin<'_> {
         for (body, pivot) in [1, 2].into_iter().zip(&self.pivots) {
             let turned = pivot.inverse_tensor * self.normal;
             let most = pivot.arm.norm() * pivot.inverse_tensor.norm();
-            if pivot.arm.cross(&turned).norm() > UNCOUPLED * most {
+            if pivot.arm.cross(&turned).norm() > MAX_COUPLING_OF_ROUND_OFF * most {
                 return Err(NormalSpinError::SpinCoupled { body });
             }
         }

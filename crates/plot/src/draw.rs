@@ -133,12 +133,12 @@ fn markers(svg: &mut Svg, shape: Marker, pixels: &[Pixel], colour: &str) {
     if pixels.len() <= MARKERS_FOR_ONE_PATH {
         pixels.iter().for_each(|pixel| marker(svg, shape, *pixel, colour));
     } else {
-        svg.repeated(&apart(pixels), outline(shape), &look(shape, colour));
+        svg.repeated(&without_overlaps(pixels), outline(shape), &look(shape, colour));
     }
 }
 
 /// Omits points within half a pixel of an earlier one.
-fn apart(pixels: &[Pixel]) -> Vec<Pixel> {
+fn without_overlaps(pixels: &[Pixel]) -> Vec<Pixel> {
     let cell = |pixel: &Pixel| [pixel.x, pixel.y].map(|value| (2.0 * value).round() as i64);
     let mut taken = HashSet::new();
     pixels.iter().filter(|pixel| taken.insert(cell(pixel))).copied().collect()

@@ -84,6 +84,7 @@ impl Contacts {
 
     /// Advances each contact along its path of `steps` shifts: arrays of contacts times steps, in one
     /// line. Writes the loads, (F_x, F_y, F_z) of each, with M_z where omega is given.
+    #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn follow<'py>(
         &mut self,
         py: Python<'py>,

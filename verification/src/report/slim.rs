@@ -46,7 +46,7 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     }
     let mut pieces = vec![(0, points.len().saturating_sub(1))];
     while let Some((from, to)) = pieces.pop() {
-        let distance = |i: usize| off(points[i], points[from], points[to]);
+        let distance = |i: usize| distance_to_segment(points[i], points[from], points[to]);
         let farthest = (from + 1..to).max_by(|i, j| distance(*i).total_cmp(&distance(*j)));
         if let Some(middle) = farthest.filter(|i| distance(*i) > MAX_DISTANCE) {
             keep[middle] = true;
@@ -58,7 +58,7 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
 }
 
 /// Distance of a point from a line segment.
-fn off(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+fn distance_to_segment(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     let along = [to[0] - from[0], to[1] - from[1]];
     let reach = [point[0] - from[0], point[1] - from[1]];
     let square = along[0] * along[0] + along[1] * along[1];
@@ -81,7 +81,7 @@ mod tests {
         let kept = thinned(&wave);
         assert!(2 * kept.len() < wave.len() && kept[0] == wave[0] && kept.last() == wave.last());
         for point in &wave {
-            let nearest = kept.windows(2).map(|ends| off(*point, ends[0], ends[1]));
+            let nearest = kept.windows(2).map(|ends| distance_to_segment(*point, ends[0], ends[1]));
             assert!(nearest.fold(f64::INFINITY, f64::min) <= MAX_DISTANCE, "{point:?}");
         }
     }

@@ -1,6 +1,6 @@
 //! Differences between a snapshot and a figure: rows are matched, then compared cell by cell.
 
-use super::lines::{Kept, Line};
+use super::lines::{Line, SnapshotCell};
 
 /// Largest number of changes that are stored; the largest changes are.
 const MAX_CHANGES: usize = 200;
@@ -89,8 +89,8 @@ fn row(stored: Option<&str>, now: Option<&Line>) -> Vec<Found> {
     differ.map(|(word, cell)| ((*word).to_owned(), cell.written(), relative(word, cell))).collect()
 }
 
-fn relative(stored: &str, now: &Kept) -> Option<f64> {
-    let (Kept::Number(now), Ok(stored)) = (now, stored.parse()) else { return None };
+fn relative(stored: &str, now: &SnapshotCell) -> Option<f64> {
+    let (SnapshotCell::Number(now), Ok(stored)) = (now, stored.parse()) else { return None };
     Some(now.relative(stored)).filter(|relative| relative.is_finite())
 }
 

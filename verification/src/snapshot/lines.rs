@@ -17,12 +17,12 @@ const TOLERANCE_DIGITS: u8 = 3;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Line {
     Head(String),
-    Row(Vec<Kept>),
+    Row(Vec<SnapshotCell>),
 }
 
 /// A cell of a row.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Kept {
+pub(super) enum SnapshotCell {
     Number(Rounded),
     Word(String),
 }
@@ -110,7 +110,7 @@ impl Step {
     }
 }
 
-impl Kept {
+impl SnapshotCell {
     fn word(word: impl Into<String>) -> Self {
         Self::Word(word.into().replace(['\t', '\n', '\r'], " "))
     }
@@ -136,7 +136,9 @@ impl Line {
     pub(super) fn written(&self) -> String {
         match self {
             Self::Head(words) => words.clone(),
-            Self::Row(cells) => cells.iter().map(Kept::written).collect::<Vec<_>>().join("\t"),
+            Self::Row(cells) => {
+                cells.iter().map(SnapshotCell::written).collect::<Vec<_>>().join("\t")
+            }
         }
     }
 
@@ -162,7 +164,7 @@ pub(super) fn of(figure: &Figure) -> Vec<Line> {
     let mut lines = vec![Line::Head(format!("{} ({digits} digits)", figure.id))];
     for input in &figure.inputs {
         let origin = format!("{}:", input.origin.word());
-        lines.push(Line::Row([&*origin, &input.name, &input.value].map(Kept::word).into()));
+        lines.push(Line::Row([&*origin, &input.name, &input.value].map(SnapshotCell::word).into()));
     }
     lines.extend(figure.claims.iter().map(|claim| claim_row(claim, digits)));
     for panel in &figure.panels {
@@ -181,27 +183,31 @@ pub(super) fn of(figure: &Figure) -> Vec<Line> {
 /// Statement, expectation and source of a claim. The measurement is omitted: it is among the
 /// numbers below, or close to the expectation.
 fn claim_row(claim: &Claim, digits: u8) -> Line {
-    let mut cells = vec![Kept::word("claim:"), Kept::word(&*claim.statement)];
+    let mut cells = vec![SnapshotCell::word("claim:"), SnapshotCell::word(&*claim.statement)];
     match &claim.check {
         Check::Close { expected, tolerance, .. } => {
-            cells.extend([Kept::Number(expectation(*expected, *tolerance, digits))]);
+            cells.extend([SnapshotCell::Number(expectation(*expected, *tolerance, digits))]);
             cells.extend(tolerance_cells(*tolerance));
         }
         Check::AllClose { pairs, tolerance } => {
-            cells.push(Kept::word(format!("{} values", pairs.len())));
+            cells.push(SnapshotCell::word(format!("{} values", pairs.len())));
             cells.extend(tolerance_cells(*tolerance));
         }
         Check::Bound { bound, side, .. } => {
-            cells.push(Kept::word(if *side == Side::Below { "at most" } else { "at least" }));
-            cells.push(Kept::Number(Rounded::short(*bound, digits)));
+            cells.push(SnapshotCell::word(if *side == Side::Below {
+                "at most"
+            } else {
+                "at least"
+            }));
+            cells.push(SnapshotCell::Number(Rounded::short(*bound, digits)));
         }
         Check::Ordered { values, order } => {
             let order = if *order == Order::Increasing { "increasing" } else { "decreasing" };
-            cells.push(Kept::word(format!("{} values {order}", values.len())));
+            cells.push(SnapshotCell::word(format!("{} values {order}", values.len())));
         }
-        Check::Holds { .. } => cells.push(Kept::word("holds")),
+        Check::Holds { .. } => cells.push(SnapshotCell::word("holds")),
     }
-    cells.push(Kept::word(&*claim.source));
+    cells.push(SnapshotCell::word(&*claim.source));
     Line::Row(cells)
 }
 
@@ -216,12 +222,12 @@ fn expectation(expected: f64, tolerance: Tolerance, digits: u8) -> Rounded {
     Rounded { step, ..rounded }
 }
 
-fn tolerance_cells(tolerance: Tolerance) -> [Kept; 2] {
+fn tolerance_cells(tolerance: Tolerance) -> [SnapshotCell; 2] {
     let (value, word) = match tolerance {
         Tolerance::Absolute(value) => (value, "absolute"),
         Tolerance::Relative(value) => (value, "relative"),
     };
-    [Kept::Number(Rounded::short(value, TOLERANCE_DIGITS)), Kept::word(word)]
+    [SnapshotCell::Number(Rounded::short(value, TOLERANCE_DIGITS)), SnapshotCell::word(word)]
 }
 
 fn push_series(lines: &mut Vec<Line>, series: &Series, digits: u8) {
@@ -239,7 +245,7 @@ fn push_series(lines: &mut Vec<Line>, series: &Series, digits: u8) {
         let point = series.points[i];
         let x = Rounded { value: point.x, step: steps.0, largest: Some(largest.0), form };
         let y = Rounded { value: point.y, step: steps.1, largest: Some(largest.1), form };
-        Line::Row(vec![Kept::Number(x), Kept::Number(y)])
+        Line::Row(vec![SnapshotCell::Number(x), SnapshotCell::Number(y)])
     }));
 }
 
@@ -247,9 +253,9 @@ fn push_table(lines: &mut Vec<Line>, table: &Table, digits: u8) {
     lines.push(Line::Head(format!("table: {} | {}", table.title, table.columns.join(" | "))));
     for row in &table.rows {
         let cells = row.iter().map(|cell| match cell {
-            Cell::Number(value) => Kept::Number(Rounded::alone(*value, digits)),
-            Cell::Text(text) => Kept::word(&**text),
-            Cell::Remark(_) => Kept::word("-"),
+            Cell::Number(value) => SnapshotCell::Number(Rounded::alone(*value, digits)),
+            Cell::Text(text) => SnapshotCell::word(&**text),
+            Cell::Remark(_) => SnapshotCell::word("-"),
         });
         lines.push(Line::Row(cells.collect()));
     }

@@ -44,24 +44,28 @@ pub(super) fn fault(path: &Path, link: &Link, below: Option<&Path>) -> Option<St
     if ["http://", "https://", "mailto:"].iter().any(|start| link.target.starts_with(start)) {
         return None;
     }
-    let told =
+    let fault_of =
         |what: &str| Some(format!("{}:{}: {}: {what}", path.display(), link.line, link.target));
     let (file, anchor) = link.target.split_once('#').unwrap_or((&link.target, ""));
     let target = match file {
         "" => path.to_owned(),
         file => path.parent().unwrap_or(Path::new("")).join(file),
     };
-    let Ok(target) = target.canonicalize() else { return told("nothing is there") };
+    let Ok(target) = target.canonicalize() else { return fault_of("nothing is there") };
     let is_inside =
         |below: &Path| below.canonicalize().is_ok_and(|below| target.starts_with(below));
     if below.is_some_and(|below| !is_inside(below)) {
-        return told("leads out of the book");
+        return fault_of("leads out of the book");
     }
     if anchor.is_empty() {
         return None;
     }
     let text = std::fs::read_to_string(&target).unwrap_or_default();
-    if anchors(&text).iter().any(|there| there == anchor) { None } else { told("no such heading") }
+    if anchors(&text).iter().any(|there| there == anchor) {
+        None
+    } else {
+        fault_of("no such heading")
+    }
 }
 
 /// The anchors of the headings of a text.
@@ -89,9 +93,9 @@ pub(super) fn inclusions(path: &Path, text: &str) -> Vec<String> {
     for rest in text.split("{{#include ").skip(1) {
         let Some((what, _)) = rest.split_once("}}") else { continue };
         let (file, anchor) = what.split_once(':').unwrap_or((what, ""));
-        let told = |why: &str| format!("{}: {what}: {why}", path.display());
+        let fault_of = |why: &str| format!("{}: {what}: {why}", path.display());
         match std::fs::read_to_string(path.parent().unwrap_or(Path::new("")).join(file)) {
-            Err(_) => faults.push(told("nothing is there")),
+            Err(_) => faults.push(fault_of("nothing is there")),
             Ok(source) => {
                 let has = |mark: &str| {
                     let mark = format!("{mark}: {anchor}");
@@ -103,7 +107,7 @@ pub(super) fn inclusions(path: &Path, text: &str) -> Vec<String> {
                 };
                 let is_whole = anchor.is_empty() || has("ANCHOR") && has("ANCHOR_END");
                 if !is_whole {
-                    faults.push(told("no such anchor"));
+                    faults.push(fault_of("no such anchor"));
                 }
             }
         }

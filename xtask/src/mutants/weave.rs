@@ -32,7 +32,7 @@ const PAGES_MANIFEST: &str = include_str!("woven/pages.toml");
 pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Result<()> {
     let sources = sources(root)?;
     let places = places(mutants, &sources)?;
-    let mut copy = Mirror { root, tree, kept: BTreeSet::new() };
+    let mut copy = Mirror { root, tree, written: BTreeSet::new() };
     for (index, source) in sources.iter().enumerate() {
         copy.write(&source.path, &woven(source, index, mutants, &places))?;
     }
@@ -46,14 +46,14 @@ pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Res
     copy.write(&pages.join("pages.rs"), PAGES)?;
     copy.write(&pages.join("src/lib.rs"), "")?;
     let manifest = std::fs::read_to_string(root.join("Cargo.toml"))?;
-    copy.write(Path::new("Cargo.toml"), &apart(&manifest)?)?;
+    copy.write(Path::new("Cargo.toml"), &with_other_version(&manifest)?)?;
     copy.rest(Path::new(""))?;
     copy.prune(Path::new(""))
 }
 
 /// The manifest with another version. Both workspaces are built into one folder, and with the same
 /// version cargo would confuse their results.
-fn apart(manifest: &str) -> anyhow::Result<String> {
+fn with_other_version(manifest: &str) -> anyhow::Result<String> {
     let mut lines: Vec<String> = manifest.lines().map(str::to_owned).collect();
     let version = lines.iter_mut().find(|line| line.starts_with("version = \""));
     let version = version.context("the workspace has no version")?;
@@ -141,7 +141,7 @@ fn rewrite(text: &str, range: Range<usize>, edits: &[Edit<'_>], switch: &str) ->
 struct Mirror<'a> {
     root: &'a Path,
     tree: &'a Path,
-    kept: BTreeSet<PathBuf>,
+    written: BTreeSet<PathBuf>,
 }
 
 impl Mirror<'_> {
@@ -152,7 +152,7 @@ impl Mirror<'_> {
     /// Writes a file of the copy, unless it exists with the same content.
     fn write_bytes(&mut self, path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
         let target = self.tree.join(path);
-        self.kept.insert(path.to_owned());
+        self.written.insert(path.to_owned());
         if std::fs::read(&target).is_ok_and(|old| old == bytes) {
             return Ok(());
         }
@@ -172,7 +172,7 @@ impl Mirror<'_> {
                 if name != "target" && name != ".git" {
                     self.rest(&path)?;
                 }
-            } else if name != ".git" && !self.kept.contains(&path) {
+            } else if name != ".git" && !self.written.contains(&path) {
                 let bytes = std::fs::read(entry.path())
                     .with_context(|| format!("cannot read {}", entry.path().display()))?;
                 self.write_bytes(&path, &bytes)?;
@@ -188,7 +188,7 @@ impl Mirror<'_> {
             let path = folder.join(entry.file_name());
             if entry.file_type()?.is_dir() {
                 self.prune(&path)?;
-            } else if !self.kept.contains(&path) {
+            } else if !self.written.contains(&path) {
                 std::fs::remove_file(entry.path())?;
             }
         }
@@ -205,8 +205,8 @@ mod tests {
         let manifest =
             "[workspace.package]\nversion = \"0.1.0\"\n[d]\nx = { version = \"0.1.0\" }\n";
         let expected = manifest.replacen("0.1.0", "0.1.0+mutants", 1);
-        assert_eq!(apart(manifest).unwrap(), expected);
-        assert!(apart("[workspace]\n").is_err());
+        assert_eq!(with_other_version(manifest).unwrap(), expected);
+        assert!(with_other_version("[workspace]\n").is_err());
     }
 
     #[test]

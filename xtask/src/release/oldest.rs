@@ -22,8 +22,8 @@ pub(super) fn faults() -> anyhow::Result<Vec<String>> {
 /// The version stated by the workspace.
 fn ours() -> anyhow::Result<String> {
     let manifest: toml::Table = std::fs::read_to_string(root().join("Cargo.toml"))?.parse()?;
-    let said = &manifest["workspace"]["package"]["rust-version"];
-    Ok(said.as_str().context("the workspace has no rust-version")?.to_owned())
+    let version = &manifest["workspace"]["package"]["rust-version"];
+    Ok(version.as_str().context("the workspace has no rust-version")?.to_owned())
 }
 
 fn host() -> anyhow::Result<String> {

@@ -48,13 +48,13 @@ pub struct Carom {
 const FIRST_STEPS: &str = "\
 First steps:
   carom new impact > ball.toml                 a commented case: a steel ball meets a plate
-  carom impact ball.toml                       how both move afterwards, and what friction took
-  carom impact ball.toml --plot ball.svg       velocities and forces in the meantime
-  carom impact ball.toml --format csv          the same as numbers, or json, for other programs
-  carom schema impact                          what else a case may say
-  carom check ball.toml                        how a case is understood
+  carom impact ball.toml                       the motions afterwards, and the energy dissipated
+  carom impact ball.toml --plot ball.svg       velocities and forces during the impact
+  carom impact ball.toml --format csv          the results as CSV for other programs (or json)
+  carom schema impact                          all fields of an impact case
+  carom check ball.toml                        the fields of a case as read
 
-R_x of any ball, with no case, kappa = 1.21 for Poisson's ratio 0.3:
+R_x of a ball without a case file; kappa = 1.21 for Poisson's ratio 0.3:
   carom restitution --kappa 1.2143 --lambda 0.1:8:80 --plot rebound.svg
 ";
 

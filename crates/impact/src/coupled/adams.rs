@@ -17,9 +17,9 @@ pub(super) enum Order {
 /// At fourth order, a polynomial through the last three forces gives the next position. The law
 /// gives the force there, and the polynomial through all four gives the impulse (Adams; Stoermer).
 /// There is one evaluation of the law per step, and no step is repeated. If the force oscillates,
-/// the phase error per step is about 0.04, and the decrease of the amplitude about 0.6, times the
-/// fourth power of the angle per step, up to an angle of 0.8: steps that are too coarse damp and do
-/// not gain energy.
+/// the error of the phase is about 0.04, and the loss of amplitude about 0.6, times the fourth
+/// power of the angle per step, for angles up to 0.8. Steps that are too coarse damp the motion and
+/// do not gain energy.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Adams {
     order: Order,

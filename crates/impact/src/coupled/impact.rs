@@ -267,8 +267,9 @@ impl CoupledImpact {
 impl CoupledImpact {
     fn settled(&self, law: TurningLaw) -> Result<Settled, CoupledError> {
         let problem = self.problem();
-        let apart = self.method() == ImpactMethod::Spatial { coupled: false };
-        let limits = Limits::new(&problem.mobility, self.friction, &problem.velocity, apart);
+        let is_normal_uncoupled = self.method() == ImpactMethod::Spatial { coupled: false };
+        let limits =
+            Limits::new(&problem.mobility, self.friction, &problem.velocity, is_normal_uncoupled);
         let make = |level| self.law(law, level);
         let settled = problem
             .settle(self.tolerance(), make, |impulse| limits.restrict(impulse))

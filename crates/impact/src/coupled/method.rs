@@ -7,11 +7,11 @@ use super::exact::length_and_direction;
 
 /// Couplings below this share of the largest entry are round-off. Couplings that vanish by the
 /// symmetry of the bodies are already exact zeros, whatever their sizes ([`crate::Mobility::new`]).
-const UNCOUPLED: f64 = 1e-13;
+const MAX_COUPLING_OF_ROUND_OFF: f64 = 1e-13;
 
 /// Whether a normal impulse changes the tangential velocity.
 pub(crate) fn is_coupled(mobility: &Matrix3<f64>) -> bool {
-    mobility.m13.abs().max(mobility.m23.abs()) > UNCOUPLED * mobility.amax()
+    mobility.m13.abs().max(mobility.m23.abs()) > MAX_COUPLING_OF_ROUND_OFF * mobility.amax()
 }
 
 /// The method by which an impact is solved; it follows from the coupling in its matrices.
@@ -35,7 +35,7 @@ pub enum ImpactMethod {
         /// Whether the normal motion is coupled to the tangential one.
         coupled: bool,
     },
-    /// The contact of spheres or planes of dissimilar materials is solved on rings, step by step.
+    /// Spheres or planes of dissimilar materials: the contact is solved on annuli, step by step.
     Rings,
     /// The contact is solved on a grid, step by step.
     Numerical,
@@ -47,7 +47,7 @@ impl ImpactMethod {
         stiffness: &ContactStiffness,
         velocity: &Vector3<f64>,
     ) -> Self {
-        let small = UNCOUPLED * mobility.amax();
+        let small = MAX_COUPLING_OF_ROUND_OFF * mobility.amax();
         let pull = Vector3::new(mobility.m13, mobility.m23, 0.0);
         let coupled = is_coupled(mobility);
         let (slip, mut direction) = length_and_direction(velocity);
@@ -58,7 +58,8 @@ impl ImpactMethod {
         let stays = (mobility * direction).dot(&across).abs() <= small
             && (!coupled || pull.dot(&across).abs() <= small);
         let twist = (stiffness.c_y - stiffness.c_x) * direction.x * direction.y;
-        let straight = stays && twist.abs() <= UNCOUPLED * stiffness.c_x.max(stiffness.c_y);
+        let straight =
+            stays && twist.abs() <= MAX_COUPLING_OF_ROUND_OFF * stiffness.c_x.max(stiffness.c_y);
         match (coupled, straight || (slip == 0.0 && !coupled)) {
             (false, true) => Self::Uncoupled { direction },
             (true, true) => Self::Planar { direction },

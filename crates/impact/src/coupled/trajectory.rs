@@ -110,9 +110,9 @@ impl Trajectory {
             let shift = now.shift + now.velocity * length - ahead;
             if shift.z <= 0.0 {
                 let last = self.separation(&now, &shift, length);
-                let mut apart = last.shift;
-                apart.z = 0.0;
-                law.advance(as_shift(&apart)).map_err(failed)?;
+                let mut separated = last.shift;
+                separated.z = 0.0;
+                law.advance(as_shift(&separated)).map_err(failed)?;
                 observe(&last, law);
                 return Ok(Some(last));
             }

@@ -15,9 +15,9 @@ use super::position::{Difference, Position};
 /// Number of terms of the series.
 const TERMS: usize = 16;
 /// Relative size of the last terms at the end of the range of the series.
-const ACCURACY: f64 = 1e-15;
+const RELATIVE_LAST_TERM: f64 = 1e-15;
 /// Largest share of the distance to first contact that a series covers.
-const REACH: f64 = 0.25;
+const MAX_SHARE_TO_CONTACT: f64 = 0.25;
 
 type Series = [f64; TERMS + 1];
 
@@ -71,7 +71,8 @@ impl Onset {
     pub(super) fn open(&self) -> Opening {
         let terms = self.terms();
         let w0 = self.position.w;
-        let reach = terms.reach().min(REACH * (1.0 - w0)).min(0.5 * (self.touch - w0));
+        let reach =
+            terms.reach().min(MAX_SHARE_TO_CONTACT * (1.0 - w0)).min(0.5 * (self.touch - w0));
         Opening { w0, reach, terms }
     }
 
@@ -152,7 +153,7 @@ impl Terms {
         let size = |series: &Series, k: usize| series[k].abs().max(f64::MIN_POSITIVE);
         let (v, e) = (size(&self.v, 2), size(&self.e, 1));
         let root = |last: f64, first: f64, power: usize| {
-            libm::exp(libm::log(ACCURACY * first / last) / power as f64)
+            libm::exp(libm::log(RELATIVE_LAST_TERM * first / last) / power as f64)
         };
         let by_v = root(size(&self.v, TERMS), v, TERMS - 2).min(root(
             size(&self.v, TERMS - 1),

@@ -86,6 +86,6 @@ pub struct Phase {
     pub regime: Regime,
     /// The event at its beginning.
     pub began_by: Event,
-    /// Normal velocity w = zeta'/zeta'_A at its start, from 1 (touch) to -1 (separation).
+    /// Normal velocity w = zeta'/zeta'_A at its start, from 1 (first contact) to -1 (separation).
     pub start: f64,
 }

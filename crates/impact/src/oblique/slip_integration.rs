@@ -10,9 +10,10 @@ const TOLERANCE: Tolerance = Tolerance { absolute: 5e-12, relative: 5e-12 };
 /// First steps: of tau* along the memory, and of tau for slow slip.
 pub(super) const FIRST_STEP: f64 = 0.05;
 const FIRST_SLOW_STEP: f64 = 0.03;
-/// Rates of the motion against the memory at which the independent variable changes: above `MAX_PACE_ALONG_MEMORY`,
-/// slip is slow and tau is taken; below `MIN_PACE_OF_SLOW_SLIP`, tau* again.
+/// Rates of the motion against the memory at which the independent variable changes. Above this
+/// rate slip is slow, and tau is taken.
 const MAX_PACE_ALONG_MEMORY: f64 = 1.6;
+/// Below this rate tau* is taken again.
 const MIN_PACE_OF_SLOW_SLIP: f64 = 1.25;
 /// Largest number of changes of the independent variable, and of steps with one.
 const MAX_CLOCKS: usize = 400;
@@ -134,8 +135,8 @@ impl<R: Recorder> SlipIntegration<'_, R> {
 
     // Over frozen stresses tau* is a poor variable at first.
     fn is_early(&self, pair: &Pair) -> bool {
-        const DEEP: f64 = 0.5;
-        matches!(self.slip.stretch.shape, Shape::Slip(_)) && pair.stick.tau < DEEP
+        const MAX_EARLY_TAU: f64 = 0.5;
+        matches!(self.slip.stretch.shape, Shape::Slip(_)) && pair.stick.tau < MAX_EARLY_TAU
     }
 
     // Whether the slip velocity had a minimum in between.
@@ -215,9 +216,9 @@ impl<R: Recorder> SlipIntegration<'_, R> {
 
     // False at the bottom of a dip that only grazes zero.
     fn stops(&self, pair: &Pair) -> bool {
-        let left = self.slip.sign * pair.slip_velocity / self.slip.unit;
+        let velocity = self.slip.sign * pair.slip_velocity / self.slip.unit;
         let falls = || self.slip.load(pair).slip_rate < -MIN_DIP.sqrt() * self.slip.unit;
-        left < -MIN_DIP || (left <= 0.0 && falls())
+        velocity < -MIN_DIP || (velocity <= 0.0 && falls())
     }
 
     fn passed(&self, pair: &Pair) -> Option<SlipEvent> {
@@ -234,12 +235,12 @@ impl<R: Recorder> SlipIntegration<'_, R> {
 
     // The event whose quantity has vanished to within the tolerance.
     fn nearly_passed(&self, pair: &Pair) -> Option<SlipEvent> {
-        const NEAR: f64 = 1e-9;
-        if self.slip.sign * pair.slip_velocity < NEAR {
+        const EVENT_TOLERANCE: f64 = 1e-9;
+        if self.slip.sign * pair.slip_velocity < EVENT_TOLERANCE {
             Some(SlipEvent::SlipStop)
-        } else if pair.gap * self.slip.unit < NEAR && pair.now.tau < 0.0 {
+        } else if pair.gap * self.slip.unit < EVENT_TOLERANCE && pair.now.tau < 0.0 {
             Some(SlipEvent::RingClosed)
-        } else if self.slip.stretch.inner - pair.stick.tau < NEAR {
+        } else if self.slip.stretch.inner - pair.stick.tau < EVENT_TOLERANCE {
             Some(SlipEvent::StretchEnd)
         } else {
             None

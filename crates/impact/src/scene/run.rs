@@ -269,8 +269,7 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
             }
             Some((wall, Meeting::Face { time, normal })) => {
                 let flight = Some(self.fly(time)?);
-                let (bounce, ending) = self.bounce(wall, normal)?;
-                Ok(Leg { flight, bounce, ending })
+                Ok(Leg { flight, ..self.bounce(wall, normal)? })
             }
         }
     }
@@ -290,11 +289,8 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
         Ok(flight)
     }
 
-    fn bounce(
-        &mut self,
-        wall: usize,
-        normal: Vector3<f64>,
-    ) -> Result<(Option<Bounce>, Option<Ending>), SceneError<S::Error>> {
+    /// The end of a leg at a wall: a bounce, or rest.
+    fn bounce(&mut self, wall: usize, normal: Vector3<f64>) -> Result<Leg, SceneError<S::Error>> {
         self.settle(wall, &normal);
         let before = self.now.motion;
         let body = self.body.clone().moving(before);
@@ -304,7 +300,8 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
         let pull = -along(&self.scene.gravity, &normal);
         let Outcome::Rebound(rebound) = outcome else {
             // A touch without approach: it rests, or gravity takes it away.
-            return Ok((None, (pull >= 0.0).then_some(Ending::Rest { wall })));
+            let ending = (pull >= 0.0).then_some(Ending::Rest { wall });
+            return Ok(Leg { flight: None, bounce: None, ending });
         };
         let [after, _] = rebound.motions;
         let loses = rebound.energy.lost > 0.0;
@@ -328,7 +325,7 @@ impl<'a, S: CollisionSolver> Legs<'a, S> {
             true => Some(Ending::Rest { wall }),
             false => (self.bounces >= self.limits.bounces()).then_some(Ending::Bounces),
         };
-        Ok((Some(bounce), ending))
+        Ok(Leg { flight: None, bounce: Some(bounce), ending })
     }
 
     // Puts the centre at one radius from the wall: round-off of the flight does not build up.

@@ -11,7 +11,7 @@ use carom_special::ode::OdeError;
 /// (printed with 21 in place of 15).
 pub const SLIDING_LOSS: f64 = 2.637_529_634_267_598;
 
-/// The restitution of small spin or infinite friction, `2 y_1^2 - 1`; y_1 is the spin at maximal
+/// The restitution of small spin or infinite friction, `2 y_1^2 - 1`; y_1 is the spin at maximum
 /// compression over the initial one, under complete adhesion. Corrects (10.40), (10.63).
 ///
 /// ```

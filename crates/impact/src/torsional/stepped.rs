@@ -8,7 +8,7 @@ use super::groups::TorsionalGroups;
 use crate::normal;
 
 /// Steps of the coarse run; the result is that of a run with twice as many.
-const STEPS: usize = 2000;
+const COARSE_STEPS: usize = 2000;
 
 /// The spin ratio, and its change by the last doubling of the steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -23,7 +23,7 @@ pub(super) fn settle(groups: TorsionalGroups) -> Result<Settled, RangeError> {
         let mut trajectory = SteppedTrajectory::new(groups, steps);
         Ok(trajectory.advance_to(-1.0)?.spin)
     };
-    let (coarse, fine) = (run(STEPS)?, run(2 * STEPS)?);
+    let (coarse, fine) = (run(COARSE_STEPS)?, run(2 * COARSE_STEPS)?);
     // No impact increases the spin.
     Ok(Settled { spin_ratio: fine.clamp(-1.0, 1.0), change: (fine - coarse).abs() })
 }

@@ -33,10 +33,15 @@ pub(super) fn check_meaning<V: Lateral>(numbers: &[f64], len: usize) -> Result<(
         let node = node_of::<V>(vertex);
         let piece = Piece::new(&node, high);
         let [x, y] = node.anchor.components();
-        let off = size + SHIFT_ROUND_OFF * (x.abs() + y.abs());
-        check_distance(node.anchor, shift, zeta - node.depth + CONE_EXCESS * zeta + off, "anchor")?;
+        let round_off = size + SHIFT_ROUND_OFF * (x.abs() + y.abs());
+        check_distance(
+            node.anchor,
+            shift,
+            zeta - node.depth + CONE_EXCESS * zeta + round_off,
+            "anchor",
+        )?;
         let limit = zeta - piece.middle_depth();
-        check_distance(piece.middle(), shift, limit + CONE_EXCESS * zeta + off, "bubble")?;
+        check_distance(piece.middle(), shift, limit + CONE_EXCESS * zeta + round_off, "bubble")?;
         force = force.plus(piece.force());
         high = node.end();
     }

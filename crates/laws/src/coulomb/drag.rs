@@ -188,9 +188,9 @@ impl<V: Lateral> Step<V> {
                 half: None,
             };
         }
-        let (before, held) = (along - self.length, limit - self.dz);
+        let (before, limit_before) = (along - self.length, limit - self.dz);
         let square = before * before + across * across;
-        if square >= MIN_SQUARED_STRETCH_AT_LIMIT * (held * held) {
+        if square >= MIN_SQUARED_STRETCH_AT_LIMIT * (limit_before * limit_before) {
             // At its limit from the start, except for the error of the curve, and the stretch
             // grows.
             let arm = square.sqrt();
@@ -202,7 +202,7 @@ impl<V: Lateral> Step<V> {
                 rest: self.length,
                 at: before,
                 arm,
-                limit: held,
+                limit: limit_before,
                 half,
                 grazes: false,
             };
@@ -251,9 +251,9 @@ impl<V: Lateral> Step<V> {
     /// The half angle from the step to the traction, see `LimitPoint::half`.
     #[inline(always)]
     fn half(&self, at: f64, across: f64, arm: f64) -> Option<[f64; 2]> {
-        let off = across.abs();
+        let offset = across.abs();
         // A traction opposite to the step would not persist, except in one direction.
-        if off <= 1e-16 * arm || (at < 0.0 && off < self.round_off_length) {
+        if offset <= 1e-16 * arm || (at < 0.0 && offset < self.round_off_length) {
             return None;
         }
         Some(if at > 0.0 { [arm + at, across] } else { [across, arm - at] })

@@ -102,10 +102,10 @@ impl<V: Lateral, S: Nodes<Node<V>>> CoulombMemory<V, S> {
             let [low, high] = [new[0], new[2]].map(|anchor| step.shift.minus(anchor).length());
             split = Some((low / (low + high)).clamp(1.0 - MAX_SPLIT_PART, MAX_SPLIT_PART));
         } else if split.is_none() {
-            let (part, off) = FittedParabola { dragged, bubble, square }
+            let (part, deviation) = FittedParabola { dragged, bubble, square }
                 .split_or_error(step, MAX_LAYER_ERROR_OF_JOIN * max_move);
             split = part;
-            missed += LARGEST_OVER_SAMPLED_ERROR * off;
+            missed += LARGEST_OVER_SAMPLED_ERROR * deviation;
         }
         if let Some(part) = split
             && self.split(i, dragged, part, step, (lengths, halvings))
@@ -234,8 +234,8 @@ impl<V: Lateral> Dragged<'_, V> {
         let old = self.old;
         let Some(part) = old.hidden_zone(step, slips) else { return (None, 0.0) };
         let depth = old.depth_at(part);
-        let off = 0.5 * step.excess(depth, old.at(part)).abs() / (step.zeta - depth);
-        ((off > max_move).then_some(part), off)
+        let deviation = 0.5 * step.excess(depth, old.at(part)).abs() / (step.zeta - depth);
+        ((deviation > max_move).then_some(part), deviation)
     }
 
     #[cold]
@@ -251,11 +251,12 @@ impl<V: Lateral> Dragged<'_, V> {
             // The kink is where both vanish. The parabola misses about half its height.
             let [from, to] = [stuck, slips].map(|k| 0.5 * k as f64);
             let (travel, margin) = (squared_moves[slips].sqrt(), margin(from));
-            let off = if margin > 0.0 { 0.5 * travel * margin / (travel + margin) } else { 0.0 };
-            if off > max_move {
-                return (Some(old.front(step, from, to)), off);
+            let deviation =
+                if margin > 0.0 { 0.5 * travel * margin / (travel + margin) } else { 0.0 };
+            if deviation > max_move {
+                return (Some(old.front(step, from, to)), deviation);
             }
-            largest = off.max(largest);
+            largest = deviation.max(largest);
         }
         (None, largest)
     }
@@ -282,27 +283,27 @@ impl<V: Lateral> FittedParabola<'_, V> {
             seen_error = self.edge_error(step, limits);
             let wide = old.low.root < MIN_ROOT_RATIO_OF_NARROW_PIECE * old.high.root;
             if bent || wide || seen_error > allowed {
-                let (part, off) = self.boundary_layer(step, limits);
-                if off > allowed {
-                    return (Some(part), off);
+                let (part, deviation) = self.boundary_layer(step, limits);
+                if deviation > allowed {
+                    return (Some(part), deviation);
                 }
-                (seen_error, sampled) = (off, true);
+                (seen_error, sampled) = (deviation, true);
             }
             if limits[1] <= 0.0
-                && let Some((part, off)) = self.tip_layer(step, limits[0], allowed)
+                && let Some((part, deviation)) = self.tip_layer(step, limits[0], allowed)
             {
-                if off > allowed {
-                    return (Some(part), off);
+                if deviation > allowed {
+                    return (Some(part), deviation);
                 }
-                seen_error = off.max(seen_error);
+                seen_error = deviation.max(seen_error);
             }
         }
         if bent && old.low.root < MAX_ROOT_RATIO_AT_CENTRE * old.high.root {
-            let off = self.off(step, PART_CHECKED_AT_CENTRE);
-            if off > PART_CHECKED_AT_CENTRE * allowed {
-                return (Some(PART_CHECKED_AT_CENTRE), off.max(seen_error));
+            let deviation = self.deviation(step, PART_CHECKED_AT_CENTRE);
+            if deviation > PART_CHECKED_AT_CENTRE * allowed {
+                return (Some(PART_CHECKED_AT_CENTRE), deviation.max(seen_error));
             }
-            (seen_error, sampled) = (off.max(seen_error), true);
+            (seen_error, sampled) = (deviation.max(seen_error), true);
         }
         if sampled {
             return (None, seen_error);
@@ -317,18 +318,20 @@ impl<V: Lateral> FittedParabola<'_, V> {
             && self.square * (decay_error * decay_error) > allowed * allowed
         {
             let [low, _, high] = self.dragged.across;
-            let off = self
-                .off(step, if low > high { 1.0 - MIN_PART_OF_LAYER } else { MIN_PART_OF_LAYER });
-            if off > allowed {
-                return (Some(0.5), off);
+            let deviation = self.deviation(
+                step,
+                if low > high { 1.0 - MIN_PART_OF_LAYER } else { MIN_PART_OF_LAYER },
+            );
+            if deviation > allowed {
+                return (Some(0.5), deviation);
             }
         }
         if estimated_error > allowed {
-            let off = self.off(step, MIN_PART_OF_LAYER);
-            if off > allowed {
-                return (Some(0.5), off);
+            let deviation = self.deviation(step, MIN_PART_OF_LAYER);
+            if deviation > allowed {
+                return (Some(0.5), deviation);
             }
-            return (None, off.max(seen_error));
+            return (None, deviation.max(seen_error));
         }
         (None, estimated_error + LARGEST_OVER_SAMPLED_ERROR * seen_error)
     }
@@ -372,7 +375,7 @@ impl<V: Lateral> FittedParabola<'_, V> {
             return None;
         }
         let part = 1.0 - 4.0 * beside / (limit * limit);
-        Some((part, self.off(step, part)))
+        Some((part, self.deviation(step, part)))
     }
 
     /// Error near the upper end, and where. Tractions have turned in annuli whose limit is below
@@ -381,12 +384,12 @@ impl<V: Lateral> FittedParabola<'_, V> {
     fn boundary_layer(&self, step: &Step<V>, limits: [f64; 2]) -> (f64, f64) {
         let [low, high] = limits.map(|limit| limit + step.length.max(-step.dz));
         let part = ((low - (low * high).sqrt()) / (low - high)).max(MIN_PART_OF_LAYER);
-        (part, self.off(step, part))
+        (part, self.deviation(step, part))
     }
 
     /// Error of the parabola at a fraction of the depth.
     #[inline]
-    fn off(&self, step: &Step<V>, part: f64) -> f64 {
+    fn deviation(&self, step: &Step<V>, part: f64) -> f64 {
         let Dragged { old, new: [low, _, high], .. } = *self.dragged;
         let on = low.plus(high.minus(low).times(part));
         let on = on.plus(self.bubble.times(4.0 * part * (1.0 - part)));

@@ -10,10 +10,11 @@ use crate::memory::{Lateral, Nodes};
 pub(super) struct ControlLengths {
     /// Largest stretch of the centre since first contact.
     pub(super) extent: f64,
-    /// Largest displacement of the curve by a join at the edge, over the approach or, if it is
-    /// smaller, over `extent`.
+    /// Largest displacement of the curve by a join of pieces that reach from the centre to the edge,
+    /// over the approach or, if it is smaller, over `extent`.
     pub(super) max_move: f64,
-    /// Largest deviation of a parabola from its chord at the edge, over the same length.
+    /// Largest deviation from its chord of a parabola from the centre to the edge, over the same
+    /// length.
     pub(super) max_bubble: f64,
     /// Lengths up to this count as zero.
     pub(super) exact: f64,
@@ -48,8 +49,8 @@ impl ControlLengths {
     }
 }
 
-/// Largest factors by which narrow pieces, with a small share in the force, may exceed the
-/// displacement allowed at the edge, and the deviation. Fitted pieces stay within the tolerance.
+/// Largest factors by which narrow pieces, with a small share in the force, may exceed `max_move`
+/// and `max_bubble`. Fitted pieces stay within the tolerance.
 const MAX_MOVE_FACTOR: f64 = 10.0;
 const MAX_BUBBLE_FACTOR: f64 = 2.5;
 /// Largest deviation of a straight line, as a share of the displacement allowed to a join.
@@ -63,7 +64,7 @@ const COLLINEAR_SINE: f64 = 1e-9;
 /// A point of two neighbouring pieces: its distance from their common chord, and the distance of
 /// one parabola there, over the deviation of its middle.
 pub(super) struct Sample<V> {
-    off: V,
+    deviation: V,
     weight: f64,
 }
 
@@ -136,12 +137,12 @@ impl<V: Lateral> Pair<V> {
         let part = self.part();
         let rest = 1.0 - part;
         let [rise, first] = self.rises();
-        let off = first.minus(rise.times(part));
-        let half = off.times(0.5);
+        let deviation = first.minus(rise.times(part));
+        let half = deviation.times(0.5);
         [
-            Sample { off, weight: 4.0 * part * rest },
-            Sample { off: half.plus(self.below.bubble), weight: part * (1.0 + rest) },
-            Sample { off: half.plus(self.above.bubble), weight: rest * (1.0 + part) },
+            Sample { deviation, weight: 4.0 * part * rest },
+            Sample { deviation: half.plus(self.below.bubble), weight: part * (1.0 + rest) },
+            Sample { deviation: half.plus(self.above.bubble), weight: rest * (1.0 + part) },
         ]
     }
 
@@ -149,7 +150,7 @@ impl<V: Lateral> Pair<V> {
     #[inline(always)]
     pub(super) fn move_by(samples: &[Sample<V>; 3], bubble: V) -> f64 {
         let [vertex, below, above] = samples.each_ref().map(|sample| {
-            let by = sample.off.minus(bubble.times(sample.weight));
+            let by = sample.deviation.minus(bubble.times(sample.weight));
             by.dot(by)
         });
         larger(vertex, larger(below, above))
@@ -159,7 +160,8 @@ impl<V: Lateral> Pair<V> {
     /// denominator.
     #[inline(always)]
     fn gap(vertex: &Sample<V>, middle: &Sample<V>) -> [f64; 2] {
-        let gap = vertex.off.times(middle.weight).minus(middle.off.times(vertex.weight));
+        let gap =
+            vertex.deviation.times(middle.weight).minus(middle.deviation.times(vertex.weight));
         let weight = vertex.weight + middle.weight;
         [gap.dot(gap), weight * weight]
     }
@@ -184,7 +186,7 @@ impl<V: Lateral> Pair<V> {
     ) -> bool {
         let reach = max_move + vertex.weight * max_bubble;
         let square = max_move * max_move;
-        vertex.off.dot(vertex.off) > reach * reach
+        vertex.deviation.dot(vertex.deviation) > reach * reach
             || [above, below].into_iter().any(|middle| {
                 let [gap, weight] = Self::gap(vertex, middle);
                 gap > square * weight
@@ -197,8 +199,9 @@ impl<V: Lateral> Pair<V> {
     fn join_bubble(&self, lengths: &ControlLengths) -> Option<(V, f64)> {
         let samples = self.samples();
         if self.is_collinear(lengths.exact) {
-            let off = samples[0].off;
-            return (off.dot(off) <= lengths.exact * lengths.exact).then(|| (V::default(), 0.0));
+            let deviation = samples[0].deviation;
+            return (deviation.dot(deviation) <= lengths.exact * lengths.exact)
+                .then(|| (V::default(), 0.0));
         }
         let [max_move, max_bubble] = lengths.allowed(&self.below.low, &self.above.high);
         if Self::cannot_join(&samples, max_move, max_bubble) {
@@ -242,7 +245,7 @@ pub(super) fn join_from<V: Lateral, S: Nodes<Node<V>>>(
     observer: &mut impl StepObserver<V>,
 ) {
     let mut here = *stack.get(i);
-    let mut below = Piece::new(&(*stack.get(i - 1)), here.end());
+    let mut below = Piece::new(stack.get(i - 1), here.end());
     loop {
         let next = (i + 1 < stack.len()).then(|| *stack.get(i + 1));
         let high = next.map_or(tip, |next| next.end());

@@ -188,7 +188,7 @@ impl<V: Lateral, S: Nodes<Node<V>>> CoulombMemory<V, S> {
                 true => (*self.stack.get(i + 1)).end(),
                 false => tip,
             };
-            Piece::new(&(*self.stack.get(i)), end)
+            Piece::new(self.stack.get(i), end)
         })
     }
 }

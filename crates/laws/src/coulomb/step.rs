@@ -11,7 +11,7 @@ use crate::memory::{Lateral, MemoryRegime as Regime, NodeStack, Nodes};
 
 /// Lengths up to these shares of the approach and of the shift count as zero.
 const ZERO_LENGTH_SHARES: [f64; 2] = [1e-13, 1e-15];
-/// Share of the tolerance by which a join may move the curve at the edge of the contact.
+/// Share of the tolerance by which a join of pieces from the centre to the edge may move the curve.
 const JOIN_SHARE_OF_TOLERANCE: f64 = 0.06;
 /// Where the slipping part of the curve begins.
 enum Front {
@@ -288,8 +288,8 @@ impl<V: Lateral, S: Nodes<Node<V>>> CoulombMemory<V, S> {
         let end = End { depth: step.zeta, root: old.root, anchor: new };
         let straight = lengths.straight(&end);
         let near = |depth: f64, anchor: V| {
-            let off = anchor.minus(step.behind(depth));
-            off.dot(off) <= straight * straight
+            let offset = anchor.minus(step.behind(depth));
+            offset.dot(offset) <= straight * straight
         };
         // Whether the curve above lies on a straight line behind the tip: after the step, and
         // before it.

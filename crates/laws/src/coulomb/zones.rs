@@ -77,11 +77,11 @@ impl<V: Lateral> Piece<V> {
     /// points of excess a and b it does above `(sqrt(a) + sqrt(b))^2`.
     #[inline]
     fn sags(&self, step: &Step<V>, sag: f64, middle: f64) -> bool {
-        let held = |end: End<V>| {
+        let least_sag = |end: End<V>| {
             let end = step.excess(end.depth, end.anchor);
             if end < middle { middle + 3.0 * end } else { end + 3.0 * middle }
         };
-        sag > held(self.low) || sag > held(self.high)
+        sag > least_sag(self.low) || sag > least_sag(self.high)
     }
 
     /// The fraction at which a piece whose ends and middle all stick, or all slip, does the

@@ -61,7 +61,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
         let shift = self.shift_in(numbers);
         with_memory!(
             &mut self.state,
-            memory => shift.clone().and_then(|_| memory.unpack(numbers))?,
+            memory => shift.and_then(|_| memory.unpack(numbers))?,
             else return self.unpack_free(numbers)
         );
         self.shift = shift?;

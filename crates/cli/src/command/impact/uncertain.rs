@@ -104,14 +104,16 @@ struct BinRecord {
 pub(super) fn study(
     file: &ImpactFile<'_>,
     uncertainty: &Uncertainty,
-) -> Result<Study, UncertainError<CollisionLawError>> {
+) -> Result<Study, Box<UncertainError<CollisionLawError>>> {
     let distributions: Vec<_> = file.inputs().iter().filter_map(Input::distribution).collect();
     let law = file.nominal().contact.law;
-    uncertainty.sampling.run_by(&law, &distributions, |values| match file.case(values) {
-        Ok(case) => Ok(case.collision),
-        Err(CaseError::Collision { source, .. }) => Err(*source),
-        Err(error) => Err(CollisionError::Range(out_of_range(file, &error))),
-    })
+    let study =
+        uncertainty.sampling.run_by(&law, &distributions, |values| match file.case(values) {
+            Ok(case) => Ok(case.collision),
+            Err(CaseError::Collision { source, .. }) => Err(*source),
+            Err(error) => Err(CollisionError::Range(out_of_range(file, &error))),
+        });
+    study.map_err(Box::new)
 }
 
 /// The error of drawn values as that of a field out of range.

@@ -21,13 +21,13 @@ pub(super) struct Row {
     pub(super) slides: bool,
     /// Forces along and across by FASTSIM.
     pub(super) springs: Option<[f64; 2]>,
-    pub(super) went: Convergence,
+    pub(super) convergence: Convergence,
 }
 
 impl Row {
     pub(super) fn of(
         state: &ContactState,
-        went: Convergence,
+        convergence: Convergence,
         [speed, friction]: [f64; 2],
         creepage: Creepage,
     ) -> Self {
@@ -45,7 +45,7 @@ impl Row {
             stick_area: area * stick,
             slides: stick == 0.0 && slip > 0.0,
             springs: None,
-            went,
+            convergence,
         }
     }
 
@@ -97,13 +97,13 @@ pub(super) const COLUMNS: &[Column<Row>] = &[
     Column::new("F_x_springs", "N", "F_x of FASTSIM, with --fastsim", |row| row.spring(0).into()),
     Column::new("F_y_springs", "N", "F_y of FASTSIM, with --fastsim", |row| row.spring(1).into()),
     Column::new("residual_normal", "", "residual of the contact conditions", |row| {
-        row.went.residuals.normal.into()
+        row.convergence.residuals.normal.into()
     }),
     Column::new("residual_tangential", "", "residual of the friction law", |row| {
-        row.went.residuals.tangential.into()
+        row.convergence.residuals.tangential.into()
     }),
     Column::new("iterations", "", "linear systems or passes", |row| {
-        (row.went.iterations as u64).into()
+        (row.convergence.iterations as u64).into()
     }),
 ];
 

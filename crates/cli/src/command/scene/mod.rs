@@ -101,7 +101,7 @@ fn follow(
     case: &SceneCase,
     mut visit: impl FnMut(&[Leg]) -> Result<(), CliError>,
 ) -> Result<End, CliError> {
-    let at_fault = |source| CliError::Scene { path: path.to_owned(), source };
+    let at_fault = |source| CliError::Scene { path: path.to_owned(), source: Box::new(source) };
     let legs = case.scene.legs_by(case.law, &case.ball, case.limits);
     let mut legs = legs.map_err(at_fault)?;
     let mut ending = Ending::Time;

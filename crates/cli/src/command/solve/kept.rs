@@ -86,14 +86,14 @@ impl Folder {
             // Another run ended, or is active, before it wrote the manifest.
             let is_foreign = |name: &&OsString| **name != *LOCK && !aside::is_aside(name);
             return match names.iter().find(is_foreign) {
-                Some(other) => Err(refused(&self.path.join(other), FOREIGN)),
+                Some(other) => Err(input_error(&self.path.join(other), FOREIGN)),
                 None => Ok(0),
             };
         }
         for name in names.iter().filter(|name| is_own(name)) {
             let path = self.path.join(name);
             if !std::fs::symlink_metadata(&path).map_err(failed)?.is_file() {
-                return Err(refused(&path, "this is no file of carom"));
+                return Err(input_error(&path, "this is no file of carom"));
             }
         }
         let mut steps: Vec<usize> = names.iter().filter_map(|name| step_number(name)).collect();
@@ -101,7 +101,7 @@ impl Folder {
         self.check_manifest(steps.len())?;
         if let Some((last, next)) = steps.iter().zip(1..).find(|(step, want)| *step != want) {
             let reason = format!("step {next} is missing before this one");
-            return Err(refused(&self.path.join(step_name(*last)), &reason));
+            return Err(input_error(&self.path.join(step_name(*last)), &reason));
         }
         if has(LOADS) {
             self.check_loads(steps.len())?;
@@ -113,12 +113,12 @@ impl Folder {
         let path = self.path.join(MANIFEST);
         let text = input::read(&path, MAX_MANIFEST_BYTES, "a manifest")?;
         if !text.starts_with(HEAD.as_bytes()) {
-            return Err(refused(&path, "this is not a manifest of carom"));
+            return Err(input_error(&path, "this is not a manifest of carom"));
         }
         match self.is_resumed {
             _ if steps == 0 => Ok(()),
-            false => Err(refused(&self.path, EARLIER)),
-            true if text != self.manifest().as_bytes() => Err(refused(&self.path, OTHER)),
+            false => Err(input_error(&self.path, EARLIER)),
+            true if text != self.manifest().as_bytes() => Err(input_error(&self.path, OTHER)),
             true => Ok(()),
         }
     }
@@ -134,7 +134,7 @@ impl Folder {
             .read_to_end(&mut found)
             .map_err(|error| CliError::io("read", &path, error))?;
         if steps == 0 || found != heads.as_bytes() {
-            return Err(refused(
+            return Err(input_error(
                 &path,
                 "this is not the table of loads of this run; move it elsewhere",
             ));
@@ -159,7 +159,7 @@ impl Folder {
         let lock = lock.write(true).create(true).truncate(false).open(self.path.join(LOCK));
         let lock = lock.map_err(failed)?;
         lock.try_lock().map_err(|error| match error {
-            TryLockError::WouldBlock => refused(&self.path, "another run is using this folder"),
+            TryLockError::WouldBlock => input_error(&self.path, "another run is using this folder"),
             TryLockError::Error(error) => failed(error),
         })?;
         // Another run may have used it in the meantime.
@@ -201,8 +201,8 @@ impl Owned {
     }
 
     /// The error of one of its files.
-    pub(super) fn refused(&self, name: &str, reason: &str) -> CliError {
-        refused(&self.folder.path.join(name), reason)
+    pub(super) fn input_error(&self, name: &str, reason: &str) -> CliError {
+        input_error(&self.folder.path.join(name), reason)
     }
 }
 
@@ -211,7 +211,7 @@ fn is_own(name: &OsStr) -> bool {
     [MANIFEST, LOCK, LOADS].iter().any(|own| *name == **own) || step_number(name).is_some()
 }
 
-fn refused(path: &Path, reason: &str) -> CliError {
+fn input_error(path: &Path, reason: &str) -> CliError {
     Error::Input { path: path.to_owned(), reason: reason.to_owned() }.into()
 }
 

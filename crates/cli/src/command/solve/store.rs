@@ -37,12 +37,12 @@ impl Store {
         for number in 1..=self.0.steps() {
             let name = step_name(number);
             let arrays = npz::decode(&self.0.read(&name, most_bytes(grid))?)
-                .ok_or_else(|| self.0.refused(&name, DAMAGED))?;
+                .ok_or_else(|| self.0.input_error(&name, DAMAGED))?;
             if arrays.get("case") != Some(&self.stamp()) {
-                return Err(self.0.refused(&name, "this step belongs to another case"));
+                return Err(self.0.input_error(&name, "this step belongs to another case"));
             }
             let read = || Some((read_numbers(&arrays)?, read_state(&arrays, "", grid)?));
-            let (step, state) = read().ok_or_else(|| self.0.refused(&name, DAMAGED))?;
+            let (step, state) = read().ok_or_else(|| self.0.input_error(&name, DAMAGED))?;
             found.steps.push(step);
             let coarse = std::array::from_fn(|i| read_state(&arrays, COARSE[i], coarse[i]?));
             found.saved = Some(Saved { state, coarse });

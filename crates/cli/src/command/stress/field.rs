@@ -27,8 +27,9 @@ impl FieldFile {
     /// [`CliError::Destination`] unless its name ends in `.npz` or `.vtk` and it may be written.
     pub(super) fn new(path: &Path, outputs: &mut Outputs) -> Result<Self, CliError> {
         const OPTION: &str = "field";
-        let is =
-            |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+        let is = |ending: &str| {
+            path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending))
+        };
         let kind = match () {
             () if is("npz") => Kind::Npz,
             () if is("vtk") => Kind::Vtk,
