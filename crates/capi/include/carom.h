@@ -30,6 +30,15 @@
 // `rings`, of spheres and planes: coupling and the spin about the normal count.
 #define CAROM_IMPACT_RINGS 3
 
+// With CAROM_IMPACT_AUTO friction acts on the spin about the normal where that matters; other laws leave it alone.
+#define CAROM_TORSION_AUTO 0
+
+// The spin is changed by a torsional impact of its own, as if there were no tangential impact.
+#define CAROM_TORSION_INCLUDED 1
+
+// The spin is left alone.
+#define CAROM_TORSION_LEFT_OUT 2
+
 // Nothing is lost in the bodies' material.
 #define CAROM_LOSS_NONE 0
 
@@ -309,13 +318,13 @@ typedef struct carom_touch {
   uint64_t words[CAROM_TOUCH_WORDS];
 } carom_touch;
 
-// A sphere as a particle code moves it.
+// A sphere with its motion, as a particle code stores it.
 typedef struct carom_grain {
-  // Its centre, m.
+  // Position of its centre, m.
   double place[3];
   // The velocity of its centre, m/s.
   double velocity[3];
-  // Its angular velocity, rad/s.
+  // Angular velocity, rad/s.
   double spin[3];
   // Its radius, m.
   double radius;
@@ -345,11 +354,11 @@ typedef struct carom_encounter {
   struct carom_grain_load load;
 } carom_encounter;
 
-// What became of mechanical energy, J: sums, to which a step adds.
+// Dissipated energy, by cause, J.
 typedef struct carom_heats {
-  // The heat of friction, with what a receding edge releases.
+  // Friction heat, including the energy released at a receding edge.
   double friction;
-  // The heat of the viscoelastic material.
+  // Energy dissipated by the viscoelastic material.
   double damping;
 } carom_heats;
 
@@ -361,11 +370,11 @@ typedef struct carom_material {
   double poisson;
 } carom_material;
 
-// A flat wall that may move along.
+// A flat wall, which may move.
 typedef struct carom_wall {
-  // Any place on it, m.
+  // Position of any of its points, m.
   double place[3];
-  // The unit normal, towards the grains.
+  // Unit normal, pointing towards the grains.
   double normal[3];
   // Its velocity, m/s.
   double velocity[3];
@@ -410,7 +419,7 @@ typedef struct carom_collide_options {
   double normal_restitution;
   // To which the outcome is settled; 0 for the usual one.
   double tolerance;
-  // 1: the spin about the normal is changed by a torsional impact of its own where the law neglects it.
+  // A CAROM_TORSION: what becomes of the spin about the normal where the law is not CAROM_IMPACT_RINGS.
   uint32_t torsion;
 } carom_collide_options;
 

@@ -1,7 +1,7 @@
 //! How an impact is computed: options in one struct that may grow.
 
 use carom_impact::coupled::TurningLaw;
-use carom_impact::{Collision, NeededLaw, NormalRestitution, Outcome, RingImpact};
+use carom_impact::{Collision, NeededLaw, NormalRestitution, Outcome, RingImpact, TorsionMode};
 use carom_special::RangeError;
 
 use crate::error::{CaromStatus, Failure};
@@ -17,6 +17,13 @@ pub const CAROM_IMPACT_COULOMB: u32 = 1;
 pub const CAROM_IMPACT_FIXED_DIRECTION: u32 = 2;
 /// `rings`, of spheres and planes: coupling and the spin about the normal count.
 pub const CAROM_IMPACT_RINGS: u32 = 3;
+
+/// With CAROM_IMPACT_AUTO friction acts on the spin about the normal where that matters; other laws leave it alone.
+pub const CAROM_TORSION_AUTO: u32 = 0;
+/// The spin is changed by a torsional impact of its own, as if there were no tangential impact.
+pub const CAROM_TORSION_INCLUDED: u32 = 1;
+/// The spin is left alone.
+pub const CAROM_TORSION_LEFT_OUT: u32 = 2;
 
 /// Nothing is lost in the bodies' material.
 pub const CAROM_LOSS_NONE: u32 = 0;
@@ -40,7 +47,7 @@ pub struct CaromCollideOptions {
     pub normal_restitution: f64,
     /// To which the outcome is settled; 0 for the usual one.
     pub tolerance: f64,
-    /// 1: the spin about the normal is changed by a torsional impact of its own where the law neglects it.
+    /// A CAROM_TORSION: what becomes of the spin about the normal where the law is not CAROM_IMPACT_RINGS.
     pub torsion: u32,
 }
 
@@ -75,9 +82,12 @@ impl CaromCollideOptions {
             collision = collision.within(self.tolerance)?;
         }
         match self.torsion {
-            0 => {}
-            1 => collision = collision.with_torsion(),
-            torsion => return Err(out_of_range("torsion", torsion, "0 or 1")),
+            CAROM_TORSION_AUTO => {}
+            CAROM_TORSION_INCLUDED => collision = collision.with_torsion(),
+            CAROM_TORSION_LEFT_OUT => {
+                collision = collision.with_torsion_mode(TorsionMode::LeftOut);
+            }
+            torsion => return Err(out_of_range("torsion", torsion, "a CAROM_TORSION, 0 to 2")),
         }
         Ok(match self.law {
             CAROM_IMPACT_AUTO => match collision.needed_law(Collision::NEGLIGIBLE_COUPLING) {

@@ -37,10 +37,13 @@ mod touch_twist;
 mod twist;
 mod version;
 
+pub use carom_laws::grains::{Grain as CaromGrain, Heats as CaromHeats, Wall as CaromWall};
+
 pub use batch::carom_contact_advance_many;
 pub use collide_options::{
     CAROM_IMPACT_AUTO, CAROM_IMPACT_COULOMB, CAROM_IMPACT_FIXED_DIRECTION, CAROM_IMPACT_RINGS,
-    CAROM_LOSS_BY_WAVES, CAROM_LOSS_GIVEN, CAROM_LOSS_NONE, CaromCollideOptions,
+    CAROM_LOSS_BY_WAVES, CAROM_LOSS_GIVEN, CAROM_LOSS_NONE, CAROM_TORSION_AUTO,
+    CAROM_TORSION_INCLUDED, CAROM_TORSION_LEFT_OUT, CaromCollideOptions,
 };
 pub use contact::{
     CAROM_CONTACT_WORDS, CaromContact, carom_contact_advance, carom_contact_energy,
@@ -50,8 +53,8 @@ pub use contact::{
 pub use encounters::{CaromEncounter, carom_touch_many};
 pub use error::{CaromError, CaromStatus, carom_status_text};
 pub use grains::{
-    CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, CaromWall, carom_grains_of,
-    carom_touch_grains, carom_touch_grains_load, carom_touch_wall, carom_touch_wall_load,
+    CaromGrainLoad, CaromGrains, carom_grains_of, carom_touch_grains, carom_touch_grains_load,
+    carom_touch_wall, carom_touch_wall_load,
 };
 pub use impact::{
     CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,

@@ -2,13 +2,11 @@
 
 use std::mem::MaybeUninit;
 
-use carom_laws::grains::{GrainRings, Heats, RING_GRAIN_MARK, ring_grain_numbers};
+use carom_laws::grains::{Grain, GrainRings, Heats, RING_GRAIN_MARK, Wall, ring_grain_numbers};
 use carom_laws::rings::Rings;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::grains::{
-    Bodies, CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, CaromWall, relative_radius,
-};
+use crate::grains::{Bodies, CaromGrainLoad, CaromGrains, relative_radius};
 use crate::law::{CaromRegime, CaromReport};
 use crate::pointers::{read, write};
 use crate::rings::CaromRings;
@@ -67,7 +65,7 @@ unsafe fn advance(
     bodies: impl Bodies,
     dt: f64,
     load: *mut CaromGrainLoad,
-    heats: *mut CaromHeats,
+    heats: *mut Heats,
 ) -> Result<(), Failure> {
     // SAFETY: the caller's promise.
     let (grains, rings) = unsafe { (read(grains, "grains")?, read(rings, "rings")?) };
@@ -77,17 +75,14 @@ unsafe fn advance(
     let sums = if heats.is_null() { None } else { Some(unsafe { write(heats, "heats")? }) };
     let meeting = bodies.meeting(grains)?;
     let rings = constants(grains, rings, bodies.radii())?;
-    let mut heats = Heats::default();
+    let mut unasked = Heats::default();
+    let heats = sums.unwrap_or(&mut unasked);
     if let Some(contact) = present_mut::<GrainRings, _>(touch.mark, &mut touch.words)? {
-        *load = contact.advance_accounted(&rings, &meeting, dt, &mut heats)?.into();
+        *load = contact.advance_accounted(&rings, &meeting, dt, heats)?.into();
     } else {
         let mut contact = GrainRings::new(&rings, grains.relaxation)?;
-        *load = contact.advance_accounted(&rings, &meeting, dt, &mut heats)?.into();
+        *load = contact.advance_accounted(&rings, &meeting, dt, heats)?.into();
         touch.keep(&contact);
-    }
-    if let Some(sums) = sums {
-        sums.friction += heats.friction;
-        sums.damping += heats.damping;
     }
     Ok(())
 }
@@ -128,11 +123,11 @@ pub unsafe extern "C" fn carom_ring_touch_grains(
     grains: *const CaromGrains,
     rings: *const CaromRings,
     touch: *mut CaromRingTouch,
-    one: *const CaromGrain,
-    two: *const CaromGrain,
+    one: *const Grain,
+    two: *const Grain,
     dt: f64,
     load: *mut CaromGrainLoad,
-    heats: *mut CaromHeats,
+    heats: *mut Heats,
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
@@ -153,11 +148,11 @@ pub unsafe extern "C" fn carom_ring_touch_wall(
     grains: *const CaromGrains,
     rings: *const CaromRings,
     touch: *mut CaromRingTouch,
-    one: *const CaromGrain,
-    wall: *const CaromWall,
+    one: *const Grain,
+    wall: *const Wall,
     dt: f64,
     load: *mut CaromGrainLoad,
-    heats: *mut CaromHeats,
+    heats: *mut Heats,
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
@@ -179,8 +174,8 @@ pub unsafe extern "C" fn carom_ring_touch_grains_load(
     grains: *const CaromGrains,
     rings: *const CaromRings,
     touch: *const CaromRingTouch,
-    one: *const CaromGrain,
-    two: *const CaromGrain,
+    one: *const Grain,
+    two: *const Grain,
     load: *mut CaromGrainLoad,
     error: *mut CaromError,
 ) -> CaromStatus {
@@ -200,8 +195,8 @@ pub unsafe extern "C" fn carom_ring_touch_wall_load(
     grains: *const CaromGrains,
     rings: *const CaromRings,
     touch: *const CaromRingTouch,
-    one: *const CaromGrain,
-    wall: *const CaromWall,
+    one: *const Grain,
+    wall: *const Wall,
     load: *mut CaromGrainLoad,
     error: *mut CaromError,
 ) -> CaromStatus {

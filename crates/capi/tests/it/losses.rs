@@ -23,9 +23,15 @@ fn bodies() -> [CaromBody; 2] {
     [ball, floor]
 }
 
+fn usual() -> CaromCollideOptions {
+    CaromCollideOptions::default()
+}
+
+/// The exact impact, with a loss.
 fn options(loss: u32, normal_restitution: f64) -> CaromCollideOptions {
     let size = size_of::<CaromCollideOptions>();
-    CaromCollideOptions { size, loss, normal_restitution, ..CaromCollideOptions::default() }
+    let (law, torsion) = (CAROM_IMPACT_COULOMB, CAROM_TORSION_LEFT_OUT);
+    CaromCollideOptions { size, law, loss, normal_restitution, torsion, ..usual() }
 }
 
 fn collide(loss: u32, e: f64) -> (CaromStatus, CaromRebound, CaromError) {
@@ -106,7 +112,12 @@ fn an_elastic_call_is_the_plain_one() {
     // SAFETY: all pointers are null or references.
     let status =
         unsafe { carom_collide(&ball, &floor, 0.3, up, null(), place, std::ptr::null_mut()) };
-    assert_eq!((status, plain), (CaromStatus::Ok, collide(CAROM_LOSS_NONE, 0.0).1));
+    let mut told = CaromRebound::default();
+    let elastic = CaromCollideOptions { size: size_of::<CaromCollideOptions>(), ..usual() };
+    let (nothing, place) = (std::ptr::null_mut(), &raw mut told);
+    // SAFETY: all pointers are null or references.
+    let again = unsafe { carom_collide(&ball, &floor, 0.3, up, &elastic, place, nothing) };
+    assert_eq!((status, again, plain), (CaromStatus::Ok, CaromStatus::Ok, told));
     assert_eq!(plain.energy_lost, 0.0);
 }
 
@@ -147,9 +158,13 @@ fn options_may_be_shorter_and_not_longer() {
             carom_collide(&ball, &floor, 0.3, UP.as_ptr(), options, told, std::ptr::null_mut())
         }
     };
-    let usual = CaromCollideOptions { size: 8, ..options(3, f64::NAN) };
-    assert_eq!(by(&usual, &mut told), CaromStatus::Ok);
-    assert_eq!(told, collide(CAROM_LOSS_NONE, 0.0).1);
+    let (mut whole, size) = (CaromRebound::default(), size_of::<CaromCollideOptions>());
+    assert_eq!(by(&CaromCollideOptions { size, ..usual() }, &mut whole), CaromStatus::Ok);
+    assert_eq!(
+        by(&CaromCollideOptions { size: 8, ..options(3, f64::NAN) }, &mut told),
+        CaromStatus::Ok
+    );
+    assert_eq!(told, whole);
     for size in [0, 7, size_of::<CaromCollideOptions>() + 1, usize::MAX] {
         let wrong = CaromCollideOptions { size, ..options(0, 1.0) };
         assert_eq!(by(&wrong, &mut told), CaromStatus::OutOfRange);
@@ -174,7 +189,7 @@ fn options_choose_law_tolerance_and_torsion() {
         };
         (status, told)
     };
-    let usual = CaromCollideOptions::default();
+    let usual = usual();
     let (_, rings) = solved(CaromCollideOptions { law: CAROM_IMPACT_RINGS, ..usual });
     assert_eq!(solved(usual).1, rings);
     let (_, fine) =
@@ -191,7 +206,7 @@ fn options_choose_law_tolerance_and_torsion() {
     assert!(twisted.torque_impulse > rings.torque_impulse && rings.torque_impulse > 0.0);
     let wrong = [
         CaromCollideOptions { law: 4, ..usual },
-        CaromCollideOptions { torsion: 2, ..usual },
+        CaromCollideOptions { torsion: 3, ..usual },
         CaromCollideOptions { tolerance: -1.0, ..usual },
     ];
     assert!(wrong.into_iter().all(|options| solved(options).0 == CaromStatus::OutOfRange));
