@@ -269,18 +269,6 @@ impl Collision {
         self.with_torsion_mode(TorsionMode::Included)
     }
 
-    /// The same collision, where friction acts on the spin about the normal always, never, or where it matters.
-    #[must_use]
-    pub fn with_torsion_mode(self, torsion: TorsionMode) -> Self {
-        Self { torsion, ..self }
-    }
-
-    /// Whether friction acts on the spin about the normal.
-    #[must_use]
-    pub const fn torsion_mode(&self) -> TorsionMode {
-        self.torsion
-    }
-
     /// The same collision of bodies whose material takes a part of the normal energy, and alike of the
     /// tangential one: an extension of the elastic theory, see [`NormalRestitution`]. Duration, greatest
     /// force and course are those of the elastic impact.

@@ -1,4 +1,4 @@
-//! How much the spin about the normal can change of an impact.
+//! Whether friction acts on the spin about the normal, and how much that can change of an impact.
 
 use super::Collision;
 use crate::normal::NormalImpact;
@@ -31,6 +31,18 @@ pub struct TwistBound {
 }
 
 impl Collision {
+    /// The same collision, where friction acts on the spin about the normal always, never, or where it matters.
+    #[must_use]
+    pub fn with_torsion_mode(self, torsion: TorsionMode) -> Self {
+        Self { torsion, ..self }
+    }
+
+    /// Whether friction acts on the spin about the normal.
+    #[must_use]
+    pub const fn torsion_mode(&self) -> TorsionMode {
+        self.torsion
+    }
+
     /// Bounds of what the relative spin about the normal changes of R_x, and of what friction takes of that spin. Both
     /// are 0 where the spin is left alone by [`Collision::with_torsion_mode`], and for other bodies than spheres and
     /// planes that turn as easily about all tangents: only rings know a spin together with a shift.
