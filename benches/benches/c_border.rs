@@ -1,15 +1,14 @@
-//! What the C border costs: one step of a contact as a law, as a `carom_contact` and as a `carom_state`, one
-//! by one and many in a call.
+//! What the C border costs: one step of a contact as a law and as a `carom_contact`, one by one
+//! and many in a call.
 
 use std::hint::black_box;
 use std::mem::MaybeUninit;
 use std::ptr::null_mut;
 
 use carom_capi::{
-    CAROM_CONTACT_WORDS, CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_STATE_NUMBERS,
-    CaromContact, CaromLoad, CaromMaterial, CaromPair, CaromShift, CaromState, CaromStatus,
-    carom_contact_advance, carom_contact_advance_many, carom_pair_of_spheres, carom_state_advance,
-    carom_state_advance_many,
+    CAROM_CONTACT_WORDS, CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CaromContact, CaromLoad,
+    CaromMaterial, CaromPair, CaromShift, CaromStatus, carom_contact_advance,
+    carom_contact_advance_many, carom_pair_of_spheres,
 };
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Shift};
@@ -66,10 +65,6 @@ fn by_law(pair: &CaromPair, path: &[[CaromShift; CONTACTS]]) -> f64 {
     sum
 }
 
-fn fresh_states() -> Vec<CaromState> {
-    vec![CaromState { numbers: [0.0; CAROM_STATE_NUMBERS] }; CONTACTS]
-}
-
 fn fresh_contacts() -> Vec<CaromContact> {
     let words = [MaybeUninit::new(0); CAROM_CONTACT_WORDS];
     vec![CaromContact { mark: 0, words }; CONTACTS]
@@ -124,13 +119,6 @@ fn border(criterion: &mut Criterion) {
             };
             b.iter(|| one_by_one(fresh_contacts(), black_box(&path), step));
         });
-        group.bench_function(BenchmarkId::new("state", "one by one"), |b| {
-            // SAFETY: all pointers are references.
-            let step = |kept: &mut _, shift, load: &mut _| unsafe {
-                carom_state_advance(&pair, kept, shift, load, error);
-            };
-            b.iter(|| one_by_one(fresh_states(), black_box(&path), step));
-        });
         group.bench_function(BenchmarkId::new("contact", "many"), |b| {
             // SAFETY: the arrays have as many entries; the strides are theirs.
             let step = |kept: &mut [CaromContact], x: &[CaromShift], f: &mut [CaromLoad]| unsafe {
@@ -139,15 +127,6 @@ fn border(criterion: &mut Criterion) {
                 carom_contact_advance_many(&pair, CONTACTS, kept, stride, x, shift, f, load, error);
             };
             b.iter(|| all_at_once(fresh_contacts(), black_box(&path), step));
-        });
-        group.bench_function(BenchmarkId::new("state", "many"), |b| {
-            // SAFETY: the arrays have as many entries; the strides are theirs.
-            let step = |kept: &mut [CaromState], x: &[CaromShift], f: &mut [CaromLoad]| unsafe {
-                let (stride, f) = (size_of::<CaromState>(), f.as_mut_ptr());
-                let (kept, x) = (kept.as_mut_ptr(), x.as_ptr());
-                carom_state_advance_many(&pair, CONTACTS, kept, stride, x, shift, f, load, error);
-            };
-            b.iter(|| all_at_once(fresh_states(), black_box(&path), step));
         });
         group.finish();
     }

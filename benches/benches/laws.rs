@@ -8,7 +8,7 @@ use std::hint::black_box;
 use std::time::Duration;
 
 use carom_laws::accounted::Accounted;
-use carom_laws::coulomb::{CoulombMemory, Tolerance};
+use carom_laws::coulomb::{CoulombMemory, FixedCurve, Tolerance};
 use carom_laws::friction::Friction;
 use carom_laws::law::{ContactLaw, Shift};
 use carom_laws::memory::{Fixed, Growing, Lateral, Memory, VertexStack};
@@ -321,7 +321,7 @@ fn in_storage<const N: usize>(
             let mut sum = [0.0; 2];
             for path in black_box(paths) {
                 let mut memory =
-                    CoulombMemory::<[f64; 2], Fixed<[f64; 2], N>>::new(Tolerance::PARTICLES);
+                    CoulombMemory::<[f64; 2], FixedCurve<[f64; 2], N>>::new(Tolerance::PARTICLES);
                 for &(zeta, x) in path {
                     sum = sum.plus(memory.advance(zeta, x).unwrap_or_default());
                 }

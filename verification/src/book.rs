@@ -1,19 +1,19 @@
-//! The formulas of the book below `docs/book`.
+//! Formulas of the book in `docs/book`, converted to MathML.
 
 use crate::report::markup::{escape, formula, formula_of_its_own};
 use serde_json::Value;
 
-/// A formula that cannot be set.
+/// A formula that cannot be converted.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
-#[error("cannot set the formula ${formula}$: {reason}")]
+#[error("cannot convert the formula ${formula}$: {reason}")]
 pub struct FormulaError {
-    /// As it stands.
+    /// The formula in LaTeX.
     pub formula: String,
-    /// Why not.
+    /// The reason.
     pub reason: String,
 }
 
-/// Markdown with its formulas, `$a$` and `$$a$$`, as MathML; code stays as it is.
+/// Converts the formulas of Markdown, `$a$` and `$$a$$`, to MathML; code does not change.
 ///
 /// ```
 /// use carom_verification::book::set_formulas;
@@ -23,7 +23,7 @@ pub struct FormulaError {
 /// ```
 ///
 /// # Errors
-/// [`FormulaError`] for one that is not LaTeX, or has no end.
+/// [`FormulaError`] for a formula that is not LaTeX or has no end.
 pub fn set_formulas(markdown: &str) -> Result<String, FormulaError> {
     let mut set = String::new();
     let mut rest = markdown;
@@ -61,8 +61,8 @@ pub fn set_formulas(markdown: &str) -> Result<String, FormulaError> {
     Ok(set + rest)
 }
 
-/// Sets the formulas of all chapters of a book as mdBook hands it on: the `content` of each, wherever it
-/// stands.
+/// Converts the formulas of all chapters of a book in mdBook's JSON: in each `content`, at any
+/// depth.
 ///
 /// # Errors
 /// As [`set_formulas`].
@@ -79,11 +79,11 @@ pub fn set_in_chapters(book: &mut Value) -> Result<(), FormulaError> {
     }
 }
 
-/// What must not begin a line.
+/// Characters that must not begin a line.
 const CLOSING: [char; 6] = [')', ',', '.', ';', ':', '?'];
 
-/// Appends a formula within a line. Browsers would break the line between it and the brackets and commas
-/// that touch it.
+/// Appends a formula in a line. Browsers would break the line between it and adjacent brackets and
+/// commas.
 fn append(set: &mut String, markup: &str, closing: &str) {
     let start = set.trim_end_matches('(').len();
     let opening = set.split_off(start);
@@ -101,7 +101,7 @@ fn checked(content: &str, markup: String) -> Result<String, FormulaError> {
     }
 }
 
-/// On one line, and without what Markdown would take for its own.
+/// The markup on one line, with characters escaped that Markdown would interpret.
 fn quiet(markup: &str) -> String {
     markup.replace('\n', " ").replace('*', "&#42;").replace('_', "&#95;")
 }
@@ -121,7 +121,7 @@ mod tests {
         assert_eq!(set_formulas("no formula").unwrap(), "no formula");
     }
 
-    /// Else a line ends with the bracket that opens, or begins with the comma.
+    /// Otherwise a line may end with the opening bracket or begin with the comma.
     #[test]
     fn brackets_and_commas_stay_with_their_formula() {
         let set = set_formulas("on ($R_x = 1$), or $x$.\n- $y$ is").unwrap();

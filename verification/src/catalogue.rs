@@ -1,4 +1,4 @@
-//! The list of the thesis's tables and figures, and who computes each.
+//! The catalogue of tables and figures of the thesis, with the function that computes each.
 
 use crate::figure::Figure;
 use std::panic::Location;
@@ -6,7 +6,7 @@ use std::panic::Location;
 /// What a figure's function returns; any error type converts with `?`.
 pub type FigureResult = Result<Figure, Failure>;
 
-/// What a figure or a part of it fails with.
+/// The error of a figure or of a part of it.
 pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 
 /// A table or figure of the thesis and the function that computes it, if there is one.
@@ -14,15 +14,15 @@ pub type Failure = Box<dyn std::error::Error + Send + Sync>;
 pub struct Entry {
     /// Number in the thesis, as `5.3` or `table-13.1`.
     pub id: &'static str,
-    /// What it shows, in short.
+    /// Short title.
     pub title: &'static str,
     /// Figure or table.
     pub kind: Kind,
     /// The function that computes it, if there is one.
     pub source: Source,
-    /// What is missing, if only a part of it is computed.
+    /// What is missing if only a part is computed.
     pub lacks: Option<&'static str>,
-    /// Its line in the catalogue.
+    /// Source location of its line in the catalogue.
     pub place: &'static Location<'static>,
 }
 
@@ -33,12 +33,12 @@ pub enum State {
     Done,
     /// A part; the entry says what is missing.
     Partial,
-    /// Nothing.
+    /// None of it.
     Missing,
 }
 
 impl State {
-    /// The word for it.
+    /// The state as a word.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -60,14 +60,14 @@ pub enum Kind {
     Check,
 }
 
-/// Who computes an entry.
+/// How an entry is computed.
 #[derive(Debug, Clone, Copy)]
 pub enum Source {
-    /// Nobody yet.
+    /// It is not computed yet.
     Missing,
     /// A function that takes well under a second.
     Fast(fn() -> FigureResult),
-    /// A function that takes longer; left out of quick runs.
+    /// A function that takes longer; skipped in quick runs.
     Slow(fn() -> FigureResult),
 }
 
@@ -86,7 +86,7 @@ impl Entry {
         Self::new(id, title, Kind::Table)
     }
 
-    /// A check of carom itself, beside what the thesis has.
+    /// A check of carom itself, which the thesis does not contain.
     #[must_use]
     #[track_caller]
     pub const fn check(id: &'static str, title: &'static str) -> Self {
@@ -98,27 +98,28 @@ impl Entry {
         Self { id, title, kind, source: Source::Missing, lacks: None, place: Location::caller() }
     }
 
-    /// Whether the thesis has it.
+    /// Whether it is a table or figure of the thesis.
     #[must_use]
     pub const fn is_in_thesis(&self) -> bool {
         !matches!(self.kind, Kind::Check)
     }
 
-    /// Computed by `function`, in well under a second.
+    /// Computed by `function` in well under a second.
     #[must_use]
     pub const fn by(mut self, function: fn() -> FigureResult) -> Self {
         self.source = Source::Fast(function);
         self
     }
 
-    /// Computed by `function`, which takes longer: quick runs leave it out.
+    /// Computed by `function`, which takes longer; skipped in quick runs.
     #[must_use]
     pub const fn slowly_by(mut self, function: fn() -> FigureResult) -> Self {
         self.source = Source::Slow(function);
         self
     }
 
-    /// Only a part of it is computed: `lacks` says what is missing. It is counted apart.
+    /// Marks it as computed in part; `lacks` says what is missing. Partial entries are counted
+    /// separately.
     #[must_use]
     pub const fn partial(mut self, lacks: &'static str) -> Self {
         self.lacks = Some(lacks);
@@ -135,26 +136,26 @@ impl Entry {
         }
     }
 
-    /// The chapter it stands in.
+    /// The chapter of its number.
     #[must_use]
     pub fn chapter(&self) -> &'static str {
         let number = self.id.strip_prefix("table-").unwrap_or(self.id);
         number.split_once('.').map_or(number, |(chapter, _)| chapter)
     }
 
-    /// Whether some function computes it, or a part of it.
+    /// Whether a function computes it, or a part of it.
     #[must_use]
     pub const fn is_computed(&self) -> bool {
         !matches!(self.source, Source::Missing)
     }
 
-    /// Whether quick runs leave it out.
+    /// Whether it is skipped in quick runs.
     #[must_use]
     pub const fn is_slow(&self) -> bool {
         matches!(self.source, Source::Slow(_))
     }
 
-    /// `fig-5.3` or `table-13.1`: the name of its files.
+    /// `fig-5.3` or `table-13.1`: the base name of its files.
     #[must_use]
     pub fn stem(&self) -> String {
         let is_named = self.id.starts_with("table-");
@@ -173,7 +174,7 @@ impl Entry {
         }
     }
 
-    /// Computes the figure, with id and title set; `None` if nobody does.
+    /// Computes the figure, with id and title set; `None` if no function computes it.
     #[must_use]
     pub fn draw(&self) -> Option<FigureResult> {
         let function = match self.source {
@@ -188,7 +189,7 @@ impl Entry {
     }
 }
 
-/// Every table and figure of the thesis, in order, and the checks of carom itself.
+/// All tables and figures of the thesis in order, and the checks of carom itself.
 #[must_use]
 pub fn catalogue() -> Vec<Entry> {
     crate::figures::CHAPTERS.concat()

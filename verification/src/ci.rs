@@ -1,5 +1,4 @@
-//! For machines: the result of a run as JSON, as JUnit's XML, and as annotations of the lines
-//! that fail.
+//! Machine-readable results of a run: JSON, JUnit XML, and annotations of source lines.
 
 use crate::catalogue::{Entry, Kind};
 use crate::page::Page;
@@ -9,7 +8,7 @@ use serde_json::{Value, json};
 use std::fmt::Write as _;
 use std::path::PathBuf;
 
-/// A run as JSON: the count, the pages with their claims, and the snapshots without a page.
+/// A run as JSON: counts, pages with their claims, and snapshots without a page.
 #[must_use]
 pub fn json(tally: &Tally, pages: &[(Entry, Page)], orphans: &[PathBuf]) -> Value {
     let passes = orphans.is_empty() && pages.iter().all(|(_, page)| page.passes());
@@ -42,8 +41,8 @@ fn page_json(entry: &Entry, page: &Page) -> Value {
     })
 }
 
-/// A run as JUnit's XML: a suite a page, a case a claim, and one each for the computation, the
-/// snapshot and what a partial page lacks (skipped).
+/// A run as JUnit XML: one suite per page and one case per claim; also one case each for the
+/// computation, the snapshot and the missing part of a partial page (skipped).
 #[must_use]
 pub fn junit(pages: &[(Entry, Page)], orphans: &[PathBuf]) -> String {
     let mut text = "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n\
@@ -121,7 +120,7 @@ fn suite(text: &mut String, name: &str, seconds: f64, cases: &[Case]) {
     text.push_str("  </testsuite>\n");
 }
 
-/// Text for XML, without the characters that it does not allow.
+/// Text for XML, without characters that XML does not allow.
 fn xml(text: &str) -> String {
     text.chars()
         .filter(|c| !c.is_control())
@@ -132,8 +131,8 @@ fn xml(text: &str) -> String {
         .replace('"', "&quot;")
 }
 
-/// What fails, as annotations of the lines that say so: `::error file=...,line=...::...`, one a
-/// line.
+/// The failures as annotations of the source lines of the claims, one per line:
+/// `::error file=...,line=...::...`.
 #[must_use]
 pub fn annotations(pages: &[(Entry, Page)], orphans: &[PathBuf]) -> String {
     let mut text = String::new();

@@ -3,10 +3,10 @@
 use std::fmt;
 use std::panic::Location;
 
-/// A statement about a figure with the measurement that decides it.
+/// A statement about a figure and the measurement that decides it.
 ///
 /// A claim that cannot fail (an infinite tolerance, an empty list) counts as failed, and so does
-/// one that does not say where its expectation comes from.
+/// one without a source of its expected value.
 ///
 /// ```
 /// use carom_verification::{Claim, Tolerance};
@@ -20,15 +20,15 @@ use std::panic::Location;
 pub struct Claim {
     /// The statement, in words.
     pub statement: String,
-    /// Where the expectation comes from: the thesis's text, a closed form, reference values.
+    /// Source of the expected value: the text of the thesis, a closed form, reference values.
     pub source: String,
-    /// The measurement and what it is held against.
+    /// The measurement and its expectation.
     pub check: Check,
-    /// Where it is made.
+    /// Source location of the claim.
     pub place: &'static Location<'static>,
 }
 
-/// A measurement and what it is held against.
+/// A measurement and its expectation.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Check {
     /// A number and its expected value.
@@ -51,23 +51,23 @@ pub enum Check {
     Bound {
         /// Measured value.
         measured: f64,
-        /// The bound, itself allowed.
+        /// The bound; a value equal to it is allowed.
         bound: f64,
-        /// Which side is allowed.
+        /// The allowed side.
         side: Side,
     },
-    /// Numbers in an order.
+    /// Numbers that must be in an order.
     Ordered {
-        /// The values in the order stated.
+        /// The values, in the order in which they are compared.
         values: Vec<f64>,
         /// The order.
         order: Order,
     },
-    /// A yes or no, with the number behind it.
+    /// A condition and the number that it depends on.
     Holds {
-        /// The answer.
+        /// Whether the condition holds.
         holds: bool,
-        /// The number behind the answer.
+        /// The number that it depends on.
         measured: f64,
     },
 }
@@ -196,7 +196,7 @@ impl Claim {
         Self::new(statement, Check::Ordered { values, order: Order::Decreasing })
     }
 
-    /// Something is so; `measured` is the number that shows it.
+    /// A condition holds; `measured` is the number that shows it.
     #[must_use]
     #[track_caller]
     pub fn holds(statement: impl Into<String>, holds: bool, measured: f64) -> Self {
@@ -209,27 +209,27 @@ impl Claim {
         Self { statement: statement.into(), source: String::new(), check, place }
     }
 
-    /// Says where the expectation comes from.
+    /// Sets the source of the expected value.
     #[must_use]
     pub fn source(mut self, source: impl Into<String>) -> Self {
         self.source = source.into();
         self
     }
 
-    /// Whether the statement has a source and the measurement bears it out.
+    /// Whether the claim has a source and the measurement satisfies it.
     #[must_use]
     pub fn passes(&self) -> bool {
         self.has_source() && self.ratio() <= 1.0
     }
 
-    /// Whether it says where its expectation comes from.
+    /// Whether the claim has a source.
     #[must_use]
     pub fn has_source(&self) -> bool {
         !self.source.trim().is_empty()
     }
 
-    /// Deviation over tolerance: at most 1 if the claim passes, infinite if it cannot be
-    /// measured so. For a bound, how much of it is used; for an order or a yes-or-no, 0 or
+    /// Deviation over tolerance: at most 1 if the claim passes, infinite if the deviation is not a
+    /// number. For a bound it is the share of it that is used; for an order or a condition, 0 or
     /// infinity.
     #[must_use]
     pub fn ratio(&self) -> f64 {
@@ -257,7 +257,7 @@ impl Claim {
             .map(|pair| (*pair, *tolerance))
     }
 
-    /// What was measured, in words and numbers.
+    /// The measurement in words and numbers.
     #[must_use]
     pub fn measured(&self) -> String {
         match &self.check {
@@ -279,7 +279,7 @@ impl Claim {
         }
     }
 
-    /// What was expected, in words and numbers.
+    /// The expectation in words and numbers.
     #[must_use]
     pub fn expected(&self) -> String {
         match &self.check {
@@ -310,7 +310,7 @@ pub fn number(value: f64) -> String {
     }
 }
 
-/// How much of an upper bound a value uses: at most 1 if the value respects it.
+/// The share of an upper bound that a value uses: at most 1 if the value satisfies it.
 fn part_used(measured: f64, bound: f64) -> f64 {
     if !bound.is_finite() || measured.is_nan() {
         f64::INFINITY

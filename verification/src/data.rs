@@ -2,7 +2,7 @@
 
 use crate::figure::{Cell, Figure, Table};
 
-/// All series of a figure, one point a row: panel, series, x, y.
+/// All series of a figure, one point per row: panel, series, x, y.
 ///
 /// # Errors
 /// If the writer fails.
@@ -22,7 +22,7 @@ pub fn series_csv(figure: &Figure) -> Result<String, csv::Error> {
     finish(writer)
 }
 
-/// A table with its heads.
+/// A table with column heads.
 ///
 /// # Errors
 /// If a row is not as long as the heads.

@@ -1,12 +1,12 @@
 //! A figure as data: inputs, panels of series, tables, claims and deviations from the thesis.
 //!
-//! How it looks is decided in `carom_plot`; where it stands in the thesis, by its
-//! [`crate::catalogue::Entry`].
+//! `carom_plot` defines the appearance; the catalogue ([`crate::catalogue::Entry`]) gives number
+//! and title.
 
 use crate::claim::{Claim, Pair, Tolerance};
 pub use carom_plot::{Aspect, Axis, Limits, Panel, Scale};
 
-/// A table or figure of the thesis, computed: data and the claims that check them.
+/// A computed table or figure of the thesis: data and the claims that check them.
 ///
 /// ```
 /// use carom_verification::{Claim, Figure, Panel, Series, Tolerance};
@@ -23,7 +23,7 @@ pub use carom_plot::{Aspect, Axis, Limits, Panel, Scale};
 pub struct Figure {
     /// Number in the thesis; set by the catalogue.
     pub id: String,
-    /// What it shows; set by the catalogue.
+    /// Title; set by the catalogue.
     pub title: String,
     /// The inputs, each with its origin.
     pub inputs: Vec<Input>,
@@ -31,9 +31,9 @@ pub struct Figure {
     pub panels: Vec<Panel>,
     /// The tables.
     pub tables: Vec<Table>,
-    /// The claims, each of which could fail.
+    /// The claims.
     pub claims: Vec<Claim>,
-    /// Where the thesis prints something else.
+    /// Deviations from what the thesis prints.
     pub deviations: Vec<Deviation>,
     /// Precision of the snapshot.
     pub precision: Precision,
@@ -56,7 +56,7 @@ impl Figure {
         self.input(name, value, Origin::Derived);
     }
 
-    /// Adds an input that the thesis does not give: our choice.
+    /// Adds an input that the thesis does not give and that was chosen here.
     pub fn assumed(&mut self, name: impl Into<String>, value: impl Into<String>) {
         self.input(name, value, Origin::Assumed);
     }
@@ -75,7 +75,7 @@ impl Figure {
         self.tables.push(table);
     }
 
-    /// Adds a claim made elsewhere.
+    /// Adds a claim.
     pub fn claim(&mut self, claim: Claim) {
         self.claims.push(claim);
     }
@@ -145,7 +145,7 @@ impl Figure {
         self.new_claim(Claim::decreasing(statement, values))
     }
 
-    /// Claims that something is so; `measured` is the number that shows it.
+    /// Claims that a condition holds; `measured` is the number that shows it.
     #[track_caller]
     pub fn holds(
         &mut self,
@@ -160,7 +160,7 @@ impl Figure {
         NewClaim { claims: &mut self.claims, claim }
     }
 
-    /// Records that the thesis prints something else, and why.
+    /// Records that the thesis prints a different value, and the cause.
     pub fn deviation(
         &mut self,
         printed: impl Into<String>,
@@ -174,14 +174,14 @@ impl Figure {
         });
     }
 
-    /// Sets the significant digits that the snapshot keeps (6 unless said); iterative results
-    /// need fewer than their own accuracy.
+    /// Sets the number of significant digits of the snapshot (default 6). Results of iterations
+    /// need fewer digits than their accuracy.
     pub fn snapshot_digits(&mut self, digits: u8) {
         self.precision = Precision { digits };
     }
 }
 
-/// A claim that still has to say where its expectation comes from.
+/// A claim that still needs the source of its expected value.
 #[must_use = "a claim counts only with its source"]
 #[derive(Debug)]
 pub struct NewClaim<'f> {
@@ -190,7 +190,7 @@ pub struct NewClaim<'f> {
 }
 
 impl NewClaim<'_> {
-    /// Adds the claim with the source of its expectation.
+    /// Adds the claim with this source of its expected value.
     pub fn source(self, source: impl Into<String>) {
         self.claims.push(self.claim.source(source));
     }
@@ -199,27 +199,27 @@ impl NewClaim<'_> {
 /// A named input of a figure.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Input {
-    /// Symbol or name, in the thesis's words.
+    /// Symbol or name as in the thesis.
     pub name: String,
     /// The value with its unit, or the range.
     pub value: String,
-    /// Where it comes from.
+    /// Its origin.
     pub origin: Origin,
 }
 
-/// Where an input comes from.
+/// Origin of an input.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Origin {
-    /// The text or caption gives it.
+    /// Given in the text or caption.
     Stated,
-    /// It follows from what is stated.
+    /// Follows from what is stated.
     Derived,
-    /// Our choice: the thesis does not give it.
+    /// Chosen here: the thesis does not give it.
     Assumed,
 }
 
 impl Origin {
-    /// The word for it.
+    /// The origin as a word.
     #[must_use]
     pub const fn word(self) -> &'static str {
         match self {
@@ -233,7 +233,7 @@ impl Origin {
 /// A table of numbers and words.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Table {
-    /// Shown above it.
+    /// Title above the table.
     pub title: String,
     /// Heads of the columns.
     pub columns: Vec<String>,
@@ -266,9 +266,9 @@ impl Table {
 pub enum Cell {
     /// A number; goes into the snapshot.
     Number(f64),
-    /// Words.
+    /// Words, compared in the snapshot.
     Text(String),
-    /// Words that the snapshot leaves out, as rounding errors or times, which differ between
+    /// Words that are not in the snapshot, such as round-off errors or times, which differ between
     /// machines.
     Remark(String),
 }
@@ -291,18 +291,18 @@ impl From<String> for Cell {
     }
 }
 
-/// Something the thesis prints otherwise, with the correct value and the reason.
+/// A deviation: what the thesis prints, the correct value and the cause.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Deviation {
     /// What the thesis prints or says.
     pub printed: String,
-    /// What is right.
+    /// The correct value.
     pub corrected: String,
-    /// Why they differ.
+    /// The cause of the difference.
     pub cause: String,
 }
 
-/// How many digits the snapshot of a figure keeps.
+/// Number of digits in the snapshot of a figure.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Precision {
     /// Significant digits, relative to the largest value of each series or column.

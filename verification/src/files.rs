@@ -9,34 +9,34 @@ use std::path::{Path, PathBuf};
 /// Why a file could not be written.
 #[derive(Debug, thiserror::Error)]
 pub enum WriteError {
-    /// The system refused.
+    /// An input/output error.
     #[error("cannot write {}: {source}", path.display())]
     Io {
         /// The file or folder.
         path: PathBuf,
-        /// Its reason.
+        /// The error of the system.
         source: std::io::Error,
     },
-    /// The data do not make a table.
+    /// The data cannot be written as a table.
     #[error(transparent)]
     Csv(#[from] csv::Error),
-    /// The record does not make JSON.
+    /// The record cannot be written as JSON.
     #[error(transparent)]
     Json(#[from] serde_json::Error),
 }
 
-/// The folder of a run's files. The record of each page stays until the page is computed again,
-/// so that a run of a few pages keeps the report of all.
+/// The output folder of a run. The record of a page remains until the page is computed again, so
+/// that the report of a partial run contains all pages.
 #[derive(Debug, Clone)]
 pub struct Folder {
     path: PathBuf,
 }
 
 impl Folder {
-    /// The folder at `path`, made if it is not there.
+    /// The folder at `path`, created if it does not exist.
     ///
     /// # Errors
-    /// If it cannot be made.
+    /// If it cannot be created.
     pub fn new(path: PathBuf) -> Result<Self, WriteError> {
         let folder = Self { path };
         let records = folder.records();
@@ -53,21 +53,20 @@ impl Folder {
         self.records().join(format!("{}.json", entry.stem()))
     }
 
-    /// Where a page's messages go while it is computed.
+    /// The file for messages of a page while it is computed.
     #[must_use]
     pub fn log(&self, entry: Entry) -> PathBuf {
         self.records().join(format!("{}.log", entry.stem()))
     }
 
-    /// The record of a page, from this run or an earlier one; none if there is none that can be
-    /// read.
+    /// The record of a page from this run or an earlier one; `None` if there is no readable one.
     #[must_use]
     pub fn load(&self, entry: Entry) -> Option<Page> {
         let text = std::fs::read_to_string(self.record(entry)).ok()?;
         serde_json::from_str(&text).ok()
     }
 
-    /// Keeps the record of a page.
+    /// Saves the record of a page.
     ///
     /// # Errors
     /// If it cannot be written.
@@ -75,10 +74,10 @@ impl Folder {
         write_whole(&self.record(entry), &serde_json::to_string(page)?)
     }
 
-    /// Drops the record of a page.
+    /// Deletes the record of a page.
     ///
     /// # Errors
-    /// If it is there and cannot be removed.
+    /// If it exists and cannot be deleted.
     pub fn forget(&self, entry: Entry) -> Result<(), WriteError> {
         let path = self.record(entry);
         match std::fs::remove_file(&path) {
@@ -126,10 +125,10 @@ fn draw(folder: &Path, stem: &str, drawn: &Drawn) -> Result<(), WriteError> {
     Ok(())
 }
 
-/// Writes a file aside and renames it, so that nobody sees a part of it.
+/// Writes a file under a temporary name and renames it, so that no reader sees a part of it.
 ///
 /// # Errors
-/// If it cannot be written; what was there before stays.
+/// If it cannot be written; the previous file then remains.
 pub fn write_whole(path: &Path, text: &str) -> Result<(), WriteError> {
     let mut aside = path.as_os_str().to_owned();
     aside.push(format!(".{}.new", std::process::id()));

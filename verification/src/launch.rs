@@ -1,5 +1,5 @@
-//! Computing pages side by side, each in a process of its own with a time limit: one that hangs
-//! is stopped and named, one that breaks its process is named, and the others go on.
+//! Computes pages in parallel, each in its own process with a time limit. A page that exceeds the
+//! limit or whose process fails is reported, and the others continue.
 
 use crate::catalogue::Entry;
 use crate::files::Folder;
@@ -9,21 +9,21 @@ use std::process::{Child, Command, ExitStatus, Stdio};
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::{Duration, Instant};
 
-/// How a page's process is started and when it is stopped.
+/// How the processes of pages are started and stopped.
 #[derive(Debug)]
 pub struct Launch<'a, C> {
-    /// The command that computes a page and leaves its record in the folder.
+    /// The command that computes a page and saves its record in the folder.
     pub command: C,
     /// The folder of the records.
     pub folder: &'a Folder,
-    /// How long a page may take.
+    /// Time limit of a page.
     pub limit: Duration,
 }
 
 impl<C: Fn(Entry) -> Command + Sync> Launch<'_, C> {
-    /// Computes these entries, the slow ones first, as many at once as there are cores, and
-    /// returns them in the order given; calls `done` after each, from any thread. Entries that
-    /// nobody computes are left out.
+    /// Computes these entries in parallel on all cores, slow ones first, and returns them in the
+    /// given order. Entries without a function are omitted. `done` is called after each entry, from
+    /// any thread.
     pub fn run(&self, entries: &[Entry], done: impl Fn(Entry) + Sync) -> Vec<(Entry, Page)> {
         let mut order: Vec<usize> =
             (0..entries.len()).filter(|i| entries[*i].is_computed()).collect();
@@ -66,7 +66,7 @@ impl<C: Fn(Entry) -> Command + Sync> Launch<'_, C> {
             Err(error) => error,
         };
         let page = Page::failed(entry, error, start.elapsed());
-        // If it cannot be kept, the report of the next run is without it; this one has it.
+        // If saving fails, only the report of the next run lacks the page.
         let _ = self.folder.save(entry, &page);
         page
     }
@@ -84,7 +84,7 @@ impl<C: Fn(Entry) -> Command + Sync> Launch<'_, C> {
             .map_err(|error| format!("cannot start its process: {error}"))
     }
 
-    /// What to say of a process that left no record.
+    /// The message about a process that left no record.
     fn broken(&self, entry: Entry, status: ExitStatus) -> String {
         let log = std::fs::read(self.folder.log(entry)).unwrap_or_default();
         let log = String::from_utf8_lossy(&log);
@@ -94,7 +94,7 @@ impl<C: Fn(Entry) -> Command + Sync> Launch<'_, C> {
     }
 }
 
-/// Waits until the child ends or, at `end`, stops it; none if it was stopped.
+/// Waits until the child ends; stops it at `end` and then returns `None`.
 fn wait(child: &mut Child, end: Instant) -> std::io::Result<Option<ExitStatus>> {
     let mut pause = Duration::from_millis(1);
     loop {
@@ -132,7 +132,7 @@ mod tests {
         [hangs.slowly_by(good), breaks.by(good), Entry::check("missing", ""), good_one.by(good)]
     }
 
-    /// Not a test by itself: the process of a page, started by the test below.
+    /// Not a test itself: the process of a page, started by the test below.
     #[test]
     fn as_a_page() {
         let Ok(role) = std::env::var(ROLE) else { return };

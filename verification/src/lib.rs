@@ -1,33 +1,35 @@
 #![forbid(unsafe_code)]
-//! Every table and figure of the thesis, computed by carom, with claims that could fail.
+//! All tables and figures of the thesis, computed by carom, with claims that can fail.
 //!
 //! # How to add a figure
 //!
-//! 1. Write a function `fn figure_5_3() -> FigureResult` in `src/figures/ch05.rs` (or a file
-//!    of its own below `src/figures/ch05/`). It fills a [`Figure`]: its inputs, each
+//! 1. Write a function `fn figure_5_3() -> FigureResult` in `src/figures/ch05/mod.rs` (or a
+//!    file of its own beside it). It fills a [`Figure`]: its inputs, each
 //!    [`stated`](Figure::stated), [`derived`](Figure::derived) or [`assumed`](Figure::assumed);
 //!    one or more [`Panel`]s of [`Series`]; [`Table`]s; [`Claim`]s; and the
 //!    [`deviation`](Figure::deviation)s from what the thesis prints. Any error leaves with `?`.
-//! 2. Hang it on its line in the same file: `Entry::figure("5.3", "…").by(figure_5_3)`; with
-//!    `slowly_by` if it takes more than about a second, so that quick runs leave it out. If it
-//!    lacks something that the thesis shows, `.partial("what is missing")` after that: it is
-//!    then counted apart.
+//! 2. Add it to its line in the same file: `Entry::figure("5.3", "…").by(figure_5_3)`, or
+//!    `slowly_by` if it takes more than about a second, so that quick runs skip it. If it lacks
+//!    something that the thesis shows, add `.partial("what is missing")`: partial entries are
+//!    counted separately.
 //! 3. `cargo xtask verify --figure 5.3 --update` computes it, checks the claims, writes SVG,
 //!    CSV and report under `target/verification/` and its snapshot under
 //!    `verification/snapshots/`. Look at the picture and at the snapshot, then commit both.
 //!
-//! A claim must be able to fail, and must rest on something other than the code that it
-//! checks: a closed form, quadrature, reference values, the thesis's text. It names that
+//! A claim must be able to fail, and must rest on something other than the code that it checks: a
+//! closed form, quadrature, reference values, the text of the thesis. It names this
 //! [`source`](NewClaim::source); without one it fails. The snapshot guards against change, the
-//! claims against error; `--update` rewrites no snapshot of a page whose claim fails, and says
-//! what it changed. `cargo xtask verify --update` rewrites all that differ.
+//! claims against error. `--update` lists what it changes and never updates the snapshot of a page
+//! with a failing claim. `cargo xtask verify --update` updates all snapshots that differ.
 //!
 //! # A run
 //!
 //! Each page is computed in a [process of its own](launch) with a time limit and leaves a
-//! [record](page) in `target/verification/pages/`. Report, terminal, JSON and JUnit are made
-//! from the records, so that a run of a few pages keeps the others in the report, with their
+//! [record](page) in `target/verification/pages/`. Report, terminal output, JSON and JUnit XML are
+//! made from the records, so that the report of a partial run contains the other pages with their
 //! date.
+//! A test harness would give processes and time limits, but no records, and a user would have to
+//! install it.
 //!
 //! ```
 //! use carom_verification::{Absolute, Figure, FigureResult, Panel, Series};
@@ -49,12 +51,12 @@
 //!
 //! # Pages beside the thesis
 //!
-//! An [`Entry::check`] has a name in place of a number and is otherwise a figure like the others:
+//! An [`Entry::check`] has a name instead of a number and is otherwise a figure like the others:
 //! `rebound.regimes` and `rebound.angles` show the oblique impact as a whole, `particles.*` run
 //! published tests of particle codes, `proposition-6` and `-8` check propositions of the thesis,
-//! `accuracy.*` list the errors of a floor against references of many digits. What a page calls
-//! stated is what its source states. Published points are shown as they were read; a claim about
-//! them allows for the reading, and there is none where they answer another question.
+//! `accuracy.*` list the errors of a layer against high-precision references. Inputs marked as
+//! stated are those of the page's source. Published points are shown as read from their figures.
+//! Claims about them allow for reading errors; there is no claim if they answer another question.
 
 pub mod book;
 pub mod catalogue;

@@ -18,53 +18,54 @@ mod flags {
     use std::path::PathBuf;
 
     xflags::xflags! {
-        /// Computes the tables and figures of the thesis and checks their claims. Writes SVG,
-        /// CSV and one HTML report into target/verification/; what a run leaves out stays in
-        /// the report, with its date.
+        /// Computes the tables and figures of the thesis and checks their claims. Writes SVG, CSV
+        /// and an HTML report to target/verification/. Pages that are not computed stay in the
+        /// report with their date.
         cmd carom-verify {
-            /// Only this figure or table, as 5.3 or table-13.1; may be repeated.
+            /// Only this figure or table, such as 5.3 or table-13.1; repeatable.
             repeated --figure id: String
-            /// Only this chapter; may be repeated.
+            /// Only this chapter; repeatable.
             repeated --chapter number: String
-            /// Of these, only the ones with this text or regular expression in name or title.
+            /// Of these, only those with this text or regular expression in name or title.
             optional --filter pattern: String
-            /// Leave out the figures that take long.
+            /// Skip slow figures.
             optional --quick
-            /// Rewrite the snapshots that differ, of pages whose claims all hold, and say what
-            /// changed.
+            /// Update the snapshots that differ, for pages whose claims all hold, and list the
+            /// changes.
             optional --update
-            /// List all tables and figures, done, partial or missing, and stop.
+            /// List all tables and figures as done, partial or missing, and stop.
             optional --list
-            /// What to print: table (unless said) or json.
+            /// Output format: table (default) or json.
             optional --format format: String
-            /// Also write the result as JUnit's XML into this file.
+            /// Also write the result as JUnit XML to this file, relative to the root of the
+            /// workspace.
             optional --junit file: PathBuf
-            /// Also print failures as annotations of source lines, `::error file=...`; always
-            /// if GITHUB_ACTIONS is set.
+            /// Also print failures as annotations of source lines, `::error file=...`; always if
+            /// GITHUB_ACTIONS is set.
             optional --annotate
-            /// Stop a page that takes longer than this many seconds (600 unless said).
+            /// Stop a page after this number of seconds (default 600).
             optional --time-limit seconds: f64
-            /// Compute this page alone and leave its record in target/verification/pages/: what
-            /// a run starts for each of its pages.
+            /// Compute this page only and save its record in target/verification/pages/. A run
+            /// starts this for each of its pages.
             optional --alone id: String
         }
     }
 }
 
-/// What to print.
+/// Output format.
 #[derive(Clone, Copy, PartialEq, Eq)]
 enum Format {
     Table,
     Json,
 }
 
-/// What a run of some pages found.
+/// Results of a run.
 struct Found {
     pages: Vec<(Entry, Page)>,
     orphans: Vec<PathBuf>,
 }
 
-/// An error of the command line, or of the machine.
+/// An error of the command line or of the system.
 enum Failure {
     Usage(String),
     Machine(String),
@@ -105,7 +106,7 @@ fn main() -> ExitCode {
     }
 }
 
-/// Computes one page in this process and keeps its record.
+/// Computes one page in this process and saves its record.
 fn alone(id: &str) -> Result<(), Failure> {
     let catalogue = catalogue();
     let entry = catalogue.iter().find(|entry| entry.id == id);
@@ -177,12 +178,14 @@ fn selected(flags: &flags::CaromVerify, catalogue: &[Entry]) -> Result<Vec<Entry
     let entries = selection.of(catalogue).map_err(|error| Failure::Usage(error.to_string()))?;
     if !entries.iter().any(Entry::is_computed) {
         let count = entries.len();
-        return Err(Failure::Machine(format!("none of the {count} pages chosen is computed yet")));
+        return Err(Failure::Machine(format!(
+            "none of the {count} selected pages can be computed yet"
+        )));
     }
     Ok(entries)
 }
 
-/// Computes the pages, each in a process of its own.
+/// Computes the pages, each in its own process.
 fn compute(
     entries: &[Entry],
     folder: &Folder,
@@ -208,26 +211,26 @@ fn compute(
     Ok(pages)
 }
 
-/// Rewrites the snapshots that differ, where every claim holds; says what became of each.
+/// Updates the snapshots that differ where every claim holds; returns the result of each.
 fn rewrite(pages: &mut [(Entry, Page)], folder: &Folder) -> Result<String, Failure> {
-    let mut said = String::new();
+    let mut messages = String::new();
     for (entry, page) in pages {
         let (Some(before), Some(text)) = (page.snapshot.clone(), page.text.take()) else {
             continue;
         };
         if !page.holds() {
-            said += &format!("{}: snapshot left as it is, a claim fails\n", entry.name());
+            messages += &format!("{}: snapshot left as it is, a claim fails\n", entry.name());
             continue;
         }
         snapshot::accept(&snapshots(), entry.id, &text)?;
-        said += &terminal::rewritten(entry, &before);
+        messages += &terminal::rewritten(entry, &before);
         page.snapshot = Some(snapshot::Comparison::Written);
         folder.save(*entry, page)?;
     }
-    Ok(said)
+    Ok(messages)
 }
 
-/// These pages, and the ones that earlier runs have left, in the order of the catalogue.
+/// These pages and those of earlier runs, in the order of the catalogue.
 fn with_earlier(
     catalogue: &[Entry],
     pages: &[(Entry, Page)],
@@ -253,7 +256,7 @@ fn print_table(found: &Found, rewritten: &str, tally: &Tally, is_all: bool) {
         let passed = found.pages.iter().filter(|(_, page)| page.passes()).count();
         let count = found.pages.len();
         let (claims, total) = (tally.claims, tally.claims_total);
-        println!("{passed} of the {count} pages chosen pass; {claims} of {total} claims hold");
+        println!("{passed} of the {count} selected pages pass; {claims} of {total} claims hold");
     }
 }
 
@@ -277,7 +280,7 @@ fn output() -> PathBuf {
     workspace().join("target").join("verification")
 }
 
-/// The folder of the workspace: cargo tells it; else that of the build.
+/// The root of the workspace: from the environment of cargo, otherwise that of the build.
 fn workspace() -> PathBuf {
     let built = || Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let folder = std::env::var_os("CAROM_WORKSPACE").map_or_else(built, PathBuf::from);

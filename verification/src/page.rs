@@ -1,5 +1,4 @@
-//! The record of a page: what a run found out about an entry, as plain data that one process
-//! hands to another and one run to the next.
+//! The record of a page: the result of an entry as plain data, passed between processes and runs.
 
 use crate::catalogue::Entry;
 use crate::claim::Claim;
@@ -8,47 +7,47 @@ use crate::snapshot::{self, Comparison};
 use serde::{Deserialize, Serialize};
 use std::time::{Duration, SystemTime, UNIX_EPOCH};
 
-/// What a run found out about an entry of the catalogue.
+/// The result of an entry of the catalogue.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Page {
     /// The entry's id.
     pub id: String,
-    /// When it was computed, in seconds since 1970.
+    /// Time of computation, in seconds since 1970.
     pub computed: u64,
-    /// How long it took, in seconds.
+    /// Duration of the computation, in seconds.
     pub seconds: f64,
     /// Why there is no figure, if there is none.
     pub error: Option<String>,
-    /// Its claims, decided.
+    /// The decided claims.
     pub claims: Vec<Verdict>,
-    /// How it compares with its snapshot; none without a figure.
+    /// Comparison with the snapshot; `None` without a figure.
     pub snapshot: Option<Comparison>,
-    /// The snapshot as it would be now, if that is another one.
+    /// The new snapshot, if it differs.
     pub text: Option<String>,
-    /// How many deviations from the thesis it lists.
+    /// Number of deviations from the thesis.
     pub deviations: usize,
-    /// Its part of the report.
+    /// Its section of the report, in HTML.
     pub section: String,
 }
 
-/// A claim, decided.
+/// A decided claim.
 #[derive(Debug, Clone, PartialEq, Serialize, Deserialize)]
 pub struct Verdict {
     /// The statement.
     pub statement: String,
-    /// Where the expectation comes from.
+    /// Source of the expected value.
     pub source: String,
     /// What was measured.
     pub measured: String,
     /// What was expected.
     pub expected: String,
-    /// Deviation over tolerance; none if it cannot be measured so, or has no bound.
+    /// Deviation over tolerance; `None` if it is not a number or has no bound.
     pub ratio: Option<f64>,
     /// Whether it holds.
     pub holds: bool,
-    /// The file that makes it.
+    /// The source file of the claim.
     pub file: String,
-    /// The line there.
+    /// The line in it.
     pub line: u32,
 }
 
@@ -68,13 +67,13 @@ impl From<&Claim> for Verdict {
 }
 
 impl Verdict {
-    /// Whether it says where its expectation comes from.
+    /// Whether the claim has a source.
     #[must_use]
     pub fn has_source(&self) -> bool {
         !self.source.trim().is_empty()
     }
 
-    /// Deviation over tolerance, infinite if it cannot be measured so.
+    /// Deviation over tolerance; infinite if it is not a number.
     #[must_use]
     pub fn deviation(&self) -> f64 {
         self.ratio.unwrap_or(f64::INFINITY)
@@ -82,7 +81,7 @@ impl Verdict {
 }
 
 impl Page {
-    /// The record of an outcome; `section` is its part of the report.
+    /// The record of an outcome; `section` is its section of the report.
     #[must_use]
     pub fn new(outcome: &Outcome, section: String) -> Self {
         let drawn = outcome.result.as_ref().ok();
@@ -100,7 +99,7 @@ impl Page {
         }
     }
 
-    /// The record of an entry whose computation did not come to an end of its own.
+    /// The record of an entry whose process ended without a record.
     #[must_use]
     pub fn failed(entry: Entry, error: String, time: Duration) -> Self {
         let now = SystemTime::now().duration_since(UNIX_EPOCH).unwrap_or_default();
@@ -131,17 +130,17 @@ impl Page {
 
     /// How many claims hold.
     #[must_use]
-    pub fn held(&self) -> usize {
+    pub fn claims_that_hold(&self) -> usize {
         self.claims.iter().filter(|claim| claim.holds).count()
     }
 
-    /// The worst deviation of its claims, over tolerance; none without claims.
+    /// The largest deviation over tolerance of its claims; `None` without claims.
     #[must_use]
     pub fn worst(&self) -> Option<f64> {
         self.claims.iter().map(Verdict::deviation).reduce(f64::max)
     }
 
-    /// When it was computed, as `2026-11-21 20:32 UTC`.
+    /// The time of computation, as `2026-11-21 20:32 UTC`.
     #[must_use]
     pub fn date(&self) -> String {
         let (days, seconds) = (self.computed / 86_400, self.computed % 86_400);
@@ -182,9 +181,9 @@ mod tests {
         let page = |bound, snapshot| Page::new(&outcome(bound, snapshot), String::new());
         let good = page(4.0, Comparison::Same);
         assert!(good.passes() && good.text.is_none());
-        assert_eq!((good.held(), good.worst(), good.seconds), (1, Some(0.75), 1.5));
+        assert_eq!((good.claims_that_hold(), good.worst(), good.seconds), (1, Some(0.75), 1.5));
         let wrong = page(2.0, Comparison::Same);
-        assert!(!wrong.holds() && !wrong.passes() && wrong.held() == 0);
+        assert!(!wrong.holds() && !wrong.passes() && wrong.claims_that_hold() == 0);
         let new = page(4.0, Comparison::Missing);
         assert!(new.holds() && !new.passes());
         assert!(new.text.unwrap().contains("claim:\tsmall"));

@@ -1,16 +1,16 @@
-//! Reference values from independent programs, kept as CSV under `data/`.
+//! Reference values from independent programs, as CSV in `data/`.
 //!
-//! Each file says in its first lines, which begin with `#`, where its values come from, how exact
-//! they are and when they were made.
+//! The first lines of each file begin with `#` and state the origin, the accuracy and the date of
+//! the values.
 
 use crate::Failure;
 
-/// A reader of CSV that passes over the lines with `#`.
+/// A CSV reader that skips the lines with `#`.
 pub(crate) fn reader(csv: &str) -> csv::Reader<&[u8]> {
     csv::ReaderBuilder::new().comment(Some(b'#')).from_reader(csv.as_bytes())
 }
 
-/// The rows of a CSV with one line of heads, as numbers.
+/// The rows of a CSV file with one line of heads, as numbers.
 pub(crate) fn rows<const N: usize>(csv: &str) -> Result<Vec<[f64; N]>, Failure> {
     let mut reader = reader(csv);
     let parse = |record: csv::StringRecord| -> Result<[f64; N], Failure> {

@@ -1,4 +1,4 @@
-//! Computing one page: a figure that fails or panics is an outcome, not an end.
+//! Computes one page. A figure that fails or panics gives an outcome with the error.
 
 use crate::catalogue::{Entry, Failure, FigureResult};
 use crate::claim::Claim;
@@ -9,14 +9,14 @@ use std::panic::{AssertUnwindSafe, catch_unwind};
 use std::path::Path;
 use std::time::{Duration, Instant};
 
-/// What became of an entry of the catalogue.
+/// The outcome of an entry of the catalogue.
 #[derive(Debug, Clone)]
 pub struct Outcome {
     /// The entry.
     pub entry: Entry,
-    /// The figure with its picture, or why there is none.
+    /// The figure with its picture, or the error.
     pub result: Result<Drawn, String>,
-    /// How long it took.
+    /// Duration of the computation.
     pub time: Duration,
 }
 
@@ -25,9 +25,9 @@ pub struct Outcome {
 pub struct Drawn {
     /// The data.
     pub figure: Figure,
-    /// The picture; none for a table without panels.
+    /// The picture; `None` for a table without panels.
     pub svg: Option<String>,
-    /// How it compares with its snapshot.
+    /// Comparison with its snapshot.
     pub snapshot: Comparison,
 }
 
@@ -39,7 +39,7 @@ impl Outcome {
     }
 }
 
-/// Computes an entry and holds it against its snapshot in the folder `snapshots`.
+/// Computes an entry and compares it with its snapshot in the folder `snapshots`.
 #[must_use]
 pub fn compute(entry: Entry, snapshots: &Path) -> Outcome {
     let start = Instant::now();
@@ -50,7 +50,7 @@ pub fn compute(entry: Entry, snapshots: &Path) -> Outcome {
     Outcome { entry, result, time: start.elapsed() }
 }
 
-/// Checks a figure's form, draws it and holds it against its snapshot.
+/// Checks the form of a figure, draws it and compares it with its snapshot.
 fn finish(result: FigureResult, snapshots: &Path) -> Result<Drawn, Failure> {
     let figure = result?;
     if figure.claims.is_empty() {

@@ -1,4 +1,4 @@
-//! A page's own part of the report: picture, tables, inputs, claims, deviations.
+//! The section of a page in the report: picture, tables, inputs, claims, deviations.
 
 use crate::claim::{Claim, number};
 use crate::figure::{Cell, Deviation, Figure, Input, Table};
@@ -88,13 +88,13 @@ fn mark(passes: bool) -> &'static str {
     }
 }
 
-/// How much of the tolerance is used, as a bar.
+/// The share of the tolerance that is used, as a bar.
 fn meter(ratio: f64) -> String {
     let part = (100.0 * ratio).clamp(0.0, 100.0);
     format!("<span class=\"meter\" aria-hidden=\"true\"><i style=\"width:{part:.0}%\"></i></span>")
 }
 
-/// A link from `target/verification/report.html` to the line that makes the claim.
+/// A link from `target/verification/report.html` to the source line of a claim.
 fn source_line(claim: &Claim) -> String {
     let (file, line) = (claim.place.file().replace('\\', "/"), claim.place.line());
     let name = file.strip_prefix("verification/src/figures/").unwrap_or(&file);

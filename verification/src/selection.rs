@@ -1,41 +1,42 @@
-//! Choosing entries of the catalogue by number, chapter or words.
+//! Selects entries of the catalogue by number, chapter or text.
 
 use crate::catalogue::Entry;
 use regex_lite::{Regex, RegexBuilder};
 use std::collections::BTreeSet;
 
-/// Which entries to verify; all, if no id and no chapter is given.
+/// The entries to verify; all of them if no id and no chapter is given.
 #[derive(Debug, Clone, Default)]
 pub struct Selection {
     /// Numbers, as `5.3`, `table-13.1` or `Fig. 5.3`.
     pub ids: Vec<String>,
     /// Chapters, as `5`.
     pub chapters: Vec<String>,
-    /// Only those of them that these words or this pattern name.
+    /// Only those whose name or title matches.
     pub filter: Option<Filter>,
-    /// What to do with the entries that take long.
+    /// Whether slow entries are computed.
     pub slow: Slow,
 }
 
-/// What to do with the entries that take long.
+/// What to do with slow entries.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub enum Slow {
     /// Compute them.
     #[default]
     Keep,
-    /// Leave them out, unless asked for by number.
+    /// Skip them unless requested by number.
     Skip,
 }
 
-/// A text or regular expression, looked for in names and titles; small letters find capital ones.
+/// A text or regular expression that is searched in names and titles; lower-case letters match
+/// upper case.
 #[derive(Debug, Clone)]
 pub struct Filter(Regex);
 
 impl Filter {
-    /// The filter of this pattern.
+    /// The filter with this pattern.
     ///
     /// # Errors
-    /// If it is no regular expression.
+    /// If it is not a regular expression.
     pub fn new(pattern: &str) -> Result<Self, regex_lite::Error> {
         RegexBuilder::new(pattern).case_insensitive(true).build().map(Self)
     }
@@ -45,23 +46,23 @@ impl Filter {
     }
 }
 
-/// An id or chapter that the catalogue does not have.
+/// A requested id or chapter that is not in the catalogue.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("no {what} `{asked}`; there are: {valid}")]
 pub struct UnknownEntry {
     /// `figure or table`, `chapter`, or `name or title`.
     pub what: &'static str,
-    /// What was asked for.
+    /// The requested text.
     pub asked: String,
-    /// What there is.
+    /// The valid values.
     pub valid: String,
 }
 
 impl Selection {
-    /// The chosen entries of `catalogue`, in its order.
+    /// The selected entries of `catalogue`, in its order.
     ///
     /// # Errors
-    /// If an id or chapter is not in it, or the filter finds none of them.
+    /// If an id or chapter is not in it, or the filter matches none of them.
     pub fn of(&self, catalogue: &[Entry]) -> Result<Vec<Entry>, UnknownEntry> {
         for asked in &self.ids {
             if !catalogue.iter().any(|entry| is_named(entry, asked)) {
@@ -94,7 +95,7 @@ impl Selection {
     }
 }
 
-/// Whether `asked` names the entry: its id, its number, or its name.
+/// Whether `asked` is the id, number or name of the entry.
 fn is_named(entry: &Entry, asked: &str) -> bool {
     let number = entry.id.strip_prefix("table-").unwrap_or(entry.id);
     asked == entry.id || asked == number || asked.eq_ignore_ascii_case(&entry.name())

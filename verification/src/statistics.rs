@@ -1,24 +1,24 @@
-//! Statistics of the deviations behind a claim about many values.
+//! Statistics of the deviations of a claim about many values.
 
 use crate::claim::{Check, Claim};
 use statrs::statistics::{Data, OrderStatistics, Statistics};
 
-/// How the deviations |measured - expected| are spread.
+/// Distribution of the deviations |measured - expected|.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spread {
-    /// How many.
+    /// Number of values.
     pub count: usize,
     /// Their mean.
     pub mean: f64,
-    /// Root of their mean square.
+    /// Root mean square.
     pub rms: f64,
-    /// 95 of 100 are smaller.
+    /// 95th percentile.
     pub percentile_95: f64,
     /// The largest.
     pub max: f64,
 }
 
-/// The spread of the deviations of a claim about at least two values; else none.
+/// The distribution of the deviations of a claim about at least two values; otherwise `None`.
 #[must_use]
 pub fn spread(claim: &Claim) -> Option<Spread> {
     let Check::AllClose { pairs, .. } = &claim.check else { return None };

@@ -1,24 +1,25 @@
-//! The count: how much of the thesis stands, apart from our own checks and the claims.
+//! Counts of passing tables and figures of the thesis, of checks of carom, and of claims.
 
 use crate::catalogue::{Entry, State};
 use crate::page::Page;
 use serde::Serialize;
 use std::fmt;
 
-/// How much of the catalogue stands.
+/// Counts of passing entries.
 ///
-/// A page counts if it was computed and passes; a partial one too, and is named apart.
+/// A page counts if it was computed and passes. Partial pages are included and also counted
+/// separately.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Serialize)]
 pub struct Tally {
-    /// Tables and figures of the thesis that pass.
+    /// Passing tables and figures of the thesis.
     pub thesis: usize,
-    /// Of these, the ones of which something is missing.
+    /// Those of them that are partial.
     pub partial: usize,
     /// Tables and figures of the thesis.
     pub thesis_total: usize,
-    /// Checks of our own that pass.
+    /// Passing checks of carom.
     pub checks: usize,
-    /// Checks of our own.
+    /// Checks of carom.
     pub checks_total: usize,
     /// Claims that hold.
     pub claims: usize,
@@ -42,7 +43,7 @@ impl Tally {
                 tally.checks += stands;
                 tally.checks_total += 1;
             }
-            tally.claims += page.map_or(0, Page::held);
+            tally.claims += page.map_or(0, Page::claims_that_hold);
             tally.claims_total += page.map_or(0, |page| page.claims.len());
         }
         tally

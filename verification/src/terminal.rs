@@ -1,5 +1,5 @@
-//! What the terminal shows: the table of pages, failures in full, what `--update` rewrote, the
-//! list of entries.
+//! Terminal output: the table of pages, failures in full, results of `--update`, the list of
+//! entries.
 
 use crate::catalogue::{Entry, State};
 use crate::page::{Page, Verdict};
@@ -8,10 +8,11 @@ use crate::snapshot::{Change, Comparison, Difference};
 use comfy_table::{CellAlignment, Table, presets::UTF8_FULL_CONDENSED};
 use std::fmt::Write as _;
 
-/// Changes of a page that are shown.
-const SHOWN: usize = 12;
+/// Largest number of changes shown for a page.
+const MAX_CHANGES_SHOWN: usize = 12;
 
-/// One line a page: id, title, claims that hold, worst deviation against tolerance, time.
+/// One line per page: id, title, number of claims that hold, largest deviation over tolerance,
+/// time.
 #[must_use]
 pub fn table(pages: &[(Entry, Page)]) -> String {
     let mut table = Table::new();
@@ -26,7 +27,7 @@ pub fn table(pages: &[(Entry, Page)]) -> String {
         table.add_row([
             entry.id.to_owned(),
             entry.title.to_owned(),
-            format!("{}/{}", page.held(), page.claims.len()),
+            format!("{}/{}", page.claims_that_hold(), page.claims.len()),
             page.worst().map_or_else(|| "-".to_owned(), ratio),
             format!("{:.2} s", page.seconds),
             state.to_owned(),
@@ -40,7 +41,7 @@ pub fn table(pages: &[(Entry, Page)]) -> String {
     table.to_string()
 }
 
-/// Why each page that does not pass fails, in full.
+/// The failures of each page that does not pass, in full.
 #[must_use]
 pub fn failures(pages: &[(Entry, Page)]) -> String {
     let mut text = String::new();
@@ -57,7 +58,7 @@ pub fn failures(pages: &[(Entry, Page)]) -> String {
     text
 }
 
-/// Why a claim fails, in one line.
+/// The failure of a claim, in one line.
 #[must_use]
 pub fn refuted(claim: &Verdict) -> String {
     let lack = if claim.has_source() { "" } else { "it names no source; " };
@@ -70,7 +71,7 @@ pub fn refuted(claim: &Verdict) -> String {
     )
 }
 
-/// What is wrong with a page's snapshot, in one line; none if nothing is.
+/// The fault of a page's snapshot, in one line; `None` if there is none.
 #[must_use]
 pub fn snapshot_fault(entry: &Entry, page: &Page) -> Option<String> {
     let found = match page.snapshot.as_ref()? {
@@ -106,17 +107,17 @@ fn snapshot(text: &mut String, entry: &Entry, page: &Page) {
     }
 }
 
-/// The largest changes, one a line.
+/// The largest changes, one per line.
 fn changes(text: &mut String, difference: &Difference) {
     let mut place = "";
-    for change in difference.changes.iter().take(SHOWN) {
+    for change in difference.changes.iter().take(MAX_CHANGES_SHOWN) {
         if change.place != place {
             place = &change.place;
             let _ = writeln!(text, "    {place}");
         }
         let _ = writeln!(text, "    line {}: {}", change.line, words(change));
     }
-    let shown = difference.changes.len().min(SHOWN);
+    let shown = difference.changes.len().min(MAX_CHANGES_SHOWN);
     if difference.count > shown {
         let _ = writeln!(text, "    and {} more", difference.count - shown);
     }
@@ -142,7 +143,7 @@ fn percent(relative: f64) -> String {
     }
 }
 
-/// What became of a page's snapshot when it was to be rewritten: `before` is what it was.
+/// The result of updating a page's snapshot; `before` is the comparison before it.
 #[must_use]
 pub fn rewritten(entry: &Entry, before: &Comparison) -> String {
     let mut text = String::new();
@@ -160,7 +161,7 @@ pub fn rewritten(entry: &Entry, before: &Comparison) -> String {
     text
 }
 
-/// One line an entry: number, title, done, partial with what is missing, or missing.
+/// One line per entry: number, title, and done, partial (with what is missing) or missing.
 #[must_use]
 pub fn list(catalogue: &[Entry]) -> String {
     let mut text = String::new();

@@ -1,11 +1,10 @@
-//! Calling cargo.
+//! Runs cargo.
 
 use anyhow::{Context as _, bail};
+use std::ffi::OsString;
 use std::process::{Command, Stdio};
 
-use crate::flags::Generate;
-
-/// The cargo that runs this task, at the root of the workspace.
+/// A cargo command at the root of the workspace, with the cargo that runs this task.
 pub(crate) fn command(arguments: &[&str]) -> Command {
     let cargo = std::env::var_os("CARGO").unwrap_or_else(|| "cargo".into());
     let mut command = Command::new(cargo);
@@ -13,12 +12,12 @@ pub(crate) fn command(arguments: &[&str]) -> Command {
     command
 }
 
-/// Calls cargo; an exit code other than 0 is an error.
+/// Runs cargo; an exit code other than 0 is an error.
 pub(crate) fn run(arguments: &[&str]) -> anyhow::Result<()> {
     finish(&mut command(arguments), arguments)
 }
 
-/// Calls cargo with one more environment variable.
+/// Runs cargo with an additional environment variable.
 pub(crate) fn run_with(arguments: &[&str], name: &str, value: &str) -> anyhow::Result<()> {
     finish(command(arguments).env(name, value), arguments)
 }
@@ -32,9 +31,9 @@ fn finish(command: &mut Command, arguments: &[&str]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Builds a binary or example with the dependencies that the tests of the workspace have built, and runs it; an
-/// exit code other than 0 is an error. A package built by itself may take other features of a dependency, which
-/// are then compiled once more.
+/// Builds and runs a binary or example with the dependencies already built for the tests of the
+/// workspace; an exit code other than 0 is an error. Built alone, the package might select other
+/// features of a dependency, which would then be compiled again.
 pub(crate) fn run_built(kind: &str, name: &str, arguments: &[&str]) -> anyhow::Result<()> {
     run(&["build", "--release", "--workspace", "--quiet", kind, name])?;
     let folder = if kind == "--example" { "target/release/examples" } else { "target/release" };
@@ -43,25 +42,12 @@ pub(crate) fn run_built(kind: &str, name: &str, arguments: &[&str]) -> anyhow::R
     finish(program.args(arguments).current_dir(root), &[&[name], arguments].concat())
 }
 
-/// Runs carom-verify with these arguments; returns its exit code.
-pub(crate) fn verify(arguments: &[String]) -> anyhow::Result<u8> {
+/// Runs carom-verify with these arguments at the root of the workspace; returns its exit code.
+pub(crate) fn verify(arguments: impl IntoIterator<Item = OsString>) -> anyhow::Result<u8> {
     let mut command = command(&["run", "--release", "--package", "carom-verification"]);
     command.args(["--bin", "carom-verify", "--"]).args(arguments);
     let status = command.status().context("cannot start cargo")?;
     Ok(status.code().and_then(|code| u8::try_from(code).ok()).unwrap_or(1))
-}
-
-/// Makes stored tables anew, or checks them.
-pub(crate) fn generate(options: &Generate) -> anyhow::Result<()> {
-    if !options.tables {
-        bail!("say what to generate: `cargo xtask generate --tables`");
-    }
-    let mut arguments = vec!["run", "--release", "--package", "carom-impact"];
-    arguments.extend(["--example", "dissimilar_table"]);
-    if options.check {
-        arguments.extend(["--", "--check"]);
-    }
-    run(&arguments)
 }
 
 /// Runs the benchmarks whose name contains `filter`.
@@ -73,7 +59,7 @@ pub(crate) fn bench(filter: Option<&str>) -> anyhow::Result<()> {
     run(&arguments)
 }
 
-/// Whether `cargo <tool>` can be called.
+/// Whether `cargo <tool>` is installed.
 pub(crate) fn has(tool: &str) -> bool {
     command(&[tool, "--version"])
         .stdout(Stdio::null())

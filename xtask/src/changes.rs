@@ -1,4 +1,4 @@
-//! What has changed since the last commit that was published, and which crates depend on it.
+//! The changes since the last published commit, and the crates that depend on them.
 
 use crate::{cargo, release};
 use anyhow::{Context as _, bail};
@@ -7,10 +7,10 @@ use std::collections::BTreeSet;
 use std::path::Path;
 use std::process::Command;
 
-/// Names the commit that changes are counted from, in place of the default.
+/// Environment variable with the base commit of the changes, instead of the default.
 const BASE: &str = "CAROM_BASE";
 
-/// The package of a crate's name or folder: `laws` is `carom-laws`.
+/// The package of a crate name or folder: `laws` is `carom-laws`.
 pub(crate) fn package(name: &str) -> anyhow::Result<String> {
     let packages = Package::all()?;
     let full = format!("carom-{name}");
@@ -19,26 +19,26 @@ pub(crate) fn package(name: &str) -> anyhow::Result<String> {
         None => {
             let names: Vec<_> =
                 packages.iter().map(|package| package.name.trim_start_matches("carom-")).collect();
-            bail!("no crate is called `{name}`; there are {}", names.join(", "))
+            bail!("there is no crate `{name}`; the crates are {}", names.join(", "))
         }
     }
 }
 
-/// The packages that changed and those that depend on them, sorted; all if a file of the workspace changed
-/// that belongs to no crate and decides on their build.
+/// The changed packages and those that depend on them, sorted; all packages if a file of the
+/// workspace changed that affects every build.
 pub(crate) fn packages() -> anyhow::Result<Vec<String>> {
     Ok(affected(&Package::all()?, &paths()?))
 }
 
-/// The paths that changed since the base, from the root of the workspace.
+/// The paths changed since the base commit, relative to the root of the workspace.
 pub(crate) fn paths() -> anyhow::Result<Vec<String>> {
     let base = base()?;
-    println!("== changes are counted from {base}");
+    println!("== changes since {base}");
     paths_since(&base)
 }
 
-/// The commit that changes are counted from: that of the environment; where this branch left `origin/main`, if
-/// it has commits beyond; else the one before the last.
+/// The base commit: that of the environment variable; otherwise the point where this branch left
+/// `origin/main`, if it has commits since; otherwise the last commit but one.
 fn base() -> anyhow::Result<String> {
     if let Ok(base) = std::env::var(BASE) {
         return Ok(base);
@@ -70,7 +70,7 @@ fn git(arguments: &[&str]) -> anyhow::Result<String> {
 /// A package of the workspace.
 struct Package {
     name: String,
-    /// From the root of the workspace, with a slash at its end.
+    /// Folder relative to the root of the workspace, with a slash at its end.
     folder: String,
     dependencies: BTreeSet<String>,
 }
@@ -99,7 +99,7 @@ impl Package {
     }
 }
 
-/// The packages that these paths belong to, and all that depend on them.
+/// The packages of these paths, and all that depend on them.
 fn affected(packages: &[Package], paths: &[String]) -> Vec<String> {
     let builds_all = |path: &String| {
         ["Cargo.toml", "Cargo.lock", "rust-toolchain.toml"].contains(&path.as_str())

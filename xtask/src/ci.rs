@@ -1,4 +1,4 @@
-//! What continuous integration checks.
+//! The steps of continuous integration.
 
 use crate::outcome::Outcome;
 use crate::{
@@ -10,10 +10,10 @@ use std::time::Instant;
 
 type Step = fn() -> anyhow::Result<Outcome>;
 
-/// How long the search for a bad path of Coulomb's law takes, in seconds.
+/// Duration of the search for a path with a large error of Coulomb's law, in seconds.
 const ADVERSARY: &str = "60";
 
-/// What every change must pass, each test once.
+/// Steps that every change must pass, each test once.
 const STEPS: &[(&str, Step)] = &[
     ("form", form),
     ("index of equations, places of mutants, descriptions of packages", || passed(tidy::run())),
@@ -25,10 +25,10 @@ const STEPS: &[(&str, Step)] = &[
     ("the Python module, in an environment of its own", python::run),
 ];
 
-/// Paths that say what the packages are made of.
+/// Paths of the manifests of all packages.
 const MANIFESTS: &[&str] = &["Cargo.toml", "Cargo.lock", "deny.toml", "crates/*/Cargo.toml"];
 
-/// What runs where one of the paths changed that decide on it, and in every long run.
+/// Steps that run if one of their paths changed, and in every long run.
 const WHERE_CHANGED: &[(&[&str], &str, Step)] = &[
     (MANIFESTS, "licences, sources and advisories of the dependencies", deny::run),
     (MANIFESTS, "packages", || passed(release::pack_quickly())),
@@ -48,12 +48,12 @@ const WHERE_CHANGED: &[(&[&str], &str, Step)] = &[
     ),
     (
         &["crates", "verification", "xtask"],
-        "mutants, each against the test known to notice it",
+        "mutants, each against the test known to detect it",
         || passed(mutants::quick()),
     ),
 ];
 
-/// What a long run adds, before a release and on request.
+/// Additional steps of a long run, before a release and on request.
 const LONG: &[(&str, Step)] = &[
     ("tests with overflow checks and debug assertions", || passed(test::checked())),
     ("the tests that are ignored otherwise", || passed(test::ignored())),
@@ -78,13 +78,13 @@ fn steps(is_long: bool) -> anyhow::Result<Vec<(&'static str, Step)>> {
         if paths.iter().any(|path| is_among(path, decisive)) {
             steps.push((name, step));
         } else {
-            println!("== left out, nothing that decides on it has changed: {name}");
+            println!("== skipped, since none of its paths changed: {name}");
         }
     }
     Ok(steps)
 }
 
-/// Whether the path is one of these or lies below one of these; `*` is any name.
+/// Whether the path is one of these or lies below one; `*` matches any name.
 fn is_among(path: &str, decisive: &[&str]) -> bool {
     decisive.iter().any(|decisive| {
         let mut parts = path.split('/');
@@ -92,8 +92,8 @@ fn is_among(path: &str, decisive: &[&str]) -> bool {
     })
 }
 
-/// Runs every step; stops at the first that fails, or in continuous integration at the first that skips
-/// what may not be skipped.
+/// Runs every step. Stops at the first that fails or, in continuous integration, that skips a part
+/// that must not be skipped.
 pub(crate) fn run(is_long: bool) -> anyhow::Result<()> {
     let start = Instant::now();
     let steps = steps(is_long)?;
@@ -119,8 +119,8 @@ fn passed(result: anyhow::Result<()>) -> anyhow::Result<Outcome> {
     result.map(|()| Outcome::Passed)
 }
 
-/// Prints the seeds with which property tests failed, so that they can be committed from a machine that
-/// is not kept.
+/// Prints the seeds of failed property tests, so that they can be committed from a temporary
+/// machine.
 fn print_new_regressions() {
     let root = release::root();
     let git = |arguments: &[&str]| {
@@ -154,7 +154,7 @@ fn quick_figures() -> anyhow::Result<Outcome> {
     passed(cargo::run_built("--bin", "carom-verify", &["--quick"]))
 }
 
-/// Searches, with a seed of this commit, for a path whose error exceeds the bound that the law states.
+/// Searches for a path whose error exceeds the estimate of the law, with a seed from this commit.
 fn adversary() -> anyhow::Result<Outcome> {
     let seed = mutants::seed_of_commit(&release::root()).to_string();
     let example = ["run", "--release", "--package", "carom-laws", "--example", "adversary"];

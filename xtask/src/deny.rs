@@ -1,4 +1,4 @@
-//! The dependencies held against `deny.toml` by cargo-deny.
+//! Checks the dependencies against `deny.toml` by cargo-deny.
 
 use crate::cargo;
 use crate::outcome::{Outcome, Part};
@@ -6,14 +6,14 @@ use crate::tools::CARGO_DENY;
 use std::path::PathBuf;
 use std::process::Stdio;
 
-/// Checks licences, bans and sources, and the advisories where their database can be fetched.
+/// Checks licences, bans and sources; also advisories, if their database can be fetched.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
     if !CARGO_DENY.is_there()? {
         return Ok(Outcome::skipped(Part::Dependencies, CARGO_DENY.advice()));
     }
     let quiet = ["deny", "--locked", "check", "--hide-inclusion-graph", "-D", "warnings"];
     cargo::run(&[&quiet[..], &["licenses", "bans", "sources"]].concat())?;
-    // Fetched apart, so that a failure to fetch is told from an advisory.
+    // Fetched separately, to distinguish a failure to fetch from an advisory.
     let mut fetch = cargo::command(&["deny", "--locked", "fetch", "db"]);
     let is_fetched = fetch.stdout(Stdio::null()).status()?.success();
     if !is_fetched && !has_database() {
@@ -24,7 +24,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     Ok(Outcome::Passed)
 }
 
-/// Whether cargo-deny has fetched a database before.
+/// Whether a database was fetched before.
 fn has_database() -> bool {
     let home = std::env::var_os("CARGO_HOME").map(PathBuf::from);
     let home = home.or_else(|| Some(PathBuf::from(std::env::var_os("HOME")?).join(".cargo")));

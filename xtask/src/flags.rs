@@ -1,37 +1,12 @@
 //! The command line.
 
-use std::path::PathBuf;
-
 xflags::xflags! {
     /// Tasks of the workspace.
     cmd xtask {
         /// Computes every table and figure of the thesis and checks their claims: a table in
         /// the terminal, SVG, CSV and an HTML report in target/verification/. Fails if a claim
-        /// or snapshot does.
-        cmd verify {
-            /// Only this figure or table, as 5.3 or table-13.1; may be repeated.
-            repeated --figure id: String
-            /// Only this chapter; may be repeated.
-            repeated --chapter number: String
-            /// Of these, only the ones with this text or regular expression in name or title.
-            optional --filter pattern: String
-            /// Leave out the figures that take long.
-            optional --quick
-            /// Rewrite the snapshots that differ, of pages whose claims all hold, and say what
-            /// changed.
-            optional --update
-            /// List all tables and figures, done, partial or missing, and stop.
-            optional --list
-            /// What to print: table (unless said) or json.
-            optional --format format: String
-            /// Also write the result as JUnit's XML into this file.
-            optional --junit file: PathBuf
-            /// Also print failures as annotations of source lines, `::error file=...`; always
-            /// if GITHUB_ACTIONS is set.
-            optional --annotate
-            /// Stop a page that takes longer than this many seconds (600 unless said).
-            optional --time-limit seconds: f64
-        }
+        /// or snapshot does. `cargo xtask verify --help` lists its options.
+        cmd verify {}
         /// Runs all tests, documentation examples and example programs, optimised; with
         /// cargo-nextest if it is installed. `test laws` runs the tests of one crate, `test laws hertz` those
         /// whose name contains a word.
@@ -86,9 +61,16 @@ xflags::xflags! {
         }
         /// Checks the links of the book below docs/book and makes its pages in target/book, where there is
         /// an mdbook.
-        cmd book {
-            /// Draw the book's pictures and write its case reference anew, in place of that.
-            optional --update
+        cmd book {}
+        /// Writes the files that are made from the sources: the C header, the book's pictures and case reference,
+        /// the result classes of Python. Snapshots of figures are written by `verify --update`, the record of
+        /// mutants by `mutants --record`.
+        cmd generate {
+            /// In place of these, the table of R_x of dissimilar spheres that the crates store: some 15 minutes.
+            optional --tables
+            /// Compare the files with what would be written; fail if one differs. Of the table 100 entries, drawn by a
+            /// stated seed.
+            optional --check
         }
         /// Builds the LAMMPS plugin for the pinned release, in an environment below target/, and runs
         /// its tests there. Skipped only where the registry of Python's packages cannot be reached; in CI that
@@ -111,62 +93,10 @@ xflags::xflags! {
             /// Coulomb's law, every mutant against all tests.
             optional --long
         }
-        /// Computes anew what the crates store: the table of R_x of dissimilar spheres, in some 15 minutes.
-        cmd generate {
-            /// Must be there: the tables are all that there is to generate.
-            optional --tables
-            /// Compute 100 entries, drawn by a stated seed, and compare them with what is stored, writing nothing.
-            optional --check
-        }
         /// Runs the benchmarks.
         cmd bench {
             /// Only those whose name contains this.
             optional filter: String
         }
-    }
-}
-
-impl Verify {
-    /// The same options, for carom-verify, which runs at the root of the workspace.
-    pub(crate) fn arguments(&self) -> Vec<String> {
-        let mut arguments = Vec::new();
-        let mut add = |name: &str, value: &str| {
-            arguments.extend([name.to_owned(), value.to_owned()]);
-        };
-        self.figure.iter().for_each(|id| add("--figure", id));
-        self.chapter.iter().for_each(|number| add("--chapter", number));
-        self.filter.iter().for_each(|pattern| add("--filter", pattern));
-        self.format.iter().for_each(|format| add("--format", format));
-        self.time_limit.iter().for_each(|seconds| add("--time-limit", &seconds.to_string()));
-        if let Some(file) = &self.junit {
-            let file = std::path::absolute(file).unwrap_or_else(|_| file.clone());
-            add("--junit", &file.to_string_lossy());
-        }
-        let switches = [
-            ("--quick", self.quick),
-            ("--update", self.update),
-            ("--list", self.list),
-            ("--annotate", self.annotate),
-        ];
-        arguments.extend(switches.iter().filter(|(_, on)| *on).map(|(name, _)| (*name).to_owned()));
-        arguments
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn options_are_handed_on() {
-        let given = "verify --figure 5.3 --figure 5.4 --chapter 6 --filter shift --quick --update \
-                     --list --format json --junit /a/b.xml --annotate --time-limit 2.5";
-        let words = given.split_whitespace().map(Into::into).collect();
-        let XtaskCmd::Verify(verify) = Xtask::from_vec(words).unwrap().subcommand else { panic!() };
-        let mut expected: Vec<&str> = given.split_whitespace().skip(1).collect();
-        let mut arguments = verify.arguments();
-        arguments.sort();
-        expected.sort_unstable();
-        assert_eq!(arguments, expected);
     }
 }

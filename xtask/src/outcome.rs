@@ -1,42 +1,43 @@
-//! How a task that did not fail ended: it passed, or parts of it were skipped, each with its reason.
+//! Outcome of a task that did not fail: passed, or with skipped parts and their reasons.
 //!
-//! In continuous integration (`CI` is set) a skipped part is a failure, unless [`ALLOWED`] names it.
+//! In continuous integration (`CI` is set) a skipped part is a failure unless [`ALLOWED`] contains
+//! it.
 
 use anyhow::bail;
 
-/// What continuous integration may skip, and why. Everything else must run there.
+/// The parts that continuous integration may skip, and why.
 const ALLOWED: &[(Part, &str)] = &[(
     Part::Advisories,
     "the database of advisories is fetched from a host that not every machine of CI can reach; \
      where it can be fetched, an advisory fails the step",
 )];
 
-/// A part of a task that needs what a machine may lack.
+/// A part of a task that requires something a machine may lack.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Part {
-    /// The C border under the address sanitizer.
+    /// The C interface under the address sanitizer.
     AddressSanitizer,
-    /// Known faults of the dependencies.
+    /// Advisories on the dependencies.
     Advisories,
     /// Licences, bans and sources of the dependencies.
     Dependencies,
     /// The pages of the book.
     BookPages,
-    /// The report, looked at in a browser.
+    /// The report in a browser.
     Browser,
-    /// The interfaces, compared with those of the last release.
+    /// The public interfaces, compared with those of the last release.
     Interfaces,
     /// The LAMMPS plugin.
     Lammps,
-    /// Tests that skipped themselves.
+    /// Tests that skip themselves.
     OwnTests,
-    /// The build with the oldest Rust.
+    /// The build with the oldest supported Rust.
     OldestRust,
     /// The Python module and its wheel.
     Python,
-    /// Tests of the Python module that use packages which are not required.
+    /// Tests of the Python module that need optional packages.
     PythonWishes,
-    /// Whether every change is committed.
+    /// Whether all changes are committed.
     Commits,
 }
 
@@ -47,7 +48,7 @@ pub(crate) struct Skip {
     reason: String,
 }
 
-/// How a task ended that did not fail.
+/// Outcome of a task that did not fail.
 #[derive(Debug, Clone, PartialEq, Eq)]
 #[must_use]
 pub(crate) enum Outcome {
@@ -61,7 +62,7 @@ impl Outcome {
         Self::Skipped(vec![Skip { part, reason: reason.into() }])
     }
 
-    /// This one and another.
+    /// Both outcomes together.
     pub(crate) fn and(self, other: Self) -> Self {
         match (self, other) {
             (Self::Passed, one) | (one, Self::Passed) => one,
@@ -72,8 +73,8 @@ impl Outcome {
         }
     }
 
-    /// Prints what was skipped; an error in continuous integration if [`ALLOWED`] does not name it.
-    /// Returns how many parts were skipped.
+    /// Prints the skipped parts and returns their number; an error in continuous integration if
+    /// [`ALLOWED`] does not contain one.
     pub(crate) fn accept(self) -> anyhow::Result<usize> {
         self.accept_if(std::env::var("CI").is_ok_and(|ci| !ci.is_empty() && ci != "false"))
     }
@@ -90,7 +91,7 @@ impl Outcome {
             }
         }
         if !refused.is_empty() {
-            bail!("skipped, which CI does not allow:\n  {}", refused.join("\n  "));
+            bail!("skipped parts that CI does not allow:\n  {}", refused.join("\n  "));
         }
         Ok(skips.len())
     }

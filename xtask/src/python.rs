@@ -1,19 +1,20 @@
-//! The Python module: its wheel, built, installed into a fresh environment and tested there.
+//! The Python module: builds its wheel, installs it into a fresh environment and tests it there.
 
 use crate::outcome::{Outcome, Part};
 use anyhow::{Context as _, bail};
 use std::path::{Path, PathBuf};
 use std::process::Command;
 
-/// What the tests need beside the wheel.
-const TOOLS: &[&str] = &["maturin>=1.9,<2", "numpy>=1.26", "pytest>=8"];
-/// What they use where it can be had.
-const WISHES: &[&str] = &["distributed", "ipykernel", "matplotlib", "nbclient", "pandas", "xarray"];
+/// Packages required by the tests.
+const REQUIRED_PACKAGES: &[&str] = &["maturin>=1.9,<2", "numpy>=1.26", "pytest>=8"];
+/// Optional packages of the tests.
+const OPTIONAL_PACKAGES: &[&str] =
+    &["distributed", "ipykernel", "matplotlib", "nbclient", "pandas", "xarray"];
 
 /// Why there is no environment.
 pub(crate) const NONE: &str = "there is no Python 3.11 or later with venv";
 
-/// An environment of its own below target/.
+/// A virtual environment below target/.
 pub(crate) struct Place {
     folder: PathBuf,
 }
@@ -24,7 +25,7 @@ impl Place {
         self.folder.join("venv/bin/python")
     }
 
-    /// Builds the wheel and installs it.
+    /// Builds and installs the wheel.
     pub(crate) fn install(&self) -> anyhow::Result<()> {
         let wheel = build(self)?.to_string_lossy().into_owned();
         call(&mut self.pip(&["--no-index", "--force-reinstall", "--no-deps", &wheel]))
@@ -38,17 +39,17 @@ impl Place {
     }
 }
 
-/// Builds the wheel and tests it in an environment below target/; skipped where there is no Python 3.11 or
+/// Builds the wheel and tests it in an environment below target/; skipped without Python 3.11 or
 /// later.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
     let Some(place) = place()? else { return Ok(Outcome::skipped(Part::Python, NONE)) };
     let mut outcome = Outcome::Passed;
-    if call(&mut place.pip(WISHES)).is_err() {
-        let reason = format!("{} cannot be installed", WISHES.join(", "));
+    if call(&mut place.pip(OPTIONAL_PACKAGES)).is_err() {
+        let reason = format!("{} cannot be installed", OPTIONAL_PACKAGES.join(", "));
         outcome = Outcome::skipped(Part::PythonWishes, reason);
     }
     place.install()?;
-    // From elsewhere, so that the installed module is tested, not its sources.
+    // In another folder, so that the installed module is tested and not its sources.
     let project = project()?;
     let mut pytest = Command::new(place.python());
     pytest.args(["-m", "pytest", "-q", "-p", "no:cacheprovider", "--rootdir"]);
@@ -56,7 +57,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     Ok(outcome.and(self::pytest(&mut pytest, &place.folder)?))
 }
 
-/// Runs pytest in `folder`; tests that skip themselves are a skipped part.
+/// Runs pytest in `folder`. Tests that skip themselves count as a skipped part.
 pub(crate) fn pytest(pytest: &mut Command, folder: &Path) -> anyhow::Result<Outcome> {
     let report = folder.join("pytest.xml");
     pytest.current_dir(folder).arg("-rs").arg("--junit-xml").arg(&report);
@@ -75,7 +76,7 @@ fn skipped_in(report: &str) -> Option<u64> {
     suite.split_once("skipped=\"")?.1.split_once('"')?.0.parse().ok()
 }
 
-/// A fresh environment with the tools in it; none where there is no Python 3.11 or later.
+/// A fresh environment with the required packages; `None` without Python 3.11 or later.
 pub(crate) fn place() -> anyhow::Result<Option<Place>> {
     let Some(python) = interpreter() else { return Ok(None) };
     let place = Place { folder: root()?.join("target/python") };
@@ -84,11 +85,11 @@ pub(crate) fn place() -> anyhow::Result<Option<Place>> {
         std::fs::remove_dir_all(&venv).with_context(|| venv.display().to_string())?;
     }
     call(Command::new(python).args(["-m", "venv"]).arg(venv))?;
-    call(&mut place.pip(TOOLS))?;
+    call(&mut place.pip(REQUIRED_PACKAGES))?;
     Ok(Some(place))
 }
 
-/// Builds the wheel, the only one there is.
+/// Builds the wheel.
 pub(crate) fn build(place: &Place) -> anyhow::Result<PathBuf> {
     let wheels = place.folder.join("wheels");
     if wheels.exists() {
@@ -108,7 +109,7 @@ fn project() -> anyhow::Result<PathBuf> {
     Ok(root()?.join("crates/python"))
 }
 
-/// The first Python that is new enough and can make environments.
+/// The first Python that is new enough and can create environments.
 pub(crate) fn interpreter() -> Option<&'static str> {
     let probe = "import sys, venv, ensurepip; sys.exit(sys.version_info < (3, 11))";
     let works = |name: &&str| {
@@ -117,12 +118,12 @@ pub(crate) fn interpreter() -> Option<&'static str> {
     ["python3", "python"].into_iter().find(works)
 }
 
-/// The folder of the builds, so that what is built is not built again.
+/// The build folder, shared so that nothing is built twice.
 fn target(root: &Path) -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root.join("target"), PathBuf::from)
 }
 
-/// The one wheel in a folder.
+/// The wheel in a folder, which must be the only one.
 fn wheel(folder: &Path) -> anyhow::Result<PathBuf> {
     let entries = std::fs::read_dir(folder).context("no wheel was built")?;
     let paths = entries.filter_map(|entry| Some(entry.ok()?.path()));

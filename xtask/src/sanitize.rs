@@ -1,4 +1,4 @@
-//! The C border under sanitizers.
+//! Tests of the C interface under sanitizers.
 
 use crate::outcome::{Outcome, Part};
 use crate::release;
@@ -6,10 +6,10 @@ use anyhow::{Context as _, ensure};
 use std::io::{BufRead as _, BufReader};
 use std::process::{Command, Stdio};
 
-/// What the script says where the nightly Rust of `.ci/nightly` is not installed.
-const WITHOUT: &str = "no address sanitizer";
+/// Output of the script if the nightly Rust of `.ci/nightly` is not installed.
+const NO_SANITIZER: &str = "no address sanitizer";
 
-/// Calls the C border at random under the address sanitizer and under valgrind.
+/// Calls the C interface with random arguments under the address sanitizer and valgrind.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
     let script = release::root().canonicalize()?.join("crates/capi/sanitize.sh");
     let mut child = Command::new(&script)
@@ -19,7 +19,7 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
     let mut is_without = false;
     for line in BufReader::new(child.stdout.take().context("no output of the script")?).lines() {
         let line = line?;
-        is_without |= line.contains(WITHOUT);
+        is_without |= line.contains(NO_SANITIZER);
         println!("{line}");
     }
     let status = child.wait()?;

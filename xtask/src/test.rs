@@ -1,6 +1,6 @@
-//! All tests and documentation examples.
+//! Runs tests, documentation examples and example programs.
 //!
-//! They run optimised, so that tests, figures and the command share one build of the
+//! They are built with optimisation, so that tests, figures and the command share one build of the
 //! dependencies.
 
 use crate::{cargo, changes, flags};
@@ -9,15 +9,15 @@ use std::io::{BufRead as _, BufReader};
 use std::process::Stdio;
 use std::time::Instant;
 
-/// How the tests are built, and which of them run.
+/// Build profile and selection of the tests.
 #[derive(Clone, Copy)]
 enum Which {
-    /// All but the ignored ones, as in a release.
+    /// All but the ignored tests, in the release profile.
     Usual,
-    /// The ignored ones alone, as in a release.
+    /// Only the ignored tests, in the release profile.
     Ignored,
-    /// All but the ignored ones, with overflow checks and debug assertions; without the crates
-    /// that compute nothing, whose dependencies would be built once more.
+    /// All but the ignored tests, with overflow checks and debug assertions; without crates that
+    /// compute nothing, whose dependencies would be built again.
     Checked,
 }
 
@@ -59,11 +59,11 @@ impl Which {
     }
 }
 
-/// Runs what the options choose: the whole workspace, one crate, or the crates that changed.
+/// Runs the tests selected by the options: the whole workspace, one crate, or the changed crates.
 pub(crate) fn chosen(options: &flags::Test) -> anyhow::Result<()> {
     ensure!(
         options.package.is_none() || !(options.changed || options.all),
-        "a crate is tested alone: leave out --changed and --all"
+        "name a crate without --changed and --all"
     );
     if let Some(name) = &options.package {
         let package = changes::package(name)?;
@@ -76,39 +76,39 @@ pub(crate) fn chosen(options: &flags::Test) -> anyhow::Result<()> {
     }
 }
 
-/// Runs all tests, the documentation examples and the example programs, and prints their counts;
-/// the examples run even if a test fails.
+/// Runs all tests, documentation examples and example programs, and prints their numbers. The
+/// examples run even if a test fails.
 pub(crate) fn run() -> anyhow::Result<()> {
     let tests = of_workspace(Which::Usual);
     let examples = examples();
     tests.and(examples).and(programs())
 }
 
-/// Runs the tests that take minutes too, and says how long they took.
+/// Also runs the tests that take minutes, and prints their duration.
 fn all() -> anyhow::Result<()> {
     let usual = run();
-    println!("== the tests that are ignored otherwise take minutes");
+    println!("== running the otherwise ignored tests, which take minutes");
     let start = Instant::now();
     let ignored = ignored();
     println!("== they took {:.0} s", start.elapsed().as_secs_f64());
     usual.and(ignored)
 }
 
-/// Runs the tests of the crates that changed since the last commit that was published, and of those that
-/// depend on them.
+/// Runs the tests of the crates changed since the last published commit, and of those that depend
+/// on them.
 fn changed() -> anyhow::Result<()> {
     let packages = changes::packages()?;
     if packages.is_empty() {
-        println!("no crate has changed");
+        println!("no crate changed");
         return Ok(());
     }
-    println!("changed, or dependent on what changed: {}", packages.join(", "));
+    println!("changed crates and those that depend on them: {}", packages.join(", "));
     let arguments: Vec<&str> =
         packages.iter().flat_map(|package| ["--package", package.as_str()]).collect();
     tests(Which::Usual, &arguments, None)
 }
 
-/// Runs the tests that are ignored otherwise.
+/// Runs the tests that are otherwise ignored.
 pub(crate) fn ignored() -> anyhow::Result<()> {
     of_workspace(Which::Ignored)
 }
@@ -122,10 +122,10 @@ fn of_workspace(which: Which) -> anyhow::Result<()> {
     tests(which, which.workspace(), None)
 }
 
-/// Runs the tests of these packages; with a name, those whose name contains it.
+/// Runs the tests of these packages; with `name`, those whose name contains it.
 fn tests(which: Which, packages: &[&str], name: Option<&str>) -> anyhow::Result<()> {
     if cargo::has("nextest") {
-        // Prints its own count.
+        // cargo-nextest prints its own count.
         let name: Vec<&str> = name.into_iter().collect();
         return cargo::run(&[&["nextest", "run"], packages, which.nextest(), &name].concat());
     }
@@ -141,7 +141,7 @@ fn examples() -> anyhow::Result<()> {
     counted("documentation examples", &arguments)
 }
 
-/// Runs the example programs, one for each floor: each checks what it prints.
+/// Runs the example programs, one for each layer; each checks its results.
 fn programs() -> anyhow::Result<()> {
     let folder = concat!(env!("CARGO_MANIFEST_DIR"), "/../crates/carom/examples");
     let mut names = Vec::new();
@@ -159,7 +159,7 @@ fn programs() -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Calls cargo, passing its output on, and prints how many tests passed.
+/// Runs cargo, forwards its output, and prints how many tests passed.
 fn counted(name: &str, arguments: &[&str]) -> anyhow::Result<()> {
     let mut child =
         cargo::command(arguments).stdout(Stdio::piped()).spawn().context("cannot start cargo")?;

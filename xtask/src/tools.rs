@@ -1,4 +1,4 @@
-//! Tools of cargo that some tasks call and a machine may lack.
+//! Tools of cargo that a machine may lack.
 
 use crate::{cargo, release};
 use anyhow::Context as _;
@@ -11,7 +11,7 @@ pub(crate) struct Tool {
     options: &'static [&'static str],
 }
 
-/// Makes the pages of the book.
+/// Builds the pages of the book.
 pub(crate) const MDBOOK: Tool =
     Tool { name: "mdbook", version: "0.5.4", options: &["--no-default-features"] };
 
@@ -19,8 +19,8 @@ pub(crate) const MDBOOK: Tool =
 pub(crate) const CARGO_DENY: Tool = Tool { name: "cargo-deny", version: "0.20.2", options: &[] };
 
 impl Tool {
-    /// Whether the tool can be called. In continuous integration a missing one is installed into
-    /// `target/tools`, whose programs `.ci/run` puts on the path, and is kept there: mdbook takes two minutes
+    /// Whether the tool is installed. In continuous integration a missing one is installed into
+    /// `target/tools`, which `.ci/run` adds to the path, and kept there: mdbook takes two minutes
     /// on two cores, cargo-deny 75 s.
     ///
     /// # Errors
@@ -32,7 +32,7 @@ impl Tool {
         Ok(self.answers())
     }
 
-    /// How a user installs it.
+    /// The command with which a user installs it.
     pub(crate) fn advice(&self) -> String {
         format!("{0} is not installed; `cargo install {0} --locked` installs it", self.name)
     }

@@ -6,7 +6,7 @@ module carom
   implicit none
 
   integer(c_int32_t), parameter :: carom_status_ok = 0, carom_status_out_of_range = 3
-  integer(c_int32_t), parameter :: carom_law_coulomb = 0, carom_law_chapter_7 = 1
+  integer(c_int32_t), parameter :: carom_law_coulomb = 0, carom_law_fixed_direction = 1
 
   type, bind(c) :: carom_material
     real(c_double) :: young_modulus, poisson
@@ -14,12 +14,12 @@ module carom
 
   type, bind(c) :: carom_pair
     real(c_double) :: c_x, c_y, c_z, friction, tolerance, a_squared, b_squared
-    real(c_double) :: torsion_stiffness, torsion_arm
+    real(c_double) :: torsion_stiffness, torsion_arm, gamma, coupling_bound
     integer(c_int32_t) :: law, version
   end type
 
-  type, bind(c) :: carom_state
-    real(c_double) :: numbers(66) = 0
+  type, bind(c) :: carom_contact
+    integer(c_int64_t) :: words(145) = 0
   end type
 
   type, bind(c) :: carom_shift
@@ -47,19 +47,19 @@ module carom
       type(carom_error), intent(inout) :: error
     end function
 
-    integer(c_int32_t) function carom_state_advance(pair, state, shift, load, error) bind(c)
+    integer(c_int32_t) function carom_contact_advance(pair, contact, shift, load, error) bind(c)
       import
       type(carom_pair), intent(in) :: pair
-      type(carom_state), intent(inout) :: state
+      type(carom_contact), intent(inout) :: contact
       type(carom_shift), value :: shift
       type(carom_load), intent(out) :: load
       type(carom_error), intent(inout) :: error
     end function
 
-    integer(c_int32_t) function carom_state_energy(pair, state, energy, error) bind(c)
+    integer(c_int32_t) function carom_contact_energy(pair, contact, energy, error) bind(c)
       import
       type(carom_pair), intent(in) :: pair
-      type(carom_state), intent(in) :: state
+      type(carom_contact), intent(in) :: contact
       real(c_double), intent(out) :: energy
       type(carom_error), intent(inout) :: error
     end function
@@ -71,7 +71,7 @@ program contact
   implicit none
   type(carom_material) :: rubber = carom_material(5.0e6_c_double, 0.5_c_double)
   type(carom_pair) :: pair
-  type(carom_state) :: state
+  type(carom_contact) :: memory
   type(carom_shift) :: shift
   type(carom_load) :: load
   type(carom_error) :: error
@@ -79,20 +79,20 @@ program contact
   integer :: i
 
   call check(carom_pair_of_spheres(rubber, rubber, 0.02_c_double, 0.03_c_double, 0.8_c_double, &
-    carom_law_chapter_7, 0.0_c_double, pair, error))
+    carom_law_fixed_direction, 0.0_c_double, pair, error))
 
   ! Press, shift, and all the way back: the loop is symmetric.
   shift%zeta = 1.0e-3_c_double
-  call check(carom_state_advance(pair, state, shift, load, error))
+  call check(carom_contact_advance(pair, memory, shift, load, error))
   shift%xi = 4.0e-4_c_double
-  call check(carom_state_advance(pair, state, shift, load, error))
+  call check(carom_contact_advance(pair, memory, shift, load, error))
   there = load%f_x
   do i = 1, 100
     shift%xi = 4.0e-4_c_double*(1 - 0.02_c_double*i)
-    call check(carom_state_advance(pair, state, shift, load, error))
+    call check(carom_contact_advance(pair, memory, shift, load, error))
   end do
   back = load%f_x
-  call check(carom_state_energy(pair, state, energy, error))
+  call check(carom_contact_energy(pair, memory, energy, error))
   print '(a, es14.6, a, es14.6, a, es14.6)', 'F_x = ', there, ' N, back ', back, ' N; energy ', energy
 
   if (abs(there + back) > 1.0e-12_c_double*abs(there)) error stop 'the loop is not symmetric'
@@ -102,7 +102,7 @@ program contact
       > 1.0e-12_c_double*limit) error stop 'not the force of Cattaneo and Mindlin'
 
   shift%zeta = ieee_nan()
-  if (carom_state_advance(pair, state, shift, load, error) /= carom_status_out_of_range) &
+  if (carom_contact_advance(pair, memory, shift, load, error) /= carom_status_out_of_range) &
     error stop 'a shift that is no number was taken'
   if (error%field(1) /= 'z') error stop 'the field is not named'
   print '(a)', 'all is well'

@@ -36,7 +36,7 @@ static void impact(void) {
   const double up[3] = {0.0, 0.0, 1.0};
   carom_rebound rebound;
   carom_error error;
-  const carom_status status = carom_collide(&ball, &plate, 0.15, up, &rebound, &error);
+  const carom_status status = carom_collide(&ball, &plate, 0.15, up, NULL, &rebound, &error);
   if (status != CAROM_STATUS_OK) {
     printf("%s: %s\n", carom_status_text(status), error.text);
     failures += 1;
@@ -51,13 +51,17 @@ static void impact(void) {
   must(fabs(balance) < 1e-9 * rebound.energy_before, "friction takes the energy that is missing");
 
   /* The same of steel that gives back 0.9 of the normal velocity. */
-  must(carom_collide_losing(&ball, &plate, 0.15, CAROM_LOSS_GIVEN, 0.9, up, &rebound, &error) ==
-               CAROM_STATUS_OK &&
+  carom_collide_options options = {0};
+  options.size = sizeof options;
+  options.loss = CAROM_LOSS_GIVEN;
+  options.normal_restitution = 0.9;
+  must(carom_collide(&ball, &plate, 0.15, up, &options, &rebound, &error) == CAROM_STATUS_OK &&
            fabs(rebound.body_1_velocity[2] - 1.8) < 1e-12 && rebound.energy_lost > 0.0,
        "it rises slower");
 
   ball.mass = -1.0;
-  must(carom_collide(&ball, &plate, 0.15, up, &rebound, &error) == CAROM_STATUS_OUT_OF_RANGE &&
+  must(carom_collide(&ball, &plate, 0.15, up, NULL, &rebound, &error) ==
+               CAROM_STATUS_OUT_OF_RANGE &&
            strcmp(error.field, "mass") == 0 && error.value == -1.0,
        "a bad mass is named");
 }
@@ -85,7 +89,7 @@ static void contacts(void) {
     int id;
     carom_shift shift;
     carom_load load;
-    carom_state memory;
+    carom_contact memory;
   } particles[8];
   memset(particles, 0, sizeof particles);
 
@@ -103,21 +107,27 @@ static void contacts(void) {
       particles[i].shift.eta = 3e-8 * cos(4.0 * t);
     }
     const size_t stride = sizeof(struct particle);
-    must(carom_state_advance_many(&pair, 8, &particles[0].memory, stride, &particles[0].shift,
-                                  stride, &particles[0].load, stride, &error) == CAROM_STATUS_OK,
+    must(carom_contact_advance_many(&pair, 8, &particles[0].memory, stride, &particles[0].shift,
+                                    stride, &particles[0].load, stride, &error) == CAROM_STATUS_OK,
          "a step of all");
     for (int i = 0; i < 8; ++i) {
       const carom_load f = particles[i].load;
       must(hypot(f.f_x, f.f_y) <= 0.4 * f.f_z * (1.0 + 1e-12) + 1e-300, "Coulomb's limit");
     }
   }
-  /* A restart: the memory alone tells the load again. */
+  /* A restart: 66 numbers, which any build understands, tell the load again. */
+  carom_state numbers;
+  carom_contact restarted;
   carom_load again;
-  must(carom_state_load(&pair, &particles[3].memory, &again, &error) == CAROM_STATUS_OK, "a load");
+  memset(&restarted, 0, sizeof restarted);
+  must(carom_contact_pack(&pair, &particles[3].memory, &numbers, &error) == CAROM_STATUS_OK &&
+           carom_contact_unpack(&pair, &numbers, &restarted, &error) == CAROM_STATUS_OK &&
+           carom_contact_load(&pair, &restarted, &again, &error) == CAROM_STATUS_OK,
+       "a restart");
   printf("contact 3: F = (%.6e, %.6e, %.6e) N\n", again.f_x, again.f_y, again.f_z);
   must(fabs(again.f_x - particles[3].load.f_x) <= 1e-12 * fabs(again.f_z), "the same load again");
 
-  must(carom_state_advance(&pair, NULL, particles[0].shift, NULL, &error) ==
+  must(carom_contact_advance(&pair, NULL, particles[0].shift, NULL, &error) ==
            CAROM_STATUS_NULL_POINTER,
        "a null pointer is told");
 }

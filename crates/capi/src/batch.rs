@@ -2,10 +2,9 @@
 
 use crate::contact::CaromContact;
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::law::{CaromLoad, CaromShift, Kept};
+use crate::law::{CaromLoad, CaromShift, Law};
 use crate::pair::CaromPair;
 use crate::pointers::{Strided, read};
-use crate::state::{CaromState, Worker, finite};
 
 use carom_laws::law::{Checked as _, Shift};
 
@@ -13,43 +12,13 @@ use carom_laws::law::{Checked as _, Shift};
 /// entry to the next, so that the arrays may be columns of larger structures; `loads` may be null.
 ///
 /// All shifts are checked before anything moves: if one is out of range nothing is changed, and
-/// `error->index` names it. A state that is none ends the call at its index: those before it have
+/// `error->index` names it. A contact that is none ends the call at its index: those before it have
 /// been advanced.
 ///
 /// # Safety
-/// `pair` is null or may be read. `states`, `shifts` and `loads` are null, or each of their `count`
-/// entries may be read and, but for the shifts, written; none overlaps another. `error` is null or
-/// may be written.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_state_advance_many(
-    pair: *const CaromPair,
-    count: usize,
-    states: *mut CaromState,
-    state_stride: usize,
-    shifts: *const CaromShift,
-    shift_stride: usize,
-    loads: *mut CaromLoad,
-    load_stride: usize,
-    error: *mut CaromError,
-) -> CaromStatus {
-    // SAFETY: the caller's promise.
-    let call = || unsafe {
-        let pair = read(pair, "pair")?;
-        finite(pair)?;
-        let mut law: Worker = pair.law()?;
-        let states = Strided::apart(states, state_stride, count, "states")?;
-        let arrays = Arrays::new(count, (shifts, shift_stride), (loads, load_stride))?;
-        arrays.check(&law)?;
-        arrays.advance(states, |state, shift| state.step(&mut law, shift))
-    };
-    // SAFETY: the caller's promise.
-    unsafe { border(error, call) }
-}
-
-/// Advances many contacts of one pair, as `carom_state_advance_many`.
-///
-/// # Safety
-/// As `carom_state_advance_many`; each contact is as in `carom_contact_advance`.
+/// `pair` is null or may be read. `contacts`, `shifts` and `loads` are null, or each of their `count`
+/// entries may be read and, but for the shifts, written; none overlaps another. Each contact is as in
+/// `carom_contact_advance`. `error` is null or may be written.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_contact_advance_many(
     pair: *const CaromPair,
@@ -65,11 +34,11 @@ pub unsafe extern "C" fn carom_contact_advance_many(
     // SAFETY: the caller's promise.
     let call = || unsafe {
         let pair = read(pair, "pair")?;
-        let law: Worker = pair.law()?;
+        let law: Law = pair.law()?;
         let contacts = Strided::apart(contacts, contact_stride, count, "contacts")?;
         let arrays = Arrays::new(count, (shifts, shift_stride), (loads, load_stride))?;
         arrays.check(&law)?;
-        arrays.advance(contacts, |contact, shift| contact.advance(pair, shift))
+        arrays.advance(pair, contacts)
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }
@@ -98,7 +67,7 @@ impl Arrays {
 
     /// # Safety
     /// The entries may be read.
-    unsafe fn check(&self, law: &Worker) -> Result<(), Failure> {
+    unsafe fn check(&self, law: &Law) -> Result<(), Failure> {
         for i in 0..self.count {
             // SAFETY: the caller's promise.
             let shift = Shift::from(unsafe { *self.shifts.at(i) });
@@ -109,15 +78,15 @@ impl Arrays {
 
     /// # Safety
     /// The entries may be read and written, and none overlaps another.
-    unsafe fn advance<K>(
+    unsafe fn advance(
         &self,
-        kept: Strided<K>,
-        mut step: impl FnMut(&mut K, CaromShift) -> Result<CaromLoad, Failure>,
+        pair: &CaromPair,
+        contacts: Strided<CaromContact>,
     ) -> Result<(), Failure> {
         for i in 0..self.count {
             // SAFETY: the caller's promise.
-            let (kept, shift) = unsafe { (&mut *kept.at(i), *self.shifts.at(i)) };
-            let load = step(kept, shift).map_err(|failure| failure.at(i))?;
+            let (contact, shift) = unsafe { (&mut *contacts.at(i), *self.shifts.at(i)) };
+            let load = contact.advance(pair, shift).map_err(|failure| failure.at(i))?;
             if let Some(loads) = &self.loads {
                 // SAFETY: the caller's promise.
                 unsafe { *loads.at(i) = load };

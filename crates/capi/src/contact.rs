@@ -2,14 +2,15 @@
 
 use std::mem::MaybeUninit;
 
-use carom_laws::law::ContactLaw;
+use carom_laws::law::{ContactLaw, Dissipative, Shift};
+use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::law::{CaromLoad, CaromReport, CaromShift, Kept, Law};
+use crate::law::{CaromLoad, CaromReport, CaromShift, Law};
 use crate::pair::CaromPair;
 use crate::pointers::{read, write};
-use crate::state::{CaromState, advance, ask};
-use crate::stored::{Stack, present, present_mut, store};
+use crate::state::CaromState;
+use crate::stored::{present, present_mut, store};
 
 /// The words of 8 bytes in a `carom_contact`, beside its mark.
 pub const CAROM_CONTACT_WORDS: usize = 144;
@@ -31,12 +32,12 @@ pub struct CaromContact {
 
 impl CaromContact {
     #[inline(always)]
-    fn present(&self) -> Result<Option<&Law<Stack>>, Failure> {
+    fn present(&self) -> Result<Option<&Law>, Failure> {
         present(self.mark, &self.words)
     }
 
     #[inline(always)]
-    fn present_mut(&mut self) -> Result<Option<&mut Law<Stack>>, Failure> {
+    fn present_mut(&mut self) -> Result<Option<&mut Law>, Failure> {
         present_mut(self.mark, &mut self.words)
     }
 
@@ -45,28 +46,28 @@ impl CaromContact {
     fn begin(&mut self, pair: &CaromPair, shift: CaromShift) -> Result<CaromLoad, Failure> {
         let mut law = pair.law()?;
         let load = law.advance(shift.into())?;
-        self.keep(&law)?;
+        self.keep(&law);
         Ok(load.into())
     }
-}
 
-impl Kept for CaromContact {
-    type Stack = Stack;
-
-    fn law(&self, pair: &CaromPair) -> Result<Law<Stack>, Failure> {
+    /// The law as it stands.
+    fn law(&self, pair: &CaromPair) -> Result<Law, Failure> {
         match self.present()? {
             Some(law) => Ok(*law),
             None => pair.law(),
         }
     }
 
-    fn keep(&mut self, law: &Law<Stack>) -> Result<(), Failure> {
+    fn keep(&mut self, law: &Law) {
         self.mark = store(law, &mut self.words);
-        Ok(())
     }
 
     #[inline]
-    fn advance(&mut self, pair: &CaromPair, shift: CaromShift) -> Result<CaromLoad, Failure> {
+    pub(crate) fn advance(
+        &mut self,
+        pair: &CaromPair,
+        shift: CaromShift,
+    ) -> Result<CaromLoad, Failure> {
         match self.present_mut()? {
             Some(law) => Ok(law.advance(shift.into())?.into()),
             None => self.begin(pair, shift),
@@ -91,7 +92,18 @@ pub unsafe extern "C" fn carom_contact_advance(
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
-    unsafe { border(error, || advance(pair, contact, shift, load)) }
+    let call = || unsafe {
+        let (pair, contact) = (read(pair, "pair")?, write(contact, "contact")?);
+        // Checked before anything moves.
+        let place = if load.is_null() { None } else { Some(write(load, "load")?) };
+        let load = contact.advance(pair, shift)?;
+        if let Some(place) = place {
+            *place = load;
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
 }
 
 /// The present load.
@@ -107,7 +119,7 @@ pub unsafe extern "C" fn carom_contact_load(
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
-    unsafe { ask(pair, contact, load, "load", error, |contact, pair| contact.load(pair)) }
+    unsafe { ask(pair, contact, load, "load", error, |law| Ok(law.load().into())) }
 }
 
 /// The elastic energy of the contact, compression included, J.
@@ -122,7 +134,7 @@ pub unsafe extern "C" fn carom_contact_energy(
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
-    unsafe { ask(pair, contact, energy, "energy", error, |contact, pair| contact.energy(pair)) }
+    unsafe { ask(pair, contact, energy, "energy", error, |law| Ok(law.stored_energy())) }
 }
 
 /// The energy that the straight step to `shift` would turn into heat, or release at a receding edge,
@@ -138,8 +150,13 @@ pub unsafe extern "C" fn carom_contact_heat(
     heat: *mut f64,
     error: *mut CaromError,
 ) -> CaromStatus {
+    let made = |law: &Law| {
+        let shift = Shift::from(shift);
+        shift.check_finite()?;
+        Ok(law.dissipation(shift))
+    };
     // SAFETY: the caller's promise.
-    unsafe { ask(pair, contact, heat, "heat", error, |contact, pair| contact.heat(pair, shift)) }
+    unsafe { ask(pair, contact, heat, "heat", error, made) }
 }
 
 /// What the last step did, and how much of the contact sticks.
@@ -153,8 +170,10 @@ pub unsafe extern "C" fn carom_contact_report(
     report: *mut CaromReport,
     error: *mut CaromError,
 ) -> CaromStatus {
+    let told =
+        |law: &Law| Ok(CaromReport { sticking: law.stick_depth(), regime: law.regime().into() });
     // SAFETY: the caller's promise.
-    unsafe { ask(pair, contact, report, "report", error, |contact, pair| contact.report(pair)) }
+    unsafe { ask(pair, contact, report, "report", error, told) }
 }
 
 /// Turns the contact axes by an angle (radians, from x to y): what is remembered is expressed in the
@@ -171,7 +190,16 @@ pub unsafe extern "C" fn carom_contact_turn_frame(
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
-    unsafe { border(error, || write(contact, "contact")?.turn_frame(read(pair, "pair")?, angle)) }
+    let call = || unsafe {
+        let (pair, contact) = (read(pair, "pair")?, write(contact, "contact")?);
+        RangeError::finite("angle", angle)?;
+        let mut law = contact.law(pair)?;
+        law.turn_frame(angle);
+        contact.keep(&law);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
 }
 
 /// Writes what a contact remembers into a state, for a file or another process.
@@ -186,9 +214,9 @@ pub unsafe extern "C" fn carom_contact_pack(
     state: *mut CaromState,
     error: *mut CaromError,
 ) -> CaromStatus {
-    let pack = |contact: &CaromContact, pair: &CaromPair| {
+    let pack = |law: &Law| {
         let mut state = CaromState { numbers: [0.0; crate::CAROM_STATE_NUMBERS] };
-        contact.law(pair)?.pack(&mut state.numbers)?;
+        law.pack(&mut state.numbers)?;
         Ok(state)
     };
     // SAFETY: the caller's promise.
@@ -211,7 +239,7 @@ pub unsafe extern "C" fn carom_contact_unpack(
     let call = || unsafe {
         let (pair, state) = (read(pair, "pair")?, read(state, "state")?);
         let contact = write(contact, "contact")?;
-        let unpack = |law: &mut Law<Stack>| {
+        let unpack = |law: &mut Law| {
             law.unpack(&state.numbers).map_err(|error| Failure::from(error).in_state())
         };
         if let Some(law) = contact.present_mut()? {
@@ -219,7 +247,30 @@ pub unsafe extern "C" fn carom_contact_unpack(
         }
         let mut law = pair.law()?;
         unpack(&mut law)?;
-        contact.keep(&law)
+        contact.keep(&law);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// A question to the law of a contact.
+///
+/// # Safety
+/// As `carom_contact_load`.
+unsafe fn ask<T>(
+    pair: *const CaromPair,
+    contact: *const CaromContact,
+    answer: *mut T,
+    name: &'static str,
+    error: *mut CaromError,
+    question: impl FnOnce(&Law) -> Result<T, Failure>,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let (pair, contact) = (read(pair, "pair")?, read(contact, "contact")?);
+        *write(answer, name)? = question(&contact.law(pair)?)?;
+        Ok(())
     };
     // SAFETY: the caller's promise.
     unsafe { border(error, call) }

@@ -2,10 +2,10 @@
 
 use std::array::from_fn;
 
-use carom_laws::grains::{Grain, GrainLoad, TOGETHER, Touching, advance_together};
+use carom_laws::grains::{Grain, GrainLoad, Heats, TOGETHER, Touching, advance_together};
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::grains::{CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, advance};
+use crate::grains::{CaromGrainLoad, CaromGrains, advance};
 use crate::pointers::{Strided, is_place};
 use crate::touch::CaromTouch;
 
@@ -18,14 +18,13 @@ pub struct CaromEncounter {
     /// Their contact: of each pair its own.
     pub touch: *mut CaromTouch,
     /// Body 1.
-    pub one: CaromGrain,
+    pub one: Grain,
     /// Body 2.
-    pub two: CaromGrain,
+    pub two: Grain,
     /// What body 2 exerts on body 1 at the end of the step: to be written.
     pub load: CaromGrainLoad,
 }
 
-const _: () = assert!(size_of::<CaromGrain>() == size_of::<Grain>());
 const _: () = assert!(size_of::<CaromGrainLoad>() == size_of::<GrainLoad>());
 
 /// One step of the duration `dt` of many pairs of grains: `carom_touch_grains` for each, to the same bits and
@@ -42,7 +41,7 @@ pub unsafe extern "C" fn carom_touch_many(
     encounters: *mut CaromEncounter,
     count: usize,
     dt: f64,
-    heats: *mut CaromHeats,
+    heats: *mut Heats,
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
@@ -90,11 +89,11 @@ unsafe fn step_together(
     if !(from..from + TOGETHER).all(is_ready) {
         return None;
     }
-    // SAFETY: looked at just now; the touches are apart, and the casts keep fields and their order.
+    // SAFETY: looked at just now; the touches are apart, and the cast keeps fields and their order.
     let mut pairs = from_fn(|i| unsafe {
         let at = &mut *all.at(from + i);
         let shares = [(*at.grains).share_1, (*at.grains).share_2];
-        let bodies = [&at.one, &at.two].map(|grain| &*std::ptr::from_ref(grain).cast::<Grain>());
+        let bodies = [&at.one, &at.two];
         let load = &mut *(&raw mut at.load).cast::<GrainLoad>();
         Touching { contact: (*at.touch).present_unchecked(), bodies, shares, load }
     });

@@ -7,36 +7,10 @@ use carom_laws::hertz::Hertz;
 use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::pair::{CaromMaterial, CaromPair, materials};
+use crate::pair::{CAROM_LAW_RINGS, CaromMaterial, CaromPair, materials};
 use crate::pointers::{read, write};
 use crate::state::finite;
 use crate::touch::{CaromTouch, Contact};
-
-/// A sphere as a particle code moves it.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(C)]
-pub struct CaromGrain {
-    /// Its centre, m.
-    pub place: [f64; 3],
-    /// The velocity of its centre, m/s.
-    pub velocity: [f64; 3],
-    /// Its angular velocity, rad/s.
-    pub spin: [f64; 3],
-    /// Its radius, m.
-    pub radius: f64,
-}
-
-/// A flat wall that may move along.
-#[derive(Debug, Clone, Copy, PartialEq)]
-#[repr(C)]
-pub struct CaromWall {
-    /// Any place on it, m.
-    pub place: [f64; 3],
-    /// The unit normal, towards the grains.
-    pub normal: [f64; 3],
-    /// Its velocity, m/s.
-    pub velocity: [f64; 3],
-}
 
 /// The constants of the contacts of two materials: plain data, made by `carom_grains_of` and not to be
 /// changed but by it.
@@ -63,23 +37,6 @@ pub struct CaromGrainLoad {
     pub torque_1: [f64; 3],
     /// The torque on body 2 about its centre, N m; that on a wall is zero.
     pub torque_2: [f64; 3],
-}
-
-/// What became of mechanical energy, J: sums, to which a step adds.
-#[derive(Debug, Clone, Copy, PartialEq, Default)]
-#[repr(C)]
-pub struct CaromHeats {
-    /// The heat of friction, with what a receding edge releases.
-    pub friction: f64,
-    /// The heat of the viscoelastic material.
-    pub damping: f64,
-}
-
-impl From<CaromGrain> for Grain {
-    #[inline]
-    fn from(CaromGrain { place, velocity, spin, radius }: CaromGrain) -> Self {
-        Self { place, velocity, spin, radius }
-    }
 }
 
 impl From<GrainLoad> for CaromGrainLoad {
@@ -120,33 +77,6 @@ pub(crate) fn relative_radius(one: f64, two: f64) -> Result<f64, Failure> {
     Ok(1.0 / (1.0 / one + 1.0 / two))
 }
 
-#[inline(always)]
-pub(crate) fn step(
-    contact: &mut Contact,
-    meeting: &Meeting,
-    dt: f64,
-    heats: Option<&mut CaromHeats>,
-) -> Result<GrainLoad, RangeError> {
-    match heats {
-        None => contact.advance(meeting, dt),
-        Some(sums) => accounted(contact, meeting, dt, sums),
-    }
-}
-
-#[inline(never)]
-fn accounted(
-    contact: &mut Contact,
-    meeting: &Meeting,
-    dt: f64,
-    sums: &mut CaromHeats,
-) -> Result<GrainLoad, RangeError> {
-    let mut heats = Heats::default();
-    let load = contact.advance_accounted(meeting, dt, &mut heats)?;
-    sums.friction += heats.friction;
-    sums.damping += heats.damping;
-    Ok(load)
-}
-
 /// Two bodies that may touch.
 pub(crate) trait Bodies: Copy {
     /// Where they meet.
@@ -162,11 +92,11 @@ pub(crate) trait Bodies: Copy {
     }
 }
 
-impl Bodies for [&CaromGrain; 2] {
+impl Bodies for [&Grain; 2] {
     #[inline(always)]
     fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure> {
-        let [one, two] = self.map(|grain| Grain::from(*grain));
-        Ok(Meeting::of_spheres(&one, &two, [grains.share_1, grains.share_2])?)
+        let [one, two] = self;
+        Ok(Meeting::of_spheres(one, two, [grains.share_1, grains.share_2])?)
     }
 
     fn radii(self) -> [f64; 2] {
@@ -174,15 +104,14 @@ impl Bodies for [&CaromGrain; 2] {
     }
 }
 
-impl Bodies for (&CaromGrain, &CaromWall) {
+impl Bodies for (&Grain, &Wall) {
     #[inline(always)]
     fn meeting(self, grains: &CaromGrains) -> Result<Meeting, Failure> {
-        let CaromWall { place, normal, velocity } = *self.1;
-        let [x, y, z] = normal;
+        let (grain, wall) = self;
+        let [x, y, z] = wall.normal;
         let square = x * x + y * y + z * z;
         RangeError::check("normal", square.sqrt(), (square - 1.0).abs() < 1e-9, "of length 1")?;
-        let wall = Wall { place, normal, velocity };
-        Ok(Meeting::on_wall(&Grain::from(*self.0), &wall, grains.share_1))
+        Ok(Meeting::on_wall(grain, wall, grains.share_1))
     }
 
     fn radii(self) -> [f64; 2] {
@@ -199,7 +128,7 @@ pub(crate) unsafe fn advance(
     bodies: impl Bodies,
     dt: f64,
     load: *mut CaromGrainLoad,
-    heats: *mut CaromHeats,
+    heats: *mut Heats,
 ) -> Result<(), Failure> {
     // SAFETY: the caller's promise.
     let (grains, touch, load) =
@@ -268,7 +197,11 @@ fn constants(
     finite(&unit)?;
     let [share_1, share_2] = compliance_shares(&materials);
     let grains = CaromGrains { unit, relaxation, share_1, share_2 };
-    grains.contact(1.0).map(|_| grains)
+    match law {
+        CAROM_LAW_RINGS => RangeError::non_negative("relaxation", relaxation).map(|_| ())?,
+        _ => grains.contact(1.0).map(|_| ())?,
+    }
+    Ok(grains)
 }
 
 /// One step of the duration `dt` of the contact of two grains, at whose end they are as told; the
@@ -286,11 +219,11 @@ fn constants(
 pub unsafe extern "C" fn carom_touch_grains(
     grains: *const CaromGrains,
     touch: *mut CaromTouch,
-    one: *const CaromGrain,
-    two: *const CaromGrain,
+    one: *const Grain,
+    two: *const Grain,
     dt: f64,
     load: *mut CaromGrainLoad,
-    heats: *mut CaromHeats,
+    heats: *mut Heats,
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
@@ -310,11 +243,11 @@ pub unsafe extern "C" fn carom_touch_grains(
 pub unsafe extern "C" fn carom_touch_wall(
     grains: *const CaromGrains,
     touch: *mut CaromTouch,
-    one: *const CaromGrain,
-    wall: *const CaromWall,
+    one: *const Grain,
+    wall: *const Wall,
     dt: f64,
     load: *mut CaromGrainLoad,
-    heats: *mut CaromHeats,
+    heats: *mut Heats,
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
@@ -336,8 +269,8 @@ pub unsafe extern "C" fn carom_touch_wall(
 pub unsafe extern "C" fn carom_touch_grains_load(
     grains: *const CaromGrains,
     touch: *const CaromTouch,
-    one: *const CaromGrain,
-    two: *const CaromGrain,
+    one: *const Grain,
+    two: *const Grain,
     load: *mut CaromGrainLoad,
     error: *mut CaromError,
 ) -> CaromStatus {
@@ -355,8 +288,8 @@ pub unsafe extern "C" fn carom_touch_grains_load(
 pub unsafe extern "C" fn carom_touch_wall_load(
     grains: *const CaromGrains,
     touch: *const CaromTouch,
-    one: *const CaromGrain,
-    wall: *const CaromWall,
+    one: *const Grain,
+    wall: *const Wall,
     load: *mut CaromGrainLoad,
     error: *mut CaromError,
 ) -> CaromStatus {

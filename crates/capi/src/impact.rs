@@ -2,12 +2,11 @@
 
 use carom_geometry::{Attitude, Inertia, Surface, SurfaceError};
 use carom_impact::{
-    Body, Collision, CollisionError, Motion, NeededLaw, NormalRestitution, Outcome, Rebound,
-    RingImpact, RingImpactError, Warning,
+    Body, Collision, CollisionError, Motion, Outcome, Rebound, RingImpactError, Warning,
 };
 use carom_laws::friction::Friction;
-use carom_special::RangeError;
 
+use crate::collide_options::CaromCollideOptions;
 use crate::error::{CaromError, CaromStatus, Failure, border};
 use crate::pair::CaromMaterial;
 use crate::pointers::{read, write};
@@ -39,13 +38,6 @@ pub const CAROM_WARNING_SPIN_LEFT_ALONE: u32 = 8;
 pub const CAROM_WARNING_NOT_SETTLED: u32 = 16;
 /// The contact point was found by sampling; the bodies may touch elsewhere too.
 pub const CAROM_WARNING_POINT_SAMPLED: u32 = 32;
-
-/// Nothing is lost in the bodies' material.
-pub const CAROM_LOSS_NONE: u32 = 0;
-/// `normal_restitution` of the elastic normal velocity is left, in [0, 1].
-pub const CAROM_LOSS_GIVEN: u32 = 1;
-/// What elastic waves carry away is lost, see CAROM_WARNING_WAVE_LOSS; `normal_restitution` says nothing.
-pub const CAROM_LOSS_BY_WAVES: u32 = 2;
 
 /// A body about to collide. All that is zero is what is usual: a solid, its axes along those of space,
 /// at the origin, at rest.
@@ -130,59 +122,38 @@ pub struct CaromRebound {
     pub energy_lost: f64,
     /// How far the velocity after may be off over that before; 0 where the solution is exact.
     pub error_estimate: f64,
+    /// The relative spin about the normal after over that before, if `has_torsion`.
+    pub spin_ratio: f64,
+    /// The impulse of the torque on body 1 about the normal, N m s, if `has_torsion`.
+    pub torque_impulse: f64,
+    /// 1 if the spin about the normal was changed.
+    pub has_torsion: u32,
 }
 
 /// The impact of two bodies that touch where they are, or, if `normal` is not null, of body 1 put on body
 /// 2 with that common normal, from body 2 into body 1.
 ///
-/// The coupling of normal and tangential displacements of dissimilar bodies counts for spheres and planes, and with
-/// it the spin about the normal. For other shapes it is neglected; CAROM_WARNING_COUPLING says so.
+/// `options` is null for what is usual: elastic bodies, and the coupling of normal and tangential displacements of
+/// dissimilar ones counts for spheres and planes, with it the spin about the normal.
 ///
 /// # Safety
-/// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `rebound` and `error` are
-/// null or may be written.
+/// `body_1`, `body_2` and the three numbers of `normal` are null or may be read; `options` is null, or as many bytes
+/// as its `size` says may be read; `rebound` and `error` are null or may be written.
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn carom_collide(
     body_1: *const CaromBody,
     body_2: *const CaromBody,
     friction: f64,
     normal: *const f64,
+    options: *const CaromCollideOptions,
     rebound: *mut CaromRebound,
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
     let call = || unsafe {
         let collision = collision([body_1, body_2], friction, normal)?;
-        *write(rebound, "rebound")? = solve(&collision)?;
-        Ok(())
-    };
-    // SAFETY: the caller's promise.
-    unsafe { border(error, call) }
-}
-
-/// The same of bodies whose material loses energy, beyond the elastic theory. `loss` is a CAROM_LOSS, and
-/// `normal_restitution` the part of the elastic normal velocity that CAROM_LOSS_GIVEN leaves: 1 is elastic,
-/// at 0 the bodies do not part along the normal. Impulse and heat of friction shrink with the normal pulse;
-/// duration, force and approach are those of the elastic impact.
-///
-/// # Safety
-/// As for `carom_collide`.
-#[unsafe(no_mangle)]
-pub unsafe extern "C" fn carom_collide_losing(
-    body_1: *const CaromBody,
-    body_2: *const CaromBody,
-    friction: f64,
-    loss: u32,
-    normal_restitution: f64,
-    normal: *const f64,
-    rebound: *mut CaromRebound,
-    error: *mut CaromError,
-) -> CaromStatus {
-    // SAFETY: the caller's promise.
-    let call = || unsafe {
-        let collision = collision([body_1, body_2], friction, normal)?
-            .with_normal_restitution(left(loss, normal_restitution)?);
-        *write(rebound, "rebound")? = solve(&collision)?;
+        let outcome = CaromCollideOptions::of(options)?.solve(collision.clone())?;
+        *write(rebound, "rebound")? = told(&collision, &outcome);
         Ok(())
     };
     // SAFETY: the caller's promise.
@@ -207,20 +178,6 @@ unsafe fn collision(
     // SAFETY: the caller's promise.
     let normal = unsafe { *read(normal.cast::<[f64; 3]>(), "normal")? };
     Ok(Collision::along(one, two, normal, friction)?)
-}
-
-/// What the material leaves of the normal velocity.
-fn left(loss: u32, normal_restitution: f64) -> Result<NormalRestitution, Failure> {
-    match loss {
-        CAROM_LOSS_NONE => Ok(NormalRestitution::ELASTIC),
-        CAROM_LOSS_GIVEN => NormalRestitution::new(normal_restitution)
-            .map_err(|error| RangeError { field: "normal_restitution", ..error }.into()),
-        CAROM_LOSS_BY_WAVES => Ok(NormalRestitution::by_waves()),
-        loss => {
-            let text = format_args!("loss = {loss} is no CAROM_LOSS: must be 0, 1 or 2");
-            Err(Failure::new(CaromStatus::OutOfRange, "loss", text))
-        }
-    }
 }
 
 impl CaromBody {
@@ -269,13 +226,7 @@ impl CaromBody {
     }
 }
 
-fn solve(collision: &Collision) -> Result<CaromRebound, Failure> {
-    let outcome = match collision.needed_law(Collision::NEGLIGIBLE_COUPLING) {
-        NeededLaw::Analytic => collision.solve_with_coupling_bound()?,
-        NeededLaw::Rings => RingImpact::new(collision).solve()?,
-        // No grid stands behind this border: CAROM_WARNING_COUPLING tells what is neglected.
-        NeededLaw::Grid => collision.solve()?,
-    };
+fn told(collision: &Collision, outcome: &Outcome) -> CaromRebound {
     let [one, two] = outcome.motions();
     let known = CaromRebound {
         body_1_velocity: one.velocity.into(),
@@ -286,10 +237,10 @@ fn solve(collision: &Collision) -> Result<CaromRebound, Failure> {
         normal: collision.frame().z().into(),
         ..CaromRebound::default()
     };
-    Ok(match outcome {
+    match outcome {
         Outcome::NoImpact { .. } => known,
-        Outcome::Rebound(rebound) => with_rebound(known, &rebound),
-    })
+        Outcome::Rebound(rebound) => with_rebound(known, rebound),
+    }
 }
 
 fn with_rebound(known: CaromRebound, rebound: &Rebound) -> CaromRebound {
@@ -313,6 +264,9 @@ fn with_rebound(known: CaromRebound, rebound: &Rebound) -> CaromRebound {
         energy_dissipated: rebound.energy.dissipated,
         energy_lost: rebound.energy.lost,
         error_estimate: rebound.error_estimate,
+        spin_ratio: rebound.torsion.map_or(0.0, |torsion| torsion.spin_ratio),
+        torque_impulse: rebound.torsion.map_or(0.0, |torsion| torsion.torque_impulse),
+        has_torsion: rebound.torsion.is_some().into(),
         ..known
     }
 }

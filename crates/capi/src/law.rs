@@ -1,11 +1,10 @@
 //! What goes into a contact law and what comes out.
 
-use carom_laws::law::{ContactLaw, ContactLoad, Dissipative, Shift};
-use carom_laws::memory::{MemoryRegime, VertexStack};
+use carom_laws::law::{ContactLoad, Shift};
+use carom_laws::memory::MemoryRegime;
 use carom_laws::shift_law::ShiftLaw;
 
-use crate::error::Failure;
-use crate::pair::CaromPair;
+use crate::stored::Stack;
 
 /// The rigid shift of body 2 against body 1 in contact axes, z into body 1.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -66,47 +65,8 @@ impl CaromReport {
     pub(crate) const APART: Self = Self { sticking: 0.0, regime: CaromRegime::Separated };
 }
 
-/// A law on a stack of fixed capacity.
-pub(crate) type Law<S> = ShiftLaw<[f64; 2], S>;
-
-/// A memory of the caller's: it is a law while something is done with it.
-pub(crate) trait Kept: Sized {
-    type Stack: VertexStack<[f64; 2]>;
-
-    /// The law as it stands.
-    fn law(&self, pair: &CaromPair) -> Result<Law<Self::Stack>, Failure>;
-
-    /// Keeps a law that was changed.
-    fn keep(&mut self, law: &Law<Self::Stack>) -> Result<(), Failure>;
-
-    /// Goes straight to a new shift.
-    fn advance(&mut self, pair: &CaromPair, shift: CaromShift) -> Result<CaromLoad, Failure>;
-
-    fn load(&self, pair: &CaromPair) -> Result<CaromLoad, Failure> {
-        Ok(self.law(pair)?.load().into())
-    }
-
-    fn energy(&self, pair: &CaromPair) -> Result<f64, Failure> {
-        Ok(self.law(pair)?.stored_energy())
-    }
-
-    fn heat(&self, pair: &CaromPair, shift: CaromShift) -> Result<f64, Failure> {
-        Shift::from(shift).check_finite()?;
-        Ok(self.law(pair)?.dissipation(shift.into()))
-    }
-
-    fn report(&self, pair: &CaromPair) -> Result<CaromReport, Failure> {
-        let law = self.law(pair)?;
-        Ok(CaromReport { sticking: law.stick_depth(), regime: law.regime().into() })
-    }
-
-    fn turn_frame(&mut self, pair: &CaromPair, angle: f64) -> Result<(), Failure> {
-        carom_special::RangeError::finite("angle", angle)?;
-        let mut law = self.law(pair)?;
-        law.turn_frame(angle);
-        self.keep(&law)
-    }
-}
+/// The law of a contact, on a stack of fixed capacity.
+pub(crate) type Law = ShiftLaw<[f64; 2], Stack>;
 
 impl From<CaromShift> for Shift {
     #[inline]

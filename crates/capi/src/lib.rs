@@ -3,12 +3,14 @@
 //!
 //! - A [`CaromPair`] holds the constants of a contact; it is made once for two materials, their curvatures
 //!   and a coefficient of friction, and is plain data.
-//! - The memory of a contact is the caller's: [`CaromState`] is 66 numbers that mean the same to any
-//!   build of this version of the format, to be kept in files and sent to other processes;
-//!   [`CaromContact`] is larger and faster, and is understood by the build that wrote it alone.
-//!   Zero bytes are two bodies that just touch in both. [`CaromTwist`] is the memory of a twist, 83 numbers.
+//! - The memory of a contact is the caller's: [`CaromContact`] is advanced, and is understood by the build that
+//!   wrote it alone; zero bytes are two bodies that just touch. It packs into a [`CaromState`], 66 numbers that mean
+//!   the same to any build of this version of the format, to be kept in files and sent to other processes.
+//!   [`CaromTwist`] is the memory of a twist, 83 numbers.
 //! - [`CaromTouch`] is the contact of two grains, or of a grain and a wall, as a particle code moves them:
-//!   places, velocities and spins in, force and torques out.
+//!   places, velocities and spins in, force and torques out. [`CaromRingTouch`] is the same with the law of rings, for
+//!   dissimilar materials and spin about the normal; its matrices, [`CaromRings`], are the one thing that the library
+//!   allocates for a caller.
 //! - Every function returns a [`CaromStatus`]; what is wrong it writes into the caller's [`CaromError`],
 //!   which may be null. Nothing is kept between calls, no panic crosses the border, and a failed
 //!   call leaves the caller's data as they were.
@@ -16,6 +18,7 @@
 //! The header is `include/carom.h`, made from this crate.
 
 mod batch;
+mod collide_options;
 mod contact;
 mod encounters;
 mod error;
@@ -25,6 +28,8 @@ mod law;
 mod pair;
 mod pointers;
 mod restitution;
+mod ring_touch;
+mod rings;
 mod state;
 mod stored;
 mod touch;
@@ -32,7 +37,14 @@ mod touch_twist;
 mod twist;
 mod version;
 
-pub use batch::{carom_contact_advance_many, carom_state_advance_many};
+pub use carom_laws::grains::{Grain as CaromGrain, Heats as CaromHeats, Wall as CaromWall};
+
+pub use batch::carom_contact_advance_many;
+pub use collide_options::{
+    CAROM_IMPACT_AUTO, CAROM_IMPACT_COULOMB, CAROM_IMPACT_FIXED_DIRECTION, CAROM_IMPACT_RINGS,
+    CAROM_LOSS_BY_WAVES, CAROM_LOSS_GIVEN, CAROM_LOSS_NONE, CAROM_TORSION_AUTO,
+    CAROM_TORSION_INCLUDED, CAROM_TORSION_LEFT_OUT, CaromCollideOptions,
+};
 pub use contact::{
     CAROM_CONTACT_WORDS, CaromContact, carom_contact_advance, carom_contact_energy,
     carom_contact_heat, carom_contact_load, carom_contact_pack, carom_contact_report,
@@ -41,26 +53,29 @@ pub use contact::{
 pub use encounters::{CaromEncounter, carom_touch_many};
 pub use error::{CaromError, CaromStatus, carom_status_text};
 pub use grains::{
-    CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, CaromWall, carom_grains_of,
-    carom_touch_grains, carom_touch_grains_load, carom_touch_wall, carom_touch_wall_load,
+    CaromGrainLoad, CaromGrains, carom_grains_of, carom_touch_grains, carom_touch_grains_load,
+    carom_touch_wall, carom_touch_wall_load,
 };
 pub use impact::{
-    CAROM_LOSS_BY_WAVES, CAROM_LOSS_GIVEN, CAROM_LOSS_NONE, CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE,
-    CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID, CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE,
-    CAROM_SHAPE_TORUS, CAROM_WARNING_COUPLING, CAROM_WARNING_LARGE_CONTACT,
-    CAROM_WARNING_NOT_SETTLED, CAROM_WARNING_POINT_SAMPLED, CAROM_WARNING_SPIN_LEFT_ALONE,
-    CAROM_WARNING_WAVE_LOSS, CaromBody, CaromRebound, carom_collide, carom_collide_losing,
+    CAROM_SHAPE_BOX, CAROM_SHAPE_CAPSULE, CAROM_SHAPE_CYLINDER, CAROM_SHAPE_ELLIPSOID,
+    CAROM_SHAPE_PLANE, CAROM_SHAPE_SPHERE, CAROM_SHAPE_TORUS, CAROM_WARNING_COUPLING,
+    CAROM_WARNING_LARGE_CONTACT, CAROM_WARNING_NOT_SETTLED, CAROM_WARNING_POINT_SAMPLED,
+    CAROM_WARNING_SPIN_LEFT_ALONE, CAROM_WARNING_WAVE_LOSS, CaromBody, CaromRebound, carom_collide,
 };
 pub use law::{CaromLoad, CaromRegime, CaromReport, CaromShift};
 pub use pair::{
-    CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CaromMaterial, CaromPair,
+    CAROM_LAW_COULOMB, CAROM_LAW_FIXED_DIRECTION, CAROM_LAW_RINGS, CaromMaterial, CaromPair,
     carom_pair_of_curvatures, carom_pair_of_spheres, carom_pair_of_stiffness,
 };
 pub use restitution::{CAROM_BY_TABLE, CAROM_EXACT, carom_restitution, carom_restitution_many};
-pub use state::{
-    CAROM_STATE_NUMBERS, CaromState, carom_state_advance, carom_state_energy, carom_state_heat,
-    carom_state_load, carom_state_report, carom_state_turn_frame,
+pub use ring_touch::{
+    CAROM_RING_TOUCH_MARK, CAROM_RING_TOUCH_NUMBERS, CAROM_RING_TOUCH_WORDS, CaromRingTouch,
+    carom_ring_touch_energy, carom_ring_touch_grains, carom_ring_touch_grains_load,
+    carom_ring_touch_pack, carom_ring_touch_report, carom_ring_touch_unpack, carom_ring_touch_wall,
+    carom_ring_touch_wall_load,
 };
+pub use rings::{CaromRings, carom_rings_free, carom_rings_of};
+pub use state::{CAROM_STATE_NUMBERS, CaromState};
 pub use touch::{
     CAROM_TOUCH_NUMBERS, CAROM_TOUCH_WORDS, CaromTouch, carom_touch_energy, carom_touch_pack,
     carom_touch_report, carom_touch_unpack,

@@ -3,7 +3,7 @@
 
 use std::mem::MaybeUninit;
 
-use carom_laws::grains::GrainContact;
+use carom_laws::grains::{GrainContact, GrainRings};
 use carom_laws::memory::Fixed;
 
 use crate::error::{CaromStatus, Failure};
@@ -38,7 +38,7 @@ pub(crate) unsafe trait Stored: Copy + 'static {
 }
 
 // SAFETY: beside the tags there are numbers alone.
-unsafe impl Stored for Law<Stack> {
+unsafe impl Stored for Law {
     const NAME: &'static str = "contact";
 
     #[inline(always)]
@@ -64,6 +64,21 @@ unsafe impl Stored for GrainContact<Stack> {
     #[inline(always)]
     fn fits(&self) -> bool {
         self.law().fits()
+    }
+}
+
+// SAFETY: numbers alone.
+unsafe impl Stored for GrainRings {
+    const NAME: &'static str = "ring touch";
+
+    #[inline(always)]
+    fn is_in(_byte: impl Fn(usize) -> u8) -> bool {
+        true
+    }
+
+    #[inline(always)]
+    fn fits(&self) -> bool {
+        self.memory().fits()
     }
 }
 

@@ -2,10 +2,11 @@
 
 use std::mem::MaybeUninit;
 
-use carom_laws::grains::{GrainContact, Meeting, grain_numbers};
+use carom_laws::grains::{GrainContact, GrainLoad, Heats, Meeting, grain_numbers};
+use carom_special::RangeError;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::grains::{CaromGrainLoad, CaromGrains, CaromHeats, relative_radius, step};
+use crate::grains::{CaromGrainLoad, CaromGrains, relative_radius};
 use crate::law::CaromReport;
 use crate::pointers::{read, write};
 use crate::stored::{Stack, VERTICES, find, present, present_mut, store};
@@ -69,7 +70,7 @@ impl CaromTouch {
         &mut self,
         meeting: &Meeting,
         dt: f64,
-        heats: Option<&mut CaromHeats>,
+        heats: Option<&mut Heats>,
         load: &mut CaromGrainLoad,
         fresh: impl FnOnce() -> Result<Contact, Failure>,
     ) -> Result<(), Failure> {
@@ -94,6 +95,19 @@ impl CaromTouch {
             None => fresh()?.load(meeting),
         };
         Ok(load.into())
+    }
+}
+
+#[inline(always)]
+fn step(
+    contact: &mut Contact,
+    meeting: &Meeting,
+    dt: f64,
+    heats: Option<&mut Heats>,
+) -> Result<GrainLoad, RangeError> {
+    match heats {
+        None => contact.advance(meeting, dt),
+        Some(sums) => contact.advance_accounted(meeting, dt, sums),
     }
 }
 

@@ -1,12 +1,10 @@
 //! The twist of two grains, or of a grain and a wall, about their normal.
 
-use carom_laws::grains::{GrainTwist, Heats};
+use carom_laws::grains::{Grain, GrainTwist, Heats, Wall};
 use carom_laws::law::ContactLaw as _;
 
 use crate::error::{CaromError, CaromStatus, Failure, border};
-use crate::grains::{
-    Bodies, CaromGrain, CaromGrainLoad, CaromGrains, CaromHeats, CaromWall, relative_radius,
-};
+use crate::grains::{Bodies, CaromGrainLoad, CaromGrains, relative_radius};
 use crate::pointers::{read, write};
 use crate::twist::CaromTwist;
 
@@ -24,11 +22,11 @@ use crate::twist::CaromTwist;
 pub unsafe extern "C" fn carom_touch_twist_grains(
     grains: *const CaromGrains,
     twist: *mut CaromTwist,
-    one: *const CaromGrain,
-    two: *const CaromGrain,
+    one: *const Grain,
+    two: *const Grain,
     dt: f64,
     load: *mut CaromGrainLoad,
-    heats: *mut CaromHeats,
+    heats: *mut Heats,
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
@@ -52,11 +50,11 @@ pub unsafe extern "C" fn carom_touch_twist_grains(
 pub unsafe extern "C" fn carom_touch_twist_wall(
     grains: *const CaromGrains,
     twist: *mut CaromTwist,
-    one: *const CaromGrain,
-    wall: *const CaromWall,
+    one: *const Grain,
+    wall: *const Wall,
     dt: f64,
     load: *mut CaromGrainLoad,
-    heats: *mut CaromHeats,
+    heats: *mut Heats,
     error: *mut CaromError,
 ) -> CaromStatus {
     // SAFETY: the caller's promise.
@@ -102,7 +100,7 @@ unsafe fn turn(
     bodies: impl Bodies,
     dt: f64,
     load: *mut CaromGrainLoad,
-    heats: *mut CaromHeats,
+    heats: *mut Heats,
 ) -> Result<[f64; 3], Failure> {
     // SAFETY: the caller's promise. All are checked before anything moves.
     let (grains, twist, _) =
@@ -119,11 +117,7 @@ unsafe fn turn(
         turned.advance(&meeting, dt)?
     } else {
         // SAFETY: the caller's promise.
-        let sums = unsafe { write(heats, "heats")? };
-        let mut made = Heats::default();
-        let torque = turned.advance_accounted(&meeting, dt, &mut made)?;
-        sums.friction += made.friction;
-        torque
+        turned.advance_accounted(&meeting, dt, unsafe { write(heats, "heats")? })?
     };
     match meeting.zeta > 0.0 {
         true => turned.law().pack(&mut twist.numbers).map(|_| ())?,

@@ -4,7 +4,7 @@ use std::ffi::c_char;
 
 /// Changes whenever a structure or a function of this header does; compare it with
 /// `carom_abi_version()` of the library that is loaded.
-pub const CAROM_ABI_VERSION: u32 = 4;
+pub const CAROM_ABI_VERSION: u32 = 5;
 
 /// The version of the library, as "0.1.0"; not to be freed.
 #[unsafe(no_mangle)]

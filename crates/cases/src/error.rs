@@ -140,11 +140,7 @@ impl Error {
     pub fn is_bad_input(&self) -> bool {
         match self {
             Self::Collision { source, .. } => is_bad(source),
-            Self::CollisionLaw { source, .. } => matches!(
-                **source,
-                CollisionLawError::Rings(RingImpactError::Range(_))
-                    | CollisionLawError::Numerical(NumericalImpactError::Range(_))
-            ),
+            Self::CollisionLaw { source, .. } => is_bad_collision(source),
             Self::Step { source, .. } => is_beyond(source),
             Self::Fit { source, .. } => match &**source {
                 FitError::Range(_)
@@ -199,5 +195,19 @@ const fn is_beyond(error: &FrictionalError) -> bool {
 /// Whether a collision asks for what cannot be: one that could not be followed does not.
 #[must_use]
 const fn is_bad(error: &CollisionError) -> bool {
-    !matches!(error, CollisionError::Oblique(_) | CollisionError::Coupled(_))
+    !matches!(
+        error,
+        CollisionError::Oblique(_) | CollisionError::Coupled(_) | CollisionError::NoSeparation
+    )
+}
+
+/// The same of a collision with a law.
+#[must_use]
+pub const fn is_bad_collision(error: &CollisionLawError) -> bool {
+    match error {
+        CollisionLawError::Collision(error) => is_bad(error),
+        CollisionLawError::Rings(RingImpactError::Collision(error)) => is_bad(error),
+        CollisionLawError::Rings(error) => matches!(error, RingImpactError::Range(_)),
+        CollisionLawError::Numerical(error) => matches!(error, NumericalImpactError::Range(_)),
+    }
 }

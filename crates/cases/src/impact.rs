@@ -67,8 +67,8 @@ pub fn course(path: &Path, case: &ImpactCase, count: usize) -> Result<Vec<Histor
 
 /// The case is to blame for torsion that cannot be given.
 fn blamed(path: &Path, case: &ImpactCase, source: CollisionLawError) -> Error {
-    match (source, case.contact.torsion) {
-        (CollisionLawError::Collision(CollisionError::NormalSpin(source)), Some(line)) => {
+    match (source, case.contact.torsion_line) {
+        (CollisionLawError::Collision(CollisionError::NormalSpin(source)), line @ 1..) => {
             refused(path, CaseError::Torsion { line, source: Box::new(source) })
         }
         (CollisionLawError::Collision(source), _) => {

@@ -22,4 +22,4 @@ pub mod input;
 pub mod numbers;
 pub mod solve;
 
-pub use error::Error;
+pub use error::{Error, is_bad_collision};

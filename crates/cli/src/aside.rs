@@ -1,7 +1,8 @@
-//! A file that is written beside its place and put there when it is whole.
+//! A file that is written under a temporary name and moved into place when it is complete.
 //!
-//! It is named after its place and the process, and locked until it is in place. What a process that
-//! was killed left can so be told from what another one is writing.
+//! The temporary name contains the final name and the process number, and the file is locked until
+//! it is in place. A file left by a killed process can thus be distinguished from one being
+//! written.
 
 use crate::error::CliError;
 use crate::identity::folder;
@@ -11,10 +12,10 @@ use std::fs::File;
 use std::io::{Error, Write as _};
 use std::path::{Path, PathBuf};
 
-/// What the names end in.
+/// Ending of temporary names.
 const ENDING: &str = ".carom";
 
-/// A file beside its place; gone again unless it is [put](Aside::put_in_place) there.
+/// A file under a temporary name; removed unless it is [put in place](Aside::put_in_place).
 #[derive(Debug)]
 pub(crate) struct Aside<'a> {
     place: &'a Path,
@@ -24,7 +25,7 @@ pub(crate) struct Aside<'a> {
 }
 
 impl<'a> Aside<'a> {
-    /// Writes `bytes` beside `place`.
+    /// Writes `bytes` under a temporary name beside `place`.
     ///
     /// # Errors
     /// [`CliError::Io`].
@@ -35,7 +36,7 @@ impl<'a> Aside<'a> {
         name.push(format!(".{}{ENDING}", std::process::id()));
         let aside = folder(place).join(name);
         let failed = |error| CliError::io("write", place, error);
-        // Never through a link, never over a file.
+        // Follows no link and replaces no file.
         let file = File::options().write(true).create_new(true).open(&aside).map_err(failed)?;
         let mut written = Self { place, aside, file: Some(file) };
         written.fill(bytes).map_err(failed)?;
@@ -44,7 +45,7 @@ impl<'a> Aside<'a> {
 
     fn fill(&mut self, bytes: &[u8]) -> Result<(), Error> {
         let Some(file) = &mut self.file else { return Ok(()) };
-        // Where a file system knows no locks, the number of the process tells alone.
+        // On file systems without locks, the process number alone identifies the owner.
         let _ = file.try_lock();
         file.write_all(bytes)?;
         if let Ok(metadata) = std::fs::metadata(self.place) {
@@ -53,7 +54,7 @@ impl<'a> Aside<'a> {
         file.sync_all()
     }
 
-    /// Puts it in its place, whole.
+    /// Moves the complete file into place.
     ///
     /// # Errors
     /// [`CliError::Io`].
@@ -73,38 +74,38 @@ impl Drop for Aside<'_> {
     }
 }
 
-/// Removes what dead processes left beside `place`.
+/// Removes temporary files of ended processes beside `place`.
 pub(crate) fn clear(place: &Place) {
     let name = place.path().file_name().unwrap_or_default().to_owned();
-    clear_in(folder(place.path()), |own| *own == *name);
+    clear_in(folder(place.path()), |is_own| *is_own == *name);
 }
 
-/// Removes what dead processes left in `folder`, of files whose names are `own`.
-pub(crate) fn clear_in(folder: &Path, own: impl Fn(&OsStr) -> bool) {
+/// Removes temporary files of ended processes in `folder`, for final names that satisfy `is_own`.
+pub(crate) fn clear_in(folder: &Path, is_own: impl Fn(&OsStr) -> bool) {
     for entry in std::fs::read_dir(folder).into_iter().flatten().flatten() {
         let name = entry.file_name();
         let Some((of, process)) = name.to_str().and_then(parts) else { continue };
         let is_file = entry.file_type().is_ok_and(|kind| kind.is_file());
-        if is_file && own(of.as_ref()) && is_dead(&entry.path(), process) {
+        if is_file && is_own(of.as_ref()) && is_dead(&entry.path(), process) {
             let _ = std::fs::remove_file(entry.path());
         }
     }
 }
 
-/// Whether a file of this name is one that a process left, or is writing.
+/// Whether this is the name of a temporary file.
 pub(crate) fn is_aside(name: &OsStr) -> bool {
     name.to_str().and_then(parts).is_some()
 }
 
-/// The name of the place, and the number of the process.
+/// The final name and the process number in a temporary name.
 fn parts(name: &str) -> Option<(&str, u32)> {
     let (of, process) = name.strip_prefix('.')?.strip_suffix(ENDING)?.rsplit_once('.')?;
     Some((of, process.parse().ok()?))
 }
 
-/// Whether nobody writes the file any more: no process has its number, and none holds its lock.
+/// Whether the writing process has ended: no process has its number, and the file is not locked.
 fn is_dead(path: &Path, process: u32) -> bool {
-    // That of a process which has ended, but was not waited for, is empty.
+    // The command line of a zombie process is empty.
     let line = std::fs::read(format!("/proc/{process}/cmdline"));
     let is_there = process != std::process::id() && line.is_ok_and(|line| !line.is_empty());
     !is_there && File::open(path).is_ok_and(|file| file.try_lock().is_ok())

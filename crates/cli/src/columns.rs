@@ -1,4 +1,4 @@
-//! Results from their columns: rows in every format.
+//! Rows of results in every output format, from their columns.
 
 use crate::error::CliError;
 use crate::output::{Format, csv, short, table};
@@ -7,7 +7,7 @@ use rayon::prelude::*;
 use serde::ser::{Serialize, SerializeMap, Serializer};
 use std::path::Path;
 
-/// A record as a map of its columns; what is absent is left out.
+/// A record as a map from column names to values; absent values are omitted.
 #[derive(Debug)]
 pub struct Record<'a, R> {
     columns: &'a [Column<R>],
@@ -28,7 +28,7 @@ impl<R> Serialize for Record<'_, R> {
     }
 }
 
-/// The cells of a row as a map; what is absent is left out.
+/// The cells of a row as a map; absent values are omitted.
 #[derive(Debug)]
 pub struct Fields<'a>(pub &'a [Cell]);
 
@@ -40,15 +40,15 @@ impl Serialize for Fields<'_> {
     }
 }
 
-/// Adds the cells of a row to a map; what is absent is left out.
+/// Adds the cells of a row to a map; absent values are omitted.
 ///
 /// # Errors
-/// Those of the map.
+/// The errors of the map.
 pub fn add_fields<M: SerializeMap>(map: &mut M, row: &[Cell]) -> Result<(), M::Error> {
     for cell in row {
         let name = cell.name();
         match cell.value() {
-            // JSON has no infinity: the word stands for it.
+            // JSON has no infinity; it is written as a word.
             Value::Number(value) if value.is_infinite() => {
                 map.serialize_entry(name, if *value > 0.0 { "inf" } else { "-inf" })?;
             }
@@ -65,11 +65,11 @@ pub fn add_fields<M: SerializeMap>(map: &mut M, row: &[Cell]) -> Result<(), M::E
     Ok(())
 }
 
-/// The records as rows: comma-separated values with all digits, or a table to read; nothing in
-/// the other formats.
+/// The records as rows: comma-separated values with all digits, or a table to read; empty in the
+/// other formats.
 ///
 /// # Errors
-/// If they cannot be put so.
+/// If they cannot be written in this format.
 pub fn rows<R>(format: Format, columns: &[Column<R>], records: &[R]) -> Result<String, CliError> {
     let rows = |number: fn(f64) -> String| -> Vec<Vec<String>> {
         records.iter().map(|record| cells(columns, record, number)).collect()
@@ -81,10 +81,10 @@ pub fn rows<R>(format: Format, columns: &[Column<R>], records: &[R]) -> Result<S
     }
 }
 
-/// Rows of cells, all under the heads of the first, as [`rows`].
+/// Rows of cells with the heads of the first row, as [`rows`].
 ///
 /// # Errors
-/// If they cannot be put so.
+/// If they cannot be written in this format.
 pub fn cell_rows(format: Format, cells: &[Vec<Cell>]) -> Result<String, CliError> {
     let rows = |number: fn(f64) -> String| -> Vec<Vec<String>> {
         cells.iter().map(|row| texts(row, number)).collect()
@@ -97,7 +97,7 @@ pub fn cell_rows(format: Format, cells: &[Vec<Cell>]) -> Result<String, CliError
     }
 }
 
-/// A table to read with a line for each cell of one row that has a value.
+/// A table to read, with one line for each cell of a row that has a value.
 #[must_use]
 pub fn upright(row: &[Cell]) -> String {
     let line = |cell: &Cell| {
@@ -115,7 +115,7 @@ pub fn upright(row: &[Cell]) -> String {
     )
 }
 
-/// Three components to read; what is round-off of the largest is zero.
+/// Three components to read; a component within round-off of the largest is written as zero.
 fn vector(value: [f64; 3]) -> String {
     let largest = value.iter().fold(0.0, |most: f64, part| most.max(part.abs()));
     value
@@ -123,19 +123,20 @@ fn vector(value: [f64; 3]) -> String {
         .join("  ")
 }
 
-/// Refuses numbers that are not finite.
+/// Checks that all numbers are finite.
 ///
 /// # Errors
-/// [`CliError::Overflow`] that names the first.
+/// [`CliError::Overflow`] that names the first that is not.
 pub fn check<R: Sync>(path: &Path, columns: &[Column<R>], records: &[R]) -> Result<(), CliError> {
     let all = records.len();
     check_rows(path, records, [0, all], |record| row(columns, Some(record)))
 }
 
-/// Refuses numbers that are not finite in some rows of `all`, the first of which has this place, from 0.
+/// Checks that all numbers are finite in a part of `all` rows, of which the first has this index,
+/// from 0.
 ///
 /// # Errors
-/// [`CliError::Overflow`] that names the first.
+/// [`CliError::Overflow`] that names the first that is not.
 pub fn check_rows<R: Sync>(
     path: &Path,
     rows: &[R],
@@ -150,7 +151,7 @@ pub fn check_rows<R: Sync>(
     wrong.map_or(Ok(()), Err)
 }
 
-/// The head and value of the first number that is not finite.
+/// The head and the value of the first number that is not finite.
 fn infinite(row: &[Cell]) -> Option<(String, f64)> {
     row.iter().find_map(|cell| {
         let numbers: &[f64] = match cell.value() {
@@ -163,7 +164,7 @@ fn infinite(row: &[Cell]) -> Option<(String, f64)> {
     })
 }
 
-/// A paragraph of help that says what the columns are.
+/// A paragraph of help that explains the columns.
 #[must_use]
 pub fn help(title: &str, columns: &[impl Quantity]) -> String {
     format!("{title}:\n{}", described(columns))
@@ -186,7 +187,7 @@ mod tests {
         };
         let error = |rows: &[Vec<Cell>]| check(rows).unwrap_err().to_string();
         let bad = row(1.0, [0.0, f64::INFINITY, 0.0]);
-        assert!(error(std::slice::from_ref(&bad)).starts_with("case.toml: v_y = inf, no"));
+        assert!(error(std::slice::from_ref(&bad)).starts_with("case.toml: v_y = inf is"));
         assert!(error(&[row(1.0, [0.0; 3]), row(f64::NAN, [0.0; 3])]).contains("x in row 2 = NaN"));
         assert!(check(&[row(1e300, [0.0; 3])]).is_ok());
     }

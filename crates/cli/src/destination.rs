@@ -1,22 +1,22 @@
-//! Where a picture goes: standard output, or a file whose name says what kind of picture it is.
+//! Destination of a picture: standard output, or a file whose name gives the format.
 
 use crate::outputs::Place;
 use std::path::Path;
 
-/// Kind of a picture.
+/// Format of a picture.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// Vectors.
+    /// Vector graphics.
     Svg,
-    /// Pixels.
+    /// Raster graphics.
     Png,
 }
 
 impl Kind {
-    /// That of the file `path`.
+    /// The format of the file `path`, by its ending.
     ///
     /// # Errors
-    /// Which names there are, if its ending is none of them.
+    /// The allowed names, if its ending is none of them.
     pub(crate) fn of(path: &Path) -> Result<Self, &'static str> {
         let ending = path.extension().and_then(|ending| ending.to_str()).unwrap_or_default();
         match () {
@@ -29,22 +29,22 @@ impl Kind {
 
 const KINDS: &str = "a picture's name must end in .svg or .png, or be - for SVG on standard output";
 
-/// A place for a picture that may be written.
+/// A destination of a picture, checked to be writable.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Destination {
     /// Standard output, as SVG.
     StandardOutput,
     /// A file.
     File {
-        /// Where it is.
+        /// Its place.
         place: Place,
-        /// What goes there.
+        /// Its format.
         kind: Kind,
     },
 }
 
 impl Destination {
-    /// The kind of picture that goes there.
+    /// The format of the picture.
     #[must_use]
     pub const fn kind(&self) -> Kind {
         match self {

@@ -1,36 +1,36 @@
-//! What can go wrong in a command, and the exit code for it.
+//! The errors of a command and their exit codes.
 
-use carom_cases::Error;
-use carom_impact::CollisionError;
+use carom_cases::{Error, is_bad_collision};
 use carom_impact::oblique::ObliqueError;
 use carom_impact::scene::SceneError;
 use carom_impact::uncertain::UncertainError;
+use carom_numerical::CollisionLawError;
 use carom_plot::PlotError;
 use carom_rolling::RollingError;
 use carom_special::RangeError;
 use std::path::{Path, PathBuf};
 
-/// Why a command did not do its work.
+/// Why a command failed.
 #[derive(Debug, thiserror::Error)]
 pub enum CliError {
-    /// A case cannot be read or followed, or a file not be written.
+    /// A case cannot be read or computed, or a file cannot be written.
     #[error(transparent)]
     Case(Error),
-    /// The scene of a case cannot be run.
+    /// The scene of a case cannot be computed.
     #[error("{}: {source}", path.display())]
     Scene {
         /// The case file.
         path: PathBuf,
-        /// Why.
-        source: SceneError,
+        /// The cause.
+        source: Box<SceneError<CollisionLawError>>,
     },
     /// No sample of an uncertain case gives an outcome.
     #[error("{}: {source}", path.display())]
     Uncertain {
         /// The case file.
         path: PathBuf,
-        /// Why.
-        source: UncertainError,
+        /// The cause.
+        source: Box<UncertainError<CollisionLawError>>,
     },
     /// A rolling contact could not be solved.
     #[error("{}: row {row}: {source}", path.display())]
@@ -39,57 +39,56 @@ pub enum CliError {
         path: PathBuf,
         /// The number of the creepage or step, from 1.
         row: usize,
-        /// Why.
+        /// The cause.
         source: Box<RollingError>,
     },
-    /// Standard error goes to an input: there is nowhere to tell it.
+    /// Standard error is redirected to an input, so that no message can be written.
     #[error("{}: standard error goes to this input", path.display())]
     Messages {
         /// The input.
         path: PathBuf,
     },
-    /// An output cannot go where it was asked for.
+    /// The output of an option cannot be written to the given path.
     #[error("--{option} {}: {reason}", path.display())]
     Destination {
         /// The option.
         option: &'static str,
         /// Its value.
         path: PathBuf,
-        /// Why not.
+        /// The cause.
         reason: &'static str,
     },
-    /// The impact could not be followed to its end.
+    /// The impact could not be solved to separation.
     #[error(transparent)]
     Impact(#[from] ObliqueError),
-    /// The numbers of a case are so large or small that a result is none.
+    /// A result is not finite, since numbers of the case are too large or too small.
     #[error(
-        "{}: {quantity} = {value}, no finite number: some values of the case are too large or too \
-         small together",
+        "{}: {quantity} = {value} is not finite: numbers of the case are too large or too small",
         path.display()
     )]
     Overflow {
         /// The case file.
         path: PathBuf,
-        /// The result.
+        /// The name of the result.
         quantity: String,
-        /// What came out.
+        /// Its value.
         value: f64,
     },
-    /// An option has a value that cannot be.
+    /// The value of an option is out of range.
     #[error("--{0}")]
     Option(#[from] RangeError),
-    /// Options that exclude each other, or the case.
+    /// An option conflicts with another one or with the case.
     #[error("{0}")]
     Options(&'static str),
-    /// The system gives no such number of threads.
+    /// The system cannot start this number of threads.
     #[error("cannot start {count} threads: {source}")]
     Threads {
-        /// How many were asked for.
+        /// The requested number.
         count: usize,
-        /// Why not.
+        /// The cause.
         source: Box<dyn std::error::Error + Send + Sync>,
     },
-    /// The results could not be put into the format asked for.
+    /// The results could not be written in the requested format.
     #[error("cannot write the results: {0}")]
     Format(Box<dyn std::error::Error + Send + Sync>),
     /// The results could not be drawn.
@@ -103,17 +102,19 @@ impl CliError {
     pub fn exit_code(&self) -> u8 {
         match self {
             Self::Case(source) => 1 + u8::from(source.is_bad_input()),
-            Self::Scene { source: SceneError::Collision { source, .. }, .. }
-            | Self::Uncertain { source: UncertainError::Collision { source, .. }, .. } => {
-                of_collision(source)
-            }
+            Self::Scene { source, .. } => match &**source {
+                SceneError::Collision { source, .. } => 1 + u8::from(is_bad_collision(source)),
+                _ => 2,
+            },
+            Self::Uncertain { source, .. } => match &**source {
+                UncertainError::Collision { source, .. } => 1 + u8::from(is_bad_collision(source)),
+                _ => 2,
+            },
             Self::Rolling { source, .. } => match **source {
                 RollingError::Range(_) => 2,
                 _ => 1,
             },
             Self::Overflow { .. }
-            | Self::Uncertain { .. }
-            | Self::Scene { .. }
             | Self::Messages { .. }
             | Self::Destination { .. }
             | Self::Option(_)
@@ -122,14 +123,14 @@ impl CliError {
         }
     }
 
-    /// A refusal of the system while reading or writing `path`.
+    /// An input/output error of the system while reading or writing `path`.
     #[must_use]
     pub fn io(action: &'static str, path: &Path, source: std::io::Error) -> Self {
         Self::Case(Error::io(action, path, source))
     }
 }
 
-/// What this command told a reader of cases is told as it was.
+/// Unwraps an error of this crate that was passed through the reader of cases.
 impl From<Error> for CliError {
     fn from(error: Error) -> Self {
         match error {
@@ -139,13 +140,5 @@ impl From<Error> for CliError {
             },
             error => Self::Case(error),
         }
-    }
-}
-
-/// An impact that could not be followed is no bad input.
-const fn of_collision(error: &CollisionError) -> u8 {
-    match error {
-        CollisionError::Oblique(_) | CollisionError::Coupled(_) => 1,
-        _ => 2,
     }
 }

@@ -1,4 +1,4 @@
-//! Which file a name means, whatever the way it is written.
+//! Identity of a file, however its name is written.
 
 use carom_cases::input::STANDARD_INPUT;
 use std::ffi::OsString;
@@ -7,30 +7,30 @@ use std::fs::{File, Metadata};
 use std::io::{Error, ErrorKind};
 use std::path::{Path, PathBuf};
 
-/// Links that are followed one after another, at most.
-const MOST_LINKS: usize = 40;
+/// Largest number of links followed one after another.
+const MAX_LINKS: usize = 40;
 
-/// Device and number of a file.
+/// Device and inode number of a file.
 #[cfg(unix)]
 type Number = (u64, u64);
-/// The path past all links.
+/// The path with all links resolved.
 #[cfg(not(unix))]
 type Number = PathBuf;
 
-/// A file: equal for all names of one, through links, hard links and folders.
+/// Identity of a file: equal for all its names, through links, hard links and folders.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) enum Identity {
-    /// One that exists.
+    /// A file that exists.
     There(Number),
-    /// One that does not exist yet: its folder, and its name there.
+    /// A file that does not exist yet: its folder, and its name there.
     Absent(Number, OsString),
 }
 
 impl Identity {
-    /// That of `path`; `-` is standard input, where that comes from a file.
+    /// The identity of `path`; `-` is standard input, if that is a file.
     ///
     /// # Errors
-    /// If neither the file nor its folder is there.
+    /// If neither the file nor its folder exists.
     pub(crate) fn of(path: &Path) -> Result<Self, Error> {
         if path == Path::new(STANDARD_INPUT) {
             return Self::of_input().ok_or_else(|| ErrorKind::NotFound.into());
@@ -45,19 +45,19 @@ impl Identity {
         }
     }
 
-    /// That of the file that standard input comes from, if it is one.
+    /// The identity of the file that standard input reads, if it is a file.
     #[cfg(unix)]
     fn of_input() -> Option<Self> {
         of_stream(std::io::stdin())
     }
 
-    /// That of the file that standard output goes to, if it is one.
+    /// The identity of the file that standard output writes, if it is a file.
     #[cfg(unix)]
     pub(crate) fn of_output() -> Option<Self> {
         of_stream(std::io::stdout())
     }
 
-    /// That of the file that standard error goes to, if it is one.
+    /// The identity of the file that standard error writes, if it is a file.
     #[cfg(unix)]
     pub(crate) fn of_messages() -> Option<Self> {
         of_stream(std::io::stderr())
@@ -98,14 +98,14 @@ fn number(path: &Path) -> Result<Number, Error> {
     path.canonicalize()
 }
 
-/// The place that `path` means past all links, also where nothing is yet: a link to nothing means the
-/// place that it names.
+/// The path with all links resolved, also if the target does not exist yet: a dangling link is
+/// resolved to its target.
 ///
 /// # Errors
-/// If its folder is not there, or links lead round.
+/// If its folder does not exist, or links form a cycle.
 pub(crate) fn resolved(path: &Path) -> Result<PathBuf, Error> {
     let mut place = path.to_owned();
-    for _ in 0..MOST_LINKS {
+    for _ in 0..MAX_LINKS {
         match place.canonicalize() {
             Err(error) if error.kind() == ErrorKind::NotFound => {}
             known => return known,
@@ -121,7 +121,7 @@ pub(crate) fn resolved(path: &Path) -> Result<PathBuf, Error> {
     Err(Error::other("too many links"))
 }
 
-/// The folder that a file is in.
+/// The folder of a file.
 pub(crate) fn folder(path: &Path) -> &Path {
     match path.parent() {
         Some(folder) if folder != Path::new("") => folder,

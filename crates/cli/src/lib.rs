@@ -1,9 +1,9 @@
 #![forbid(unsafe_code)]
-//! The parts of the command `carom`: option values, commands, output. Cases are read by `carom_cases`.
+//! The command `carom`: values of options, commands, output. Case files are read by `carom_cases`.
 //!
-//! Parse, make the library's validated types, run, render: nothing is written before all of
-//! that has succeeded, but for rows that are too many to hold. Exit code 2 means bad input, 1 a
-//! file that cannot be read or written.
+//! A command parses its input, validates it into types of the library, computes, and formats the
+//! results. Output is written only after the whole computation has succeeded, except for tables too
+//! large to hold in memory. Exit code 2 means bad input, 1 a file that cannot be read or written.
 
 mod aside;
 pub mod columns;
@@ -22,7 +22,7 @@ pub mod rows;
 #[doc = include_str!("../../../README.md")]
 struct Readme;
 
-/// Those of the book.
+/// The examples of the book, run as documentation tests.
 #[cfg(doctest)]
 mod book {
     #[doc = include_str!("../../../docs/book/src/start/rust.md")]

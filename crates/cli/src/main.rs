@@ -14,7 +14,7 @@ fn main() -> ExitCode {
     let matches = Carom::command().color(colour).try_get_matches();
     let arguments = match matches.and_then(|matches| Carom::from_arg_matches(&matches)) {
         Ok(arguments) => arguments,
-        Err(message) => return said(&message),
+        Err(message) => return print_message(&message),
     };
     let mut results = Results::default();
     let messages = arguments.messages();
@@ -28,8 +28,8 @@ fn main() -> ExitCode {
     }
 }
 
-/// Help and version on standard output, or what is wrong with the options on standard error.
-fn said(message: &clap::Error) -> ExitCode {
+/// Prints help and version to standard output, or errors in the options to standard error.
+fn print_message(message: &clap::Error) -> ExitCode {
     if !message.use_stderr() && is_open().is_err() {
         return ExitCode::FAILURE;
     }

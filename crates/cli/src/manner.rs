@@ -1,4 +1,4 @@
-//! How a command runs and speaks, whatever it does: threads, colours, silence.
+//! Global options of all commands: threads, colours, quiet.
 
 use clap::ColorChoice;
 use clap::builder::styling::{AnsiColor, Style};
@@ -6,40 +6,40 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressStyle};
 use std::ffi::{OsStr, OsString};
 use std::io::{IsTerminal as _, Write as _};
 
-/// Refreshes of a bar in a second.
-const REFRESHES: u8 = 5;
+/// Refreshes of a progress bar per second.
+const BAR_REFRESHES_PER_SECOND: u8 = 5;
 
-/// Options that every command takes.
+/// Options of every command.
 #[derive(Debug, Clone, Copy, Default, clap::Args)]
 pub struct Manner {
-    /// Tell errors only: no warnings and no bars on standard error.
+    /// Print errors only: no warnings and no progress bars on standard error.
     #[arg(long, short, global = true)]
     quiet: bool,
     /// Colours of help and messages; auto: on a terminal, unless NO_COLOR is set.
     #[arg(long, value_name = "WHEN", value_enum, default_value_t, global = true)]
     color: ColorChoice,
-    /// Threads that compute; as many as there are cores unless given. The results are the same.
+    /// Number of threads; by default the number of cores. Results do not depend on it.
     #[arg(long, value_name = "COUNT", global = true)]
     #[arg(value_parser = clap::value_parser!(u16).range(1..=1024))]
     threads: Option<u16>,
 }
 
 impl Manner {
-    /// The messages in this manner.
+    /// The message writer for these options.
     #[must_use]
     pub fn messages(&self) -> Messages {
         Messages { is_quiet: self.quiet, is_coloured: is_coloured(self.color) }
     }
 
-    /// Threads that compute; none for as many as there are cores.
+    /// The number of threads; `None` for the number of cores.
     #[must_use]
     pub fn threads(&self) -> Option<usize> {
         self.threads.map(usize::from)
     }
 }
 
-/// The colours that the arguments ask for, as far as one can tell before they are parsed: help and what
-/// is wrong with the others come in them too.
+/// The colour option among the arguments, before they are parsed: help and errors of the parser are
+/// coloured too.
 pub fn asked_colour(arguments: impl IntoIterator<Item = OsString>) -> ColorChoice {
     let mut choice = ColorChoice::Auto;
     let mut arguments = arguments.into_iter().skip(1);
@@ -68,7 +68,7 @@ fn is_coloured(choice: ColorChoice) -> bool {
     }
 }
 
-/// Lines and bars on standard error. Where that is closed or full there is nobody to tell.
+/// Writes messages and progress bars to standard error. Failures to write are ignored.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct Messages {
     is_quiet: bool,
@@ -76,15 +76,15 @@ pub struct Messages {
 }
 
 impl Messages {
-    /// Nothing but errors.
+    /// Writes errors only.
     pub const QUIET: Self = Self { is_quiet: true, is_coloured: false };
 
-    /// Tells what ended the command.
+    /// Writes the error that ended the command.
     pub fn error(&self, line: &str) {
         self.tell(AnsiColor::Red, "error", line);
     }
 
-    /// Tells what limits the results, unless it is to be quiet.
+    /// Writes a warning about the results, unless quiet.
     pub fn warning(&self, line: &str) {
         if !self.is_quiet {
             self.tell(AnsiColor::Yellow, "warning", line);
@@ -96,13 +96,14 @@ impl Messages {
         let _ = writeln!(std::io::stderr(), "{style}{kind}:{style:#} {line}");
     }
 
-    /// A bar with the time left, for so many `what`; it hides where standard error is no terminal.
+    /// A progress bar over this number of `what`, with the remaining time; hidden if standard error
+    /// is no terminal.
     #[must_use]
     pub fn bar(&self, count: usize, what: &str) -> ProgressBar {
         if self.is_quiet {
             return ProgressBar::hidden();
         }
-        let target = ProgressDrawTarget::stderr_with_hz(REFRESHES);
+        let target = ProgressDrawTarget::stderr_with_hz(BAR_REFRESHES_PER_SECOND);
         let bar = ProgressBar::with_draw_target(Some(count as u64), target);
         let form = format!("{{bar:40}} {{pos}}/{{len}} {what}, {{eta}} left");
         match ProgressStyle::with_template(&form) {

@@ -1,7 +1,9 @@
-//! Results on standard output, a picture where it was asked for, messages on standard error.
+//! Output of a command: results on standard output, an optional picture, messages on standard
+//! error.
 //!
-//! A command works out everything first and hands it over as an [`Answer`]; nothing is written
-//! before it has succeeded. Only rows that are too many to hold go out as they come.
+//! A command first computes everything and returns it as an [`Answer`]; nothing is written before
+//! it succeeded. The exception are tables too large to hold in memory, which are written as they
+//! are computed.
 
 use crate::aside::{self, Aside};
 use crate::destination::{Destination, Kind};
@@ -24,30 +26,30 @@ pub enum Format {
     Json,
     /// Comma-separated values with full precision.
     Csv,
-    /// Nothing: only the picture and the warnings.
+    /// No results: only the picture and the warnings.
     None,
 }
 
-/// Everything a command has to say.
+/// The complete output of a command.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Answer {
-    /// For standard output.
+    /// Text for standard output.
     pub text: String,
-    /// What must be read before all else.
+    /// A warning that must be read first.
     pub caution: Option<Caution>,
-    /// For standard error.
+    /// Warnings for standard error.
     pub warnings: Vec<String>,
-    /// A picture and where it goes.
+    /// A picture and its destination.
     pub picture: Option<(Destination, Picture)>,
-    /// Another file, and what goes there.
+    /// Another file and its content.
     pub file: Option<(Place, Vec<u8>)>,
 }
 
-/// A line that must not be missed.
+/// A warning that must not be missed.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Caution {
     line: String,
-    /// Whether it stands above the results; else it is told with the warnings.
+    /// Whether it is printed above the results; otherwise it is the first of the warnings.
     is_read_first: bool,
 }
 
@@ -74,16 +76,16 @@ impl Picture {
 }
 
 impl Answer {
-    /// With a line that must be read before all else: the first one of a table to read, else the
-    /// first warning.
+    /// Adds a warning that must be read first: above the results in a table to read, otherwise as
+    /// the first warning.
     #[must_use]
     pub fn cautioned(mut self, caution: Option<String>, format: Format) -> Self {
         self.caution = caution.map(|line| Caution { line, is_read_first: format == Format::Table });
         self
     }
 
-    /// Writes picture and file aside, the warnings and the results; when all that has gone well, puts
-    /// them in their places.
+    /// Writes picture and file under temporary names, then warnings and results; if this succeeds,
+    /// moves the files into place.
     ///
     /// # Errors
     /// If the picture cannot be drawn, or a file or standard output cannot be written.
@@ -122,66 +124,66 @@ impl Answer {
     }
 }
 
-/// Standard output. What comes is held until it is [finished](Results::finish) or is too much to hold.
-/// A reader that has seen enough and closed it is no failure: what comes later is dropped.
+/// Standard output. Results are held until [finished](Results::finish) or until they are too large
+/// to hold. If the reader closes standard output early, further output is dropped without an error.
 #[derive(Debug)]
 pub struct Results {
     out: BufWriter<Stdout>,
-    held: Vec<u8>,
+    buffer: Vec<u8>,
     is_flowing: bool,
     is_closed: bool,
-    /// Whether it was open at the start.
+    /// Whether it was checked that standard output is open.
     is_checked: bool,
 }
 
-/// Bytes of results that are held, at most.
-const MOST_HELD: usize = 16 << 20;
+/// Largest number of bytes of results held in memory.
+const MAX_BYTES_HELD: usize = 16 << 20;
 
 impl Default for Results {
     fn default() -> Self {
         let out = BufWriter::with_capacity(1 << 16, std::io::stdout());
-        Self { out, held: Vec::new(), is_flowing: false, is_closed: false, is_checked: false }
+        Self { out, buffer: Vec::new(), is_flowing: false, is_closed: false, is_checked: false }
     }
 }
 
 impl Results {
-    /// Whether nobody reads any more.
+    /// Whether the reader has closed standard output.
     #[must_use]
     pub const fn is_closed(&self) -> bool {
         self.is_closed
     }
 
-    /// Writes `bytes`, or holds them.
+    /// Writes `bytes`, or holds them until the end.
     ///
     /// # Errors
-    /// [`carom_cases::Error::Io`] if they cannot be written, as on a full disk or where standard output was never
-    /// open.
+    /// [`carom_cases::Error::Io`] if they cannot be written, for example on a full disk or if
+    /// standard output was never open.
     pub fn put(&mut self, bytes: &[u8]) -> Result<(), CliError> {
         if !bytes.is_empty() && !self.is_checked {
             is_open()?;
             self.is_checked = true;
         }
-        if !self.is_flowing && self.held.len() + bytes.len() <= MOST_HELD {
-            self.held.extend_from_slice(bytes);
+        if !self.is_flowing && self.buffer.len() + bytes.len() <= MAX_BYTES_HELD {
+            self.buffer.extend_from_slice(bytes);
             return Ok(());
         }
         self.is_flowing = true;
         self.release()?;
-        self.write_all(bytes).map_err(refused)
+        self.write_all(bytes).map_err(write_error)
     }
 
-    /// Sees to it that all has arrived.
+    /// Flushes all held results.
     ///
     /// # Errors
     /// As [`Results::put`].
     pub fn finish(&mut self) -> Result<(), CliError> {
         self.release()?;
-        self.flush().map_err(refused)
+        self.flush().map_err(write_error)
     }
 
     fn release(&mut self) -> Result<(), CliError> {
-        let held = std::mem::take(&mut self.held);
-        self.write_all(&held).map_err(refused)
+        let buffer = std::mem::take(&mut self.buffer);
+        self.write_all(&buffer).map_err(write_error)
     }
 
     fn unless_closed<T>(
@@ -212,15 +214,15 @@ impl Write for Results {
     }
 }
 
-/// Whether there is a standard output to write to.
+/// Checks that standard output is open.
 ///
-/// A program that begins without one is given `/dev/null` in its place, open for reading and writing.
-/// A shell opens `/dev/null` for writing alone. So one that is open for both counts as closed, also
-/// where the caller opened it so; the way to throw results away in that case is `--format none`. Known
-/// on Linux only.
+/// A program that is started without standard output gets `/dev/null` instead, open for reading and
+/// writing. A shell opens `/dev/null` for writing only. Therefore `/dev/null` counts as closed if
+/// it is open for both, even if the caller opened it so; to discard results, use `--format none`.
+/// Checked on Linux only.
 ///
 /// # Errors
-/// [`carom_cases::Error::Io`] if not.
+/// [`carom_cases::Error::Io`] if it is closed.
 pub fn is_open() -> Result<(), CliError> {
     const CLOSED: &str = "it is closed, or the null device open for reading and writing; redirect it, or \
                           add --format none";
@@ -230,24 +232,24 @@ pub fn is_open() -> Result<(), CliError> {
     let flags = flags.and_then(|flags| u32::from_str_radix(flags.trim(), 8).ok());
     let is_both = flags.is_some_and(|flags| flags & ACCESS == READ_AND_WRITE);
     if goes_nowhere && is_both {
-        return Err(refused(std::io::Error::other(CLOSED)));
+        return Err(write_error(std::io::Error::other(CLOSED)));
     }
     Ok(())
 }
 
 const NULL: &str = "/dev/null";
-/// The bits of an open file's flags that tell what it is open for.
+/// The access mode bits of the flags of an open file.
 const ACCESS: u32 = 0o3;
 const READ_AND_WRITE: u32 = 0o2;
 
-fn refused(source: std::io::Error) -> CliError {
+fn write_error(source: std::io::Error) -> CliError {
     CliError::io("write", Path::new("standard output"), source)
 }
 
 /// `results` as JSON.
 ///
 /// # Errors
-/// If they cannot be put so.
+/// If they cannot be expressed in JSON.
 pub fn json<T: Serialize>(results: &T) -> Result<String, CliError> {
     let mut text =
         serde_json::to_string_pretty(results).map_err(|error| CliError::Format(error.into()))?;
@@ -255,7 +257,7 @@ pub fn json<T: Serialize>(results: &T) -> Result<String, CliError> {
     Ok(text)
 }
 
-/// `rows` under their heads as comma-separated values.
+/// `rows` as comma-separated values, with column heads.
 ///
 /// # Errors
 /// If a row is not as long as the heads.
@@ -263,7 +265,7 @@ pub fn csv(heads: &[impl AsRef<str>], rows: &[Vec<String>]) -> Result<String, Cl
     csv_rows(Some(heads), rows)
 }
 
-/// `rows` as comma-separated values, under heads if these are given.
+/// `rows` as comma-separated values, with column heads if given.
 ///
 /// # Errors
 /// If a row is not as long as the first.
@@ -284,7 +286,7 @@ pub fn csv_rows(
     Ok(String::from_utf8_lossy(&bytes).into_owned())
 }
 
-/// `rows` under their heads as a table to read, numbers to the right.
+/// `rows` as a table to read, with column heads and numbers aligned to the right.
 #[must_use]
 pub fn table(heads: &[impl AsRef<str>], rows: &[Vec<String>]) -> String {
     let mut table = Table::new();

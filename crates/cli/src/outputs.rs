@@ -1,8 +1,9 @@
-//! What a run writes: all known before it reads its first input, so that none is overwritten.
+//! The outputs of a run. All are known before the first input is read, so that no input is
+//! overwritten.
 //!
-//! A command claims the places of its outputs first. Each input is held against all of them before it
-//! is opened, and each output against those before it. A [`Place`] is only had by a claim, and only a
-//! place is written to.
+//! A command first claims the places of its outputs. Each input is compared with all of them before
+//! it is opened, and each output with the earlier ones. A [`Place`] can only be obtained by a
+//! claim, and only places are written to.
 
 use crate::aside::is_aside;
 use crate::destination::{Destination, Kind};
@@ -24,7 +25,7 @@ pub struct Outputs {
     folder: Option<(&'static str, PathBuf)>,
 }
 
-/// A file that an option names.
+/// A file that is the value of an option.
 #[derive(Debug, Clone, PartialEq, Eq)]
 struct Claim {
     option: &'static str,
@@ -33,22 +34,22 @@ struct Claim {
 }
 
 impl Claim {
-    fn refused(&self, reason: &'static str) -> CliError {
+    fn destination_error(&self, reason: &'static str) -> CliError {
         CliError::Destination { option: self.option, path: self.path.clone(), reason }
     }
 }
 
-/// A place that may be written to, past all links.
+/// A path that may be written to, with all links resolved.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Place(PathBuf);
 
 impl Place {
-    /// A place in a folder that belongs to the run.
+    /// A place in a folder owned by the run.
     pub(crate) fn owned(folder: &Path, name: &str) -> Self {
         Self(folder.join(name))
     }
 
-    /// Where it is.
+    /// Its path.
     #[must_use]
     pub fn path(&self) -> &Path {
         &self.0
@@ -56,10 +57,10 @@ impl Place {
 }
 
 impl Outputs {
-    /// Standard output and standard error: what every command writes to.
+    /// The outputs of every command: standard output and standard error.
     ///
     /// # Errors
-    /// [`carom_cases::Error::Io`] if the results have a format and standard output is closed.
+    /// [`carom_cases::Error::Io`] if results are requested and standard output is closed.
     pub fn of_command(format: Format) -> Result<Self, CliError> {
         if format != Format::None {
             is_open()?;
@@ -68,71 +69,81 @@ impl Outputs {
         Ok(Self { results, messages, ..Self::default() })
     }
 
-    /// The place of the picture that `option` asks for; nothing is written yet.
+    /// Claims the place of the picture of `option`; nothing is written yet.
     ///
     /// # Errors
-    /// [`CliError::Destination`] unless the name ends in `.svg` or `.png`; or it is `-`, while standard
-    /// output has something else to take; else as [`Outputs::file`].
+    /// [`CliError::Destination`] unless the name ends in `.svg` or `.png`, or if it is `-` while
+    /// results go to standard output; otherwise as [`Outputs::file`].
     pub fn picture(
         &mut self,
         option: &'static str,
         path: &Path,
         format: Format,
     ) -> Result<Destination, CliError> {
-        let refused = |reason| CliError::Destination { option, path: path.to_owned(), reason };
+        let destination_error =
+            |reason| CliError::Destination { option, path: path.to_owned(), reason };
         if path == Path::new("-") {
             return match format {
                 Format::None => is_open().map(|()| Destination::StandardOutput),
-                _ => Err(refused("standard output takes the results; add --format none")),
+                _ => Err(destination_error("results go to standard output; add --format none")),
             };
         }
-        let kind = Kind::of(path).map_err(refused)?;
+        let kind = Kind::of(path).map_err(destination_error)?;
         Ok(Destination::File { place: self.file(option, path)?, kind })
     }
 
-    /// The place of the file that `option` asks for; nothing is written yet. A link is followed, also
-    /// one to nothing.
+    /// Claims the place of the file of `option`; nothing is written yet. Links are followed, also
+    /// dangling ones.
     ///
     /// # Errors
-    /// [`CliError::Destination`] if it is standard output, another output, or no file that may be
-    /// replaced; [`carom_cases::Error::Io`] if its folder cannot be read.
+    /// [`CliError::Destination`] if it is standard output, another output, or not a file that may
+    /// be replaced; [`carom_cases::Error::Io`] if its folder cannot be read.
     pub fn file(&mut self, option: &'static str, path: &Path) -> Result<Place, CliError> {
         let failed = |error| CliError::io("write", path, error);
         let place = resolved(path).map_err(failed)?;
         let identity = Identity::of(&place).map_err(failed)?;
         let claim = Claim { option, path: path.to_owned(), identity };
         match std::fs::metadata(&place) {
-            Ok(metadata) => check_replaceable(&metadata).map_err(|reason| claim.refused(reason))?,
+            Ok(metadata) => {
+                check_replaceable(&metadata).map_err(|reason| claim.destination_error(reason))?
+            }
             Err(_) => std::fs::read_dir(folder(&place)).map(|_| ()).map_err(failed)?,
         }
         let is_same = |other: &Option<Identity>| other.as_ref() == Some(&claim.identity);
         if is_same(&self.results) {
-            return Err(claim.refused("standard output goes to the same file; name another one"));
+            return Err(
+                claim.destination_error("standard output goes to the same file; name another one")
+            );
         }
         if is_same(&self.messages) {
-            return Err(claim.refused("standard error goes to the same file; name another one"));
+            return Err(
+                claim.destination_error("standard error goes to the same file; name another one")
+            );
         }
         if self.files.iter().any(|other| other.identity == claim.identity) {
-            return Err(claim.refused("another output goes to the same file; name another one"));
+            return Err(
+                claim.destination_error("another output goes to the same file; name another one")
+            );
         }
         self.files.push(claim);
         Ok(Place(place))
     }
 
-    /// The folder that `option` asks for, for files of this run alone; it need not be there.
+    /// Claims the folder of `option` for files of this run alone; it need not exist.
     ///
     /// # Errors
-    /// [`CliError::Destination`] if standard output or standard error goes to a file in it.
+    /// [`CliError::Destination`] if standard output or standard error is a file in it.
     pub fn folder(&mut self, option: &'static str, path: &Path) -> Result<PathBuf, CliError> {
         if [&self.results, &self.messages].into_iter().flatten().any(|of| holds(path, of)) {
-            let reason = "a stream of the same run goes to a file in this folder; name another one";
+            let reason =
+                "standard output or standard error goes to a file in this folder; name another one";
             return Err(CliError::Destination { option, path: path.to_owned(), reason });
         }
         self.folder = Some((option, path.to_owned()));
         Ok(path.to_owned())
     }
 
-    /// Reads the case file at `path` in a run that writes these outputs.
+    /// Reads the case file at `path`, after checking that no output overwrites it.
     ///
     /// # Errors
     /// As [`CaseFile::read_guarded`] and [`Outputs::check_input`].
@@ -141,29 +152,31 @@ impl Outputs {
         Ok(CaseFile::read_guarded(path, Arc::new(guard))?)
     }
 
-    /// Whether `input` may be read, as no output goes there.
+    /// Checks that no output goes to `input`, so that it may be read.
     ///
     /// # Errors
-    /// [`carom_cases::Error::Input`] if standard output or standard error goes there, [`CliError::Destination`] if
-    /// another output does, or the input lies in the folder of one.
+    /// [`carom_cases::Error::Input`] if standard output or standard error goes there,
+    /// [`CliError::Destination`] if another output does, or if the input lies in the folder of one.
     pub fn check_input(&self, input: &Path) -> Result<(), CliError> {
-        // What is not there, or no file, is told where it is opened.
+        // An input that does not exist or is no file is reported when it is opened.
         let Ok(identity) = Identity::of(input) else { return Ok(()) };
-        let refused =
+        let destination_error =
             |reason: &str| Error::Input { path: input.to_owned(), reason: reason.into() }.into();
         if resolved(input).is_ok_and(|place| place.file_name().is_some_and(is_aside)) {
-            return Err(refused(
-                "carom was writing this file when it was stopped; give it another name",
+            return Err(destination_error(
+                "this is a temporary file of an interrupted run of carom; rename it",
             ));
         }
         if self.results.as_ref() == Some(&identity) {
-            return Err(refused("standard output goes to this input; name another file"));
+            return Err(destination_error("standard output goes to this input; name another file"));
         }
         if self.messages.as_ref() == Some(&identity) {
             return Err(CliError::Messages { path: input.to_owned() });
         }
         if let Some(claim) = self.files.iter().find(|claim| claim.identity == identity) {
-            return Err(claim.refused("this is an input of the same run; name another file"));
+            return Err(
+                claim.destination_error("this is an input of the same run; name another file")
+            );
         }
         match &self.folder {
             Some((option, path)) if holds(path, &identity) => Err(CliError::Destination {
@@ -176,7 +189,7 @@ impl Outputs {
     }
 }
 
-/// Whether a file of the folder is this one.
+/// Whether the folder contains this file.
 fn holds(folder: &Path, identity: &Identity) -> bool {
     std::fs::read_dir(folder).is_ok_and(|entries| {
         entries.flatten().any(|entry| Identity::of(&entry.path()).is_ok_and(|of| of == *identity))
@@ -185,8 +198,8 @@ fn holds(folder: &Path, identity: &Identity) -> bool {
 
 fn check_replaceable(metadata: &Metadata) -> Result<(), &'static str> {
     match metadata {
-        _ if !metadata.is_file() => Err("this is no file that could be replaced"),
-        _ if metadata.permissions().readonly() => Err("this file is protected against writing"),
+        _ if !metadata.is_file() => Err("this is not a regular file"),
+        _ if metadata.permissions().readonly() => Err("this file is read-only"),
         _ => Ok(()),
     }
 }

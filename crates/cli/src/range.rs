@@ -3,8 +3,8 @@
 use carom_special::linspace;
 use std::str::FromStr;
 
-/// Values a sweep may have at most.
-const MOST: usize = 1_000_000;
+/// Largest number of values of a sweep.
+const MAX_VALUES: usize = 1_000_000;
 
 /// One or more values, in the order given.
 ///
@@ -18,7 +18,7 @@ const MOST: usize = 1_000_000;
 #[derive(Debug, Clone, PartialEq)]
 pub struct Values(pub Vec<f64>);
 
-/// Why a text gives no values.
+/// Why a text is not a list of values.
 #[derive(Debug, Clone, PartialEq, Eq, thiserror::Error)]
 #[error("{reason}; allowed are one value (1.2), a list (1,1.2,1.5) or start:stop:count (0:10:101)")]
 pub struct ValuesError {
@@ -47,14 +47,14 @@ fn number(text: &str) -> Result<f64, ValuesError> {
 fn finite(text: &str) -> Result<f64, ValuesError> {
     match number(text)? {
         value if value.is_finite() => Ok(value),
-        _ => Err(error(format!("`{text}` is not finite, so no end of a range"))),
+        _ => Err(error(format!("`{text}` is not finite and cannot be the end of a range"))),
     }
 }
 
 fn whole(text: &str) -> Result<usize, ValuesError> {
     match text.trim().parse() {
-        Ok(count) if (2..=MOST).contains(&count) => Ok(count),
-        _ => Err(error(format!("count `{text}` is not a whole number from 2 to {MOST}"))),
+        Ok(count) if (2..=MAX_VALUES).contains(&count) => Ok(count),
+        _ => Err(error(format!("count `{text}` is not a whole number from 2 to {MAX_VALUES}"))),
     }
 }
 

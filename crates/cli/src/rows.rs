@@ -1,5 +1,4 @@
-//! Rows of results on their way out, block by block, so that none need be held but those of a table to
-//! read.
+//! Writes rows of results block by block. Only tables to read are held in memory.
 
 use crate::error::CliError;
 use crate::output::{Format, Results, csv_rows, short, table};
@@ -7,15 +6,15 @@ use carom_table::{Cell, Column, heads, labels, texts};
 use rayon::prelude::*;
 use serde::Serialize;
 
-/// Rows of a table to read, at most: its columns are as wide as their widest row.
+/// Largest number of rows of a table to read: columns are as wide as their widest row.
 pub const MOST_TO_READ: usize = 10_000;
-/// Rows in flight: made at once, in parallel, then written in their order.
+/// Rows per block: computed in parallel, then written in their order.
 pub const BLOCK: usize = 1024;
 
-/// Ok if so many rows can be written in this format.
+/// Checks that this number of rows can be written in this format.
 ///
 /// # Errors
-/// [`CliError::Options`] for more rows than one can read in a table.
+/// [`CliError::Options`] for more rows than a table to read may have.
 pub const fn check_count(format: Format, count: usize) -> Result<(), CliError> {
     match format {
         Format::Table if count > MOST_TO_READ => Err(CliError::Options(TOO_MANY_TO_READ)),
@@ -24,25 +23,25 @@ pub const fn check_count(format: Format, count: usize) -> Result<(), CliError> {
 }
 
 const TOO_MANY_TO_READ: &str =
-    "more than 10000 rows make no table to read; choose --format csv, json or none";
+    "a table to read has at most 10000 rows; choose --format csv, json or none";
 
 /// Writes rows of cells in a format.
 #[derive(Debug)]
 pub struct Rows {
     format: Format,
     list: JsonList,
-    /// Heads of the columns that a table to read shows; all without.
+    /// Heads of the columns shown in a table to read; `None` for all.
     chosen: Option<Vec<&'static str>>,
-    /// What stands in a row, as heads of comma-separated values or labels of a table.
+    /// Heads of comma-separated values, or labels of a table.
     head: Vec<String>,
-    /// Of the columns of a table.
+    /// Indices of the columns shown in a table.
     places: Vec<usize>,
     is_begun: bool,
-    held: Vec<Vec<String>>,
+    table_rows: Vec<Vec<String>>,
 }
 
 impl Rows {
-    /// In this format: of JSON a list.
+    /// A writer for this format; in JSON, the rows form a list.
     #[must_use]
     pub fn new(format: Format) -> Self {
         Self {
@@ -52,33 +51,34 @@ impl Rows {
             head: Vec::new(),
             places: Vec::new(),
             is_begun: false,
-            held: Vec::new(),
+            table_rows: Vec::new(),
         }
     }
 
-    /// A list that stands in JSON at this depth.
+    /// A list at this depth of indentation in JSON.
     #[must_use]
     pub fn at_depth(self, depth: usize) -> Self {
         Self { list: JsonList::new(depth), ..self }
     }
 
-    /// With these heads only in a table to read.
+    /// Shows only these heads in a table to read.
     #[must_use]
     pub fn showing(self, chosen: Vec<&'static str>) -> Self {
         Self { chosen: Some(chosen), ..self }
     }
 
-    /// Of records with these columns, which stand over them even if there is none.
+    /// Rows of records with these columns; the heads are written even without rows.
     #[must_use]
     pub fn of<R>(self, columns: &[Column<R>]) -> Self {
         let head = if self.format == Format::Table { labels(columns) } else { heads(columns) };
         Self { head, ..self }
     }
 
-    /// Writes some rows: their cells, or `json`, which puts a row as it stands in JSON at a depth.
+    /// Writes some rows: their cells, or for JSON the text of `json`, which formats a row at a
+    /// depth.
     ///
     /// # Errors
-    /// If they are too many for a table, cannot be put so, or cannot be written.
+    /// If they are too many for a table, cannot be formatted, or cannot be written.
     pub fn put<R: Sync>(
         &mut self,
         rows: &[R],
@@ -92,13 +92,14 @@ impl Rows {
         match self.format {
             Format::None => Ok(()),
             Format::Table => {
-                check_count(self.format, self.held.len() + rows.len())?;
+                check_count(self.format, self.table_rows.len() + rows.len())?;
                 let (all, places) = (self.chosen.is_none(), &self.places);
                 let pick = |texts: Vec<String>| match all {
                     true => texts,
                     false => places.iter().map(|place| texts[*place].clone()).collect(),
                 };
-                self.held.par_extend(rows.par_iter().map(|row| pick(texts(&cells(row), short))));
+                self.table_rows
+                    .par_extend(rows.par_iter().map(|row| pick(texts(&cells(row), short))));
                 Ok(())
             }
             Format::Csv => {
@@ -137,14 +138,14 @@ impl Rows {
         }
     }
 
-    /// What ends the rows: of a table all of it.
+    /// The end of the rows; for a table, all of it.
     ///
     /// # Errors
-    /// If no row can be put so.
+    /// If a row cannot be formatted.
     pub fn finish(self) -> Result<String, CliError> {
         match self.format {
             Format::None => Ok(String::new()),
-            Format::Table => Ok(table(&self.head, &self.held)),
+            Format::Table => Ok(table(&self.head, &self.table_rows)),
             Format::Csv if self.is_begun => Ok(String::new()),
             Format::Csv => csv_rows(Some(self.head.as_slice()), &[]),
             Format::Json => Ok(self.list.end()),
@@ -152,10 +153,10 @@ impl Rows {
     }
 }
 
-/// Rows that a thread puts into a format at once.
+/// Rows formatted by one thread at a time.
 const PART: usize = 64;
 
-/// What is made of the rows, in their order.
+/// Applies a function to parts of the rows in parallel; results in order.
 fn parts<R: Sync, T: Send>(
     rows: &[R],
     make: impl Fn(&[R]) -> Result<T, CliError> + Sync,
@@ -163,7 +164,7 @@ fn parts<R: Sync, T: Send>(
     rows.par_chunks(PART).map(&make).collect()
 }
 
-/// A list of JSON, written item by item.
+/// A JSON list, written item by item.
 #[derive(Debug, Clone, Copy)]
 struct JsonList {
     depth: usize,
@@ -171,19 +172,19 @@ struct JsonList {
 }
 
 impl JsonList {
-    /// That stands at this depth.
+    /// A list at this depth of indentation.
     const fn new(depth: usize) -> Self {
         Self { depth, is_begun: false }
     }
 
-    /// An item that is indented already, with what stands before it.
+    /// An indented item with its separator.
     fn item(&mut self, item: &str) -> String {
         let before = if self.is_begun { ",\n" } else { "[\n" };
         self.is_begun = true;
         format!("{before}{}{item}", "  ".repeat(self.depth + 1))
     }
 
-    /// What ends it.
+    /// The end of the list.
     fn end(&self) -> String {
         let line = if self.depth == 0 { "\n" } else { "" };
         match self.is_begun {
@@ -193,10 +194,10 @@ impl JsonList {
     }
 }
 
-/// `value` as JSON that stands at this depth.
+/// `value` as JSON at this depth of indentation.
 ///
 /// # Errors
-/// If it cannot be put so.
+/// If it cannot be expressed in JSON.
 pub fn indented(value: &impl Serialize, depth: usize) -> Result<String, CliError> {
     let text =
         serde_json::to_string_pretty(value).map_err(|error| CliError::Format(error.into()))?;

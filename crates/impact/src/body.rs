@@ -1,4 +1,4 @@
-//! Bodies: surface, material, inertia, place, attitude and motion.
+//! Bodies: surface, material, inertia, position, attitude and motion.
 
 use carom_geometry::{Attitude, Inertia, Placed, Surface};
 use carom_halfspace::Material;
@@ -8,8 +8,8 @@ use nalgebra::Vector3;
 
 use crate::mobility::Lever;
 
-/// Largest component of a velocity or spin: beyond it energies overflow.
-const FASTEST: f64 = 1e100;
+/// Largest component of a velocity or spin; beyond it energies overflow.
+const MAX_COMPONENT: f64 = 1e100;
 
 /// Velocity of the centre of mass and spin, in space axes.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
@@ -21,7 +21,7 @@ pub struct Motion {
 }
 
 impl Motion {
-    /// Velocity and spin.
+    /// Columns of velocity and spin.
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::vector("velocity", "m/s", "of the centre of mass", |motion| {
             <[f64; 3]>::from(motion.velocity).into()
@@ -31,13 +31,13 @@ impl Motion {
         }),
     ];
 
-    /// From velocity and spin.
+    /// A motion with this velocity of the centre of mass and this spin (radians per time).
     ///
     /// # Errors
-    /// [`RangeError`] that names the first component not within +-1e100.
+    /// [`RangeError`] that names the first component outside +-1e100.
     pub fn new(velocity: [f64; 3], spin: [f64; 3]) -> Result<Self, RangeError> {
         let check = |field, value: f64| {
-            RangeError::check(field, value, value.abs() <= FASTEST, "within +-1e100")
+            RangeError::check(field, value, value.abs() <= MAX_COMPONENT, "within +-1e100")
         };
         for value in velocity {
             check("velocity", value)?;
@@ -49,7 +49,7 @@ impl Motion {
     }
 }
 
-/// A body about to collide.
+/// A body of a collision.
 ///
 /// ```
 /// use carom_geometry::{Attitude, Surface};
@@ -76,7 +76,7 @@ pub struct Body {
 }
 
 impl Body {
-    /// A body at rest at the origin, its axes along those of space.
+    /// A body at rest at the origin, with its axes parallel to those of space.
     #[must_use]
     pub fn new(surface: Surface, material: Material, inertia: Inertia) -> Self {
         Self { placed: Placed::new(surface), material, inertia, motion: Motion::default() }
@@ -100,16 +100,17 @@ impl Body {
         Ok(Self::new(Surface::sphere(radius)?, material, inertia))
     }
 
-    /// A plane held fast, with the half-space behind it; its motion is that at the contact point.
+    /// A plane that an impact does not move, with the half-space behind it. Its motion is given at
+    /// the contact point.
     #[must_use]
     pub fn plane(material: Material) -> Self {
         Self::new(Surface::plane(), material, Inertia::FIXED)
     }
 
-    /// The same body with its centre of mass there; for a plane, any of its points.
+    /// The same body with its centre of mass at this point; for a plane, any of its points.
     ///
     /// # Errors
-    /// [`RangeError`] unless the components are finite.
+    /// [`RangeError`] if a component is not finite.
     pub fn at(self, centre: [f64; 3]) -> Result<Self, RangeError> {
         Ok(Self { placed: self.placed.at(centre)?, ..self })
     }
@@ -136,7 +137,7 @@ impl Body {
         Self { placed, ..self }
     }
 
-    /// Its surface with place and attitude.
+    /// Its surface with position and attitude.
     #[must_use]
     pub const fn placed(&self) -> &Placed {
         &self.placed
@@ -160,15 +161,16 @@ impl Body {
         self.motion
     }
 
-    /// How far the contact point lies from the centre along the normal through it, where the shape
-    /// puts it there: the radius of a sphere; 0 for a plane, whose motion is given at that point.
+    /// Height of the contact point above the centre of mass along the normal, if the shape puts it
+    /// on the normal through the centre: the radius of a sphere; 0 for a plane, whose motion is
+    /// given at that point.
     pub(crate) fn height(&self) -> Option<f64> {
         let surface = self.placed.surface();
         surface.radius().or_else(|| surface.is_plane().then_some(0.0))
     }
 
-    /// What resists an impulse at the contact point, `arm` from the centre, on this side of it
-    /// (-1 or 1) along the contact normal.
+    /// Resistance to an impulse at the contact point, which lies `arm` from the centre, for the
+    /// body on this side (-1 or 1) of the contact normal.
     pub(crate) fn lever(
         &self,
         arm: Vector3<f64>,
@@ -182,15 +184,15 @@ impl Body {
         }
     }
 
-    /// The kinetic energy of a motion of this body, translation and rotation; infinite parts count
-    /// as zero, since a body held fast does not change its energy.
+    /// The kinetic energy of a motion of this body, translation and rotation. Infinite mass or
+    /// moments count as zero, since an impact does not change the motion of such a body.
     #[must_use]
     pub fn kinetic_energy(&self, motion: &Motion) -> f64 {
         let part = |inertia: f64, squared: f64| {
             if inertia.is_finite() { 0.5 * inertia * squared } else { 0.0 }
         };
         let [a, b, c] = self.inertia.moments();
-        // The moments belong to the body's axes; equal ones to all.
+        // The moments refer to the body's axes; equal moments to all axes.
         let spin = match self.inertia.is_isotropic() {
             true => motion.spin,
             false => self.placed.attitude().to_body(&motion.spin),

@@ -12,6 +12,7 @@
 //! | [`restitution`], [`closed_form`] | R_x as one number, as a table and as a tensor; its limits |
 //! | [`torsional`] | the impact of a spin about the normal |
 //! | [`RingImpact`] | an impact of spheres of dissimilar materials, with spin about the normal |
+//! | [`CollisionSolver`], [`AnalyticOrRings`] | with which law scenes and studies follow their impacts |
 //! | [`scene`], [`uncertain`] | repeated bounces between walls; inputs that are not known exactly |
 //!
 //! ```
@@ -48,9 +49,13 @@ pub mod torsional;
 pub mod uncertain;
 
 pub use body::{Body, Motion};
-pub use collision::{Collision, CollisionError, NeededLaw};
+pub use collision::{
+    AnalyticOrRings, Collision, CollisionError, CollisionSolver, NeededLaw, TwistBound,
+};
 pub use mobility::{Lever, Mobility};
 pub use normal_restitution::NormalRestitution;
 pub use normal_spin::NormalSpinError;
-pub use outcome::{EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Torsion, Warning};
+pub use outcome::{
+    EnergyBudget, HistoryPoint, LogEntry, Outcome, Rebound, Torsion, TorsionMode, Warning,
+};
 pub use rings::{RingImpact, RingImpactError};

@@ -1,4 +1,4 @@
-//! The mobility of a contact: how its velocity answers an impulse, (8.25)-(8.44).
+//! The mobility of a contact: the change of its velocity by an impulse, (8.25)-(8.44).
 
 use carom_geometry::{Attitude, Inertia};
 use carom_special::RangeError;
@@ -6,9 +6,9 @@ use nalgebra::{Matrix3, Vector3};
 
 use crate::body::Motion;
 
-/// Couplings below this part of the largest entry that turning gives D are round-off: of arms known
-/// to some hundred roundings of the body's size.
-const ROUND_OFF: f64 = 1e-13;
+/// Couplings below this share of the largest rotational entry of D are round-off: arms are known to
+/// some hundred round-off units of the size of the body.
+const MAX_COUPLING_OF_ROUND_OFF: f64 = 1e-13;
 
 /// [R]^T theta^-1 [R] for the arm R from the centre of mass to the contact point and the inverse
 /// inertia tensor in the same axes (8.31), (8.43).
@@ -17,23 +17,23 @@ fn turning_share(inverse_tensor: &Matrix3<f64>, arm: &Vector3<f64>) -> Matrix3<f
     cross.transpose() * inverse_tensor * cross
 }
 
-/// What of a body resists an impulse at its contact point: inertia, attitude and arm.
+/// Resistance of a body to an impulse at its contact point: inertia, attitude and arm.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Lever {
     inertia: Inertia,
     inverse_tensor: Matrix3<f64>,
     arm: Vector3<f64>,
-    /// How far along the contact normal the contact point lies, where the body's shape puts it on
-    /// the normal through the centre of mass: there nothing of the normal motion is tangential.
+    /// Height of the contact point along the normal, if the shape puts it on the normal through the
+    /// centre of mass. Normal and tangential motion are then uncoupled.
     height: Option<f64>,
 }
 
 impl Lever {
-    /// A body of this inertia and attitude; `arm` leads from its centre of mass to the contact
-    /// point, in space.
+    /// A body with this inertia and attitude. `arm` is the vector from its centre of mass to the
+    /// contact point, in space axes.
     ///
     /// # Errors
-    /// [`RangeError`] unless the arm is finite.
+    /// [`RangeError`] if the arm is not finite.
     pub fn new(
         inertia: Inertia,
         attitude: &Attitude,
@@ -44,9 +44,9 @@ impl Lever {
         Ok(Self { inertia, inverse_tensor, arm, height: None })
     }
 
-    /// The same for a body whose shape puts the contact point on the contact normal through its
-    /// centre of mass, at this height along it: a sphere, or a plane with 0. That is known and not
-    /// measured, so the normal stays exactly apart.
+    /// The same for a body whose shape puts the contact point on the normal through its centre of
+    /// mass, at this height: a sphere, or a plane with 0. The normal motion is then uncoupled
+    /// exactly, without round-off.
     pub(crate) fn upright(
         inertia: Inertia,
         attitude: &Attitude,
@@ -63,19 +63,19 @@ impl Lever {
         &self.inverse_tensor
     }
 
-    /// From the centre of mass to the contact point.
+    /// The vector from the centre of mass to the contact point.
     #[must_use]
     pub const fn arm(&self) -> Vector3<f64> {
         self.arm
     }
 
-    /// Velocity of the contact point of a body that moves so.
+    /// Velocity of the contact point for this motion of the body.
     #[must_use]
     pub fn point_velocity(&self, velocity: &Vector3<f64>, spin: &Vector3<f64>) -> Vector3<f64> {
         velocity + spin.cross(&self.arm)
     }
 
-    /// The same in the contact axes, the motion given in space.
+    /// The same in the contact axes; the motion is given in space axes.
     pub(crate) fn point_velocity_in(&self, axes: &Matrix3<f64>, motion: &Motion) -> Vector3<f64> {
         axes.tr_mul(&motion.velocity) + axes.tr_mul(&motion.spin).cross(&self.arm_in(axes))
     }
@@ -98,7 +98,7 @@ impl Lever {
         self.height.map_or_else(|| axes.tr_mul(&self.arm), |height| Vector3::new(0.0, 0.0, height))
     }
 
-    // [R]^T theta^-1 [R], the part that couples.
+    // [R]^T theta^-1 [R] in contact axes, the part that couples.
     fn turning_share_in(&self, axes: &Matrix3<f64>) -> Matrix3<f64> {
         let tensor = match self.inertia.is_isotropic() {
             true => self.inverse_tensor,
@@ -123,7 +123,7 @@ impl Lever {
     }
 }
 
-// theta^-1 in space; the same in all axes for equal moments, without a rounding.
+// theta^-1 in space axes. For equal moments it is the same in all axes, without round-off.
 fn inverse_tensor(inertia: &Inertia, attitude: &Attitude) -> Matrix3<f64> {
     let inverse = Matrix3::from_diagonal(&inertia.inverse_moments());
     if inertia.is_isotropic() {
@@ -154,23 +154,23 @@ pub struct Mobility {
 }
 
 impl Mobility {
-    /// The mobility of two bodies in the contact axes, given as columns in space. Couplings within
-    /// the rounding of the arms are zero.
+    /// The mobility of two bodies in the contact axes, given as columns in space axes. Couplings
+    /// within the round-off of the arms are set to zero.
     ///
     /// # Errors
-    /// As [`Mobility::from_matrix`]; both bodies held fast leave no mobility.
+    /// As [`Mobility::from_matrix`]; also if neither body can be moved.
     pub fn new(levers: &[Lever; 2], axes: &Matrix3<f64>) -> Result<Self, RangeError> {
         let [one, two] = levers.each_ref().map(|lever| lever.turning_share_in(axes));
-        let round_off = ROUND_OFF * (one.amax() + two.amax());
+        let round_off = MAX_COUPLING_OF_ROUND_OFF * (one.amax() + two.amax());
         let turning = (one + two).map(|d| if d.abs() <= round_off { 0.0 } else { d });
         let along = levers[0].inertia.inverse_mass() + levers[1].inertia.inverse_mass();
         Self::from_matrix(turning + Matrix3::identity() * along)
     }
 
-    /// A given matrix, of which the symmetric part counts.
+    /// The mobility of a given matrix, of which the symmetric part is used.
     ///
     /// # Errors
-    /// [`RangeError`] unless it is finite, symmetric to 1e-9 and positive definite.
+    /// [`RangeError`] if it is not finite, not symmetric to 1e-9 or not positive definite.
     pub fn from_matrix(matrix: Matrix3<f64>) -> Result<Self, RangeError> {
         let skew = (matrix - matrix.transpose()).amax();
         let holds = skew <= 1e-9 * matrix.amax();

@@ -1,8 +1,8 @@
 //! The normal motion of an elastic impact (section 9.1), exact and in closed form.
 //!
-//! Units: compression by its maximum zeta_max, time by zeta_max / zeta_dot_A, velocity by
-//! zeta_dot_A. Then `zeta'' = -(5/4) zeta^(3/2)` and `zeta' = w = ±sqrt(1 - zeta^(5/2))`. The
-//! velocity `w` falls from 1 to -1 and is the clock of all decoupled impacts.
+//! Units: compression by its maximum zeta_max, time by zeta_max/zeta_dot_A, velocity by zeta_dot_A.
+//! Then `zeta'' = -(5/4) zeta^(3/2)` and `zeta' = w = ±sqrt(1 - zeta^(5/2))`. The velocity `w`
+//! decreases from 1 to -1 and is the independent variable of all uncoupled impacts.
 
 use carom_special::RangeError;
 
@@ -28,7 +28,7 @@ pub(crate) fn radius(w: f64) -> f64 {
     if s > 0.5 { fifth_root_near_one(s) } else { fifth_root(s) }
 }
 
-// x^(1/5) for x in [1/2, 1]: a polynomial within 2e-6, then one of Halley's iterations.
+// x^(1/5) for x in [1/2, 1]: a polynomial within 2e-6, then one step of Halley's method.
 fn fifth_root_near_one(x: f64) -> f64 {
     const C: [f64; 6] = [
         0.9440865773,
@@ -46,8 +46,8 @@ fn fifth_root_near_one(x: f64) -> f64 {
     y + y * ((x - power) / (3.0 * power + 2.0 * x))
 }
 
-// x^(1/5) for x in [0, 1]: a guess from the exponent bits, then Halley's iteration, which
-// triples the digits: 6 %, 3e-4, 6e-11, exact. Cheaper than `pow` and the same on every machine.
+// x^(1/5) for x in [0, 1]: an estimate from the exponent bits, then Halley's method, which triples
+// the digits: 6 %, 3e-4, 6e-11, exact. Cheaper than `pow`, and the same on every machine.
 pub(crate) fn fifth_root(x: f64) -> f64 {
     if x < f64::MIN_POSITIVE {
         return if x == 0.0 { 0.0 } else { libm::pow(x, 0.2) };
@@ -62,7 +62,7 @@ pub(crate) fn fifth_root(x: f64) -> f64 {
     y
 }
 
-/// Time since first touch at the velocity `w` in [-1, 1], in units of zeta_max/zeta_dot_A.
+/// Time since first contact at the velocity `w` in [-1, 1], in units of zeta_max/zeta_dot_A.
 ///
 /// (9.8) after a quadratic transformation: t = zeta F(4/5, 1; 7/5; (1 - w)/2) for w >= 0, and
 /// its mirror image in restitution, (9.10).
@@ -91,7 +91,8 @@ fn compression_time(zeta: f64, z: f64) -> f64 {
     zeta * sum
 }
 
-/// Velocity `w` and compression at the time `t` (any real; outside [0, T_N] the bodies are apart).
+/// Velocity `w` and compression at the time `t`, any real number; outside [0, T_N] the bodies are
+/// separated.
 ///
 /// Returned as [`NormalState`]; the inverse of [`time`], accurate to a few roundings.
 ///
@@ -114,7 +115,7 @@ pub fn state_at(t: f64) -> NormalState {
     NormalState { velocity: if mirrored { -half.velocity } else { half.velocity }, ..half }
 }
 
-// Newton on time(zeta) while the contact is young, on time(w) near maximal compression.
+// Newton's method on time(zeta) soon after first contact, on time(w) near maximum compression.
 fn inward_state(t: f64) -> NormalState {
     if t < 0.9 {
         let mut zeta = t.min(0.8);
@@ -151,7 +152,7 @@ pub struct NormalState {
     pub compression: f64,
 }
 
-/// A normal impact with its dimensions: maximal compression, duration, maximal force.
+/// A normal impact with dimensions: maximum compression, duration, maximum force.
 ///
 /// ```
 /// use carom_impact::normal::NormalImpact;
@@ -184,7 +185,7 @@ impl NormalImpact {
         Ok(Self { mobility, stiffness, velocity, maximal_approach })
     }
 
-    /// The maximal compression zeta_max (9.3), (9.50).
+    /// The maximum compression zeta_max (9.3), (9.50).
     #[must_use]
     pub fn maximal_approach(&self) -> f64 {
         self.maximal_approach
@@ -202,7 +203,7 @@ impl NormalImpact {
         DURATION * self.time_unit()
     }
 
-    /// The maximal normal force (2/3) c_z zeta_max^(3/2).
+    /// The maximum normal force (2/3) c_z zeta_max^(3/2).
     #[must_use]
     pub fn maximal_force(&self) -> f64 {
         let zeta = self.maximal_approach;
@@ -268,7 +269,7 @@ mod tests {
             let t = DURATION * i as f64 / 2000.0;
             let state = state_at(t);
             let s = state.compression.powf(2.5);
-            // From the compression: w alone does not resolve times near touch.
+            // From the compression: w alone does not resolve times near first contact.
             let z = 0.5 * s / (1.0 + state.velocity.abs());
             let early = compression_time(state.compression, z);
             let time = if state.velocity < 0.0 { DURATION - early } else { early };

@@ -1,19 +1,20 @@
-//! What the bodies' material takes of an impact: beyond the elastic theory.
+//! Energy lost in the material in an impact, beyond the elastic theory.
 //!
-//! Elastic bodies without friction part as fast as they met. Real ones lose energy to plastic flow,
-//! internal friction and waves. [`NormalRestitution`] lets them, by a share of the elastic impulse:
-//! where that is J, they part with `s J`, such that e of the elastic normal velocity is left: `s = (1 + e)/2`
-//! where normal and tangential motion are uncoupled. The pulse is taken to be weaker in all its
-//! parts alike, so that it stays below the limit of friction where it was, sliding throughout is right,
-//! and `e = 1` is the elastic impact. Of the kinetic energy friction takes `s Q`, Q its heat in the
-//! elastic impact, and the material `s (1 - s) J.D.J/2`, D the mobility: of a normal impact at v
-//! `(1 - e^2) v^2/(2 D_zz)`. Neither is negative.
+//! Elastic bodies without friction separate with the speed at which they met. Real bodies lose
+//! energy by plastic flow, internal friction and waves. [`NormalRestitution`] describes this by
+//! scaling the elastic impulse J to `s J`, such that the share e of the elastic normal velocity
+//! remains: `s = (1 + e)/2` if normal and tangential motion are uncoupled. All parts of the pulse
+//! are scaled alike: the friction limit holds as before, sliding throughout is right, and `e = 1`
+//! is the elastic impact. Of the kinetic energy, friction takes `s Q`, Q the heat of the elastic
+//! impact, and the material `s (1 - s) J.D.J/2`, D the mobility: `(1 - e^2) v^2/(2 D_zz)` for a
+//! normal impact at v. Neither is negative.
 
 use carom_special::RangeError;
 use nalgebra::Vector3;
 
-/// The normal velocity after an impact over that of the elastic one, which is that before where normal and
-/// tangential motion are uncoupled.
+/// Coefficient of normal restitution e, from 0 to 1: the normal velocity after an impact over that
+/// of the elastic impact. If normal and tangential motion are uncoupled, this is the ratio to the
+/// velocity before.
 ///
 /// ```
 /// use carom_halfspace::Material;
@@ -41,33 +42,33 @@ enum Cause {
 }
 
 impl NormalRestitution {
-    /// Nothing is lost in the material.
+    /// No energy is lost in the material.
     pub const ELASTIC: Self = Self(Cause::Given(1.0));
 
     /// A given coefficient e.
     ///
     /// # Errors
-    /// [`RangeError`] unless it is in [0, 1].
+    /// [`RangeError`] if it is not in [0, 1].
     pub fn new(coefficient: f64) -> Result<Self, RangeError> {
         let holds = (0.0..=1.0).contains(&coefficient);
         RangeError::check("normal restitution", coefficient, holds, "from 0 to 1")
             .map(|e| Self(Cause::Given(e)))
     }
 
-    /// What elastic waves leave, `e = sqrt(1 - share)`, with the share of (3.2) that
-    /// [`crate::Warning::WaveLoss`] speaks of: that of the body that would lose most to a half-space of
-    /// its own material.
+    /// The coefficient that follows from the energy radiated by elastic waves,
+    /// `e = sqrt(1 - share)`. The share is that of (3.2), as in [`crate::Warning::WaveLoss`]: for
+    /// the body that would lose most to a half-space of its own material.
     #[must_use]
     pub const fn by_waves() -> Self {
         Self(Cause::Waves)
     }
 
-    /// Whether nothing is lost.
+    /// Whether no energy is lost.
     pub(crate) fn is_elastic(self) -> bool {
         self == Self::ELASTIC
     }
 
-    /// What is left of an impact whose elastic normal velocities are these, before and after.
+    /// The reduction of an impact with these elastic normal velocities, before and after.
     pub(crate) fn damped(self, wave_share: f64, [before, after]: [f64; 2]) -> Damped {
         let e = match self.0 {
             Cause::Given(e) => e,
@@ -83,10 +84,10 @@ impl Default for NormalRestitution {
     }
 }
 
-/// What is left of an elastic impact.
+/// The reduction of an elastic impact.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Damped {
-    /// Of the impulse.
+    /// Share s of the elastic impulse.
     pub(crate) part: f64,
 }
 
@@ -108,7 +109,7 @@ impl Damped {
         if self.part == 1.0 { elastic } else { self.part * (1.0 + elastic) - 1.0 }
     }
 
-    /// What the material takes, given J.D.J/2 of the elastic impact.
+    /// The energy lost in the material, given J.D.J/2 of the elastic impact.
     pub(crate) fn lost(self, exchanged: f64) -> f64 {
         self.part * (1.0 - self.part) * exchanged.max(0.0)
     }

@@ -1,8 +1,8 @@
-//! The spin about the common normal: left alone by an impact, or changed by its torsion.
+//! The spin about the common normal: unchanged by an impact, or changed by its torsion.
 //!
-//! Chapter 10 takes the torsional impact as independent of the tangential one: both draw on the
-//! same friction, yet each is computed as if the other were absent. That is right as long as one of
-//! them is small.
+//! Chapter 10 treats the torsional impact as independent of the tangential one. Both use the same
+//! friction limit, but each is computed as if the other were absent. This is valid if one of them
+//! is small.
 
 use carom_laws::friction::Friction;
 use carom_laws::hertz::Hertz;
@@ -13,13 +13,13 @@ use crate::normal_restitution::Damped;
 use crate::outcome::{Torsion, Warning};
 use crate::torsional::{SpinCollision, Spinner, TorsionalError, limits};
 
-/// Couplings below this part of their greatest possible value are round-off.
-const UNCOUPLED: f64 = 1e-9;
+/// Couplings below this share of their largest possible value are round-off.
+const MAX_COUPLING_OF_ROUND_OFF: f64 = 1e-9;
 
-/// Why torsion cannot be taken by itself.
+/// Why torsion cannot be treated separately.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum NormalSpinError {
-    /// A body's spin about the normal goes with its other motion.
+    /// A body's spin about the normal is coupled to its other motion.
     #[error(
         "torsion: the spin of body {body} about the normal is coupled to the motion of its contact \
          point; the normal must pass through the centre of mass along a principal axis of inertia"
@@ -28,19 +28,19 @@ pub enum NormalSpinError {
         /// 1 or 2.
         body: u8,
     },
-    /// The normal motion goes with the tangential one.
+    /// The normal motion is coupled to the tangential motion.
     #[error(
         "torsion: normal and tangential motion are coupled; the normal must pass through both \
          centres of mass"
     )]
     NormalCoupled,
-    /// The torsional impact could not be followed.
+    /// The torsional impact could not be solved.
     #[error("torsion: {0}")]
     Torsional(#[from] TorsionalError),
 }
 
 impl Torsion {
-    /// Leaves a part of it.
+    /// Keeps the share s of the torsional impact.
     pub(crate) fn damp(&mut self, damped: Damped) {
         if damped.part < 1.0 {
             self.torque_impulse *= damped.part;
@@ -50,17 +50,17 @@ impl Torsion {
     }
 }
 
-/// What turns a body about the normal.
+/// The properties of a body that determine its change of spin about the normal.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct Pivot {
-    /// From the centre of mass to the contact point.
+    /// Vector from the centre of mass to the contact point.
     pub(crate) arm: Vector3<f64>,
-    /// theta^-1 in space.
+    /// theta^-1 in space axes.
     pub(crate) inverse_tensor: Matrix3<f64>,
     pub(crate) spin: Vector3<f64>,
 }
 
-/// Two bodies that meet and spin about their common normal.
+/// Two bodies that collide and spin about their common normal.
 #[derive(Debug, Clone, Copy)]
 pub(crate) struct NormalSpin<'a> {
     pub(crate) hertz: &'a Hertz,
@@ -69,7 +69,7 @@ pub(crate) struct NormalSpin<'a> {
     pub(crate) pivots: [Pivot; 2],
     /// D_zz.
     pub(crate) normal_mobility: f64,
-    /// Speed of approach.
+    /// Approach velocity.
     pub(crate) velocity: f64,
 }
 
@@ -79,7 +79,7 @@ impl NormalSpin<'_> {
         for (body, pivot) in [1, 2].into_iter().zip(&self.pivots) {
             let turned = pivot.inverse_tensor * self.normal;
             let most = pivot.arm.norm() * pivot.inverse_tensor.norm();
-            if pivot.arm.cross(&turned).norm() > UNCOUPLED * most {
+            if pivot.arm.cross(&turned).norm() > MAX_COUPLING_OF_ROUND_OFF * most {
                 return Err(NormalSpinError::SpinCoupled { body });
             }
         }
@@ -100,7 +100,7 @@ impl NormalSpin<'_> {
         })
     }
 
-    /// Half of torque impulse times the change of the relative spin.
+    /// Half the torque impulse times the change of the relative spin.
     pub(crate) fn exchanged(&self, torsion: &Torsion) -> f64 {
         0.5 * (torsion.torque_impulse * (1.0 - torsion.spin_ratio) * self.relative_spin()).abs()
     }
@@ -111,24 +111,30 @@ impl NormalSpin<'_> {
         self.pivots[body].inverse_tensor * self.normal * (sign * torsion.torque_impulse)
     }
 
-    /// What an outcome without torsion should say: that torsion would take a noticeable part of
-    /// the spin, by the lesser of the closed forms of no slip and of sliding.
+    /// The warning of an outcome without torsion if torsion would take a noticeable share of the
+    /// spin.
     pub(crate) fn left_alone(&self) -> Option<Warning> {
+        let share = self.greatest_loss()?;
+        (share > NOTICEABLE).then_some(Warning::SpinLeftAlone { share })
+    }
+
+    /// The part of the relative spin that torsion would take, from above: by the lesser of the closed forms of no slip
+    /// and of sliding. None without spin or friction.
+    pub(crate) fn greatest_loss(&self) -> Option<f64> {
         if self.relative_spin() == 0.0 {
             return None;
         }
         let groups = self.collision().ok()?.groups().ok()??;
         let (epsilon, omega) = (groups.epsilon(), groups.omega());
         let stuck = 1.0 - limits::no_slip_first_order(epsilon);
-        let share = stuck.min(1.0 - limits::sliding(epsilon, omega)).min(1.0);
-        (share > NOTICEABLE).then_some(Warning::SpinLeftAlone { share })
+        Some(stuck.min(1.0 - limits::sliding(epsilon, omega)).min(1.0))
     }
 
     fn relative_spin(&self) -> f64 {
         (self.pivots[0].spin - self.pivots[1].spin).dot(&self.normal)
     }
 
-    // D_zz is that of both bodies: the first spinner carries the mass.
+    // D_zz is that of both bodies: all mass is assigned to the first.
     fn collision(&self) -> Result<SpinCollision, TorsionalError> {
         let spinner = |pivot: &Pivot, mass: f64| {
             let inverse = self.normal.dot(&(pivot.inverse_tensor * self.normal));

@@ -1,4 +1,4 @@
-//! What an impact leaves behind: motions, impulse, extremes, energy, log, history, warnings.
+//! The outcome of an impact: motions, impulse, maxima, energy, log, history, warnings.
 
 use carom_laws::ellipse::ContactEllipse;
 use carom_table::Column;
@@ -9,21 +9,20 @@ use crate::coupled::ImpactMethod;
 use crate::oblique::{Event, Regime};
 use crate::outcome_columns::{Columns, Ended};
 
-/// The outcome of two bodies meeting.
+/// The outcome of a collision of two bodies.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Outcome {
-    /// They do not approach each other at the contact point: nothing happens.
+    /// The bodies do not approach each other at the contact point: nothing changes.
     NoImpact {
         /// The motions, unchanged.
         motions: [Motion; 2],
     },
-    /// They collide and part.
+    /// The bodies collide and separate.
     Rebound(Box<Rebound>),
 }
 
 impl Outcome {
-    /// All that an impact leaves, whoever shows it: the names of these columns are those of the Python
-    /// record and of the C struct too.
+    /// The columns of an outcome. The Python record and the C struct use the same names.
     pub const COLUMNS: &'static [Column<Self>] = Columns::<Self>::COLUMNS;
 
     /// The motions afterwards, of body 1 and body 2.
@@ -70,51 +69,51 @@ impl Ended for Rebound {
     }
 }
 
-/// An impact from touch to separation. Velocities of the contact are of body 2 against body 1.
+/// An impact from first contact to separation. Contact velocities are of body 2 against body 1.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Rebound {
     /// Motions afterwards, of body 1 and body 2.
     pub motions: [Motion; 2],
     /// The impulse that body 2 gave body 1.
     pub impulse: Vector3<f64>,
-    /// Relative velocity of the contact points before.
+    /// Relative velocity of the contact points before the impact.
     pub contact_velocity_before: Vector3<f64>,
-    /// Relative velocity of the contact points after.
+    /// Relative velocity of the contact points after the impact.
     pub contact_velocity_after: Vector3<f64>,
-    /// R_x: tangential velocity after, along that before, over it, reversed in sign.
+    /// R_x: -(tangential velocity after)/(before), along the direction before.
     ///
-    /// Where there was none before it is the limit for vanishing ones: (9.46), or -1 without
-    /// friction. None if that limit depends on their direction, as of an elliptic contact, or if
-    /// the normal motion of a [`crate::Collision`] itself brings about a tangential velocity; a
-    /// tangential velocity within rounding of the motions counts as none there.
+    /// If there was none before, it is the limit for small velocities: (9.46), or -1 without
+    /// friction. `None` if that limit depends on their direction, as for an elliptic contact, or if
+    /// the normal motion of a [`crate::Collision`] causes a tangential velocity; a tangential
+    /// velocity within the round-off of the motions then counts as zero.
     pub r_x: Option<f64>,
-    /// Duration from touch to separation.
+    /// Duration from first contact to separation.
     pub duration: f64,
-    /// The greatest normal force.
+    /// The maximum normal force.
     pub maximal_force: f64,
-    /// The greatest approach zeta_max.
+    /// The maximum approach zeta_max.
     pub maximal_approach: f64,
-    /// The greatest contact area, a circle for spheres.
+    /// The maximum contact area, a circle for spheres.
     pub maximal_contact: ContactEllipse,
-    /// Kinetic energies, and what friction and material took.
+    /// Kinetic energies, and the energies dissipated by friction and lost in the material.
     pub energy: EnergyBudget,
-    /// The torsional impact; none where the spin about the normal was left alone.
+    /// The torsional impact; `None` if the spin about the normal was not changed.
     pub torsion: Option<Torsion>,
-    /// How it was followed.
+    /// The method of solution.
     pub method: ImpactMethod,
-    /// How often the approach grew: 2 or more if the bodies were pressed together again.
+    /// Number of compressions: 2 or more if the bodies were compressed again before separation.
     pub compressions: u32,
-    /// Last change of the velocity under refinement over |v_A|, twice that where rings slip each by
-    /// itself; 0 where the solution is exact.
+    /// Last change of the velocity under refinement over |v_A|, doubled if annuli slip
+    /// individually; 0 if the solution is exact.
     pub error_estimate: f64,
-    /// The regimes in order with the times they began.
+    /// The regimes in order, with the times at which they began.
     pub log: Vec<LogEntry>,
-    /// What limits the validity of this outcome.
+    /// Limits of validity that this outcome reaches.
     pub warnings: Vec<Warning>,
 }
 
 impl Torsion {
-    /// What it did.
+    /// The columns of the torsional impact.
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::new("spin_ratio", "", "about the normal, after over before", |torsion| {
             torsion.spin_ratio.into()
@@ -126,7 +125,7 @@ impl Torsion {
 }
 
 impl LogEntry {
-    /// What happened when.
+    /// The columns of the log.
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::new("time", "s", "since touch", |entry| entry.time.into()),
         Column::new("event", "", "what happened", |entry| {
@@ -144,50 +143,65 @@ impl LogEntry {
     ];
 }
 
-/// Kinetic energy of both bodies (translation and rotation), bodies held fast left out. One of them that
-/// moves, as a racket does, works on the other: `before` is then not `after + dissipated + lost`.
+/// Kinetic energy of both bodies, translation and rotation, without bodies that the impact cannot
+/// move. If such a body moves, as a racket does, it does work on the other: `before` then differs
+/// from `after + dissipated + lost`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct EnergyBudget {
     /// Before the impact.
     pub before: f64,
     /// After the impact.
     pub after: f64,
-    /// Turned into heat by slip and released by the receding edge, (9.59).
+    /// Dissipated by slip and released by the receding edge, (9.59).
     pub dissipated: f64,
-    /// Lost in the bodies' material, as [`crate::NormalRestitution`] has it; 0 of elastic ones.
+    /// Lost in the material ([`crate::NormalRestitution`]); 0 for elastic bodies.
     pub lost: f64,
 }
 
-/// Whether the torsional impact is computed too.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
-pub(crate) enum TorsionMode {
-    /// The spin about the normal is left alone.
+/// Whether the torsional impact is computed: friction acts on the spin about the normal.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash, Default)]
+pub enum TorsionMode {
+    /// Where it matters, of spheres and planes ([`crate::Collision::twist_bound`]), by those who choose the contact
+    /// law ([`crate::AnalyticOrRings`]) and by rings. [`crate::Collision::solve`] leaves the spin alone.
     #[default]
+    Auto,
+    /// The spin about the normal is left alone.
     LeftOut,
-    /// It is changed by the torsional impact of chapter 10.
+    /// Always: by rings together with the shift, by the analytic laws as if there were no tangential impact (chapter
+    /// 10).
     Included,
 }
 
-/// What the torsional impact did to the spin about the normal.
+impl From<Option<bool>> for TorsionMode {
+    fn from(told: Option<bool>) -> Self {
+        match told {
+            None => Self::Auto,
+            Some(false) => Self::LeftOut,
+            Some(true) => Self::Included,
+        }
+    }
+}
+
+/// The effect of the torsional impact on the spin about the normal.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Torsion {
     /// Relative spin about the normal afterwards over that before; 1 if there was none.
     pub spin_ratio: f64,
     /// Impulse of the torque on body 1, about the normal into it.
     pub torque_impulse: f64,
-    /// The kinetic energy that friction took of the spin.
+    /// The kinetic energy of the spin dissipated by friction.
     pub dissipated: f64,
-    /// How far the spin ratio may be off: about 1e-12, more where the spin turns back so fast that
-    /// slip reverses ([`crate::torsional::TorsionalImpact::error_estimate`]).
+    /// Estimated error of the spin ratio: about 1e-12, more if the spin reverses so fast that slip
+    /// reverses ([`crate::torsional::TorsionalImpact::error_estimate`]).
     pub error_estimate: f64,
 }
 
-/// A regime and when it began.
+/// A regime and the time at which it began.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct LogEntry {
-    /// Time since touch.
+    /// Time since first contact.
     pub time: f64,
-    /// What happened.
+    /// The event at its beginning.
     pub event: Event,
     /// The regime from then on.
     pub regime: Regime,
@@ -196,9 +210,9 @@ pub struct LogEntry {
 /// One instant of an impact, in contact axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct HistoryPoint {
-    /// Time since touch.
+    /// Time since first contact.
     pub time: f64,
-    /// Shift of body 2 against body 1 since touch: xi, eta, zeta.
+    /// Shift of body 2 against body 1 since first contact: xi, eta, zeta.
     pub shift: Vector3<f64>,
     /// Its rate.
     pub velocity: Vector3<f64>,
@@ -206,14 +220,14 @@ pub struct HistoryPoint {
     pub force: Vector3<f64>,
     /// Semi-axes a and b of the contact, along x and y.
     pub semi_axes: [f64; 2],
-    /// Radius of the stick area, where the method knows it: of spheres and planes.
+    /// Radius of the stick area, where the method gives it: for spheres and planes.
     pub stick_radius: Option<f64>,
     /// Regime; its sign is that of the traction on body 1 along the initial slip.
     pub regime: Regime,
 }
 
 impl HistoryPoint {
-    /// Its columns.
+    /// The columns of the history.
     pub const COLUMNS: &'static [Column<Self>] = &[
         Column::new("time", "s", "since touch", |point| point.time.into()),
         Column::new("xi", "m", "shift of body 2 against body 1 along x", |p| p.shift.x.into()),
@@ -232,44 +246,44 @@ impl HistoryPoint {
     ];
 }
 
-/// A limit of validity that an outcome touches.
+/// A limit of validity that an outcome reaches.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Warning {
     /// The materials couple normal and tangential displacements (epsilon of (5.20) is not zero),
-    /// which the analytic law neglects. Below f/gamma of about 1 it matters (section 15.2).
+    /// which the analytic law neglects. This matters for f/gamma below about 1 (section 15.2).
     Coupling {
         /// gamma of (15.2).
         gamma: f64,
         /// f/|gamma|.
         friction_over_gamma: f64,
     },
-    /// The contact is not small against the bodies: Hertz's theory asks for a/R below 0.1.
+    /// The contact is not small against the bodies: Hertz's theory requires a/R below 0.1.
     LargeContact {
-        /// Maximal contact radius, of an ellipse the larger semi-axis, over the smallest radius of
+        /// Maximum contact radius (of an ellipse, the larger semi-axis) over the smallest radius of
         /// curvature.
         ratio: f64,
     },
-    /// Elastic waves would carry away more than 1 % of the normal energy, (3.2), and nothing is taken off
-    /// for them.
+    /// Elastic waves would carry away more than 1 % of the normal energy (3.2), and the result does
+    /// not include this loss.
     WaveLoss {
-        /// The share, estimated for the body's material throughout.
+        /// The share, estimated as if both bodies were of this body's material.
         share: f64,
     },
-    /// Torsion is left out and would take more than 1 % of the relative spin about the normal.
+    /// Torsion is not computed and would take more than 1 % of the relative spin about the normal.
     SpinLeftAlone {
-        /// About that share, from above.
+        /// An approximate upper bound of that share.
         share: f64,
     },
-    /// The outcome did not settle to the tolerance asked for and was accepted all the same
+    /// The outcome did not converge to the requested tolerance and was accepted
     /// ([`crate::coupled::CoupledImpact::accepting_unsettled`]).
     NotSettled {
-        /// How far the velocity may be off, over that before.
+        /// Estimated error of the velocity, over that before.
         error_estimate: f64,
-        /// What was asked for.
+        /// The requested tolerance.
         tolerance: f64,
     },
-    /// The contact point was searched for from many starts on a body that need not be convex
-    /// ([`carom_geometry::Certainty::Sampled`]): the bodies may touch elsewhere too.
+    /// The contact point was found by a search from many starting points on a body that need not be
+    /// convex ([`carom_geometry::Certainty::Sampled`]): there may be other contacts.
     PointSampled,
 }
 
@@ -292,20 +306,20 @@ impl std::fmt::Display for Warning {
                 let percent = 100.0 * share;
                 write!(
                     f,
-                    "torsion is left out: it would take up to {percent:.2} % of the relative spin \
+                    "torsion is not computed: it would take up to {percent:.2} % of the relative spin \
                      about the normal"
                 )
             }
             Self::NotSettled { error_estimate, tolerance } => {
                 write!(
                     f,
-                    "not settled: the velocity may be off by {error_estimate:.1e} of that before, \
-                     not {tolerance:.1e} as asked"
+                    "not converged: the estimated error is {error_estimate:.1e} of the velocity \
+                     before the impact, above the tolerance {tolerance:.1e}"
                 )
             }
             Self::PointSampled => f.write_str(
-                "the contact point is the nearest that searches from many starts found; a body that \
-                 is not convex may touch elsewhere too",
+                "the contact point was found by a search from many starting points; a body that is \
+                 not convex may have other contacts",
             ),
             Self::LargeContact { ratio } => {
                 write!(f, "large contact: a/R = {ratio:.3} exceeds 0.1, beyond Hertz's theory")

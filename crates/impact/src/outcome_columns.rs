@@ -1,4 +1,4 @@
-//! What an impact leaves, as one table of columns.
+//! The outcome of an impact as one table of columns.
 
 use std::marker::PhantomData;
 
@@ -7,7 +7,7 @@ use carom_table::{Column, Value};
 use crate::body::Motion;
 use crate::outcome::Rebound;
 
-/// Two bodies after they met, or did not.
+/// The state of two bodies after a collision, or without one.
 pub(crate) trait Ended {
     /// The motions afterwards, of body 1 and body 2.
     fn motions(&self) -> [Motion; 2];
@@ -15,11 +15,11 @@ pub(crate) trait Ended {
     fn rebound(&self) -> Option<&Rebound>;
 }
 
-/// The table of what an impact leaves.
+/// The columns of an outcome.
 pub(crate) struct Columns<E>(PhantomData<E>);
 
 impl<E: Ended + 'static> Columns<E> {
-    /// What only an impact has is absent where there was none.
+    /// Columns that exist only after an impact have no value without one.
     pub(crate) const COLUMNS: &'static [Column<E>] = &[
         Column::new("outcome", "", "rebound, or no_impact", |ended| {
             if ended.rebound().is_some() { "rebound" } else { "no_impact" }.into()

@@ -1,11 +1,11 @@
-//! How much of an impact's energy elastic waves would carry away, for its own pulse of force.
+//! The share of the energy of an impact radiated by elastic waves, for its own force pulse.
 
 use carom_halfspace::Material;
 
 use crate::closed_form::radiated_energy;
 use crate::normal::NormalImpact;
 
-/// The share of the kinetic energy of approach that this pulse sends into a half-space of a
+/// The share of the kinetic energy of approach that this pulse radiates into a half-space of a
 /// body's material and density; none for rigid and infinitely heavy bodies.
 ///
 /// For a solid sphere on its own material it is (3.2).

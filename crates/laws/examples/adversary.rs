@@ -64,7 +64,7 @@ fn try_path<S: VertexStack<[f64; 2]>>(
     tolerance: Tolerance,
     count: usize,
 ) -> Finding {
-    let mut law = CoulombMemory::<[f64; 2], S>::new(tolerance);
+    let mut law = CoulombMemory::<[f64; 2], S::Curve>::new(tolerance);
     for &(zeta, x) in path {
         if law.advance(zeta, x).is_err() {
             return Finding::default();

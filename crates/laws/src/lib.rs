@@ -36,6 +36,7 @@
 pub mod accounted;
 mod bounds;
 pub mod coulomb;
+pub mod coupling;
 pub mod ellipse;
 pub mod field;
 pub mod friction;

@@ -5,7 +5,8 @@ use std::str::FromStr;
 
 use carom_impact::coupled::TurningLaw;
 use carom_impact::{
-    Collision, CollisionError, HistoryPoint, NeededLaw, Outcome, RingImpact, RingImpactError,
+    Collision, CollisionError, CollisionSolver, HistoryPoint, NeededLaw, Outcome, RingImpact,
+    RingImpactError,
 };
 use carom_special::{RangeError, WordError};
 
@@ -141,6 +142,23 @@ impl CollisionLaw {
                 }
                 NeededLaw::Grid => Used::Grid,
             },
+        }
+    }
+}
+
+impl CollisionSolver for CollisionLaw {
+    type Error = CollisionLawError;
+
+    fn solve(&self, collision: &Collision) -> Result<Outcome, CollisionLawError> {
+        (*self).solve(collision)
+    }
+
+    fn out_of_range(error: &CollisionLawError) -> Option<RangeError> {
+        match error {
+            CollisionLawError::Collision(CollisionError::Range(error))
+            | CollisionLawError::Rings(RingImpactError::Range(error))
+            | CollisionLawError::Numerical(NumericalImpactError::Range(error)) => Some(*error),
+            _ => None,
         }
     }
 }

@@ -6,7 +6,7 @@ use crate::svg::{Anchor, Frame, Pixel, Svg};
 use crate::text::Type;
 use std::collections::HashSet;
 
-/// Okabe and Ito's colours, in an order that keeps neighbours apart; black last.
+/// Okabe and Ito's palette, ordered such that neighbours are easy to distinguish; black last.
 const PALETTE: [&str; 7] =
     ["#0072B2", "#D55E00", "#009E73", "#CC79A7", "#E69F00", "#56B4E9", "#333333"];
 
@@ -113,7 +113,7 @@ pub(crate) fn area_look(colour: &str) -> String {
     format!("fill=\"{colour}\" fill-opacity=\"0.18\" stroke=\"{colour}\"")
 }
 
-/// Without the points that cannot be distinguished from the one before.
+/// Omits points that cannot be distinguished from the one before.
 pub(crate) fn thinned(pixels: &[Pixel]) -> Vec<Pixel> {
     let mut last: Option<Pixel> = None;
     let kept = pixels.iter().enumerate().filter_map(|(i, pixel)| {
@@ -133,12 +133,12 @@ fn markers(svg: &mut Svg, shape: Marker, pixels: &[Pixel], colour: &str) {
     if pixels.len() <= MARKERS_FOR_ONE_PATH {
         pixels.iter().for_each(|pixel| marker(svg, shape, *pixel, colour));
     } else {
-        svg.repeated(&apart(pixels), outline(shape), &look(shape, colour));
+        svg.repeated(&without_overlaps(pixels), outline(shape), &look(shape, colour));
     }
 }
 
-/// Without those within half a pixel of one before.
-fn apart(pixels: &[Pixel]) -> Vec<Pixel> {
+/// Omits points within half a pixel of an earlier one.
+fn without_overlaps(pixels: &[Pixel]) -> Vec<Pixel> {
     let cell = |pixel: &Pixel| [pixel.x, pixel.y].map(|value| (2.0 * value).round() as i64);
     let mut taken = HashSet::new();
     pixels.iter().filter(|pixel| taken.insert(cell(pixel))).copied().collect()

@@ -47,10 +47,10 @@ pub enum PlotError {
     Motion {
         /// Label of the series.
         label: String,
-        /// Why.
+        /// The reason.
         reason: &'static str,
     },
-    /// The pixels of an image could not be made.
+    /// The pixel image could not be created.
     #[error("cannot make the image: {0}")]
     Raster(String),
     /// There is no panel, or a panel has no point.

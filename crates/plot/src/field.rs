@@ -13,7 +13,7 @@ pub struct Field {
 }
 
 impl Field {
-    /// From the nodes along both axes and the values, row by row: one row for each y, in it one
+    /// A field of the nodes along both axes and the values, row by row: one row for each y with one
     /// value for each x.
     ///
     /// # Errors
@@ -55,7 +55,7 @@ impl Field {
         self.values[row * self.x.len() + column]
     }
 
-    /// The least and the greatest value.
+    /// The smallest and the largest value.
     pub(crate) fn range(&self) -> [f64; 2] {
         self.values.iter().fold([f64::INFINITY, f64::NEG_INFINITY], |[low, high], value| {
             [low.min(*value), high.max(*value)]

@@ -23,12 +23,12 @@ const COLOURS: [[f64; 3]; 5] = [
 const SHADES: f64 = 48.0;
 /// Pixels of the image for each unit of the picture.
 const DENSITY: f64 = 2.0;
-/// Pixels of the image along one side, at most.
-const MOST_PIXELS: usize = 4096;
+/// Largest number of pixels of the image along one side.
+const MAX_PIXELS: usize = 4096;
 /// Width of the bar.
-const BAR: f64 = 14.0;
+const BAR_WIDTH: f64 = 14.0;
 /// Space for the bar beside the axes.
-pub(crate) const ASIDE: f64 = 92.0;
+pub(crate) const BAR_SPACE: f64 = 92.0;
 
 /// The values of a field as an axis, for its colours and contour lines.
 pub(crate) struct Heat<'a> {
@@ -95,7 +95,7 @@ impl<'a> Heat<'a> {
     fn image(&self, columns: &[f64], rows: &[f64], frame: Frame) -> Result<Vec<u8>, PlotError> {
         let pixels = |edges: &[f64], length: f64| {
             let nodes = edges.len() - 1;
-            cells(edges, nodes.max((DENSITY * length) as usize).min(MOST_PIXELS))
+            cells(edges, nodes.max((DENSITY * length) as usize).min(MAX_PIXELS))
         };
         let across = pixels(columns, frame.width);
         let mut shades = Vec::new();
@@ -110,7 +110,7 @@ impl<'a> Heat<'a> {
 
     /// The bar beside the axes, with its ticks.
     pub(crate) fn draw_bar(&self, svg: &mut Svg, frame: Frame) {
-        let bar = Frame { x: frame.x + frame.width + 14.0, width: BAR, ..frame };
+        let bar = Frame { x: frame.x + frame.width + 14.0, width: BAR_WIDTH, ..frame };
         let steps = 2.0 * SHADES;
         for i in 0..steps as usize {
             let part = i as f64 / steps;
@@ -133,7 +133,7 @@ impl<'a> Heat<'a> {
             svg.line(Pixel { x: end, y }, Pixel { x: end + 4.0, y }, "stroke=\"#444\"");
             svg.text(Pixel { x: end + 7.0, y: y + 4.5 }, Anchor::Start, &tick.label, Type::TICK);
         }
-        let at = Pixel { x: bar.x + 0.5 * BAR, y: bar.y - 10.0 };
+        let at = Pixel { x: bar.x + 0.5 * BAR_WIDTH, y: bar.y - 10.0 };
         svg.text(at, Anchor::Middle, &self.field.label, Type::LABEL);
     }
 }

@@ -1,4 +1,4 @@
-//! Animated series: each shape with the list of its positions, which the reader's browser plays.
+//! Animated series: each shape with the list of its positions, played by the browser.
 
 use crate::draw::{MARKER, area_look, arrow, line_look};
 use crate::error::PlotError;
@@ -9,19 +9,19 @@ use crate::text::Type;
 /// Checks that a series can be animated as requested.
 pub(crate) fn check(series: &Series) -> Result<(), PlotError> {
     let Some(Motion { seconds, frames }) = &series.motion else { return Ok(()) };
-    let refused = |reason| Err(PlotError::Motion { label: series.label.clone(), reason });
+    let invalid = |reason| Err(PlotError::Motion { label: series.label.clone(), reason });
     let count = series.points.len();
     match () {
-        () if !(seconds.is_finite() && *seconds > 0.0) => refused("its duration is not positive"),
-        () if frames.is_empty() => refused("it has no frames"),
+        () if !(seconds.is_finite() && *seconds > 0.0) => invalid("its duration is not positive"),
+        () if frames.is_empty() => invalid("it has no frames"),
         () if frames.iter().any(|frame| frame.len() != count) => {
-            refused("a frame has not as many points as the series")
+            invalid("a frame has not as many points as the series")
         }
         () if frames.iter().flatten().any(|at| !(at.x.is_finite() && at.y.is_finite())) => {
-            refused("a frame has a point that is not finite")
+            invalid("a frame has a point that is not finite")
         }
         () if matches!(series.style, Style::Markers(marker) if marker != Marker::Dot || count != 1) => {
-            refused("of markers only a single dot moves")
+            invalid("of markers only a single dot moves")
         }
         () => Ok(()),
     }
@@ -68,8 +68,8 @@ pub(crate) fn draw(
         ),
         Style::Note => {
             let to = |frame: &Vec<Pixel>| frame.first().copied();
-            let way: Vec<Pixel> = frames.iter().filter_map(to).collect();
-            svg.jumping(&way, motion.seconds);
+            let path: Vec<Pixel> = frames.iter().filter_map(to).collect();
+            svg.jumping(&path, motion.seconds);
             let look = Type { bold: true, ..Type::TICK };
             svg.text(Pixel { x: 0.0, y: 0.0 }, Anchor::Start, &series.label, look);
             svg.close();
@@ -140,8 +140,8 @@ mod tests {
             Series::note("", (0.0, 0.0)).moving(0.0, [vec![Point::new(0.0, 0.0)]]),
         ];
         for series in bad {
-            let refused = render("", &[alone(series)]);
-            assert!(matches!(refused, Err(PlotError::Motion { .. })), "{refused:?}");
+            let invalid = render("", &[alone(series)]);
+            assert!(matches!(invalid, Err(PlotError::Motion { .. })), "{invalid:?}");
         }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::draw;
 use crate::error::PlotError;
-use crate::heat::{ASIDE, Heat};
+use crate::heat::{BAR_SPACE, Heat};
 use crate::legend::Legend;
 use crate::movement;
 use crate::panel::{Aspect, Axis, Panel};
@@ -107,7 +107,7 @@ impl<'a> Plot<'a> {
     /// Space needed for a colour bar or legend beside the axes.
     fn aside(&self) -> Option<f64> {
         if self.heat.is_some() {
-            return Some(ASIDE);
+            return Some(BAR_SPACE);
         }
         let frame = frame_at(Pixel { x: 0.0, y: 0.0 });
         match self.legend.free_corner(frame, &self.inked(frame)) {
@@ -147,7 +147,7 @@ impl<'a> Plot<'a> {
         }
     }
 
-    /// Pixels that are drawn on: markers, and points every few pixels along lines.
+    /// Occupied pixels: markers, and points every few pixels along lines.
     fn inked(&self, frame: Frame) -> Vec<Pixel> {
         let mut inked = Vec::new();
         for series in &self.panel.series {
@@ -324,7 +324,7 @@ mod tests {
             let text = svg.split("width=\"").nth(1).unwrap().split('"').next().unwrap();
             text.parse::<f64>().unwrap()
         };
-        assert_eq!(width(&svg) - width(&bare), ASIDE);
+        assert_eq!(width(&svg) - width(&bare), BAR_SPACE);
     }
 
     #[test]

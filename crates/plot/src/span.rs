@@ -198,7 +198,7 @@ pub(crate) fn power_of_ten(power: i32) -> String {
     format!("10{exponent}")
 }
 
-/// With a true minus sign.
+/// Replaces the hyphen by a minus sign.
 fn minus(label: String) -> String {
     label.replace('-', "−")
 }

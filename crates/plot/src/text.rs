@@ -6,8 +6,8 @@ use ttf_parser::{Face, GlyphId, OutlineBuilder};
 
 /// Size of subscripts relative to that of the text.
 const LOWERED_SIZE: f64 = 0.75;
-/// Relative size of DejaVu Sans that makes it as wide as the fonts of readers.
-const AS_WIDE: f64 = 0.92;
+/// Size of DejaVu Sans, over the size of the text, at which it is as wide as common browser fonts.
+const RELATIVE_FONT_SIZE: f64 = 0.92;
 /// How far subscripts are lowered, in sizes of the subscript.
 const LOWERED_BY: f64 = 0.28;
 
@@ -23,15 +23,15 @@ pub(crate) struct Type {
 }
 
 impl Type {
-    /// Of the numbers on the axes.
+    /// Style of the numbers on the axes.
     pub(crate) const TICK: Self = Self { size: 13.0, bold: false, upwards: false };
-    /// Of labels and titles of panels.
+    /// Style of labels and titles of panels.
     pub(crate) const LABEL: Self = Self { size: 14.0, ..Self::TICK };
-    /// Of the label of the vertical axis.
+    /// Style of the label of the vertical axis.
     pub(crate) const UPWARDS: Self = Self { upwards: true, ..Self::LABEL };
-    /// Of the title above all panels.
+    /// Style of the title above all panels.
     pub(crate) const TITLE: Self = Self { size: 15.0, bold: true, ..Self::TICK };
-    /// Of the legend.
+    /// Style of the legend.
     pub(crate) const LEGEND: Self = Self { size: 12.5, ..Self::TICK };
 }
 
@@ -74,11 +74,11 @@ impl Font {
         let mut pen = Pen::default();
         for (part, is_lowered) in parts(text) {
             let size = if is_lowered { LOWERED_SIZE * look.size } else { look.size };
-            pen.unit = AS_WIDE * size / f64::from(face.units_per_em());
+            pen.unit = RELATIVE_FONT_SIZE * size / f64::from(face.units_per_em());
             pen.baseline = if is_lowered { LOWERED_BY * size } else { 0.0 };
             for letter in part.chars() {
                 let glyph = face.glyph_index(letter).unwrap_or(GlyphId(0));
-                // A space has none.
+                // A space has no outline.
                 let _ = face.outline_glyph(glyph, &mut pen);
                 pen.right += pen.unit * f64::from(face.glyph_hor_advance(glyph).unwrap_or(0));
             }

@@ -1,6 +1,8 @@
 //! Collisions, one and many.
 
-use carom::impact::{Body as Colliding, Collision, HistoryPoint, NormalRestitution, Outcome};
+use carom::impact::{
+    Body as Colliding, Collision, HistoryPoint, NormalRestitution, Outcome, TorsionMode,
+};
 use carom::numerical::CollisionLaw;
 use carom::prelude::Friction;
 use carom::special::WordError;
@@ -21,7 +23,7 @@ const SHARE: usize = 8;
 #[derive(Clone, Copy)]
 struct Way {
     normal: Option<[f64; 3]>,
-    torsion: bool,
+    torsion: TorsionMode,
     law: CollisionLaw,
     tolerance: Option<f64>,
     loss: NormalRestitution,
@@ -30,10 +32,11 @@ struct Way {
 impl Way {
     fn new(
         normal: Option<[f64; 3]>,
-        torsion: bool,
+        torsion: Option<bool>,
         law: &str,
         tolerance: Option<f64>,
     ) -> PyResult<Self> {
+        let torsion = torsion.into();
         let law = law.parse();
         let law = law.map_err(|error: WordError| PyValueError::new_err(error.to_string()))?;
         Ok(Self { normal, torsion, law, tolerance, loss: NormalRestitution::ELASTIC })
@@ -58,7 +61,7 @@ impl Way {
         if let Some(tolerance) = self.tolerance {
             collision = collision.within(tolerance)?;
         }
-        Ok(if self.torsion { collision.with_torsion() } else { collision })
+        Ok(collision.with_torsion_mode(self.torsion))
     }
 }
 
@@ -71,7 +74,7 @@ pub(crate) fn collide<'py>(
     body_2: Body,
     friction: f64,
     normal: Option<[f64; 3]>,
-    torsion: bool,
+    torsion: Option<bool>,
     law: &str,
     tolerance: Option<f64>,
     normal_restitution: Option<f64>,
@@ -93,7 +96,7 @@ pub(crate) fn collide_many<'py>(
     friction: Numbers<'py>,
     motions: [Rows<'py>; 4],
     normal: Option<[f64; 3]>,
-    torsion: bool,
+    torsion: Option<bool>,
     law: &str,
     tolerance: Option<f64>,
     normal_restitution: Option<f64>,
@@ -128,7 +131,7 @@ pub(crate) fn history<'py>(
     law: &str,
     tolerance: Option<f64>,
 ) -> PyResult<Bound<'py, PyDict>> {
-    let way = Way::new(normal, false, law, tolerance)?;
+    let way = Way::new(normal, None, law, tolerance)?;
     room::check("points", points, records::bytes(HistoryPoint::COLUMNS))?;
     let (one, two) = (body_1.colliding()?, body_2.colliding()?);
     let trace = || -> Result<Vec<HistoryPoint>, Fault> {

@@ -1,19 +1,20 @@
 //! Many contacts with memory.
 
 use carom::laws::law::{ContactLaw as _, Dissipative as _, Shift};
-use carom::laws::memory::{Fixed, Lateral};
+use carom::laws::memory::Fixed;
+use carom::laws::rings::RingLaw;
 use carom::laws::shift_law::ShiftLaw;
-use carom::prelude::ContactStiffness;
 use numpy::{PyArray1, PyArray2, PyArrayMethods as _, PyReadwriteArray1};
 use pyo3::exceptions::PyValueError;
 use pyo3::prelude::*;
 use rayon::prelude::*;
 
 use crate::arrays::{Numbers, Rows, same_length};
-use crate::contact::{Constants, check};
 use crate::error::Fault;
+use crate::hertz::Given;
 use crate::room;
 use crate::threads::without_python;
+use crate::walked::{Constants, Member, check};
 
 /// Vertices of each memory.
 const VERTICES: usize = 16;
@@ -26,6 +27,18 @@ type Law<V> = ShiftLaw<V, Fixed<V, VERTICES>>;
 enum Laws {
     Line(Vec<Law<f64>>),
     Plane(Vec<Law<[f64; 2]>>),
+    Rings(Vec<RingLaw>),
+}
+
+/// The same for the laws of any kind.
+macro_rules! of_any {
+    ($laws:expr, $member:ident => $what:expr) => {
+        match $laws {
+            Laws::Line($member) => $what,
+            Laws::Plane($member) => $what,
+            Laws::Rings($member) => $what,
+        }
+    };
 }
 
 /// Many contacts of the same constants, advanced together.
@@ -45,16 +58,17 @@ impl Contacts {
     ))]
     fn new(
         count: usize,
-        #[pyo3(from_py_with = crate::hertz::stiffness)] stiffness: ContactStiffness,
+        stiffness: Given,
         friction: f64,
         law: String,
         tolerance: f64,
         directions: i64,
         threads: bool,
     ) -> PyResult<Self> {
-        let constants = Constants { stiffness, friction, law, tolerance };
+        let constants = Constants { given: stiffness, friction, law, tolerance };
         let laws = match directions {
             1 => Laws::Line(equal(&constants.law()?, count)?),
+            2 if constants.is_of_rings() => Laws::Rings(equal(&constants.rings()?, count)?),
             2 => Laws::Plane(equal(&constants.law()?, count)?),
             _ => {
                 let text = format!("directions = {directions}: must be 1 or 2");
@@ -65,14 +79,12 @@ impl Contacts {
     }
 
     fn __len__(&self) -> usize {
-        match &self.laws {
-            Laws::Line(laws) => laws.len(),
-            Laws::Plane(laws) => laws.len(),
-        }
+        of_any!(&self.laws, laws => laws.len())
     }
 
     /// Advances each contact along its path of `steps` shifts: arrays of contacts times steps, in one
-    /// line. Writes the loads, (F_x, F_y, F_z) of each.
+    /// line. Writes the loads, (F_x, F_y, F_z) of each, with M_z where omega is given.
+    #[allow(clippy::too_many_arguments)] // named ones, in Python
     fn follow<'py>(
         &mut self,
         py: Python<'py>,
@@ -80,50 +92,61 @@ impl Contacts {
         zeta: Numbers<'py>,
         xi: Numbers<'py>,
         eta: Option<Numbers<'py>>,
+        omega: Option<Numbers<'py>>,
         mut loads: PyReadwriteArray1<'py, f64>,
     ) -> PyResult<()> {
         let count = self.__len__() * steps;
-        let path = Path { steps, zeta: zeta.as_slice()?, xi: xi.as_slice()?, eta: &[] };
+        let path = Path { steps, zeta: zeta.as_slice()?, xi: xi.as_slice()?, eta: &[], omega: &[] };
         let eta = eta.as_ref().map(Numbers::as_slice).transpose()?;
         same_length("zeta", path.zeta.len(), count)?;
         same_length("xi", path.xi.len(), count)?;
         same_length("eta", eta.map_or(count, <[f64]>::len), count)?;
-        let path = Path { eta: eta.unwrap_or(&[]), ..path };
+        let omega = omega.as_ref().map(Numbers::as_slice).transpose()?;
+        same_length("omega", omega.map_or(count, <[f64]>::len), count)?;
+        if omega.is_some() && !matches!(self.laws, Laws::Rings(_)) {
+            return Err(PyValueError::new_err("omega: only of law = 'rings'"));
+        }
+        let path = Path { eta: eta.unwrap_or(&[]), omega: omega.unwrap_or(&[]), ..path };
         let loads = loads.as_slice_mut()?;
-        same_length("loads", loads.len(), 3 * count)?;
+        same_length("loads", loads.len(), path.width() * count)?;
         let threads = self.threads;
         let laws = &mut self.laws;
-        without_python(py, || match laws {
-            Laws::Line(laws) => path.follow(laws, loads, threads),
-            Laws::Plane(laws) => path.follow(laws, loads, threads),
-        })?;
+        without_python(py, || of_any!(laws, laws => path.follow(laws, loads, threads)))?;
         Ok(())
     }
 
     /// The present loads (F_x, F_y, F_z), N, an array (n, 3).
     #[getter]
     fn loads<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
-        let loads = match &self.laws {
-            Laws::Line(laws) => present(laws)?,
-            Laws::Plane(laws) => present(laws)?,
-        };
+        let loads = of_any!(&self.laws, laws => present(laws)?);
         PyArray1::from_vec(py, loads).reshape([self.__len__(), 3])
     }
 
     /// The elastic energy of each contact, compression included, J.
     #[getter]
     fn stored_energy<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
-        let energies = match &self.laws {
-            Laws::Line(laws) => told(laws, |law| [law.stored_energy()])?,
-            Laws::Plane(laws) => told(laws, |law| [law.stored_energy()])?,
-        };
+        let energies = of_any!(&self.laws, laws => told(laws, |law| [law.stored_energy()])?);
         Ok(PyArray1::from_vec(py, energies))
+    }
+
+    /// The present torques about the normal M_z, N m; 0 but for law 'rings'.
+    #[getter]
+    fn torques<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray1<f64>>> {
+        let torques = of_any!(&self.laws, laws => told(laws, |law| [law.load().m_z])?);
+        Ok(PyArray1::from_vec(py, torques))
+    }
+
+    /// A bound of how much the coupling, which the law neglects, changes R_x; None if it is not known.
+    #[getter]
+    fn coupling_bound(&self) -> PyResult<Option<f64>> {
+        self.constants.coupling_bound()
     }
 
     fn __copy__(&self) -> PyResult<Self> {
         let laws = match &self.laws {
             Laws::Line(laws) => Laws::Line(copied(laws)?),
             Laws::Plane(laws) => Laws::Plane(copied(laws)?),
+            Laws::Rings(laws) => Laws::Rings(copied(laws)?),
         };
         Ok(Self { constants: self.constants.clone(), threads: self.threads, laws })
     }
@@ -133,7 +156,7 @@ impl Contacts {
     }
 
     #[allow(clippy::type_complexity)] // the arguments of `__new__`
-    fn __getnewargs__(&self) -> (usize, (f64, f64, f64), f64, String, f64, usize, bool) {
+    fn __getnewargs__(&self) -> (usize, Given, f64, String, f64, usize, bool) {
         let (stiffness, friction, law, tolerance) = self.constants.arguments();
         let directions = if matches!(self.laws, Laws::Line(_)) { 1 } else { 2 };
         (self.__len__(), stiffness, friction, law, tolerance, directions, self.threads)
@@ -141,20 +164,14 @@ impl Contacts {
 
     fn __getstate__<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArray2<f64>>> {
         let each = self.constants.numbers(VERTICES);
-        let numbers = match &self.laws {
-            Laws::Line(laws) => packed(laws, each),
-            Laws::Plane(laws) => packed(laws, each),
-        };
+        let numbers = of_any!(&self.laws, laws => packed(laws, each));
         PyArray1::from_vec(py, numbers?).reshape([self.__len__(), each])
     }
 
     fn __setstate__(&mut self, numbers: Rows<'_>) -> PyResult<()> {
         let (numbers, each) = (numbers.as_slice()?, self.constants.numbers(VERTICES));
         same_length("state", numbers.len(), self.__len__() * each)?;
-        match &mut self.laws {
-            Laws::Line(laws) => unpack(laws, numbers, each)?,
-            Laws::Plane(laws) => unpack(laws, numbers, each)?,
-        }
+        of_any!(&mut self.laws, laws => unpack(laws, numbers, each)?);
         Ok(())
     }
 
@@ -171,19 +188,27 @@ struct Path<'a> {
     xi: &'a [f64],
     /// Empty for none.
     eta: &'a [f64],
+    /// Empty for none.
+    omega: &'a [f64],
 }
 
 impl Path<'_> {
     #[inline]
     fn at(&self, i: usize) -> Shift {
-        let eta = self.eta.get(i).copied().unwrap_or(0.0);
-        Shift { zeta: self.zeta[i], xi: self.xi[i], eta, omega: 0.0 }
+        let or_zero = |of: &[f64]| of.get(i).copied().unwrap_or(0.0);
+        let (eta, omega) = (or_zero(self.eta), or_zero(self.omega));
+        Shift { zeta: self.zeta[i], xi: self.xi[i], eta, omega }
+    }
+
+    /// The numbers of a load.
+    const fn width(&self) -> usize {
+        if self.omega.is_empty() { 3 } else { 4 }
     }
 
     /// All or none.
-    fn follow<V: Lateral + Send + Sync>(
+    fn follow<L: Member>(
         &self,
-        laws: &mut [Law<V>],
+        laws: &mut [L],
         loads: &mut [f64],
         threads: bool,
     ) -> Result<(), Fault> {
@@ -193,22 +218,24 @@ impl Path<'_> {
         if self.steps == 0 {
             return Ok(());
         }
-        let steps = self.steps;
-        let walk = |(contact, (law, loads)): (usize, (&mut Law<V>, &mut [f64]))| {
-            for (step, load) in loads.chunks_exact_mut(3).enumerate() {
+        let (steps, width) = (self.steps, self.width());
+        let walk = |(contact, (law, loads)): (usize, (&mut L, &mut [f64]))| {
+            for (step, load) in loads.chunks_exact_mut(width).enumerate() {
                 if let Ok(got) = law.advance(self.at(contact * steps + step)) {
-                    load.copy_from_slice(&[got.f_x, got.f_y, got.f_z]); // always: it was checked
+                    load.copy_from_slice(&[got.f_x, got.f_y, got.f_z, got.m_z][..width]); // always: it was checked
                 }
             }
         };
         match threads {
-            false => {
-                laws.iter_mut().zip(loads.chunks_exact_mut(3 * steps)).enumerate().for_each(walk)
-            }
+            false => laws
+                .iter_mut()
+                .zip(loads.chunks_exact_mut(width * steps))
+                .enumerate()
+                .for_each(walk),
             true => {
                 let share = (SHARE / steps).max(1);
                 let laws = laws.par_iter_mut().with_min_len(share);
-                laws.zip(loads.par_chunks_exact_mut(3 * steps)).enumerate().for_each(walk);
+                laws.zip(loads.par_chunks_exact_mut(width * steps)).enumerate().for_each(walk);
             }
         }
         Ok(())
@@ -216,53 +243,53 @@ impl Path<'_> {
 }
 
 /// So many contacts in the state of one.
-fn equal<V: Lateral>(law: &Law<V>, count: usize) -> Result<Vec<Law<V>>, Fault> {
+fn equal<L: Member>(law: &L, count: usize) -> Result<Vec<L>, Fault> {
     let mut laws = room::vector("count", count)?;
-    laws.resize(count, *law);
+    laws.resize(count, law.clone());
     Ok(laws)
 }
 
-fn copied<V: Lateral>(laws: &[Law<V>]) -> Result<Vec<Law<V>>, Fault> {
+fn copied<L: Member>(laws: &[L]) -> Result<Vec<L>, Fault> {
     let mut others = room::vector("count", laws.len())?;
     others.extend_from_slice(laws);
     Ok(others)
 }
 
 /// So many numbers of each contact, one contact after the other.
-fn told<V: Lateral, const N: usize>(
-    laws: &[Law<V>],
-    tell: impl Fn(&Law<V>) -> [f64; N],
+fn told<L: Member, const N: usize>(
+    laws: &[L],
+    tell: impl Fn(&L) -> [f64; N],
 ) -> Result<Vec<f64>, Fault> {
     let mut numbers = room::vector("count", N * laws.len())?;
     numbers.extend(laws.iter().flat_map(tell));
     Ok(numbers)
 }
 
-fn present<V: Lateral>(laws: &[Law<V>]) -> Result<Vec<f64>, Fault> {
+fn present<L: Member>(laws: &[L]) -> Result<Vec<f64>, Fault> {
     told(laws, |law| {
         let load = law.load();
         [load.f_x, load.f_y, load.f_z]
     })
 }
 
-fn packed<V: Lateral>(laws: &[Law<V>], each: usize) -> Result<Vec<f64>, Fault> {
+fn packed<L: Member>(laws: &[L], each: usize) -> Result<Vec<f64>, Fault> {
     let mut numbers = room::vector("count", laws.len() * each)?;
     numbers.resize(laws.len() * each, 0.0);
     for (law, numbers) in laws.iter().zip(numbers.chunks_exact_mut(each)) {
-        law.pack(numbers)?;
+        law.write(numbers)?;
     }
     Ok(numbers)
 }
 
 /// All or none.
-fn unpack<V: Lateral>(laws: &mut [Law<V>], numbers: &[f64], each: usize) -> Result<(), Fault> {
+fn unpack<L: Member>(laws: &mut [L], numbers: &[f64], each: usize) -> Result<(), Fault> {
     if let Some(mut probe) = laws.first().cloned() {
         for (i, numbers) in numbers.chunks_exact(each).enumerate() {
-            probe.unpack(numbers).map_err(|error| Fault::from(error).at(i))?;
+            probe.read(numbers).map_err(|error| Fault::from(error).at(i))?;
         }
     }
     for (law, numbers) in laws.iter_mut().zip(numbers.chunks_exact(each)) {
-        law.unpack(numbers)?; // always: it was tried
+        law.read(numbers)?; // always: it was tried
     }
     Ok(())
 }

@@ -111,13 +111,47 @@ impl Hertz {
     }
 }
 
-/// The stiffness of a contact: of a Hertz contact, or three numbers.
-pub(crate) fn stiffness(given: &Bound<'_, PyAny>) -> PyResult<ContactStiffness> {
-    if let Ok(hertz) = given.extract::<Hertz>() {
-        return Ok(hertz.0.stiffness());
+/// What a contact is made of: a Hertz contact, or the three numbers of its stiffness.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub(crate) enum Given {
+    Hertz(Hertz),
+    Stiffness(ContactStiffness),
+}
+
+impl Given {
+    pub(crate) fn stiffness(&self) -> ContactStiffness {
+        match self {
+            Self::Hertz(hertz) => hertz.0.stiffness(),
+            Self::Stiffness(stiffness) => *stiffness,
+        }
     }
-    let [c_x, c_y, c_z] = given.extract::<[f64; 3]>().map_err(|_| {
-        PyValueError::new_err("stiffness: must be a Hertz contact or (c_x, c_y, c_z)")
-    })?;
-    Ok(ContactStiffness::new(c_x, c_y, c_z).map_err(Fault::from)?)
+}
+
+impl<'py> FromPyObject<'_, 'py> for Given {
+    type Error = PyErr;
+
+    fn extract(given: Borrowed<'_, 'py, PyAny>) -> PyResult<Self> {
+        if let Ok(hertz) = given.extract::<Hertz>() {
+            return Ok(Self::Hertz(hertz));
+        }
+        let [c_x, c_y, c_z] = given.extract::<[f64; 3]>().map_err(|_| {
+            PyValueError::new_err("stiffness: must be a Hertz contact or (c_x, c_y, c_z)")
+        })?;
+        Ok(Self::Stiffness(ContactStiffness::new(c_x, c_y, c_z).map_err(Fault::from)?))
+    }
+}
+
+impl<'py> IntoPyObject<'py> for Given {
+    type Target = PyAny;
+    type Output = Bound<'py, PyAny>;
+    type Error = PyErr;
+
+    fn into_pyobject(self, py: Python<'py>) -> PyResult<Self::Output> {
+        match self {
+            Self::Hertz(hertz) => Ok(Bound::new(py, hertz)?.into_any()),
+            Self::Stiffness(ContactStiffness { c_x, c_y, c_z }) => {
+                Ok((c_x, c_y, c_z).into_pyobject(py)?.into_any())
+            }
+        }
+    }
 }

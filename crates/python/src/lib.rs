@@ -18,6 +18,7 @@ mod special;
 mod stress;
 mod threads;
 mod twist;
+mod walked;
 
 /// The native part of carom.
 #[pyo3::pymodule]

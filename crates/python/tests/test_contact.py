@@ -291,3 +291,75 @@ def test_stress_beneath_spheres():
     assert shape == (3, 4, 6)
     with pytest.raises(ValueError, match="z = -1"):
         carom.stress((1.0, 1.0), STEEL, 1.0, 0.0, 0.0, -1.0)
+
+
+ALUMINA, SODA = carom.Material(380e9, 0.23), carom.Material(70e9, 0.22)
+
+
+def unlike():
+    return carom.hertz_of_spheres(2e-3, float("inf"), ALUMINA, SODA)
+
+
+def test_rings_couple_twist_and_approach_to_the_shift():
+    """A path with twist: force and torque under Coulomb's limits, another force without twist, and nothing gained."""
+    hertz, steps = unlike(), 200
+    t = np.linspace(0.0, 1.0, steps)
+    zeta = 1e-7 * (0.3 + 0.7 * t)
+    xi, eta = 2e-9 * t, 1e-9 * np.sin(9 * t)
+    omega = 1e-3 * t
+    contact = carom.Contact(hertz, 0.092, law="rings")
+    loads = contact.follow(zeta, xi, eta, omega)
+    assert loads.shape == (steps, 4)
+    assert (np.hypot(loads[:, 0], loads[:, 1]) <= 0.092 * loads[:, 2] * 1.05).all()
+    assert contact.torque == loads[-1, 3] > 0 and contact.load == tuple(loads[-1, :3])
+    assert contact.dissipated > 0 and 0.0 <= contact.sticking < 1.0 and contact.regime == "slip"
+    alone = carom.Contact(hertz, 0.092, law="rings", heat=False).follow(zeta, xi, eta)
+    assert alone.shape == (steps, 3)
+    assert np.abs(alone[-1, :2] - loads[-1, :2]).max() > 0.02 * 0.092 * loads[-1, 2]
+    again = pickle.loads(pickle.dumps(contact))
+    assert again.load == contact.load and again.dissipated == contact.dissipated
+    assert again.advance(1.1e-7, 3e-9, 0.0, 1.1e-3) == contact.advance(1.1e-7, 3e-9, 0.0, 1.1e-3)
+
+
+def test_many_contacts_of_rings_are_each_the_one():
+    hertz = unlike()
+    zeta = np.tile(np.linspace(1e-8, 1e-7, 20), (3, 1))
+    xi = np.linspace(0, 2e-9, 20) * np.array([[0.5], [1.0], [2.0]])
+    omega = np.linspace(0, 1e-5, 20) * np.array([[1.0], [0.0], [-1.0]])
+    many = carom.Contacts(3, hertz, 0.092, law="rings", threads=True)
+    loads = many.follow(zeta, xi, omega=omega)
+    for i in range(3):
+        one = carom.Contact(hertz, 0.092, law="rings", tolerance=1e-2, heat=False)
+        assert np.array_equal(one.follow(zeta[i], xi[i], omega=omega[i]), loads[i])
+    assert np.array_equal(many.torques, loads[:, -1, 3]) and np.array_equal(many.loads, loads[:, -1, :3])
+    again = pickle.loads(pickle.dumps(many._native))
+    assert np.array_equal(again.loads, many.loads)
+
+
+def test_laws_tell_what_they_neglect():
+    hertz = unlike()
+    gamma = hertz.materials.gamma
+    bound = (gamma / 0.092) ** 2 / (4 + (gamma / 0.092) ** 2) + gamma**2
+    assert carom.Contact(hertz, 0.092).coupling_bound == pytest.approx(bound)
+    assert carom.Contacts(2, hertz, 0.092).coupling_bound == pytest.approx(bound)
+    assert carom.Contact(hertz, 0.092, law="rings").coupling_bound == 0
+    assert carom.Contact(carom.hertz_of_spheres(1.0, 1.0, SODA), 0.1).coupling_bound == 0
+    assert carom.Contact((1.0, 1.0, 1.2), 0.1).coupling_bound is None
+
+
+def test_what_rings_do_not_do_is_named():
+    hertz = unlike()
+    with pytest.raises(ValueError, match="Hertz"):
+        carom.Contact((1.0, 1.0, 1.2), 0.3, law="rings")
+    with pytest.raises(ValueError, match="curvature ratio"):
+        carom.Contact(carom.Hertz(carom.MaterialPair(SODA), 2.0, 1.0), 0.3, law="rings")
+    with pytest.raises(ValueError, match="rings"):
+        carom.Contact(hertz, 0.3, law="mindlin")
+    contact = carom.Contact(hertz, 0.3, law="rings")
+    for ask in (lambda: contact.tangent, lambda: contact.traction(0.5), lambda: contact.turn_frame(0.1)):
+        with pytest.raises(ValueError, match="rings"):
+            ask()
+    with pytest.raises(ValueError, match="omega"):
+        carom.Contact(hertz, 0.3).advance(1e-7, 0.0, 0.0, 1e-5)
+    with pytest.raises(ValueError, match="omega"):
+        carom.Contacts(2, hertz, 0.3).advance(1e-7, omega=1e-5)

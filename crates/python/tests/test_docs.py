@@ -36,7 +36,7 @@ def test_examples_of_the_book_run(monkeypatch):
 
 
 def test_result_classes_are_current():
-    """Else: python -m carom._make_records > python/carom/_records.py"""
+    """Else: cargo xtask generate"""
     from carom import _make_records, _records
 
     assert pathlib.Path(_records.__file__).read_text(encoding="utf-8") == _make_records.made()

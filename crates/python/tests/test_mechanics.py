@@ -127,16 +127,25 @@ def test_an_impact_obeys_mechanics(hollow, moments):
     assert carom.Body.__name__ in repr(one) and pickle.loads(pickle.dumps(one)).attitude == list(ATTITUDE)
 
 
-def test_the_spin_about_the_normal_is_taken_along_where_asked():
+def test_friction_acts_on_the_spin_about_the_normal_where_it_matters_or_as_told():
     ball = carom.sphere(0.01, GLASS, 0.01, velocity=(0.0, 0.0, -2.0), spin=(0.0, 0.0, 60.0))
     plate = carom.plane(GLASS)
-    alone = carom.collide(ball, plate, 0.2)
+    alone = carom.collide(ball, plate, 0.2, torsion=False)
     taken = carom.collide(ball, plate, 0.2, torsion=True)
     assert alone.body_1_spin[2] == 60.0 and abs(taken.body_1_spin[2]) < 59.99
     assert taken.energy_dissipated > 0 and taken.energy_after < alone.energy_after
     for torsion, once in ((False, alone), (True, taken)):
         many = carom.collide_many(ball, plate, [0.2, 0.2], torsion=torsion)
         assert np.array_equal(many.body_1_spin, [once.body_1_spin] * 2)
+    # By default with the shift, by rings; without one as the torsional impact alone.
+    fast = carom.sphere(0.01, GLASS, 0.01, velocity=(0.0, 0.0, -2.0), spin=(0.0, 0.0, 600.0))
+    default, told = (carom.collide(fast, plate, 0.2, **given) for given in ({}, {"torsion": True}))
+    assert default.method == "uncoupled" and np.array_equal(default.body_1_spin, told.body_1_spin)
+    oblique = fast.moving((0.2, 0.0, -2.0), (0.0, 0.0, 300.0))
+    counted, left_out = carom.collide(oblique, plate, 0.2), carom.collide(oblique, plate, 0.2, torsion=False)
+    assert (counted.method, left_out.method) == ("rings", "uncoupled")
+    assert counted.R_x > left_out.R_x + 0.1 and counted.body_1_spin[2] < 300.0 == left_out.body_1_spin[2]
+    assert "torsion is left out" in left_out.warnings and counted.warnings == "" and counted.error_estimate > 0.0
 
 
 def test_the_law_and_the_tolerance_of_an_impact_are_those_asked_for():

@@ -60,7 +60,7 @@ FixWallCarom::FixWallCarom(LAMMPS *lmp, int narg, char **arg) : Fix(lmp, narg, a
 
   restart_global = restart_peratom = 1;
   create_attribute = 1;
-  maxexchange = 1 + Touches::WITH_TWIST;
+  maxexchange = 1 + Touches::MOST;
   vector_flag = 1;
   size_vector = OUTPUTS;
   global_freq = 1;
@@ -102,16 +102,18 @@ void FixWallCarom::init()
       if (known[type] || !pair->material(type).has_body) continue;
       known[type] = 1;
       const carom::Law &its = has_law ? law : pair->law();
-      constants[type] = carom::grains_of(lmp, who(), pair->material(type).body(), material.body(), material, its);
+      constants[type] = carom::constants_of(lmp, who(), pair->material(type).body(), material.body(), material, its);
+      if (!has_told) carom::tell_of_coupling(lmp, who() + ": grains of type " + std::to_string(type), constants[type]);
     }
   }
+  has_told = true;
 }
 
-carom_touch *FixWallCarom::touch_of(int i)
+carom::Touch FixWallCarom::touch_of(int i)
 {
   double *slot = slots[i].get();
   carom_error why;
-  carom_touch *touch = touches.at(slot, constants[atom->type[i]], atom->radius[i], INFINITY, &why);
+  const carom::Touch touch = touches.at(slot, constants[atom->type[i]], atom->radius[i], INFINITY, &why);
   if (!touch) carom::fail(lmp, who(), why);
   return touch;
 }
@@ -121,23 +123,23 @@ carom_grain_load FixWallCarom::step(int i, double duration)
 {
   const double *x = atom->x[i], *v = atom->v[i], *w = atom->omega[i];
   const carom_grain grain = {{x[0], x[1], x[2]}, {v[0], v[1], v[2]}, {w[0], w[1], w[2]}, atom->radius[i]};
-  const carom_grains &grains = constants[atom->type[i]];
+  const carom::Constants &its = constants[atom->type[i]];
   const bool is_new = slots[i][0] == 0.0;
-  carom_touch *touch = touch_of(i);
+  const carom::Touch touch = touch_of(i);
   carom_grain_load load;
   carom_error why;
   carom_status status;
   if (duration > 0.0 || is_new) {
     carom_heats made = {0.0, 0.0};
-    status = carom_touch_wall(&grains, touch, &grain, &wall, duration, &load, account ? &made : nullptr, &why);
+    status = touch.step(its, grain, wall, duration, &load, account ? &made : nullptr, &why);
     sums_.friction += made.friction;
     sums_.damping += made.damping;
   } else {
-    status = carom_touch_wall_load(&grains, touch, &grain, &wall, &load, &why);
+    status = touch.load(its, grain, wall, &load, &why);
   }
-  if (twists && status == CAROM_STATUS_OK) {
+  if (twists && !its.rings && status == CAROM_STATUS_OK) {
     carom_heats made = {0.0, 0.0};
-    status = carom_touch_twist_wall(&grains, Touches::twist_of(slots[i].get()), &grain, &wall, duration, &load,
+    status = carom_touch_twist_wall(&its.grains, Touches::twist_of(slots[i].get()), &grain, &wall, duration, &load,
                                     account ? &made : nullptr, &why);
     sums_.friction += made.friction;
   }
@@ -184,11 +186,11 @@ double FixWallCarom::stored_energy()
   double sum = 0.0;
   for (int i = 0; i < atom->nlocal; i++) {
     if (!touches_wall(i)) continue;
+    const carom::Constants &its = constants[atom->type[i]];
+    sum += touch_of(i).energy(its, atom->radius[i], INFINITY);
+    if (!twists || its.rings) continue;
     double energy = 0.0;
-    carom_touch_energy(touch_of(i), &energy, nullptr);
-    sum += energy;
-    if (!twists) continue;
-    carom_touch_twist_energy(&constants[atom->type[i]], Touches::twist_of(slots[i].get()), atom->radius[i],
+    carom_touch_twist_energy(&its.grains, Touches::twist_of(slots[i].get()), atom->radius[i],
                              INFINITY, &energy, nullptr);
     sum += energy;
   }
@@ -250,20 +252,21 @@ void FixWallCarom::drop(int i)
 {
   if (!slots[i]) return;
   touches.drop(slots[i].get());
-  memset(slots[i].get(), 0, Touches::WITH_TWIST * sizeof(double));
+  memset(slots[i].get(), 0, Touches::MOST * sizeof(double));
 }
 
 // How many numbers are kept of a grain.
 int FixWallCarom::count_of(int i) const
 {
   if (!touches_wall(i)) return 0;
+  if (touches.is_of_rings(slots[i].get())) return Touches::OF_RINGS;
   return twists ? Touches::WITH_TWIST : Touches::NUMBERS;
 }
 
-// A slot has room for a twist in any case: what a restart file tells is known before the law is.
+// A slot has room for any law: what a restart file tells is known before the law is.
 double *FixWallCarom::slot_of(int i)
 {
-  if (!slots[i]) slots[i].reset(new double[Touches::WITH_TWIST]());
+  if (!slots[i]) slots[i].reset(new double[Touches::MOST]());
   return slots[i].get();
 }
 
@@ -321,7 +324,7 @@ int FixWallCarom::size_restart(int i)
 
 int FixWallCarom::maxsize_restart()
 {
-  return 2 + Touches::WITH_TWIST;
+  return 2 + Touches::MOST;
 }
 
 double FixWallCarom::memory_usage()

@@ -51,10 +51,11 @@ class FixWallCarom : public Fix {
   carom::Material material;
   carom::Law law;
   bool has_law = false, has_plane = false;
+  bool has_told = false;    // of coupling, in the log
   carom_wall wall = {};
-  std::vector<carom_grains> constants;    // by type of grain
+  std::vector<carom::Constants> constants;    // by type of grain
   std::vector<char> known;                // whether there are any
-  bool account = false, twists = false;
+  bool account = false, twists = false;    // of the laws but rings
   Sums sums_ = {0.0, 0.0, 0.0};
   double force_on_wall[3] = {0.0, 0.0, 0.0};
   Touches touches;
@@ -62,7 +63,7 @@ class FixWallCarom : public Fix {
 
   std::string who() const { return std::string("fix ") + id + " wall/carom"; }
   [[noreturn]] void damaged(const std::string &what) const;
-  carom_touch *touch_of(int i);
+  carom::Touch touch_of(int i);
   carom_grain_load step(int i, double duration);
   void pack(int i);
   void drop(int i);

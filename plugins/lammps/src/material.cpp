@@ -1,5 +1,6 @@
 #include "material.h"
 
+#include "comm.h"
 #include "error.h"
 #include "lammps.h"
 #include "utils.h"
@@ -97,7 +98,8 @@ int Law::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
     const std::string name = narg < 2 ? "" : arg[1];
     if (name == "coulomb") law = CAROM_LAW_COULOMB;
     else if (name == "fixed-direction") law = CAROM_LAW_FIXED_DIRECTION;
-    else lmp->error->all(FLERR, who + ": law is neither coulomb nor fixed-direction: '" + name + "'");
+    else if (name == "rings") law = CAROM_LAW_RINGS;
+    else lmp->error->all(FLERR, who + ": law is neither coulomb, fixed-direction nor rings: '" + name + "'");
     return 2;
   }
   if (word == "torsion" && narg > 1) {
@@ -113,16 +115,39 @@ int Law::take(LAMMPS *lmp, const std::string &who, int narg, char **arg)
   return 0;
 }
 
-carom_grains grains_of(LAMMPS *lmp, const std::string &who, const carom_material &one,
+const char *Law::name() const
+{
+  static const char *const names[] = {"coulomb", "fixed-direction", "rings"};
+  return names[law];
+}
+
+Constants constants_of(LAMMPS *lmp, const std::string &who, const carom_material &one,
                        const carom_material &two, const Material &pair, const Law &law)
 {
   if (pair.friction < 0.0) lmp->error->all(FLERR, who + ": friction is missing");
-  carom_grains grains;
+  Constants made;
   carom_error error;
-  const carom_status status = carom_grains_of(&one, &two, pair.friction, law.law, law.tolerance,
-                                              pair.damping, &grains, &error);
+  carom_status status = carom_grains_of(&one, &two, pair.friction, law.law, law.tolerance, pair.damping,
+                                        &made.grains, &error);
+  if (status == CAROM_STATUS_OK && law.by_rings()) {
+    carom_rings *rings = nullptr;
+    status = carom_rings_of(&made.grains.unit, &rings, &error);
+    made.rings.reset(rings, carom_rings_free);
+  }
   if (status != CAROM_STATUS_OK) lmp->error->all(FLERR, who + ": " + error.text);
-  return grains;
+  return made;
+}
+
+void tell_of_coupling(LAMMPS *lmp, const std::string &who, const Constants &constants)
+{
+  const double bound = constants.grains.unit.coupling_bound;
+  if (constants.rings || !(bound > 0.0) || lmp->comm->me != 0) return;
+  char text[160];
+  snprintf(text, sizeof text,
+           ": dissimilar materials: their coupling, which the law neglects, changes R_x of an impact by up to %.2g: "
+           "law rings has it\n",
+           bound);
+  utils::logmesg(lmp, who + text);
 }
 
 }    // namespace carom

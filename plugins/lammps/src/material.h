@@ -3,6 +3,7 @@
 #define CAROM_MATERIAL_H
 
 #include "carom.h"
+#include "touch.h"
 
 #include <string>
 
@@ -34,19 +35,26 @@ struct Material {
   bool has_young = false, has_shear = false, has_poisson = false;
 };
 
-// law fixed-direction | coulomb, tolerance T, torsion yes | no
+// law fixed-direction | coulomb | rings, tolerance T, torsion yes | no
 struct Law {
   uint32_t law = CAROM_LAW_FIXED_DIRECTION;
-  int torsion = 0;    // whether a twist about the normal has its torque
+  int torsion = 0;    // whether a twist about the normal has its torque; of law rings it always has
   double tolerance = 0.0;
 
   int take(LAMMPS_NS::LAMMPS *lmp, const std::string &who, int narg, char **arg);
-  const char *name() const { return law == CAROM_LAW_COULOMB ? "coulomb" : "fixed-direction"; }
+  bool is_known() const { return law <= CAROM_LAW_RINGS; }
+  bool by_rings() const { return law == CAROM_LAW_RINGS; }
+  // Whether a twist has a memory of its own.
+  bool twists_apart() const { return torsion && !by_rings(); }
+  const char *name() const;
 };
 
 // The constants of a pair of bodies; ends in an error of the host that says what is out of range.
-carom_grains grains_of(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_material &one,
+Constants constants_of(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_material &one,
                        const carom_material &two, const Material &pair, const Law &law);
+
+// Says in the log how much coupling of dissimilar materials may matter where the law neglects it.
+void tell_of_coupling(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const Constants &constants);
 
 // An error of the host, with what the library says.
 [[noreturn]] void fail(LAMMPS_NS::LAMMPS *lmp, const std::string &who, const carom_error &error);

@@ -55,7 +55,7 @@ PairCarom::PairCarom(LAMMPS *lmp) : Pair(lmp)
   for (const std::string &id : {keep_id, history_id, restore_id}) {
     Fix *place = modify->add_fix(id + "_DUMMY all DUMMY", 0);
     // Grains that come from several restart files are moved before anything else is made.
-    place->maxexchange = FORESEEN * (1 + Touches::WITH_TWIST);
+    place->maxexchange = FORESEEN * (1 + Touches::MOST);
   }
 }
 
@@ -88,6 +88,7 @@ void PairCarom::allocate()
     for (int j = 0; j <= n; j++) setflag[i][j] = 0;
   coefficients.assign((n + 1) * (n + 1), {});
   constants.assign((n + 1) * (n + 1), {});
+  told.assign((n + 1) * (n + 1), 0);
   largest.assign(n + 1, 0.0);
 }
 
@@ -187,8 +188,10 @@ double PairCarom::init_one(int i, int j)
                             " has no material of its own, so young and poisson are missing here");
   const carom_material one = own ? pair.body() : material(i).body();
   const carom_material two = own ? pair.body() : material(j).body();
-  constants[place(i, j)] = carom::grains_of(lmp, who, one, two, pair, law_);
-  constants[place(j, i)] = carom::grains_of(lmp, who, two, one, pair, law_);
+  constants[place(i, j)] = carom::constants_of(lmp, who, one, two, pair, law_);
+  constants[place(j, i)] = i == j ? constants[place(i, j)] : carom::constants_of(lmp, who, two, one, pair, law_);
+  if (!told[place(i, j)]) carom::tell_of_coupling(lmp, who, constants[place(i, j)]);
+  told[place(i, j)] = 1;
   return largest[i] + largest[j];
 }
 
@@ -218,10 +221,15 @@ inline void PairCarom::Bodies::add(std::size_t i, const double *force_i, const d
   }
 }
 
-carom_touch *PairCarom::touch_of(double *slot, int body_1, int body_2)
+const carom::Constants &PairCarom::constants_of(int body_1, int body_2) const
 {
-  const carom_grains &grains = constants[place(atom->type[body_1], atom->type[body_2])];
-  carom_touch *touch = touches.at(slot, grains, atom->radius[body_1], atom->radius[body_2], &why);
+  return constants[place(atom->type[body_1], atom->type[body_2])];
+}
+
+carom::Touch PairCarom::touch_of(double *slot, int body_1, int body_2)
+{
+  const carom::Constants &its = constants_of(body_1, body_2);
+  const carom::Touch touch = touches.at(slot, its, atom->radius[body_1], atom->radius[body_2], &why);
   if (!touch) carom::fail(lmp, "pair carom", why);
   return touch;
 }
@@ -293,12 +301,12 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     const Close &pair = close[k];
     const int one = one_of(pair), two = two_of(pair);
     carom_encounter &met = encounters[k];
-    met.grains = &constants[all.type[one] * all.types + all.type[two]];
-    met.touch = touches.with_flag(*pair.flag);
+    met.grains = &constants[all.type[one] * all.types + all.type[two]].grains;
+    met.touch = touches.with_flag(*pair.flag).plain;
     all.set(met.one, one);
     all.set(met.two, two);
   }
-  if (!moves || account) {
+  if (!moves || account || law_.by_rings()) {
     for (int k = 0; k < count; k++) step_alone(close[k], encounters[k], dt, moves || is_new[k]);
   } else if (carom_touch_many(encounters, count, dt, nullptr, &why) != CAROM_STATUS_OK) {
     carom::fail(lmp, "pair carom", why);
@@ -307,13 +315,13 @@ void PairCarom::step_all(int count, int eflag, bool moves)
     const Close &pair = close[k];
     const int one = one_of(pair), two = two_of(pair);
     carom_encounter &met = encounters[k];
-    if (law_.torsion) twist(pair, met, dt);
+    if (law_.twists_apart()) twist(pair, met, dt);
     const double *force_1 = met.load.force;
     const double force_2[3] = {-force_1[0], -force_1[1], -force_1[2]};
     all.add(one, force_1, met.load.torque_1);
     all.add(two, force_2, met.load.torque_2);
     if (evflag) {
-      const double energy = eflag ? energy_of(pair.slot, met.touch, one, two) : 0.0;
+      const double energy = eflag ? energy_of(pair.slot, touches.with_flag(*pair.flag), one, two) : 0.0;
       tally(pair, energy, force_1, pair.i_is_1 ? 1.0 : -1.0);
     }
     if (pair.apart) end(pair);
@@ -324,10 +332,11 @@ void PairCarom::step_all(int count, int eflag, bool moves)
 void PairCarom::step_alone(const Close &pair, carom_encounter &met, double dt, bool steps)
 {
   carom_heats made = {0.0, 0.0};
+  const carom::Constants &its = constants_of(one_of(pair), two_of(pair));
+  const carom::Touch touch = touches.with_flag(*pair.flag);
   const carom_status status =
-      steps ? carom_touch_grains(met.grains, met.touch, &met.one, &met.two, dt, &met.load,
-                                 account ? &made : nullptr, &why)
-            : carom_touch_grains_load(met.grains, met.touch, &met.one, &met.two, &met.load, &why);
+      steps ? touch.step(its, met.one, met.two, dt, &met.load, account ? &made : nullptr, &why)
+            : touch.load(its, met.one, met.two, &met.load, &why);
   if (status != CAROM_STATUS_OK) carom::fail(lmp, "pair carom", why);
   if (account) book(pair, made);
 }
@@ -349,15 +358,14 @@ void PairCarom::book(const Close &pair, const carom_heats &made)
 }
 
 // The elastic energy of a contact, its twist included.
-double PairCarom::energy_of(double *slot, const carom_touch *touch, int body_1, int body_2) const
+double PairCarom::energy_of(double *slot, const carom::Touch &touch, int body_1, int body_2) const
 {
-  double energy = 0.0, twisted = 0.0;
-  carom_touch_energy(touch, &energy, nullptr);
-  if (law_.torsion)
-    carom_touch_twist_energy(&constants[place(atom->type[body_1], atom->type[body_2])],
-                             Touches::twist_of(slot), atom->radius[body_1], atom->radius[body_2], &twisted,
-                             nullptr);
-  return energy + twisted;
+  const carom::Constants &its = constants_of(body_1, body_2);
+  const double radius_1 = atom->radius[body_1], radius_2 = atom->radius[body_2];
+  double twisted = 0.0;
+  if (law_.twists_apart())
+    carom_touch_twist_energy(&its.grains, Touches::twist_of(slot), radius_1, radius_2, &twisted, nullptr);
+  return touch.energy(its, radius_1, radius_2) + twisted;
 }
 
 void PairCarom::tally(const Close &pair, double energy, const double *force_1, double sign)
@@ -429,16 +437,16 @@ double PairCarom::single(int i, int j, int itype, int jtype, double rsq, double,
   if (!slot || slot[0] == 0.0) return 0.0;
   const bool i_is_1 = atom->tag[i] < atom->tag[j];
   const int one = i_is_1 ? i : j, two = i_is_1 ? j : i;
-  const carom_grains &grains = i_is_1 ? constants[place(itype, jtype)] : constants[place(jtype, itype)];
+  const carom::Constants &its = i_is_1 ? constants[place(itype, jtype)] : constants[place(jtype, itype)];
   carom_grain body_1, body_2;
   const Bodies all = bodies();
   all.set(body_1, one);
   all.set(body_2, two);
-  const carom_touch *touch = touch_of(slot, one, two);
+  const carom::Touch touch = touch_of(slot, one, two);
   carom_grain_load load;
   carom_report report;
-  if (carom_touch_grains_load(&grains, touch, &body_1, &body_2, &load, &why) != CAROM_STATUS_OK ||
-      carom_touch_report(touch, &report, &why) != CAROM_STATUS_OK)
+  if (touch.load(its, body_1, body_2, &load, &why) != CAROM_STATUS_OK ||
+      touch.report(its, &report, &why) != CAROM_STATUS_OK)
     carom::fail(lmp, "pair carom", why);
   const double energy = energy_of(slot, touch, one, two);
   const double distance = sqrt(rsq), overlap = atom->radius[i] + atom->radius[j] - distance;
@@ -483,8 +491,7 @@ void PairCarom::read_restart_settings(FILE *fp)
   MPI_Bcast(&law_, sizeof law_, MPI_BYTE, 0, world);
   MPI_Bcast(&account, sizeof account, MPI_BYTE, 0, world);
   const auto is_flag = [](int flag) { return flag == 0 || flag == 1; };
-  const bool known = law_.law == CAROM_LAW_COULOMB || law_.law == CAROM_LAW_FIXED_DIRECTION;
-  if (!known || !is_flag(law_.torsion) || !is_flag(account) || !(law_.tolerance >= 0.0 && law_.tolerance <= 0.1))
+  if (!law_.is_known() || !is_flag(law_.torsion) || !is_flag(account) || !(law_.tolerance >= 0.0 && law_.tolerance <= 0.1))
     error->all(FLERR, "pair carom: the restart file is damaged: law, tolerance, torsion or energy is none");
 }
 

@@ -53,7 +53,8 @@ class PairCarom : public Pair {
   carom::Law law_;
   int account = 0;
   std::vector<carom::Material> coefficients;    // by two types
-  std::vector<carom_grains> constants;          // by the types of body 1 and 2
+  std::vector<carom::Constants> constants;      // by the types of body 1 and 2
+  std::vector<char> told;                       // of which pairs of types the log tells of coupling
   std::vector<double> largest;                  // radius of a type
   NeighHistory *history = nullptr;
   class FixCaromRestore *restore = nullptr;
@@ -62,8 +63,12 @@ class PairCarom : public Pair {
   carom_error why;
 
   // What a contact takes in the host's slots.
-  int numbers() const { return law_.torsion ? Touches::WITH_TWIST : Touches::NUMBERS; }
-  double energy_of(double *slot, const carom_touch *touch, int body_1, int body_2) const;
+  int numbers() const
+  {
+    if (law_.by_rings()) return Touches::OF_RINGS;
+    return law_.torsion ? Touches::WITH_TWIST : Touches::NUMBERS;
+  }
+  double energy_of(double *slot, const carom::Touch &touch, int body_1, int body_2) const;
   int place(int i, int j) const;
   void allocate();
   // The host's grains: of each what it keeps in one piece.
@@ -77,7 +82,8 @@ class PairCarom : public Pair {
     void add(std::size_t i, const double *force_i, const double *torque_i) const;
   };
   Bodies bodies() const;
-  carom_touch *touch_of(double *slot, int body_1, int body_2);
+  carom::Touch touch_of(double *slot, int body_1, int body_2);
+  const carom::Constants &constants_of(int body_1, int body_2) const;
 
   // Two grains that touch, or did so one step ago: the host's flag and its slot for them.
   struct Close {

@@ -5,29 +5,50 @@
 
 namespace carom {
 
-carom_touch *Touches::unpack(double *slot, const carom_grains &grains, double radius_1,
-                             double radius_2, carom_error *why)
+// A place of a form that no slot owns.
+int Touches::free_place(bool by_rings)
 {
-  if (unused.empty()) {
-    unused.push_back(static_cast<int>(pool.size()));
-    pool.emplace_back();
-    owners.push_back(nullptr);
+  std::vector<int> &of_form = unused[by_rings];
+  if (of_form.empty()) {
+    of_form.push_back(static_cast<int>(places.size()));
+    places.push_back({nullptr, by_rings, static_cast<int>(by_rings ? rings.size() : plain.size())});
+    if (by_rings) rings.emplace_back();
+    else plain.emplace_back();
   }
-  const int place = unused.back();
-  carom_touch &touch = pool[place];
-  touch.mark = 0;
-  if (carom_touch_unpack(&grains, radius_1, radius_2, slot, &touch, why) != CAROM_STATUS_OK)
-    return nullptr;
-  unused.pop_back();
-  owners[place] = slot;
+  return of_form.back();
+}
+
+Touch Touches::unpack(double *slot, const Constants &constants, double radius_1, double radius_2, carom_error *why)
+{
+  const bool by_rings = constants.rings != nullptr;
+  const int place = free_place(by_rings);
+  const Touch made = touch(place);
+  carom_status status;
+  if (by_rings) {
+    made.rings->mark = 0;
+    status = carom_ring_touch_unpack(&constants.grains, constants.rings.get(), radius_1, radius_2, slot, made.rings, why);
+  } else {
+    made.plain->mark = 0;
+    status = carom_touch_unpack(&constants.grains, radius_1, radius_2, slot, made.plain, why);
+  }
+  if (status != CAROM_STATUS_OK) return {};
+  unused[by_rings].pop_back();
+  places[place].owner = slot;
   slot[0] = -1.0 - place;
-  return &touch;
+  return made;
+}
+
+bool Touches::is_of_rings(const double *slot) const
+{
+  if (!is_unpacked(slot)) return slot[0] == CAROM_RING_TOUCH_MARK;
+  const int place = index(slot);
+  return place >= 0 && places[place].by_rings;
 }
 
 void Touches::give_back(int place)
 {
-  owners[place] = nullptr;
-  unused.push_back(place);
+  places[place].owner = nullptr;
+  unused[places[place].by_rings].push_back(place);
 }
 
 void Touches::strange(const double *slot, carom_error *why)
@@ -44,7 +65,7 @@ void Touches::drop(double *slot)
 {
   const int place = is_unpacked(slot) ? index(slot) : -1;
   if (place >= 0) give_back(place);
-  memset(slot, 0, NUMBERS * sizeof(double));
+  memset(slot, 0, (place >= 0 && places[place].by_rings ? OF_RINGS : NUMBERS) * sizeof(double));
 }
 
 carom_status Touches::pack(double *slot, carom_error *why)
@@ -55,7 +76,9 @@ carom_status Touches::pack(double *slot, carom_error *why)
     strange(slot, why);
     return CAROM_STATUS_BAD_STATE;
   }
-  const carom_status status = carom_touch_pack(&pool[place], slot, why);
+  const Touch its = touch(place);
+  const carom_status status =
+      its.rings ? carom_ring_touch_pack(its.rings, slot, why) : carom_touch_pack(its.plain, slot, why);
   if (status == CAROM_STATUS_OK) give_back(place);
   return status;
 }

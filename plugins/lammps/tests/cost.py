@@ -16,6 +16,8 @@ STYLES = {
     "granular mindlin": ("granular", "hertz/material 1e7 100 0.3 damping viscoelastic tangential mindlin NULL 0.0 0.5"),
     "carom fixed-direction": ("carom law fixed-direction", CAROM),
     "carom coulomb": ("carom law coulomb", CAROM),
+    "carom fixed-direction torsion": ("carom law fixed-direction torsion yes", CAROM),
+    "carom rings": ("carom law rings", CAROM),
 }
 AGAIN = """
 plugin load ${plugin}

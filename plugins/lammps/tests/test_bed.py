@@ -140,7 +140,7 @@ def test_a_grain_with_sixty_contacts_changes_its_rank_before_the_first_step(clus
 
 @pytest.mark.parametrize(
     "law, ranks, newton",
-    [("law fixed-direction", 1, "off"), ("law coulomb", 1, "on"), ("law fixed-direction", 2, "on"), ("law fixed-direction torsion yes", 2, "on")],
+    [("law fixed-direction", 1, "off"), ("law coulomb", 1, "on"), ("law fixed-direction", 2, "on"), ("law fixed-direction torsion yes", 2, "on"), ("law rings", 2, "on")],
 )
 def test_restart_in_the_middle_goes_on_bit_for_bit(tmp_path, law, ranks, newton):
     """Grains in full motion between a moving floor and walls, a restart file written on the way."""

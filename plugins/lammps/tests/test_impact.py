@@ -13,12 +13,12 @@ EXACT = json.loads(pathlib.Path(__file__).with_name("exact_restitution.json").re
 ALONG = np.array([math.cos(0.37), math.sin(0.37), 0.0])
 
 
-def restitution(host, style, poisson, lambdas, steps, radii=(0.5, 0.5)):
-    """R_x and R_z of one impact per lambda, all in one run."""
+def restitution(host, style, poisson, lambdas, steps, radii=(0.5, 0.5), bodies=None, friction=FRICTION):
+    """R_x and R_z of one impact per lambda, all in one run; grains of two types if `bodies` has their moduli."""
     reduced = 1 / sum(1 / r for r in radii)
     masses = [DENSITY * 4 / 3 * math.pi * r**3 for r in radii]
     mass = 1 / sum(1 / m for m in masses)
-    modulus = YOUNG / (2 * (1 - poisson**2))
+    modulus = 1 / sum((1 - nu**2) / young for young, nu in bodies or [(YOUNG, poisson)] * 2)
     deepest = 1.2e-5 * reduced
     speed = math.sqrt(16 * math.sqrt(reduced) * modulus * deepest**2.5 / (15 * mass))
     dt = 2.943275 * deepest / speed / steps
@@ -30,7 +30,7 @@ def restitution(host, style, poisson, lambdas, steps, radii=(0.5, 0.5)):
         for sign, radius, own in ((1, radii[0], masses[1]), (-1, radii[1], masses[0])):
             places.append(middle + [0, 0, sign * (radius + gap / 2)])
             share = sign * own / sum(masses)
-            velocities.append(share * (ratio * FRICTION * speed * ALONG - [0, 0, speed]))
+            velocities.append(share * (ratio * friction * speed * ALONG - [0, 0, speed]))
     host.commands_list(
         [
             "units si",
@@ -39,11 +39,11 @@ def restitution(host, style, poisson, lambdas, steps, radii=(0.5, 0.5)):
             "newton off",
             "comm_modify vel yes",
             f"region box block 0 {4 * count} 0 4 0 4",
-            "create_box 1 box",
+            f"create_box {2 if bodies else 1} box",
         ]
     )
     ids = list(range(1, 2 * count + 1))
-    host.create_atoms(2 * count, ids, [1] * (2 * count), np.ravel(places).tolist(), np.ravel(velocities).tolist())
+    host.create_atoms(2 * count, ids, [1, 2 if bodies else 1] * count, np.ravel(places).tolist(), np.ravel(velocities).tolist())
     for k, radius in enumerate(radii):
         host.command(f"group side{k} id {k + 1}:{2 * count}:2")
         host.command(f"set group side{k} diameter {2 * radius}")
@@ -57,7 +57,7 @@ def restitution(host, style, poisson, lambdas, steps, radii=(0.5, 0.5)):
     v, w = (host.numpy.extract_atom(name)[: 2 * count][order] for name in ("v", "omega"))
     rolling = radii[0] * w[0::2] + radii[1] * w[1::2]
     relative = v[0::2] - v[1::2] - np.cross(rolling, [0, 0, 1])
-    return -(relative @ ALONG) / (FRICTION * speed * np.array(lambdas)), relative[:, 2] / speed
+    return -(relative @ ALONG) / (friction * speed * np.array(lambdas)), relative[:, 2] / speed
 
 
 def carom(law, poisson):

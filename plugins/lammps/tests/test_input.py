@@ -38,7 +38,7 @@ PAIRS = f"pair_style carom\npair_coeff * * {GLASS}\n"
         (f"pair_style carom\npair_coeff 1 1 {GLASS} damping -1", ["damping = -1", ">= 0"]),
         (f"pair_style carom\npair_coeff 1 1 {GLASS} damping", ["damping wants a value"]),
         (f"pair_style carom\npair_coeff 1 1 {GLASS} hardness 3", ["knows no 'hardness'"]),
-        (f"pair_style carom law mindlin", ["neither coulomb nor fixed-direction", "mindlin"]),
+        (f"pair_style carom law mindlin", ["neither coulomb, fixed-direction nor rings", "mindlin"]),
         (f"pair_style carom tolerance 1", ["tolerance = 1", "<= 0.1"]),
         (f"pair_style carom loudness 3", ["knows no 'loudness'"]),
         (f"pair_style carom\n{VEL}run 1", ["coeffs are not set"]),

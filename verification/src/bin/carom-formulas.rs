@@ -1,5 +1,5 @@
 #![forbid(unsafe_code)]
-//! Sets the formulas of the book: a preprocessor of mdBook, which hands it the chapters and takes them back.
+//! Preprocessor of mdBook that converts the formulas of the book to MathML.
 
 use carom_verification::book::set_in_chapters;
 use serde_json::Value;
@@ -7,7 +7,7 @@ use std::io::Write as _;
 use std::process::ExitCode;
 
 fn main() -> ExitCode {
-    // mdBook asks first which formats are supported: all that hold HTML.
+    // mdBook first asks whether a format is supported: all formats that contain HTML are.
     if std::env::args().nth(1).as_deref() == Some("supports") {
         return ExitCode::SUCCESS;
     }

@@ -128,15 +128,16 @@ fn named(cells: [usize; 2], elements: usize) -> String {
 }
 
 fn rates_of_sweeps(cells: [usize; 2], poisson: [f64; 2]) -> Result<Vec<Rate>, Failure> {
-    let held = punch(cells, poisson, f64::INFINITY)?;
+    let claims_that_hold = punch(cells, poisson, f64::INFINITY)?;
     let slid = punch(cells, poisson, FRICTION)?;
     let rate = |method, measured, predicted| {
-        let (area, gamma) = (named(cells, held.area.elements()), held.pair.gamma());
+        let (area, gamma) =
+            (named(cells, claims_that_hold.area.elements()), claims_that_hold.pair.gamma());
         Rate { method, area, gamma, measured, predicted, bound: None }
     };
     let (after, at_once) = (SlipStress::AfterSweep, SlipStress::AtOnce);
-    let sticking = held.area.adhesion_sweep()?.radius();
-    let mut rates = vec![rate("sweep, stick", sweeps(&held, STICKS, after)?, sticking)];
+    let sticking = claims_that_hold.area.adhesion_sweep()?.radius();
+    let mut rates = vec![rate("sweep, stick", sweeps(&claims_that_hold, STICKS, after)?, sticking)];
     for (method, follows) in [("sweep, slip", after), ("sweep, slip at once", at_once)] {
         let predicted = slid.area.sliding_sweep(FRICTION, follows)?.radius();
         rates.push(rate(method, sweeps(&slid, SLIDES, follows)?, predicted));
@@ -145,16 +146,22 @@ fn rates_of_sweeps(cells: [usize; 2], poisson: [f64; 2]) -> Result<Vec<Rate>, Fa
 }
 
 fn rates_of_passes(cells: [usize; 2], poisson: [f64; 2]) -> Result<Vec<Rate>, Failure> {
-    let held = punch(cells, poisson, f64::INFINITY)?;
+    let claims_that_hold = punch(cells, poisson, f64::INFINITY)?;
     let slid = punch(cells, poisson, STRONG)?;
-    let bounds = Bounds::of(&held.pair);
+    let bounds = Bounds::of(&claims_that_hold.pair);
     let rate = |method, measured, predicted, bound| {
-        let (area, gamma) = (named(cells, held.area.elements()), held.pair.gamma());
+        let (area, gamma) =
+            (named(cells, claims_that_hold.area.elements()), claims_that_hold.pair.gamma());
         Rate { method, area, gamma, measured, predicted, bound: Some(bound) }
     };
-    let (stick, slip) = (held.area.adhesion_pass()?, slid.area.sliding_pass(STRONG)?);
+    let (stick, slip) = (claims_that_hold.area.adhesion_pass()?, slid.area.sliding_pass(STRONG)?);
     Ok(vec![
-        rate("pass, stick", passes(&held, 0.0)?, stick.radius(), bounds.adhesion_pass()),
+        rate(
+            "pass, stick",
+            passes(&claims_that_hold, 0.0)?,
+            stick.radius(),
+            bounds.adhesion_pass(),
+        ),
         rate("pass, slip", passes(&slid, FAR)?, slip.radius(), bounds.sliding_pass(STRONG)),
     ])
 }

@@ -70,10 +70,10 @@ impl SpringBed {
                 spring.anchor = self.shift + part * (shift - self.shift);
             }
             let reach = grip * pressed;
-            let held = spring.anchor.clamp(shift - reach, shift + reach);
+            let claims_that_hold = spring.anchor.clamp(shift - reach, shift + reach);
             // A spring that touches within the step may stretch by rounding.
-            slides |= before > 0.0 && held != spring.anchor;
-            spring.anchor = held;
+            slides |= before > 0.0 && claims_that_hold != spring.anchor;
+            spring.anchor = claims_that_hold;
             sums[0] += pressed;
             sums[1] += shift - spring.anchor;
         }

@@ -7,27 +7,27 @@ use std::f64::consts::PI;
 use crate::Failure;
 use crate::figures::kappa;
 
-/// Poisson's ratios, from 0 to 1/2.
+/// Number of Poisson's ratios, from 0 to 1/2.
 pub(super) const POISSONS: usize = 11;
-/// Parts of lambda/(7 - kappa), from 0 to 1.
+/// Number of values of lambda/(7 - kappa), from 0 to 1.
 pub(super) const PARTS: usize = 73;
-/// Instants of each impact; the normal velocity falls as a cosine.
+/// Number of instants of each impact; the normal velocity varies as a cosine.
 const INSTANTS: usize = 49;
-/// As which 1 is written.
-const UNIT: f64 = 32_000.0;
+/// The integer that represents 1.
+const INTEGER_FOR_ONE: f64 = 32_000.0;
 
 /// The impact at an instant.
 #[derive(Debug, Clone, Copy, PartialEq, Default)]
 pub(crate) struct Instant {
-    /// F_x over the greatest f F_z.
+    /// F_x over the maximum of f F_z.
     pub(crate) force: f64,
-    /// Radius of the stick area over that of the greatest contact.
+    /// Radius of the stick area over the maximum contact radius.
     pub(crate) stick: f64,
-    /// Tangential velocity over that at touch.
+    /// Tangential velocity over that at first contact.
     pub(crate) velocity: f64,
 }
 
-/// All impacts; the normal motion is common to them.
+/// All impacts; the normal motion is the same for all.
 #[derive(Debug, Clone)]
 pub(crate) struct Table {
     normal: Vec<(f64, f64)>,
@@ -66,7 +66,7 @@ fn at(index: usize, count: usize) -> f64 {
 }
 
 impl Table {
-    /// Follows all impacts.
+    /// Computes all impacts.
     pub(crate) fn new() -> Result<Self, Failure> {
         let (mut normal, mut instants) = (Vec::new(), Vec::new());
         for i in 0..POISSONS {
@@ -86,7 +86,8 @@ impl Table {
         Ok(Self { normal, instants })
     }
 
-    /// The instants of an impact, linear between four entries; sliding throughout is exact.
+    /// The instants of an impact, interpolated linearly between four entries; sliding throughout is
+    /// exact.
     pub(crate) fn read(&self, poisson: f64, lambda: f64) -> Vec<Instant> {
         let part = lambda / lambda_of_sliding(poisson);
         if part >= 1.0 {
@@ -109,7 +110,8 @@ impl Table {
             .map(|k| {
                 corners.iter().fold(Instant::default(), |sum, (i, j, weight)| {
                     let numbers = self.instants[(i * PARTS + j) * INSTANTS + k];
-                    let [force, stick, velocity] = numbers.map(|n| weight * f64::from(n) / UNIT);
+                    let [force, stick, velocity] =
+                        numbers.map(|n| weight * f64::from(n) / INTEGER_FOR_ONE);
                     Instant {
                         force: sum.force + force,
                         stick: sum.stick + stick,
@@ -120,23 +122,23 @@ impl Table {
             .collect()
     }
 
-    /// Times of the instants, in zeta_max over the speed of approach.
+    /// Times of the instants, in zeta_max over the approach velocity.
     pub(super) fn times(&self) -> Vec<f64> {
         self.normal.iter().map(|(time, _)| rounded(*time)).collect()
     }
 
-    /// Compressions of the instants, over the greatest.
+    /// Compressions of the instants, over the maximum.
     pub(super) fn compressions(&self) -> Vec<f64> {
         self.normal.iter().map(|(_, compression)| rounded(*compression)).collect()
     }
 
-    /// Force, stick radius and velocity of all instants, as numbers of 16 bits, low byte first.
+    /// Force, stick radius and velocity of all instants, as 16-bit numbers, little-endian.
     pub(super) fn bytes(&self) -> Vec<u8> {
         self.instants.iter().flatten().flat_map(|number| number.to_le_bytes()).collect()
     }
 }
 
-/// The interval and the place in it.
+/// The interval and the position in it.
 fn place(part: f64, count: usize) -> (usize, f64) {
     let scaled = part.clamp(0.0, 1.0) * (count - 1) as f64;
     let index = (scaled as usize).min(count - 2);
@@ -144,7 +146,8 @@ fn place(part: f64, count: usize) -> (usize, f64) {
 }
 
 fn written(instant: &Instant) -> [i16; 3] {
-    [instant.force, instant.stick, instant.velocity].map(|number| (number * UNIT).round() as i16)
+    [instant.force, instant.stick, instant.velocity]
+        .map(|number| (number * INTEGER_FOR_ONE).round() as i16)
 }
 
 fn rounded(number: f64) -> f64 {

@@ -1,4 +1,4 @@
-//! The bar of search and filter, and the contents beside the pages.
+//! The search bar and the table of contents of the report.
 
 use super::Report;
 use super::markup::{escape, prose};
@@ -6,7 +6,7 @@ use crate::catalogue::{Entry, State};
 use crate::page::Page;
 use std::fmt::Write as _;
 
-/// What each chapter of the thesis is about, and our own groups of pages.
+/// Titles of the chapters of the thesis and of other groups of pages.
 const GROUPS: &[(&str, &str)] = &[
     ("3", "Survey of the theories"),
     ("4", "The elastic half-space"),
@@ -23,7 +23,7 @@ const GROUPS: &[(&str, &str)] = &[
     ("15", "Coefficients of restitution"),
 ];
 
-/// The group of a page: its chapter, or what its name begins with.
+/// The group of a page: its chapter or the first part of its name.
 fn group(entry: &Entry) -> (&str, String) {
     if let Some((chapter, title)) = GROUPS.iter().find(|(of, _)| *of == entry.chapter()) {
         return (chapter, format!("{chapter} · {title}"));
@@ -39,7 +39,7 @@ fn group(entry: &Entry) -> (&str, String) {
     }
 }
 
-/// The bar above the pages.
+/// The search bar above the pages.
 pub(super) fn bar(page: &mut String, catalogue: &[Entry]) {
     page.push_str(
         "<header class=\"bar\"><a class=\"name\" href=\"#\">carom</a>\
@@ -68,7 +68,7 @@ pub(super) fn bar(page: &mut String, catalogue: &[Entry]) {
     );
 }
 
-/// The contents.
+/// The table of contents.
 pub(super) fn list(page: &mut String, report: &Report<'_>) {
     page.push_str("<nav aria-label=\"Contents\"><details open><summary>Contents</summary>\n");
     page.push_str(

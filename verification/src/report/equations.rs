@@ -1,4 +1,5 @@
-//! The index of the thesis's numbered equations: which function implements each, or why none does.
+//! The index of the numbered equations of the thesis: the items that implement each, or why none
+//! does.
 
 use super::markup::{escape, prose};
 use serde::Deserialize;
@@ -21,16 +22,16 @@ struct Index {
 #[derive(Debug, Clone, PartialEq, Eq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Equation {
-    /// Its number, as `7.48`, or several that one line serves, as `7.11-7.14`.
+    /// Its number, such as `7.48`, or a range with one line, such as `7.11-7.14`.
     pub(crate) number: String,
-    /// What it says.
+    /// Its meaning.
     pub(crate) what: String,
-    /// The items that implement it, as `laws/hertz.rs::Hertz::force`.
+    /// The items that implement it, such as `laws/hertz.rs::Hertz::force`.
     #[serde(default)]
     pub(crate) by: Vec<String>,
-    /// Why nothing implements it.
+    /// Why no item implements it.
     pub(crate) none: Option<String>,
-    /// How the print is wrong, if it is.
+    /// The correction, if the print is wrong.
     pub(crate) corrected: Option<String>,
 }
 
@@ -50,7 +51,7 @@ fn parse(number: &str) -> Option<(u32, u32)> {
     (is_digits(chapter) && is_digits(rest)).then_some((chapter.parse().ok()?, rest.parse().ok()?))
 }
 
-/// The line of the index that has this number, as `7.65a`.
+/// The line of the index with this number, such as `7.65a`.
 pub(crate) fn line_of(number: &str) -> Option<&'static str> {
     static LINES: LazyLock<BTreeMap<(u32, u32), &str>> = LazyLock::new(|| {
         let lines = INDEX.iter().filter_map(|equation| Some((equation, equation.ends()?)));
@@ -62,7 +63,7 @@ pub(crate) fn line_of(number: &str) -> Option<&'static str> {
     LINES.get(&parse(number)?).copied()
 }
 
-/// The page of the index. Links lead to the sources below `workspace`.
+/// The page of the index, with links to the sources below `workspace`.
 pub(crate) fn page(workspace: &Path) -> String {
     let count = |is: fn(&Equation) -> bool| INDEX.iter().filter(|one| is(one)).map(numbers).sum();
     let (all, by): (u32, u32) = (count(|_| true), count(|one| !one.by.is_empty()));
@@ -123,7 +124,7 @@ fn link(item: &str, workspace: &Path) -> String {
     format!("<a href=\"../../{source}{line}\"><code>{}::{path}</code></a>", escape(&modules))
 }
 
-/// The line that begins the item, as a person would look for it.
+/// The line of the file at which the item begins.
 fn line_in(file: &Path, path: &str) -> Option<usize> {
     let text = std::fs::read_to_string(file).ok()?;
     let (owner, name) = path.rsplit_once("::").map_or((None, path), |(o, n)| (Some(o), n));

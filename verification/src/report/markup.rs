@@ -1,16 +1,16 @@
-//! Words as HTML: reserved characters, subscripts, formulas, and numbers of equations as links.
+//! Text as HTML: reserved characters, subscripts, formulas, and links from equation numbers.
 
 use super::equations;
 use pulldown_latex::config::{DisplayMode, RenderConfig};
 use pulldown_latex::{Parser, Storage, push_mathml};
 
-/// Text with the characters that HTML reserves written out.
+/// Text with the reserved characters of HTML escaped.
 pub(crate) fn escape(text: &str) -> String {
     text.replace('&', "&amp;").replace('<', "&lt;").replace('>', "&gt;").replace('"', "&quot;")
 }
 
-/// Words as HTML: `F_x` gets its subscript, `$\sqrt{a}$` is set as a formula, and the number of an
-/// equation, `(7.48)`, leads to its line in the index.
+/// Text as HTML: `F_x` gets its subscript, `$\sqrt{a}$` becomes a formula, and the number of an
+/// equation, `(7.48)`, links to its line in the index.
 pub(crate) fn prose(text: &str) -> String {
     let mut html = String::new();
     for (i, part) in text.split('$').enumerate() {
@@ -28,7 +28,7 @@ pub(crate) fn formula(latex: &str) -> String {
     mathml(latex, DisplayMode::Inline)
 }
 
-/// The same on lines of its own.
+/// The same as a displayed formula.
 pub(crate) fn formula_of_its_own(latex: &str) -> String {
     mathml(latex, DisplayMode::Block)
 }
@@ -38,7 +38,7 @@ fn mathml(latex: &str, display_mode: DisplayMode) -> String {
     let config = RenderConfig { display_mode, ..RenderConfig::default() };
     let mut markup = String::new();
     match push_mathml(&mut markup, Parser::new(latex, &storage), config) {
-        // The one sign that is written as it is read.
+        // The one character that is not escaped in the markup.
         Ok(()) => markup.replace("<mo><</mo>", "<mo>&lt;</mo>"),
         Err(error) => format!("<code class=\"fail\">{}</code>", escape(&error.to_string())),
     }
@@ -57,7 +57,7 @@ fn words(html: &mut String, text: &str) {
     }
 }
 
-/// `F_x` at the start of `text`, if the letter stands alone: its markup and its length.
+/// `F_x` at the start of `text`, if it is a word of its own: its markup and its length.
 fn subscript(before: char, text: &str) -> Option<(String, usize)> {
     let is_part = |c: char| c.is_alphanumeric() || c == '_';
     let (letter, below) = text.split_once('_')?;
@@ -71,7 +71,7 @@ fn subscript(before: char, text: &str) -> Option<(String, usize)> {
         .then(|| (format!("{single}<sub>{below}</sub>"), letter.len() + 1 + length))
 }
 
-/// The number of an equation at the start of `text`: its markup and its length.
+/// An equation number at the start of `text`: its markup and its length.
 fn reference(text: &str) -> Option<(String, usize)> {
     let inner = text.strip_prefix('(')?;
     let number = &inner[..inner.find(')').filter(|end| *end <= 7)?];

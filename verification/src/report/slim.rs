@@ -1,9 +1,9 @@
-//! Pictures as small as they look the same: a report holds a hundred of them.
+//! Reduces the size of pictures without visible change: a report contains a hundred of them.
 
 use std::fmt::Write as _;
 
-/// Points that are nearer to the line without them than this, in pixels, are left out.
-const CLOSE: f64 = 0.08;
+/// Points closer than this (pixels) to the line without them are omitted.
+const MAX_DISTANCE: f64 = 0.08;
 
 /// The picture with fewer points on its curves.
 pub(crate) fn slim(svg: &str) -> String {
@@ -18,7 +18,7 @@ pub(crate) fn slim(svg: &str) -> String {
     slim
 }
 
-/// The line of a curve, `<polyline points="..." .../>`, with fewer points; none for other lines.
+/// A curve, `<polyline points="..." .../>`, with fewer points; `None` for other elements.
 fn curve(line: &str) -> Option<String> {
     let (list, look) = line.strip_prefix("<polyline points=\"")?.split_once('"')?;
     let points: Option<Vec<[f64; 2]>> = list.split_whitespace().map(point).collect();
@@ -38,7 +38,7 @@ fn tenths(value: f64) -> f64 {
     (10.0 * value).round() / 10.0
 }
 
-/// The ends, and what of the points between is needed (Douglas and Peucker).
+/// Douglas and Peucker's algorithm: the ends, and the points between that are needed.
 fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     let mut keep = vec![false; points.len()];
     if let [first, .., last] = keep.as_mut_slice() {
@@ -46,9 +46,9 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     }
     let mut pieces = vec![(0, points.len().saturating_sub(1))];
     while let Some((from, to)) = pieces.pop() {
-        let distance = |i: usize| off(points[i], points[from], points[to]);
+        let distance = |i: usize| distance_to_segment(points[i], points[from], points[to]);
         let farthest = (from + 1..to).max_by(|i, j| distance(*i).total_cmp(&distance(*j)));
-        if let Some(middle) = farthest.filter(|i| distance(*i) > CLOSE) {
+        if let Some(middle) = farthest.filter(|i| distance(*i) > MAX_DISTANCE) {
             keep[middle] = true;
             pieces.extend([(from, middle), (middle, to)]);
         }
@@ -57,8 +57,8 @@ fn thinned(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
     if points.len() < 3 { points.to_vec() } else { kept.collect() }
 }
 
-/// Distance of a point from a piece of line.
-fn off(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
+/// Distance of a point from a line segment.
+fn distance_to_segment(point: [f64; 2], from: [f64; 2], to: [f64; 2]) -> f64 {
     let along = [to[0] - from[0], to[1] - from[1]];
     let reach = [point[0] - from[0], point[1] - from[1]];
     let square = along[0] * along[0] + along[1] * along[1];
@@ -81,8 +81,8 @@ mod tests {
         let kept = thinned(&wave);
         assert!(2 * kept.len() < wave.len() && kept[0] == wave[0] && kept.last() == wave.last());
         for point in &wave {
-            let nearest = kept.windows(2).map(|ends| off(*point, ends[0], ends[1]));
-            assert!(nearest.fold(f64::INFINITY, f64::min) <= CLOSE, "{point:?}");
+            let nearest = kept.windows(2).map(|ends| distance_to_segment(*point, ends[0], ends[1]));
+            assert!(nearest.fold(f64::INFINITY, f64::min) <= MAX_DISTANCE, "{point:?}");
         }
     }
 

@@ -1,4 +1,4 @@
-//! What each page shows and why it matters, in one paragraph.
+//! One paragraph per page: what it shows and why it matters.
 
 use std::collections::BTreeMap;
 use std::sync::LazyLock;
@@ -12,7 +12,7 @@ pub(crate) fn text(id: &str) -> Option<&'static str> {
     TEXTS.get(id).copied()
 }
 
-/// Headings `## id`, each with its paragraph.
+/// Headings `## id` with their paragraphs.
 fn parse(file: &str) -> impl Iterator<Item = (&str, &str)> {
     let parts = file.split("\n## ").skip(1);
     parts.filter_map(|part| part.split_once('\n')).map(|(id, text)| (id.trim(), text.trim()))

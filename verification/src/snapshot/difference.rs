@@ -1,20 +1,20 @@
-//! What differs between a snapshot and a figure: rows that go together, value by value.
+//! Differences between a snapshot and a figure: rows are matched, then compared cell by cell.
 
-use super::lines::{Kept, Line};
+use super::lines::{Line, SnapshotCell};
 
-/// Changes that are kept: the largest ones.
-const MOST: usize = 200;
+/// Largest number of changes that are stored; the largest changes are.
+const MAX_CHANGES: usize = 200;
 
-/// All that differs between a snapshot and a figure.
+/// The differences between a snapshot and a figure.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 pub struct Difference {
     /// The first line of the snapshot that differs, from 1.
     pub line: usize,
-    /// How many rows differ.
+    /// Number of rows that differ.
     pub rows: usize,
-    /// How many values and words differ.
+    /// Number of values and words that differ.
     pub count: usize,
-    /// The changes, the largest first: rows that came or went, words, then numbers; at most 200.
+    /// The changes, largest first: added or removed rows, words, then numbers; at most 200.
     pub changes: Vec<Change>,
 }
 
@@ -25,11 +25,11 @@ pub struct Change {
     pub place: String,
     /// Its line in the snapshot, from 1.
     pub line: usize,
-    /// What the snapshot has; empty if the row is new.
+    /// The value in the snapshot; empty if the row is new.
     pub stored: String,
-    /// What the figure has now; empty if the row is gone.
+    /// The value in the figure; empty if the row was removed.
     pub now: String,
-    /// Of a number, the change over the largest of its curve, or over the stored value.
+    /// For a number: the change over the largest value of its curve, or over the stored value.
     pub relative: Option<f64>,
 }
 
@@ -41,7 +41,7 @@ impl Difference {
     }
 }
 
-/// What differs between the stored text and the lines of now, if anything does.
+/// The differences between the stored text and the new lines, if there are any.
 pub(super) fn find(stored: &str, now: &[Line]) -> Option<Difference> {
     let stored: Vec<&str> = stored.lines().collect();
     let mut changes = Vec::new();
@@ -61,7 +61,7 @@ pub(super) fn find(stored: &str, now: &[Line]) -> Option<Difference> {
     let count = changes.len();
     let size = |change: &Change| change.relative.unwrap_or(f64::INFINITY);
     changes.sort_by(|a, b| size(b).total_cmp(&size(a)).then(a.line.cmp(&b.line)));
-    changes.truncate(MOST);
+    changes.truncate(MAX_CHANGES);
     Some(Difference { line, rows, count, changes })
 }
 
@@ -74,7 +74,7 @@ fn head(lines: &[&str]) -> String {
 
 type Found = (String, String, Option<f64>);
 
-/// What differs between two rows: cell by cell if they have as many, else as a whole.
+/// The differences between two rows: cell by cell if they have equally many, otherwise as a whole.
 fn row(stored: Option<&str>, now: Option<&Line>) -> Vec<Found> {
     let (Some(old), Some(new)) = (stored, now) else {
         let now = now.map_or_else(String::new, Line::written);
@@ -89,14 +89,14 @@ fn row(stored: Option<&str>, now: Option<&Line>) -> Vec<Found> {
     differ.map(|(word, cell)| ((*word).to_owned(), cell.written(), relative(word, cell))).collect()
 }
 
-fn relative(stored: &str, now: &Kept) -> Option<f64> {
-    let (Kept::Number(now), Ok(stored)) = (now, stored.parse()) else { return None };
+fn relative(stored: &str, now: &SnapshotCell) -> Option<f64> {
+    let (SnapshotCell::Number(now), Ok(stored)) = (now, stored.parse()) else { return None };
     Some(now.relative(stored)).filter(|relative| relative.is_finite())
 }
 
 type Range = std::ops::Range<usize>;
 
-/// The stretches of both where no line agrees: what a longest common subsequence leaves.
+/// The ranges of both that a longest common subsequence does not match.
 fn gaps(stored: &[&str], now: &[Line]) -> Vec<(Range, Range)> {
     let same = |i: usize, j: usize| now[j].agrees(stored[i]);
     let (n, m) = (stored.len(), now.len());
@@ -104,7 +104,7 @@ fn gaps(stored: &[&str], now: &[Line]) -> Vec<(Range, Range)> {
     let start = (0..most).find(|k| !same(*k, *k)).unwrap_or(most);
     let end = (0..most - start).find(|k| !same(n - 1 - k, m - 1 - k)).unwrap_or(most - start);
     let (rows, columns) = (n - end - start, m - end - start);
-    // lengths[i][j]: the longest common subsequence of what follows i and j.
+    // lengths[i][j]: the longest common subsequence of the lines from i and from j on.
     let mut lengths = vec![vec![0_u32; columns + 1]; rows + 1];
     for i in (0..rows).rev() {
         for j in (0..columns).rev() {

@@ -4,11 +4,11 @@ use crate::claim::{Check, Claim, Order, Side, Tolerance, number};
 use crate::figure::{Cell, Figure, Table};
 use carom_plot::Series;
 
-/// Points of a series that a snapshot keeps.
-const KEPT: usize = 33;
+/// Largest number of points of a series in a snapshot.
+const MAX_POINTS_OF_SERIES: usize = 33;
 
-/// Half a rounding step, and a tenth of a step for the machine.
-const ALLOWED: f64 = 0.6;
+/// Allowed difference in rounding steps: half a step, and a tenth for differences between machines.
+const ALLOWED_ROUNDING_STEPS: f64 = 0.6;
 
 /// Digits of a tolerance.
 const TOLERANCE_DIGITS: u8 = 3;
@@ -17,27 +17,27 @@ const TOLERANCE_DIGITS: u8 = 3;
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum Line {
     Head(String),
-    Row(Vec<Kept>),
+    Row(Vec<SnapshotCell>),
 }
 
 /// A cell of a row.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Kept {
+pub(super) enum SnapshotCell {
     Number(Rounded),
     Word(String),
 }
 
-/// A number, the step to which it is rounded, and the size of what it belongs to.
+/// A number, its rounding step, and the largest value of its curve.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Rounded {
     value: f64,
     step: Step,
-    /// The largest of its curve; none for a number on its own.
+    /// The largest value of its curve; `None` for a single number.
     largest: Option<f64>,
     form: Form,
 }
 
-/// How a rounded number is written.
+/// Format of a rounded number.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Form {
     /// With all digits of its step, as in a column.
@@ -65,7 +65,7 @@ impl Rounded {
     }
 
     fn agrees(self, stored: f64) -> bool {
-        (stored - self.value).abs() <= ALLOWED * self.step.size()
+        (stored - self.value).abs() <= ALLOWED_ROUNDING_STEPS * self.step.size()
     }
 
     /// The change from a stored value: over the largest of its curve, or over the stored value.
@@ -86,8 +86,8 @@ impl Step {
             .map_or(Self(-i32::from(digits)), |Self(power)| Self(power + 1 - i32::from(digits)))
     }
 
-    /// The place of the first digit, once the value is rounded to three: on both sides of a power of ten, where
-    /// many a curve ends, it is the same.
+    /// The power of ten of the first digit after rounding to three digits: it is then the same on
+    /// both sides of a power of ten, where many curves end.
     fn leading(value: f64) -> Option<Self> {
         if value == 0.0 || !value.is_finite() {
             return None;
@@ -110,12 +110,12 @@ impl Step {
     }
 }
 
-impl Kept {
+impl SnapshotCell {
     fn word(word: impl Into<String>) -> Self {
         Self::Word(word.into().replace(['\t', '\n', '\r'], " "))
     }
 
-    /// As the snapshot has it.
+    /// The number as written in the snapshot.
     pub(super) fn written(&self) -> String {
         match self {
             Self::Number(number) => number.written(),
@@ -132,11 +132,13 @@ impl Kept {
 }
 
 impl Line {
-    /// As the snapshot has it.
+    /// The cell as written in the snapshot.
     pub(super) fn written(&self) -> String {
         match self {
             Self::Head(words) => words.clone(),
-            Self::Row(cells) => cells.iter().map(Kept::written).collect::<Vec<_>>().join("\t"),
+            Self::Row(cells) => {
+                cells.iter().map(SnapshotCell::written).collect::<Vec<_>>().join("\t")
+            }
         }
     }
 
@@ -162,7 +164,7 @@ pub(super) fn of(figure: &Figure) -> Vec<Line> {
     let mut lines = vec![Line::Head(format!("{} ({digits} digits)", figure.id))];
     for input in &figure.inputs {
         let origin = format!("{}:", input.origin.word());
-        lines.push(Line::Row([&*origin, &input.name, &input.value].map(Kept::word).into()));
+        lines.push(Line::Row([&*origin, &input.name, &input.value].map(SnapshotCell::word).into()));
     }
     lines.extend(figure.claims.iter().map(|claim| claim_row(claim, digits)));
     for panel in &figure.panels {
@@ -178,34 +180,38 @@ pub(super) fn of(figure: &Figure) -> Vec<Line> {
     lines
 }
 
-/// Statement, expectation and source of a claim; what was measured is in the numbers below, or
-/// near enough to the expectation.
+/// Statement, expectation and source of a claim. The measurement is omitted: it is among the
+/// numbers below, or close to the expectation.
 fn claim_row(claim: &Claim, digits: u8) -> Line {
-    let mut cells = vec![Kept::word("claim:"), Kept::word(&*claim.statement)];
+    let mut cells = vec![SnapshotCell::word("claim:"), SnapshotCell::word(&*claim.statement)];
     match &claim.check {
         Check::Close { expected, tolerance, .. } => {
-            cells.extend([Kept::Number(expectation(*expected, *tolerance, digits))]);
+            cells.extend([SnapshotCell::Number(expectation(*expected, *tolerance, digits))]);
             cells.extend(tolerance_cells(*tolerance));
         }
         Check::AllClose { pairs, tolerance } => {
-            cells.push(Kept::word(format!("{} values", pairs.len())));
+            cells.push(SnapshotCell::word(format!("{} values", pairs.len())));
             cells.extend(tolerance_cells(*tolerance));
         }
         Check::Bound { bound, side, .. } => {
-            cells.push(Kept::word(if *side == Side::Below { "at most" } else { "at least" }));
-            cells.push(Kept::Number(Rounded::short(*bound, digits)));
+            cells.push(SnapshotCell::word(if *side == Side::Below {
+                "at most"
+            } else {
+                "at least"
+            }));
+            cells.push(SnapshotCell::Number(Rounded::short(*bound, digits)));
         }
         Check::Ordered { values, order } => {
             let order = if *order == Order::Increasing { "increasing" } else { "decreasing" };
-            cells.push(Kept::word(format!("{} values {order}", values.len())));
+            cells.push(SnapshotCell::word(format!("{} values {order}", values.len())));
         }
-        Check::Holds { .. } => cells.push(Kept::word("holds")),
+        Check::Holds { .. } => cells.push(SnapshotCell::word("holds")),
     }
-    cells.push(Kept::word(&*claim.source));
+    cells.push(SnapshotCell::word(&*claim.source));
     Line::Row(cells)
 }
 
-/// An expected value, no finer than its tolerance.
+/// An expected value, rounded no finer than its tolerance.
 fn expectation(expected: f64, tolerance: Tolerance, digits: u8) -> Rounded {
     let rounded = Rounded::short(expected, digits);
     let allowed = match tolerance {
@@ -216,12 +222,12 @@ fn expectation(expected: f64, tolerance: Tolerance, digits: u8) -> Rounded {
     Rounded { step, ..rounded }
 }
 
-fn tolerance_cells(tolerance: Tolerance) -> [Kept; 2] {
+fn tolerance_cells(tolerance: Tolerance) -> [SnapshotCell; 2] {
     let (value, word) = match tolerance {
         Tolerance::Absolute(value) => (value, "absolute"),
         Tolerance::Relative(value) => (value, "relative"),
     };
-    [Kept::Number(Rounded::short(value, TOLERANCE_DIGITS)), Kept::word(word)]
+    [SnapshotCell::Number(Rounded::short(value, TOLERANCE_DIGITS)), SnapshotCell::word(word)]
 }
 
 fn push_series(lines: &mut Vec<Line>, series: &Series, digits: u8) {
@@ -233,13 +239,13 @@ fn push_series(lines: &mut Vec<Line>, series: &Series, digits: u8) {
     let largest = (largest(&mut xs()), largest(&mut ys()));
     let form = Form::Column;
     lines.push(Line::Head(format!("series: {} | {count} points", series.label)));
-    let kept = count.min(KEPT);
+    let kept = count.min(MAX_POINTS_OF_SERIES);
     let indices = (0..kept).map(|i| if kept > 1 { i * (count - 1) / (kept - 1) } else { 0 });
     lines.extend(indices.map(|i| {
         let point = series.points[i];
         let x = Rounded { value: point.x, step: steps.0, largest: Some(largest.0), form };
         let y = Rounded { value: point.y, step: steps.1, largest: Some(largest.1), form };
-        Line::Row(vec![Kept::Number(x), Kept::Number(y)])
+        Line::Row(vec![SnapshotCell::Number(x), SnapshotCell::Number(y)])
     }));
 }
 
@@ -247,9 +253,9 @@ fn push_table(lines: &mut Vec<Line>, table: &Table, digits: u8) {
     lines.push(Line::Head(format!("table: {} | {}", table.title, table.columns.join(" | "))));
     for row in &table.rows {
         let cells = row.iter().map(|cell| match cell {
-            Cell::Number(value) => Kept::Number(Rounded::alone(*value, digits)),
-            Cell::Text(text) => Kept::word(&**text),
-            Cell::Remark(_) => Kept::word("-"),
+            Cell::Number(value) => SnapshotCell::Number(Rounded::alone(*value, digits)),
+            Cell::Text(text) => SnapshotCell::word(&**text),
+            Cell::Remark(_) => SnapshotCell::word("-"),
         });
         lines.push(Line::Row(cells.collect()));
     }
@@ -290,7 +296,7 @@ pub(super) mod tests {
         0.0000	0.00
         3.0000	1.29
         ");
-        assert_eq!(text.lines().count(), 6 + KEPT + 2);
+        assert_eq!(text.lines().count(), 6 + MAX_POINTS_OF_SERIES + 2);
         assert!(
             text.ends_with("99.0000\t1400.14\ntable: numbers | name | value\na\t-333333e-15\n")
         );

@@ -10,7 +10,7 @@ pub(super) struct Link {
     pub(super) target: String,
 }
 
-/// The links of a text, those in code left out.
+/// The links of a text, except those in code.
 pub(super) fn of(text: &str) -> Vec<Link> {
     let mut links = Vec::new();
     for (line, prose) in prose(text) {
@@ -23,7 +23,7 @@ pub(super) fn of(text: &str) -> Vec<Link> {
     links
 }
 
-/// Lines outside of blocks of code, with what stands between backticks left out.
+/// Lines outside code blocks, without the text between backticks.
 fn prose(text: &str) -> Vec<(usize, String)> {
     let mut is_code = false;
     let mut lines = Vec::new();
@@ -38,33 +38,37 @@ fn prose(text: &str) -> Vec<(usize, String)> {
     lines
 }
 
-/// What is wrong with a link on the page at `path`; nothing if it leads somewhere. Pages elsewhere are not
-/// asked for. Links of the book must stay `below` its sources.
+/// The fault of a link on the page at `path`, if there is one. Links to other hosts are not
+/// checked. Links of the book must stay `below` its sources.
 pub(super) fn fault(path: &Path, link: &Link, below: Option<&Path>) -> Option<String> {
     if ["http://", "https://", "mailto:"].iter().any(|start| link.target.starts_with(start)) {
         return None;
     }
-    let told =
+    let fault_of =
         |what: &str| Some(format!("{}:{}: {}: {what}", path.display(), link.line, link.target));
     let (file, anchor) = link.target.split_once('#').unwrap_or((&link.target, ""));
     let target = match file {
         "" => path.to_owned(),
         file => path.parent().unwrap_or(Path::new("")).join(file),
     };
-    let Ok(target) = target.canonicalize() else { return told("nothing is there") };
+    let Ok(target) = target.canonicalize() else { return fault_of("nothing is there") };
     let is_inside =
         |below: &Path| below.canonicalize().is_ok_and(|below| target.starts_with(below));
     if below.is_some_and(|below| !is_inside(below)) {
-        return told("leads out of the book");
+        return fault_of("leads out of the book");
     }
     if anchor.is_empty() {
         return None;
     }
     let text = std::fs::read_to_string(&target).unwrap_or_default();
-    if anchors(&text).iter().any(|there| there == anchor) { None } else { told("no such heading") }
+    if anchors(&text).iter().any(|there| there == anchor) {
+        None
+    } else {
+        fault_of("no such heading")
+    }
 }
 
-/// The anchors that the headings of a text get.
+/// The anchors of the headings of a text.
 fn anchors(text: &str) -> Vec<String> {
     let mut is_code = false;
     let mut anchors = Vec::new();
@@ -83,15 +87,15 @@ fn anchors(text: &str) -> Vec<String> {
     anchors
 }
 
-/// What is wrong with the `{{#include file:anchor}}` of a page.
+/// The faults of `{{#include file:anchor}}` on a page.
 pub(super) fn inclusions(path: &Path, text: &str) -> Vec<String> {
     let mut faults = Vec::new();
     for rest in text.split("{{#include ").skip(1) {
         let Some((what, _)) = rest.split_once("}}") else { continue };
         let (file, anchor) = what.split_once(':').unwrap_or((what, ""));
-        let told = |why: &str| format!("{}: {what}: {why}", path.display());
+        let fault_of = |why: &str| format!("{}: {what}: {why}", path.display());
         match std::fs::read_to_string(path.parent().unwrap_or(Path::new("")).join(file)) {
-            Err(_) => faults.push(told("nothing is there")),
+            Err(_) => faults.push(fault_of("nothing is there")),
             Ok(source) => {
                 let has = |mark: &str| {
                     let mark = format!("{mark}: {anchor}");
@@ -103,7 +107,7 @@ pub(super) fn inclusions(path: &Path, text: &str) -> Vec<String> {
                 };
                 let is_whole = anchor.is_empty() || has("ANCHOR") && has("ANCHOR_END");
                 if !is_whole {
-                    faults.push(told("no such anchor"));
+                    faults.push(fault_of("no such anchor"));
                 }
             }
         }

@@ -1,8 +1,7 @@
-//! The book below `docs/book`: whether its links lead somewhere, and its pages.
+//! The book in `docs/book`: checks its links and builds its pages.
 
 mod links;
 
-use crate::cargo;
 use crate::outcome::{Outcome, Part};
 use crate::tools::MDBOOK;
 use anyhow::{Context as _, ensure};
@@ -12,7 +11,7 @@ use std::process::Command;
 
 const SOURCES: &str = "docs/book/src";
 
-/// Checks the book and, where there is an mdBook, makes its pages in target/book/.
+/// Checks the book and, if mdBook is installed, builds its pages in target/book/.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
     check(&root())?;
     if !MDBOOK.is_there()? {
@@ -22,19 +21,13 @@ pub(crate) fn run() -> anyhow::Result<Outcome> {
         Command::new("mdbook").arg("build").current_dir(root().join("docs/book")).status()?;
     ensure!(status.success(), "`mdbook build` failed ({status})");
     let page = std::fs::read_to_string(root().join("target/book/theory/impact.html"))?;
-    ensure!(page.contains("<math"), "no formula is set in target/book/theory/impact.html");
+    ensure!(page.contains("<math"), "target/book/theory/impact.html contains no formula");
     println!("the book: target/book/index.html");
     Ok(Outcome::Passed)
 }
 
-/// Draws the book's pictures and writes its case reference anew.
-pub(crate) fn update() -> anyhow::Result<()> {
-    let test = ["test", "--release", "--package", "carom-cli", "--test", "it", "book::"];
-    cargo::run_with(&test, "CAROM_BOOK", "update")
-}
-
-/// Whether all chapters are in the contents, and all links of the book and of the pages beside the sources
-/// lead somewhere.
+/// Checks that all chapters are in the table of contents, and that all links of the book and of
+/// other Markdown pages have a target.
 pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
     let sources = root.join(SOURCES);
     let chapters = chapters(root)?;
@@ -63,12 +56,12 @@ pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The chapters, the contents among them.
+/// The chapters, including the table of contents.
 pub(crate) fn chapters(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
     markdown(&root.join(SOURCES))
 }
 
-/// The pages that stand beside the sources.
+/// Markdown pages outside the book.
 fn beside(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
     let mut pages = [
         "README.md",
@@ -88,7 +81,7 @@ fn beside(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
     Ok(pages)
 }
 
-/// All Markdown below a folder.
+/// All Markdown files below a folder.
 fn markdown(folder: &Path) -> anyhow::Result<Vec<PathBuf>> {
     let mut found = Vec::new();
     for entry in std::fs::read_dir(folder).with_context(|| folder.display().to_string())? {

@@ -1,4 +1,4 @@
-//! The report in a browser without a window: two widths, both themes.
+//! Tests the report in a headless browser: two widths, both themes.
 
 use crate::outcome::{Outcome, Part};
 use anyhow::{Context as _, bail};
@@ -6,12 +6,12 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 const PROBE: &str = include_str!("probe.js");
-/// Of a phone and of a desk.
+/// Widths of a phone and of a desktop screen, in pixels.
 const WIDTHS: [u32; 2] = [400, 1280];
 const THEMES: [&str; 2] = ["light", "dark"];
 const BROWSERS: [&str; 4] = ["chromium", "chromium-browser", "google-chrome", "chrome"];
 
-/// Looks at `target/verification/report.html` and keeps pictures of it in
+/// Loads `target/verification/report.html` and saves screenshots in
 /// `target/verification/screenshots/`; skipped without a browser.
 pub(crate) fn run() -> anyhow::Result<Outcome> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").canonicalize()?;
@@ -54,7 +54,7 @@ fn browser() -> Option<PathBuf> {
     named.into_iter().chain(places).find(|place| place.is_file())
 }
 
-/// The report with the probe, and an ear for errors before anything else.
+/// The report with the test script, which records errors from the start.
 fn with_probe(report: &str) -> anyhow::Result<String> {
     let ear = "<head><script>window.faults=[];addEventListener('error',e=>faults.push(e.message||\
                'not loaded: '+(e.target.src||e.target.href)),true);\
@@ -64,7 +64,7 @@ fn with_probe(report: &str) -> anyhow::Result<String> {
     Ok(format!("{before}{ear}{body}<script>{PROBE}</script></body>{end}"))
 }
 
-/// What the probe tells of the report in a frame of this width.
+/// The findings of the test script in a frame of this width.
 fn look(
     browser: &Path,
     folder: &Path,
@@ -73,7 +73,7 @@ fn look(
 ) -> anyhow::Result<serde_json::Value> {
     let name = format!("{width}-{theme}");
     let frame = folder.join(format!("{name}.html"));
-    // A window cannot be narrower than 500; a frame in it can.
+    // A window cannot be narrower than 500 pixels; a frame can.
     let page = format!(
         "<!DOCTYPE html><body style=\"margin:0\"><pre id=\"seen\" hidden></pre>\
          <script>addEventListener('message',e=>{{seen.textContent=btoa(unescape(encodeURIComponent(\
@@ -96,11 +96,11 @@ fn look(
     std::fs::remove_file(&frame)?;
     let text = String::from_utf8_lossy(&dump.stdout);
     let seen = text.split("id=\"seen\"").nth(1).and_then(|rest| rest.split(['>', '<']).nth(1));
-    let seen = seen.filter(|seen| !seen.is_empty()).context("the probe does not answer")?;
+    let seen = seen.filter(|seen| !seen.is_empty()).context("the test script gave no result")?;
     Ok(serde_json::from_slice(&base64(seen)?)?)
 }
 
-/// What the letters of base 64 stand for.
+/// Decodes base 64.
 fn base64(text: &str) -> anyhow::Result<Vec<u8>> {
     let value = |letter: u8| match letter {
         b'A'..=b'Z' => Ok(letter - b'A'),
@@ -108,7 +108,7 @@ fn base64(text: &str) -> anyhow::Result<Vec<u8>> {
         b'0'..=b'9' => Ok(letter - b'0' + 52),
         b'+' => Ok(62),
         b'/' => Ok(63),
-        _ => bail!("`{}` is no letter of base 64", char::from(letter)),
+        _ => bail!("`{}` is not a base 64 digit", char::from(letter)),
     };
     let (mut bytes, mut bits, mut count) = (Vec::new(), 0_u32, 0);
     for letter in text.trim_end_matches('=').bytes() {

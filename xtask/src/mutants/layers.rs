@@ -1,7 +1,7 @@
-//! Mutants of what is not Rust: the Python layer and the shim of the LAMMPS plugin.
+//! Mutants of the Python layer and of the C++ code of the LAMMPS plugin.
 //!
-//! Each is a replaced text in the installed module, or in a copy of the plugin that is built anew, both below
-//! `target/`, one at a time; the tests of the layer must notice.
+//! Each replaces a text in the installed module, or in a copy of the plugin that is then rebuilt,
+//! both below `target/`, one at a time. The tests of the layer must fail.
 
 use super::list::{Killers, Layer, LayerMutant};
 use crate::lammps::{self, Host};
@@ -20,7 +20,7 @@ impl Layer {
         }
     }
 
-    /// The folder with its tests.
+    /// The folder of its tests.
     fn project(self) -> &'static str {
         match self {
             Self::Python => "crates/python",
@@ -29,7 +29,7 @@ impl Layer {
     }
 }
 
-/// Whether the text of every mutant stands once in its file.
+/// Checks that the text of every mutant occurs once in its file.
 pub(super) fn check(root: &Path, mutants: &[LayerMutant]) -> anyhow::Result<()> {
     let wrong: Vec<String> = mutants
         .iter()
@@ -39,17 +39,17 @@ pub(super) fn check(root: &Path, mutants: &[LayerMutant]) -> anyhow::Result<()> 
     Ok(())
 }
 
-/// The file with the mutant.
+/// The file with the replaced text.
 fn replaced(root: &Path, mutant: &LayerMutant) -> anyhow::Result<String> {
     let path = root.join(mutant.layer.sources()).join(&mutant.file);
     let text = std::fs::read_to_string(&path).with_context(|| path.display().to_string())?;
     let count = text.matches(&mutant.find).count();
-    ensure!(count == 1, "`{}` stands {count} times", mutant.find);
+    ensure!(count == 1, "`{}` occurs {count} times", mutant.find);
     Ok(text.replace(&mutant.find, &mutant.replace))
 }
 
-/// Runs the mutants, notes in `killers` who noticed; an error if one survives. A layer is skipped where its
-/// tests are.
+/// Runs the mutants and records in `killers` which test fails; an error if a mutant survives. A
+/// layer is skipped if its tests are.
 pub(super) fn run(
     root: &Path,
     mutants: &[LayerMutant],
@@ -89,21 +89,21 @@ pub(super) fn run(
     Ok(outcome)
 }
 
-/// A layer that may be changed, and how its tests are run.
+/// A layer in which texts may be replaced, and how its tests run.
 struct Bench {
     layer: Layer,
-    /// The folder of the files that are changed.
+    /// The folder of the replaced files.
     copy: PathBuf,
-    /// The project that holds the tests.
+    /// The folder of the test project.
     project: PathBuf,
     interpreter: PathBuf,
     host: Option<Host>,
-    /// Where the tests run.
+    /// The working folder of the tests.
     work: PathBuf,
 }
 
 impl Bench {
-    /// The bench, or why there is none.
+    /// The bench, or the reason why there is none.
     fn new(root: &Path, layer: Layer) -> anyhow::Result<Result<Self, Outcome>> {
         let folder = root.join("target/mutants").join(layer.project());
         if folder.exists() {
@@ -131,7 +131,8 @@ impl Bench {
                 let Some(host) = Host::place()? else {
                     return Ok(Err(Outcome::skipped(Part::Lammps, lammps::UNREACHED)));
                 };
-                // A workspace of links but for the plugin, whose script finds the rest beside it.
+                // A workspace of links except for the plugin, whose build script finds the rest
+                // beside it.
                 let tree = folder.join("tree");
                 copied(&project, &tree.join(layer.project()))?;
                 for entry in std::fs::read_dir(root)? {
@@ -153,7 +154,7 @@ impl Bench {
         }
     }
 
-    /// The test that notices: the one that is known to, or the first of all.
+    /// The test that fails: the known one, or the first of all.
     fn noticed(
         &self,
         root: &Path,
@@ -173,7 +174,7 @@ impl Bench {
         Ok(failure)
     }
 
-    /// The first test that fails, of all or of the one named.
+    /// The first failing test, of all or of the one named.
     fn failure(&self, test: Option<&str>) -> anyhow::Result<Option<String>> {
         let mut pytest = match &self.host {
             None => {
@@ -214,7 +215,7 @@ fn failed_in(text: &str) -> Option<&str> {
     Some(name.find("tests/").map_or(name, |at| &name[at..]))
 }
 
-/// Copies a folder; what Python has compiled stays behind.
+/// Copies a folder without files compiled by Python.
 fn copied(from: &Path, to: &Path) -> anyhow::Result<()> {
     std::fs::create_dir_all(to)?;
     let entries = std::fs::read_dir(from).with_context(|| from.display().to_string())?;

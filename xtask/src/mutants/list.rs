@@ -1,53 +1,53 @@
-//! The list of mutants, `xtask/mutants.toml`, and the tests known to notice them.
+//! The list of mutants, `xtask/mutants.toml`, and the tests known to detect them.
 
 use anyhow::{Context as _, bail, ensure};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
-/// The list holds at most so many.
-const MOST: usize = 200;
+/// Largest number of mutants in the list.
+const MAX_MUTANTS: usize = 200;
 
-/// One way in which the physics is broken.
+/// A deliberate fault in the physics.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Mutant {
-    /// Crate and function, `carom_laws::Hertz::normal_energy`; modules may be left out.
+    /// Crate and function, such as `carom_laws::Hertz::normal_energy`; modules may be omitted.
     pub(super) item: String,
-    /// What is wrong then.
+    /// What the fault is.
     pub(super) name: String,
     /// An expression of the function.
     pub(super) find: String,
-    /// What stands in its place.
+    /// Its replacement.
     pub(super) replace: String,
-    /// Which of the places where the expression stands, from 1; needed if there are several.
+    /// Which occurrence of the expression, from 1; required if there are several.
     pub(super) nth: Option<usize>,
-    /// Why no test can notice it.
+    /// Why no test can detect it.
     pub(super) explained: Option<String>,
 }
 
 impl Mutant {
-    /// Item and name: what the list and the killers know it by.
+    /// Item and name: the key in the list and in the file of killers.
     pub(super) fn key(&self) -> String {
         format!("{}: {}", self.item, self.name)
     }
 }
 
-/// What a mutant outside of Rust belongs to.
+/// The layer of a mutant outside Rust.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Layer {
     /// The Python layer, `[[python]]`.
     Python,
-    /// The shim of the LAMMPS plugin, `[[lammps]]`.
+    /// The C++ code of the LAMMPS plugin, `[[lammps]]`.
     Lammps,
 }
 
-/// One way in which the Python layer or the LAMMPS plugin is broken.
+/// A deliberate fault in the Python layer or the LAMMPS plugin.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct LayerMutant {
     pub(super) layer: Layer,
-    /// Below the folder of the sources.
+    /// Path below the folder of the sources.
     pub(super) file: String,
     pub(super) name: String,
-    /// A text that stands once in the file.
+    /// A text that occurs once in the file.
     pub(super) find: String,
     pub(super) replace: String,
 }
@@ -83,7 +83,7 @@ fn parse(text: &str) -> anyhow::Result<List> {
         layers.extend(entries.map(|entry| of_layer(layer, entry)).collect::<Result<Vec<_>, _>>()?);
     }
     let count = mutants.len() + layers.len();
-    ensure!(count <= MOST, "{count} mutants; at most {MOST}");
+    ensure!(count <= MAX_MUTANTS, "{count} mutants; at most {MAX_MUTANTS}");
     let mut keys = BTreeSet::new();
     for key in mutants.iter().map(Mutant::key).chain(layers.iter().map(LayerMutant::key)) {
         ensure!(!keys.contains(&key), "twice: {key}");
@@ -129,10 +129,10 @@ fn mutant(entry: &toml::Value) -> anyhow::Result<Mutant> {
     })
 }
 
-/// Which test is known to notice a mutant, by the mutant's key.
+/// The test known to detect each mutant, by the key of the mutant.
 pub(super) type Killers = BTreeMap<String, String>;
 
-/// Reads the killers; none if there is no such file.
+/// Reads the killers; empty if the file does not exist.
 pub(super) fn read_killers(path: &Path) -> anyhow::Result<Killers> {
     let Ok(text) = std::fs::read_to_string(path) else { return Ok(Killers::new()) };
     let table: toml::Table = text.parse().with_context(|| path.display().to_string())?;

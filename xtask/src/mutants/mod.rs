@@ -1,20 +1,19 @@
-//! Mutants: the code broken in many small ways, to see whether a test or a claim notices.
+//! Mutants: deliberate faults in the code that a test or a claim must detect.
 //!
-//! `xtask/mutants.toml` lists them: a function, an expression in it, and what stands in its place.
-//! They are named by the function, so that a move of code between files keeps them; one whose
-//! place is gone is an error. A copy of the workspace below `target/mutants/` gets all of them
-//! woven in, each behind a switch that the environment turns on, and is built once. The sources,
-//! and so every release, hold none; the programs in `target/release` are those of the copy until the
-//! next build.
+//! `xtask/mutants.toml` lists them: a function, an expression in it, and its replacement. They are
+//! identified by the function, so that code may move between files; a mutant whose place no longer
+//! exists is an error. All mutants are woven into a copy of the workspace below `target/mutants/`,
+//! each behind a switch set by the environment, and the copy is built once. Sources and releases
+//! contain none; but the programs in `target/release` are those of the copy until the next build.
 //!
-//! First every test and every page runs without a mutant, each as a process of its own, and notes
-//! which mutants it reaches. Then, mutant by mutant, the tests that reach it run until one fails,
-//! and the claims of the pages that reach it; snapshots do not count. A mutant that nobody notices
-//! is a gap in the tests: it fails the task, unless the list explains it.
+//! First, every test and every page runs without mutants, each in its own process, and records the
+//! mutants it reaches. Then, for each mutant, the tests that reach it run until one fails, and so
+//! do the claims of the pages that reach it; snapshots do not count. A mutant that nothing detects
+//! is a gap in the tests: the task fails, unless the list explains it.
 //!
-//! With `--record` the test that noticed is noted in `xtask/mutants-noticed.toml`; with `--quick`
-//! that one runs first, and the others only if it no longer notices; of the tests only those
-//! targets are built. This is what continuous integration does.
+//! With `--record`, the detecting test is recorded in `xtask/mutants-noticed.toml`. With `--quick`,
+//! that test runs first, and the others only if it no longer detects the mutant; only the required
+//! test targets are built. Continuous integration runs this.
 //!
 //! The Python layer and the LAMMPS plugin have mutants of their own, see [`layers`].
 
@@ -37,7 +36,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, Instant};
 use trial::{Selection, Trial};
 
-/// Runs the mutants that the options choose.
+/// Runs the mutants selected by the options.
 pub(crate) fn run(options: &flags::Mutants) -> anyhow::Result<Outcome> {
     let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/..")).canonicalize()?;
     let list = list::read(&root.join("xtask/mutants.toml"))?;
@@ -60,7 +59,7 @@ pub(crate) fn run(options: &flags::Mutants) -> anyhow::Result<Outcome> {
     result
 }
 
-/// Runs those of Rust.
+/// Runs the mutants in Rust code.
 fn run_woven(
     root: &Path,
     mutants: &[Mutant],
@@ -89,7 +88,7 @@ fn run_woven(
     report::survivors(&judged)
 }
 
-/// Where the copy is, and what its tests note.
+/// The folders of the copy and of the records of its tests.
 struct Place {
     root: PathBuf,
     tree: PathBuf,
@@ -119,18 +118,18 @@ const ALL: flags::Mutants = flags::Mutants {
     layers: false,
 };
 
-/// All mutants of Rust, each against the test known to notice it: what continuous integration runs.
+/// All mutants in Rust, each against the test known to detect it, for continuous integration.
 pub(crate) fn quick() -> anyhow::Result<()> {
     run(&flags::Mutants { quick: true, ..ALL }).map(drop)
 }
 
-/// All mutants, each against all tests and pages: what the long run has.
+/// All mutants, each against all tests and pages, for the long run.
 pub(crate) fn all() -> anyhow::Result<Outcome> {
     let of_rust = run(&ALL)?;
     Ok(of_rust.and(run(&flags::Mutants { layers: true, ..ALL })?))
 }
 
-/// Whether the code still has every place of the list, told without a build.
+/// Checks that every place of the list exists in the code, without a build.
 pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
     let list = list::read(&root.join("xtask/mutants.toml"))?;
     weave::check(root, &list.mutants)?;
@@ -139,7 +138,7 @@ pub(crate) fn check(root: &Path) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// The numbers, from 1, of the mutants that the options choose.
+/// The numbers, from 1, of the mutants selected by the options.
 fn chosen(mutants: &[Mutant], options: &flags::Mutants, root: &Path) -> anyhow::Result<Vec<usize>> {
     let is_chosen = |number: &usize| is_chosen(&mutants[number - 1].key(), options);
     let mut chosen: Vec<usize> = (1..=mutants.len()).filter(is_chosen).collect();
@@ -156,7 +155,7 @@ fn is_chosen(key: &str, options: &flags::Mutants) -> bool {
     options.only.as_ref().is_none_or(|text| key.contains(text))
 }
 
-/// All tests and pages that reach a mutant, until one of each notices.
+/// Runs all tests and pages that reach a mutant, until one of each detects it.
 fn thoroughly(chosen: &[usize], trials: Vec<Trial>, reach: &Path) -> anyhow::Result<Vec<Verdict>> {
     let clock = Instant::now();
     let count = trials.len();
@@ -168,7 +167,7 @@ fn thoroughly(chosen: &[usize], trials: Vec<Trial>, reach: &Path) -> anyhow::Res
     Ok(verdicts)
 }
 
-/// The test known to notice, and all others only where it does not.
+/// Runs the known test, and all others only if it does not detect the mutant.
 fn quickly(
     chosen: &[usize],
     mutants: &[Mutant],
@@ -176,7 +175,7 @@ fn quickly(
     place: &Place,
 ) -> anyhow::Result<Vec<Verdict>> {
     let names = chosen.iter().filter_map(|number| killers.get(&mutants[number - 1].key()));
-    // A target that is gone does not build: then the tests known are found again among all.
+    // If a target no longer exists, the build fails; then all tests are built.
     let trials = place.build(&Selection::of(names)).or_else(|_| place.build(&Selection::all()))?;
     let clock = Instant::now();
     let known_to = |number: usize| {
@@ -190,12 +189,12 @@ fn quickly(
         Ok(noticed.then(|| by(trial)))
     })?;
     let known = verdicts.iter().flatten().count();
-    println!("{known} noticed by the tests known in {:.0} s", clock.elapsed().as_secs_f64());
+    println!("{known} detected by the known tests in {:.0} s", clock.elapsed().as_secs_f64());
     let open: Vec<usize> = (0..chosen.len())
         .filter(|i| verdicts[*i].is_none() && !explained(mutants, chosen[*i]))
         .collect();
     if !open.is_empty() {
-        println!("{} need others: `cargo xtask mutants --record` makes them known", open.len());
+        println!("{} need other tests: record them by `cargo xtask mutants --record`", open.len());
         let numbers: Vec<usize> = open.iter().map(|i| chosen[*i]).collect();
         let trials = place.build(&Selection::all())?;
         for (i, verdict) in open.into_iter().zip(thoroughly(&numbers, trials, &place.reach)?) {
@@ -209,7 +208,7 @@ fn explained(mutants: &[Mutant], number: usize) -> bool {
     mutants[number - 1].explained.is_some()
 }
 
-/// The verdict of one trial that notices.
+/// The verdict of one detecting trial.
 fn by(trial: &Trial) -> Verdict {
     let name = Some(trial.name.clone());
     let verdict = Verdict { is_reached: true, ..Verdict::default() };

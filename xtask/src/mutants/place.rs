@@ -1,5 +1,4 @@
-//! Where in the sources a mutant stands: found by its function and expression, so that code may
-//! move between files.
+//! Finds the place of a mutant by its function and expression, so that code may move between files.
 
 use super::list::Mutant;
 use anyhow::{Context as _, bail, ensure};
@@ -10,7 +9,7 @@ use syn::visit::{self, Visit};
 
 /// A source file of a crate.
 pub(super) struct Source {
-    /// Below the workspace.
+    /// Path below the root of the workspace.
     pub(super) path: PathBuf,
     /// Its text.
     pub(super) text: String,
@@ -19,19 +18,19 @@ pub(super) struct Source {
 
 /// A function of a source file.
 struct Function {
-    /// `carom_laws`, modules, type, name.
+    /// Path: `carom_laws`, modules, type, name.
     path: Vec<String>,
     is_const: bool,
-    /// The bytes of each of its expressions.
+    /// The byte ranges of its expressions.
     expressions: Vec<Range<usize>>,
 }
 
 /// The place of a mutant.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Place {
-    /// Which source.
+    /// Index of the source.
     pub(super) source: usize,
-    /// The bytes of the expression.
+    /// Byte range of the expression.
     pub(super) range: Range<usize>,
 }
 
@@ -76,7 +75,7 @@ fn functions(text: &str, module: Vec<String>) -> anyhow::Result<Vec<Function>> {
     Ok(finder.functions)
 }
 
-/// Collects the functions of a file; those of its tests are left out.
+/// Collects the functions of a file, without those of its tests.
 struct Finder<'t> {
     text: &'t str,
     path: Vec<String>,
@@ -99,7 +98,7 @@ impl Finder<'_> {
         self.functions.push(Function { path, is_const, expressions: expressions.0 });
     }
 
-    /// The closures of a constant, as a table of columns has them: they run later, so that they can be
+    /// Collects the closures of a constant, such as a table of columns: they run later and can be
     /// switched.
     fn add_closures(&mut self, ident: &syn::Ident, value: &syn::Expr) {
         let mut closures = Closures(Expressions(Vec::new()));
@@ -126,7 +125,7 @@ impl<'a> Visit<'a> for Finder<'_> {
             syn::Type::Path(path) => path.path.segments.last().map(|s| s.ident.to_string()),
             _ => None,
         };
-        // `[f64; 2]` has no name but its text.
+        // A type such as `[f64; 2]` has no name except its text.
         let name = name.unwrap_or_else(|| self.text[item.self_ty.span().byte_range()].to_owned());
         self.within(name, |finder| {
             visit::visit_item_impl(finder, item);
@@ -160,7 +159,7 @@ impl<'a> Visit<'a> for Finder<'_> {
     }
 }
 
-/// Collects the whole expressions of a body, so that a mutant never cuts one in two.
+/// Collects whole expressions of a body, so that a mutant never cuts one.
 struct Expressions(Vec<Range<usize>>);
 
 impl<'a> Visit<'a> for Expressions {
@@ -170,7 +169,7 @@ impl<'a> Visit<'a> for Expressions {
     }
 }
 
-/// Collects the expressions of closures alone.
+/// Collects the expressions in closures only.
 struct Closures(Expressions);
 
 impl<'a> Visit<'a> for Closures {
@@ -200,15 +199,15 @@ pub(super) fn find(mutant: &Mutant, sources: &[Source]) -> anyhow::Result<Place>
     let (is_const, place) = match (mutant.nth, found) {
         (_, 0) => bail!("no expression `{}` in {}", mutant.find, items.join(", ")),
         (None, 1) => places.remove(0),
-        (None, _) => bail!("`{}` stands {found} times in {}", mutant.find, items.join(", ")),
+        (None, _) => bail!("`{}` occurs {found} times in {}", mutant.find, items.join(", ")),
         (Some(nth), _) if nth <= found => places.remove(nth - 1),
-        (Some(nth), _) => bail!("`{}` stands {found} times only, not {nth}", mutant.find),
+        (Some(nth), _) => bail!("`{}` occurs {found} times only, not {nth}", mutant.find),
     };
     ensure!(!is_const, "a const function cannot be switched: name a function that uses it");
     Ok(place)
 }
 
-/// Whether the path begins with the item's crate and ends with the rest of it.
+/// Whether the path begins with the item's crate and ends with the rest of the item.
 fn is_named(path: &[String], item: &str) -> bool {
     let item: Vec<&str> = item.split("::").collect();
     let Some((crate_name, rest)) = item.split_first() else { return false };
@@ -262,11 +261,11 @@ mod tests {
         let error = |item, find, nth| place(item, find, nth).unwrap_err().to_string();
         assert_eq!(error("carom_laws::Law::force", "1", None), "no such function");
         assert_eq!(error("carom_impact::Law::energy", "0.4", None), "no such function");
-        // Half of a product is no expression of its own.
+        // A part of a product is not an expression.
         let cut = error("carom_laws::Law::energy", "self.force() * 2.0", None);
         assert!(cut.starts_with("no expression"), "{cut}");
         let twice = error("carom_laws::Law::energy", "2.0", None);
-        assert_eq!(twice, "`2.0` stands 2 times in carom_laws::law::Law::energy");
+        assert_eq!(twice, "`2.0` occurs 2 times in carom_laws::law::Law::energy");
         assert!(error("carom_laws::Law::energy", "2.0", Some(3)).contains("2 times only"));
         assert!(error("carom_laws::fixed", "2.0", None).starts_with("a const function"));
         assert!(error("carom_laws::COLUMNS", "3.0", None).starts_with("no expression"));

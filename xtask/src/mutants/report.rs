@@ -1,10 +1,10 @@
-//! What became of the mutants.
+//! Prints the results of the mutants.
 
 use super::list::Mutant;
 use super::round::Verdict;
 use anyhow::bail;
 
-/// Prints who notices each mutant, and how many tests and claims do.
+/// Prints which test detects each mutant, and how many are detected by tests and by claims.
 pub(super) fn table(judged: &[(&Mutant, Verdict)]) {
     for (mutant, verdict) in judged.iter().filter(|(_, verdict)| !verdict.survives()) {
         let both = [&verdict.test, &verdict.page].into_iter().flatten();
@@ -13,14 +13,14 @@ pub(super) fn table(judged: &[(&Mutant, Verdict)]) {
     }
     let count = |holds: fn(&Verdict) -> bool| judged.iter().filter(|(_, v)| holds(v)).count();
     println!(
-        "noticed by tests and claims: {}, by tests only: {}, by claims only: {}",
+        "detected by tests and claims: {}, by tests only: {}, by claims only: {}",
         count(|v| v.test.is_some() && v.page.is_some()),
         count(|v| v.test.is_some() && v.page.is_none()),
         count(|v| v.test.is_none() && v.page.is_some()),
     );
 }
 
-/// Prints the mutants that survive; fails if there is one that the list does not explain.
+/// Prints the surviving mutants; fails if one is not explained by the list.
 pub(super) fn survivors(judged: &[(&Mutant, Verdict)]) -> anyhow::Result<()> {
     let mut unexplained = 0;
     for (mutant, verdict) in judged {
@@ -32,7 +32,9 @@ pub(super) fn survivors(judged: &[(&Mutant, Verdict)]) -> anyhow::Result<()> {
                 let Mutant { find, replace, .. } = mutant;
                 println!("{}\n    SURVIVES{why}: {find} -> {replace}", mutant.key());
             }
-            (false, Some(_)) => println!("{}\n    explained in vain", mutant.key()),
+            (false, Some(_)) => {
+                println!("{}\n    is detected, but the list explains why not", mutant.key())
+            }
             (false, None) => {}
         }
     }

@@ -1,4 +1,4 @@
-//! Which tests reach which mutants, and which notice them.
+//! Finds which tests reach which mutants, and which detect them.
 
 use super::trial::{End, Switch, Trial};
 use anyhow::{Context as _, ensure};
@@ -8,7 +8,7 @@ use std::sync::Mutex;
 use std::sync::atomic::{AtomicUsize, Ordering};
 use std::time::Duration;
 
-/// A trial that passes without mutants, with what it reaches.
+/// A trial that passes without mutants, and the mutants it reaches.
 #[derive(Debug, Clone)]
 pub(super) struct Known {
     pub(super) trial: Trial,
@@ -16,14 +16,14 @@ pub(super) struct Known {
     reached: BTreeSet<usize>,
 }
 
-/// Who notices a mutant.
+/// What detects a mutant.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Verdict {
-    /// A test that fails.
+    /// A failing test.
     pub(super) test: Option<String>,
-    /// A page whose claims fail.
+    /// A page with failing claims.
     pub(super) page: Option<String>,
-    /// Whether anything reaches it.
+    /// Whether any trial reaches it.
     pub(super) is_reached: bool,
 }
 
@@ -33,11 +33,11 @@ impl Verdict {
     }
 }
 
-/// No trial takes so long without a mutant.
-const LONGEST: Duration = Duration::from_secs(300);
+/// Time limit of a trial without mutants.
+const TIME_LIMIT: Duration = Duration::from_secs(300);
 
-/// Runs all trials without a mutant and notes what they reach and how long they take. One that fails is left
-/// out, and said: a test may not stand the copy, whose version is another.
+/// Runs all trials without mutants and records the mutants they reach and their durations. A trial
+/// that fails is omitted with a message: a test may not run in the copy, which has another version.
 pub(super) fn reach(trials: Vec<Trial>, folder: &Path) -> anyhow::Result<Vec<Known>> {
     let known = side_by_side(&trials, |index, trial| {
         let notes = folder.join(index.to_string());
@@ -45,10 +45,10 @@ pub(super) fn reach(trials: Vec<Trial>, folder: &Path) -> anyhow::Result<Vec<Kno
             std::fs::remove_dir_all(&notes)?;
         }
         std::fs::create_dir_all(&notes)?;
-        let (end, time) = trial.run(Switch::Reach(&notes), LONGEST)?;
-        // It may be the notes that disturb: a test that counts allocations.
-        if end != End::Passed && trial.run(Switch::Off, LONGEST)?.0 != End::Passed {
-            println!("left out, fails without any mutant: {}", trial.name);
+        let (end, time) = trial.run(Switch::Reach(&notes), TIME_LIMIT)?;
+        // Recording may disturb a test that counts allocations.
+        if end != End::Passed && trial.run(Switch::Off, TIME_LIMIT)?.0 != End::Passed {
+            println!("omitted, since it fails without mutants: {}", trial.name);
             return Ok(None);
         }
         let reached = std::fs::read_dir(&notes)?
@@ -61,21 +61,21 @@ pub(super) fn reach(trials: Vec<Trial>, folder: &Path) -> anyhow::Result<Vec<Kno
     Ok(known)
 }
 
-/// Runs the trials without a mutant; an error if one fails.
+/// Runs the trials without mutants; an error if one fails.
 pub(super) fn all_pass<'a>(trials: impl Iterator<Item = &'a Trial>) -> anyhow::Result<()> {
     let trials: Vec<&Trial> = trials.collect();
     side_by_side(&trials, |_, trial| pass(trial)).map(drop)
 }
 
-/// An error if the trial fails without a mutant.
+/// An error if the trial fails without mutants.
 fn pass(trial: &Trial) -> anyhow::Result<()> {
-    let (end, _) = trial.run(Switch::Off, LONGEST)?;
-    ensure!(end == End::Passed, "fails without any mutant: {}", trial.name);
+    let (end, _) = trial.run(Switch::Off, TIME_LIMIT)?;
+    ensure!(end == End::Passed, "fails without mutants: {}", trial.name);
     Ok(())
 }
 
-/// What the tests and pages say to each mutant: those that reach it run, the fastest first, until
-/// one of each kind notices.
+/// Runs the tests and pages that reach each mutant, fastest first, until one of each kind detects
+/// it.
 pub(super) fn judge(
     numbers: &[usize],
     known: &[Known],
@@ -92,7 +92,7 @@ pub(super) fn judge(
     })
 }
 
-/// The first trial that notices the mutant.
+/// The first trial that detects the mutant.
 fn first<'a>(
     number: usize,
     known: impl Iterator<Item = &'a Known>,
@@ -105,13 +105,13 @@ fn first<'a>(
     Ok(None)
 }
 
-/// Whether the trial fails with the mutant, or takes far longer than the `time` without it.
+/// Whether the trial fails with the mutant, or takes much longer than the `time` without it.
 pub(super) fn notices(number: usize, trial: &Trial, time: Duration) -> anyhow::Result<bool> {
     let limit = Duration::from_secs(20) + 10 * time;
     Ok(trial.run(Switch::On(number), limit)?.0 != End::Passed)
 }
 
-/// Applies `work` to all items, on as many threads as the machine has, in the order of the items.
+/// Applies `work` to all items on all cores; results in the order of the items.
 pub(super) fn side_by_side<T: Sync, R: Send>(
     items: &[T],
     work: impl Fn(usize, &T) -> anyhow::Result<R> + Sync,

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-/// Draws `count` of the numbers; they keep their order.
+/// Draws `count` of the numbers, keeping their order.
 pub(super) fn draw(mut numbers: Vec<usize>, count: usize, seed: u64) -> Vec<usize> {
     let mut state = seed;
     while numbers.len() > count {
@@ -14,14 +14,14 @@ pub(super) fn draw(mut numbers: Vec<usize>, count: usize, seed: u64) -> Vec<usiz
     numbers
 }
 
-/// The bits well mixed (splitmix64).
+/// The splitmix64 generator.
 fn mixed(state: u64) -> u64 {
     let z = (state ^ (state >> 30)).wrapping_mul(0xbf58_476d_1ce4_e5b9);
     let z = (z ^ (z >> 27)).wrapping_mul(0x94d0_49bb_1331_11eb);
     z ^ (z >> 31)
 }
 
-/// A seed that changes with the commit, 0 without a history.
+/// A seed that changes with the commit; 0 without a history.
 pub(crate) fn seed_of_commit(root: &Path) -> u64 {
     let output = Command::new("git").args(["rev-parse", "HEAD"]).current_dir(root).output();
     let commit = output.map(|output| String::from_utf8_lossy(&output.stdout).into_owned());

@@ -1,4 +1,4 @@
-//! The tests of the woven copy and the pages, each run as a process of its own.
+//! The tests and pages of the copy with mutants, each run in its own process.
 
 use super::weave::CRATES;
 use crate::cargo;
@@ -11,7 +11,7 @@ use std::time::{Duration, Instant};
 
 const PAGES_PACKAGE: &str = "carom-mutant-pages";
 
-/// The seed of the property tests, so that what notices a mutant once does so again.
+/// The seed of the property tests, so that a detection is reproducible.
 const PROPERTY_SEED: &str = "7";
 
 /// A test, or the claims of a page.
@@ -26,7 +26,7 @@ pub(super) struct Trial {
     test: String,
 }
 
-/// How a trial ended.
+/// The end of a trial.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum End {
     Passed,
@@ -34,19 +34,19 @@ pub(super) enum End {
     TimedOut,
 }
 
-/// What the environment tells the woven code.
+/// The switch in the environment of the code with mutants.
 #[derive(Debug, Clone, Copy)]
 pub(super) enum Switch<'a> {
-    /// No mutant; each that is reached leaves a file in this folder.
+    /// No mutant; each one reached writes a file to this folder.
     Reach(&'a Path),
-    /// This mutant.
+    /// This mutant is active.
     On(usize),
-    /// No mutant.
+    /// No mutant is active.
     Off,
 }
 
 impl Trial {
-    /// Runs it; one that takes longer than `limit` is stopped.
+    /// Runs the trial; stops it after `limit`.
     pub(super) fn run(
         &self,
         switch: Switch<'_>,
@@ -57,7 +57,7 @@ impl Trial {
         command.env("PROPTEST_RNG_SEED", PROPERTY_SEED);
         command.env("PROPTEST_MAX_SHRINK_ITERS", "0");
         command.env("PROPTEST_DISABLE_FAILURE_PERSISTENCE", "true");
-        // A snapshot guards against change; it is no test of what is right.
+        // A snapshot guards against change and does not prove correctness.
         command.env("INSTA_FORCE_PASS", "1").env("INSTA_UPDATE", "no");
         match switch {
             Switch::Reach(folder) => command.env("CAROM_MUTANT_REACH", folder),
@@ -84,7 +84,7 @@ impl Trial {
     }
 }
 
-/// Which tests are built.
+/// The tests to build.
 #[derive(Debug, Default)]
 pub(super) struct Selection {
     is_all: bool,
@@ -101,7 +101,7 @@ impl Selection {
         Self { is_all: true, packages: packages.collect(), ..Self::default() }
     }
 
-    /// What holds the trials of these names; all if there are none.
+    /// The targets of the trials with these names; all if there are none.
     pub(super) fn of<'a>(names: impl Iterator<Item = &'a String>) -> Self {
         let mut chosen = Self::default();
         for name in names {
@@ -138,8 +138,8 @@ impl Selection {
     }
 }
 
-/// Builds tests of the copy at `tree`, once for all mutants; their dependencies are those that the workspace
-/// has built.
+/// Builds the tests of the copy at `tree`, once for all mutants, with the dependencies already
+/// built for the workspace.
 pub(super) fn build(root: &Path, tree: &Path, selection: &Selection) -> anyhow::Result<Vec<Trial>> {
     let mut command = cargo::command(&["test", "--release", "--no-run", "--quiet"]);
     command.arg("--message-format=json-render-diagnostics").args(selection.arguments());
@@ -149,7 +149,7 @@ pub(super) fn build(root: &Path, tree: &Path, selection: &Selection) -> anyhow::
     let mut messages = String::new();
     child.stdout.take().context("no output of cargo")?.read_to_string(&mut messages)?;
     if !child.wait()?.success() {
-        bail!("the workspace does not build with its mutants; the errors name them");
+        bail!("the workspace with its mutants does not build; see the errors above");
     }
     let mut trials = Vec::new();
     for line in messages.lines() {
@@ -161,7 +161,7 @@ pub(super) fn build(root: &Path, tree: &Path, selection: &Selection) -> anyhow::
     Ok(trials)
 }
 
-/// An executable of tests.
+/// A test executable.
 struct Binary {
     executable: PathBuf,
     folder: PathBuf,
@@ -169,7 +169,7 @@ struct Binary {
 }
 
 impl Binary {
-    /// That of a message of cargo, if it is about one.
+    /// The executable in a message of cargo, if the message is about one.
     fn of(message: &serde_json::Value) -> Option<Self> {
         let is_test = message["profile"]["test"].as_bool()?;
         let executable = PathBuf::from(message["executable"].as_str()?);
@@ -182,7 +182,7 @@ impl Binary {
         is_test.then_some(Self { executable, folder, name })
     }
 
-    /// Its tests, without those that are ignored.
+    /// Its tests, except ignored ones.
     fn trials(&self) -> anyhow::Result<Vec<Trial>> {
         let listed = |arguments: &[&str]| -> anyhow::Result<Vec<String>> {
             let output = Command::new(&self.executable).args(arguments).output()?;

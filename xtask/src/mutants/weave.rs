@@ -1,4 +1,4 @@
-//! A copy of the workspace with all mutants woven in, each behind its switch.
+//! A copy of the workspace that contains all mutants, each behind its switch.
 
 use super::list::Mutant;
 use super::place::{self, Place, Source};
@@ -7,7 +7,7 @@ use std::collections::BTreeSet;
 use std::ops::Range;
 use std::path::{Path, PathBuf};
 
-/// The crates with mutants, below the workspace; each gets a switch of its own.
+/// The folders of the crates with mutants; each gets its own switch.
 pub(super) const CRATES: [&str; 12] = [
     "crates/special",
     "crates/geometry",
@@ -27,12 +27,12 @@ const SWITCH: &str = include_str!("woven/switch.rs");
 const PAGES: &str = include_str!("woven/pages.rs");
 const PAGES_MANIFEST: &str = include_str!("woven/pages.toml");
 
-/// Brings the copy at `tree` up to date with the workspace at `root` and weaves the mutants in;
-/// files that stay the same are not touched, so that cargo does not build them again.
+/// Updates the copy at `tree` from the workspace at `root` and inserts the mutants. Unchanged files
+/// are not written, so that cargo does not rebuild them.
 pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Result<()> {
     let sources = sources(root)?;
     let places = places(mutants, &sources)?;
-    let mut copy = Mirror { root, tree, kept: BTreeSet::new() };
+    let mut copy = Mirror { root, tree, written: BTreeSet::new() };
     for (index, source) in sources.iter().enumerate() {
         copy.write(&source.path, &woven(source, index, mutants, &places))?;
     }
@@ -46,14 +46,14 @@ pub(super) fn weave(root: &Path, tree: &Path, mutants: &[Mutant]) -> anyhow::Res
     copy.write(&pages.join("pages.rs"), PAGES)?;
     copy.write(&pages.join("src/lib.rs"), "")?;
     let manifest = std::fs::read_to_string(root.join("Cargo.toml"))?;
-    copy.write(Path::new("Cargo.toml"), &apart(&manifest)?)?;
+    copy.write(Path::new("Cargo.toml"), &with_other_version(&manifest)?)?;
     copy.rest(Path::new(""))?;
     copy.prune(Path::new(""))
 }
 
-/// The manifest with a version of its own: both workspaces build into one folder, and of the same
-/// version cargo would take what one has built for the other's.
-fn apart(manifest: &str) -> anyhow::Result<String> {
+/// The manifest with another version. Both workspaces are built into one folder, and with the same
+/// version cargo would confuse their results.
+fn with_other_version(manifest: &str) -> anyhow::Result<String> {
     let mut lines: Vec<String> = manifest.lines().map(str::to_owned).collect();
     let version = lines.iter_mut().find(|line| line.starts_with("version = \""));
     let version = version.context("the workspace has no version")?;
@@ -61,7 +61,7 @@ fn apart(manifest: &str) -> anyhow::Result<String> {
     Ok(lines.join("\n") + "\n")
 }
 
-/// Whether every place of the list is in the sources.
+/// Checks that the sources contain every place of the list.
 pub(super) fn check(root: &Path, mutants: &[Mutant]) -> anyhow::Result<()> {
     places(mutants, &sources(root)?).map(|_| ())
 }
@@ -108,14 +108,14 @@ fn woven(source: &Source, index: usize, mutants: &[Mutant], places: &[Place]) ->
     text
 }
 
-/// An expression and what stands in its place.
+/// An expression and its replacement.
 struct Edit<'a> {
     range: Range<usize>,
     number: usize,
     replace: &'a str,
 }
 
-/// The text of `range` with its edits, which are in the order of their places, outer before inner.
+/// The text of `range` with its edits, in order of position, outer before inner.
 fn rewrite(text: &str, range: Range<usize>, edits: &[Edit<'_>], switch: &str) -> String {
     let mut out = String::new();
     let mut at = range.start;
@@ -141,7 +141,7 @@ fn rewrite(text: &str, range: Range<usize>, edits: &[Edit<'_>], switch: &str) ->
 struct Mirror<'a> {
     root: &'a Path,
     tree: &'a Path,
-    kept: BTreeSet<PathBuf>,
+    written: BTreeSet<PathBuf>,
 }
 
 impl Mirror<'_> {
@@ -149,10 +149,10 @@ impl Mirror<'_> {
         self.write_bytes(path, text.as_bytes())
     }
 
-    /// Writes a file of the copy, unless it is there and the same.
+    /// Writes a file of the copy, unless it exists with the same content.
     fn write_bytes(&mut self, path: &Path, bytes: &[u8]) -> anyhow::Result<()> {
         let target = self.tree.join(path);
-        self.kept.insert(path.to_owned());
+        self.written.insert(path.to_owned());
         if std::fs::read(&target).is_ok_and(|old| old == bytes) {
             return Ok(());
         }
@@ -162,7 +162,7 @@ impl Mirror<'_> {
         std::fs::write(&target, bytes).with_context(|| format!("cannot write {}", target.display()))
     }
 
-    /// Copies what is not written yet; build results and the history stay behind.
+    /// Copies the files not yet written, without build results and history.
     fn rest(&mut self, folder: &Path) -> anyhow::Result<()> {
         for entry in std::fs::read_dir(self.root.join(folder))? {
             let entry = entry?;
@@ -172,7 +172,7 @@ impl Mirror<'_> {
                 if name != "target" && name != ".git" {
                     self.rest(&path)?;
                 }
-            } else if name != ".git" && !self.kept.contains(&path) {
+            } else if name != ".git" && !self.written.contains(&path) {
                 let bytes = std::fs::read(entry.path())
                     .with_context(|| format!("cannot read {}", entry.path().display()))?;
                 self.write_bytes(&path, &bytes)?;
@@ -188,7 +188,7 @@ impl Mirror<'_> {
             let path = folder.join(entry.file_name());
             if entry.file_type()?.is_dir() {
                 self.prune(&path)?;
-            } else if !self.kept.contains(&path) {
+            } else if !self.written.contains(&path) {
                 std::fs::remove_file(entry.path())?;
             }
         }
@@ -205,8 +205,8 @@ mod tests {
         let manifest =
             "[workspace.package]\nversion = \"0.1.0\"\n[d]\nx = { version = \"0.1.0\" }\n";
         let expected = manifest.replacen("0.1.0", "0.1.0+mutants", 1);
-        assert_eq!(apart(manifest).unwrap(), expected);
-        assert!(apart("[workspace]\n").is_err());
+        assert_eq!(with_other_version(manifest).unwrap(), expected);
+        assert!(with_other_version("[workspace]\n").is_err());
     }
 
     #[test]

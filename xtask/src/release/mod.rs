@@ -1,4 +1,4 @@
-//! What a release needs, gone through without releasing anything.
+//! Checks everything that a release needs, without releasing anything.
 
 mod oldest;
 pub(crate) mod packages;
@@ -12,9 +12,9 @@ use packages::Packages;
 use std::path::PathBuf;
 use std::process::Command;
 
-/// Bytes of a packed crate that the registry takes, at most.
-const MOST: u64 = 10 << 20;
-/// What each packed crate must hold.
+/// Largest size of a packed crate that the registry accepts, in bytes.
+const MAX_PACKED_BYTES: u64 = 10 << 20;
+/// Files that each packed crate must contain.
 const FILES: [&str; 4] = ["Cargo.toml", "README.md", "LICENSE-MIT", "LICENSE-APACHE"];
 
 /// The root of the workspace.
@@ -22,17 +22,14 @@ pub(crate) fn root() -> PathBuf {
     PathBuf::from(concat!(env!("CARGO_MANIFEST_DIR"), "/.."))
 }
 
-/// Where cargo builds.
+/// The build folder of cargo.
 fn target() -> PathBuf {
     std::env::var_os("CARGO_TARGET_DIR").map_or_else(|| root().join("target"), PathBuf::from)
 }
 
-/// Goes through the list; fails at the first point that does not hold.
+/// Runs all checks; fails at the first that does not hold.
 pub(crate) fn run(options: &flags::Release) -> anyhow::Result<Outcome> {
-    ensure!(
-        options.dry_run,
-        "only --dry-run: what goes to a registry goes by hand, see CONTRIBUTING"
-    );
+    ensure!(options.dry_run, "only --dry-run is supported: publish by hand, see CONTRIBUTING");
     let packages = whole()?;
     let commits = say_changes()?;
     match options.quick {
@@ -41,14 +38,14 @@ pub(crate) fn run(options: &flags::Release) -> anyhow::Result<Outcome> {
     }
     let outcome = commits.and(semver(&packages)?);
     if options.quick {
-        println!("the oldest Rust and the wheel: left out (--quick)");
+        println!("the oldest Rust and the wheel: skipped (--quick)");
         return Ok(outcome);
     }
     let outcome = outcome.and(oldest::check()?);
     Ok(outcome.and(wheel::check(&packages.in_order()?[0].version)?))
 }
 
-/// That all crates can be packed, in their order, and checked as they are packed.
+/// Checks that all crates can be packed, in their order, and builds them as packed.
 pub(crate) fn pack_quickly() -> anyhow::Result<()> {
     pack_and_check(&whole()?)
 }
@@ -58,7 +55,7 @@ fn pack_and_check(packages: &Packages) -> anyhow::Result<()> {
     packed::check(&packages.in_order()?)
 }
 
-/// Whether what the crates, the wheel and the citation say of themselves is whole and of one version.
+/// Checks that the descriptions of crates, wheel and citation are complete and have one version.
 pub(crate) fn whole() -> anyhow::Result<Packages> {
     let packages = Packages::read()?;
     let mut faults = packages.faults()?;
@@ -81,31 +78,31 @@ pub(crate) fn whole() -> anyhow::Result<Packages> {
     Ok(packages)
 }
 
-/// What the changelog still calls unreleased, and changes that are in no commit.
+/// Prints unreleased lines of the changelog and uncommitted changes.
 fn say_changes() -> anyhow::Result<Outcome> {
     let text = std::fs::read_to_string(root().join("CHANGELOG.md")).context("no CHANGELOG.md")?;
     let open = text.lines().skip_while(|line| *line != "## [Unreleased]").skip(1);
     let open =
         open.take_while(|line| !line.starts_with("## ")).filter(|line| line.starts_with("- "));
     println!(
-        "{} lines of the changelog under Unreleased: head them with the version",
+        "{} lines of the changelog are under Unreleased: move them under the version",
         open.count()
     );
     let status = Command::new("git").args(["status", "--porcelain"]).current_dir(root()).output();
     match status {
         Ok(output) if output.status.success() && output.stdout.is_empty() => {
-            println!("every change is in a commit");
+            println!("all changes are committed");
         }
         Ok(output) if output.status.success() => {
-            println!("there are changes in no commit: a release is made of none");
+            println!("there are uncommitted changes, which a release does not contain");
         }
         _ => return Ok(Outcome::skipped(Part::Commits, "`git status` cannot be run")),
     }
     Ok(Outcome::Passed)
 }
 
-/// Packs all crates that go to the registry. Cargo takes them in their order, each against those packed
-/// before, as if they were in the registry.
+/// Packs all crates for the registry, in order, each against those packed before as if they were in
+/// the registry.
 fn pack(packages: &Packages, how: &[&str]) -> anyhow::Result<()> {
     let private = packages.private();
     let mut arguments = vec!["package", "--workspace", "--locked", "--allow-dirty", "--quiet"];
@@ -118,7 +115,7 @@ fn pack(packages: &Packages, how: &[&str]) -> anyhow::Result<()> {
         let name = &package.name;
         let packed = target().join("package").join(package.archive());
         let size = packed.metadata().with_context(|| format!("no {}", packed.display()))?.len();
-        ensure!(size <= MOST, "{name}: {size} bytes are more than the registry takes");
+        ensure!(size <= MAX_PACKED_BYTES, "{name}: {size} bytes exceed the limit of the registry");
         let listed = cargo::command(&["package", "--list", "--allow-dirty", "--package", name])
             .output()
             .context("cannot start cargo")?;
@@ -131,7 +128,7 @@ fn pack(packages: &Packages, how: &[&str]) -> anyhow::Result<()> {
     Ok(())
 }
 
-/// Whether the interfaces changed as the version says, where the tool is installed.
+/// Checks that the interfaces changed as the version number says, if the tool is installed.
 fn semver(packages: &Packages) -> anyhow::Result<Outcome> {
     if !cargo::has("semver-checks") {
         return Ok(Outcome::skipped(Part::Interfaces, "cargo-semver-checks is not installed"));

@@ -1,4 +1,4 @@
-//! The oldest Rust that these crates are for: `rust-version`.
+//! The oldest Rust that these crates support: `rust-version`.
 
 use super::root;
 use crate::cargo;
@@ -7,11 +7,11 @@ use anyhow::{Context as _, ensure};
 use serde_json::Value;
 use std::process::Command;
 
-/// Packages that ask for a newer Rust than the workspace does. What the code itself asks for of the standard
-/// library, clippy tells.
+/// Dependencies that require a newer Rust than the workspace states. Clippy checks what the code
+/// itself requires of the standard library.
 pub(super) fn faults() -> anyhow::Result<Vec<String>> {
     let host = host()?;
-    // Of other platforms nothing need be there.
+    // Dependencies for other platforms need not be present.
     let metadata = ["metadata", "--format-version", "1", "--locked", "--filter-platform", &host];
     let output = cargo::command(&metadata).output().context("cannot start cargo")?;
     ensure!(output.status.success(), "`cargo metadata` failed");
@@ -19,11 +19,11 @@ pub(super) fn faults() -> anyhow::Result<Vec<String>> {
     newer(&metadata["packages"], &ours()?)
 }
 
-/// What the workspace says.
+/// The version stated by the workspace.
 fn ours() -> anyhow::Result<String> {
     let manifest: toml::Table = std::fs::read_to_string(root().join("Cargo.toml"))?.parse()?;
-    let said = &manifest["workspace"]["package"]["rust-version"];
-    Ok(said.as_str().context("the workspace has no rust-version")?.to_owned())
+    let version = &manifest["workspace"]["package"]["rust-version"];
+    Ok(version.as_str().context("the workspace has no rust-version")?.to_owned())
 }
 
 fn host() -> anyhow::Result<String> {
@@ -47,16 +47,16 @@ fn newer(packages: &Value, ours: &str) -> anyhow::Result<Vec<String>> {
     Ok(faults)
 }
 
-/// `1.89` is `1.89.0`.
+/// Parses a version; `1.89` is `1.89.0`.
 fn parts(version: &str) -> anyhow::Result<[u32; 3]> {
     let mut parts = [0; 3];
     for (place, part) in parts.iter_mut().zip(version.split('.')) {
-        *place = part.parse().with_context(|| format!("{version} is no version of Rust"))?;
+        *place = part.parse().with_context(|| format!("{version} is not a version of Rust"))?;
     }
     Ok(parts)
 }
 
-/// Checks all crates with that very Rust, where rustup has it.
+/// Checks all crates with that version of Rust, if rustup has it.
 pub(super) fn check() -> anyhow::Result<Outcome> {
     let version = ours()?;
     let there = Command::new("rustup").args(["run", &version, "cargo", "--version"]).output();
@@ -64,7 +64,7 @@ pub(super) fn check() -> anyhow::Result<Outcome> {
         let reason = format!("no Rust {version}; `rustup toolchain install {version}` installs it");
         return Ok(Outcome::skipped(Part::OldestRust, reason));
     }
-    // Named by rustup, not by the cargo that runs this.
+    // Chosen by rustup, not by the cargo that runs this task.
     let mut command = Command::new("rustup");
     command.args(["run", &version, "cargo", "check", "--workspace", "--all-targets", "--locked"]);
     command.args(["--quiet", "--target-dir", "target/oldest"]).current_dir(root());

@@ -1,13 +1,12 @@
-//! The crates that go to the registry, in the order in which they go, and whether what they say of
-//! themselves is whole.
+//! The crates published to the registry, in the order of publication, and checks of their
+//! descriptions.
 
 use crate::cargo;
 use anyhow::{Context as _, bail, ensure};
 use serde_json::Value;
 use std::path::{Path, PathBuf};
 
-/// Categories of the registry that fit; a word that it does not know is refused only when a crate goes
-/// there.
+/// Suitable categories of the registry, which rejects unknown ones only at publication.
 const CATEGORIES: &[&str] = &[
     "command-line-utilities",
     "external-ffi-bindings",
@@ -16,39 +15,39 @@ const CATEGORIES: &[&str] = &[
     "simulation",
     "visualization",
 ];
-/// Files that each crate brings.
+/// Licence files of each crate.
 const LICENCES: [&str; 2] = ["LICENSE-MIT", "LICENSE-APACHE"];
 
-/// A crate that goes to the registry.
+/// A crate published to the registry.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(crate) struct Package {
     pub(crate) name: String,
     pub(crate) version: String,
     folder: PathBuf,
-    /// Crates of this workspace that must be there before it.
+    /// Crates of this workspace that must be published before it.
     needs: Vec<String>,
 }
 
 impl Package {
-    /// The file that is packed.
+    /// The name of its archive.
     pub(super) fn archive(&self) -> String {
         format!("{}.crate", self.unpacked())
     }
 
-    /// The folder in it.
+    /// The folder in the archive.
     pub(super) fn unpacked(&self) -> String {
         format!("{}-{}", self.name, self.version)
     }
 }
 
-/// All crates of the workspace, as cargo sees them.
+/// All crates of the workspace, from `cargo metadata`.
 #[derive(Debug)]
 pub(crate) struct Packages {
     all: Vec<Value>,
 }
 
 impl Packages {
-    /// Asks cargo.
+    /// Runs `cargo metadata`.
     pub(crate) fn read() -> anyhow::Result<Self> {
         let output = cargo::command(&["metadata", "--no-deps", "--format-version", "1"])
             .output()
@@ -63,7 +62,7 @@ impl Packages {
         Ok(Self { all })
     }
 
-    /// Those that go to the registry, each after all that it needs.
+    /// The published crates, each after those it needs.
     pub(crate) fn in_order(&self) -> anyhow::Result<Vec<Package>> {
         let mut waiting: Vec<Package> =
             self.all.iter().filter(|package| is_public(package)).map(package).collect();
@@ -77,20 +76,23 @@ impl Packages {
             let Some(place) = waiting.iter().position(is_ready) else {
                 let names: Vec<&str> =
                     waiting.iter().map(|package| package.name.as_str()).collect();
-                bail!("no order: {} need each other, or what stays here", names.join(", "));
+                bail!(
+                    "no order of publication: {} depend on each other, or on unpublished crates",
+                    names.join(", ")
+                );
             };
             ordered.push(waiting.remove(place));
         }
         Ok(ordered)
     }
 
-    /// The names of those that stay here.
+    /// The names of the crates that are not published.
     pub(crate) fn private(&self) -> Vec<String> {
         let private = self.all.iter().filter(|package| !is_public(package));
         private.map(|package| text(package, "name").to_owned()).collect()
     }
 
-    /// What the crates lack that go to the registry.
+    /// Faults in the descriptions of the published crates.
     pub(crate) fn faults(&self) -> anyhow::Result<Vec<String>> {
         let mut faults = Vec::new();
         for package in self.all.iter().filter(|package| is_public(package)) {
@@ -98,7 +100,7 @@ impl Packages {
             faults.extend(lacks(package).into_iter().map(|what| format!("{name}: {what}")));
         }
         let ordered = self.in_order()?;
-        ensure!(!ordered.is_empty(), "no crate goes to the registry");
+        ensure!(!ordered.is_empty(), "no crate is published");
         for Package { name, folder, version, .. } in &ordered {
             for licence in LICENCES {
                 let there = std::fs::read(folder.join(licence)).ok();
@@ -115,7 +117,7 @@ impl Packages {
     }
 }
 
-/// What is wrong with what a crate says of itself.
+/// Faults in the description of a crate.
 fn lacks(package: &Value) -> Vec<String> {
     let mut faults = Vec::new();
     let mut must = |holds: bool, what: &str| {

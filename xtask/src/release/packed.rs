@@ -1,4 +1,4 @@
-//! Whether the crates can be built from what is packed of them.
+//! Checks that the crates can be built from their packages.
 
 use super::packages::Package;
 use super::{root, target};
@@ -6,8 +6,8 @@ use crate::cargo;
 use anyhow::{Context as _, ensure};
 use std::process::Command;
 
-/// Checks the packed crates as a workspace of their own, each against the others as packed. Lighter than the
-/// build that `cargo package` does: what other crates they need is there from the lints.
+/// Checks the packed crates as a workspace of their own, each against the others as packed. This is
+/// faster than the build of `cargo package`: other dependencies are already built for the lints.
 pub(super) fn check(packages: &[Package]) -> anyhow::Result<()> {
     let place = target().join("packed");
     if place.exists() {

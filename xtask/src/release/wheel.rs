@@ -1,4 +1,4 @@
-//! What the Python wheel says of itself.
+//! Checks the description of the Python wheel.
 
 use super::root;
 use crate::outcome::{Outcome, Part};
@@ -7,7 +7,7 @@ use anyhow::{Context as _, ensure};
 use std::path::Path;
 use std::process::Command;
 
-/// What `pyproject.toml` must say.
+/// Required fields of `pyproject.toml`.
 const FIELDS: [&str; 8] = [
     "name",
     "description",
@@ -18,18 +18,18 @@ const FIELDS: [&str; 8] = [
     "keywords",
     "classifiers",
 ];
-/// Prints the description of a wheel.
+/// Python program that prints the metadata of a wheel.
 const PRINT: &str = "import sys, zipfile; z = zipfile.ZipFile(sys.argv[1]); \
      print(*z.namelist(), sep='\\n'); \
      print(next(z.read(n).decode() for n in z.namelist() if n.endswith('.dist-info/METADATA')))";
 
-/// What `pyproject.toml` lacks.
+/// Faults of `pyproject.toml`.
 pub(super) fn faults() -> anyhow::Result<Vec<String>> {
     let folder = root().join("crates/python");
     let project = std::fs::read_to_string(folder.join("pyproject.toml"))?;
-    let project: toml::Table = project.parse().context("pyproject.toml is no TOML")?;
+    let project: toml::Table = project.parse().context("pyproject.toml is not valid TOML")?;
     let said = project.get("project").and_then(toml::Value::as_table);
-    let said = said.context("pyproject.toml has no [project]")?;
+    let said = said.context("pyproject.toml has no table [project]")?;
     let missing = FIELDS.iter().filter(|field| !said.contains_key(**field));
     let mut faults: Vec<String> =
         missing.map(|field| format!("pyproject.toml: no {field}")).collect();
@@ -42,7 +42,7 @@ pub(super) fn faults() -> anyhow::Result<Vec<String>> {
     Ok(faults)
 }
 
-/// Builds the wheel and reads what it says.
+/// Builds the wheel and checks its metadata.
 pub(super) fn check(version: &str) -> anyhow::Result<Outcome> {
     let Some(place) = python::place()? else {
         return Ok(Outcome::skipped(Part::Python, python::NONE));
@@ -66,6 +66,6 @@ pub(super) fn check(version: &str) -> anyhow::Result<Outcome> {
     ] {
         ensure!(has(line), "the wheel lacks `{line}`:\n{text}");
     }
-    println!("{}: whole", wheel.display());
+    println!("{}: complete", wheel.display());
     Ok(Outcome::Passed)
 }

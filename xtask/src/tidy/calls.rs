@@ -1,8 +1,8 @@
-//! Which items of the sources tests, examples and pages reach.
+//! Finds the items that tests, examples and pages reach.
 //!
-//! By names, not by types: a test reaches a method that it calls by `.name` or `Type::name`, and what that
-//! method calls in turn. A function of the same name on another type passes for it, so that this finds what
-//! nothing calls, and not all of it.
+//! The search is by names, not by types: a test reaches a method that it calls by `.name` or
+//! `Type::name`, and everything that this method calls. A function of the same name on another type
+//! also counts. The search therefore finds items that nothing calls, but not all of them.
 
 use super::read;
 use crate::book;
@@ -12,7 +12,7 @@ use std::path::{Path, PathBuf};
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
-/// Names that code uses.
+/// The names used by some code.
 #[derive(Debug, Default)]
 struct Uses {
     words: BTreeSet<String>,
@@ -22,7 +22,7 @@ struct Uses {
 }
 
 impl Uses {
-    /// Adds the names in `tokens`, where `Self` is `owner`. What a definition names is no use of it.
+    /// Adds the names in `tokens`, where `Self` is `owner`. The name in a definition is not a use.
     fn add(&mut self, tokens: TokenStream, owner: Option<&str>) {
         let mut before: [String; 3] = Default::default();
         for token in tokens {
@@ -61,14 +61,14 @@ impl Uses {
     /// Whether `Type::name` or `name` is used.
     fn has(&self, function: &Function) -> bool {
         let Some(owner) = &function.owner else { return self.words.contains(&function.name) };
-        // `<Type as Trait>::name`, and that of a type parameter.
+        // `<Type as Trait>::name`, and the same with a type parameter.
         let of_any = |of: &str| self.pairs.contains(&format!("{of}::{}", function.name));
         (function.has_self && self.methods.contains(&function.name))
             || [owner, ">", "T", "L", "S", "M"].into_iter().any(of_any)
     }
 }
 
-/// A function that is no test, and what its body uses.
+/// A function that is not a test, and the names in its body.
 #[derive(Debug)]
 struct Function {
     owner: Option<String>,
@@ -77,7 +77,7 @@ struct Function {
     body: Uses,
 }
 
-/// What tests, examples and pages reach.
+/// The items that tests, examples and pages reach.
 #[derive(Debug)]
 pub(super) struct Reached {
     /// `name` and `Type::name`.
@@ -108,7 +108,7 @@ impl Reached {
         Ok(Self::of(tests, functions))
     }
 
-    /// What these uses reach, and what that uses in turn.
+    /// The functions reached from these uses, directly or through others.
     fn of(mut uses: Uses, mut waiting: Vec<Function>) -> Self {
         let mut functions = BTreeSet::new();
         loop {
@@ -130,7 +130,7 @@ impl Reached {
     /// Whether `Type`, `function` or `Type::function` is reached.
     pub(super) fn has(&self, item: &str) -> bool {
         let is_alone = |name: &str| !name.contains("::") && self.words.contains(name);
-        // A constant of a type.
+        // An associated constant.
         let is_constant = |name: &str| {
             let last = name.rsplit("::").next().unwrap_or(name);
             last.chars().all(|c| c.is_uppercase() || c == '_' || c.is_numeric())
@@ -140,12 +140,12 @@ impl Reached {
     }
 }
 
-/// The tokens of a text; none if it is no Rust, as a shortened example.
+/// The tokens of a text; empty if it is not Rust, as in a shortened example.
 fn tokens(text: &str) -> TokenStream {
     text.parse().unwrap_or_default()
 }
 
-/// Adds what the blocks of Rust use in documentation, whose lines begin with one of `marks`.
+/// Adds the uses in Rust code blocks of documentation, whose lines begin with one of `marks`.
 fn examples(text: &str, marks: &[&str], uses: &mut Uses) {
     let mut block: Option<String> = None;
     for line in text.lines() {
@@ -173,7 +173,7 @@ fn examples(text: &str, marks: &[&str], uses: &mut Uses) {
     }
 }
 
-/// The tests, examples and benchmarks beside the sources.
+/// Tests, examples and benchmarks outside the sources.
 fn test_files(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
     let mut folders = vec![root.join("verification/tests")];
     for entry in std::fs::read_dir(root.join("crates"))? {
@@ -195,7 +195,7 @@ fn test_files(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// Collects functions, and what the tests among them use.
+/// Collects functions, and the names used by the tests among them.
 struct Finder<'t> {
     text: &'t str,
     owner: Option<String>,

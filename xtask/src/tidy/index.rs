@@ -1,4 +1,4 @@
-//! The index as it is written.
+//! The index of equations as written in its file.
 
 use super::{Number, quoted, read};
 use anyhow::{Context as _, ensure};
@@ -14,9 +14,9 @@ pub(super) struct Index {
     lines: Vec<Line>,
 }
 
-/// One line of it.
+/// One line of the index.
 pub(super) struct Line {
-    /// `7.48`, or `7.11-7.15`.
+    /// A number such as `7.48`, or a range such as `7.11-7.15`.
     pub(super) name: String,
     first: Number,
     last: Number,
@@ -44,7 +44,7 @@ impl Index {
         })
     }
 
-    /// The numbers that it has.
+    /// The numbers of the line.
     fn numbers(&self) -> impl Iterator<Item = Number> {
         let range = |line: &Line| {
             let chapter = line.first.0;
@@ -61,7 +61,7 @@ impl Index {
         self.numbers().any(|one| one == number)
     }
 
-    /// The items it names, each with its lines.
+    /// The items that it names, each with its lines.
     pub(super) fn by_item(&self) -> BTreeMap<&str, Vec<&Line>> {
         let mut items: BTreeMap<&str, Vec<&Line>> = BTreeMap::new();
         for line in &self.lines {
@@ -72,7 +72,7 @@ impl Index {
         items
     }
 
-    /// Equations that are missing, twice there, or more than the thesis has.
+    /// Equations that are missing, occur twice, or do not exist in the thesis.
     pub(super) fn gaps(&self) -> Vec<String> {
         let mut found: Vec<_> = self.numbers().collect();
         found.sort_unstable();
@@ -82,13 +82,13 @@ impl Index {
         differences(&found, &self.equations, "equation").into_iter().chain(twice).collect()
     }
 
-    /// Figures that the catalogue lacks, or has more than the thesis.
+    /// Figures that are missing in the catalogue, or do not exist in the thesis.
     pub(super) fn figure_gaps(&self, catalogue: &BTreeSet<Number>) -> Vec<String> {
         differences(catalogue, &self.figures, "figure")
     }
 }
 
-/// What of 1 to the last of each chapter is not there, and what is there beyond.
+/// Missing numbers from 1 to the last of each chapter, and numbers above the last.
 fn differences(found: &BTreeSet<Number>, last: &BTreeMap<u32, u32>, what: &str) -> Vec<String> {
     let all = last.iter().flat_map(|(chapter, last)| (1..=*last).map(|place| (*chapter, place)));
     let all: BTreeSet<Number> = all.collect();
@@ -111,13 +111,16 @@ fn line(value: &toml::Value) -> anyhow::Result<Line> {
     let text = |name| value.get(name).and_then(toml::Value::as_str);
     let name = text("number").with_context(|| format!("no number in {value}"))?.to_owned();
     let (first, last) = name.split_once('-').unwrap_or((&name, &name));
-    let parse = |text| quoted::number(text).with_context(|| format!("`{name}` is no number"));
+    let parse = |text| quoted::number(text).with_context(|| format!("`{name}` is not a number"));
     let (first, last) = (parse(first)?, parse(last)?);
-    ensure!(first.0 == last.0 && first.1 <= last.1, "`{name}` is no range");
+    ensure!(first.0 == last.0 && first.1 <= last.1, "`{name}` is not a range");
     let by = value.get("by").and_then(toml::Value::as_array).map_or(&[][..], Vec::as_slice);
     let by: Vec<_> = by.iter().filter_map(toml::Value::as_str).map(str::to_owned).collect();
     ensure!(by.is_empty() != text("none").is_none(), "{name}: either `by` or `none`");
-    ensure!(text("what").is_some_and(|what| !what.is_empty()), "{name}: says nothing");
+    ensure!(
+        text("what").is_some_and(|what| !what.is_empty()),
+        "{name}: `what` is missing or empty"
+    );
     Ok(Line { name, first, last, by })
 }
 

@@ -9,7 +9,8 @@ use std::path::Path;
 use syn::spanned::Spanned;
 use syn::visit::{self, Visit};
 
-/// The equations that the comments of `crate/file.rs::Type::function` quote, or what is wrong with that name.
+/// The equations quoted in the comments of `crate/file.rs::Type::function`, or the fault of that
+/// name.
 pub(super) fn quotes(root: &Path, item: &str) -> anyhow::Result<Result<BTreeSet<Number>, String>> {
     let Some((file, path)) = item.split_once("::") else {
         return Ok(Err(format!("`{item}` names no item")));
@@ -30,7 +31,8 @@ pub(super) fn quotes(root: &Path, item: &str) -> anyhow::Result<Result<BTreeSet<
     Ok(Ok(equations.map(|quote| quote.number).collect()))
 }
 
-/// `function`, `Type`, `Type::function`: what stands in a source, with its comments; its tests left out.
+/// The items of a source, `function`, `Type`, `Type::function`, with their comments and without
+/// tests.
 fn items(text: &str) -> anyhow::Result<BTreeMap<String, Vec<Range<usize>>>> {
     let mut finder = Finder { owner: None, items: BTreeMap::new() };
     finder.visit_file(&syn::parse_file(text)?);

@@ -1,8 +1,8 @@
-//! Whether the index of the thesis's equations, `verification/equations.toml`, and the list of mutants,
-//! `xtask/mutants.toml`, fit the code, and whether what the packages say of themselves is whole.
+//! Checks that the index of equations, `verification/equations.toml`, and the list of mutants,
+//! `xtask/mutants.toml`, fit the code, and that the descriptions of the packages are complete.
 //!
-//! Each item that the index names is there, a test, an example or a page reaches it, and where its comments
-//! quote equations, one of them is an equation that the index gives it.
+//! Each item in the index must exist, and a test, an example or a page must reach it. If its
+//! comments quote equations, one of them must be an equation that the index assigns to it.
 
 mod calls;
 mod index;
@@ -16,10 +16,10 @@ use index::Index;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-/// A number in the thesis: chapter and place in it.
+/// A number in the thesis: chapter and number within the chapter.
 type Number = (u32, u32);
 
-/// Says all that does not fit; fails if anything does not.
+/// Prints all faults; fails if there are any.
 pub(crate) fn run() -> anyhow::Result<()> {
     let root = Path::new(env!("CARGO_MANIFEST_DIR")).join("..");
     let index = Index::read(&root.join("verification/equations.toml"))?;
@@ -47,6 +47,11 @@ pub(crate) fn run() -> anyhow::Result<()> {
     let figures = figures(&root)?;
     faults.extend(index.figure_gaps(&figures));
     for path in sources(&root)? {
+        let folder = path.with_extension("");
+        if root.join(&folder).is_dir() {
+            let (path, folder) = (path.display(), folder.display());
+            faults.push(format!("{path}: a module with parts is written {folder}/mod.rs"));
+        }
         let text = read(&root.join(&path))?;
         for quote in quoted::in_comments(&text) {
             let is_known = match quote.kind {
@@ -80,7 +85,7 @@ fn read(path: &Path) -> anyhow::Result<String> {
     std::fs::read_to_string(path).with_context(|| format!("cannot read {}", path.display()))
 }
 
-/// The sources of the crates and of the verification, below `root`.
+/// The sources of all crates and of the verification, below `root`.
 fn sources(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
     let mut files = Vec::new();
     let mut folders = vec![PathBuf::from("verification/src")];
@@ -102,7 +107,7 @@ fn sources(root: &Path) -> anyhow::Result<Vec<PathBuf>> {
     Ok(files)
 }
 
-/// The figures that stand in the catalogue.
+/// The figures in the catalogue.
 fn figures(root: &Path) -> anyhow::Result<BTreeSet<Number>> {
     let mut figures = BTreeSet::new();
     for path in sources(root)? {

@@ -1,8 +1,8 @@
-//! The equations and figures that comments quote.
+//! The equations and figures quoted in comments.
 
 use super::Number;
 
-/// What is quoted.
+/// Kind of a quotation.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Kind {
     /// `(7.48)`
@@ -18,11 +18,11 @@ pub(super) struct Quote {
     pub(super) number: Number,
     /// The line, from 1.
     pub(super) line: usize,
-    /// As it is written.
+    /// As written.
     pub(super) text: String,
 }
 
-/// `7.65a` as (7, 65), if it may be a number of the thesis: chapter 3 to 15, no zero in front.
+/// `7.65a` as (7, 65), if it can be a number of the thesis: chapter 3 to 15, without leading zero.
 pub(super) fn number(text: &str) -> Option<Number> {
     let (chapter, rest) = text.split_once('.')?;
     let place = rest.strip_suffix(|c: char| ('a'..='h').contains(&c)).unwrap_or(rest);
@@ -34,7 +34,7 @@ pub(super) fn number(text: &str) -> Option<Number> {
     (3..=15).contains(&chapter).then_some((chapter, place))
 }
 
-/// What the comments of a source quote.
+/// The quotations in the comments of a source.
 pub(super) fn in_comments(source: &str) -> Vec<Quote> {
     let mut quotes = Vec::new();
     let mut is_code = false; // of an example in the documentation
@@ -66,7 +66,7 @@ pub(super) fn in_comments(source: &str) -> Vec<Quote> {
     quotes
 }
 
-/// The equations that a text quotes.
+/// The equations quoted in a text.
 pub(super) fn in_prose(text: &str) -> Vec<Quote> {
     let line = |(i, line): (usize, &str)| equations(line, i + 1).collect::<Vec<_>>();
     text.lines().enumerate().flat_map(line).collect()

@@ -352,7 +352,7 @@ fn what_is_out_of_range_is_named() {
     says(made([0.7, 0.3], 0.1, 0, 0.0), "poisson = 0.7");
     says(made([0.3; 2], -0.1, 0, 0.0), "friction = -0.1");
     says(made([0.3; 2], f64::INFINITY, 0, 0.0), "friction = inf");
-    says(made([0.3; 2], 0.1, 2, 0.0), "law = 2");
+    says(made([0.3; 2], 0.1, 3, 0.0), "law = 3");
     says(made([0.3; 2], 0.1, 0, -1.0), "relaxation = -1");
     let grains = made([0.3; 2], 0.1, 0, 0.0).unwrap();
     let grain = CaromGrain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };

@@ -23,6 +23,17 @@ fn bodies() -> [CaromBody; 2] {
     [ball, floor]
 }
 
+fn usual() -> CaromCollideOptions {
+    CaromCollideOptions::default()
+}
+
+/// The exact impact, with a loss.
+fn options(loss: u32, normal_restitution: f64) -> CaromCollideOptions {
+    let size = size_of::<CaromCollideOptions>();
+    let (law, torsion) = (CAROM_IMPACT_COULOMB, CAROM_TORSION_LEFT_OUT);
+    CaromCollideOptions { size, law, loss, normal_restitution, torsion, ..usual() }
+}
+
 fn collide(loss: u32, e: f64) -> (CaromStatus, CaromRebound, CaromError) {
     let [ball, floor] = bodies();
     // SAFETY: plain numbers.
@@ -30,7 +41,7 @@ fn collide(loss: u32, e: f64) -> (CaromStatus, CaromRebound, CaromError) {
     let mut rebound = CaromRebound { duration: 7.0, ..CaromRebound::default() };
     let (up, place, told) = (UP.as_ptr(), &raw mut rebound, &raw mut error);
     // SAFETY: all pointers are references.
-    let status = unsafe { carom_collide_losing(&ball, &floor, 0.3, loss, e, up, place, told) };
+    let status = unsafe { carom_collide(&ball, &floor, 0.3, up, &options(loss, e), place, told) };
     (status, rebound, error)
 }
 
@@ -99,8 +110,14 @@ fn an_elastic_call_is_the_plain_one() {
     let mut plain = CaromRebound::default();
     let (up, place) = (UP.as_ptr(), &raw mut plain);
     // SAFETY: all pointers are null or references.
-    let status = unsafe { carom_collide(&ball, &floor, 0.3, up, place, std::ptr::null_mut()) };
-    assert_eq!((status, plain), (CaromStatus::Ok, collide(CAROM_LOSS_NONE, 0.0).1));
+    let status =
+        unsafe { carom_collide(&ball, &floor, 0.3, up, null(), place, std::ptr::null_mut()) };
+    let mut told = CaromRebound::default();
+    let elastic = CaromCollideOptions { size: size_of::<CaromCollideOptions>(), ..usual() };
+    let (nothing, place) = (std::ptr::null_mut(), &raw mut told);
+    // SAFETY: all pointers are null or references.
+    let again = unsafe { carom_collide(&ball, &floor, 0.3, up, &elastic, place, nothing) };
+    assert_eq!((status, again, plain), (CaromStatus::Ok, CaromStatus::Ok, told));
     assert_eq!(plain.energy_lost, 0.0);
 }
 
@@ -125,7 +142,72 @@ fn wrong_losses_are_named_and_nothing_is_written() {
     // SAFETY: all pointers are null or references.
     let status = unsafe {
         let (nothing, error) = (std::ptr::null_mut(), std::ptr::null_mut());
-        carom_collide_losing(&ball, null(), 0.3, 1, 0.5, null(), nothing, error)
+        carom_collide(&ball, null(), 0.3, null(), &options(1, 0.5), nothing, error)
     };
     assert_eq!(status, CaromStatus::NullPointer);
+}
+
+/// Of a caller with fewer fields the others are what is usual; more than are known are refused.
+#[test]
+fn options_may_be_shorter_and_not_longer() {
+    let [ball, floor] = bodies();
+    let mut told = CaromRebound::default();
+    let by = |options: &CaromCollideOptions, told: &mut CaromRebound| {
+        // SAFETY: all pointers are null or references; no more is read than there is.
+        unsafe {
+            carom_collide(&ball, &floor, 0.3, UP.as_ptr(), options, told, std::ptr::null_mut())
+        }
+    };
+    let (mut whole, size) = (CaromRebound::default(), size_of::<CaromCollideOptions>());
+    assert_eq!(by(&CaromCollideOptions { size, ..usual() }, &mut whole), CaromStatus::Ok);
+    assert_eq!(
+        by(&CaromCollideOptions { size: 8, ..options(3, f64::NAN) }, &mut told),
+        CaromStatus::Ok
+    );
+    assert_eq!(told, whole);
+    for size in [0, 7, size_of::<CaromCollideOptions>() + 1, usize::MAX] {
+        let wrong = CaromCollideOptions { size, ..options(0, 1.0) };
+        assert_eq!(by(&wrong, &mut told), CaromStatus::OutOfRange);
+    }
+}
+
+/// Law, tolerance and torsion are those of the library.
+#[test]
+fn options_choose_law_tolerance_and_torsion() {
+    let [mut ball, mut floor] = bodies();
+    (ball.material, floor.material) = (
+        CaromMaterial { young_modulus: 380e9, poisson: 0.23 },
+        CaromMaterial { young_modulus: 70e9, poisson: 0.22 },
+    );
+    let solved = |options: CaromCollideOptions| {
+        let (mut told, size) = (CaromRebound::default(), size_of::<CaromCollideOptions>());
+        let options = CaromCollideOptions { size, ..options };
+        // SAFETY: all pointers are null or references.
+        let status = unsafe {
+            let error = std::ptr::null_mut();
+            carom_collide(&ball, &floor, 0.09, UP.as_ptr(), &options, &mut told, error)
+        };
+        (status, told)
+    };
+    let usual = usual();
+    let (_, rings) = solved(CaromCollideOptions { law: CAROM_IMPACT_RINGS, ..usual });
+    assert_eq!(solved(usual).1, rings);
+    let (_, fine) =
+        solved(CaromCollideOptions { law: CAROM_IMPACT_RINGS, tolerance: 1e-3, ..usual });
+    assert!(fine.error_estimate < rings.error_estimate && (fine.R_x - rings.R_x).abs() < 0.01);
+    // Rings change the spin about the normal, the others where they are asked to.
+    assert_eq!((rings.has_torsion, rings.torque_impulse < 0.0), (1, SPIN[2] > 0.0));
+    let (_, alone) = solved(CaromCollideOptions { law: CAROM_IMPACT_COULOMB, ..usual });
+    assert!(alone.has_torsion == 0 && (alone.R_x - rings.R_x).abs() > 1e-3);
+    let twisted = CaromCollideOptions { law: CAROM_IMPACT_FIXED_DIRECTION, torsion: 1, ..usual };
+    let (_, twisted) = solved(twisted);
+    assert_eq!((twisted.has_torsion, twisted.R_x), (1, alone.R_x));
+    // A contact that slides along resists a twist less.
+    assert!(twisted.torque_impulse > rings.torque_impulse && rings.torque_impulse > 0.0);
+    let wrong = [
+        CaromCollideOptions { law: 4, ..usual },
+        CaromCollideOptions { torsion: 3, ..usual },
+        CaromCollideOptions { tolerance: -1.0, ..usual },
+    ];
+    assert!(wrong.into_iter().all(|options| solved(options).0 == CaromStatus::OutOfRange));
 }

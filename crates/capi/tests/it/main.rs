@@ -8,4 +8,5 @@ mod hostile;
 mod losses;
 mod mechanics;
 mod programs;
+mod ring_grains;
 mod wrong_bodies;

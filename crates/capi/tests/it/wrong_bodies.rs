@@ -78,7 +78,7 @@ fn any_number_in_a_body_is_answered() {
                 // SAFETY: all pointers are references.
                 let status = unsafe {
                     let (up, out) = (UP.as_ptr(), &raw mut rebound);
-                    carom_collide(&wrong, &plate, 0.3, up, out, &raw mut error)
+                    carom_collide(&wrong, &plate, 0.3, up, null(), out, &raw mut error)
                 };
                 let here = format!("shape {shape}, number {place} = {strange:e}");
                 match status {
@@ -128,7 +128,8 @@ fn any_pair_and_ratio_is_answered() {
     }
     // SAFETY: null pointers are told.
     let status = unsafe {
-        carom_collide(null(), null(), 0.3, null(), std::ptr::null_mut(), std::ptr::null_mut())
+        let (nothing, error) = (std::ptr::null_mut(), std::ptr::null_mut());
+        carom_collide(null(), null(), 0.3, null(), null(), nothing, error)
     };
     assert_eq!(status, CaromStatus::NullPointer);
 }

@@ -11,18 +11,21 @@ const VARIED: &str = "Any number may be a sweep, as a list or { start, stop, cou
                       as { normal = { mean, sd } }, log_normal, { uniform = { low, high } } or \
                       { triangular = { low, mode, high } }; `carom schema impact` has them all.";
 
-/// The text of a new case of this kind.
-pub(super) fn text(kind: CaseKind) -> String {
-    let mut text = String::new();
-    comment(&mut text, kind.meaning());
-    comment(&mut text, HEAD);
-    if !kind.varied().is_empty() {
-        comment(&mut text, VARIED);
+impl CaseKind {
+    /// A commented case of this kind, with every field that it may have: it runs as it stands.
+    #[must_use]
+    pub fn begin(self) -> String {
+        let mut text = String::new();
+        comment(&mut text, self.meaning());
+        comment(&mut text, HEAD);
+        if !self.varied().is_empty() {
+            comment(&mut text, VARIED);
+        }
+        for field in self.fields() {
+            add_table(&mut text, field.name, field, matches!(field.need, Need::Must));
+        }
+        text
     }
-    for field in kind.fields() {
-        add_table(&mut text, field.name, field, matches!(field.need, Need::Must));
-    }
-    text
 }
 
 /// A table with its fields, then its tables; behind # if it is not `active`.

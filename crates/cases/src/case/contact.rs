@@ -4,8 +4,8 @@ use super::error::CaseError;
 use super::field::{Default, Field, Form, Word};
 use super::range::Range;
 use super::section::Section;
-use carom_impact::NormalRestitution;
 use carom_impact::coupled::TurningLaw;
+use carom_impact::{NormalRestitution, TorsionMode};
 use carom_numerical::CollisionLaw;
 
 pub(super) const COULOMB: &str = TurningLaw::Coulomb.name();
@@ -34,9 +34,27 @@ pub(super) const LAW: Field = Field::new(
     "the contact law; coulomb and fixed-direction neglect the coupling of unlike materials",
 )
 .default(Default::Word(CollisionLaw::Auto.name()));
-pub(super) const TORSION: Field =
-    Field::new("torsion", Form::Switch, "whether friction acts on the spin about the normal too")
-        .default(Default::False);
+/// The law of a scene: a ball and planes turn alike about all tangents, so that rings know all that a grid does.
+pub(super) const LAW_OF_SCENE: Field = Field::new(
+    "law",
+    Form::Word(&[
+        (
+            CollisionLaw::Auto.name(),
+            "the cheapest law in which the coupling of unlike materials counts",
+        ),
+        (COULOMB, "the exact impact, which neglects the coupling of unlike materials"),
+        (CollisionLaw::Rings.name(), "rings that know coupling and spin"),
+    ]),
+    "the contact law of all bounces",
+)
+.default(Default::Word(CollisionLaw::Auto.name()));
+pub(super) const TORSION: Field = Field::new(
+    "torsion",
+    Form::Switch,
+    "whether friction acts on the spin about the normal too",
+)
+.may("friction acts on it where that matters: of spheres and planes, by the laws auto and rings")
+.such_as("true");
 pub(super) const NORMAL_RESTITUTION: Field = Field::number(
     "normal_restitution",
     Range::Part.pure(),
@@ -63,6 +81,12 @@ pub(super) fn normal_restitution(section: &Section<'_>) -> Result<NormalRestitut
     Ok(NormalRestitution::by_waves())
 }
 
+/// Whether friction acts on the spin about the normal.
+pub(super) fn torsion_mode(section: &Section<'_>) -> Result<TorsionMode, CaseError> {
+    let told = section.has(&TORSION).then(|| section.switch(&TORSION)).transpose()?;
+    Ok(told.into())
+}
+
 /// The law of a word.
 pub(super) fn turning_law(word: &str) -> TurningLaw {
     word.parse().unwrap_or_default()
@@ -75,8 +99,10 @@ pub struct Contact {
     pub friction: f64,
     /// The contact law.
     pub law: CollisionLaw,
-    /// The line of `torsion = true`; none if the spin about the normal is left alone.
-    pub torsion: Option<usize>,
+    /// Whether friction acts on the spin about the normal.
+    pub torsion: TorsionMode,
+    /// The line of `torsion`, or 0 if it is not there.
+    pub torsion_line: usize,
     /// What the material takes.
     pub normal_restitution: NormalRestitution,
 }
@@ -88,8 +114,8 @@ impl Contact {
         let word = contact.word(&LAW)?;
         let law: CollisionLaw = word.parse().unwrap_or_default();
         let is_numerical = law == CollisionLaw::Numerical;
-        let torsion = contact.switch(&TORSION)?.then(|| contact.line(&TORSION));
-        if is_numerical && torsion.is_some() {
+        let (torsion, torsion_line) = (torsion_mode(contact)?, contact.line(&TORSION));
+        if is_numerical && torsion == TorsionMode::Included {
             let reason = "the numerical law leaves the spin about the normal alone";
             return Err(contact.conflict(&TORSION, &LAW, reason));
         }
@@ -98,6 +124,6 @@ impl Contact {
             return Err(contact.out_of_range(&FRICTION, friction, allowed));
         }
         let normal_restitution = normal_restitution(contact)?;
-        Ok(Self { friction, law, torsion, normal_restitution })
+        Ok(Self { friction, law, torsion, torsion_line, normal_restitution })
     }
 }

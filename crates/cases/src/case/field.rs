@@ -5,7 +5,7 @@ use super::range::End;
 use super::unit::Measure;
 use carom_table::{Column, Value};
 use std::collections::BTreeSet;
-use std::sync::LazyLock;
+use std::sync::{Mutex, PoisonError};
 
 /// A field of a case file.
 #[derive(Debug, Clone, Copy)]
@@ -334,19 +334,27 @@ impl Entry {
     }
 }
 
-/// The path of a field that may be varied, as it stands in the tables; a path that they do not have
-/// is "a number of the case".
-pub(super) fn interned(path: &str) -> &'static str {
-    static PATHS: LazyLock<BTreeSet<String>> = LazyLock::new(|| {
-        let paths = entries(super::impact::FIELDS).into_iter().flat_map(|Entry { path, field }| {
-            let parts = match field.form {
-                Form::Vector(parts, ..) | Form::WordOrVector(_, parts, ..) => parts,
-                _ => &[],
-            };
-            let parts: Vec<_> = parts.iter().map(|part| format!("{path}.{part}")).collect();
-            std::iter::once(path).chain(parts)
-        });
-        paths.collect()
+/// The path of one of these fields, or of a part of one, as a text that lasts; a path that they do not have is
+/// "a number of the case".
+pub(super) fn interned(fields: &[Field], path: &str) -> &'static str {
+    static PATHS: Mutex<BTreeSet<&'static str>> = Mutex::new(BTreeSet::new());
+    let is_known = entries(fields).into_iter().any(|Entry { path: own, field }| {
+        let parts = match field.form {
+            Form::Vector(parts, ..) | Form::WordOrVector(_, parts, ..) => parts,
+            _ => &[],
+        };
+        own == path || parts.iter().any(|part| format!("{own}.{part}") == path)
     });
-    PATHS.get(path).map_or("a number of the case", String::as_str)
+    if !is_known {
+        return "a number of the case";
+    }
+    let mut paths = PATHS.lock().unwrap_or_else(PoisonError::into_inner);
+    match paths.get(path) {
+        Some(kept) => kept,
+        None => {
+            let kept: &'static str = Box::leak(path.to_owned().into_boxed_str());
+            paths.insert(kept);
+            kept
+        }
+    }
 }

@@ -89,7 +89,7 @@ impl<'a> ImpactFile<'a> {
     /// bodies make no contact that can be computed.
     pub fn parse(source: &'a str) -> Result<Self, CaseError> {
         let table = parse(source)?;
-        let varied = Varied::default();
+        let varied = Varied::new(FIELDS, Vec::new());
         let nominal = read(source, table.get_ref(), &varied)?;
         let inputs = varied.found();
         let case = Section::root(source, table.get_ref(), FIELDS)?;
@@ -136,7 +136,7 @@ impl<'a> ImpactFile<'a> {
     /// As [`ImpactFile::parse`].
     pub fn case(&self, values: &[f64]) -> Result<ImpactCase, CaseError> {
         let drawn = self.inputs.iter().map(Input::place).zip(values.iter().copied()).collect();
-        read(self.source, self.table.get_ref(), &Varied::drawn(drawn))
+        read(self.source, self.table.get_ref(), &Varied::new(FIELDS, drawn))
     }
 }
 
@@ -165,7 +165,7 @@ fn read(source: &str, table: &DeTable<'_>, varied: &Varied) -> Result<ImpactCase
     };
     let collision =
         collision.map_err(at_fault)?.with_normal_restitution(contact.normal_restitution);
-    let collision = if contact.torsion.is_some() { collision.with_torsion() } else { collision };
+    let collision = collision.with_torsion_mode(contact.torsion);
     Ok(ImpactCase { collision, contact, angle: approach.map(|approach| approach.angle) })
 }
 

@@ -4,7 +4,7 @@ use super::error::CaseError;
 use super::field::{Entry, Field, Form, Need, entries};
 use super::section::{Section, parse};
 use super::{HertzCase, HistoryCase, ImpactFile, RollCase, SceneCase, SolveCase, StressCase};
-use super::{begin, hertz, history, impact, roll, scene, solve, stress, varied};
+use super::{hertz, history, impact, roll, scene, solve, stress, varied};
 use carom_special::{WordError, nearest};
 use carom_table::Column;
 use std::str::FromStr;
@@ -123,12 +123,6 @@ impl CaseKind {
                 .map(|entry| Entry { path: format!("*.{}", entry.path), ..entry }),
         );
         all
-    }
-
-    /// A commented case of this kind, with every field that it may have: it runs as it stands.
-    #[must_use]
-    pub fn begin(self) -> String {
-        begin::text(self)
     }
 
     /// The kind of a file: that whose tables it has, as far as it has any, mistyped ones too.

@@ -1,7 +1,10 @@
 //! The case file of `carom scene`: a ball, walls, gravity and limits.
 
 use super::body::{BALL, BodyCase, INERTIA, MASS, POSITION, Velocity};
-use super::contact::{FRICTION, NORMAL_RESTITUTION, WAVE_LOSS, normal_restitution};
+use super::contact::{
+    FRICTION, LAW_OF_SCENE, NORMAL_RESTITUTION, TORSION, WAVE_LOSS, normal_restitution,
+    torsion_mode,
+};
 use super::error::CaseError;
 use super::field::{Default, Field, Form};
 use super::material::{self, MATERIAL};
@@ -10,6 +13,7 @@ use super::section::{Section, parse};
 use super::unit::{Dimension, Measure};
 use carom_impact::scene::{Ball, Limits, Scene, SceneError, Wall};
 use carom_laws::friction::Friction;
+use carom_numerical::CollisionLaw;
 use carom_special::RangeError;
 
 const LENGTH_ABOVE_0: Measure = Range::Positive.of(Dimension::Length);
@@ -80,8 +84,8 @@ const REBOUND_HEIGHT: Field = Field::number(
 .default(Default::Number(0.0));
 const SETTING: Field = Field::new(
     "scene",
-    Form::Table(&[START, GRAVITY, TIME, BOUNCES, REBOUND_HEIGHT]),
-    "start, gravity and limits",
+    Form::Table(&[START, GRAVITY, TIME, BOUNCES, REBOUND_HEIGHT, LAW_OF_SCENE, TORSION]),
+    "start, gravity, limits and contact law",
 )
 .begun(&[(&START, "")]);
 
@@ -99,6 +103,8 @@ pub struct SceneCase {
     pub ball: Ball,
     /// When to stop.
     pub limits: Limits,
+    /// The contact law of all impacts.
+    pub law: CollisionLaw,
 }
 
 impl SceneCase {
@@ -132,11 +138,13 @@ impl SceneCase {
                 false => case.unfit([&SETTING, &START], allowed),
             });
         }
+        let law = setting.word(&LAW_OF_SCENE)?.parse().unwrap_or_default();
+        let scene = scene.with_torsion_mode(torsion_mode(&setting)?);
         let height = setting.number(&REBOUND_HEIGHT)?;
         let limits = Limits::new(setting.number(&TIME)?, setting.count(&BOUNCES)?)
             .and_then(|limits| limits.at_rest_below(height))
             .map_err(at(&setting))?;
-        Ok(Self { scene, names, ball, limits })
+        Ok(Self { scene, names, ball, limits, law })
     }
 }
 

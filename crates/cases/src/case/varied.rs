@@ -107,16 +107,17 @@ impl Input {
 }
 
 /// The varied numbers of a case, found while it is read, and the values that stand for them.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Varied {
+    fields: &'static [Field],
     drawn: Vec<(usize, f64)>,
     found: RefCell<Vec<Input>>,
 }
 
 impl Varied {
-    /// With these values, by their places in the file.
-    pub(super) const fn drawn(drawn: Vec<(usize, f64)>) -> Self {
-        Self { drawn, found: RefCell::new(Vec::new()) }
+    /// Of a case with these fields; with these values, by their places in the file.
+    pub(super) const fn new(fields: &'static [Field], drawn: Vec<(usize, f64)>) -> Self {
+        Self { fields, drawn, found: RefCell::new(Vec::new()) }
     }
 
     /// Those found, in the order of the file.
@@ -146,7 +147,8 @@ impl Varied {
         let number = section.in_range(name, value, variation.nominal(), measure)?;
         let mut found = self.found.borrow_mut();
         if found.iter().all(|input| input.place != place) {
-            let (field, line) = (interned(&section.full(name)), section.line_of(value));
+            let (field, line) =
+                (interned(self.fields, &section.full(name)), section.line_of(value));
             let (unit, allowed) = (measure.dimension.unit(), measure.range.allowed());
             found.push(Input { field, unit, allowed, variation, line, place });
         }

@@ -1,6 +1,5 @@
 //! The laws of a history: shift and, if there is one, twist.
 
-use super::step::is_twisted;
 use crate::case::HistoryCase;
 use carom_laws::accounted::Accounted;
 use carom_laws::friction::Friction;
@@ -90,4 +89,10 @@ impl Laws {
     pub fn dissipated(&self) -> f64 {
         self.law.dissipated()
     }
+}
+
+/// Whether any shift twists.
+#[must_use]
+pub fn is_twisted(shifts: &[Shift]) -> bool {
+    shifts.iter().any(|shift| shift.omega != 0.0)
 }

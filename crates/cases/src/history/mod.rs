@@ -5,10 +5,9 @@ mod step;
 mod steps;
 mod twist;
 
-pub use laws::Laws;
+pub use laws::{Laws, is_twisted};
 pub use step::{
-    COLUMNS, Step, TRACTION_COLUMNS, TWIST_COLUMNS, Traction, all_columns, columns, is_circle,
-    is_twisted, step,
+    COLUMNS, Step, TRACTION_COLUMNS, TWIST_COLUMNS, Traction, all_columns, columns, is_circle, step,
 };
 pub use steps::{StepsError, read as read_steps};
 pub use twist::Twist;

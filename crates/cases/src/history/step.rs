@@ -1,6 +1,6 @@
 //! The states of a history, and their columns.
 
-use super::laws::Laws;
+use super::laws::{Laws, is_twisted};
 use super::twist::{self, Twist};
 use crate::Error;
 use carom_laws::ellipse::ContactEllipse;
@@ -95,12 +95,6 @@ pub fn columns(shifts: &[Shift]) -> Vec<Column<Step>> {
         true => all_columns(),
         false => COLUMNS.to_vec(),
     }
-}
-
-/// Whether any shift twists.
-#[must_use]
-pub fn is_twisted(shifts: &[Shift]) -> bool {
-    shifts.iter().any(|shift| shift.omega != 0.0)
 }
 
 /// The tangential traction on body 1 at a radius: 0 is the centre, 1 the edge of the ellipse.

@@ -1,11 +1,11 @@
-//! `carom new`: a case to begin with.
+//! `carom new`: a new case file.
 
 use crate::command::kind;
 use crate::error::CliError;
 use crate::output::Answer;
 use carom_cases::case::CaseKind;
 
-/// A commented case of a kind, with every field that it may have: it runs as it stands.
+/// Print a commented case of a kind, with every field it may have; it runs unchanged.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// The kind of case.

@@ -1,4 +1,4 @@
-//! `carom check`: what a case says, without computing it.
+//! `carom check`: validates a case without computing it.
 
 use crate::columns::{self, Record};
 use crate::command::kind;
@@ -12,16 +12,16 @@ use carom_cases::solve::Bodies;
 use serde::Serialize;
 use std::path::PathBuf;
 
-/// Reads a case and says what it understood, or what is wrong with it; computes nothing.
+/// Check a case file and list the fields as read, without computing anything.
 ///
-/// Files that the case names are read too. Fields that it leaves out stand with what holds then.
+/// Files that the case names are read too. Omitted fields are listed with their defaults.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each field", Understood::COLUMNS))]
 pub(super) struct Arguments {
     /// The case file; - is standard input.
     #[arg(value_name = "CASE.toml")]
     case: PathBuf,
-    /// The kind of case; that whose tables the file has if this is left out.
+    /// The kind of case; by default that given by the tables of the file.
     #[arg(long, value_parser = kind())]
     kind: Option<CaseKind>,
     /// Format of the table.
@@ -58,7 +58,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     Ok(Answer { text, ..Answer::default() })
 }
 
-/// Whether the files that the case names can be read.
+/// Checks that the files named by the case can be read.
 fn check_files(file: &CaseFile, kind: CaseKind) -> Result<(), CliError> {
     match kind {
         CaseKind::History => match file.parse(HistoryCase::parse)?.steps {

@@ -1,15 +1,15 @@
-//! `carom completions`: what a shell needs to complete the command.
+//! `carom completions`: scripts for completion in a shell.
 
 use super::Carom;
 use crate::output::Answer;
 use clap::CommandFactory as _;
 use clap_complete::{Shell, generate};
 
-/// A script by which a shell completes commands, options, their values and files.
+/// Print a script by which a shell completes commands, options, values and files.
 ///
-/// For bash: carom completions bash > ~/.local/share/bash-completion/completions/carom. For zsh, a file
-/// _carom in a folder of $fpath; for fish, ~/.config/fish/completions/carom.fish; for PowerShell, a line
-/// in $PROFILE that runs it.
+/// For bash: carom completions bash > ~/.local/share/bash-completion/completions/carom. For zsh: a
+/// file _carom in a folder of $fpath. For fish: ~/.config/fish/completions/carom.fish. For
+/// PowerShell: a line in $PROFILE that runs the script.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
     /// The shell.

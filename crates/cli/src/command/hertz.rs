@@ -19,9 +19,9 @@ use std::f64::consts::PI;
 
 /// Hertz contact of two surfaces: ellipse, approach, pressure and stiffness.
 ///
-/// The file is TOML in SI units, others as texts such as "2.5 mm"; see examples/hertz_*.toml. x is
-/// the direction of the larger relative curvature, so that a <= b. The picture shows the pressure,
-/// or force and pressure over the approach for several loads.
+/// The file is TOML. Numbers are in SI units; other units are given as texts such as "2.5 mm"; see
+/// examples/hertz_*.toml. x is the direction of the larger relative curvature, so that a <= b. The
+/// picture shows the pressure, or force and pressure over the approach for several loads.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each load", HertzState::COLUMNS))]
 pub(super) struct Arguments {
@@ -29,12 +29,12 @@ pub(super) struct Arguments {
     given: CaseArguments,
 }
 
-/// A loaded contact. SI units.
+/// A contact under load, in SI units.
 #[derive(Debug, Serialize)]
 struct Row<'a> {
     #[serde(flatten)]
     state: Record<'a, HertzState>,
-    /// What lies outside the theory, if anything.
+    /// The limits of the theory that it exceeds.
     outside_theory: Vec<String>,
 }
 
@@ -75,7 +75,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     Ok(answer.cautioned(caution(&excesses, "loads"), format))
 }
 
-/// The smaller principal radius of the gap between the surfaces.
+/// The smaller principal radius of the gap.
 pub(super) fn smallest_radius(hertz: &Hertz) -> f64 {
     0.5 / hertz.curvature().a()
 }
@@ -89,7 +89,7 @@ fn loaded(hertz: &Hertz, given: Given, value: f64) -> Result<HertzState, RangeEr
     }
 }
 
-/// All of a case: the contact and its loads.
+/// The complete result of a case: the contact and its loads.
 struct Report<'a> {
     hertz: &'a Hertz,
     loads: &'a [Row<'a>],
@@ -104,14 +104,14 @@ impl Serialize for Report<'_> {
     }
 }
 
-/// Ellipse and pressure of one load; else force and pressure from no load to the greatest one, the
-/// given loads marked.
+/// The ellipse and pressure of one load; for several, force and pressure from zero to the largest
+/// load, with the given loads marked.
 fn draw(case: &HertzCase, states: &[HertzState]) -> Result<Picture, RangeError> {
     if let (Numbers::One(_), [state]) = (&case.values, states) {
         return Ok(Picture::new("Hertz contact", [outline(state), pressure(state)]));
     }
     let greatest = states.iter().map(|state| state.approach).fold(0.0, f64::max);
-    // Denser where the pressure rises like a root.
+    // Denser where the pressure grows as a square root.
     let parts = linspace(0.0, 1.0, 201).into_iter().skip(1);
     let curve = parts
         .map(|part| case.hertz.at_approach(greatest * part * part))
@@ -143,7 +143,7 @@ fn outline(state: &HertzState) -> Panel {
 fn pressure(state: &HertzState) -> Panel {
     let (a, b) = (state.ellipse.semi_axis_a(), state.ellipse.semi_axis_b());
     let profile = |x: f64, y: f64| state.pressure(a * x, b * y);
-    // Denser at the edge, where the pressure falls like a root.
+    // Denser at the edge, where the pressure vanishes as a square root.
     let grid = || linspace(-0.5 * PI, 0.5 * PI, 201).into_iter().map(libm::sin);
     let mut panel = Panel::new(Axis::linear("x, y / m"), Axis::linear("pressure / Pa"));
     panel.add(Series::line("along x", grid().map(|s| (a * s, profile(s, 0.0)))));

@@ -7,18 +7,18 @@ use clap::CommandFactory as _;
 use clap_mangen::Man;
 use std::path::Path;
 
-/// A manual page, in the form that man reads.
+/// Print a manual page in the format of man.
 ///
-/// To read one: carom man impact | man -l -. To keep it: carom man > ~/.local/share/man/man1/carom.1, and
-/// carom man impact > ~/.local/share/man/man1/carom-impact.1.
+/// To read a page: carom man impact | man -l -. To install: carom man >
+/// ~/.local/share/man/man1/carom.1, and carom man impact > ~/.local/share/man/man1/carom-impact.1.
 #[derive(Debug, clap::Args)]
 pub(super) struct Arguments {
-    /// The command whose page it is; that of carom itself if this is left out.
+    /// The command of the page; by default carom itself.
     #[arg(value_parser = commands())]
     command: Option<String>,
 }
 
-/// The names of all commands but this one, which is not there yet when they are asked for.
+/// The names of all commands except `man`, which is being defined.
 const NAMES: &[&str] = &[
     "impact",
     "restitution",

@@ -1,5 +1,5 @@
-//! The commands, one a file. Each works out an [`Answer`] and writes nothing itself, but for rows
-//! that are too many to hold.
+//! The commands, one module each. A command returns an [`Answer`] and writes nothing itself, except
+//! for tables too large to hold in memory.
 
 mod begin;
 mod check;
@@ -29,12 +29,12 @@ use carom_cases::input::CaseFile;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
 use std::path::PathBuf;
 
-/// Elastic impact with friction: how two bodies touch, slip, stick, twist and rebound.
+/// Elastic impact with friction: how two bodies make contact, slip, stick, twist and rebound.
 ///
-/// A case file says what is to be computed: bodies, materials, friction, motions. Results go to
-/// standard output, which must be open unless --format none is given, everything else to standard
-/// error. No input is ever overwritten: a run that would write to one is refused. A picture is put in
-/// its place when all has succeeded. Exit code 2 means bad input, 1 a file that cannot be read or
+/// A case file describes what to compute: bodies, materials, friction, motions. Results go to
+/// standard output, which must be open unless --format none is given; everything else goes to
+/// standard error. No input is ever overwritten: such a run is rejected. Pictures are written when
+/// the computation has succeeded. Exit code 2 means bad input, 1 a file that cannot be read or
 /// written.
 #[derive(Debug, clap::Parser)]
 #[command(name = "carom", version, after_long_help = FIRST_STEPS)]
@@ -48,31 +48,31 @@ pub struct Carom {
 const FIRST_STEPS: &str = "\
 First steps:
   carom new impact > ball.toml                 a commented case: a steel ball meets a plate
-  carom impact ball.toml                       how both move afterwards, and what friction took
-  carom impact ball.toml --plot ball.svg       velocities and forces in the meantime
-  carom impact ball.toml --format csv          the same as numbers, or json, for other programs
-  carom schema impact                          what else a case may say
-  carom check ball.toml                        how a case is understood
+  carom impact ball.toml                       the motions afterwards, and the energy dissipated
+  carom impact ball.toml --plot ball.svg       velocities and forces during the impact
+  carom impact ball.toml --format csv          the results as CSV for other programs (or json)
+  carom schema impact                          all fields of an impact case
+  carom check ball.toml                        the fields of a case as read
 
-R_x of any ball, with no case, kappa = 1.21 for Poisson's ratio 0.3:
+R_x of a ball without a case file; kappa = 1.21 for Poisson's ratio 0.3:
   carom restitution --kappa 1.2143 --lambda 0.1:8:80 --plot rebound.svg
 ";
 
 impl Carom {
-    /// Messages in the manner that was asked for.
+    /// The message writer for the given options.
     #[must_use]
     pub fn messages(&self) -> Messages {
         self.manner.messages()
     }
 }
 
-/// A kind of case among the arguments.
+/// Parses a kind of case.
 fn kind() -> impl TypedValueParser<Value = CaseKind> {
     let value = |kind: CaseKind| PossibleValue::new(kind.name()).help(kind.meaning());
     PossibleValuesParser::new(CaseKind::ALL.map(value)).try_map(|word| word.parse::<CaseKind>())
 }
 
-/// What every command with a case file takes.
+/// Arguments of every command with a case file.
 #[derive(Debug, clap::Args)]
 struct CaseArguments {
     /// The case file; - is standard input.
@@ -81,30 +81,31 @@ struct CaseArguments {
     /// Format of the results.
     #[arg(long, value_enum, default_value_t)]
     format: Format,
-    /// Draw the results into this file, as SVG or PNG by its ending; - is standard output.
+    /// Draw the results into this file, as SVG or PNG according to its ending; - is standard
+    /// output.
     #[arg(long, value_name = "FILE")]
     plot: Option<PathBuf>,
 }
 
-/// A case file, and where its picture goes, if one was asked for.
+/// A case file and the destination of its picture, if one is requested.
 struct Given {
     case: CaseFile,
     plot: Option<Destination>,
 }
 
 impl CaseArguments {
-    /// Reads the case once it is clear that no output goes to the same file.
+    /// Reads the case after checking that no output goes to the same file.
     fn read(&self) -> Result<Given, CliError> {
         Ok(self.read_beside(|_| Ok(()))?.0)
     }
 
-    /// The same, with what the command `claims` for other outputs.
+    /// The same, with other outputs that the command `claims`.
     fn read_beside<T>(
         &self,
         claims: impl FnOnce(&mut Outputs) -> Result<T, CliError>,
     ) -> Result<(Given, T), CliError> {
         let mut outputs = Outputs::of_command(self.format)?;
-        // First, so that no other error is told on a stream that goes to the case.
+        // Checked first, so that no other error is written to a stream that goes to the case file.
         outputs.check_input(&self.case)?;
         let to = |path: &PathBuf| outputs.picture("plot", path, self.format);
         let plot = self.plot.as_ref().map(to).transpose()?;
@@ -131,7 +132,7 @@ enum Command {
     Man(man::Arguments),
 }
 
-/// Works out what the command asks for.
+/// Runs the command given by the arguments.
 ///
 /// # Errors
 /// If its input is bad, or a file cannot be read.

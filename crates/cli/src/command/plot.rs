@@ -1,22 +1,22 @@
-//! Lines of many quantities over one: the pictures of histories.
+//! Line plots of several quantities over one, for histories.
 
 use carom_plot::{Axis, Marker, Panel, Series, Style};
 
 /// A quantity of a record.
 pub(super) type Value<T> = fn(&T) -> f64;
 
-/// Marked points, at most: more would hide the lines.
+/// Largest number of marked points; more would hide the lines.
 pub(super) const MOST_MARKS: usize = 100;
 
-/// Records in order, drawn against one of their quantities.
+/// Records in order, plotted over one of their quantities.
 pub(super) struct Course<'a, T> {
     /// The records, close enough together for smooth lines.
     pub(super) records: &'a [T],
-    /// Those of them that the user gave, to be marked.
+    /// The records given by the user, which are marked.
     pub(super) marked: &'a [T],
     /// Label of the horizontal axis.
     pub(super) label: &'a str,
-    /// What stands on it.
+    /// The quantity on the horizontal axis.
     pub(super) at: Value<T>,
 }
 
@@ -58,7 +58,7 @@ impl<T> Course<'_, T> {
     }
 }
 
-/// Adds a line with marks on it, in the next colour.
+/// Adds a curve with marks, in the next colour.
 pub(super) fn add_curve(
     panel: &mut Panel,
     name: &str,

@@ -6,10 +6,10 @@ use crate::error::CliError;
 use crate::output::{Answer, Format, json};
 use carom_cases::case::{CaseKind, Entry};
 
-/// All fields of a kind of case: kind, range, unit, default, meaning.
+/// List all fields of a kind of case: kind, range, unit, default, meaning.
 ///
-/// Fields under `*` may stand in the place of any number. As JSON and CSV with the ends of the ranges
-/// and the words to choose from.
+/// Fields under `*` may replace any number. JSON and CSV also give the ends of the ranges and the
+/// allowed words.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each field", Entry::COLUMNS))]
 pub(super) struct Arguments {

@@ -1,34 +1,34 @@
-//! Whether results lie within the theory, and what they leave out: told once, with the worst.
+//! Checks whether results lie within the theory and reports the worst case once.
 
 use crate::output::short;
 use carom_impact::{Rebound, Warning};
 
-/// Approach over the radius of curvature from which on bodies are no half-spaces.
-const MOST_APPROACH: f64 = 0.1;
-/// Share of the energy that waves may carry away: the theory leaves them out.
-const MOST_WAVES: f64 = 0.1;
+/// Largest approach over the radius of curvature for which the bodies count as half-spaces.
+const MAX_APPROACH_OVER_RADIUS: f64 = 0.1;
+/// Largest share of the energy that elastic waves may carry away, since the theory neglects them.
+const MAX_WAVE_SHARE: f64 = 0.1;
 
-const ROUGH: &str = "Take the results as rough.";
-const ABSURD: &str = "The results mean nothing. Is a unit wrong? Plain numbers are SI, others are \
+const APPROXIMATE: &str = "The results are approximate.";
+const MEANINGLESS: &str = "The results are meaningless. Is a unit wrong? Plain numbers are SI, others are \
                       texts such as \"380 GPa\" or \"2.5 mm\".";
 
-/// How far results lie outside the theory; nothing where they lie within.
+/// How far results exceed the limits of the theory; empty if they lie within.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Excess {
     /// Approach over radius of curvature.
     approach: Option<f64>,
-    /// Energy of waves over that of the approach.
+    /// Energy of waves over kinetic energy of the approach.
     waves: Option<f64>,
 }
 
 impl Excess {
-    /// Of a contact: `approach` and the smallest radius of curvature.
+    /// The excess of a contact with this approach and smallest radius of curvature.
     pub(super) fn of_contact(approach: f64, radius: f64) -> Self {
         let share = approach / radius;
-        Self { approach: (share > MOST_APPROACH).then_some(share), waves: None }
+        Self { approach: (share > MAX_APPROACH_OVER_RADIUS).then_some(share), waves: None }
     }
 
-    /// Of an impact, by its warnings.
+    /// The excess of an impact, from its warnings.
     pub(super) fn of_impact(rebound: &Rebound) -> Self {
         rebound.warnings.iter().fold(Self::default(), |worst, warning| match warning {
             Warning::LargeContact { ratio } => {
@@ -36,14 +36,14 @@ impl Excess {
                 let radius = contact.semi_axis_a().max(contact.semi_axis_b()) / ratio;
                 worst.and(Self::of_contact(rebound.maximal_approach, radius))
             }
-            Warning::WaveLoss { share } if *share > MOST_WAVES => {
+            Warning::WaveLoss { share } if *share > MAX_WAVE_SHARE => {
                 worst.and(Self { approach: None, waves: Some(*share) })
             }
             _ => worst,
         })
     }
 
-    /// The worst of both.
+    /// The worse of both.
     pub(super) fn and(self, other: Self) -> Self {
         let worst = |one: Option<f64>, other: Option<f64>| match (one, other) {
             (Some(one), Some(other)) => Some(one.max(other)),
@@ -55,8 +55,8 @@ impl Excess {
         }
     }
 
-    /// Pressed flat, or more energy than there is.
-    fn is_absurd(self) -> bool {
+    /// Whether the approach exceeds the radius, or the waves the available energy.
+    fn is_meaningless(self) -> bool {
         [self.approach, self.waves].into_iter().flatten().any(|share| share > 1.0)
     }
 
@@ -64,7 +64,7 @@ impl Excess {
         self != Self::default()
     }
 
-    /// What exceeds which limit, one text each.
+    /// One text for each limit that is exceeded.
     pub(super) fn reasons(self) -> Vec<String> {
         let approach = self.approach.map(|share| {
             format!("the approach is {} times the radius, more than a tenth", readable(share))
@@ -77,19 +77,20 @@ impl Excess {
     }
 }
 
-/// With three digits.
-fn readable(value: f64) -> String {
+/// A number with three digits.
+pub(super) fn readable(value: f64) -> String {
     short(format!("{value:.2e}").parse().unwrap_or(value))
 }
 
-/// The plain first line on results outside the theory; none if all lie within. `what` names several.
+/// The warning on results outside the theory; `None` if all lie within. `what` names several
+/// results.
 pub(super) fn caution(excesses: &[Excess], what: &str) -> Option<String> {
     let mut worst = Worst::default();
     excesses.iter().for_each(|excess| worst.add(*excess));
     worst.caution(what)
 }
 
-/// The worst of many excesses, seen one after the other.
+/// The worst of many excesses, added one by one.
 #[derive(Debug, Clone, Copy, Default)]
 pub(super) struct Worst {
     excess: Excess,
@@ -98,14 +99,14 @@ pub(super) struct Worst {
 }
 
 impl Worst {
-    /// With one result more.
+    /// Adds a result.
     pub(super) fn add(&mut self, excess: Excess) {
         self.excess = self.excess.and(excess);
         self.concerned += usize::from(excess.is_some());
         self.all += 1;
     }
 
-    /// As [`caution`] of all of them.
+    /// The warning as in [`caution`], for all of them.
     pub(super) fn caution(&self, what: &str) -> Option<String> {
         if !self.excess.is_some() {
             return None;
@@ -115,13 +116,13 @@ impl Worst {
             all => format!(" at {} of {all} {what}", self.concerned),
         };
         let reasons = self.excess.reasons().join("; ");
-        let advice = if self.excess.is_absurd() { ABSURD } else { ROUGH };
+        let advice = if self.excess.is_meaningless() { MEANINGLESS } else { APPROXIMATE };
         Some(format!("OUTSIDE THE THEORY{place}: {reasons}. {advice}"))
     }
 }
 
-/// Warnings of many results, seen one after the other: every kind once, in the order they first came, in
-/// its worst form and with the number of those it concerns.
+/// Warnings of many results, added one by one: each kind once, in the order of occurrence, in its
+/// worst form and with the number of results concerned.
 #[derive(Debug, Clone, Default)]
 pub(super) struct Warnings {
     kinds: Vec<(Warning, String, usize)>,
@@ -129,7 +130,7 @@ pub(super) struct Warnings {
 }
 
 impl Warnings {
-    /// With those of one result more, which is found at `place`, such as `at 5°`.
+    /// Adds the warnings of one result; `place` names it, for example `at 5°`.
     pub(super) fn add(&mut self, place: impl Fn() -> String, warnings: &[Warning]) {
         self.all += 1;
         for warning in warnings {
@@ -146,12 +147,12 @@ impl Warnings {
         }
     }
 
-    /// Results seen so far.
+    /// Number of results so far.
     pub(super) const fn count(&self) -> usize {
         self.all
     }
 
-    /// What to tell of them; `what` names all results.
+    /// The texts of the warnings; `what` names all results.
     pub(super) fn told(self, what: &str) -> Vec<String> {
         let all = self.all;
         let told = self.kinds.into_iter().map(|(worst, place, count)| match all {
@@ -163,7 +164,7 @@ impl Warnings {
     }
 }
 
-/// What makes one warning worse than another of its kind.
+/// The number that makes a warning worse than another of its kind.
 fn severity(warning: &Warning) -> Option<f64> {
     match warning {
         Warning::WaveLoss { share } | Warning::SpinLeftAlone { share } => Some(*share),
@@ -206,6 +207,6 @@ mod tests {
         assert!(text.contains("carry away 1160 % of the energy, more than 10 %"), "{text}");
         assert!(text.contains("Is a unit wrong?"), "{text}");
         let rough = Excess { approach: None, waves: Some(0.16) };
-        assert!(caution(&[rough], "").unwrap().ends_with("Take the results as rough."));
+        assert!(caution(&[rough], "").unwrap().ends_with("The results are approximate."));
     }
 }

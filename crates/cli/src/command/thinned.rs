@@ -1,29 +1,30 @@
-//! Records for a line of a picture, thinned while they come: all of them where they are few, else those
-//! that are the first, last, least or greatest of their neighbours in a drawn quantity.
+//! Records for a line plot, thinned while they arrive. Few records are all kept. Of many, the
+//! first, last, smallest and largest of each group of neighbours are kept, for every drawn
+//! quantity.
 
 use super::plot::Value;
 
-/// Records of a picture, at most.
+/// Largest number of records of a picture.
 pub(super) const MOST_DRAWN: usize = 20_000;
 
-/// Records in order, a bounded number of them. Where a line is drawn through those kept, it passes through
-/// the extrema of every quantity among as many neighbours as a fraction of a pixel holds.
+/// A bounded number of records in order. A line through them passes through the extrema of every
+/// quantity within groups of neighbours that are narrower than a fraction of a pixel.
 #[derive(Debug, Clone)]
 pub(super) struct Thinned<T> {
     quantities: Vec<Value<T>>,
     kept: Vec<T>,
-    /// Records of which some are kept together; 1 while all are.
+    /// Number of records in a group of which some are kept; 1 while all are kept.
     share: usize,
     waiting: Vec<T>,
 }
 
 impl<T: Clone> Thinned<T> {
-    /// Without records yet; these quantities of them are drawn.
+    /// No records yet; `quantities` are the drawn ones.
     pub(super) fn new(quantities: impl Into<Vec<Value<T>>>) -> Self {
         Self { quantities: quantities.into(), kept: Vec::new(), share: 1, waiting: Vec::new() }
     }
 
-    /// Adds a record behind the others.
+    /// Adds a record at the end.
     pub(super) fn push(&mut self, record: T) {
         self.waiting.push(record);
         if self.waiting.len() < self.share {
@@ -39,7 +40,7 @@ impl<T: Clone> Thinned<T> {
         }
     }
 
-    /// Of a share, at most: its ends, and the extrema of each quantity.
+    /// Largest number kept of a group: its ends, and the extrema of each quantity.
     fn most_kept(&self) -> usize {
         2 + 2 * self.quantities.len()
     }
@@ -107,7 +108,7 @@ mod tests {
         for spike in spikes {
             assert!(kept.contains(&[spike as f64, value(spike)]), "{spike}");
         }
-        // No stretch of the line is left without points.
+        // Every part of the line has points.
         let widest = kept.windows(2).map(|two| two[1][0] - two[0][0]).fold(0.0, f64::max);
         assert!(widest < 2000.0, "{widest}");
     }

@@ -1,5 +1,5 @@
 //! The book: its commands run and draw its pictures, and its case reference is what the tables of fields
-//! say. `cargo xtask book --update` writes both anew.
+//! say. `cargo xtask generate` writes both anew.
 
 use crate::common::{folder, stdout};
 use carom_cases::case::{CaseKind, Entry, Need};
@@ -16,7 +16,7 @@ fn sources() -> PathBuf {
 }
 
 fn is_update() -> bool {
-    std::env::var_os("CAROM_BOOK").is_some_and(|what| what == "update")
+    std::env::var_os("CAROM_GENERATE").is_some()
 }
 
 /// The file is this, or is written so when asked for.
@@ -25,7 +25,7 @@ fn agrees(path: &Path, text: &[u8]) {
         std::fs::write(path, text).unwrap();
     }
     let is_same = std::fs::read(path).is_ok_and(|there| there == text);
-    assert!(is_same, "{} is out of date: cargo xtask book --update", path.display());
+    assert!(is_same, "{} is out of date: cargo xtask generate", path.display());
 }
 
 /// The chapters with their texts.
@@ -98,8 +98,7 @@ fn reference(kind: CaseKind) -> String {
     let name = kind.name();
     let mut page =
         format!("# {name}\n\n{} The command is `carom {name} CASE.toml`.\n", kind.meaning());
-    let _ =
-        write!(page, "\n<!-- Made from the tables of fields by `cargo xtask book --update`. -->\n");
+    let _ = write!(page, "\n<!-- Made from the tables of fields by `cargo xtask generate`. -->\n");
     let _ = write!(page, "\n```toml\n{}```\n", stdout(&["new", name]));
     let mut tables: Vec<(String, Vec<Entry>)> = Vec::new();
     for entry in kind.entries() {

@@ -293,5 +293,5 @@ fn a_slip_of_units_is_said_first_and_plainly() {
         line.starts_with("OUTSIDE THE THEORY: elastic waves would carry away 15.9 %"),
         "{line}"
     );
-    assert!(line.ends_with("Take the results as rough."), "{line}");
+    assert!(line.ends_with("The results are approximate."), "{line}");
 }

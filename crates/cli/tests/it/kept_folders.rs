@@ -82,7 +82,7 @@ fn a_folder_in_which_a_run_is_at_work_is_refused() {
     lock.lock().unwrap();
     let output = solve(&case, &kept, &["--resume"]).output().unwrap();
     assert_eq!(output.status.code(), Some(2));
-    assert!(said(&output).contains("another run keeps its steps here now"), "{}", said(&output));
+    assert!(said(&output).contains("another run is using this folder"), "{}", said(&output));
     drop(lock);
     assert!(solve(&case, &kept, &["--resume"]).output().unwrap().status.success());
 }
@@ -117,13 +117,13 @@ fn what_a_stranger_puts_into_a_kept_folder_is_not_replaced() {
     remove(&step(4));
     let loads = std::fs::read(kept.join("loads.csv")).unwrap();
     std::fs::write(kept.join("loads.csv"), "a,b\n1,2\n").unwrap();
-    refused(&case, &kept, "no table of loads of this run");
+    refused(&case, &kept, "not the table of loads of this run");
     std::fs::write(kept.join("loads.csv"), loads).unwrap();
     std::fs::write(kept.join(step(3)), "a stranger's").unwrap();
-    refused(&case, &kept, "no step of carom, or damaged");
+    refused(&case, &kept, "not a step of carom, or it is damaged");
     remove(&step(3));
     std::fs::write(kept.join("carom-kept.txt"), "a stranger's").unwrap();
-    refused(&case, &kept, "no manifest of carom");
+    refused(&case, &kept, "not a manifest of carom");
     remove("carom-kept.txt");
     // Other files there are left alone.
     let kept = folder();
@@ -167,7 +167,10 @@ fn a_step_that_cannot_be_read_is_an_error_and_not_the_end_of_the_steps() {
     // A hole of a terabyte is read no further than a step may be long.
     let hole = |path: &Path| File::create(path).unwrap().set_len(1 << 40).unwrap();
     refused(&spoilt(&hole), "the file is larger");
-    refused(&spoilt(&|path| std::fs::write(path, "").unwrap()), "no step of carom, or damaged");
+    refused(
+        &spoilt(&|path| std::fs::write(path, "").unwrap()),
+        "not a step of carom, or it is damaged",
+    );
 }
 
 #[test]

@@ -87,7 +87,7 @@ fn names_that_are_no_picture_are_refused() {
     }
     std::fs::create_dir(folder.join("folder.svg")).unwrap();
     let output = carom(&["impact", &balls, "--plot", folder.join("folder.svg").to_str().unwrap()]);
-    refused(&output, "this is no file that could be replaced");
+    refused(&output, "this is not a regular file");
     refused(&carom(&["impact", &balls, "--plot", "-"]), "add --format none");
     assert!(!Path::new("-").exists());
     assert_eq!(std::fs::read_dir(&folder).unwrap().count(), 1);
@@ -151,7 +151,7 @@ fn a_picture_is_replaced_whole_and_only_after_success() {
     let mut rights = std::fs::metadata(&kept).unwrap().permissions();
     rights.set_readonly(true);
     std::fs::set_permissions(&kept, rights).unwrap();
-    refused(&carom(&["impact", &balls, "--plot", plot]), "protected against writing");
+    refused(&carom(&["impact", &balls, "--plot", plot]), "this file is read-only");
 }
 
 #[test]

@@ -28,10 +28,11 @@ pub fn compression_time(s: UnitArgument) -> Result<f64, HypergeometricError> {
     Ok(0.5 * crate::normal::DURATION - 0.8 * y.sqrt() * rest)
 }
 
-/// The adhesive compression from first touch: tangential velocity and shift in closed form.
+/// Compression in complete adhesion from first contact: tangential velocity and shift in closed
+/// form.
 ///
-/// Units: the velocity by its initial value, the shift by that times zeta_max/zeta'_A. It holds
-/// while nothing slips: |v| psi below sqrt(1 - S).
+/// Units: the velocity by its initial value, the shift by that times zeta_max/zeta'_A. Valid while
+/// nothing slips: |v| psi below sqrt(1 - S).
 ///
 /// ```
 /// use carom_impact::closed_form::AdhesiveCompression;
@@ -51,10 +52,10 @@ pub struct AdhesiveCompression {
 }
 
 impl AdhesiveCompression {
-    /// With chi = D_xx c_x/(D_zz c_z).
+    /// The motion for chi = D_xx c_x/(D_zz c_z).
     ///
     /// # Errors
-    /// [`HypergeometricError`] unless chi is positive and at most about 66.
+    /// [`HypergeometricError`] if chi is not positive or above about 66.
     pub fn new(chi: f64) -> Result<Self, HypergeometricError> {
         carom_special::RangeError::positive("chi", chi)?;
         let phi = phi(chi);
@@ -67,7 +68,7 @@ impl AdhesiveCompression {
     /// Tangential velocity (9.16): F((1 - phi)/20, (1 + phi)/20; 3/5; S).
     ///
     /// # Errors
-    /// [`HypergeometricError`] where cancellation costs too much.
+    /// [`HypergeometricError`] if cancellation costs too many digits.
     pub fn velocity(&self, s: UnitArgument) -> Result<f64, HypergeometricError> {
         self.velocity.at(s)
     }
@@ -75,7 +76,7 @@ impl AdhesiveCompression {
     /// Tangential shift (9.21): S^(2/5) 3F2(2/5, (11 - phi)/20, (11 + phi)/20; 7/5, 3/5; S).
     ///
     /// # Errors
-    /// [`HypergeometricError`] where cancellation costs too much.
+    /// [`HypergeometricError`] if cancellation costs too many digits.
     pub fn shift(&self, s: UnitArgument) -> Result<f64, HypergeometricError> {
         Ok(libm::pow(s.value(), 0.4) * self.shift.at(s)?)
     }

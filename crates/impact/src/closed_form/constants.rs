@@ -4,7 +4,7 @@ use carom_geometry::Inertia;
 use carom_halfspace::Material;
 use carom_special::RangeError;
 
-/// The constants of an impact without coupling of its directions.
+/// Mobilities and stiffnesses of an impact with uncoupled directions.
 ///
 /// The mobilities D_xx, D_yy, D_zz have the unit 1/mass; the stiffnesses are those of
 /// F_z = (2/3) c_z zeta^(3/2) and dF_x = c_x sqrt(zeta) dxi; c_y = c_x.
@@ -23,8 +23,8 @@ pub struct ImpactConstants {
 }
 
 impl ImpactConstants {
-    /// Two solid spheres of these masses, radii and materials (9.49); an infinite mass is held
-    /// fast, an infinite radius a plane.
+    /// Two solid spheres of these masses, radii and materials (9.49). A body of infinite mass is
+    /// unaffected by the impact; an infinite radius is a plane.
     ///
     /// D_xx = D_yy = (7/2)(1/m1 + 1/m2), c_x = 8/(sqrt(1/R1 + 1/R2) sum (2 - nu)/G),
     /// c_z = 4/(sqrt(1/R1 + 1/R2) sum (1 - nu)/G).

@@ -1,11 +1,11 @@
-//! Energy that an impact of spheres takes from the bodies, (9.58) to (9.60).
+//! Kinetic energy dissipated in an impact of spheres, (9.58) to (9.60).
 
 use carom_special::RangeError;
 
-/// Kinetic energy lost in the tangential motion of two solid spheres (9.59):
-/// m1 m2/(7 (m1 + m2)) (1 + R_x)(1 - R_x) v^2, with `velocity` of the contact point.
+/// Kinetic energy dissipated in the tangential motion of two solid spheres (9.59): m1 m2/(7 (m1 +
+/// m2)) (1 + R_x)(1 - R_x) v^2, with `velocity` v of the contact point.
 ///
-/// An infinite mass is a sphere held fast.
+/// A sphere of infinite mass is unaffected by the impact.
 ///
 /// ```
 /// use carom_impact::closed_form::tangential_energy_loss;

@@ -50,8 +50,8 @@ pub fn restitution_without_slip(chi: f64) -> f64 {
 
 /// R_x of an impact that slides throughout (9.33): -1 + 2 chi/psi.
 ///
-/// `None` outside its true range psi >= max(1, 2 chi - 1): the printed condition R_x < 0 is
-/// sufficient only (spheres slide throughout from lambda = 7 - kappa on, not 7).
+/// `None` outside its range of validity psi >= max(1, 2 chi - 1). The printed condition R_x < 0 is
+/// only sufficient: spheres slide throughout from lambda = 7 - kappa on, not from 7.
 ///
 /// ```
 /// use carom_impact::closed_form::restitution_in_sliding;

@@ -1,4 +1,4 @@
-//! The share of kinetic energy that elastic waves carry away, (3.2).
+//! The share of kinetic energy radiated by elastic waves, (3.2).
 //!
 //! A normal force F(t) on a half-space radiates `I/(2 pi rho c_T^3) int F'(t)^2 dt`: I is the
 //! imaginary part of Lamb's integral for the displacement under the force, from compressional
@@ -11,7 +11,7 @@ use carom_special::gamma::gamma;
 use carom_special::quadrature::FixedRule;
 use carom_special::roots::bisect;
 
-/// Share of the energy above which the elastic outcome carries a warning.
+/// Share of the energy above which an elastic outcome has a warning.
 pub const NOTICEABLE: f64 = 0.01;
 
 /// The coefficient C(nu) of the share of energy radiated, with the exact pulse and all waves.
@@ -34,8 +34,8 @@ pub fn wave_loss_coefficient(poisson: f64) -> Result<f64, RangeError> {
     Ok(share * radiation(poisson)? * pulse * sphere * shear)
 }
 
-/// The share of kinetic energy radiated by a sphere that meets a half-space of its own material
-/// with `velocity`, where compressional waves run along rods with `rod_speed` = sqrt(E/rho).
+/// The share of kinetic energy radiated by a sphere that hits a half-space of its own material with
+/// `velocity`; `rod_speed` = sqrt(E/rho) is the speed of compressional waves in rods.
 ///
 /// # Errors
 /// [`RangeError`] unless Poisson's ratio is in [0, 1/2] and both speeds are positive.
@@ -45,7 +45,7 @@ pub fn wave_loss(poisson: f64, velocity: f64, rod_speed: f64) -> Result<f64, Ran
     Ok(wave_loss_coefficient(poisson)? * libm::pow(velocity / rod_speed, 0.6))
 }
 
-/// The energy that a Hertz pulse of this maximal force and unit of time zeta_max/v sends into a
+/// The energy that a Hertz pulse of this maximum force and time unit zeta_max/v radiates into a
 /// half-space: `I/(2 pi rho c_T^3) int F'(t)^2 dt`.
 pub(crate) fn radiated_energy(
     material: Material,

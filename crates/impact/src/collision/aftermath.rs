@@ -17,9 +17,6 @@ use crate::wave_share::wave_share;
 /// Couplings of the normal motion below this part of D_zz are round-off.
 const UNCOUPLED: f64 = 1e-9;
 
-/// The tangential part of a velocity is known to this part of the whole.
-const ROUNDING: f64 = 8.0 * f64::EPSILON;
-
 /// Differences of chi between directions below this part of it are round-off.
 const EVEN: f64 = 1e-12;
 
@@ -121,7 +118,7 @@ impl Collision {
     }
 
     fn torsion(&self, velocity: f64) -> Result<Option<Torsion>, NormalSpinError> {
-        if self.torsion == TorsionMode::LeftOut {
+        if self.torsion != TorsionMode::Included {
             return Ok(None);
         }
         let d = self.mobility.matrix();
@@ -131,7 +128,7 @@ impl Collision {
         self.normal_spin(velocity).solve().map(Some)
     }
 
-    fn normal_spin(&self, velocity: f64) -> NormalSpin<'_> {
+    pub(super) fn normal_spin(&self, velocity: f64) -> NormalSpin<'_> {
         let pivot = |i: usize| Pivot {
             arm: self.levers[i].arm(),
             inverse_tensor: *self.levers[i].inverse_tensor(),
@@ -151,12 +148,7 @@ impl Collision {
     // it is the difference of has none.
     fn restitution(&self, before: &Vector3<f64>, after: &Vector3<f64>) -> Option<f64> {
         let limit = self.limit();
-        let speed = |i: usize| {
-            let motion = self.bodies[i].motion();
-            motion.velocity.norm() + motion.spin.norm() * self.levers[i].arm().norm()
-        };
-        let slips = before.xy().norm() > ROUNDING * (speed(0) + speed(1));
-        if slips || limit.is_some() { along(before, after).or(limit) } else { None }
+        if self.is_tangential() || limit.is_some() { along(before, after).or(limit) } else { None }
     }
 
     // R_x for vanishing tangential velocities, if it is the same for all their directions.
@@ -204,7 +196,7 @@ impl Collision {
         if wave_share > NOTICEABLE && self.normal_restitution.is_elastic() {
             warnings.push(Warning::WaveLoss { share: wave_share });
         }
-        if self.torsion == TorsionMode::LeftOut {
+        if self.torsion != TorsionMode::Included {
             warnings.extend(self.normal_spin(velocity).left_alone());
         }
         warnings

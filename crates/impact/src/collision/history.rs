@@ -4,9 +4,9 @@ use carom_special::RangeError;
 use nalgebra::Vector3;
 
 use super::{Collision, CollisionError};
-use crate::coupled::{Sample, Traced};
+use crate::coupled::{Log, Sample, Traced};
 use crate::normal;
-use crate::outcome::HistoryPoint;
+use crate::outcome::{HistoryPoint, LogEntry};
 
 impl Collision {
     /// The impact at `count` instants equally spaced in time, touch and separation included, in
@@ -62,6 +62,15 @@ impl Collision {
                 self.between(&computed[from], &computed[to], time, initial)
             })
             .collect()
+    }
+
+    /// The regimes of an impact that was followed otherwise, each with the first computed instant at which it was
+    /// seen; `initial` is the velocity before, in contact axes.
+    #[must_use]
+    pub fn regimes(&self, computed: &[Sample], initial: &Vector3<f64>) -> Vec<LogEntry> {
+        let mut log = Log::default();
+        computed.iter().for_each(|sample| log.see(sample, initial));
+        log.entries
     }
 
     fn between(

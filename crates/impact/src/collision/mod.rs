@@ -4,6 +4,8 @@ mod aftermath;
 mod columns;
 mod history;
 mod needed_law;
+mod solver;
+mod twist_bound;
 
 use carom_geometry::{ContactFrame, ContactPoint, SearchError};
 use carom_halfspace::MaterialPair;
@@ -22,6 +24,8 @@ use crate::outcome::{Outcome, TorsionMode};
 
 pub(crate) use aftermath::Known;
 pub use needed_law::NeededLaw;
+pub use solver::{AnalyticOrRings, CollisionSolver};
+pub use twist_bound::TwistBound;
 
 /// Differences of D between tangents below this part of it are round-off.
 const EVEN: f64 = 1e-12;
@@ -47,6 +51,9 @@ pub enum CollisionError {
     /// Torsion was asked for and cannot be given.
     #[error(transparent)]
     NormalSpin(#[from] NormalSpinError),
+    /// By the law of rings the bodies do not part.
+    #[error("the bodies do not separate within 64 times the duration of a free impact")]
+    NoSeparation,
 }
 
 impl From<SearchError> for CollisionError {
@@ -259,7 +266,7 @@ impl Collision {
     /// ```
     #[must_use]
     pub fn with_torsion(self) -> Self {
-        Self { torsion: TorsionMode::Included, ..self }
+        self.with_torsion_mode(TorsionMode::Included)
     }
 
     /// The same collision of bodies whose material takes a part of the normal energy, and alike of the

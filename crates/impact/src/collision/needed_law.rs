@@ -2,8 +2,10 @@
 
 use std::ops::RangeInclusive;
 
+use carom_laws::coupling::coupling_bound;
+
 use super::{Collision, CollisionError};
-use crate::outcome::{Outcome, Warning};
+use crate::outcome::{Outcome, TorsionMode, Warning};
 
 /// Ratios D_xx/D_zz of spheres at which the bound of the effect of coupling was measured.
 const MEASURED: RangeInclusive<f64> = 2.5..=5.0;
@@ -29,23 +31,20 @@ impl Collision {
     /// The change of R_x below which the coupling of dissimilar bodies is neglected by default: 5e-3.
     pub const NEGLIGIBLE_COUPLING: f64 = 5e-3;
 
-    /// A bound of how much the coupling of normal and tangential displacements changes R_x:
-    /// (gamma/f)^2/(4 + (gamma/f)^2) + gamma^2, with gamma of (15.2).
-    ///
-    /// It is 0 for like bodies and without friction. It was measured, not derived: in 150 impacts of spheres with
-    /// D_xx/D_zz from 2.5 to 5 the largest change was 0.91 of it.
+    /// A bound of how much the coupling of normal and tangential displacements changes R_x
+    /// ([`carom_laws::coupling::coupling_bound`]).
     #[must_use]
     pub fn coupling_bound(&self) -> f64 {
-        let (gamma, friction) = (self.materials.gamma().abs(), self.friction.get());
-        if self.materials.is_uncoupled() || friction == 0.0 {
+        if self.materials.is_uncoupled() {
             return 0.0;
         }
-        let ratio = gamma / friction;
-        1.0 / (1.0 + 4.0 / (ratio * ratio)) + gamma * gamma
+        coupling_bound(self.materials.gamma(), self.friction)
     }
 
-    /// The cheapest law that knows R_x to this tolerance as far as coupling is concerned; of spheres and planes with
-    /// |gamma| f above 1 the analytic law, which is nearest there.
+    /// The cheapest law that knows R_x to this tolerance as far as coupling is concerned, and R_x and the relative
+    /// spin about the normal as far as these act on each other ([`Collision::twist_bound`]). Of spheres and planes
+    /// with |gamma| f above 1 the analytic law, which is nearest there. A spin without tangential motion needs
+    /// no rings: its torsional impact is exact.
     #[must_use]
     pub fn needed_law(&self, tolerance: f64) -> NeededLaw {
         let bound = self.coupling_bound();
@@ -53,7 +52,11 @@ impl Collision {
         let is_symmetric = self.is_symmetric();
         let is_measured = !is_symmetric || MEASURED.contains(&(d.m11 / d.m33));
         let strength = self.materials.gamma().abs() * self.friction.get();
-        match (bound == 0.0 || (bound <= tolerance && is_measured), is_symmetric) {
+        let twist = self.twist_bound();
+        let is_still = twist.restitution == 0.0 || !self.is_tangential();
+        let is_twist_small = twist.spin.max(twist.restitution) <= tolerance && is_measured;
+        let is_coupling_small = bound == 0.0 || (bound <= tolerance && is_measured);
+        match (is_coupling_small && (is_still || is_twist_small), is_symmetric) {
             (true, _) => NeededLaw::Analytic,
             (false, true) if strength > LARGEST_FOR_RINGS => NeededLaw::Analytic,
             (false, true) => NeededLaw::Rings,
@@ -61,17 +64,31 @@ impl Collision {
         }
     }
 
-    /// As [`Collision::solve`], where the bound of what coupling changes is part of the error estimate. Where it is
-    /// negligible it takes the place of [`Warning::Coupling`].
+    /// As [`Collision::solve`], where the bounds of what coupling and twist change are part of the error estimate.
+    /// Where the first is negligible it takes the place of [`Warning::Coupling`]. Friction acts on the spin about the
+    /// normal where that is not negligible, as if there were no tangential impact.
     ///
     /// # Errors
     /// Those of [`Collision::solve`].
     pub fn solve_with_coupling_bound(&self) -> Result<Outcome, CollisionError> {
-        let (mut outcome, bound) = (self.solve()?, self.coupling_bound());
+        let (coupling, twist) = (self.coupling_bound(), self.twist_bound());
+        let needs_torsion =
+            self.torsion == TorsionMode::Auto && twist.spin > Self::NEGLIGIBLE_COUPLING;
+        let mut outcome = match needs_torsion {
+            true => self.clone().with_torsion().solve()?,
+            false => self.solve()?,
+        };
+        let bound = coupling + twist.restitution;
         if let Outcome::Rebound(rebound) = &mut outcome {
-            let velocity = self.velocity();
-            rebound.error_estimate += bound * velocity.x.hypot(velocity.y) / velocity.norm();
-            if bound <= Self::NEGLIGIBLE_COUPLING {
+            if bound > 0.0 {
+                let velocity = self.velocity();
+                let slip = libm::hypot(velocity.x, velocity.y);
+                rebound.error_estimate += bound * slip / libm::hypot(slip, velocity.z);
+            }
+            if let Some(torsion) = rebound.torsion.as_mut().filter(|_| self.is_tangential()) {
+                torsion.error_estimate += twist.spin;
+            }
+            if coupling <= Self::NEGLIGIBLE_COUPLING {
                 rebound.warnings.retain(|warning| !matches!(warning, Warning::Coupling { .. }));
             }
         }

@@ -1,24 +1,25 @@
-//! Steps of second or fourth order from the forces at the last instants.
+//! Integration steps of second or fourth order, from the forces at the last instants.
 
 use nalgebra::Vector3;
 
-/// How fast the error of a run falls with its steps, where the force is smooth.
+/// Order of the integration where the force is smooth.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Order {
-    /// Verlet's: only the last force counts, so that a force with jumps does no more harm than
-    /// where it jumps.
+    /// Verlet's method: uses the last force only, so that a jump of the force affects only the step
+    /// in which it occurs.
     Second,
-    /// Adams's.
+    /// Adams's method.
     Fourth,
 }
 
-/// The last forces and the steps between them; of a mass one, so that impulse and velocity are the same.
+/// The last forces and the steps between them, for unit mass: impulse and velocity are the same.
 ///
-/// Of fourth order, a polynomial through the last three gives the next place; the law says the force there, and the
-/// polynomial through all four gives the impulse (Adams; Stoermer). One evaluation of the law a
-/// step, which it never takes back. Where the force oscillates, the phase is off by about 0.04 and the
-/// amplitude falls by about 0.6 times the fourth power of the angle per step, up to an angle of 0.8:
-/// steps too coarse damp and do not gain energy.
+/// At fourth order, a polynomial through the last three forces gives the next position. The law
+/// gives the force there, and the polynomial through all four gives the impulse (Adams; Stoermer).
+/// There is one evaluation of the law per step, and no step is repeated. If the force oscillates,
+/// the error of the phase is about 0.04, and the loss of amplitude about 0.6, times the fourth
+/// power of the angle per step, for angles up to 0.8. Steps that are too coarse damp the motion and
+/// do not gain energy.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Adams {
     order: Order,
@@ -28,12 +29,12 @@ pub(super) struct Adams {
 }
 
 impl Adams {
-    /// Before the first step, without force.
+    /// The state before the first step, without forces.
     pub(super) fn new(order: Order) -> Self {
         Self { order, last: [Vector3::zeros(); 3], steps: [0.0; 2], known: 0 }
     }
 
-    /// How far a step of this length carries beyond v h.
+    /// Displacement in a step of this length, beyond v h.
     pub(super) fn ahead(&self, h: f64) -> Vector3<f64> {
         let (first, second) = self.differences();
         let cube = h * h * h;
@@ -42,7 +43,7 @@ impl Adams {
             + second * (cube * (h / 12.0 + self.steps[0] / 6.0))
     }
 
-    /// The impulse of a step to the next force.
+    /// The impulse of a step with this force at its end.
     pub(super) fn gain(&self, h: f64, next: &Vector3<f64>) -> Vector3<f64> {
         let mut gain = (self.last[0] + next) * (0.5 * h);
         if self.known == 0 {
@@ -59,7 +60,7 @@ impl Adams {
         gain
     }
 
-    /// Takes the force after a step.
+    /// Adds the force at the end of a step.
     pub(super) fn push(&mut self, h: f64, next: Vector3<f64>) {
         self.last = [next, self.last[0], self.last[1]];
         self.steps = [h, self.steps[0]];
@@ -68,7 +69,7 @@ impl Adams {
         }
     }
 
-    // Divided differences, zero where too little is known.
+    // Divided differences; zero while too few forces are known.
     fn differences(&self) -> (Vector3<f64>, Vector3<f64>) {
         let ([now, before, earlier], [step, earlier_step]) = (self.last, self.steps);
         if self.known == 0 {

@@ -1,4 +1,4 @@
-//! One of the laws at hand, chosen while the program runs.
+//! A built-in contact law, chosen at run time.
 
 use carom_laws::coulomb::Tolerance;
 use carom_laws::friction::Friction;
@@ -12,7 +12,7 @@ use carom_special::RangeError;
 use super::refine::Level;
 use super::{ImpactLaw, Stage, Staged};
 
-/// A law of one direction, of two, or Coulomb's on a curve or a line of anchors.
+/// A law for one direction, for two, or Coulomb's law on a curve or on line segments.
 #[derive(Debug, Clone)]
 pub(super) enum AnyLaw {
     Line(Box<ShiftLaw<f64>>),
@@ -20,43 +20,48 @@ pub(super) enum AnyLaw {
     Lines(Box<SlipLines>),
 }
 
-/// Force that the line of anchors may lose with a ring, over the greatest one: this over the square
-/// of the steps of a free impact, and over the steps taken, each of which may lose one.
-const OFF_LINE: f64 = 6.0;
-/// How far the curve of anchors may be off: this over the steps of a free impact and over the steps
-/// taken.
-const OFF_CURVE: f64 = 20.0;
-/// The greatest part of c_x by which c_y may differ where slip passes for that of equal ones.
-const ROUND: f64 = 1e-13;
+/// Largest share of the limit that the line segments may lose with an annulus, times the square of
+/// the steps of a free impact, times the steps taken: each step may lose one annulus.
+const LINE_LOSS_TIMES_STEPS: f64 = 6.0;
+/// Tolerance of the curve of zero-traction shifts, times the steps of a free impact, times the
+/// steps taken.
+const CURVE_TOLERANCE_TIMES_STEPS: f64 = 20.0;
+/// Largest relative difference of c_x and c_y for which they count as equal.
+const MAX_ISOTROPIC_DIFFERENCE: f64 = 1e-13;
 
 impl AnyLaw {
-    /// The law of one direction.
+    /// The law for one direction.
     pub(super) fn in_line(stiffness: ContactStiffness, friction: Friction) -> Self {
         Self::Line(Box::new(ShiftLaw::with_fixed_direction(stiffness, friction)))
     }
 
-    /// A law of two directions, as fine as a run. The curve has fewer anchors; the line of them sees
-    /// faster which ones do not slip, which counts where an impact takes many steps.
+    /// A law for two directions, with the accuracy of a run. The curve has fewer vertices. The line
+    /// segments find faster which annuli do not slip, which matters in impacts with many steps.
     pub(super) fn in_space(
         law: TurningLaw,
         stiffness: ContactStiffness,
         friction: Friction,
         (level, is_mild): (Level, bool),
     ) -> Self {
-        // Without a limit every direction is on its own.
+        // Without a friction limit the directions are independent.
         if law == TurningLaw::FixedDirection || friction.coefficient().is_none() {
             return Self::Plane(Box::new(ShiftLaw::with_fixed_direction(stiffness, friction)));
         }
         let (steps, taken) = (level.steps as f64, level.taken as f64);
         let ContactStiffness { c_x, c_y, .. } = stiffness;
-        if is_mild && (c_x - c_y).abs() <= ROUND * c_x {
-            let off = Tolerance::new((OFF_CURVE / (steps * taken)).min(0.1));
-            let off = off.unwrap_or_default();
-            return Self::Plane(Box::new(ShiftLaw::with_tolerance(stiffness, friction, off)));
+        if is_mild && (c_x - c_y).abs() <= MAX_ISOTROPIC_DIFFERENCE * c_x {
+            let tolerance =
+                Tolerance::new((CURVE_TOLERANCE_TIMES_STEPS / (steps * taken)).min(0.1));
+            let tolerance = tolerance.unwrap_or_default();
+            return Self::Plane(Box::new(ShiftLaw::with_tolerance(stiffness, friction, tolerance)));
         }
-        let lines = SlipLines::new(stiffness, friction.get(), OFF_LINE / (steps * steps * taken));
+        let lines = SlipLines::new(
+            stiffness,
+            friction.get(),
+            LINE_LOSS_TIMES_STEPS / (steps * steps * taken),
+        );
         lines.map_or_else(
-            // Without friction no direction acts.
+            // Without friction there is no direction of traction.
             |_| Self::Plane(Box::new(ShiftLaw::with_fixed_direction(stiffness, friction))),
             |lines| Self::Lines(Box::new(lines)),
         )

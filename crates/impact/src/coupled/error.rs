@@ -1,4 +1,4 @@
-//! Why a coupled impact cannot be computed.
+//! Errors of a coupled impact.
 
 use carom_special::RangeError;
 
@@ -11,13 +11,13 @@ pub enum CoupledError<E: std::error::Error + 'static = RangeError> {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
-    /// The exact walk of an uncoupled impact failed.
+    /// The exact solution of an uncoupled impact failed.
     #[error(transparent)]
     Oblique(#[from] ObliqueError),
     /// A step of the contact law failed.
     #[error(transparent)]
     Law(LawFailure<E>),
-    /// The bodies stay together for 2^14 times the steps of a free impact.
+    /// The bodies do not separate within 2^14 times the steps of a free impact.
     #[error(
         "the bodies do not separate within 2^14 times the steps of a free impact of {duration:e}"
     )]
@@ -25,19 +25,19 @@ pub enum CoupledError<E: std::error::Error + 'static = RangeError> {
         /// The duration of the free impact.
         duration: f64,
     },
-    /// Ever finer runs did not agree to the tolerance before they became too long.
+    /// The refinement did not converge to the tolerance before the runs became too long.
     #[error(
-        "not settled: {steps} steps and {rings} rings leave an error of {error_estimate:e} of |v_A|, \
-         asked for {tolerance:e}"
+        "not converged: after {steps} steps with {rings} annuli the estimated error is \
+         {error_estimate:e} of |v_A|, above the tolerance {tolerance:e}"
     )]
     NotSettled {
-        /// How far the best velocity may be off, over |v_A|.
+        /// Estimated error of the best velocity, over |v_A|.
         error_estimate: f64,
-        /// What was asked for.
+        /// The requested tolerance.
         tolerance: f64,
         /// Steps of the finest run.
         steps: usize,
-        /// Its rings, where the law has rings.
+        /// Number of annuli of that run, if the law has annuli.
         rings: usize,
     },
 }

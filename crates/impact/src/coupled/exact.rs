@@ -1,4 +1,4 @@
-//! Impacts that need no steps: without friction, and uncoupled ones.
+//! Impacts solved without time steps: frictionless and uncoupled ones.
 
 use carom_laws::stiffness::ContactStiffness;
 use carom_special::RangeError;
@@ -9,17 +9,17 @@ use crate::normal::{self, NormalImpact};
 use crate::oblique::{Groups, ObliqueImpact, Regime};
 use crate::outcome::LogEntry;
 
-/// One instant of the exact walk.
+/// One instant of the exact solution.
 pub(crate) struct Traced {
     pub(crate) sample: Sample,
     pub(crate) regime: Regime,
-    /// Approach at which the stick area was the contact.
+    /// Stick depth: the approach at which the present stick area was the whole contact.
     pub(crate) stick_depth: f64,
 }
 
 impl CoupledImpact {
-    /// The direction of the tangential motion, where normal and tangential motion are apart and the walk is
-    /// exact.
+    /// The direction of the tangential motion if it is uncoupled from the normal motion, so that
+    /// the solution is exact.
     pub(crate) fn exact_direction(&self) -> Option<Vector3<f64>> {
         match self.method() {
             ImpactMethod::Uncoupled { direction } => Some(direction),
@@ -91,13 +91,14 @@ impl CoupledImpact {
         }
     }
 
-    /// The exact walk at these times since touch, in units of the normal impact.
+    /// The exact solution at these times since first contact, in units of the normal impact.
     pub(crate) fn traced(
         &self,
         direction: &Vector3<f64>,
         times: &[f64],
     ) -> Result<Vec<Traced>, CoupledError> {
-        // The normal motion by time: the velocity alone does not resolve the first instants.
+        // The normal motion is found by time: the velocity alone does not resolve the first
+        // instants.
         let states: Vec<_> = times.iter().map(|time| normal::state_at(*time)).collect();
         let velocities: Vec<f64> = states.iter().map(|state| state.velocity).collect();
         let trace = ObliqueImpact::trace(self.groups(direction)?, &velocities)?;
@@ -124,7 +125,8 @@ impl CoupledImpact {
     }
 }
 
-/// Of the tangential part, without under- or overflow of the squares; any direction where there is none.
+/// Length and direction of the tangential part, without under- or overflow of the squares. If it is
+/// zero, any direction.
 pub(super) fn length_and_direction(velocity: &Vector3<f64>) -> (f64, Vector3<f64>) {
     let tangential = Vector3::new(velocity.x, velocity.y, 0.0);
     let largest = tangential.amax();

@@ -1,15 +1,15 @@
-//! The limit of runs of ever more steps and rings.
+//! Richardson extrapolation of runs with doubled numbers of steps and annuli.
 
 use std::ops::Range;
 
 use super::refine::Run;
 
-/// Runs of twice as many steps and rings each, and their limit.
+/// Runs with twice as many steps and annuli each, and their limit.
 ///
-/// The error of a run falls with the square of the step. What Richardson's extrapolation leaves
-/// falls with its cube while the contact's stages change smoothly, which the last three limits
-/// show; then a second extrapolation counts. Two limits may agree by chance: no change counts for
-/// less than a small part of the one before.
+/// The error of a run is proportional to the square of the step. The error of Richardson's
+/// extrapolation is proportional to its cube while the stages of the contact change smoothly. If
+/// the last three limits confirm this, a second extrapolation is used. Two limits may agree by
+/// chance: therefore no change counts for less than a small part of the one before.
 #[derive(Debug)]
 pub(super) struct Extrapolation {
     plain: Run,
@@ -18,40 +18,40 @@ pub(super) struct Extrapolation {
     smooth: bool,
 }
 
-/// Limits from ever finer runs, and how much they still change.
+/// Limits of successive runs and their changes.
 #[derive(Debug, Clone, Copy)]
 struct Column {
     limit: Option<Run>,
     /// The last change.
     change: f64,
-    /// The greatest of the changes, each divided by `FADING` for every later one.
+    /// The greatest of the changes, each divided by `LEAST_DECREASE` for every later one.
     error: f64,
 }
 
-/// Ratio of successive changes that passes for 2^3.
+/// Ratio of successive changes accepted as 2^3.
 const CUBIC: Range<f64> = 5.0..11.0;
-/// And for 2^4.
+/// Ratio of successive changes accepted as 2^4.
 const QUARTIC: Range<f64> = 11.0..32.0;
 
-/// Twice what a change of the first and of the second extrapolation falls by, at least, where the
+/// Twice the least ratio of successive changes of the first and of the second extrapolation if the
 /// errors are smooth.
-const FADING: [f64; 2] = [16.0, 32.0];
+const LEAST_DECREASE: [f64; 2] = [16.0, 32.0];
 
 impl Extrapolation {
     pub(super) const fn new(plain: Run) -> Self {
         Self { plain, once: Column::EMPTY, twice: Column::EMPTY, smooth: false }
     }
 
-    /// Takes a run of twice as many steps and rings as the last.
+    /// Adds a run with twice as many steps and annuli as the last.
     pub(super) fn refine(&mut self, run: Run) {
         let before = self.once;
-        let once = run.beyond(&self.plain, 3.0);
-        self.once = before.then(once, FADING[0]);
+        let once = run.extrapolated(&self.plain, 3.0);
+        self.once = before.then(once, LEAST_DECREASE[0]);
         let ratio = before.change / self.once.change;
         let order = [CUBIC, QUARTIC].iter().position(|range| range.contains(&ratio));
         if let Some(limit) = before.limit {
             let gain = [7.0, 15.0][order.unwrap_or(0)];
-            self.twice = self.twice.then(once.beyond(&limit, gain), FADING[1]);
+            self.twice = self.twice.then(once.extrapolated(&limit, gain), LEAST_DECREASE[1]);
         }
         self.smooth = order.is_some();
         self.plain = run;
@@ -67,7 +67,7 @@ impl Extrapolation {
         self.column().limit.unwrap_or(self.plain)
     }
 
-    /// How far the velocity of the limit may be off; infinite after less than three runs.
+    /// Estimated error of the velocity of the limit; infinite after fewer than three runs.
     pub(super) const fn error(&self) -> f64 {
         self.column().error
     }
@@ -126,12 +126,12 @@ mod tests {
 
     #[test]
     fn the_second_extrapolation_waits_for_smooth_errors() {
-        // A remainder that jumps from run to run, as where an event falls between steps.
+        // A remainder that jumps between runs, as if an event falls between two steps.
         let table = after(4, |h| 0.3 * h * h * (1.0 + 0.5 * (1.0 / h).sin()));
         assert!(!table.smooth);
         let best = (table.best().velocity.x - 1.0).abs();
         assert!(best <= table.error(), "{best:e} {:e}", table.error());
-        // Too few runs tell nothing.
+        // Too few runs give no estimate.
         assert!(!after(1, |h| h * h).smooth && after(0, |h| h * h).error().is_infinite());
     }
 }

@@ -1,4 +1,4 @@
-//! The oblique impact of a full mobility matrix, from the velocities before to those after.
+//! Oblique impact with a full mobility matrix.
 
 use carom_laws::friction::Friction;
 use carom_laws::stiffness::ContactStiffness;
@@ -19,12 +19,12 @@ use crate::normal::{self, NormalImpact};
 use crate::oblique::{Event, ObliqueImpact, Regime};
 use crate::outcome::LogEntry;
 
-/// Default tolerances over |v_A|: the memory of one direction is exact and its runs converge fast,
-/// those of the vector laws do not. Fifteen of a hundred everyday impacts with fixed directions end
-/// short of 1e-8 after 2^24 steps.
-const PLANAR: f64 = 1e-8;
-const SPATIAL: f64 = 5e-6;
-/// An impact by its matrices: mobility D, stiffness, friction, velocity of approach.
+/// Default tolerances over |v_A|. In a plane the memory is exact and the runs converge fast; with
+/// turning directions they do not. Of a hundred common impacts with fixed directions, fifteen do
+/// not converge to 1e-8 after 2^24 steps.
+const PLANAR_TOLERANCE: f64 = 1e-8;
+const SPATIAL_TOLERANCE: f64 = 5e-6;
+/// An impact given by mobility D, stiffness, friction and approach velocity, in contact axes.
 ///
 /// ```
 /// use carom_impact::Mobility;
@@ -53,7 +53,7 @@ pub struct CoupledImpact {
     unsettled: Unsettled,
 }
 
-/// What becomes of an impact that does not settle.
+/// What to do with an impact that does not converge.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(crate) enum Unsettled {
     Refused,
@@ -61,11 +61,11 @@ pub(crate) enum Unsettled {
 }
 
 impl CoupledImpact {
-    /// An impact with the velocity of body 2 against body 1 at the contact point, contact axes.
+    /// An impact with this velocity of body 2 against body 1 at the contact point, in contact axes.
     ///
     /// # Errors
-    /// [`RangeError`] unless the velocity is finite and its z component, the speed of approach,
-    /// positive.
+    /// [`RangeError`] if the velocity is not finite or its z component, the approach velocity, is
+    /// not positive.
     pub fn new(
         mobility: Mobility,
         stiffness: ContactStiffness,
@@ -87,38 +87,40 @@ impl CoupledImpact {
         })
     }
 
-    /// The same impact, settled to another tolerance than the default (1e-8 in a plane, 5e-6 with
-    /// either law where the motion is spatial: fifteen of a hundred everyday impacts in space do not
-    /// settle to 1e-8): how far its velocity may be off over |v_A|, judged by the change
-    /// under the last refinements. The true error is mostly several times smaller, and seldom three
-    /// times as large.
+    /// The same impact with this tolerance instead of the default: the error of the velocity over
+    /// |v_A|.
+    ///
+    /// Defaults are 1e-8 in a plane and 5e-6 with either law in space, where fifteen of a hundred
+    /// common impacts do not converge to 1e-8. The error is estimated by the change in the last
+    /// refinements. The true error is mostly several times smaller, and seldom three times as
+    /// large.
     ///
     /// # Errors
-    /// [`RangeError`] unless it is finite and positive.
+    /// [`RangeError`] if it is not finite and positive.
     pub fn within(self, tolerance: f64) -> Result<Self, RangeError> {
         RangeError::positive("tolerance", tolerance)?;
         Ok(Self { tolerance: Some(tolerance), ..self })
     }
 
-    /// The same impact, with the best velocity found where it does not settle to the tolerance, and
-    /// [`CoupledOutcome::warning`] that says so, instead of [`CoupledError::NotSettled`].
+    /// The same impact, but if it does not converge, the best velocity and a
+    /// [`CoupledOutcome::warning`] instead of [`CoupledError::NotSettled`].
     #[must_use]
     pub const fn accepting_unsettled(self) -> Self {
         Self { unsettled: Unsettled::Accepted, ..self }
     }
 
-    /// The same impact of bodies whose shapes make D and the stiffness alike in all tangential directions and
-    /// keep normal and tangential motion apart: what is round-off of that is left out.
+    /// The same impact of bodies whose shapes make D and the stiffness isotropic in the tangential
+    /// plane and uncouple normal and tangential motion: round-off of both is removed.
     pub(crate) const fn of_symmetric_bodies(self) -> Self {
         Self { is_symmetric: true, ..self }
     }
 
     pub(super) fn tolerance(&self) -> f64 {
         let spatial = matches!(self.method(), ImpactMethod::Spatial { .. });
-        self.tolerance.unwrap_or(if spatial { SPATIAL } else { PLANAR })
+        self.tolerance.unwrap_or(if spatial { SPATIAL_TOLERANCE } else { PLANAR_TOLERANCE })
     }
 
-    /// How this impact is solved.
+    /// The method by which this impact is solved.
     #[must_use]
     pub fn method(&self) -> ImpactMethod {
         if self.friction.get() == 0.0 {
@@ -129,7 +131,7 @@ impl CoupledImpact {
             false => ImpactMethod::of(self.mobility.matrix(), &self.stiffness, &self.velocity),
         };
         match method {
-            // Beyond the range of the exact walk (chi) the memory is stepped.
+            // chi is outside the range of the exact solution: the memory is integrated in steps.
             ImpactMethod::Uncoupled { direction } if self.groups(&direction).is_err() => {
                 ImpactMethod::Planar { direction }
             }
@@ -143,13 +145,13 @@ impl CoupledImpact {
         self.velocity
     }
 
-    /// Follows the impact to separation; the vector law matters for [`ImpactMethod::Spatial`] only.
+    /// Solves the impact up to separation. `law` matters for [`ImpactMethod::Spatial`] only.
     ///
-    /// The velocity keeps the friction limit of the impulse, |J_t| <= f J_z, and never gains energy,
-    /// both to rounding.
+    /// The result obeys the friction limit of the impulse, |J_t| <= f J_z, and never gains energy,
+    /// both to round-off.
     ///
     /// # Errors
-    /// [`CoupledError`] if the walk fails or does not settle to the tolerance.
+    /// [`CoupledError`] if the integration fails or does not converge to the tolerance.
     pub fn solve(&self, law: TurningLaw) -> Result<CoupledOutcome, CoupledError> {
         match self.method() {
             ImpactMethod::Frictionless => Ok(self.frictionless()),
@@ -164,9 +166,11 @@ impl CoupledImpact {
         }
     }
 
-    /// The same with any contact law, in the units of the data. `make` gives a fresh law; it is
-    /// told a resolution that doubles from run to run with the steps, 8, 16, .., for laws of rings; what
-    /// such a run costs is counted by [`ImpactLaw::rings`].
+    /// The same with any contact law, in the units of the data.
+    ///
+    /// `make` returns a fresh law. Its argument is a resolution that doubles from run to run with
+    /// the steps, 8, 16, .., for laws with annuli. [`ImpactLaw::rings`] counts the cost of such a
+    /// run.
     ///
     /// # Errors
     /// As [`CoupledImpact::solve`]; [`CoupledError::Law`] with the law's own error if a step of it
@@ -209,9 +213,9 @@ impl CoupledImpact {
         self.samples(&settled, make, view)
     }
 
-    /// The outcome, and the regimes in order with the times at which they began, to within a step
-    /// of the finest run. The sign of a regime is that of the traction on body 1 along the
-    /// initial slip.
+    /// The outcome, and the regimes in order with the times at which they begin, to within a step
+    /// of the finest run. The sign of a regime is that of the traction on body 1 along the initial
+    /// slip.
     ///
     /// # Errors
     /// As [`CoupledImpact::solve`].
@@ -242,8 +246,8 @@ impl CoupledImpact {
         }
     }
 
-    /// Every instant of the finest run in order, touch and separation included. Between two of
-    /// them the law's path is straight. An exact impact gives 201 instants.
+    /// All instants of the finest run in order, including first contact and separation. Between two
+    /// instants the path of the law is straight. An exact impact gives 201 instants.
     ///
     /// # Errors
     /// As [`CoupledImpact::solve`].
@@ -263,16 +267,17 @@ impl CoupledImpact {
 impl CoupledImpact {
     fn settled(&self, law: TurningLaw) -> Result<Settled, CoupledError> {
         let problem = self.problem();
-        let apart = self.method() == ImpactMethod::Spatial { coupled: false };
-        let limits = Limits::new(&problem.mobility, self.friction, &problem.velocity, apart);
+        let is_normal_uncoupled = self.method() == ImpactMethod::Spatial { coupled: false };
+        let limits =
+            Limits::new(&problem.mobility, self.friction, &problem.velocity, is_normal_uncoupled);
         let make = |level| self.law(law, level);
         let settled = problem
-            .settle(self.tolerance(), make, |impulse| limits.hold(impulse))
+            .settle(self.tolerance(), make, |impulse| limits.restrict(impulse))
             .map_err(|failure| self.failed(failure))?;
         self.checked(settled)
     }
 
-    // With a law in the units of the data.
+    // Converged solution with a law in the units of the data.
     fn settled_with<L: ImpactLaw>(
         &self,
         make: impl Fn(Level) -> L,
@@ -289,7 +294,7 @@ impl CoupledImpact {
         self.checked(settled)
     }
 
-    // Settled, or accepted as it is.
+    // The solution if it converged or is accepted without convergence.
     fn checked<E: std::error::Error>(&self, settled: Settled) -> Result<Settled, CoupledError<E>> {
         if settled.settled || self.unsettled == Unsettled::Accepted {
             return Ok(settled);
@@ -331,7 +336,8 @@ impl CoupledImpact {
     ) -> Result<Vec<Sample>, CoupledError<L::Error>> {
         let mut samples = Vec::new();
         self.replay(settled, make, view, |sample| samples.push(sample))?;
-        // At touch and separation no ring bears a load: what slips beside them does there.
+        // At first contact and separation no annulus carries a load; the regime is that of the
+        // neighbouring instant.
         if let [first, second, .., last_but_one, last] = &mut samples[..] {
             (first.stage, last.stage) = (second.stage, last_but_one.stage);
         }

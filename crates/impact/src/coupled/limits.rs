@@ -1,45 +1,45 @@
-//! What no impact exceeds: friction's share of the impulse, and the energy it began with.
+//! Bounds of every impact: the friction limit of the impulse, and the energy before.
 
 use carom_laws::friction::Friction;
 use nalgebra::{Matrix3, Vector3};
 
-/// Keeps the impulse of an impact within what friction and energy allow.
+/// Keeps the impulse of an impact within the friction limit and the energy balance.
 ///
-/// A run keeps |J_t| <= f J_z, since |F_t| <= f F_z at every instant; the limit of several runs may
-/// leave it by its error, and the energy by the error of the motion.
+/// A run obeys |J_t| <= f J_z, since |F_t| <= f F_z at every instant. The limit of several runs may
+/// violate it by its error, and the energy balance by the error of the motion.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limits {
     mobility: Matrix3<f64>,
     friction: f64,
     before: Vector3<f64>,
-    /// Whether the normal motion is on its own, with its speed turned back.
-    apart: bool,
+    /// Whether the normal motion is uncoupled, so that its velocity is reversed.
+    is_normal_uncoupled: bool,
 }
 
 impl Limits {
-    /// Of a positive definite mobility and the velocity before impact.
+    /// The bounds for a positive definite mobility and the velocity before the impact.
     pub(super) fn new(
         mobility: &Matrix3<f64>,
         friction: Friction,
         before: &Vector3<f64>,
-        apart: bool,
+        is_normal_uncoupled: bool,
     ) -> Self {
-        Self { mobility: *mobility, friction: friction.get(), before: *before, apart }
+        Self { mobility: *mobility, friction: friction.get(), before: *before, is_normal_uncoupled }
     }
 
-    /// The nearest such impulse along it, or the same.
-    pub(super) fn hold(&self, impulse: &Vector3<f64>) -> Vector3<f64> {
+    /// The impulse reduced along its direction to within both bounds.
+    pub(super) fn restrict(&self, impulse: &Vector3<f64>) -> Vector3<f64> {
         let mut impulse = *impulse;
-        if self.apart {
+        if self.is_normal_uncoupled {
             impulse.z = 2.0 * self.before.z / self.mobility.m33;
         }
-        self.rub(&mut impulse);
-        self.spare(&mut impulse);
+        self.apply_friction_limit(&mut impulse);
+        self.apply_energy_bound(&mut impulse);
         impulse
     }
 
-    // |J_t| <= f J_z.
-    fn rub(&self, impulse: &mut Vector3<f64>) {
+    // Friction limit: |J_t| <= f J_z.
+    fn apply_friction_limit(&self, impulse: &mut Vector3<f64>) {
         let bound = self.friction * impulse.z;
         let tangential = libm::hypot(impulse.x, impulse.y);
         if bound >= 0.0 && tangential > bound {
@@ -48,9 +48,13 @@ impl Limits {
         }
     }
 
-    // E_E - E_A = J.D.J/2 - J.v_A <= 0; of a normal motion apart the energy is the same.
-    fn spare(&self, impulse: &mut Vector3<f64>) {
-        let free = if self.apart { Vector3::new(1.0, 1.0, 0.0) } else { Vector3::repeat(1.0) };
+    // Energy: E_E - E_A = J.D.J/2 - J.v_A <= 0. Uncoupled normal motion keeps its energy.
+    fn apply_energy_bound(&self, impulse: &mut Vector3<f64>) {
+        let free = if self.is_normal_uncoupled {
+            Vector3::new(1.0, 1.0, 0.0)
+        } else {
+            Vector3::repeat(1.0)
+        };
         let part = impulse.component_mul(&free);
         let (work, twice) = (part.dot(&self.before), part.dot(&(self.mobility * part)));
         if 0.5 * twice > work {
@@ -64,31 +68,31 @@ impl Limits {
 mod tests {
     use super::*;
 
-    fn limits(friction: f64, apart: bool) -> Limits {
+    fn limits(friction: f64, is_normal_uncoupled: bool) -> Limits {
         let mut d = Matrix3::new(3.0, 0.2, 0.5, 0.2, 2.0, -0.3, 0.5, -0.3, 1.0);
-        if apart {
+        if is_normal_uncoupled {
             d = Matrix3::new(3.0, 0.2, 0.0, 0.2, 2.0, 0.0, 0.0, 0.0, 1.0);
         }
         let friction = Friction::new(friction).unwrap_or(Friction::INFINITE);
-        Limits::new(&d, friction, &Vector3::new(0.4, -0.7, 1.0), apart)
+        Limits::new(&d, friction, &Vector3::new(0.4, -0.7, 1.0), is_normal_uncoupled)
     }
 
     #[test]
     fn impulse_and_energy_are_held() {
-        for apart in [false, true] {
-            let limits = limits(0.3, apart);
+        for is_normal_uncoupled in [false, true] {
+            let limits = limits(0.3, is_normal_uncoupled);
             for i in 0..50 {
                 let angle = 0.2 * f64::from(i);
                 let given = Vector3::new(0.8 * angle.cos(), angle.sin(), 2.0);
-                let held = limits.hold(&given);
-                let tangential = libm::hypot(held.x, held.y);
-                assert!(tangential <= 0.3 * held.z * (1.0 + 1e-15), "{held:?}");
-                let after = limits.before - limits.mobility * held;
+                let restricted = limits.restrict(&given);
+                let tangential = libm::hypot(restricted.x, restricted.y);
+                assert!(tangential <= 0.3 * restricted.z * (1.0 + 1e-15), "{restricted:?}");
+                let after = limits.before - limits.mobility * restricted;
                 let inverse = limits.mobility.try_inverse().expect("positive definite");
                 let energy = |v: &Vector3<f64>| v.dot(&(inverse * v));
                 assert!(energy(&after) <= energy(&limits.before) * (1.0 + 1e-14));
-                // What is held stays.
-                assert!((limits.hold(&held) - held).norm() < 1e-14);
+                // An allowed impulse does not change.
+                assert!((limits.restrict(&restricted) - restricted).norm() < 1e-14);
             }
         }
     }
@@ -97,6 +101,6 @@ mod tests {
     fn what_may_be_is_left_as_it_is() {
         let limits = limits(0.3, false);
         let impulse = Vector3::new(0.1, -0.2, 1.1);
-        assert_eq!(limits.hold(&impulse), impulse);
+        assert_eq!(limits.restrict(&impulse), impulse);
     }
 }

@@ -6,20 +6,20 @@ use super::{Sample, Stage};
 use crate::oblique::Event;
 use crate::outcome::LogEntry;
 
-/// Writes down each change of stage.
+/// Records each change of stage.
 #[derive(Debug, Default)]
-pub(super) struct Log {
-    pub(super) entries: Vec<LogEntry>,
+pub(crate) struct Log {
+    pub(crate) entries: Vec<LogEntry>,
     stage: Option<(Stage, bool)>,
 }
 
 impl Log {
-    pub(super) fn see(&mut self, sample: &Sample, initial: &Vector3<f64>) {
+    pub(crate) fn see(&mut self, sample: &Sample, initial: &Vector3<f64>) {
         if sample.shift.z <= 0.0 {
             return;
         }
         let forward = sample.force.x * initial.x + sample.force.y * initial.y >= 0.0;
-        // The sign matters where a ring slips.
+        // The sign matters if an annulus slips.
         let forward = forward || sample.stage == Stage::Adhesion;
         let now = (sample.stage, forward);
         let event = match self.stage {

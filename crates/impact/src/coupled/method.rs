@@ -1,41 +1,41 @@
-//! Which way an impact is solved: in closed form, exactly, in a plane, or in space.
+//! The method by which an impact is solved: closed form, exact, planar or spatial.
 
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
 
 use super::exact::length_and_direction;
 
-/// Couplings below this part of the largest entry are round-off. What the shapes of bodies keep
-/// apart is exactly zero already, whatever their sizes ([`crate::Mobility::new`]).
-const UNCOUPLED: f64 = 1e-13;
+/// Couplings below this share of the largest entry are round-off. Couplings that vanish by the
+/// symmetry of the bodies are already exact zeros, whatever their sizes ([`crate::Mobility::new`]).
+const MAX_COUPLING_OF_ROUND_OFF: f64 = 1e-13;
 
-/// Whether normal forces bring about tangential motion.
+/// Whether a normal impulse changes the tangential velocity.
 pub(crate) fn is_coupled(mobility: &Matrix3<f64>) -> bool {
-    mobility.m13.abs().max(mobility.m23.abs()) > UNCOUPLED * mobility.amax()
+    mobility.m13.abs().max(mobility.m23.abs()) > MAX_COUPLING_OF_ROUND_OFF * mobility.amax()
 }
 
-/// How an impact passes, by what its matrices couple.
+/// The method by which an impact is solved; it follows from the coupling in its matrices.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum ImpactMethod {
     /// No friction: the impulse is 2 v_z/D_zz along the normal, in closed form.
     Frictionless,
-    /// Normal and tangential motion apart, the tangential one along this direction: the exact
-    /// walk of [`crate::oblique`].
+    /// Normal and tangential motion are uncoupled, the tangential one along this direction: the
+    /// exact solution of [`crate::oblique`].
     Uncoupled {
         /// Unit vector of the tangential motion, contact axes.
         direction: Vector3<f64>,
     },
-    /// Motion in the plane of the normal and this direction: the exact memory of one direction.
+    /// Motion in the plane of the normal and this direction: the memory for one direction is exact.
     Planar {
         /// Unit tangent of that plane, contact axes.
         direction: Vector3<f64>,
     },
-    /// Motion in space: a vector law.
+    /// Spatial motion: a law for turning shifts.
     Spatial {
         /// Whether the normal motion is coupled to the tangential one.
         coupled: bool,
     },
-    /// The contact of spheres or planes of dissimilar materials is solved on rings, step by step.
+    /// Spheres or planes of dissimilar materials: the contact is solved on annuli, step by step.
     Rings,
     /// The contact is solved on a grid, step by step.
     Numerical,
@@ -47,7 +47,7 @@ impl ImpactMethod {
         stiffness: &ContactStiffness,
         velocity: &Vector3<f64>,
     ) -> Self {
-        let small = UNCOUPLED * mobility.amax();
+        let small = MAX_COUPLING_OF_ROUND_OFF * mobility.amax();
         let pull = Vector3::new(mobility.m13, mobility.m23, 0.0);
         let coupled = is_coupled(mobility);
         let (slip, mut direction) = length_and_direction(velocity);
@@ -58,7 +58,8 @@ impl ImpactMethod {
         let stays = (mobility * direction).dot(&across).abs() <= small
             && (!coupled || pull.dot(&across).abs() <= small);
         let twist = (stiffness.c_y - stiffness.c_x) * direction.x * direction.y;
-        let straight = stays && twist.abs() <= UNCOUPLED * stiffness.c_x.max(stiffness.c_y);
+        let straight =
+            stays && twist.abs() <= MAX_COUPLING_OF_ROUND_OFF * stiffness.c_x.max(stiffness.c_y);
         match (coupled, straight || (slip == 0.0 && !coupled)) {
             (false, true) => Self::Uncoupled { direction },
             (true, true) => Self::Planar { direction },
@@ -66,13 +67,14 @@ impl ImpactMethod {
         }
     }
 
-    /// Whether the coupling of normal and tangential displacements of dissimilar bodies counts.
+    /// Whether the method includes the coupling of normal and tangential displacements of
+    /// dissimilar materials.
     #[must_use]
     pub const fn counts_coupling(&self) -> bool {
         matches!(self, Self::Rings | Self::Numerical)
     }
 
-    /// A word for it.
+    /// The name of the method, as in results.
     #[must_use]
     pub const fn name(&self) -> &'static str {
         match self {

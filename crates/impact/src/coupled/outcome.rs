@@ -1,4 +1,4 @@
-//! What a coupled impact leads to, in the units and axes of its data.
+//! The outcome of a coupled impact, in the units and axes of its data.
 
 use nalgebra::Vector3;
 
@@ -7,43 +7,43 @@ use super::scaled::Units;
 use super::{CoupledImpact, ImpactMethod, Stage};
 use crate::outcome::Warning;
 
-/// Where an impact leads.
+/// The outcome of a coupled impact.
 #[derive(Debug, Clone, PartialEq)]
 pub struct CoupledOutcome {
     /// Velocity of body 2 against body 1 after the impact, contact axes.
     pub velocity: Vector3<f64>,
     /// The impulse that body 2 gave body 1, contact axes.
     pub impulse: Vector3<f64>,
-    /// Duration from touch to separation.
+    /// Duration from first contact to separation.
     pub duration: f64,
     /// The greatest approach.
     pub maximal_approach: f64,
     /// The greatest normal force.
     pub maximal_force: f64,
-    /// How often the approach grew: 2 or more if the bodies were pressed together again.
+    /// Number of compressions: 2 or more if the bodies were compressed again before separation.
     pub compressions: u32,
-    /// How it was solved.
+    /// The method of solution.
     pub method: ImpactMethod,
-    /// How far the velocity may be off, over |v_A|: the change under the last refinements; 0 for
-    /// exact methods.
+    /// Estimated error of the velocity over |v_A|: the change by the last refinements; 0 for exact
+    /// methods.
     pub error_estimate: f64,
-    /// That it did not settle, where [`CoupledImpact::accepting_unsettled`] asked for it all the
-    /// same.
+    /// The warning that it did not converge, if [`CoupledImpact::accepting_unsettled`] allowed
+    /// this.
     pub warning: Option<Warning>,
 }
 
-/// One instant of the impact, contact axes.
+/// One instant of the impact, in contact axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Sample {
-    /// Time since touch.
+    /// Time since first contact.
     pub time: f64,
-    /// Shift of body 2 against body 1 since touch: xi, eta, zeta.
+    /// Shift of body 2 against body 1 since first contact: xi, eta, zeta.
     pub shift: Vector3<f64>,
     /// Its rate.
     pub velocity: Vector3<f64>,
     /// Force on body 1.
     pub force: Vector3<f64>,
-    /// What slips.
+    /// Stage: how much of the contact slips.
     pub stage: Stage,
 }
 

@@ -1,4 +1,4 @@
-//! How far the motion through a contact may go in one step.
+//! The length of the steps of an impact, from the state.
 
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
@@ -6,36 +6,36 @@ use nalgebra::{Matrix3, Vector3};
 use super::Point;
 use crate::normal::DURATION;
 
-/// Steps from the state alone, so that runs of any fineness place them alike.
+/// Steps that depend on the state alone, so that runs of any fineness place them alike.
 ///
 /// With `lambda` the stiffness of the normal motion, `zeta'' = -(2/3) lambda zeta^(3/2)`, the
-/// greatest approach of the moment is `A^(5/2) = zeta^(5/2) + (15/8) zeta'^2/lambda`, and the steps
-/// are those of a free impact of that size: in proportion to sqrt(zeta/A), fine at both ends, where
-/// the force begins and ends with the power 3/2 of time. Where friction drives the normal motion,
-/// lambda is what friction makes of it; where the tangential motion is stiff, its fastest
-/// oscillation in adhesion bounds the step.
+/// maximum approach expected from the present state is
+/// `A^(5/2) = zeta^(5/2) + (15/8) zeta'^2/lambda`. The steps are those of a free impact of that
+/// size, proportional to sqrt(zeta/A): fine at both ends, where the force varies as the power 3/2
+/// of time. If friction drives the normal motion, lambda includes its effect. If the tangential
+/// motion is stiff, its fastest oscillation in adhesion bounds the step.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pace {
-    /// How friction moves the normal: (D_zx, D_zy) c_z.
+    /// Coupling of friction to the normal motion: (D_zx, D_zy) c_z.
     drive: [f64; 2],
     /// c_z D_zz.
     lambda: f64,
-    /// One over `A^(5/2)` at touch.
+    /// 1/`A^(5/2)` at first contact.
     scale: f64,
-    /// Step over sqrt(zeta) `A^(-3/4) lambda^(-1/2)`, A in units of that at touch.
+    /// Step over sqrt(zeta) `A^(-3/4) lambda^(-1/2)`, with A in units of that at first contact.
     unit: f64,
-    /// Greatest square of a step times sqrt(zeta).
+    /// Largest value of the squared step times sqrt(zeta).
     bound: f64,
     first: f64,
 }
 
-/// The mean of dt/du over T sqrt(zeta/A) for t = T u^2 (3 - 2 u), near enough.
-const SHAPE: f64 = 1.75;
-/// Phase in which the fastest oscillation may turn within a step of the 32nd part of an impact.
-const PHASE: f64 = 0.8;
+/// The mean of dt/du over T sqrt(zeta/A) for t = T u^2 (3 - 2 u), approximately.
+const MEAN_STEP_SHAPE: f64 = 1.75;
+/// Largest phase (rad) of the fastest oscillation in a step of 1/32 of an impact.
+const MAX_PHASE_PER_STEP: f64 = 0.8;
 
 impl Pace {
-    /// For about this many steps within a free impact.
+    /// Steps for about this number within a free impact.
     pub(super) fn new(
         mobility: &Matrix3<f64>,
         stiffness: &ContactStiffness,
@@ -48,17 +48,18 @@ impl Pace {
         let duration = DURATION * (15.0_f64 / 8.0).sqrt();
         let root = Matrix3::from_diagonal(&Vector3::new(c_x.sqrt(), c_y.sqrt(), c_z.sqrt()));
         let fastest = (root * mobility * root).symmetric_eigenvalues().max();
-        let phase = 32.0 * PHASE * fineness;
+        let phase = 32.0 * MAX_PHASE_PER_STEP * fineness;
         let lambda = mobility.m33 * c_z;
         let size = 15.0 / 8.0 * velocity * velocity / lambda;
         // t = (k s/2)^2 where dt/ds = k sqrt(t).
-        let first = 0.25 * SHAPE * SHAPE * DURATION * fineness * fineness * duration
-            / (libm::pow(size, 0.1) * lambda.sqrt());
+        let first =
+            0.25 * MEAN_STEP_SHAPE * MEAN_STEP_SHAPE * DURATION * fineness * fineness * duration
+                / (libm::pow(size, 0.1) * lambda.sqrt());
         Self {
             drive: [mobility.m13 * c_z, mobility.m23 * c_z],
             lambda,
             scale: 1.0 / size,
-            unit: SHAPE * duration * fineness / libm::pow(size, 0.3),
+            unit: MEAN_STEP_SHAPE * duration * fineness / libm::pow(size, 0.3),
             bound: phase * phase / fastest,
             first,
         }

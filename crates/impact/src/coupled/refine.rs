@@ -1,4 +1,4 @@
-//! Refinement of an impact in steps and rings until its outcome settles.
+//! Refinement of an impact in steps and annuli until its outcome converges.
 
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
@@ -8,25 +8,27 @@ use super::adams::Order;
 use super::extrapolation::Extrapolation;
 use super::trajectory::{LawFailure, Point, Trajectory};
 
-/// Finds duration and number of steps; fine enough that the fastest oscillation stays stable.
-const SCOUT: Level = Level { steps: 32, rings: 16, taken: 32 };
+/// The pilot run finds the duration and the number of steps. It is fine enough for the fastest
+/// oscillation to be stable.
+const PILOT: Level = Level { steps: 32, rings: 16, taken: 32 };
 const FIRST: Level = Level { steps: 64, rings: 32, taken: 64 };
-/// Runs by the clock, and those that choose their steps.
-const TIMED_SCOUT: Level = Level { steps: 16, rings: 8, taken: 16 };
-const TIMED: Series = Series { first: SCOUT, most: 1 << 22 };
-const CHOSEN: Series = Series { first: FIRST, most: 1 << 26 };
-/// The first level at which an outcome may count.
-const LEAST: usize = 64;
+/// Runs with steps in time, and runs with steps chosen from the state.
+const TIMED_PILOT: Level = Level { steps: 16, rings: 8, taken: 16 };
+const TIMED: Series = Series { first: PILOT, most: 1 << 22 };
+const FROM_STATE: Series = Series { first: FIRST, most: 1 << 26 };
+/// Smallest number of steps of a free impact at which an outcome may count as converged.
+const MIN_STEPS_TO_CONVERGE: usize = 64;
 
-/// How many rings may be moved where a law without rings may take one step.
-const RINGED: usize = 2;
+/// Number of annuli that may be updated at the cost of one step of a law without annuli.
+const ANNULI_PER_STEP: usize = 2;
 
-/// What the last change of the outcome counts for where a law has rings: which of them slip jumps
-/// from run to run, and so the errors do. Of 60 random impacts two were off by up to three times a
-/// tolerance of 1e-5 or 1e-6 where it counted once, none where it counts twice.
-const DOUBT: f64 = 2.0;
+/// Factor of the last change of the outcome for a law with annuli. Which annuli slip changes
+/// abruptly between runs, and so do the errors. Of 60 random impacts, two had errors of up to three
+/// times a tolerance of 1e-5 or 1e-6 with the factor 1, none with 2.
+const ERROR_FACTOR_OF_ANNULI: f64 = 2.0;
 
-/// Runs that double steps and rings, while the next one takes no more than so many steps.
+/// Runs with doubled numbers of steps and annuli, as long as the next one takes at most `most`
+/// steps.
 #[derive(Debug, Clone, Copy)]
 struct Series {
     first: Level,
@@ -39,21 +41,21 @@ pub(super) struct Problem {
     pub(super) mobility: Matrix3<f64>,
     pub(super) velocity: Vector3<f64>,
     pub(super) stiffness: ContactStiffness,
-    /// A first guess of the duration, where steps by the clock may do.
+    /// Estimated duration, if steps in time are suitable.
     pub(super) expected: Option<f64>,
 }
 
-/// How fine a run is.
+/// The resolution of a run.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Level {
     /// Steps of a free impact.
     pub(super) steps: usize,
     pub(super) rings: usize,
-    /// Steps that it will take, about.
+    /// Estimated number of steps that it will take.
     pub(super) taken: usize,
 }
 
-/// What one run, or the limit of finer runs, gives.
+/// Result of one run, or the limit of several.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Run {
     pub(super) velocity: Vector3<f64>,
@@ -62,25 +64,25 @@ pub(super) struct Run {
     pub(super) peak: f64,
     pub(super) compressions: u32,
     pub(super) steps: usize,
-    /// The most rings of the law, if it has rings.
+    /// The largest number of annuli of the law, if it has annuli.
     pub(super) rings: Option<usize>,
-    /// Rings of all steps together, or steps of a law without.
+    /// Cost: annuli of all steps together, or steps of a law without annuli.
     pub(super) work: usize,
 }
 
-/// Where the runs lead, how far it may be off over |v_A|, and the finest level used.
+/// The limit of the runs, its estimated error over |v_A|, and the finest level.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Settled {
     pub(super) run: Run,
     pub(super) error: f64,
     pub(super) level: Level,
-    /// As the finest run saw it.
+    /// The problem as solved by the finest run.
     problem: Problem,
-    /// To the tolerance asked for.
+    /// Whether it converged to the requested tolerance.
     pub(super) settled: bool,
 }
 
-/// Why the runs gave nothing.
+/// Why the runs gave no result.
 #[derive(Debug)]
 pub(super) enum Failure<E: std::error::Error + 'static> {
     Law(LawFailure<E>),
@@ -88,33 +90,33 @@ pub(super) enum Failure<E: std::error::Error + 'static> {
 }
 
 impl Problem {
-    /// Runs of twice as many steps and rings until their limit is sure to the tolerance times
-    /// |v_A|, or further ones would take too long: then the best.
+    /// Runs with doubled numbers of steps and annuli until the limit has converged to the tolerance
+    /// times |v_A|, or further runs would take too long; then the best one.
     ///
-    /// `make` gives a fresh law as fine as that; `hold` moves the impulse of a limit to where it
-    /// may be.
+    /// `make` returns a fresh law for a level. `restrict` brings the impulse of a limit within its
+    /// bounds.
     pub(super) fn settle<L: ImpactLaw>(
         &self,
         tolerance: f64,
         make: impl Fn(Level) -> L,
-        hold: impl Fn(&Vector3<f64>) -> Vector3<f64>,
+        restrict: impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Settled, Failure<L::Error>> {
-        if let Some(settled) = self.timed(tolerance, &make, &hold)? {
+        if let Some(settled) = self.timed(tolerance, &make, &restrict)? {
             return Ok(settled);
         }
         let problem = Self { expected: None, ..*self };
-        let scout = problem.run(SCOUT, &make, |_, _| ())?;
-        let longer = FIRST.steps / SCOUT.steps;
-        let first = Level { taken: longer * scout.steps, ..FIRST };
-        problem.refined(&Series { first, ..CHOSEN }, tolerance, &make, &hold)
+        let pilot = problem.run(PILOT, &make, |_, _| ())?;
+        let longer = FIRST.steps / PILOT.steps;
+        let first = Level { taken: longer * pilot.steps, ..FIRST };
+        problem.refined(&Series { first, ..FROM_STATE }, tolerance, &make, &restrict)
     }
 
-    // The cheapest way, where it may do and does.
+    // The cheapest method, where it is suitable and converges.
     fn timed<L: ImpactLaw>(
         &self,
         tolerance: f64,
         make: &impl Fn(Level) -> L,
-        hold: &impl Fn(&Vector3<f64>) -> Vector3<f64>,
+        restrict: &impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Option<Settled>, Failure<L::Error>> {
         if self.expected.is_none() {
             return Ok(None);
@@ -122,9 +124,9 @@ impl Problem {
         let refined = || {
             let mut problem = *self;
             for _ in 0..2 {
-                problem = problem.scouted(&problem.run(TIMED_SCOUT, make, |_, _| ())?);
+                problem = problem.with_duration_of(&problem.run(TIMED_PILOT, make, |_, _| ())?);
             }
-            problem.refined(&TIMED, tolerance, make, hold)
+            problem.refined(&TIMED, tolerance, make, restrict)
         };
         match refined() {
             Ok(settled) => Ok(settled.settled.then_some(settled)),
@@ -138,39 +140,41 @@ impl Problem {
         series: &Series,
         tolerance: f64,
         make: &impl Fn(Level) -> L,
-        hold: &impl Fn(&Vector3<f64>) -> Vector3<f64>,
+        restrict: &impl Fn(&Vector3<f64>) -> Vector3<f64>,
     ) -> Result<Settled, Failure<L::Error>> {
         let scale = self.velocity.norm();
         let mut problem = *self;
         let mut level = series.first;
         let mut table = Extrapolation::new(problem.run(level, make, |_, _| ())?);
         loop {
-            problem = problem.scouted(table.finest());
+            problem = problem.with_duration_of(table.finest());
             level = level.doubled();
             table.refine(problem.run(level, make, |_, _| ())?);
             let mut run = table.best();
-            let held = hold(&run.impulse);
-            let off = run.doubt() * table.error();
-            let moved = self.mobility * (run.impulse - held);
-            let error = off.max(moved.norm()) / scale;
-            (run.impulse, run.velocity) = (held, run.velocity + moved);
-            let settled = error <= tolerance && run.velocity.z < 0.0 && level.steps >= LEAST;
+            let restricted = restrict(&run.impulse);
+            let estimate = run.error_factor() * table.error();
+            let moved = self.mobility * (run.impulse - restricted);
+            let error = estimate.max(moved.norm()) / scale;
+            (run.impulse, run.velocity) = (restricted, run.velocity + moved);
+            let settled =
+                error <= tolerance && run.velocity.z < 0.0 && level.steps >= MIN_STEPS_TO_CONVERGE;
             if settled || table.finest().next() > series.most {
                 return Ok(Settled { run, error, level, problem, settled });
             }
         }
     }
 
-    /// The finest run again, with what it led to as a guess, seen by `observe`.
+    /// Repeats the finest run with the converged duration as estimate; `observe` sees every
+    /// instant.
     pub(super) fn replay<L: ImpactLaw>(
         settled: &Settled,
         make: impl Fn(Level) -> L,
         observe: impl FnMut(&Point, &L),
     ) -> Result<Run, Failure<L::Error>> {
-        settled.problem.scouted(&settled.run).run(settled.level, &make, observe)
+        settled.problem.with_duration_of(&settled.run).run(settled.level, &make, observe)
     }
 
-    fn scouted(&self, run: &Run) -> Self {
+    fn with_duration_of(&self, run: &Run) -> Self {
         let expected = self.expected.map(|_| run.duration);
         Self { expected, ..*self }
     }
@@ -192,7 +196,7 @@ impl Problem {
             steps: level.steps,
             expected: self.expected,
         };
-        // The errors of steps by the clock are smooth enough to be extrapolated.
+        // The errors of steps in time are smooth enough for extrapolation.
         let order = self.expected.map_or(Order::Fourth, |_| Order::Second);
         let end = trajectory
             .follow_to(order, &mut law, |point, law| {
@@ -224,19 +228,20 @@ impl Level {
 }
 
 impl Run {
-    // The work of a run of twice as many steps, and of twice as many rings if there are, in steps of a
-    // law without.
+    // The cost of a run with twice as many steps, and twice as many annuli if there are any, in
+    // steps of a law without annuli.
     fn next(&self) -> usize {
-        self.rings.map_or(2 * self.work, |_| self.work.saturating_mul(4) / RINGED)
+        self.rings.map_or(2 * self.work, |_| self.work.saturating_mul(4) / ANNULI_PER_STEP)
     }
 
-    // What a change counts for.
-    fn doubt(&self) -> f64 {
-        self.rings.map_or(1.0, |_| DOUBT)
+    // The factor of a change in the error estimate.
+    fn error_factor(&self) -> f64 {
+        self.rings.map_or(1.0, |_| ERROR_FACTOR_OF_ANNULI)
     }
 
-    /// Extrapolated from a run of half as many steps, whose error is this much + 1 times as large.
-    pub(super) fn beyond(&self, coarse: &Self, gain: f64) -> Self {
+    /// Richardson extrapolation with a run of half as many steps, whose error is `gain + 1` times
+    /// as large.
+    pub(super) fn extrapolated(&self, coarse: &Self, gain: f64) -> Self {
         let limit = |fine: f64, coarse: f64| fine + (fine - coarse) / gain;
         let limits = |fine: Vector3<f64>, coarse: Vector3<f64>| fine + (fine - coarse) / gain;
         Self {
@@ -252,7 +257,7 @@ impl Run {
     }
 }
 
-/// Keeps the greatest approach and counts the compressions.
+/// Records the maximum approach and counts the compressions.
 #[derive(Debug, Default)]
 struct Peaks {
     last: Option<Point>,
@@ -270,15 +275,15 @@ impl Peaks {
             return;
         };
         if last.velocity.z > 0.0 && point.velocity.z <= 0.0 {
-            self.highest = self.highest.max(summit(&last, point));
+            self.highest = self.highest.max(max_approach_between(&last, point));
         } else if last.velocity.z <= 0.0 && point.velocity.z > 0.0 {
             self.compressions += 1;
         }
     }
 }
 
-// The greatest approach between two instants, by the cubic of both approaches and their rates.
-fn summit(from: &Point, to: &Point) -> f64 {
+// The maximum approach between two instants, by the cubic of both approaches and their rates.
+fn max_approach_between(from: &Point, to: &Point) -> f64 {
     let h = to.time - from.time;
     let (rise, up, down) = (to.shift.z - from.shift.z, h * from.velocity.z, h * to.velocity.z);
     let (square, cube) = (3.0 * rise - 2.0 * up - down, up + down - 2.0 * rise);
@@ -295,7 +300,7 @@ mod tests {
     use carom_laws::friction::Friction;
     use carom_laws::shift_law::ShiftLaw;
 
-    // In a plane, in units of the free impact.
+    // A planar impact in units of the free impact.
     fn planar(tangential: f64, coupling: f64, slip: f64) -> Problem {
         Problem {
             mobility: 1.25

@@ -1,4 +1,4 @@
-//! A coupled impact in units of the free one and axes of its own.
+//! A coupled impact in units of the free impact and in axes of its own.
 
 use carom_laws::stiffness::ContactStiffness;
 use nalgebra::{Matrix3, Vector3};
@@ -7,7 +7,7 @@ use super::refine::Problem;
 use super::{CoupledImpact, ImpactMethod};
 use crate::normal;
 
-/// Units in which the law's numbers are of order one.
+/// Units in which the numbers of the law are of order one.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Units {
     pub(super) time: f64,
@@ -18,12 +18,12 @@ pub(super) struct Units {
 }
 
 impl Units {
-    /// Of a law in those of the data.
+    /// Units of a law in those of the data.
     pub(super) const GIVEN: Self =
         Self { time: 1.0, length: 1.0, speed: 1.0, force: 1.0, impulse: 1.0 };
 }
 
-/// From a run to the contact axes and the units of the data.
+/// Conversion from a run to the contact axes and the units of the data.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct View {
     pub(super) units: Units,
@@ -45,7 +45,7 @@ impl CoupledImpact {
         }
     }
 
-    // Columns: the tangent of a planar motion, the one across it, the normal.
+    // Columns: the tangent of a planar motion, the normal of its plane, the contact normal.
     pub(super) fn frame(&self) -> Matrix3<f64> {
         match self.method() {
             ImpactMethod::Planar { direction } => {
@@ -61,7 +61,7 @@ impl CoupledImpact {
         let d = self.mobility.matrix();
         let mut mobility = frame.transpose() * (d * (1.25 / d.m33)) * frame;
         if matches!(self.method(), ImpactMethod::Planar { .. }) {
-            // What couples across the plane is round-off.
+            // Couplings out of the plane are round-off.
             for (i, j) in [(0, 1), (1, 2)] {
                 (mobility[(i, j)], mobility[(j, i)]) = (0.0, 0.0);
             }
@@ -75,8 +75,8 @@ impl CoupledImpact {
         Problem { mobility, velocity, stiffness, expected }
     }
 
-    // Whether it passes much like a free impact: friction hardly drives the normal motion, and the
-    // tangential one takes no less than a third of its time.
+    // Whether the impact resembles a free one: friction hardly drives the normal motion, and the
+    // tangential motion takes at least a third of the time of the normal one.
     pub(super) fn is_mild(&self) -> bool {
         let d = self.mobility.matrix();
         let ContactStiffness { c_x, c_y, c_z } = self.stiffness;
@@ -85,7 +85,7 @@ impl CoupledImpact {
         driven <= 0.5 * d.m33 && stiff <= 10.0 * c_z * d.m33
     }
 
-    // As the problem is; in a plane c_x is that along its tangent.
+    // In the units of the problem; in a plane c_x is that along its tangent.
     pub(super) fn scaled(&self) -> ContactStiffness {
         let ContactStiffness { c_x, c_y, c_z } = self.stiffness;
         let (c_x, c_y) = match self.method() {

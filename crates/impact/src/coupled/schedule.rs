@@ -1,13 +1,13 @@
-//! The steps of an impact that passes much like a free one.
+//! The steps of an impact that resembles a free one.
 
 use super::Point;
 
 /// Steps in time alone, t = T u^2 (3 - 2 u) with equal steps of u: fine at both ends, where the
-/// force begins and ends with the power 3/2 of time.
+/// force varies as the power 3/2 of time.
 ///
-/// They ask nothing of the state, so that the error of a run is smoother in the step than with
-/// steps chosen from it. Only where the duration T is known well from another run, and where
-/// nothing happens within a small part of it.
+/// They do not depend on the state. The error of a run is therefore a smoother function of the step
+/// than with steps chosen from the state. They require that the duration T is known well from
+/// another run, and that nothing happens within a small part of it.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Schedule {
     duration: f64,
@@ -16,13 +16,12 @@ pub(super) struct Schedule {
 }
 
 impl Schedule {
-    /// This many steps within the duration.
+    /// A schedule with this many steps within the duration.
     pub(super) fn new(duration: f64, steps: usize) -> Self {
         Self { duration, fineness: 1.0 / steps as f64, steps }
     }
 
-    /// The step of this number from an instant; beyond the duration as far as the separation seems
-    /// to be.
+    /// The step of this number from an instant; beyond the duration, up to the expected separation.
     pub(super) fn step(&self, number: usize, now: &Point) -> f64 {
         if number < self.steps {
             let (u, next) = (number as f64 * self.fineness, (number + 1) as f64 * self.fineness);

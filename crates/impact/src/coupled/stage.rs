@@ -1,4 +1,4 @@
-//! What the contact does: stick, slip at the edge, slide.
+//! The stage of a contact: adhesion, slip at the edge, or sliding.
 
 use carom_laws::memory::{Lateral, MemoryRegime, VertexStack};
 use carom_laws::shift_law::ShiftLaw;
@@ -9,7 +9,7 @@ use crate::oblique::{Event, Regime};
 /// How much of the contact slips.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Stage {
-    /// Nothing.
+    /// None of it.
     Adhesion,
     /// A part of it.
     Slip,
@@ -17,7 +17,7 @@ pub enum Stage {
     Slide,
 }
 
-/// A contact law that says what its last step did.
+/// A contact law that reports what its last step did.
 pub trait Staged {
     /// What slipped in the last step.
     fn stage(&self) -> Stage;

@@ -1,4 +1,4 @@
-//! The motion through one contact: dv/dt = -D F with a law that remembers (8.29).
+//! The motion through one contact: dv/dt = -D F with a law with memory (8.29).
 
 use carom_laws::law::{ContactLaw, ContactLoad, Shift};
 use carom_laws::stiffness::ContactStiffness;
@@ -8,71 +8,73 @@ use super::adams::{Adams, Order};
 use super::pace::Pace;
 use super::schedule::Schedule;
 
-/// The initial value problem of an impact in any consistent units, contact axes.
+/// The initial value problem of an impact, in any consistent units and contact axes.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Trajectory {
     /// D: dv/dt = -D F.
     pub mobility: Matrix3<f64>,
-    /// Velocity of body 2 against body 1 at first touch; z > 0.
+    /// Velocity of body 2 against body 1 at first contact; z > 0.
     pub velocity: Vector3<f64>,
-    /// Of the law in adhesion; it chooses the steps.
+    /// Stiffness of the law in adhesion; it determines the steps.
     pub stiffness: ContactStiffness,
-    /// About how many steps a free impact takes. Coupled ones take more where friction drives the
-    /// normal motion and where the tangential one oscillates fast.
+    /// Approximate number of steps of a free impact. Coupled impacts take more if friction drives
+    /// the normal motion or the tangential motion oscillates fast.
     pub steps: usize,
-    /// The duration to be expected, where the impact passes much like a free one: its steps then
-    /// follow the clock. None: every step is chosen from the state.
+    /// The expected duration, if the impact resembles a free one; its steps are then taken in time.
+    /// `None`: every step is chosen from the state.
     pub expected: Option<f64>,
 }
 
 /// An instant of an impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Point {
-    /// Time since touch.
+    /// Time since first contact.
     pub time: f64,
-    /// Shift of body 2 against body 1 since touch: xi, eta, zeta.
+    /// Shift of body 2 against body 1 since first contact: xi, eta, zeta.
     pub shift: Vector3<f64>,
     /// Its rate.
     pub velocity: Vector3<f64>,
     /// Force on body 1.
     pub force: Vector3<f64>,
-    /// Its impulse since touch. It is what is added up: of a graze it would have lost its digits as a
-    /// difference of velocities.
+    /// Impulse since first contact. It is summed, since a difference of velocities would lose the
+    /// digits of a grazing impact.
     pub impulse: Vector3<f64>,
 }
 
-/// Contact lasting longer than this many times the steps of a free impact is given up.
-const PATIENCE: usize = 1 << 14;
+/// Largest number of steps of a contact, over that of a free impact.
+const MAX_STEPS_OVER_FREE_IMPACT: usize = 1 << 14;
 
-/// How the next step is found.
+/// How the next step is chosen.
 #[derive(Debug, Clone, Copy)]
 enum Steps {
     Timed(Schedule),
     Chosen(Pace),
 }
 
-/// A step of the law failed.
+/// Failure of a step of the contact law.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-#[error("step {step} of the law, {time:e} after touch")]
+#[error("step {step} of the contact law, {time:e} after first contact")]
 pub struct LawFailure<E: std::error::Error + 'static> {
-    /// Steps before it.
+    /// Number of steps before it.
     pub step: usize,
-    /// Time since touch.
+    /// Time since first contact.
     pub time: f64,
-    /// Why.
+    /// The error of the law.
     pub source: E,
 }
 
 impl Trajectory {
-    /// Follows the impact with this law to separation and returns the instant of separation;
-    /// none if the bodies do not part within 2^14 times the steps of a free impact. `observe` sees
-    /// every instant, touch and separation included, with the law's state there.
+    /// Integrates the impact with this law up to separation and returns that instant. `None` if the
+    /// bodies do not separate within 2^14 times the steps of a free impact.
     ///
-    /// Steps of the Verlet kind: one evaluation of the law each, second order in the step, and
-    /// the path between two instants is straight.
+    /// `observe` is called at every instant, including first contact and separation, with the state
+    /// of the law there.
+    ///
+    /// The steps are of Verlet's kind: one evaluation of the law each, of second order. The path
+    /// between two instants is straight.
     ///
     /// # Errors
-    /// The law's own, with the step.
+    /// The error of the law, with the number of the step.
     pub fn follow<L: ContactLaw>(
         &self,
         law: &mut L,
@@ -98,7 +100,7 @@ impl Trajectory {
         observe(&now, law);
         let steps = self.steps();
         let mut recent = Adams::new(order);
-        for number in 0..PATIENCE * self.steps {
+        for number in 0..MAX_STEPS_OVER_FREE_IMPACT * self.steps {
             let length = match &steps {
                 Steps::Timed(schedule) => schedule.step(number, &now),
                 Steps::Chosen(pace) => pace.step(&now),
@@ -108,9 +110,9 @@ impl Trajectory {
             let shift = now.shift + now.velocity * length - ahead;
             if shift.z <= 0.0 {
                 let last = self.separation(&now, &shift, length);
-                let mut apart = last.shift;
-                apart.z = 0.0;
-                law.advance(as_shift(&apart)).map_err(failed)?;
+                let mut separated = last.shift;
+                separated.z = 0.0;
+                law.advance(as_shift(&separated)).map_err(failed)?;
                 observe(&last, law);
                 return Ok(Some(last));
             }
@@ -138,10 +140,10 @@ impl Trajectory {
         )
     }
 
-    // The force falls to zero with the power 3/2 of the time left: its mean is 2/5.
-    fn separation(&self, now: &Point, beyond: &Vector3<f64>, length: f64) -> Point {
-        let part = (now.shift.z / (now.shift.z - beyond.z)).clamp(0.0, 1.0);
-        let mut shift = now.shift + (beyond - now.shift) * part;
+    // The force vanishes as the power 3/2 of the remaining time: its mean is 2/5.
+    fn separation(&self, now: &Point, extrapolated: &Vector3<f64>, length: f64) -> Point {
+        let part = (now.shift.z / (now.shift.z - extrapolated.z)).clamp(0.0, 1.0);
+        let mut shift = now.shift + (extrapolated - now.shift) * part;
         shift.z = 0.0;
         let part = part * length;
         let impulse = now.impulse + now.force * (0.4 * part);

@@ -1,21 +1,23 @@
 //! Complete adhesion in closed form (section 9.2).
 //!
-//! With the normal velocity w as clock the tangential velocity u of an adhering contact obeys
-//! Gegenbauer's equation `(1 - w^2) u'' - (6/5) w u' + (6/5) chi u = 0`, equivalent to (9.14) by
-//! S = 1 - w^2. The traction is `Phi = zeta^(3/2) u' / chi`. Power series carry it.
+//! With the normal velocity w as independent variable, the tangential velocity u in adhesion obeys
+//! Gegenbauer's equation `(1 - w^2) u'' - (6/5) w u' + (6/5) chi u = 0`. It is equivalent to (9.14)
+//! by S = 1 - w^2. The traction is `Phi = zeta^(3/2) u' / chi`. The solutions are computed by power
+//! series.
 
-use super::place::Place;
+use super::position::Position;
 
-/// Terms a series may have: 24 for the chi of solid bodies, three times as many at chi = 100.
+/// Largest number of terms of a series: solid bodies need 24, chi = 100 three times as many.
 const MAX_TERMS: usize = 80;
 
-/// Centre and argument of the series: t = (w + 1 - c)/(w + 1 + c), c = sqrt 2, puts the singular
-/// points w = -1 and infinity at t = -1 and 1 and the compression, 0 <= w <= 1, at |t| <= 0.172.
+/// Centre and argument of the series: t = (w + 1 - c)/(w + 1 + c) with c = sqrt 2. The singular
+/// points w = -1 and infinity are then at t = -1 and 1, and the compression, 0 <= w <= 1, at |t| <=
+/// 0.172.
 const C: f64 = std::f64::consts::SQRT_2;
 const CENTER: f64 = C - 1.0;
 const T_MAX: f64 = 0.171_572_875_253_809_9;
 
-/// Tangential velocity and its flux zeta^(3/2) du/dw = chi Phi at one instant.
+/// Tangential velocity u and its flux zeta^(3/2) du/dw = chi Phi at one instant.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Tangential {
     pub(super) velocity: f64,
@@ -23,16 +25,16 @@ pub(super) struct Tangential {
 }
 
 impl Tangential {
-    pub(super) fn gradient(&self, place: &Place) -> f64 {
-        self.flux / place.cube()
+    pub(super) fn gradient(&self, position: &Position) -> f64 {
+        self.flux / position.cube()
     }
 }
 
 /// An adhesive motion during compression.
 ///
-/// The general solution is R(w) + zeta J(w): J obeys the same equation with 14/5 in place of 6/5
-/// and (6/5) chi - 4/5 in place of (6/5) chi. Both are regular at touch; a motion that sticks
-/// from touch on has no J.
+/// The general solution is R(w) + zeta J(w). J obeys the same equation with 14/5 in place of 6/5
+/// and (6/5) chi - 4/5 in place of (6/5) chi. Both are regular at first contact. J vanishes if the
+/// contact sticks from first contact on.
 #[derive(Debug, Clone)]
 pub(super) struct Segment {
     /// The normal velocity at which it begins.
@@ -42,31 +44,32 @@ pub(super) struct Segment {
 }
 
 impl Segment {
-    /// Adhesion from first touch (w = 1) with velocity 1.
+    /// Adhesion from first contact (w = 1) with velocity 1.
     pub(super) fn from_touch(chi: f64) -> Self {
         Self { high: 1.0, regular: Table::new(Equation::regular(chi)), irregular: None }
     }
 
-    /// Adhesion that begins at `place` in the midst of compression with the state `now`.
-    pub(super) fn from_state(chi: f64, place: &Place, now: Tangential) -> Self {
+    /// Adhesion that begins during compression, at `position` with the state `now`.
+    pub(super) fn from_state(chi: f64, position: &Position, now: Tangential) -> Self {
         let mut regular = Table::new(Equation::regular(chi));
         let mut irregular = Table::new(Equation::irregular(chi));
-        // The flux of R times zeta J less that of zeta J times R is -4/5, its value at touch.
-        let one = regular.at(place.w).regular(place);
-        let other = irregular.at(place.w).irregular(place);
+        // The Wronskian (flux of R times zeta J less flux of zeta J times R) is -4/5, its value at
+        // first contact.
+        let one = regular.at(position.w).regular(position);
+        let other = irregular.at(position.w).irregular(position);
         regular.scale(-1.25 * (now.velocity * other.flux - now.flux * other.velocity));
         irregular.scale(-1.25 * (one.velocity * now.flux - one.flux * now.velocity));
-        Self { high: place.w, regular, irregular: Some(irregular) }
+        Self { high: position.w, regular, irregular: Some(irregular) }
     }
 
-    /// Velocity at `place`.
+    /// Velocity at `position`.
     #[inline(always)]
-    pub(super) fn velocity(&self, place: &Place) -> f64 {
-        let t = argument(place.w).0;
+    pub(super) fn velocity(&self, position: &Position) -> f64 {
+        let t = argument(position.w).0;
         let regular = self.regular.value(t);
         match &self.irregular {
             None => regular,
-            Some(table) => regular + place.radius * place.radius * table.value(t),
+            Some(table) => regular + position.radius * position.radius * table.value(t),
         }
     }
 
@@ -74,38 +77,38 @@ impl Segment {
     pub(super) fn velocity_at(&self, w: f64) -> f64 {
         match &self.irregular {
             None => self.regular.value(argument(w).0),
-            Some(_) => self.velocity(&Place::of_velocity(w)),
+            Some(_) => self.velocity(&Position::of_velocity(w)),
         }
     }
 
-    /// Velocity at `place`, to 13 digits.
+    /// Velocity at `position`, to 13 digits.
     #[inline(always)]
-    pub(super) fn nearly_velocity(&self, place: &Place) -> f64 {
-        let t = argument(place.w).0;
+    pub(super) fn nearly_velocity(&self, position: &Position) -> f64 {
+        let t = argument(position.w).0;
         let regular = self.regular.nearly_value(t);
         match &self.irregular {
             None => regular,
-            Some(table) => regular + place.radius * place.radius * table.nearly_value(t),
+            Some(table) => regular + position.radius * position.radius * table.nearly_value(t),
         }
     }
 
-    /// Velocity and flux at `place`, to 13 digits.
+    /// Velocity and flux at `position`, to 13 digits.
     #[inline(always)]
-    pub(super) fn nearly_at(&self, place: &Place) -> Tangential {
-        let mut now = self.regular.nearly_at(place.w).regular(place);
+    pub(super) fn nearly_at(&self, position: &Position) -> Tangential {
+        let mut now = self.regular.nearly_at(position.w).regular(position);
         if let Some(table) = &self.irregular {
-            let more = table.nearly_at(place.w).irregular(place);
+            let more = table.nearly_at(position.w).irregular(position);
             now.velocity += more.velocity;
             now.flux += more.flux;
         }
         now
     }
 
-    /// Velocity and flux at `place`.
-    pub(super) fn at(&self, place: &Place) -> Tangential {
-        let mut now = self.regular.at(place.w).regular(place);
+    /// Velocity and flux at `position`.
+    pub(super) fn at(&self, position: &Position) -> Tangential {
+        let mut now = self.regular.at(position.w).regular(position);
         if let Some(table) = &self.irregular {
-            let more = table.at(place.w).irregular(place);
+            let more = table.at(position.w).irregular(position);
             now.velocity += more.velocity;
             now.flux += more.flux;
         }
@@ -127,14 +130,14 @@ struct Sum {
 }
 
 impl Sum {
-    fn regular(&self, place: &Place) -> Tangential {
-        Tangential { velocity: self.value, flux: place.cube() * self.slope }
+    fn regular(&self, position: &Position) -> Tangential {
+        Tangential { velocity: self.value, flux: position.cube() * self.slope }
     }
 
     // zeta J, with d zeta/dw = -(4/5) w zeta^(-3/2)
-    fn irregular(&self, place: &Place) -> Tangential {
-        let zeta = place.zeta();
-        let flux = place.cube() * zeta * self.slope - 0.8 * place.w * self.value;
+    fn irregular(&self, position: &Position) -> Tangential {
+        let zeta = position.zeta();
+        let flux = position.cube() * zeta * self.slope - 0.8 * position.w * self.value;
         Tangential { velocity: zeta * self.value, flux }
     }
 }
@@ -146,7 +149,7 @@ type Rows = [[f64; 8]; MAX_TERMS / 8];
 #[derive(Debug, Clone)]
 struct Table {
     blocks: usize,
-    /// Blocks that count for 13 digits of the value.
+    /// Number of blocks needed for 13 digits of the value.
     few: usize,
     value: Rows,
     slope: Rows,
@@ -203,7 +206,7 @@ impl Table {
     }
 }
 
-// Eight interleaved series in t^8: a short chain of dependent operations.
+// Eight interleaved series in t^8: shorter chains of dependent operations.
 #[inline(always)]
 fn sum(rows: &[[f64; 8]], t: f64) -> f64 {
     let squared = t * t;
@@ -227,8 +230,8 @@ struct Series {
 }
 
 impl Series {
-    // From the first two coefficients and the rule for the one after n + 1 by the four before it,
-    // for |t| <= reach.
+    // From the first two coefficients and the recurrence for the one after n + 1 by the four before
+    // it, for |t| <= reach.
     fn new(first: f64, second: f64, reach: f64, next: impl Fn(f64, [f64; 4]) -> f64) -> Self {
         let mut c = [0.0; MAX_TERMS];
         (c[0], c[1]) = (first, second);
@@ -251,7 +254,7 @@ impl Series {
         Self { c, terms: MAX_TERMS }
     }
 
-    // The terms that exceed this share of the largest.
+    // The number of terms that exceed this share of the largest.
     fn count(&self, share: f64) -> usize {
         let mut power = 1.0;
         let sizes = self.c.map(|coefficient| {
@@ -333,10 +336,10 @@ mod tests {
         // n = 1: u = w.
         let segment = Segment::from_touch(1.0);
         for i in 1..=10 {
-            let place = Place::of_velocity(1.0 - 0.1 * f64::from(i));
-            let now = segment.at(&place);
-            assert!((now.velocity - place.w).abs() < 4e-16);
-            assert!((now.gradient(&place) - 1.0).abs() < 4e-15);
+            let position = Position::of_velocity(1.0 - 0.1 * f64::from(i));
+            let now = segment.at(&position);
+            assert!((now.velocity - position.w).abs() < 4e-16);
+            assert!((now.gradient(&position) - 1.0).abs() < 4e-15);
         }
     }
 
@@ -344,7 +347,7 @@ mod tests {
     fn the_general_solution_starts_as_it_should_and_keeps_its_equation() {
         for chi in [0.3, 0.5, 3.5, 6.5, 60.0] {
             for w in [0.999_999, 0.9, 0.3] {
-                let start = Place::of_velocity(w);
+                let start = Position::of_velocity(w);
                 let state = Tangential { velocity: 0.7, flux: -0.4 * start.cube() };
                 let segment = Segment::from_state(chi, &start, state);
                 let again = segment.at(&start);
@@ -354,8 +357,8 @@ mod tests {
                 // d flux/dw = -(6/5) chi u zeta^(-1): (1 - w^2)^(3/5) u' differentiated.
                 let (w, h) = (0.6 * w, 1e-4);
                 let at = |w: f64| {
-                    let place = Place::of_velocity(w);
-                    (segment.at(&place), place.zeta())
+                    let position = Position::of_velocity(w);
+                    (segment.at(&position), position.zeta())
                 };
                 let [before, now, after] = [at(w - h), at(w), at(w + h)];
                 let slope = (after.0.flux - before.0.flux) / (2.0 * h);
@@ -373,11 +376,11 @@ mod tests {
     fn a_motion_continued_from_its_midst_is_the_same() {
         for chi in [0.5, 3.5, 6.5, 60.0] {
             let whole = Segment::from_touch(chi);
-            let start = Place::of_velocity(0.8);
+            let start = Position::of_velocity(0.8);
             let part = Segment::from_state(chi, &start, whole.at(&start));
             for w in [0.5, 0.0] {
-                let place = Place::of_velocity(w);
-                let (a, b) = (whole.at(&place), part.at(&place));
+                let position = Position::of_velocity(w);
+                let (a, b) = (whole.at(&position), part.at(&position));
                 assert!((a.velocity - b.velocity).abs() < 1e-13 * chi.max(1.0), "{chi}");
                 assert!((a.flux - b.flux).abs() < 1e-13 * chi.max(1.0), "{chi}");
             }

@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-/// chi and psi, the two numbers that govern an uncoupled impact in one direction.
+/// chi and psi, the two dimensionless groups of an uncoupled impact in one direction.
 ///
 /// ```
 /// use carom_impact::oblique::Groups;
@@ -16,16 +16,17 @@ pub struct Groups {
     psi: f64,
 }
 
-/// Largest chi accepted: far beyond every body (a solid one has chi <= 7.5).
+/// Largest chi accepted, far above that of any body: solid bodies have chi <= 7.5.
 const CHI_MAX: f64 = 100.0;
 
 impl Groups {
     /// `chi = D_xx c_x/(D_zz c_z)` in (0, 100], `psi = c_x |xi'|/(f c_z zeta') >= 0`.
     ///
-    /// `psi = infinity` is frictionless; `psi = 0` has no tangential motion or infinite friction.
+    /// `psi = infinity` is without friction; `psi = 0` is infinite friction or no tangential
+    /// motion.
     ///
     /// # Errors
-    /// [`RangeError`] that names `chi` or `psi`.
+    /// [`RangeError`] that names `chi` or `psi` if it is out of range.
     pub fn new(chi: f64, psi: f64) -> Result<Self, RangeError> {
         RangeError::check("chi", chi, chi > 0.0 && chi <= CHI_MAX, "in (0, 100]")?;
         RangeError::check("psi", psi, psi >= 0.0, ">= 0")?;
@@ -38,7 +39,7 @@ impl Groups {
     /// # Errors
     /// [`RangeError`] unless kappa is in (0.75, 1.5] (Poisson's ratio in (-1, 0.5]) and lambda >= 0.
     pub fn of_spheres(kappa: f64, lambda: f64) -> Result<Self, RangeError> {
-        // 3/2 may come out a rounding above itself when computed from nu.
+        // Computed from nu, 3/2 may come out above itself by round-off.
         let holds = kappa > 0.75 && kappa <= 1.5 * (1.0 + 4.0 * f64::EPSILON);
         RangeError::check("kappa", kappa, holds, "in (0.75, 1.5]")?;
         RangeError::check("lambda", lambda, lambda >= 0.0, ">= 0")?;

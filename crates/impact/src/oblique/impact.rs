@@ -1,4 +1,4 @@
-//! The oblique impact as a value: its restitution and its phases.
+//! The solved oblique impact: its restitution and its phases.
 
 use super::groups::Groups;
 use super::recorder::{Recorder, Silent};
@@ -6,10 +6,10 @@ use super::regime::{Event, ObliqueError, Phase, Regime};
 use super::trajectory::Trajectory;
 use crate::closed_form;
 
-/// Below this psi nothing distinguishes the impact from one without slip.
+/// Below this psi the impact does not differ from one without slip.
 pub(super) const PSI_MIN: f64 = 1e-14;
 
-/// An uncoupled oblique impact, followed from touch to separation.
+/// An uncoupled oblique impact, solved from first contact to separation.
 ///
 /// ```
 /// use carom_impact::oblique::{Groups, ObliqueImpact};
@@ -26,11 +26,11 @@ pub struct ObliqueImpact {
 }
 
 impl ObliqueImpact {
-    /// Follow the impact with these groups.
+    /// Solves the impact with these groups.
     ///
     /// # Errors
-    /// [`ObliqueError`] if separation is not reached: not seen in two million random cases
-    /// with chi in [0.01, 100] and psi in [1e-6, 1000].
+    /// [`ObliqueError`] if separation is not reached. This did not occur in two million random
+    /// cases with chi in [0.01, 100] and psi in [1e-6, 1000].
     pub fn new(groups: Groups) -> Result<Self, ObliqueError> {
         if groups.psi() < PSI_MIN {
             let restitution = closed_form::restitution_without_slip(groups.chi()).clamp(-1.0, 1.0);
@@ -45,12 +45,12 @@ impl ObliqueImpact {
         recorder: &mut R,
     ) -> Result<Self, ObliqueError> {
         let mut trajectory = Trajectory::new(groups, recorder);
-        // Energy never grows: the bound holds exactly, whatever the integration rounds to.
+        // Energy never grows: the bound holds exactly, whatever the round-off of the integration.
         let restitution = (0.0 - trajectory.run()?).clamp(-1.0, 1.0);
         Ok(Self { groups, restitution, phases: trajectory.phases })
     }
 
-    /// The groups it was made with.
+    /// The groups chi and psi.
     #[must_use]
     pub fn groups(&self) -> Groups {
         self.groups
@@ -64,9 +64,10 @@ impl ObliqueImpact {
         self.restitution
     }
 
-    /// The tangential impulse of this impact at a speed of slip, by the mobility along it; `limit` is
-    /// Coulomb's, which one that slides throughout is at. 1 + R_x, next to nothing when it grazes, would
-    /// have lost its digits.
+    /// The tangential impulse for a slip velocity and the mobility along it.
+    ///
+    /// `limit` is Coulomb's limit of the impulse, reached by an impact that slides throughout. It
+    /// is not computed from 1 + R_x, which loses its digits in grazing impacts.
     pub(crate) fn drag(&self, slip: f64, mobility: f64, limit: f64) -> f64 {
         match self.phases[..] {
             [Phase { regime: Regime::SlideForward, .. }] => limit,

@@ -1,10 +1,10 @@
-//! Where adhesion reaches its limit |u| = w, with u in units of zeta'_A.
+//! The end of adhesion: the friction limit |u| = w at the edge, with u in units of zeta'_A.
 
 use super::adhesion::Segment;
-use super::place::Place;
-use super::slip_integration::GRAZE;
+use super::position::Position;
+use super::slip_integration::MIN_DIP;
 
-/// The limit of adhesion for one impact.
+/// The friction limit of adhesion for one impact.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Limit {
     chi: f64,
@@ -16,8 +16,9 @@ impl Limit {
         Self { chi, psi }
     }
 
-    /// The first w (falling) at which |u| reaches w, and the sign of u there.
-    /// `resting` is the sign on whose limit the adhesion begins, or 0.
+    /// The first w (decreasing) at which |u| reaches w, and the sign of u there.
+    ///
+    /// `resting` is the sign of the limit at which the adhesion begins, or 0.
     pub(super) fn reached(&self, segment: &Segment, resting: f64) -> Option<(f64, f64)> {
         const SAMPLES: usize = 24;
         let margin = |w: f64, sign: f64| w - sign * self.psi * segment.velocity_at(w);
@@ -26,7 +27,7 @@ impl Limit {
         for i in 1..=SAMPLES {
             let w = segment.high * ((SAMPLES - i) as f64 / SAMPLES as f64);
             let slip = self.psi * segment.velocity_at(w);
-            // How far the margin may dip within the interval, by u'' of the order of chi u.
+            // Upper bound of a dip of the margin within the interval, by u'' of the order of chi u.
             let near = self.chi * (before - w) * (before - w) / (1.0 - w);
             for sign in [1.0, -1.0] {
                 let value = w - sign * slip;
@@ -53,13 +54,13 @@ impl Limit {
     }
 
     fn rises(&self, segment: &Segment, sign: f64, w: f64) -> bool {
-        let place = Place::of_velocity(w);
-        1.0 > sign * self.psi * segment.at(&place).gradient(&place)
+        let position = Position::of_velocity(w);
+        1.0 > sign * self.psi * segment.at(&position).gradient(&position)
     }
 
-    // Where |u| exceeds w by more than a graze on both sides of such a minimum.
+    // Where |u| exceeds w, by more than `MIN_DIP`, on both sides of such a minimum.
     fn dip(&self, segment: &Segment, sign: f64, [low, high]: [f64; 2]) -> Option<f64> {
-        let graze = GRAZE * self.psi.min(1.0);
+        let graze = MIN_DIP * self.psi.min(1.0);
         let (mut low, mut high) = (low, high);
         for _ in 0..50 {
             let middle = 0.5 * (low + high);

@@ -1,41 +1,41 @@
-//! What the contact remembers: for each depth the velocity, the shift and the traction when the
-//! ring that touches at that depth was last free of additional stress (the "old" state of section
+//! The memory of the contact: for each depth, the velocity, shift and traction at the time when the
+//! annulus at the edge of that depth was last free of additional stress (the "old" state of section
 //! 8.4).
 
 use super::adhesion::Segment;
-use super::place::Place;
+use super::position::Position;
 
-/// How a stretch of depths was laid down.
+/// How a stretch of depths was formed.
 #[derive(Debug, Clone)]
 pub(super) enum Shape {
     /// In complete adhesion while the contact grew.
     Adhesion(Box<Segment>),
-    /// In slip: slope `sign`.
+    /// In slip: slope `sign` of the shift over depth.
     Slip(Frozen),
 }
 
-/// The stresses that slip of one sign left behind, frozen.
+/// The stresses left by slip of one sign, frozen.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Frozen {
     pub(super) sign: f64,
-    /// psi times the stored traction is this + sign z^(3/2).
+    /// psi times the stored traction is `offset + sign z^(3/2)`.
     pub(super) offset: f64,
 }
 
 /// A stretch of depths of the memory.
 #[derive(Debug, Clone)]
 pub(super) struct Stretch {
-    /// tau where it is least deep and where it is deepest.
+    /// tau at the smallest and at the largest depth.
     pub(super) inner: f64,
     pub(super) outer: f64,
-    /// The stored shift where it is least deep.
+    /// The stored shift at the smallest depth.
     pub(super) shift: f64,
     pub(super) shape: Shape,
 }
 
 impl Stretch {
-    /// chi psi times the stored traction within the depth of `stick`.
-    pub(super) fn pull(&self, chi: f64, psi: f64, stick: &Place) -> f64 {
+    /// chi psi times the stored traction of the depths up to that of `stick`.
+    pub(super) fn pull(&self, chi: f64, psi: f64, stick: &Position) -> f64 {
         match &self.shape {
             Shape::Adhesion(segment) => psi * segment.at(stick).flux,
             Shape::Slip(frozen) => chi * (frozen.offset + frozen.sign * stick.cube()),

@@ -1,8 +1,10 @@
-//! Oblique impact whose normal and tangential motions are uncoupled, solved exactly through
-//! adhesion, partial slip, sliding and their re-entry (sections 8.3 to 8.5 and 9.2 to 9.4).
+//! Exact oblique impact with uncoupled normal and tangential motion (sections 8.3 to 8.5 and 9.2 to
+//! 9.4).
 //!
-//! Two numbers govern it: `chi = D_xx c_x / (D_zz c_z)` and `psi = c_x |xi'| / (f c_z zeta')`.
-//! Spheres: chi = 7/(2 kappa), psi = lambda/kappa.
+//! The solution passes through adhesion, partial slip and sliding, in any order.
+//!
+//! Two dimensionless groups govern it: `chi = D_xx c_x / (D_zz c_z)` and
+//! `psi = c_x |xi'| / (f c_z zeta')`. For spheres chi = 7/(2 kappa) and psi = lambda/kappa.
 
 mod adhesion;
 mod groups;
@@ -10,7 +12,7 @@ mod impact;
 mod limit;
 mod memory;
 mod onset;
-mod place;
+mod position;
 mod recorder;
 mod regime;
 mod slip;

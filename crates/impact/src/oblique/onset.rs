@@ -1,49 +1,49 @@
-//! The first moments of slip out of adhesion, as a power series.
+//! The onset of slip after adhesion, as a power series.
 //!
-//! At the onset the stick area starts to shrink along its own history like a mirror image: with
-//! x = w* - w0 the motion is at w = w0 - x to first order. There the slip velocity
-//! q = u - s w and its old value L = u* - s w* both vanish, so that an integration would divide
-//! zero by zero; a series needs no such division. It solves, with rho = (zeta/z*)^(3/2),
+//! At the onset the stick area shrinks back along its own history, as its mirror image. With
+//! `x = w* - w0` the motion is at `w = w0 - x` to first order. There the slip velocity `q = u - s w`
+//! and its earlier value `L = u* - s w*` both vanish. An integration would divide zero by zero; a
+//! series does not. It solves, with rho = (zeta/z*)^(3/2),
 //!
 //! `dw/dw* = rho L/q`, `q^2 = L^2 + E`, `dE/dw* = -2 s (chi - 1) (1 - rho) L`
 //!
-//! for the small quantities w + w*, rho - 1 and E/L^2, all of the order of psi where psi is small.
+//! for the small quantities w + w*, rho - 1 and E/L^2, all of the order of psi if psi is small.
 
 use super::adhesion::Tangential;
-use super::place::{Difference, Place};
+use super::position::{Difference, Position};
 
-/// Terms of the series.
+/// Number of terms of the series.
 const TERMS: usize = 16;
-/// Size of the last terms at the end of the series' reach.
-const ACCURACY: f64 = 1e-15;
-/// Share of the distance to touch that a series may cover.
-const REACH: f64 = 0.25;
+/// Relative size of the last terms at the end of the range of the series.
+const RELATIVE_LAST_TERM: f64 = 1e-15;
+/// Largest share of the distance to first contact that a series covers.
+const MAX_SHARE_TO_CONTACT: f64 = 0.25;
 
 type Series = [f64; TERMS + 1];
 
-/// The places and the first integral at one x.
+/// The two positions and the first integral at one x.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Opened {
-    /// Place of the edge of the stick area.
-    pub(super) stick: Place,
+    /// Position of the edge of the stick area.
+    pub(super) stick: Position,
     /// tau + tau*.
     pub(super) gap: f64,
     /// q^2 - L^2.
     pub(super) excess: f64,
 }
 
-/// The series, by x.
+/// The series in x.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Opening {
     w0: f64,
-    /// How far it is exact.
+    /// Largest x at which the series is exact.
     pub(super) reach: f64,
     terms: Terms,
 }
 
 impl Opening {
     pub(super) fn at(&self, x: f64) -> Opened {
-        let stick = Place::of_velocity(self.w0 + x);
+        let stick = Position::of_velocity(self.w0 + x);
         let excess = x * x * horner(&self.terms.e, x);
         Opened { stick, gap: gap(&stick, horner(&self.terms.v, x)), excess }
     }
@@ -54,34 +54,35 @@ impl Opening {
     }
 }
 
-/// Slip of sign `sign` that begins at `onset` with the state `now`, in units of `psi`, on a
-/// memory that goes out to the place `touch`.
+/// Slip of sign `sign` that begins at `onset` with the state `now`, in units of `psi`, on a memory
+/// that extends out to the position `touch`.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Onset {
     pub(super) chi: f64,
     pub(super) psi: f64,
     pub(super) sign: f64,
-    pub(super) place: Place,
+    pub(super) position: Position,
     pub(super) now: Tangential,
     pub(super) touch: f64,
 }
 
 impl Onset {
-    /// The slip as far as the series is exact.
+    /// The slip over the range of the series.
     pub(super) fn open(&self) -> Opening {
         let terms = self.terms();
-        let w0 = self.place.w;
-        let reach = terms.reach().min(REACH * (1.0 - w0)).min(0.5 * (self.touch - w0));
+        let w0 = self.position.w;
+        let reach =
+            terms.reach().min(MAX_SHARE_TO_CONTACT * (1.0 - w0)).min(0.5 * (self.touch - w0));
         Opening { w0, reach, terms }
     }
 
     // L/x
     fn lag(&self) -> Series {
-        let w0 = self.place.w;
+        let w0 = self.position.w;
         let inverse = 1.0 / ((1.0 - w0) * (1.0 + w0));
         // u* about w0 by Gegenbauer's equation.
         let mut u = [0.0; TERMS + 2];
-        (u[0], u[1]) = (self.now.velocity, self.now.gradient(&self.place));
+        (u[0], u[1]) = (self.now.velocity, self.now.gradient(&self.position));
         for k in 0..TERMS {
             let n = k as f64;
             let next = w0 * (n + 1.0) * (2.0 * n + 1.2) * u[k + 1]
@@ -97,7 +98,7 @@ impl Onset {
     }
 
     fn terms(&self) -> Terms {
-        let w0 = self.place.w;
+        let w0 = self.position.w;
         let inverse = 1.0 / ((1.0 - w0) * (1.0 + w0));
         let pull = -2.0 * self.sign * (self.chi - 1.0);
         let lag = self.lag();
@@ -146,13 +147,13 @@ struct Terms {
 }
 
 impl Terms {
-    // The largest x at which the last terms are negligible: those of v against its own rise, those
+    // The largest x at which the last terms are negligible: those of v against its increase, those
     // of e against e.
     fn reach(&self) -> f64 {
         let size = |series: &Series, k: usize| series[k].abs().max(f64::MIN_POSITIVE);
         let (v, e) = (size(&self.v, 2), size(&self.e, 1));
         let root = |last: f64, first: f64, power: usize| {
-            libm::exp(libm::log(ACCURACY * first / last) / power as f64)
+            libm::exp(libm::log(RELATIVE_LAST_TERM * first / last) / power as f64)
         };
         let by_v = root(size(&self.v, TERMS), v, TERMS - 2).min(root(
             size(&self.v, TERMS - 1),
@@ -169,8 +170,8 @@ impl Terms {
 }
 
 // tau + tau* from w + w*.
-fn gap(stick: &Place, sum: f64) -> f64 {
-    let now = Place::of_velocity(sum - stick.w);
+fn gap(stick: &Position, sum: f64) -> f64 {
+    let now = Position::of_velocity(sum - stick.w);
     if now.w > 0.0 {
         return now.tau + stick.tau;
     }

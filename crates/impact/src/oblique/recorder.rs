@@ -1,4 +1,4 @@
-//! What may watch a trajectory as it is computed.
+//! Observers of a trajectory while it is computed.
 
 use carom_special::ode::Stepper;
 
@@ -8,11 +8,11 @@ use super::regime::Regime;
 use super::slip::{Clock, Pair, Slip, Unknowns};
 use super::state::State;
 
-/// Watches an impact go by.
+/// Observes an impact while it is computed.
 pub(super) trait Recorder {
-    /// Adhesion moves from `state` to the velocity `w` on `segment`; keeps `state.shift` up to date.
+    /// Adhesion from `state` to the velocity `w` on `segment`; keeps `state.shift` up to date.
     fn adhesion(&mut self, chi: f64, psi: f64, segment: &Segment, state: &mut State, w: f64);
-    /// The whole release retraces the adhesive loading on `segment`, from maximal compression.
+    /// The release from maximum compression retraces the adhesive loading on `segment`.
     fn retrace(&mut self, chi: f64, segment: &Segment, state: &State);
     /// The first moments of partial slip.
     fn onset(&mut self, slip: &Slip<'_>, opening: &Opening);

@@ -1,8 +1,8 @@
-//! Regimes, the events between them, and why an impact may not be followed through them.
+//! Regimes, the events between them, and errors of an oblique impact.
 
 use carom_special::ode::OdeError;
 
-/// Why an oblique impact could not be followed to its end.
+/// Why an oblique impact could not be solved to separation.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum ObliqueError {
     /// The integration of a slip phase failed.
@@ -13,26 +13,26 @@ pub enum ObliqueError {
         /// The integrator's reason.
         source: OdeError,
     },
-    /// The regimes kept changing.
-    #[error("more than {phases} regimes, the last at normal velocity w = {w}")]
+    /// The regimes changed too often.
+    #[error("more than {phases} changes of regime, the last at normal velocity w = {w}")]
     TooManyPhases {
-        /// Phases passed.
+        /// Number of phases.
         phases: usize,
         /// Normal velocity w there.
         w: f64,
     },
 }
 
-/// What the contact does: which part of it sticks, and the sign of the traction on body 1.
+/// Regime of a contact: which part sticks, and the sign of the traction on body 1.
 ///
 /// The sign is relative to the initial tangential velocity of body 2 against body 1.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Regime {
     /// The whole contact sticks.
     Adhesion,
-    /// A ring at the edge slips, with traction along +x on body 1.
+    /// An annulus at the edge slips, with traction along +x on body 1.
     SlipForward,
-    /// A ring at the edge slips, with traction along -x.
+    /// An annulus at the edge slips, with traction along -x.
     SlipBackward,
     /// The whole contact slides, with traction along +x.
     SlideForward,
@@ -65,13 +65,13 @@ impl Regime {
 /// What ended the previous phase.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Event {
-    /// First touch.
+    /// First contact.
     Touch,
-    /// The edge reached the friction limit: a slip ring opens.
+    /// The edge reached the friction limit: a slip annulus opens.
     SlipStart,
-    /// The slip ring stopped: its stresses are frozen (E1).
+    /// The slip annulus stopped: its stresses are frozen (E1).
     SlipStop,
-    /// The receding edge has overtaken the slip ring, which reopens the other way (E2).
+    /// The receding edge has overtaken the slip annulus, which reopens with the opposite sign (E2).
     RingClosed,
     /// The stick area vanished (E3).
     StickEnd,
@@ -84,8 +84,8 @@ pub enum Event {
 pub struct Phase {
     /// The regime.
     pub regime: Regime,
-    /// What began it.
+    /// The event at its beginning.
     pub began_by: Event,
-    /// Normal velocity w = zeta'/zeta'_A at its start, from 1 (touch) to -1 (separation).
+    /// Normal velocity w = zeta'/zeta'_A at its start, from 1 (first contact) to -1 (separation).
     pub start: f64,
 }

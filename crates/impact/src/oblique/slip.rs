@@ -1,32 +1,33 @@
-//! The motion in partial slip: a ring slips, the stick area inside shrinks along the memory.
+//! The motion in partial slip: an annulus slips, and the stick area inside shrinks along the
+//! memory.
 //!
-//! Two places describe it, the present one `tau` and that of the edge of the stick area `tau*`,
-//! which is where the contact was when it had the size of the stick area. With the slip velocity
-//! q = u - s w (in units of zeta'_A) and the stored shift over depth, H = d(psi e* - s z*)/d tau*,
-//! the stick area shrinks by d tau*/dt = q/H. Then the equation of motion has a first integral in
-//! the memory, but for a rest E that grows with the ring:
+//! Two positions describe it: the present one `tau`, and `tau*`, at which the whole contact had the
+//! size of the present stick area. With the slip velocity q = u - s w (in units of zeta'_A) and the
+//! derivative of the stored shift by depth, H = d(psi e* - s z*)/d tau*, the stick area shrinks by
+//! d tau*/dt = q/H. The equation of motion then has a first integral in the memory, up to a
+//! remainder E that grows with the annulus:
 //!
 //! `q^2 = M(tau*) + E`, `dE/d tau* = -(5/2) s (chi - 1) (zeta^(3/2) - z*^(3/2)) H`,
 //!
-//! M = L^2, L = u* - s w*, over an adhesive memory, which the motion retraces while E = 0. All
-//! differences of the two places are formed without cancellation from their gap tau + tau*, so
-//! that tiny velocities lose nothing.
+//! M = L^2, L = u* - s w*, for an adhesive memory, which the motion retraces while E = 0. All
+//! differences of the two positions are formed without cancellation from their gap tau + tau*, so
+//! that small velocities keep their digits.
 
 use super::memory::{Frozen, Shape, Stretch};
-use super::place::{Difference, Place};
+use super::position::{Difference, Position};
 
 /// The independent variable of one integration, and its two unknowns.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Clock {
-    /// tau*; unknown gap, rest E.
+    /// tau*; unknowns gap and E.
     Memory,
-    /// tau*, well into the release; unknown zeta - z*, which is smooth up to separation, and E.
+    /// tau*, well into the release; unknowns zeta - z*, which is smooth up to separation, and E.
     Release,
-    /// The gap, to land on the closing of the ring; unknown tau*, rest E.
+    /// The gap, to reach the closing of the annulus exactly; unknowns tau* and E.
     Gap,
-    /// tau, where the slip is slow; unknown mark of the memory, slip velocity.
+    /// tau, if slip is slow; unknowns the mark of the memory and the slip velocity.
     Motion,
-    /// The slip velocity, to land on its reversal; unknown tau, mark.
+    /// The slip velocity, to reach its reversal exactly; unknowns tau and mark.
     SlipVelocity,
 }
 
@@ -40,21 +41,21 @@ pub(super) struct Slip<'a> {
     pub(super) psi: f64,
     pub(super) sign: f64,
     pub(super) stretch: &'a Stretch,
-    /// What the small unknowns are measured in: psi, at most 1.
+    /// The unit of the small unknowns: psi, at most 1.
     pub(super) unit: f64,
-    /// E is measured in this times the unit: q^2 where the integration began.
+    /// The unit of E is this times `unit`: q^2 where the integration began.
     pub(super) square: f64,
     /// -(5/2) s (chi - 1) over that.
     drive: f64,
-    /// Where the slip entered a frozen stretch, and q^2 there.
-    pub(super) entry: (Place, f64),
+    /// Where slip entered a frozen stretch, and q^2 there.
+    pub(super) entry: (Position, f64),
 }
 
-/// The two places of a slip phase and its slip velocity.
+/// The two positions of a slip phase and its slip velocity.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Pair {
-    pub(super) now: Place,
-    pub(super) stick: Place,
+    pub(super) now: Position,
+    pub(super) stick: Position,
     /// tau + tau* over the unit.
     pub(super) gap: f64,
     /// q = u - s w in units of zeta'_A; its sign is that of the slip.
@@ -62,10 +63,10 @@ pub(super) struct Pair {
     pub(super) velocity: f64,
 }
 
-/// Everything else at that instant.
+/// The other quantities at that instant.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Load {
-    /// Width zeta - z* of the slip ring, in the unit of u.
+    /// Width zeta - z* of the slip annulus, in the unit of u.
     pub(super) ring: f64,
     /// Traction Phi in the unit of u.
     pub(super) traction: f64,
@@ -75,28 +76,28 @@ pub(super) struct Load {
 
 impl<'a> Slip<'a> {
     pub(super) fn new([chi, psi]: [f64; 2], sign: f64, stretch: &'a Stretch) -> Self {
-        let (drive, entry) = (-2.5 * sign * (chi - 1.0), (Place::TOUCH, 0.0));
+        let (drive, entry) = (-2.5 * sign * (chi - 1.0), (Position::TOUCH, 0.0));
         Self { chi, psi, sign, stretch, unit: psi.min(1.0), square: 1.0, drive, entry }
     }
 
-    /// The same with its stretch entered here.
+    /// The same, with its stretch entered here.
     pub(super) fn entered(self, pair: &Pair) -> Self {
         let q = pair.slip_velocity;
         Self { entry: (pair.stick, q * q), ..self }
     }
 
-    /// The same with E measured by the slip velocity of `pair`: an error of E displaces the
-    /// motion by its share in q^2 times the time since the onset, which is about q.
+    /// The same with the slip velocity of `pair` as unit of E: an error of E displaces the motion
+    /// by its share in q^2 times the time since the onset, which is about q.
     pub(super) fn measured_by(self, pair: &Pair) -> Self {
         let square = pair.slip_velocity.abs();
         Self { square, drive: -2.5 * self.sign * (self.chi - 1.0) / square, ..self }
     }
 
-    /// The two places `tau` and `tau*` with tangential velocity `u`.
+    /// The two positions `tau` and `tau*` with the tangential velocity `u`.
     pub(super) fn pair(&self, gap: f64, stick: f64, velocity: f64) -> Pair {
-        let now = Place::at(self.unit * gap - stick);
+        let now = Position::at(self.unit * gap - stick);
         let slip_velocity = self.psi * velocity - self.sign * now.w;
-        Pair { now, stick: Place::at(stick), gap, slip_velocity, velocity }
+        Pair { now, stick: Position::at(stick), gap, slip_velocity, velocity }
     }
 
     /// E in its unit.
@@ -131,7 +132,7 @@ impl<'a> Slip<'a> {
 
     // M over a frozen stretch.
     #[inline(always)]
-    fn stored_square(&self, frozen: &Frozen, stick: &Place) -> f64 {
+    fn stored_square(&self, frozen: &Frozen, stick: &Position) -> f64 {
         let (first, square) = &self.entry;
         // a* less its value at the entry
         let fall = -0.5
@@ -147,7 +148,7 @@ impl<'a> Slip<'a> {
 
     // q^2 = M + E and H at the stick place, with L where the memory is adhesive.
     #[inline(always)]
-    fn memory(&self, stick: &Place, rest: f64) -> FirstIntegral {
+    fn memory(&self, stick: &Position, rest: f64) -> FirstIntegral {
         let more = 1.0 + stick.radius;
         match &self.stretch.shape {
             Shape::Adhesion(segment) => {
@@ -166,7 +167,7 @@ impl<'a> Slip<'a> {
 
     // H over a frozen stretch, where d(psi e* - s z*)/dz = -2 s.
     #[inline(always)]
-    fn steep(&self, stick: &Place) -> f64 {
+    fn steep(&self, stick: &Position) -> f64 {
         let more = 1.0 + stick.radius;
         4.0 * self.sign * stick.radius * stick.tau * more * more
     }
@@ -194,8 +195,8 @@ impl<'a> Slip<'a> {
     // d gap/d tau* and dE/d tau*, both over the unit.
     #[inline(always)]
     fn along_memory(&self, tau: f64, gap: f64, rest: f64) -> Unknowns {
-        let stick = Place::at(tau);
-        let now = Place::at(self.unit * gap - tau);
+        let stick = Position::at(tau);
+        let now = Position::at(self.unit * gap - tau);
         let rest = rest * self.square;
         let FirstIntegral { slip, steep, lag, .. } = self.memory(&stick, rest);
         let difference = Difference::new(&now, &stick);
@@ -219,7 +220,7 @@ impl<'a> Slip<'a> {
     // d(zeta - z*)/d tau* and dE/d tau*, both over the unit, for w < 0.
     #[inline(always)]
     fn along_release(&self, tau: f64, ring: f64, rest: f64) -> Unknowns {
-        let stick = Place::at(tau);
+        let stick = Position::at(tau);
         let rest = rest * self.square;
         let FirstIntegral { slip, steep, lag, per_lag } = self.memory(&stick, rest);
         let (zeta, depth) = (stick.zeta() + self.unit * ring, stick.zeta());
@@ -243,7 +244,7 @@ impl<'a> Slip<'a> {
     // d tau/dt, d mark/dt and d(q/unit)/dt.
     #[inline(always)]
     fn in_time(&self, now: f64, mark: f64, slip: f64) -> [f64; 3] {
-        let (now, stick) = (Place::at(now), Place::at(self.unmark(mark)));
+        let (now, stick) = (Position::at(now), Position::at(self.unmark(mark)));
         let more = 1.0 + stick.radius;
         let (mark_rate, pull) = match &self.stretch.shape {
             Shape::Adhesion(segment) => {
@@ -261,9 +262,9 @@ impl<'a> Slip<'a> {
         [now.rate(), self.unit * mark_rate, slip_rate / self.unit]
     }
 
-    /// What stands for tau* where it is not the clock: its square over a frozen stretch, whose
-    /// depths have no maximum to mirror.
-    pub(super) fn mark(&self, stick: &Place) -> f64 {
+    /// Replaces tau* where it is not the independent variable: its square over a frozen stretch,
+    /// where the depth has no maximum about which to mirror.
+    pub(super) fn mark(&self, stick: &Position) -> f64 {
         match &self.stretch.shape {
             Shape::Adhesion(_) => stick.tau,
             Shape::Slip(_) => stick.tau * stick.tau,
@@ -279,18 +280,18 @@ impl<'a> Slip<'a> {
 
     // d (s q)/dt = -(5/4) (s chi psi Phi - zeta^(3/2)); `pull` is chi psi times the stored traction.
     #[inline(always)]
-    fn slip_rate(&self, now: &Place, stick: &Place, pull: f64) -> f64 {
+    fn slip_rate(&self, now: &Position, stick: &Position, pull: f64) -> f64 {
         let rise = now.cube() - stick.cube();
         -1.25 * (self.sign * pull + self.chi * rise - now.cube())
     }
 
-    /// The two places at a clock reading.
+    /// The two positions at a value of the independent variable.
     pub(super) fn at(&self, clock: Clock, x: f64, y: &Unknowns) -> Pair {
         let (stick, gap, rest) = match clock {
             Clock::Memory => (x, y[0], y[1]),
             Clock::Gap => (y[0], x, y[1]),
             Clock::Release => {
-                let stick = Place::at(x);
+                let stick = Position::at(x);
                 let radius = (stick.zeta() + self.unit * y[0]).max(0.0).sqrt();
                 // a - a* = (1 + a)(1 + a*)(tau* - tau)(tau + tau*)/2
                 let tau = release_tau(radius);
@@ -300,8 +301,8 @@ impl<'a> Slip<'a> {
             Clock::Motion => return self.slow(x, self.unmark(y[0]), self.unit * y[1]),
             Clock::SlipVelocity => return self.slow(y[0], self.unmark(y[1]), self.unit * x),
         };
-        let stick = Place::at(stick);
-        let now = Place::at(self.unit * gap - stick.tau);
+        let stick = Position::at(stick);
+        let now = Position::at(self.unit * gap - stick.tau);
         let rest = rest * self.square;
         let FirstIntegral { slip, lag, .. } = self.memory(&stick, rest);
         let pair = Pair { now, stick, gap, slip_velocity: slip, velocity: 0.0 };
@@ -317,12 +318,12 @@ impl<'a> Slip<'a> {
 
     fn slow(&self, now: f64, stick: f64, slip_velocity: f64) -> Pair {
         let gap = (now + stick) / self.unit;
-        let (now, stick) = (Place::at(now), Place::at(stick));
+        let (now, stick) = (Position::at(now), Position::at(stick));
         let velocity = (slip_velocity + self.sign * now.w) / self.psi;
         Pair { now, stick, gap, slip_velocity, velocity }
     }
 
-    /// Ring, traction and force at this instant.
+    /// Width of the annulus, traction and slip rate at this instant.
     pub(super) fn load(&self, pair: &Pair) -> Load {
         let (now, stick) = (&pair.now, &pair.stick);
         let difference = Difference::new(now, stick);
@@ -335,7 +336,7 @@ impl<'a> Slip<'a> {
         }
     }
 
-    /// d tau/d tau*, below -1 where the motion outruns the memory.
+    /// d tau/d tau*, below -1 if the motion is faster than the memory.
     pub(super) fn pace(&self, pair: &Pair) -> f64 {
         let steep = match &self.stretch.shape {
             Shape::Adhesion(segment) => {
@@ -348,7 +349,7 @@ impl<'a> Slip<'a> {
         pair.now.rate() * steep / pair.slip_velocity
     }
 
-    /// tau and d tau/d tau* by the state of an integration along the memory.
+    /// tau and d tau/d tau* from the state of an integration along the memory.
     pub(super) fn progress(
         &self,
         clock: Clock,
@@ -359,7 +360,7 @@ impl<'a> Slip<'a> {
         if clock != Clock::Release {
             return [self.unit * y[0] - x, self.unit * slope[0] - 1.0];
         }
-        let stick = Place::at(x);
+        let stick = Position::at(x);
         let radius = (stick.zeta() + self.unit * y[0]).max(0.0).sqrt();
         let tau = release_tau(radius);
         // d zeta/d tau = -2 a tau (1 + a)^2 for both
@@ -368,7 +369,7 @@ impl<'a> Slip<'a> {
     }
 }
 
-// tau in release by the contact radius.
+// tau in release for a contact radius.
 fn release_tau(radius: f64) -> f64 {
     -((1.0 - radius).max(0.0) / (1.0 + radius)).sqrt()
 }
@@ -383,6 +384,6 @@ struct FirstIntegral {
 
 // (a - a*)/(tau + tau*)
 #[inline]
-fn half_radii(now: &Place, stick: &Place) -> f64 {
+fn half_radii(now: &Position, stick: &Position) -> f64 {
     0.5 * (1.0 + now.radius) * (1.0 + stick.radius) * (stick.tau - now.tau)
 }

@@ -1,4 +1,4 @@
-//! Partial slip followed by integration up to the event that ends it.
+//! Integration of partial slip up to the event that ends it.
 
 use carom_special::ode::{OdeError, Stepper, Tolerance};
 
@@ -7,23 +7,24 @@ use super::recorder::Recorder;
 use super::slip::{Clock, Pair, Slip, Unknowns};
 
 const TOLERANCE: Tolerance = Tolerance { absolute: 5e-12, relative: 5e-12 };
-/// First steps of tau* and tau.
-pub(super) const TRIAL: f64 = 0.05;
-const SLOW_TRIAL: f64 = 0.03;
-/// Where the motion is this much faster than the memory runs back, the slip is slow: the motion
-/// becomes the clock, until it is not much faster any more.
-const HASTY: f64 = 1.6;
-const CALM: f64 = 1.25;
-/// Changes of the clock, and steps with one, after which the integration gives up.
+/// First steps: of tau* along the memory, and of tau for slow slip.
+pub(super) const FIRST_STEP: f64 = 0.05;
+const FIRST_SLOW_STEP: f64 = 0.03;
+/// Rates of the motion against the memory at which the independent variable changes. Above this
+/// rate slip is slow, and tau is taken.
+const MAX_PACE_ALONG_MEMORY: f64 = 1.6;
+/// Below this rate tau* is taken again.
+const MIN_PACE_OF_SLOW_SLIP: f64 = 1.25;
+/// Largest number of changes of the independent variable, and of steps with one.
 const MAX_CLOCKS: usize = 400;
 const MAX_STEPS: usize = 2000;
-/// tau from which on the width of the ring is the better unknown.
-const RELEASE: f64 = -0.3;
-/// A slip velocity that dips below zero by less, in its unit, passes on, and so does adhesion that exceeds the
-/// limit by less for a moment: the ring that would open goes with the power 3/2 of this, which
-/// rounding hides, and R_x does not tell it.
-pub(super) const GRAZE: f64 = 1e-8;
-/// Steps in which an event must be met that is already seen.
+/// Below this tau (release), the width of the slip annulus is the better unknown.
+const TAU_OF_RELEASE: f64 = -0.3;
+/// Smallest dip of the slip velocity below zero, in its unit, that counts as a stop; and smallest
+/// excess over the limit that ends adhesion. The annulus that would open is proportional to the
+/// power 3/2 of this. It is below round-off and does not affect R_x.
+pub(super) const MIN_DIP: f64 = 1e-8;
+/// Largest number of steps to reach an event that was detected.
 const MAX_LANDING: usize = 60;
 
 /// How an integration within one stretch ended.
@@ -36,23 +37,23 @@ pub(super) enum SlipEvent {
 
 /// Where an integration ended.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Met {
+pub(super) struct SlipEnd {
     pub(super) event: SlipEvent,
     pub(super) pair: Pair,
 }
 
-/// How an integration with one clock ended.
+/// How an integration with one independent variable ended.
 enum ClockEnd {
-    Event(Met),
-    /// The slip is slow here.
+    Event(SlipEnd),
+    /// Slip has become slow.
     Slow(Pair),
-    /// It is not, any more.
-    Brisk(Pair),
+    /// Slip is no longer slow.
+    NoLongerSlow(Pair),
 }
 
 impl ClockEnd {
     fn at(event: SlipEvent, pair: Pair) -> Self {
-        Self::Event(Met { event, pair })
+        Self::Event(SlipEnd { event, pair })
     }
 }
 
@@ -63,27 +64,29 @@ pub(super) struct SlipIntegration<'a, R> {
 }
 
 impl<R: Recorder> SlipIntegration<'_, R> {
-    /// From the places of `start` with the rest E of the first integral.
-    pub(super) fn run(&mut self, start: Pair, rest: f64, trial: f64) -> Result<Met, OdeError> {
+    /// Integrates from `start` with the remainder E = `rest` of the first integral.
+    pub(super) fn run(&mut self, start: Pair, rest: f64, trial: f64) -> Result<SlipEnd, OdeError> {
         let mut end = self.by_memory(start, rest, trial);
         for _ in 0..MAX_CLOCKS {
             end = match end {
                 ClockEnd::Event(met) => return Ok(met),
                 ClockEnd::Slow(pair) => self.by_motion(pair)?,
-                ClockEnd::Brisk(pair) => self.by_memory(pair, self.slip.rest(&pair), TRIAL),
+                ClockEnd::NoLongerSlow(pair) => {
+                    self.by_memory(pair, self.slip.rest(&pair), FIRST_STEP)
+                }
             }
         }
         Err(OdeError::StepTooSmall { x: start.stick.tau, step: 0.0 })
     }
 
-    // With the memory as clock; whatever this clock cannot follow is left to the motion.
+    // Independent variable tau*. Where it fails, tau is taken instead.
     fn by_memory(&mut self, start: Pair, rest: f64, trial: f64) -> ClockEnd {
         let rest = rest * self.slip.square;
         self.slip = self.slip.measured_by(&start);
         let slip = self.slip;
         let rest = rest / slip.square;
         let end = slip.stretch.inner;
-        let releases = start.now.tau < RELEASE;
+        let releases = start.now.tau < TAU_OF_RELEASE;
         let (clock, width) = if releases {
             (Clock::Release, slip.load(&start).ring * slip.psi / slip.unit)
         } else {
@@ -92,7 +95,7 @@ impl<R: Recorder> SlipIntegration<'_, R> {
         let slope = |x: f64, y: &Unknowns| slip.slope(clock, x, y);
         let stepper = Stepper::new(start.stick.tau, [width, rest], trial, TOLERANCE, slope);
         let mut pace = -slip.pace(&start);
-        let suits = pace < HASTY && !self.is_early(&start);
+        let suits = pace < MAX_PACE_ALONG_MEMORY && !self.is_early(&start);
         let (Ok(mut stepper), true) = (stepper, suits) else {
             return ClockEnd::Slow(start);
         };
@@ -110,7 +113,7 @@ impl<R: Recorder> SlipIntegration<'_, R> {
                 };
             }
             let [tau, next] = slip.progress(clock, stepper.x(), stepper.y(), stepper.slope());
-            let hasty = pace.max(-next) > CALM;
+            let hasty = pace.max(-next) > MIN_PACE_OF_SLOW_SLIP;
             if hasty && self.turns(&here(&slip), &slip.at(clock, stepper.x(), stepper.y())) {
                 return ClockEnd::Slow(here(&slip));
             }
@@ -120,20 +123,20 @@ impl<R: Recorder> SlipIntegration<'_, R> {
             if stepper.x() == end {
                 return ClockEnd::at(SlipEvent::StretchEnd, there(&slip));
             }
-            if pace > HASTY {
+            if pace > MAX_PACE_ALONG_MEMORY {
                 return ClockEnd::Slow(there(&slip));
             }
-            if !releases && tau < RELEASE {
+            if !releases && tau < TAU_OF_RELEASE {
                 return self.by_memory(there(&slip), stepper.y()[1], stepper.trial_step());
             }
         }
         ClockEnd::Slow(slip.at(clock, stepper.x(), stepper.y()))
     }
 
-    // Over frozen stresses the memory is a poor clock at first.
+    // Over frozen stresses tau* is a poor variable at first.
     fn is_early(&self, pair: &Pair) -> bool {
-        const DEEP: f64 = 0.5;
-        matches!(self.slip.stretch.shape, Shape::Slip(_)) && pair.stick.tau < DEEP
+        const MAX_EARLY_TAU: f64 = 0.5;
+        matches!(self.slip.stretch.shape, Shape::Slip(_)) && pair.stick.tau < MAX_EARLY_TAU
     }
 
     // Whether the slip velocity had a minimum in between.
@@ -146,14 +149,14 @@ impl<R: Recorder> SlipIntegration<'_, R> {
         let mut pair = start;
         let slope = |x: f64, y: &Unknowns| slip.slope(Clock::Motion, x, y);
         let y = [slip.mark(&start.stick), start.slip_velocity / slip.unit];
-        let mut stepper = Stepper::new(start.now.tau, y, -SLOW_TRIAL, TOLERANCE, slope)?;
+        let mut stepper = Stepper::new(start.now.tau, y, -FIRST_SLOW_STEP, TOLERANCE, slope)?;
         let mut limit = -1.0;
         for _ in 0..MAX_STEPS {
             // d(s q)/d tau: positive while the slip slows down, as tau falls.
             let slowing = slip.sign * stepper.slope()[1] > 0.0;
             let checkpoint = stepper.clone();
             if let Err(error) = stepper.step(limit) {
-                // Stuck at the very event: it is reached.
+                // No progress at the event itself: it is reached.
                 let event = self.nearly_passed(&pair).ok_or(error)?;
                 return Ok(ClockEnd::at(event, pair));
             }
@@ -172,7 +175,7 @@ impl<R: Recorder> SlipIntegration<'_, R> {
                 return Ok(ClockEnd::at(event, pair));
             }
             if let Some(event) = event {
-                // Close in on the event by shorter steps.
+                // Approaches the event by shorter steps.
                 if (next.now.tau - pair.now.tau).abs() < 1e-13 {
                     return Ok(ClockEnd::at(event, pair));
                 }
@@ -182,8 +185,8 @@ impl<R: Recorder> SlipIntegration<'_, R> {
             }
             self.recorder.slip(&slip, Clock::Motion, &mut stepper);
             pair = next;
-            if -slip.pace(&pair) < CALM && !self.is_early(&pair) {
-                return Ok(ClockEnd::Brisk(pair));
+            if -slip.pace(&pair) < MIN_PACE_OF_SLOW_SLIP && !self.is_early(&pair) {
+                return Ok(ClockEnd::NoLongerSlow(pair));
             }
             if stepper.x() == limit {
                 limit = -1.0;
@@ -192,7 +195,7 @@ impl<R: Recorder> SlipIntegration<'_, R> {
         Err(OdeError::StepTooSmall { x: stepper.x(), step: 0.0 })
     }
 
-    // Where within the last step the slip velocity falls to zero and recovers, unseen at its ends.
+    // Where, within the last step, the slip velocity falls to zero and recovers.
     fn dip<F: FnMut(f64, &Unknowns) -> Unknowns>(
         &self,
         stepper: &mut Stepper<2, F>,
@@ -203,7 +206,7 @@ impl<R: Recorder> SlipIntegration<'_, R> {
         for _ in 0..40 {
             let middle = 0.5 * (early + late);
             let now = slip.at(Clock::Motion, middle, &dense.at(middle));
-            if slip.sign * now.slip_velocity < -GRAZE * slip.unit {
+            if slip.sign * now.slip_velocity < -MIN_DIP * slip.unit {
                 return Some(middle);
             }
             if slip.load(&now).slip_rate < 0.0 { early = middle } else { late = middle }
@@ -211,11 +214,11 @@ impl<R: Recorder> SlipIntegration<'_, R> {
         None
     }
 
-    // Not at the bottom of a dip that only grazes zero.
+    // False at the bottom of a dip that only grazes zero.
     fn stops(&self, pair: &Pair) -> bool {
-        let left = self.slip.sign * pair.slip_velocity / self.slip.unit;
-        let falls = || self.slip.load(pair).slip_rate < -GRAZE.sqrt() * self.slip.unit;
-        left < -GRAZE || (left <= 0.0 && falls())
+        let velocity = self.slip.sign * pair.slip_velocity / self.slip.unit;
+        let falls = || self.slip.load(pair).slip_rate < -MIN_DIP.sqrt() * self.slip.unit;
+        velocity < -MIN_DIP || (velocity <= 0.0 && falls())
     }
 
     fn passed(&self, pair: &Pair) -> Option<SlipEvent> {
@@ -230,14 +233,14 @@ impl<R: Recorder> SlipIntegration<'_, R> {
         }
     }
 
-    // The event whose quantity has vanished but for the tolerance.
+    // The event whose quantity has vanished to within the tolerance.
     fn nearly_passed(&self, pair: &Pair) -> Option<SlipEvent> {
-        const NEAR: f64 = 1e-9;
-        if self.slip.sign * pair.slip_velocity < NEAR {
+        const EVENT_TOLERANCE: f64 = 1e-9;
+        if self.slip.sign * pair.slip_velocity < EVENT_TOLERANCE {
             Some(SlipEvent::SlipStop)
-        } else if pair.gap * self.slip.unit < NEAR && pair.now.tau < 0.0 {
+        } else if pair.gap * self.slip.unit < EVENT_TOLERANCE && pair.now.tau < 0.0 {
             Some(SlipEvent::RingClosed)
-        } else if self.slip.stretch.inner - pair.stick.tau < NEAR {
+        } else if self.slip.stretch.inner - pair.stick.tau < EVENT_TOLERANCE {
             Some(SlipEvent::StretchEnd)
         } else {
             None
@@ -253,7 +256,8 @@ impl<R: Recorder> SlipIntegration<'_, R> {
         self.land(clock, from, self.slip.rest(from))
     }
 
-    // Land exactly on an event with the vanishing quantity as clock (Henon's device).
+    // Reaches an event exactly, with the vanishing quantity as independent variable (Henon's
+    // method).
     fn land(&mut self, clock: Clock, from: &Pair, rest: f64) -> Option<Pair> {
         let slip = self.slip;
         let inner = slip.stretch.inner;
@@ -263,7 +267,7 @@ impl<R: Recorder> SlipIntegration<'_, R> {
             _ => (from.slip_velocity / slip.unit, 0.0, [from.now.tau, slip.mark(&from.stick)]),
         };
         if start == target {
-            return None; // the phase has only begun
+            return None; // the phase has only just begun
         }
         let slope = |x: f64, y: &Unknowns| slip.slope(clock, x, y);
         let mut stepper = Stepper::new(start, y, target - start, TOLERANCE, slope).ok()?;

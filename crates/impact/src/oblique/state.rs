@@ -1,11 +1,11 @@
-//! The moving state between two events.
+//! The state of the motion between two events.
 
-use super::place::Place;
+use super::position::Position;
 
-/// The moving state, tangential quantities in units of the initial tangential velocity.
+/// The state of the motion; tangential quantities in units of the initial tangential velocity.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct State {
-    pub(super) place: Place,
+    pub(super) position: Position,
     pub(super) velocity: f64,
     pub(super) shift: f64,
     pub(super) traction: f64,

@@ -8,14 +8,14 @@ use super::groups::Groups;
 use super::impact::{ObliqueImpact, PSI_MIN};
 use super::memory::Shape;
 use super::onset::{Opened, Opening};
-use super::place::Place;
+use super::position::Position;
 use super::recorder::Recorder;
 use super::regime::{ObliqueError, Regime};
 use super::slip::{Clock, Pair, Slip, Unknowns};
 use super::state::State;
 use crate::normal::time;
 
-/// Stands for psi = 0 where a history is wanted: it differs from the limit by less than this.
+/// Replaces psi = 0 in a history; the difference from the limit is less than this.
 const PSI_NO_SLIP: f64 = 1e-13;
 
 const TOLERANCE: Tolerance = Tolerance { absolute: 1e-14, relative: 1e-14 };
@@ -27,19 +27,19 @@ const TOLERANCE: Tolerance = Tolerance { absolute: 1e-14, relative: 1e-14 };
 /// (2/3) c_x zeta_max^(3/2) u_0/zeta'_A. They stay finite for any friction.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TracePoint {
-    /// Time since touch.
+    /// Time since first contact.
     pub time: f64,
     /// Normal velocity w, from 1 to -1.
     pub normal_velocity: f64,
     /// Compression, 0 to 1.
     pub compression: f64,
-    /// Tangential shift since touch.
+    /// Tangential shift since first contact.
     pub shift: f64,
     /// Tangential velocity.
     pub velocity: f64,
     /// Tangential force on body 1.
     pub force: f64,
-    /// Tangential force over the friction limit f F_z, between -1 and 1; 0 before touch.
+    /// Tangential force over the friction limit f F_z, between -1 and 1; 0 before first contact.
     pub friction_used: f64,
     /// Depth z* of the stick area (its radius is the square root); 0 while sliding.
     pub stick_depth: f64,
@@ -58,7 +58,7 @@ impl ObliqueImpact {
             Self::record(groups, &mut recorder)?;
             return Ok(recorder.points);
         }
-        // Without slip: the limit psi -> 0, reached to rounding long before.
+        // Without slip: the limit psi -> 0, reached to round-off long before.
         recorder.psi = PSI_NO_SLIP;
         Self::record(Groups::new(groups.chi(), PSI_NO_SLIP).unwrap_or(groups), &mut recorder)?;
         for point in &mut recorder.points {
@@ -75,7 +75,7 @@ struct Trace<'a> {
 }
 
 impl Trace<'_> {
-    // The next target not below `w`; separation itself, which w does not resolve, comes last.
+    // The next target not below `w`. Separation, which w does not resolve, comes last.
     fn next(&mut self, w: f64) -> Option<f64> {
         let (&first, rest) = self.targets.split_first()?;
         if first < w || first <= -1.0 {
@@ -87,7 +87,7 @@ impl Trace<'_> {
 
     fn push_slip(&mut self, slip: &Slip<'_>, pair: &Pair) {
         let state = State {
-            place: pair.now,
+            position: pair.now,
             velocity: pair.velocity,
             shift: self.shift(slip, pair),
             traction: slip.load(pair).traction,
@@ -96,7 +96,7 @@ impl Trace<'_> {
     }
 
     fn push(&mut self, state: State, stick_depth: f64, regime: Regime) {
-        let limit = state.place.cube();
+        let limit = state.position.cube();
         let friction_used = match regime {
             Regime::SlideForward => 1.0,
             Regime::SlideBackward => -1.0,
@@ -104,9 +104,9 @@ impl Trace<'_> {
             _ => 0.0,
         };
         self.points.push(TracePoint {
-            time: time(state.place.w),
-            normal_velocity: state.place.w,
-            compression: state.place.zeta(),
+            time: time(state.position.w),
+            normal_velocity: state.position.w,
+            compression: state.position.zeta(),
             shift: state.shift,
             velocity: state.velocity,
             force: state.traction,
@@ -119,30 +119,30 @@ impl Trace<'_> {
 
 impl Recorder for Trace<'_> {
     fn adhesion(&mut self, chi: f64, _: f64, segment: &Segment, state: &mut State, w: f64) {
-        let mut reached = state.place.w;
+        let mut reached = state.position.w;
         while let Some(target) = self.next(w) {
             state.shift += adhesion_shift(segment, reached, target);
             reached = target;
-            let place = Place::of_velocity(target);
-            let now = segment.at(&place);
+            let position = Position::of_velocity(target);
+            let now = segment.at(&position);
             let (shift, traction) = (state.shift, now.flux / chi);
-            let point = State { place, velocity: now.velocity, shift, traction };
-            self.push(point, place.zeta(), Regime::Adhesion);
+            let point = State { position, velocity: now.velocity, shift, traction };
+            self.push(point, position.zeta(), Regime::Adhesion);
         }
         state.shift += adhesion_shift(segment, reached, w);
     }
 
     fn retrace(&mut self, chi: f64, segment: &Segment, state: &State) {
         while let Some(target) = self.next(-1.0) {
-            let loading = segment.at(&Place::of_velocity(-target));
-            let place = Place::of_velocity(target);
+            let loading = segment.at(&Position::of_velocity(-target));
+            let position = Position::of_velocity(target);
             let point = State {
-                place,
+                position,
                 velocity: -loading.velocity,
                 shift: state.shift - adhesion_shift(segment, -target, 0.0),
                 traction: loading.flux / chi,
             };
-            self.push(point, place.zeta(), Regime::Adhesion);
+            self.push(point, position.zeta(), Regime::Adhesion);
         }
     }
 
@@ -179,7 +179,7 @@ impl Recorder for Trace<'_> {
         let stored = match &stretch.shape {
             Shape::Adhesion(segment) => adhesion_shift(segment, segment.high, pair.stick.w),
             Shape::Slip(frozen) => {
-                let inner = Place::at(stretch.inner);
+                let inner = Position::at(stretch.inner);
                 frozen.sign * (pair.stick.zeta() - inner.zeta()) / self.psi
             }
         };
@@ -198,15 +198,15 @@ impl Recorder for Trace<'_> {
         let pull = sign * chi / psi;
         // e = int u dt with u = u0 + s chi (w - w0) and int w dt = zeta
         let at = |w: f64| {
-            let place = Place::of_velocity(w);
-            let drift = start.velocity - pull * start.place.w;
+            let position = Position::of_velocity(w);
+            let drift = start.velocity - pull * start.position.w;
             let (duration, rise) =
-                (time(w) - time(start.place.w), place.zeta() - start.place.zeta());
+                (time(w) - time(start.position.w), position.zeta() - start.position.zeta());
             State {
-                place,
-                velocity: start.velocity + pull * (w - start.place.w),
+                position,
+                velocity: start.velocity + pull * (w - start.position.w),
                 shift: start.shift + drift * duration + pull * rise,
-                traction: sign * place.cube() / psi,
+                traction: sign * position.cube() / psi,
             }
         };
         let regime = if sign > 0.0 { Regime::SlideForward } else { Regime::SlideBackward };
@@ -217,21 +217,21 @@ impl Recorder for Trace<'_> {
     }
 }
 
-// The reading within a range at which the normal velocity is `w`: bisection.
+// The clock value in a range at which the normal velocity is `w`: bisection.
 fn reading(velocity: impl Fn(f64) -> f64, range: [f64; 2], w: f64) -> f64 {
     let [early, late] = bisect(range, 60, |x| velocity(x) > w);
     0.5 * (early + late)
 }
 
-// Shift while adhering from velocity `from` down to `to`: int u dt.
+// Shift in adhesion while the velocity falls from `from` to `to`: int u dt.
 fn adhesion_shift(segment: &Segment, from: f64, to: f64) -> f64 {
     // dt = -2 a (1 + a)^2/omega d tau
     let slope = |tau: f64, _: &[f64; 1]| {
-        let place = Place::at(tau);
-        let more = 1.0 + place.radius;
-        [-2.0 * place.radius * more * more / place.omega * segment.velocity(&place)]
+        let position = Position::at(tau);
+        let more = 1.0 + position.radius;
+        [-2.0 * position.radius * more * more / position.omega * segment.velocity(&position)]
     };
-    integrate(Place::of_velocity(from).tau, Place::of_velocity(to).tau, slope)
+    integrate(Position::of_velocity(from).tau, Position::of_velocity(to).tau, slope)
 }
 
 fn integrate(from: f64, to: f64, slope: impl FnMut(f64, &[f64; 1]) -> [f64; 1]) -> f64 {

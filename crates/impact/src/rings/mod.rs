@@ -14,7 +14,7 @@ use nalgebra::Vector3;
 use crate::collision::{Collision, CollisionError, Known};
 use crate::coupled::{CoupledOutcome, ImpactMethod};
 use crate::normal::NormalImpact;
-use crate::outcome::{HistoryPoint, Outcome, Torsion};
+use crate::outcome::{HistoryPoint, Outcome, Torsion, TorsionMode};
 use motion::Motion;
 use problem::Problem;
 
@@ -95,7 +95,8 @@ impl<'a> RingImpact<'a> {
 
     /// Follows the impact to separation.
     ///
-    /// The spin about the normal changes, where there is one, and [`crate::Rebound::torsion`] says by how much.
+    /// The spin about the normal changes, where there is one, and [`crate::Rebound::torsion`] says by how much;
+    /// [`TorsionMode::LeftOut`] takes the impact without it.
     ///
     /// # Errors
     /// [`RingImpactError::Range`] unless both bodies are spheres or planes that turn as easily about all
@@ -130,7 +131,8 @@ impl<'a> RingImpact<'a> {
                 error_estimate: found.spin,
             });
         }
-        let rebound = self.collision.rebound_with(outcome, Vec::new(), known)?;
+        let log = self.collision.regimes(&found.samples, &before);
+        let rebound = self.collision.rebound_with(outcome, log, known)?;
         Ok(Outcome::Rebound(Box::new(rebound)))
     }
 
@@ -167,9 +169,13 @@ impl<'a> RingImpact<'a> {
         let normal = NormalImpact::new(mobility.m33, hertz.stiffness().c_z, velocity.z)?;
         let about = |i: usize| z.dot(&(collision.levers()[i].inverse_tensor() * z));
         let spin = |i: usize| collision.bodies()[i].motion().spin.dot(&z);
+        let twist = match collision.torsion_mode() {
+            TorsionMode::LeftOut => 0.0,
+            TorsionMode::Auto | TorsionMode::Included => spin(0) - spin(1),
+        };
         let motion = Motion {
             mobility: [mobility.m33, mobility.m11, about(0) + about(1)],
-            before: [velocity.z, velocity.x, velocity.y, spin(0) - spin(1)],
+            before: [velocity.z, velocity.x, velocity.y, twist],
             duration: normal.duration(),
         };
         let friction = collision.friction();

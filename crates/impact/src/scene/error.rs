@@ -4,9 +4,10 @@ use carom_special::{RangeError, Readable};
 
 use crate::collision::CollisionError;
 
-/// Why a scene cannot be built or run. Walls count from 0 in the order they were added.
+/// Why a scene cannot be built or run; `E` is the error of its [`CollisionSolver`](crate::CollisionSolver). Walls
+/// count from 0 in the order they were added.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum SceneError {
+pub enum SceneError<E = CollisionError> {
     /// A value out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
@@ -32,6 +33,20 @@ pub enum SceneError {
         /// Which wall.
         wall: usize,
         /// Why.
-        source: CollisionError,
+        source: E,
     },
+}
+
+impl SceneError {
+    /// As the error of a scene that another solver follows.
+    pub(super) fn of_solver<E: From<CollisionError>>(self) -> SceneError<E> {
+        match self {
+            Self::Range(error) => SceneError::Range(error),
+            Self::NotASphere { shape } => SceneError::NotASphere { shape },
+            Self::Inside { wall, gap } => SceneError::Inside { wall, gap },
+            Self::Collision { wall, source } => {
+                SceneError::Collision { wall, source: source.into() }
+            }
+        }
+    }
 }

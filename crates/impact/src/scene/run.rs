@@ -9,10 +9,13 @@ use super::flight::{Flight, along};
 use super::path::{Bounce, Ending, Leg, Limits, Path, PathPoint, TimedFlight};
 use super::wall::{Meeting, Wall};
 use crate::body::Body;
-use crate::collision::Collision;
-use crate::outcome::Outcome;
+use crate::collision::{AnalyticOrRings, Collision, CollisionSolver};
+use crate::outcome::{Outcome, TorsionMode};
 
 /// Walls and gravity.
+///
+/// Each impact is followed with [`AnalyticOrRings`], so that the coupling of dissimilar bodies counts. Of like bodies
+/// a bounce takes some microseconds, by rings a millisecond or more.
 ///
 /// If the ball meets two walls at the same instant, as in a corner, it bounces off the one added
 /// first, then off the other.
@@ -38,6 +41,7 @@ use crate::outcome::Outcome;
 pub struct Scene {
     gravity: Vector3<f64>,
     walls: Vec<Wall>,
+    torsion: TorsionMode,
 }
 
 impl Scene {
@@ -49,7 +53,8 @@ impl Scene {
         for value in gravity {
             RangeError::finite("gravity", value)?;
         }
-        Ok(Self { gravity: gravity.into(), walls: Vec::new() })
+        let torsion = TorsionMode::default();
+        Ok(Self { gravity: gravity.into(), walls: Vec::new(), torsion })
     }
 
     /// With one wall more.
@@ -57,6 +62,13 @@ impl Scene {
     pub fn with(mut self, wall: Wall) -> Self {
         self.walls.push(wall);
         self
+    }
+
+    /// The same scene, where friction acts on the spin about the normal of each bounce always, never, or where it
+    /// matters.
+    #[must_use]
+    pub fn with_torsion_mode(self, torsion: TorsionMode) -> Self {
+        Self { torsion, ..self }
     }
 
     /// The walls, in the order they were added.
@@ -78,7 +90,20 @@ impl Scene {
     /// [`SceneError::Collision`] if it and a wall cannot collide, as two rigid bodies, or an
     /// impact fails; [`SceneError::Range`] if the ball flies beyond the largest number.
     pub fn run(&self, ball: &Ball, limits: Limits) -> Result<Path, SceneError> {
-        let mut legs = self.legs(ball, limits)?;
+        self.run_by(AnalyticOrRings, ball, limits)
+    }
+
+    /// The same with another solver of collisions.
+    ///
+    /// # Errors
+    /// As [`Scene::run`].
+    pub fn run_by<S: CollisionSolver>(
+        &self,
+        solver: S,
+        ball: &Ball,
+        limits: Limits,
+    ) -> Result<Path, SceneError<S::Error>> {
+        let mut legs = self.legs_by(solver, ball, limits)?;
         let (mut flights, mut bounces, mut ending) = (Vec::new(), Vec::new(), Ending::Time);
         for leg in &mut legs {
             let leg = leg?;
@@ -112,8 +137,21 @@ impl Scene {
     /// [`SceneError::Inside`] and [`SceneError::Collision`] as of [`Scene::run`]; a leg may be an error, too,
     /// and is then the last.
     pub fn legs(&self, ball: &Ball, limits: Limits) -> Result<Legs<'_>, SceneError> {
-        self.check(ball)?;
-        Ok(Legs::new(self, ball, limits))
+        self.legs_by(AnalyticOrRings, ball, limits)
+    }
+
+    /// The same with another solver of collisions.
+    ///
+    /// # Errors
+    /// As [`Scene::legs`].
+    pub fn legs_by<S: CollisionSolver>(
+        &self,
+        solver: S,
+        ball: &Ball,
+        limits: Limits,
+    ) -> Result<Legs<'_, S>, SceneError<S::Error>> {
+        self.check(ball).map_err(SceneError::of_solver)?;
+        Ok(Legs::new(self, solver, ball, limits))
     }
 
     /// Whether the ball can start where it is.
@@ -139,7 +177,11 @@ impl Scene {
     ) -> Result<Collision, SceneError> {
         let wall = &self.walls[index];
         Collision::along(body, Body::plane(wall.material()), (*normal).into(), wall.friction())
-            .map(|collision| collision.with_normal_restitution(wall.normal_restitution()))
+            .map(|collision| {
+                collision
+                    .with_normal_restitution(wall.normal_restitution())
+                    .with_torsion_mode(self.torsion)
+            })
             .map_err(|source| SceneError::Collision { wall: index, source })
     }
 }
@@ -150,8 +192,9 @@ const LOW: f64 = 1e-6;
 
 /// The legs of a path, one after the other, each followed when it is asked for.
 #[derive(Debug)]
-pub struct Legs<'a> {
+pub struct Legs<'a, S = AnalyticOrRings> {
     scene: &'a Scene,
+    solver: S,
     body: Body,
     radius: f64,
     limits: Limits,
@@ -160,8 +203,8 @@ pub struct Legs<'a> {
     is_over: bool,
 }
 
-impl Iterator for Legs<'_> {
-    type Item = Result<Leg, SceneError>;
+impl<S: CollisionSolver> Iterator for Legs<'_, S> {
+    type Item = Result<Leg, SceneError<S::Error>>;
 
     fn next(&mut self) -> Option<Self::Item> {
         if self.is_over {
@@ -173,11 +216,20 @@ impl Iterator for Legs<'_> {
     }
 }
 
-impl<'a> Legs<'a> {
-    fn new(scene: &'a Scene, ball: &Ball, limits: Limits) -> Self {
+impl<S> Legs<'_, S> {
+    /// The ball at the end of the last leg.
+    #[must_use]
+    pub const fn now(&self) -> PathPoint {
+        self.now
+    }
+}
+
+impl<'a, S: CollisionSolver> Legs<'a, S> {
+    fn new(scene: &'a Scene, solver: S, ball: &Ball, limits: Limits) -> Self {
         let motion = ball.body().motion();
         Self {
             scene,
+            solver,
             body: ball.body().clone(),
             radius: ball.radius(),
             limits,
@@ -187,14 +239,8 @@ impl<'a> Legs<'a> {
         }
     }
 
-    /// The ball at the end of the last leg.
-    #[must_use]
-    pub const fn now(&self) -> PathPoint {
-        self.now
-    }
-
     /// To the next event.
-    fn step(&mut self) -> Result<Leg, SceneError> {
+    fn step(&mut self) -> Result<Leg, SceneError<S::Error>> {
         let flight = self.flight();
         let walls = || self.scene.walls.iter().enumerate();
         if let Some((wall, _)) = walls().find(|(_, w)| w.pressed(&flight, self.radius).is_some()) {
@@ -223,8 +269,7 @@ impl<'a> Legs<'a> {
             }
             Some((wall, Meeting::Face { time, normal })) => {
                 let flight = Some(self.fly(time)?);
-                let (bounce, ending) = self.bounce(wall, normal)?;
-                Ok(Leg { flight, bounce, ending })
+                Ok(Leg { flight, ..self.bounce(wall, normal)? })
             }
         }
     }
@@ -234,7 +279,7 @@ impl<'a> Legs<'a> {
         Flight { position, velocity: motion.velocity, gravity: self.scene.gravity }
     }
 
-    fn fly(&mut self, duration: f64) -> Result<TimedFlight, SceneError> {
+    fn fly(&mut self, duration: f64) -> Result<TimedFlight, RangeError> {
         let (start, spin) = (self.now.time, self.now.motion.spin);
         let flight = TimedFlight { start, duration, flight: self.flight(), spin };
         let next = flight.after(duration);
@@ -244,19 +289,19 @@ impl<'a> Legs<'a> {
         Ok(flight)
     }
 
-    fn bounce(
-        &mut self,
-        wall: usize,
-        normal: Vector3<f64>,
-    ) -> Result<(Option<Bounce>, Option<Ending>), SceneError> {
+    /// The end of a leg at a wall: a bounce, or rest.
+    fn bounce(&mut self, wall: usize, normal: Vector3<f64>) -> Result<Leg, SceneError<S::Error>> {
         self.settle(wall, &normal);
         let before = self.now.motion;
-        let collision = self.scene.collision(wall, self.body.clone().moving(before), &normal)?;
-        let outcome = collision.solve().map_err(|source| SceneError::Collision { wall, source })?;
+        let body = self.body.clone().moving(before);
+        let collision = self.scene.collision(wall, body, &normal).map_err(SceneError::of_solver)?;
+        let outcome = self.solver.solve(&collision);
+        let outcome = outcome.map_err(|source| SceneError::Collision { wall, source })?;
         let pull = -along(&self.scene.gravity, &normal);
         let Outcome::Rebound(rebound) = outcome else {
             // A touch without approach: it rests, or gravity takes it away.
-            return Ok((None, (pull >= 0.0).then_some(Ending::Rest { wall })));
+            let ending = (pull >= 0.0).then_some(Ending::Rest { wall });
+            return Ok(Leg { flight: None, bounce: None, ending });
         };
         let [after, _] = rebound.motions;
         let loses = rebound.energy.lost > 0.0;
@@ -280,7 +325,7 @@ impl<'a> Legs<'a> {
             true => Some(Ending::Rest { wall }),
             false => (self.bounces >= self.limits.bounces()).then_some(Ending::Bounces),
         };
-        Ok((Some(bounce), ending))
+        Ok(Leg { flight: None, bounce: Some(bounce), ending })
     }
 
     // Puts the centre at one radius from the wall: round-off of the flight does not build up.

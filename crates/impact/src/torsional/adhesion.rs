@@ -1,4 +1,4 @@
-//! Complete adhesion in compression: the spin's course, kept against the contact radius.
+//! Complete adhesion in compression: the spin as a function of the contact radius.
 //!
 //! While nothing slips, `y'' = -eps zeta^(3/2) y` (10.10) with y = beta'/beta'(0). Two arguments
 //! keep the right-hand side analytic: the radius al = sqrt(zeta) up to `SWITCH_RADIUS`, from there
@@ -9,17 +9,18 @@ use carom_special::roots::{self, Bracket};
 
 use super::error::TorsionalError;
 
-/// The normal velocity at which the argument changes, and the contact radius there.
+/// The normal velocity at which the independent variable changes from the radius to w, and the
+/// contact radius there.
 pub(super) const SWITCH_VELOCITY: f64 = 0.7;
 pub(super) const SWITCH_RADIUS: f64 = 0.874_005_237_612_637_2;
 
 const TOLERANCE: Tolerance = Tolerance { absolute: 1e-14, relative: 1e-13 };
 
-/// The longest steps in al and in w: dense output is of lower order than the steps.
-const LONGEST: f64 = 0.125;
+/// Largest steps in al and in w; dense output is of lower order than the steps.
+const MAX_STEP: f64 = 0.125;
 
-/// Impulse of the torque, twist and torque at one instant, all by the spin beta'(0): the spin is
-/// `y = 1 - eps impulse`, the twist `int y dt`, the torque `mu/Omega`.
+/// Impulse of the torque, twist and torque at one instant, each over the initial spin beta'(0): the
+/// spin is `y = 1 - eps impulse`, the twist `int y dt`, the torque `mu/Omega`.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Turn {
     pub(super) impulse: f64,
@@ -39,7 +40,7 @@ impl From<[f64; 3]> for Turn {
     }
 }
 
-/// The adhesive course from touch to the onset of slip, or to maximal compression.
+/// The adhesive motion from first contact to the onset of slip, or to maximum compression.
 #[derive(Debug, Clone)]
 pub(super) struct Adhesion {
     epsilon: f64,
@@ -52,7 +53,7 @@ pub(super) struct Adhesion {
 }
 
 impl Adhesion {
-    /// Follows the course for the given epsilon until slip begins at the rim,
+    /// Solves the motion for the given epsilon until slip begins at the edge,
     /// `R |dbeta/da| = f/(1 - nu)` (10.7, corrected): `2 Omega al |y| = w`.
     pub(super) fn new(epsilon: f64, omega: f64) -> Result<Self, TorsionalError> {
         let start = [0.0; 3];
@@ -65,11 +66,11 @@ impl Adhesion {
             onset_velocity: 0.0,
             at_onset: Turn::from(start),
         };
-        let mut stepper = Stepper::new(0.0, start, LONGEST, TOLERANCE, |al, y: &[f64; 3]| {
+        let mut stepper = Stepper::new(0.0, start, MAX_STEP, TOLERANCE, |al, y: &[f64; 3]| {
             Self::slope_by_radius(epsilon, al, y)
         })?;
         while stepper.x() < SWITCH_RADIUS {
-            stepper.step((stepper.x() + LONGEST).min(SWITCH_RADIUS))?;
+            stepper.step((stepper.x() + MAX_STEP).min(SWITCH_RADIUS))?;
             course.by_radius.push(stepper.dense());
             if course.slips(stepper.x(), velocity_at(stepper.x()), stepper.y()) {
                 course.find_onset_by_radius()?;
@@ -78,9 +79,9 @@ impl Adhesion {
         }
         let state = *stepper.y();
         let slope = |w: f64, y: &[f64; 3]| Self::slope_by_velocity(epsilon, w, y);
-        let mut stepper = Stepper::new(SWITCH_VELOCITY, state, LONGEST, TOLERANCE, slope)?;
+        let mut stepper = Stepper::new(SWITCH_VELOCITY, state, MAX_STEP, TOLERANCE, slope)?;
         while stepper.x() > 0.0 {
-            stepper.step((stepper.x() - LONGEST).max(0.0))?;
+            stepper.step((stepper.x() - MAX_STEP).max(0.0))?;
             course.by_velocity.push(stepper.dense());
             let w = stepper.x();
             if omega > 0.0 && w > 0.0 && course.slips(radius_at(w), w, stepper.y()) {
@@ -95,7 +96,7 @@ impl Adhesion {
         self.rim_excess(radius, w, *state) >= 0.0
     }
 
-    /// `2 Omega al |y| - w`, positive where the rim would slip.
+    /// `2 Omega al |y| - w`, positive if the edge would slip.
     fn rim_excess(&self, radius: f64, w: f64, state: [f64; 3]) -> f64 {
         2.0 * self.omega * radius * Turn::from(state).spin(self.epsilon).abs() - w
     }

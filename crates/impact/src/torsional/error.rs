@@ -1,10 +1,10 @@
-//! Why a torsional impact cannot be given.
+//! Errors of a torsional impact.
 
 use carom_special::RangeError;
 use carom_special::ode::OdeError;
 use carom_special::roots::RootError;
 
-/// Why a torsional impact cannot be given.
+/// Why a torsional impact cannot be computed.
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
 pub enum TorsionalError {
     /// A value out of range.

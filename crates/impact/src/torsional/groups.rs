@@ -1,21 +1,23 @@
-//! The two numbers that govern a torsional impact.
+//! The two dimensionless groups of a torsional impact.
 
 use carom_special::RangeError;
 
-/// The largest epsilon accepted; beyond about 2 the spin of small Omega swings more than once.
-const MOST_EPSILON: f64 = 100.0;
-/// The largest Omega accepted: beyond, what the impact takes off the spin is below rounding.
-pub(super) const MOST_OMEGA: f64 = 1e15;
+/// Largest epsilon accepted. Above about 2, for small Omega, the spin oscillates more than once.
+const MAX_EPSILON: f64 = 100.0;
+/// Largest Omega accepted. Above it the change of the spin is below round-off.
+pub(super) const MAX_OMEGA: f64 = 1e15;
 
-/// Below this Omega the ratio is linear in it, from the limit of no slip, to about its square.
+/// Below this Omega the spin ratio is linear in Omega to about its square, starting from the limit
+/// of no slip.
 pub(super) const SMALL_OMEGA: f64 = 1e-6;
 
 /// The governing numbers of the torsional impact of a circular contact.
 ///
-/// `epsilon` (10.10) weighs the torsional stiffness against the inertia,
-/// `(5/2) (D_M/D_zz) (1 - nu) R zeta_max` with the mobilities D_M = 1/theta of the spin and D_zz of
-/// the normal motion; a solid sphere on a fixed plane has `(25/4) (1 - nu) zeta_max/R`.
-/// `omega` is the initial spin, `((1 - nu)/f) (R beta'/zeta') sqrt(zeta_max/R)`.
+/// `epsilon` (10.10) is the ratio of torsional stiffness to inertia,
+/// `(5/2) (D_M/D_zz) (1 - nu) R zeta_max`, with the mobilities D_M = 1/theta of the spin and D_zz
+/// of the normal motion. A solid sphere on a fixed plane has `(25/4) (1 - nu) zeta_max/R`.
+///
+/// `omega` is the normalised initial spin, `((1 - nu)/f) (R beta'/zeta') sqrt(zeta_max/R)`.
 ///
 /// ```
 /// use carom_impact::torsional::TorsionalGroups;
@@ -31,21 +33,21 @@ pub struct TorsionalGroups {
 }
 
 impl TorsionalGroups {
-    /// From epsilon in [0, 100] and Omega in [0, 1e15].
+    /// Groups with epsilon in [0, 100] and Omega in [0, 1e15].
     ///
-    /// Omega = 0 stands for the limit of small spin or of infinite friction.
+    /// Omega = 0 is the limit of small spin or of infinite friction.
     ///
     /// # Errors
     /// [`RangeError`] outside these ranges.
     pub fn new(epsilon: f64, omega: f64) -> Result<Self, RangeError> {
-        let holds = (0.0..=MOST_EPSILON).contains(&epsilon);
+        let holds = (0.0..=MAX_EPSILON).contains(&epsilon);
         RangeError::check("epsilon", epsilon, holds, "in [0, 100]")?;
-        let holds = (0.0..=MOST_OMEGA).contains(&omega);
+        let holds = (0.0..=MAX_OMEGA).contains(&omega);
         RangeError::check("omega", omega, holds, "in [0, 1e15]")?;
         Ok(Self { epsilon, omega })
     }
 
-    /// The same with an Omega that leaves digits for the slip ring.
+    /// The same, with Omega large enough for the slip annulus to have digits.
     pub(super) fn away_from_zero(self) -> Self {
         Self { omega: self.omega.max(SMALL_OMEGA), ..self }
     }

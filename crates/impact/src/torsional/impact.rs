@@ -1,4 +1,4 @@
-//! The torsional impact of a circular contact, from touch to separation.
+//! The torsional impact of a circular contact, from first contact to separation.
 
 use super::adhesion::Adhesion;
 use super::error::TorsionalError;
@@ -7,12 +7,12 @@ use super::limits;
 use super::stepped::{self, Settled};
 use super::trajectory::{Trajectory, TrajectoryError};
 
-/// A torsional impact, solved: complete adhesion first, then a slip ring that grows from the rim
-/// until separation (chapter 10, with (10.7), (10.25)-(10.29) corrected).
+/// A solved torsional impact: complete adhesion, then a slip annulus that grows inwards from the
+/// edge until separation (chapter 10, with (10.7), (10.25)-(10.29) corrected).
 ///
-/// Accurate to about 1e-12 for epsilon <= 0.826, and beyond as long as the slip keeps its direction.
-/// Where the spin turns back so fast that a second ring slips, the general history of a twisted
-/// contact is stepped instead; [`TorsionalImpact::error_estimate`] tells.
+/// The error is about 1e-12 for epsilon <= 0.826, and beyond if the slip keeps its direction. If
+/// the spin reverses so fast that a second annulus slips, the general history of a twisted contact
+/// is integrated in steps; [`TorsionalImpact::error_estimate`] gives the error.
 ///
 /// ```
 /// use carom_impact::torsional::{TorsionalGroups, TorsionalImpact};
@@ -29,14 +29,14 @@ pub struct TorsionalImpact {
     error_estimate: f64,
 }
 
-/// The error of the solution with one slip ring.
-const EXACT: f64 = 1e-12;
+/// The error of the solution with one slip annulus.
+const ERROR_WITH_ONE_ANNULUS: f64 = 1e-12;
 
 impl TorsionalImpact {
-    /// Follows the impact to separation.
+    /// Solves the impact up to separation.
     ///
     /// # Errors
-    /// [`TorsionalError`] if an integration fails; not seen.
+    /// [`TorsionalError`] if an integration fails; this has not been observed.
     pub fn new(groups: TorsionalGroups) -> Result<Self, TorsionalError> {
         let history = Adhesion::new(groups.epsilon(), groups.omega())?;
         let onset_radius = history.onset();
@@ -44,11 +44,16 @@ impl TorsionalImpact {
             return match Trajectory::new(groups, &history).advance_to(-1.0) {
                 Ok(end) => {
                     let spin_loss = groups.epsilon() * end.turn.impulse;
-                    Ok(Self { groups, onset_radius, spin_loss, error_estimate: EXACT })
+                    Ok(Self {
+                        groups,
+                        onset_radius,
+                        spin_loss,
+                        error_estimate: ERROR_WITH_ONE_ANNULUS,
+                    })
                 }
                 Err(TrajectoryError::TurnsBack) => {
                     let Settled { spin_ratio, change } = stepped::settle(groups)?;
-                    let error_estimate = change.max(EXACT);
+                    let error_estimate = change.max(ERROR_WITH_ONE_ANNULUS);
                     let spin_loss = 1.0 - spin_ratio;
                     Ok(Self { groups, onset_radius, spin_loss, error_estimate })
                 }
@@ -59,11 +64,11 @@ impl TorsionalImpact {
         let nearby = Self::new(TorsionalGroups::new(groups.epsilon(), SMALL_OMEGA)?)?;
         let share = groups.omega() / SMALL_OMEGA;
         let spin_loss = limit + share * (nearby.spin_loss - limit);
-        let error_estimate = EXACT.max(share * nearby.error_estimate);
+        let error_estimate = ERROR_WITH_ONE_ANNULUS.max(share * nearby.error_estimate);
         Ok(Self { groups, onset_radius, spin_loss, error_estimate })
     }
 
-    /// The groups it was solved for.
+    /// The groups epsilon and Omega.
     #[must_use]
     pub const fn groups(&self) -> TorsionalGroups {
         self.groups
@@ -75,15 +80,15 @@ impl TorsionalImpact {
         1.0 - self.spin_loss
     }
 
-    /// The part of the relative spin that is lost, one less the ratio: with its digits where that is next
-    /// to nothing, as of fast spins and little friction.
+    /// The share of the relative spin that is lost, `1 - spin_ratio`, without cancellation for fast
+    /// spins and low friction.
     #[must_use]
     pub const fn spin_loss(&self) -> f64 {
         self.spin_loss
     }
 
-    /// What the spin ratio may be off by: about 1e-12, or in steps what the last doubling of their
-    /// number changed.
+    /// Estimated error of the spin ratio: about 1e-12; if integrated in steps, the change by the
+    /// last doubling of their number.
     #[must_use]
     pub const fn error_estimate(&self) -> f64 {
         self.error_estimate
@@ -95,7 +100,7 @@ impl TorsionalImpact {
         self.onset_radius
     }
 
-    /// The part of the energy of the relative spin that friction takes, `1 - ratio^2`.
+    /// The share of the energy of the relative spin that friction dissipates, `1 - ratio^2`.
     #[must_use]
     pub fn energy_loss(&self) -> f64 {
         self.spin_loss * (2.0 - self.spin_loss)

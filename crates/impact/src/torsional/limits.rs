@@ -11,7 +11,7 @@ use carom_special::ode::OdeError;
 /// (printed with 21 in place of 15).
 pub const SLIDING_LOSS: f64 = 2.637_529_634_267_598;
 
-/// The restitution of small spin or infinite friction, `2 y_1^2 - 1`; y_1 is the spin at maximal
+/// The restitution of small spin or infinite friction, `2 y_1^2 - 1`; y_1 is the spin at maximum
 /// compression over the initial one, under complete adhesion. Corrects (10.40), (10.63).
 ///
 /// ```
@@ -26,14 +26,14 @@ pub fn no_slip(epsilon: f64) -> Result<f64, TorsionalError> {
     Ok(1.0 - no_slip_loss(epsilon)?)
 }
 
-/// One less [`no_slip`], `2 (1 - y_1) (1 + y_1)`, with its digits where epsilon is small.
+/// `1 - no_slip`, computed as `2 (1 - y_1) (1 + y_1)` without cancellation for small epsilon.
 pub(super) fn no_slip_loss(epsilon: f64) -> Result<f64, TorsionalError> {
     let epsilon = TorsionalGroups::new(epsilon, 0.0)?.epsilon();
     let lost = epsilon * Adhesion::new(epsilon, 0.0)?.at_onset().impulse;
     Ok(2.0 * lost * (2.0 - lost))
 }
 
-/// [`no_slip`] to first order in the spin at maximal compression:
+/// [`no_slip`] to first order in the spin at maximum compression:
 /// `2 [1 - (2/5) eps (T - 2)]^2 - 1`, from (10.12) to (10.24), (10.63) corrected.
 #[must_use]
 pub fn no_slip_first_order(epsilon: f64) -> f64 {
@@ -61,7 +61,7 @@ pub fn sliding(epsilon: f64, omega: f64) -> f64 {
     1.0 - sliding_loss(epsilon, omega)
 }
 
-/// One less [`sliding`], with its digits where Omega is large.
+/// `1 - sliding`, without cancellation for large Omega.
 pub(super) fn sliding_loss(epsilon: f64, omega: f64) -> f64 {
     0.16 * SLIDING_LOSS * epsilon / omega
 }
@@ -75,8 +75,8 @@ pub fn sliding_as_printed(epsilon: f64, omega: f64) -> f64 {
 /// `h(0) = (8/5) (T - 2)`, the limit of [`first_order_loss`] at small spin.
 pub const SMALL_SPIN_LOSS: f64 = 1.6 * (DURATION - 2.0);
 
-/// The function h of `ratio = 1 - eps h(Omega)` for small epsilon: the impulse of the torque of a
-/// spin that stays constant.
+/// The function h of `ratio = 1 - eps h(Omega)` for small epsilon: the impulse of the torque at
+/// constant spin.
 ///
 /// ```
 /// let h = carom_impact::torsional::limits::first_order_loss(0.3)?;
@@ -89,7 +89,7 @@ pub const SMALL_SPIN_LOSS: f64 = 1.6 * (DURATION - 2.0);
 pub fn first_order_loss(omega: f64) -> Result<f64, TorsionalError> {
     let groups = TorsionalGroups::new(0.0, omega)?;
     if omega < SMALL_OMEGA {
-        // Linear from the limit, to about the square of Omega.
+        // Linear from the limit, accurate to about the square of Omega.
         let slope = (first_order_loss(SMALL_OMEGA)? - SMALL_SPIN_LOSS) / SMALL_OMEGA;
         return Ok(SMALL_SPIN_LOSS + omega * slope);
     }
@@ -97,7 +97,7 @@ pub fn first_order_loss(omega: f64) -> Result<f64, TorsionalError> {
     match Trajectory::new(groups, &history).advance_to(-1.0) {
         Ok(end) => Ok(end.turn.impulse),
         Err(TrajectoryError::Failed(error)) => Err(error),
-        // A spin that stays constant does not turn back.
+        // A constant spin does not reverse.
         Err(TrajectoryError::TurnsBack) => Err(OdeError::NotFinite { x: omega }.into()),
     }
 }

@@ -1,8 +1,9 @@
-//! Torsional impact: what a normal impact takes off the spin about its normal (chapter 10).
+//! Torsional impact: how a normal impact changes the spin about its normal (chapter 10).
 //!
-//! [`TorsionalImpact`] solves it in two groups, [`TorsionalGroups`]: complete adhesion in
-//! compression, then partial slip from the rim inwards, with Lubkin's solution over the stored
-//! adhesive one. [`SpinCollision`] is the same with dimensions; [`limits`] holds the closed forms.
+//! [`TorsionalImpact`] solves it for two groups, [`TorsionalGroups`]: complete adhesion in
+//! compression, then partial slip from the edge inwards, by Lubkin's solution added to the stored
+//! adhesive one. [`SpinCollision`] is the same with dimensions. [`limits`] contains the closed
+//! forms.
 
 mod adhesion;
 mod error;

@@ -1,4 +1,4 @@
-//! The torque while a ring slips: the stored adhesive course below the stick radius, Lubkin's
+//! The torque in partial slip: the stored adhesive motion inside the stick radius, Lubkin's
 //! solution outside it (10.25).
 
 use std::f64::consts::FRAC_2_PI;
@@ -9,18 +9,18 @@ use carom_special::elliptic::complete;
 
 use super::adhesion::Adhesion;
 
-/// ln(a/a*) beyond which the stick area carries nothing that a double resolves.
-const DEEPEST: f64 = 40.0;
+/// Largest ln(a/a*): beyond it the torque of the stick area is below round-off.
+const MAX_LOG_DEPTH: f64 = 40.0;
 
-/// Share of the depth to which it is found: the torque errs by the square.
-const CLOSE: f64 = 1e-7;
+/// Relative accuracy of the depth; the error of the torque is its square.
+const DEPTH_ACCURACY: f64 = 1e-7;
 
-/// What the contact answers to a twist.
+/// Response of the contact to a twist.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Answer {
-    /// mu/Omega.
+    /// Torque mu/Omega.
     pub(super) torque: f64,
-    /// The stick radius c; 0 once nothing sticks any more.
+    /// The stick radius c; 0 once the whole contact slips.
     pub(super) stick: f64,
 }
 
@@ -47,13 +47,13 @@ impl<'a> SlippingContact<'a> {
     /// Torque and stick radius at the contact radius `al`, normal velocity `w` and twist `x`.
     ///
     /// Solves `s Omega (x - x_st(c)) = (2/pi) al (K - E)` for c. The torque is stationary in c
-    /// there but for c^3 times the residual, which is added: half the digits of c suffice.
+    /// there, up to c^3 times the residual, which is added: half the digits of c suffice.
     pub(super) fn answer(&mut self, al: f64, w: f64, x: f64) -> Answer {
         if al <= 0.0 {
             return Answer { torque: 0.0, stick: 0.0 };
         }
         let outermost = (al / self.history.onset()).max(1.0);
-        let (mut low, mut high) = (libm::log(outermost), DEEPEST);
+        let (mut low, mut high) = (libm::log(outermost), MAX_LOG_DEPTH);
         if self.excess(al, w, x, high).value > 0.0 {
             let torque = self.sign * 0.5 * SLIDING * al.powi(4) / self.omega;
             return Answer { torque, stick: 0.0 };
@@ -61,7 +61,7 @@ impl<'a> SlippingContact<'a> {
         let mut depth = self.guess(w).clamp(low, high);
         loop {
             let point = self.excess(al, w, x, depth);
-            // The excess falls with the depth.
+            // The excess decreases with the depth.
             if point.value > 0.0 {
                 low = depth;
             } else {
@@ -70,7 +70,7 @@ impl<'a> SlippingContact<'a> {
             let newton = depth + point.value / point.slope;
             let next = if newton >= low && newton <= high { newton } else { 0.5 * (low + high) };
             let moved = (next - depth).abs();
-            if moved <= CLOSE * depth || high - low <= 1e-15 {
+            if moved <= DEPTH_ACCURACY * depth || high - low <= 1e-15 {
                 self.known = [self.known[1], self.known[2], (w, depth)];
                 return self.torque_at(al, &point);
             }
@@ -78,7 +78,7 @@ impl<'a> SlippingContact<'a> {
         }
     }
 
-    // The parabola through the last solutions.
+    // Extrapolates the last solutions by a parabola.
     fn guess(&self, w: f64) -> f64 {
         let [(w0, d0), (w1, d1), (w2, d2)] = self.known;
         let (first, second) = ((d1 - d0) / (w1 - w0), (d2 - d1) / (w2 - w1));
@@ -90,10 +90,10 @@ impl<'a> SlippingContact<'a> {
     fn excess(&self, al: f64, w: f64, x: f64, depth: f64) -> Excess {
         let ratio = libm::exp(-depth);
         let parameter = -libm::expm1(-2.0 * depth);
-        // In (0, 1], so the ratio is valid.
+        // The axis ratio is in (0, 1] and therefore valid.
         let axes = AxisRatio::new(ratio).unwrap_or(AxisRatio::CIRCLE);
         let stick = (ratio * al).min(self.history.onset());
-        // w when the edge passed c, with its digits near maximal compression:
+        // w when the edge passed c, without cancellation near maximum compression:
         // w_c^2 = w^2 + al^5 (1 - (c/al)^5).
         let then = (w * w - (1.0 - w * w) * libm::expm1(-5.0 * depth)).sqrt();
         let stored = self.history.at(stick, then);

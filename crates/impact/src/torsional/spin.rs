@@ -1,5 +1,4 @@
-//! The torsional impact with its dimensions: two bodies that meet head-on and spin about the
-//! normal.
+//! The torsional impact with dimensions: two bodies that collide head-on and spin about the normal.
 
 use std::f64::consts::PI;
 
@@ -9,12 +8,13 @@ use carom_laws::torsion::adhesion::{AdhesiveTorsion, sliding_torque_arm};
 use carom_special::RangeError;
 
 use super::error::TorsionalError;
-use super::groups::{MOST_OMEGA, TorsionalGroups};
+use super::groups::{MAX_OMEGA, TorsionalGroups};
 use super::impact::TorsionalImpact;
 use super::limits;
 use crate::normal::NormalImpact;
 
-/// A body that spins about the contact normal, a principal axis of inertia through its centre.
+/// A body that spins about the contact normal, which is a principal axis of inertia through its
+/// centre.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Spinner {
     inverse_mass: f64,
@@ -23,7 +23,8 @@ pub struct Spinner {
 }
 
 impl Spinner {
-    /// A body of given mass and moment of inertia about the normal (infinite: held fast).
+    /// A body with this mass and moment of inertia about the normal; infinity: unaffected by the
+    /// impact.
     ///
     /// # Errors
     /// [`RangeError`] unless both are positive.
@@ -46,13 +47,14 @@ impl Spinner {
         Self::new(mass, 0.4 * mass * radius * radius)
     }
 
-    /// A body that does not move.
+    /// A body that does not move and is unaffected by the impact.
     #[must_use]
     pub const fn held_fast() -> Self {
         Self { inverse_mass: 0.0, inverse_moment: 0.0, spin: 0.0 }
     }
 
-    /// The same body with a spin, in radians per unit of time, both bodies' in the same sense.
+    /// The same body with a spin in radians per unit of time; both bodies' spins have the same
+    /// sense.
     ///
     /// # Errors
     /// [`RangeError`] unless it is finite.
@@ -70,9 +72,9 @@ impl Spinner {
 
 /// A head-on collision of two bodies that spin about their common normal.
 ///
-/// Exact within Hertz's theory for a circular contact. On an ellipse Lubkin's law is scaled to the
-/// ellipse's adhesive stiffness (5.35) and sliding torque (7.65), (10.57): an approximation, for
-/// which no exact law is known; both limits, no slip and sliding, are right.
+/// Exact within Hertz's theory for a circular contact. For an ellipse Lubkin's law is scaled to the
+/// adhesive stiffness (5.35) and the sliding torque (7.65), (10.57) of the ellipse. This is an
+/// approximation, since no exact law is known; both limits, no slip and sliding, are exact.
 ///
 /// ```
 /// use carom_halfspace::{Material, MaterialPair};
@@ -101,7 +103,7 @@ pub struct SpinCollision {
     contact_radius: f64,
 }
 
-/// What a torsional impact leaves.
+/// Result of a torsional impact.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct SpinOutcome {
     /// The spins of the two bodies afterwards.
@@ -112,12 +114,12 @@ pub struct SpinOutcome {
     pub torque_impulse: f64,
     /// The kinetic energy that friction took.
     pub energy_loss: f64,
-    /// How far `spin_ratio` may be off ([`TorsionalImpact::error_estimate`]).
+    /// Estimated error of `spin_ratio` ([`TorsionalImpact::error_estimate`]).
     pub error_estimate: f64,
 }
 
 impl SpinCollision {
-    /// From the contact, the two bodies and the approach velocity of their centres, > 0.
+    /// A collision with this contact, these bodies and the approach velocity of their centres, > 0.
     ///
     /// # Errors
     /// [`TorsionalError::Range`] if both bodies are held fast in motion or spin, the velocity is
@@ -133,7 +135,7 @@ impl SpinCollision {
         let stiffness = hertz.stiffness().c_z;
         let normal = NormalImpact::new(mobility, stiffness, approach_velocity)?;
         let ellipse = hertz.ellipse(normal.maximal_approach())?;
-        // M = kappa beta at maximal compression; time in its unit.
+        // M = kappa beta at maximum compression; time in its unit.
         let kappa = AdhesiveTorsion::new(ellipse, hertz.materials()).stiffness();
         let unit = normal.time_unit();
         let epsilon = (one.inverse_moment + two.inverse_moment) * kappa * unit * unit;
@@ -152,8 +154,7 @@ impl SpinCollision {
         self.bodies[0].spin - self.bodies[1].spin
     }
 
-    /// The governing groups; Omega is zero for infinite friction, and there are none without
-    /// friction.
+    /// The governing groups; Omega is zero for infinite friction. `None` without friction.
     ///
     /// # Errors
     /// [`RangeError`] if Omega exceeds its range.
@@ -176,19 +177,19 @@ impl SpinCollision {
         self.normal
     }
 
-    /// The larger semi-axis of the contact area at maximal compression.
+    /// The larger semi-axis of the contact area at maximum compression.
     #[must_use]
     pub const fn contact_radius(&self) -> f64 {
         self.contact_radius
     }
 
-    /// Follows the impact to separation. Beyond Omega = 1e15 the contact slides throughout, and the
-    /// closed form of sliding is exact to rounding: friction may be as small as it likes.
+    /// Solves the impact up to separation. Above Omega = 1e15 the contact slides throughout, and
+    /// the closed form of sliding is exact to round-off: friction may be arbitrarily small.
     ///
     /// # Errors
     /// As [`TorsionalImpact::new`].
     pub fn solve(&self) -> Result<SpinOutcome, TorsionalError> {
-        if let Some(omega) = self.omega().filter(|omega| *omega > MOST_OMEGA) {
+        if let Some(omega) = self.omega().filter(|omega| *omega > MAX_OMEGA) {
             return Ok(self.outcome(limits::sliding_loss(self.epsilon, omega), 0.0));
         }
         let Some(groups) = self.groups()? else {

@@ -1,5 +1,5 @@
-//! The torsional impact in steps, by the general history of a twisted contact: for spins that turn
-//! back so fast that a second slip ring opens.
+//! The torsional impact in steps, by the general history of a twisted contact: for spins that
+//! reverse so fast that a second slip annulus opens.
 
 use carom_laws::torsion::history::TwistHistory;
 use carom_special::RangeError;
@@ -7,24 +7,24 @@ use carom_special::RangeError;
 use super::groups::TorsionalGroups;
 use crate::normal;
 
-/// Steps of a coarse run; the answer comes from a run with twice as many.
-const STEPS: usize = 2000;
+/// Steps of the coarse run; the result is that of a run with twice as many.
+const COARSE_STEPS: usize = 2000;
 
-/// The spin ratio and how much the last doubling of the steps changed it.
+/// The spin ratio, and its change by the last doubling of the steps.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Settled {
     pub(super) spin_ratio: f64,
     pub(super) change: f64,
 }
 
-/// Follows the impact with ever finer steps, twice.
+/// Integrates the impact with two numbers of steps.
 pub(super) fn settle(groups: TorsionalGroups) -> Result<Settled, RangeError> {
     let run = |steps: usize| -> Result<f64, RangeError> {
         let mut trajectory = SteppedTrajectory::new(groups, steps);
         Ok(trajectory.advance_to(-1.0)?.spin)
     };
-    let (coarse, fine) = (run(STEPS)?, run(2 * STEPS)?);
-    // No impact speeds up the spin.
+    let (coarse, fine) = (run(COARSE_STEPS)?, run(2 * COARSE_STEPS)?);
+    // No impact increases the spin.
     Ok(Settled { spin_ratio: fine.clamp(-1.0, 1.0), change: (fine - coarse).abs() })
 }
 
@@ -38,8 +38,8 @@ pub(super) struct Step {
     pub(super) torque: f64,
 }
 
-/// The motion by falling normal velocity: half a step of the torque, a step of the spin, half a step of
-/// the new torque.
+/// The motion over decreasing normal velocity: half a step with the old torque, a step of the spin,
+/// half a step with the new torque.
 #[derive(Debug, Clone)]
 pub(super) struct SteppedTrajectory {
     groups: TorsionalGroups,
@@ -67,7 +67,7 @@ impl SteppedTrajectory {
         }
     }
 
-    /// Goes on to the normal velocity `w` in [-1, 1], not above the last one.
+    /// Continues to the normal velocity `w` in [-1, 1], not above the last one.
     pub(super) fn advance_to(&mut self, w: f64) -> Result<Step, RangeError> {
         let (from, to) = (self.angle, libm::acos(w));
         let count = ((to - from) / self.longest - 1e-9).ceil().max(0.0) as usize;

@@ -10,14 +10,14 @@ use super::stepped::{Step, SteppedTrajectory};
 use super::trajectory::{Instant, Trajectory, TrajectoryError};
 use crate::normal;
 
-/// What the contact area does.
+/// State of the contact area.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum TorsionalPhase {
     /// The whole contact area sticks.
     Adhesion,
-    /// A ring at the rim slips.
+    /// An annulus at the edge slips.
     PartialSlip,
-    /// Nothing sticks, or less than a double resolves.
+    /// The whole contact slips; a stick area below round-off counts as none.
     Sliding,
 }
 
@@ -28,7 +28,7 @@ pub enum TorsionalPhase {
 /// mu/Omega in the units of [`carom_laws::torsion::history::TwistHistory`].
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct TorsionalPoint {
-    /// Time since touch.
+    /// Time since first contact.
     pub time: f64,
     /// Normal velocity, from 1 to -1.
     pub normal_velocity: f64,
@@ -38,7 +38,7 @@ pub struct TorsionalPoint {
     pub stick_radius: f64,
     /// Relative spin.
     pub spin: f64,
-    /// Relative twist since touch.
+    /// Relative twist since first contact.
     pub twist: f64,
     /// Torque against the spin.
     pub torque: f64,
@@ -47,10 +47,10 @@ pub struct TorsionalPoint {
 }
 
 impl TorsionalImpact {
-    /// The states at the normal velocities `w`, which must fall from 1 to -1; values outside are
-    /// taken as the nearer end, one above its predecessor as the predecessor.
+    /// The states at the normal velocities `w`, which must decrease from 1 to -1. A value outside
+    /// this range is replaced by the nearer end, and one above its predecessor by the predecessor.
     ///
-    /// Omega = 0 is shown by its nearly equal neighbour 1e-6.
+    /// Omega = 0 is replaced by 1e-6, whose result is nearly equal.
     ///
     /// # Errors
     /// As [`TorsionalImpact::new`].
@@ -93,7 +93,7 @@ impl TorsionalImpact {
     }
 }
 
-/// The points at velocities that are made to fall from 1 to -1.
+/// The states at velocities that are first made to decrease from 1 to -1.
 fn falling<E>(
     w: &[f64],
     mut point: impl FnMut(f64) -> Result<TorsionalPoint, E>,

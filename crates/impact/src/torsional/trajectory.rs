@@ -1,4 +1,4 @@
-//! The motion of a torsional impact: adhesion, then one slip ring until separation.
+//! The motion of a torsional impact: adhesion, then one slip annulus until separation.
 
 use carom_special::ode::{Stepper, Tolerance};
 
@@ -7,14 +7,16 @@ use super::error::TorsionalError;
 use super::groups::TorsionalGroups;
 use super::slip::{Answer, SlippingContact};
 
-/// The tolerance while a ring slips: the adhesion before it is more exact, as its slopes count.
+/// The tolerance in partial slip. The adhesion before it is more accurate, since its derivatives
+/// are used.
 const TOLERANCE: Tolerance = Tolerance { absolute: 1e-13, relative: 2e-13 };
 
-/// Why a trajectory with one slip ring ends early.
+/// Why a trajectory with one slip annulus ends early.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum TrajectoryError {
-    /// The spin turns back so fast that the slip ring does not keep its direction; the law used
-    /// here (10.25) then ends. This takes epsilon > 0.826, far outside Hertz's theory for spheres.
+    /// The spin reverses so fast that the slip annulus does not keep its direction, and the law
+    /// (10.25) no longer holds. This requires epsilon > 0.826, far outside Hertz's theory for
+    /// spheres.
     TurnsBack,
     Failed(TorsionalError),
 }
@@ -33,16 +35,16 @@ pub(super) struct Instant {
     pub(super) stick: f64,
 }
 
-/// The motion with one slip ring, by falling normal velocity.
+/// The motion with one slip annulus, over decreasing normal velocity.
 #[derive(Debug, Clone)]
 pub(super) struct Trajectory<'a> {
     groups: TorsionalGroups,
     history: &'a Adhesion,
     contact: SlippingContact<'a>,
     w: f64,
-    /// Impulse of the torque, by that of sliding where it is small, and twist.
+    /// Impulse of the torque (in units of that of sliding if it is small) and twist.
     state: [f64; 2],
-    /// One over the unit of the impulse: fast spins lose little, and that is to have its digits.
+    /// One over the unit of the impulse, so that the small loss of fast spins keeps its digits.
     unit: f64,
     trial: f64,
     innermost: f64,
@@ -64,7 +66,7 @@ impl<'a> Trajectory<'a> {
         }
     }
 
-    /// Goes on to the normal velocity `w` in [-1, 1], below the last one asked for.
+    /// Continues to the normal velocity `w` in [-1, 1], below the last one requested.
     pub(super) fn advance_to(&mut self, w: f64) -> Result<Instant, TrajectoryError> {
         let radius = radius_at(w);
         if w >= self.history.onset_velocity() {
@@ -93,27 +95,27 @@ impl<'a> Trajectory<'a> {
         1.0 - self.groups.epsilon() * (self.state[0] / self.unit)
     }
 
-    /// The contact radius is the argument: `dt = 2 al dal/w`, in compression (`way` 1) or
+    /// Integrates over the contact radius: `dt = 2 al dal/w`, in compression (`direction` 1) or
     /// restitution (-1).
-    fn along_radius(&mut self, from: f64, to: f64, way: f64) -> Result<(), TrajectoryError> {
+    fn along_radius(&mut self, from: f64, to: f64, direction: f64) -> Result<(), TrajectoryError> {
         let (epsilon, unit) = (self.groups.epsilon() / self.unit, self.unit);
         let mut contact = self.contact.clone();
         let slope = |al: f64, y: &[f64; 2]| {
             let w = velocity_at(al);
-            let dt = way * 2.0 * al / w;
+            let dt = direction * 2.0 * al / w;
             [contact.answer(al, w, y[1]).torque * unit * dt, (1.0 - epsilon * y[0]) * dt]
         };
         let mut stepper = Stepper::new(from, self.state, self.trial, TOLERANCE, slope)?;
         while stepper.x() != to {
             stepper.step(to)?;
             self.state = *stepper.y();
-            self.check(way * velocity_at(stepper.x()), stepper.x())?;
+            self.check(direction * velocity_at(stepper.x()), stepper.x())?;
         }
         self.trial = stepper.trial_step().abs();
         Ok(())
     }
 
-    /// The normal velocity is the argument: `dt = -(4/5) zeta^(-3/2) dw`.
+    /// Integrates over the normal velocity: `dt = -(4/5) zeta^(-3/2) dw`.
     fn along_velocity(&mut self, to: f64) -> Result<(), TrajectoryError> {
         let (epsilon, unit) = (self.groups.epsilon() / self.unit, self.unit);
         let mut contact = self.contact.clone();
@@ -133,8 +135,8 @@ impl<'a> Trajectory<'a> {
         Ok(())
     }
 
-    /// The law holds while the slip ring grows, and while in restitution the twist turns back no
-    /// faster than the edge recedes.
+    /// The law holds while the slip annulus grows and, in restitution, the twist reverses no faster
+    /// than the edge recedes.
     fn check(&mut self, w: f64, al: f64) -> Result<(), TrajectoryError> {
         let stick = self.contact.answer(al, w, self.state[1]).stick;
         let grows = stick <= self.innermost * (1.0 + 1e-7);

@@ -8,15 +8,15 @@ use super::distribution::Distribution;
 use super::draw::uniform;
 use super::quantity::Quantity;
 use super::summary::Summary;
-use crate::collision::{Collision, CollisionError};
-use crate::outcome::{Outcome, Rebound};
+use crate::collision::{AnalyticOrRings, Collision, CollisionError, CollisionSolver};
+use crate::outcome::{Outcome, Rebound, Warning};
 
 /// Samples that one study may have at most.
 const MOST_SAMPLES: usize = 1_000_000;
 
-/// Why a study gives no answer.
+/// Why a study gives no answer; `E` is the error of its [`CollisionSolver`].
 #[derive(Debug, Clone, Copy, PartialEq, thiserror::Error)]
-pub enum UncertainError {
+pub enum UncertainError<E = CollisionError> {
     /// A value of the study itself is out of range.
     #[error(transparent)]
     Range(#[from] RangeError),
@@ -26,7 +26,7 @@ pub enum UncertainError {
         /// Which sample, from 0.
         sample: usize,
         /// Why.
-        source: CollisionError,
+        source: E,
     },
     /// No sample is left: all are out of range, or make no impact.
     #[error("none of {samples} samples makes an impact: {out_of_range} are out of range{}", first.map_or_else(String::new, |e| format!(", the first with {} = {} (must be {})", e.field, Readable(e.value), e.allowed)))]
@@ -77,7 +77,8 @@ impl Sampling {
         Ok(Self { samples, seed })
     }
 
-    /// Draws the inputs, makes of them the collision by `build`, and follows it; in parallel.
+    /// Draws the inputs, makes of them the collision by `build`, and follows it with [`AnalyticOrRings`]; in
+    /// parallel. Of dissimilar spheres a sample by rings takes a millisecond or more, an exact one some microseconds.
     ///
     /// A [`RangeError`] of `build` says that the drawn values lie outside what physics allows:
     /// the sample is counted under the field it names.
@@ -90,13 +91,26 @@ impl Sampling {
         inputs: &[Distribution],
         build: impl Fn(&[f64]) -> Result<Collision, CollisionError> + Sync,
     ) -> Result<Study, UncertainError> {
-        let fates: Vec<Fate> = (0..self.samples)
+        self.run_by(&AnalyticOrRings, inputs, build)
+    }
+
+    /// The same with another solver of collisions.
+    ///
+    /// # Errors
+    /// As [`Sampling::run`].
+    pub fn run_by<S: CollisionSolver<Error: Send> + Sync>(
+        &self,
+        solver: &S,
+        inputs: &[Distribution],
+        build: impl Fn(&[f64]) -> Result<Collision, CollisionError> + Sync,
+    ) -> Result<Study, UncertainError<S::Error>> {
+        let fates: Vec<Fate<S::Error>> = (0..self.samples)
             .into_par_iter()
             .map_init(
                 || vec![0.0; inputs.len()],
                 |values, sample| {
                     self.draw(inputs, sample, values);
-                    fate(build(values))
+                    fate(solver, build(values))
                 },
             )
             .collect();
@@ -111,27 +125,50 @@ impl Sampling {
 }
 
 /// What becomes of a sample.
-enum Fate {
-    Rebound(Box<[Option<f64>; Quantity::ALL.len()]>),
+enum Fate<E> {
+    Rebound(Box<Sampled>),
     NoImpact,
     OutOfRange(RangeError),
-    Failed(CollisionError),
+    Failed(E),
 }
 
-fn fate(collision: Result<Collision, CollisionError>) -> Fate {
-    let followed = collision.and_then(|c| Ok((c.frame().z(), c.solve()?)));
-    match followed {
-        Ok((normal, Outcome::Rebound(rebound))) => {
-            Fate::Rebound(Box::new(numbers(&rebound, &normal)))
+/// What is kept of a rebound.
+struct Sampled {
+    numbers: [Option<f64>; Quantity::ALL.len()],
+    method: &'static str,
+    error_estimate: f64,
+    neglects_coupling: bool,
+}
+
+impl Sampled {
+    fn of(rebound: &Rebound, normal: &Vector3<f64>) -> Self {
+        let is_coupling = |warning: &Warning| matches!(warning, Warning::Coupling { .. });
+        Self {
+            numbers: Quantity::ALL.map(|quantity| quantity.of(rebound, normal)),
+            method: rebound.method.name(),
+            error_estimate: rebound.error_estimate,
+            neglects_coupling: rebound.warnings.iter().any(is_coupling),
         }
-        Ok((_, Outcome::NoImpact { .. })) => Fate::NoImpact,
-        Err(CollisionError::Range(error)) => Fate::OutOfRange(error),
-        Err(error) => Fate::Failed(error),
     }
 }
 
-fn numbers(rebound: &Rebound, normal: &Vector3<f64>) -> [Option<f64>; Quantity::ALL.len()] {
-    Quantity::ALL.map(|quantity| quantity.of(rebound, normal))
+fn fate<S: CollisionSolver>(
+    solver: &S,
+    collision: Result<Collision, CollisionError>,
+) -> Fate<S::Error> {
+    let followed = collision
+        .map_err(S::Error::from)
+        .and_then(|collision| Ok((collision.frame().z(), solver.solve(&collision)?)));
+    match followed {
+        Ok((normal, Outcome::Rebound(rebound))) => {
+            Fate::Rebound(Box::new(Sampled::of(&rebound, &normal)))
+        }
+        Ok((_, Outcome::NoImpact { .. })) => Fate::NoImpact,
+        Err(error) => match S::out_of_range(&error) {
+            Some(error) => Fate::OutOfRange(error),
+            None => Fate::Failed(error),
+        },
+    }
 }
 
 /// Samples of which a field is out of range.
@@ -149,19 +186,24 @@ pub struct Study {
     samples: usize,
     no_impact: usize,
     out_of_range: Vec<OutOfRange>,
+    methods: Vec<(&'static str, usize)>,
+    error_estimate: f64,
+    coupling_neglected: usize,
     inputs: Vec<Summary>,
     summaries: Vec<Option<Summary>>,
 }
 
 impl Study {
     // In the order of the samples, whichever thread did them.
-    fn from_fates(
-        fates: Vec<Fate>,
+    fn from_fates<E>(
+        fates: Vec<Fate<E>>,
         inputs: &[Distribution],
         sampling: &Sampling,
-    ) -> Result<Self, UncertainError> {
+    ) -> Result<Self, UncertainError<E>> {
         let samples = fates.len();
         let (mut no_impact, mut out_of_range) = (0, Vec::<OutOfRange>::new());
+        let (mut methods, mut error_estimate) = (Vec::<(&'static str, usize)>::new(), 0.0_f64);
+        let mut coupling_neglected = 0;
         let mut columns = vec![Vec::with_capacity(samples); Quantity::ALL.len()];
         for (sample, fate) in fates.into_iter().enumerate() {
             match fate {
@@ -173,8 +215,14 @@ impl Study {
                         None => out_of_range.push(OutOfRange { first, count: 1 }),
                     }
                 }
-                Fate::Rebound(numbers) => {
-                    columns.iter_mut().zip(*numbers).for_each(|(column, n)| column.extend(n));
+                Fate::Rebound(sampled) => {
+                    columns.iter_mut().zip(sampled.numbers).for_each(|(c, n)| c.extend(n));
+                    match methods.iter_mut().find(|(name, _)| *name == sampled.method) {
+                        Some((_, count)) => *count += 1,
+                        None => methods.push((sampled.method, 1)),
+                    }
+                    error_estimate = error_estimate.max(sampled.error_estimate);
+                    coupling_neglected += usize::from(sampled.neglects_coupling);
                 }
             }
         }
@@ -194,7 +242,16 @@ impl Study {
         let drawn: Option<Vec<Summary>> =
             (0..inputs.len()).map(|index| Summary::new(drawn(index))).collect();
         let inputs = drawn.ok_or_else(nothing_left)?;
-        Ok(Self { samples, no_impact, out_of_range, inputs, summaries })
+        Ok(Self {
+            samples,
+            no_impact,
+            out_of_range,
+            methods,
+            error_estimate,
+            coupling_neglected,
+            inputs,
+            summaries,
+        })
     }
 
     /// How many samples were drawn.
@@ -213,6 +270,25 @@ impl Study {
     #[must_use]
     pub fn out_of_range(&self) -> &[OutOfRange] {
         &self.out_of_range
+    }
+
+    /// The methods by which the samples were followed ([`crate::coupled::ImpactMethod::name`]), in the order in which
+    /// they first occur, with the number of samples of each.
+    #[must_use]
+    pub fn methods(&self) -> &[(&'static str, usize)] {
+        &self.methods
+    }
+
+    /// The greatest [`Rebound::error_estimate`] of all samples.
+    #[must_use]
+    pub const fn error_estimate(&self) -> f64 {
+        self.error_estimate
+    }
+
+    /// Samples of which the coupling of dissimilar bodies was neglected ([`Warning::Coupling`]).
+    #[must_use]
+    pub const fn coupling_neglected(&self) -> usize {
+        self.coupling_neglected
     }
 
     /// The drawn inputs, all samples, in their order.

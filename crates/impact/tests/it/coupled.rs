@@ -219,6 +219,30 @@ fn planar_and_spatial_laws_meet_in_a_plane() {
     assert!((turned.velocity - turn * planar).norm() < 1e-12);
 }
 
+/// Along each axis of a contact with two stiffnesses the exact impact is the one that is stepped in time beside it.
+#[test]
+fn exact_impacts_along_both_axes_are_the_stepped_ones_beside_them() {
+    let mobility = Matrix3::from_diagonal(&Vector3::new(3.0, 2.0, 1.0));
+    let mobility = Mobility::from_matrix(mobility).unwrap();
+    let stiffness = ContactStiffness::new(0.8, 0.5, 1.0).unwrap();
+    for (f, speed) in [(0.3, 0.2), (0.3, 0.7), (0.3, 2.0), (5.0, 0.5)] {
+        let friction = Friction::new(f).unwrap();
+        for axis in 0..2 {
+            let make = |aside: f64| {
+                let mut velocity = Vector3::z();
+                (velocity[axis], velocity[1 - axis]) = (speed, aside);
+                let impact = CoupledImpact::new(mobility, stiffness, friction, velocity).unwrap();
+                impact.within(1e-7).unwrap()
+            };
+            let (exact, stepped) = (make(0.0), make(1e-9));
+            assert!(matches!(exact.method(), ImpactMethod::Uncoupled { .. }));
+            assert!(matches!(stepped.method(), ImpactMethod::Spatial { .. }));
+            let off = (solve(&exact).velocity - solve(&stepped).velocity).norm();
+            assert!(off < 3e-6, "f = {f}, speed {speed}, axis {axis}: {off:e}");
+        }
+    }
+}
+
 #[test]
 fn pressed_together_again() {
     // A slender rod touching with a steep tip: sliding turns it back into the contact.

@@ -3,6 +3,7 @@
 mod bodies;
 mod closed_form;
 mod collision;
+mod collision_solver;
 mod columns;
 mod coupled;
 mod coupled_extremes;
@@ -27,5 +28,6 @@ mod symmetry;
 mod systems_of_units;
 mod torsional;
 mod torsional_collocation;
+mod twist;
 mod uncertain;
 mod units;

@@ -6,6 +6,7 @@ use carom_halfspace::Material;
 use carom_impact::scene::{Ball, Ending, Limits, Path, Scene, SceneError, Wall};
 use carom_impact::{Body, Motion, NormalRestitution};
 use carom_laws::friction::Friction;
+use nalgebra::Vector3;
 use proptest::prelude::*;
 
 const UP: [f64; 3] = [0.0, 0.0, 1.0];
@@ -264,6 +265,82 @@ fn a_ball_from_far_away_touches_the_wall_that_it_bounces_off() {
             let off = 0.6 * x + 0.8 * z - RADIUS;
             // Five bounces on a frictionless wall leave the ball where it fell.
             assert!(off.abs() < 1e-16, "{height}: {off:e}");
+        }
+    }
+}
+
+/// The nearest point of a rectangle to a place, by its corners alone.
+fn nearest_of(corners: &[Vector3<f64>; 4], place: &Vector3<f64>) -> Vector3<f64> {
+    let [from, one, _, other] = corners;
+    let along = |side: Vector3<f64>| {
+        side * ((place - from).dot(&side) / side.norm_squared()).clamp(0.0, 1.0)
+    };
+    from + along(one - from) + along(other - from)
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(200))]
+
+    /// Flights past an oblong plate in any position, seen at 4000 instants: the first touch is where the scene says,
+    /// on the face, at an edge or nowhere.
+    #[test]
+    fn an_oblong_plate_is_met_when_its_nearest_point_is_a_radius_away(
+        normal in proptest::array::uniform3(-1.0..1.0f64),
+        along in proptest::array::uniform3(-1.0..1.0f64),
+        place in proptest::array::uniform3(-0.3..0.3f64),
+        aim in proptest::array::uniform3(-0.12..0.12f64),
+        from in proptest::array::uniform3(-0.5..0.5f64),
+        gravity in proptest::array::uniform3(-3.0..3.0f64),
+    ) {
+        let (n, u): (Vector3<f64>, Vector3<f64>) = (normal.into(), along.into());
+        prop_assume!(n.cross(&u).norm() > 0.1);
+        let plate = rigid_wall(place, normal, 0.3).rectangle(along, [0.1, 0.03]).unwrap();
+        let corners = plate.corners().unwrap();
+        let [long, short] = [corners[1] - corners[0], corners[3] - corners[0]];
+        prop_assert!((long.norm() - 0.2).abs() < 1e-15 && (short.norm() - 0.06).abs() < 1e-15);
+        prop_assert!(long.dot(&n).abs() < 1e-15);
+        prop_assert!(long.dot(&u) > 0.0);
+        let centre: Vector3<f64> = place.into();
+        prop_assert!((corners.iter().sum::<Vector3<f64>>() / 4.0 - centre).norm() < 1e-15);
+
+        let start = centre + Vector3::from(from).map(|x| x + 0.2_f64.copysign(x));
+        let velocity = 2.0 * (centre + Vector3::from(aim) - start);
+        let flight = |t: f64| start + velocity * t + Vector3::from(gravity) * (0.5 * t * t);
+        let gap = |t: f64| {
+            let at = flight(t);
+            (at - nearest_of(&corners, &at)).norm() - RADIUS
+        };
+        prop_assert!((plate.gap(&start, RADIUS) - gap(0.0)).abs() < 1e-14);
+        let instants = (0..=4000).map(|i| f64::from(i) * 2.5e-4);
+        let least = instants.clone().map(&gap).fold(f64::INFINITY, f64::min);
+        prop_assume!(gap(0.0) > 0.0 && least.abs() > 1e-5);
+        let first = instants.clone().find(|&t| gap(t) <= 0.0);
+
+        let scene = Scene::new(gravity).unwrap().with(plate);
+        let thrown = ball(start.into(), velocity.into(), [0.0; 3]);
+        let path = scene.run(&thrown, limits(1.0, 1)).unwrap();
+        let found = match path.ending() {
+            Ending::Edge { .. } => Some(path.last()),
+            _ => path.bounces().first().map(|bounce| {
+                let nearest = nearest_of(&corners, &bounce.position);
+                let side = (bounce.position - nearest).dot(&bounce.normal);
+                assert!((side - RADIUS).abs() < 1e-12);
+                carom_impact::scene::PathPoint {
+                    time: bounce.time,
+                    position: bounce.position,
+                    motion: bounce.before,
+                }
+            }),
+        };
+        match (first, found) {
+            (None, None) => {}
+            (Some(seen), Some(point)) => {
+                prop_assert!(point.time <= seen && point.time > seen - 2.6e-4);
+                prop_assert!((point.position - flight(point.time)).norm() < 1e-12);
+                let off = (point.position - nearest_of(&corners, &point.position)).norm() - RADIUS;
+                prop_assert!(off.abs() < 1e-12, "{off:e}");
+            }
+            (seen, _) => prop_assert!(false, "seen at {seen:?}, {:?}", path.ending()),
         }
     }
 }

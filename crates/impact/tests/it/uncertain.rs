@@ -3,7 +3,7 @@
 use approx::assert_relative_eq;
 use carom_halfspace::Material;
 use carom_impact::uncertain::{Distribution, Quantity, Sampling, Study, UncertainError};
-use carom_impact::{Body, Collision, CollisionError, Motion};
+use carom_impact::{AnalyticOrRings, Body, Collision, CollisionError, CollisionSolver, Motion};
 use carom_laws::friction::Friction;
 
 /// A solid sphere against a rigid plane: lambda = tan(angle)/f for nu of the pair.
@@ -199,7 +199,7 @@ fn turning_pair(friction: f64) -> Result<Collision, CollisionError> {
 
 #[test]
 fn each_quantity_is_that_of_the_rebound_that_its_name_says() {
-    let outcome = turning_pair(0.2).unwrap().solve().unwrap();
+    let outcome = AnalyticOrRings.solve(&turning_pair(0.2).unwrap()).unwrap();
     let rebound = outcome.rebound().unwrap();
     let narrow = Distribution::uniform(0.2, 0.2 * (1.0 + 1e-9)).unwrap();
     let study = Sampling::new(4, 1).unwrap().run(&[narrow], |f| turning_pair(f[0])).unwrap();

@@ -1,54 +1,62 @@
-//! Whether numbers from outside can be what a contact remembers.
+//! Checks whether numbers from outside are a possible state of the memory.
 
 use carom_special::RangeError;
 
-use super::pack::{EACH, HEAD, knot_of};
+use super::pack::{HEAD_NUMBERS, NUMBERS_PER_VERTEX, node_of};
 use super::piece::{End, Piece};
 use crate::memory::Lateral;
 
-/// By how much anchors and middles of pieces may lie beyond the friction cone, over the approach: the law's own
-/// error. Where pieces were joined for want of room .07 was seen, in four million states of four vertices and
-/// more.
-const BEYOND: f64 = 0.25;
-/// The same, over the shift and the anchor, whose difference counts: round-off.
-const OF_SHIFT: f64 = 1e-12;
-/// By how much the force may be above its limit: 2e-11 was seen.
-const FORCE: f64 = 1e-6;
+/// How far W may lie beyond the friction cone, at ends and middles of pieces, over the approach:
+/// the error of the law. At most 0.07 was seen, where pieces were merged because storage was full,
+/// in four million states of four or more vertices.
+const CONE_EXCESS: f64 = 0.25;
+/// The same over the shift and W: round-off of their difference.
+const SHIFT_ROUND_OFF: f64 = 1e-12;
+/// How far the force may exceed its limit, relative; at most 2e-11 was seen.
+const FORCE_EXCESS: f64 = 1e-6;
 
-/// The anchors lie within the friction cone below the shift, `|X - W(s)| <= zeta - s`, and the force of all rings
-/// within its limit `zeta^(3/2)`; the front lies in the contact.
+/// Checks that the curve lies within the friction cone, `|X - W(s)| <= zeta - s`, the force within
+/// its limit `zeta^(3/2)`, and the slip front within the contact.
 pub(super) fn check_meaning<V: Lateral>(numbers: &[f64], len: usize) -> Result<(), RangeError> {
     let [zeta, front, extent] = [numbers[1].max(0.0), numbers[4], numbers[5]];
     let holds = (0.0..=zeta).contains(&front);
     RangeError::check("front", front, holds, "from 0 to the approach")?;
     RangeError::non_negative("extent", extent)?;
     let shift = V::from_components([numbers[2], numbers[3]]);
-    let size = OF_SHIFT * shift.length();
+    let size = SHIFT_ROUND_OFF * shift.length();
     let mut high = End { depth: zeta, root: zeta.sqrt(), anchor: shift };
     let mut force = V::default();
-    for vertex in numbers[HEAD..HEAD + EACH * len].chunks_exact(EACH).rev() {
-        let knot = knot_of::<V>(vertex);
-        let piece = Piece::new(&knot, high);
-        let [x, y] = knot.anchor.components();
-        let off = size + OF_SHIFT * (x.abs() + y.abs());
-        within(knot.anchor, shift, zeta - knot.depth + BEYOND * zeta + off, "anchor")?;
+    for vertex in numbers[HEAD_NUMBERS..HEAD_NUMBERS + NUMBERS_PER_VERTEX * len]
+        .chunks_exact(NUMBERS_PER_VERTEX)
+        .rev()
+    {
+        let node = node_of::<V>(vertex);
+        let piece = Piece::new(&node, high);
+        let [x, y] = node.anchor.components();
+        let round_off = size + SHIFT_ROUND_OFF * (x.abs() + y.abs());
+        check_distance(
+            node.anchor,
+            shift,
+            zeta - node.depth + CONE_EXCESS * zeta + round_off,
+            "anchor",
+        )?;
         let limit = zeta - piece.middle_depth();
-        within(piece.middle(), shift, limit + BEYOND * zeta + off, "bubble")?;
+        check_distance(piece.middle(), shift, limit + CONE_EXCESS * zeta + round_off, "bubble")?;
         force = force.plus(piece.force());
-        high = knot.end();
+        high = node.end();
     }
     if len > 0 {
-        within(high.anchor, shift, extent * (1.0 + 1e-6) + size, "extent")?;
+        check_distance(high.anchor, shift, extent * (1.0 + 1e-6) + size, "extent")?;
     }
     let force = force.length();
-    let holds = force <= ((1.0 + FORCE) * zeta + size) * zeta.sqrt();
+    let holds = force <= ((1.0 + FORCE_EXCESS) * zeta + size) * zeta.sqrt();
     RangeError::check("force", force, holds, "within its limit")?;
     Ok(())
 }
 
-/// Whether an anchor lies within a way of the shift.
+/// Checks that an anchor is at most `limit` from the shift.
 #[inline]
-fn within<V: Lateral>(
+fn check_distance<V: Lateral>(
     anchor: V,
     shift: V,
     limit: f64,

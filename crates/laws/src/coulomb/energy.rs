@@ -1,24 +1,24 @@
-//! Elastic energy kept in the memory, energy dissipated by a step, and what joins change.
+//! Stored elastic energy, heat and work of a step, and the energy error of fitting and joining.
 
 use carom_special::quadrature::{QuadratureError, Tolerance, adaptive};
 use carom_special::roots::bisect;
 
-use super::CoulombMemory;
 use super::drag::Step;
 use super::piece::{End, Piece};
+use super::{CoulombMemory, Node};
 use crate::bounds::in_memory;
-use crate::memory::{Lateral, VertexStack};
+use crate::memory::{Lateral, NodeStack};
 use crate::profile::GAUSS;
 
-/// The error allowed to an integral over the rings, relative and over the energy of the largest
+/// Largest error of an integral over the annuli: relative, and over the energy at the largest
 /// stretch.
-const RELATIVE: f64 = 1e-13;
-const OF_LARGEST: f64 = 1e-16;
-/// In how many parts of a piece it is looked for where slip begins.
-const LOOKS: usize = 8;
+const MAX_RELATIVE_ERROR: f64 = 1e-13;
+const MAX_ERROR_PER_ENERGY: f64 = 1e-16;
+/// Number of parts of a piece in which the beginning of slip is sought.
+const SLIP_SAMPLES: usize = 8;
 
 impl<V: Lateral> Piece<V> {
-    /// The elastic energy of its rings at a shift, per direction: `(3/4) int |X - W(t^2)|^2 dt`, a
+    /// The elastic energy of its annuli at a shift, per direction: `(3/4) int |X - W(t^2)|^2 dt`, a
     /// polynomial of degree 8 in t.
     pub(super) fn energy(&self, shift: V) -> V {
         let (low, high) = (self.low.root, self.high.root);
@@ -36,92 +36,95 @@ impl<V: Lateral> Piece<V> {
     }
 }
 
-/// What is told about a step by the way.
-pub(super) trait Notes<V> {
-    /// The rings were dragged and drawn; nothing is joined yet.
-    fn drawn(&mut self, chain: impl Iterator<Item = Piece<V>>, shift: V);
-    /// A piece takes the place of two, at a shift.
-    fn joined(&mut self, two: [&Piece<V>; 2], one: &Piece<V>, shift: V);
+/// Is called at the stages of a step.
+pub(super) trait StepObserver<V> {
+    /// The return mapping is complete; nothing is joined yet.
+    fn fitted(&mut self, chain: impl Iterator<Item = Piece<V>>, shift: V);
+    /// One piece replaces two, at a shift.
+    fn joined(&mut self, two: [&Piece<V>; 2], merged: &Piece<V>, shift: V);
 }
 
-/// Nothing is noted.
-pub(super) struct Unnoted;
+/// Ignores all calls.
+pub(super) struct NoObserver;
 
-impl<V> Notes<V> for Unnoted {
+impl<V> StepObserver<V> for NoObserver {
     #[inline]
-    fn drawn(&mut self, _: impl Iterator<Item = Piece<V>>, _: V) {}
+    fn fitted(&mut self, _: impl Iterator<Item = Piece<V>>, _: V) {}
 
     #[inline]
     fn joined(&mut self, _: [&Piece<V>; 2], _: &Piece<V>, _: V) {}
 }
 
-/// The elastic energy of the rings as drawn, and what joins add to it.
-struct Book {
-    drawn: Option<f64>,
+/// The elastic energy of the fitted pieces, and the energy that joins add to it.
+struct EnergyChange {
+    fitted: Option<f64>,
     joined: f64,
 }
 
-impl<V: Lateral> Notes<V> for Book {
-    fn drawn(&mut self, chain: impl Iterator<Item = Piece<V>>, shift: V) {
+impl<V: Lateral> StepObserver<V> for EnergyChange {
+    fn fitted(&mut self, chain: impl Iterator<Item = Piece<V>>, shift: V) {
         let unit = V::from_components([1.0, 1.0]);
-        self.drawn = Some(chain.map(|piece| piece.energy(shift).dot(unit)).sum());
+        self.fitted = Some(chain.map(|piece| piece.energy(shift).dot(unit)).sum());
     }
 
-    fn joined(&mut self, [below, above]: [&Piece<V>; 2], one: &Piece<V>, shift: V) {
+    fn joined(&mut self, [below, above]: [&Piece<V>; 2], merged: &Piece<V>, shift: V) {
         let unit = V::from_components([1.0, 1.0]);
         let two = below.energy(shift).plus(above.energy(shift));
-        self.joined += one.energy(shift).minus(two).dot(unit);
+        self.joined += merged.energy(shift).minus(two).dot(unit);
     }
 }
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
-    /// The elastic energy of the tangential shift, conjugate to Phi and X, per direction:
-    /// `(3/4) int |X - W(t^2)|^2 dt`.
+impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
+    /// The elastic energy of the tangential shift per direction, `(3/4) int |X - W(t^2)|^2 dt`,
+    /// conjugate to Phi and X.
     #[must_use]
     pub fn stored_energy(&self) -> V {
         self.chain().fold(V::default(), |sum, piece| sum.plus(piece.energy(self.shift)))
     }
 
-    /// The energy that the straight step to a new approach and shift would turn into heat, per
-    /// direction, conjugate to Phi and X: the integral of traction times slip over the rings and
-    /// the way, by quadrature. Not negative; nothing moves. Not finite arguments give zero.
+    /// The heat of friction per direction in a straight step to a new approach and shift, conjugate
+    /// to Phi and X.
+    ///
+    /// It is the integral of traction times slip over the annuli and the path, by quadrature; it is
+    /// not negative. The state does not change. Arguments that are not finite give zero.
     #[must_use]
     pub fn dissipation(&self, zeta: f64, shift: V) -> V {
         let along = |weight| self.heat(zeta, shift, V::from_components(weight));
         V::from_components([along([1.0, 0.0]), along([0.0, 1.0])])
     }
 
-    /// The work of the force in the straight step to a new approach and shift, of each ring by
-    /// itself, by quadrature; conjugate to Phi and X.
+    /// The work of the force in a straight step to a new approach and shift, summed over the annuli
+    /// by quadrature; conjugate to Phi and X.
     #[must_use]
     pub fn work(&self, zeta: f64, shift: V) -> f64 {
-        self.over_rings(zeta, shift, Step::work)
+        self.over_annuli(zeta, shift, Step::work)
     }
 
-    /// The energy that drawing parabolas through the dragged rings, and joining them, adds in a
-    /// step, with its sign: work is the growth of [`CoulombMemory::stored_energy`], less this, and
-    /// the heat. It vanishes with the tolerance. In storage that is full it has that of the joins
-    /// for want of room.
+    /// The energy that fitting parabolas and joining them adds in a step, with its sign.
+    ///
+    /// Work is the increase of [`CoulombMemory::stored_energy`], less this, plus the heat. It
+    /// vanishes with the tolerance. In full storage it includes the merges for lack of room.
     #[must_use]
     pub fn joined_energy(&self, zeta: f64, shift: V) -> f64 {
         if in_memory("zeta", zeta).is_err() || !shift.is_finite() {
             return 0.0;
         }
         let unit = V::from_components([1.0, 1.0]);
-        let (mut after, mut book) = (self.clone(), Book { drawn: None, joined: 0.0 });
-        after.step_noted(zeta, shift, &mut book);
-        let drawn = book.drawn.unwrap_or_else(|| after.stored_energy().dot(unit) - book.joined);
-        drawn - self.exact_energy(zeta, shift) + book.joined
+        let (mut after, mut change) = (self.clone(), EnergyChange { fitted: None, joined: 0.0 });
+        after.step_observed(zeta, shift, &mut change);
+        let fitted =
+            change.fitted.unwrap_or_else(|| after.stored_energy().dot(unit) - change.joined);
+        fitted - self.exact_energy(zeta, shift) + change.joined
     }
 
     /// The scalar product of [`CoulombMemory::dissipation`] and the energies `unit`.
     pub(crate) fn heat(&self, zeta: f64, shift: V, unit: V) -> f64 {
-        self.over_rings(zeta, shift, |step, depth, anchor| step.heat(depth, anchor, unit))
+        self.over_annuli(zeta, shift, |step, depth, anchor| step.heat(depth, anchor, unit))
     }
 
-    /// The elastic energy after a step if every ring is dragged by itself.
+    /// The elastic energy after a step if the return mapping is exact for every annulus.
     fn exact_energy(&self, zeta: f64, shift: V) -> f64 {
-        self.over_rings(zeta, shift, |step, depth, anchor| {
+        self.over_annuli(zeta, shift, |step, depth, anchor| {
             if depth >= step.zeta {
                 return 0.0;
             }
@@ -130,8 +133,9 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         })
     }
 
-    /// An integral over the springs of all rings that touch in a step, `int F'' f ds`.
-    fn over_rings(&self, zeta: f64, shift: V, f: impl Fn(&Step<V>, f64, V) -> f64) -> f64 {
+    /// The integral of `f` over all annuli that are in contact at some time of the step,
+    /// `int F'' f ds`.
+    fn over_annuli(&self, zeta: f64, shift: V, f: impl Fn(&Step<V>, f64, V) -> f64) -> f64 {
         if !zeta.is_finite() || !shift.is_finite() || (self.zeta <= 0.0 && zeta <= 0.0) {
             return 0.0;
         }
@@ -151,7 +155,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             sum += over_piece(&piece, &step, size, &f);
         }
         if end.0 > before.zeta {
-            // Rings that touch on the way, their anchors on the path.
+            // Annuli that come into contact during the step: W lies on the path.
             let high = End { depth: end.0, root: end.0.sqrt(), anchor: end.1 };
             let low = End { depth: before.zeta, root: before.root, anchor: before.shift };
             let piece = Piece { low, high, bubble: V::default(), error: 0.0 };
@@ -161,9 +165,9 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 }
 
-/// The integral over the springs of a piece, parted at its middle, at the ring that parts at the end,
-/// and where rings come beyond their limit in the step or, as they were drawn, are so before it, or
-/// graze it.
+/// The integral over the annuli of a piece, divided at its middle, at the annulus that separates at
+/// the end of the step, and at kinks: where annuli reach their limit in the step, are beyond it
+/// before, because W is inaccurate, or graze it.
 fn over_piece<V: Lateral>(
     piece: &Piece<V>,
     step: &Step<V>,
@@ -171,8 +175,10 @@ fn over_piece<V: Lateral>(
     f: &impl Fn(&Step<V>, f64, V) -> f64,
 ) -> f64 {
     let length = piece.high.depth - piece.low.depth;
-    let Ok(tolerance) = Tolerance::new((OF_LARGEST * size).max(1e-300), RELATIVE) else {
-        return 0.0; // not finite: refused before
+    let Ok(tolerance) =
+        Tolerance::new((MAX_ERROR_PER_ENERGY * size).max(1e-300), MAX_RELATIVE_ERROR)
+    else {
+        return 0.0; // not finite: already rejected
     };
     if length <= 0.0 {
         return 0.0;
@@ -185,7 +191,7 @@ fn over_piece<V: Lateral>(
     let excess = |part: f64| step.excess(piece.depth_at(part), piece.at(part));
     let before = |part: f64| step.excess_before(piece.depth_at(part), piece.at(part));
     let grazes = |part: f64| f64::from(step.grazes(piece.depth_at(part), piece.at(part)));
-    // The derivatives of both by the part, halved.
+    // Half the derivatives of both by the fraction.
     let rate = |zeta: f64, shift: V| {
         move |part: f64| {
             let limit = (zeta - piece.depth_at(part)).abs();
@@ -194,11 +200,13 @@ fn over_piece<V: Lateral>(
     };
     let start = step.shift.minus(step.ahead.times(step.length));
     let [rate, rate_before] = [rate(step.zeta, step.shift), rate(step.zeta - step.dz, start)];
-    // The ring that parts at the end is between those that do before and those that stay.
+    // The annulus that separates at the end of the step lies between separated ones and those in
+    // contact.
     let parts = ((step.zeta - piece.low.depth) / length).clamp(0.0, 1.0);
     let mut marks = Marks::new(parts);
-    for [from, to] in looks(0.0, 1.0) {
-        // A zone that slips or sticks may be narrower than a look: it has an extreme.
+    for [from, to] in sample_intervals(0.0, 1.0) {
+        // A zone of slip or stick may be narrower than a part; the excess then has an extremum
+        // there.
         let top = kink(&rate, from, to).unwrap_or(to);
         let top_before = kink(&rate_before, from, to).unwrap_or(to);
         marks.add(kink(&excess, from, top));
@@ -209,7 +217,7 @@ fn over_piece<V: Lateral>(
     for [low, high] in marks.clone().intervals() {
         let middle = 0.5 * (low + high);
         if excess(middle) > 0.0 && before(middle) > 0.0 {
-            for [from, to] in looks(low, high) {
+            for [from, to] in sample_intervals(low, high) {
                 marks.add(kink(&grazes, from, to));
             }
         }
@@ -223,24 +231,24 @@ fn over_piece<V: Lateral>(
     marks.intervals().map(integral).sum()
 }
 
-/// The parts of a piece at which an integrand has kinks, in order from 0 to 1.
+/// The fractions of a piece at which the integrand has kinks, in ascending order from 0 to 1.
 #[derive(Clone)]
 struct Marks {
-    at: [f64; 8 * LOOKS],
+    at: [f64; 8 * SLIP_SAMPLES],
     count: usize,
 }
 
 impl Marks {
-    /// Both ends, the middle, and one more.
+    /// Both ends, the middle, and one more fraction.
     fn new(part: f64) -> Self {
-        let mut marks = Self { at: [1.0; 8 * LOOKS], count: 2 };
+        let mut marks = Self { at: [1.0; 8 * SLIP_SAMPLES], count: 2 };
         marks.at[0] = 0.0;
         marks.add(Some(0.5));
         marks.add(Some(part));
         marks
     }
 
-    /// Adds one, while there is room.
+    /// Adds a fraction if there is room.
     fn add(&mut self, mark: Option<f64>) {
         if let Some(mark) = mark
             && self.count < self.at.len()
@@ -258,12 +266,12 @@ impl Marks {
 }
 
 /// Equal parts of an interval.
-fn looks(from: f64, to: f64) -> impl Iterator<Item = [f64; 2]> {
-    let at = move |look: usize| from + (to - from) * (look as f64 / LOOKS as f64);
-    (0..LOOKS).map(move |look| [at(look), at(look + 1)])
+fn sample_intervals(from: f64, to: f64) -> impl Iterator<Item = [f64; 2]> {
+    let at = move |sample: usize| from + (to - from) * (sample as f64 / SLIP_SAMPLES as f64);
+    (0..SLIP_SAMPLES).map(move |sample| [at(sample), at(sample + 1)])
 }
 
-/// Where a function changes its sign between two places, if it has two signs there.
+/// Where a function changes its sign between two points, if its signs there differ.
 fn kink(f: &impl Fn(f64) -> f64, from: f64, to: f64) -> Option<f64> {
     let beyond = f(to) > 0.0;
     if (f(from) > 0.0) == beyond {

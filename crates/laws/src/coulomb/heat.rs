@@ -1,27 +1,27 @@
-//! The heat of one ring on a straight step, and its work.
+//! Heat and work of one annulus in a straight step.
 
-use super::drag::{Met, Step, cross, fall};
+use super::drag::{LimitPoint, Step, cross, log_tangent_decrease};
 use crate::memory::Lateral;
 use crate::profile::GAUSS;
 
-/// Below this logarithm of `tan(theta/2)` the slip is along the step to round-off.
-const ALIGNED: f64 = -18.0;
-/// The widest panel of a quadrature over that logarithm: directions have poles at pi/2 beside it, so
-/// that eight points err by 1e-14.
-const PANEL: f64 = 0.8;
+/// Below this log `tan(theta/2)` slip is parallel to the step to round-off.
+const ALIGNED_LOG_TANGENT: f64 = -18.0;
+/// Widest panel of the quadrature over log `tan(theta/2)`: the directions have poles at the
+/// distance pi/2, so that eight points have an error of 1e-14.
+const MAX_PANEL_WIDTH: f64 = 0.8;
 
-/// Panels over a limit that shrinks, and how much each shrinks.
+/// Number of panels over a decreasing limit, and ratio of successive limits.
 const STEEP_PANELS: u32 = 20;
-const SHRINK: f64 = 0.5;
+const LIMIT_RATIO_OF_PANELS: f64 = 0.5;
 
-/// The energies that a unit of heat is, along the step and across it.
+/// The energy of a unit of heat for each direction of traction.
 struct Units<V> {
     unit: V,
     ahead: V,
 }
 
 impl<V: Lateral> Units<V> {
-    /// The energy per normalised heat of a ring whose traction has these direction cosines.
+    /// The energy per normalised heat of an annulus whose traction has these direction cosines.
     fn of(&self, cos: f64, sin: f64) -> f64 {
         let ([x, y], [u, v]) = (self.ahead.components(), self.unit.components());
         let (along_x, along_y) = (cos * x - sin * y, cos * y + sin * x);
@@ -29,22 +29,22 @@ impl<V: Lateral> Units<V> {
     }
 }
 
-/// Where a ring begins to slip, and its limit at the end.
+/// Where an annulus begins to slip, and its limit at the end.
 struct Slip {
-    met: Met,
+    met: LimitPoint,
     limit: f64,
     across: f64,
-    /// The energy beyond the limit that a ring may have as it was drawn; it snaps back.
+    /// Energy beyond the limit if W was inaccurate; it is released at once.
     beyond: f64,
 }
 
 impl<V: Lateral> Step<V> {
-    /// What a ring turns into heat: the integral of traction times slip, which is parallel to it,
-    /// `int r (cos theta - dr/dl) dl`, r the limit and l the way. A ring that touches on the way
-    /// begins there; one that parts ends there.
+    /// The heat of an annulus: the integral of traction times slip, which are parallel,
+    /// `int r (cos theta - dr/dl) dl`, r the limit and l the path. It counts from first contact if
+    /// the annulus comes into contact in the step, and up to separation if it separates.
     pub(super) fn heat(&self, depth: f64, anchor: V, unit: V) -> f64 {
         if self.zeta < depth {
-            return self.until(depth).heat(depth, anchor, unit);
+            return self.until_separation(depth).heat(depth, anchor, unit);
         }
         if self.length == 0.0 {
             let (stretch, limit) = (self.shift.minus(anchor), self.zeta - depth);
@@ -66,7 +66,7 @@ impl<V: Lateral> Step<V> {
         self.slip_heat(depth, anchor, unit)
     }
 
-    /// The heat of a ring that touches at the end and was within its limit.
+    /// The heat of an annulus that is in contact at the end and was within its limit.
     fn slip_heat(&self, depth: f64, anchor: V, unit: V) -> f64 {
         let units = Units { unit, ahead: self.ahead };
         let rate = |cos: f64, sin: f64| (cos - self.slope).max(0.0) * units.of(cos, sin);
@@ -81,51 +81,52 @@ impl<V: Lateral> Step<V> {
         })
     }
 
-    /// The work of a ring's traction on the shift: what it takes up until it slips, then
-    /// `int r cos theta dl`.
+    /// The work of an annulus on the shift: elastic until it slips, then `int r cos theta dl`.
     pub(super) fn work(&self, depth: f64, anchor: V) -> f64 {
         if self.zeta < depth {
-            return self.until(depth).work(depth, anchor);
+            return self.until_separation(depth).work(depth, anchor);
         }
         let anchor = if self.grazes(depth, anchor) { self.settled(depth, anchor) } else { anchor };
         let stretch = self.shift.minus(anchor);
-        let elastic = |way: f64, rest: f64| {
-            // From the start to where `rest` is left: way times the traction between.
-            way * (stretch.dot(self.ahead) - rest - 0.5 * way)
+        let elastic = |path: f64, rest: f64| {
+            // The work from the start up to the length `rest` before the end: length times mean
+            // traction.
+            path * (stretch.dot(self.ahead) - rest - 0.5 * path)
         };
-        // A ring that touches on the way has its anchor there, and no stretch.
+        // An annulus that comes into contact during the step has no stretch at first.
         let limit = self.zeta - depth;
-        let way = if self.dz > 0.0 {
+        let path = if self.dz > 0.0 {
             self.length.min(self.length * (limit / self.dz))
         } else {
             self.length
         };
         match self.slip(depth, anchor) {
-            None => elastic(way, 0.0),
+            None => elastic(path, 0.0),
             Some(slip) => {
-                let before = elastic((way - slip.met.rest).max(0.0), slip.met.rest);
+                let before = elastic((path - slip.met.rest).max(0.0), slip.met.rest);
                 before + self.over_slip(&slip, |cos, _| cos)
             }
         }
     }
 
-    /// Whether a ring, as it was drawn, was beyond its limit and would not have come within it.
+    /// Whether an annulus, because W was inaccurate, was beyond its limit and would not come within
+    /// it.
     pub(super) fn grazes(&self, depth: f64, anchor: V) -> bool {
         if self.zeta < depth {
-            return self.until(depth).grazes(depth, anchor);
+            return self.until_separation(depth).grazes(depth, anchor);
         }
         self.slip(depth, anchor).is_some_and(|slip| slip.met.grazes)
     }
 
-    /// The step until the ring of a depth parts.
-    fn until(&self, depth: f64) -> Self {
+    /// The step up to the separation of the annulus of a depth.
+    fn until_separation(&self, depth: f64) -> Self {
         let start = self.zeta - self.dz;
         let before = self.shift.minus(self.ahead.times(self.length));
         let part = (start - depth) / -self.dz;
         Self::new((start, before), (depth, before.plus(self.ahead.times(part * self.length))))
     }
 
-    /// The slip of a ring that touches at the end of the step, if it slips.
+    /// The slip of an annulus that is in contact at the end of the step, if it slips.
     fn slip(&self, depth: f64, anchor: V) -> Option<Slip> {
         let limit = self.zeta - depth;
         let stretch = self.shift.minus(anchor);
@@ -138,10 +139,10 @@ impl<V: Lateral> Step<V> {
         Some(Slip { met, limit, across, beyond })
     }
 
-    /// The integral of `r rate(cos theta, sin theta) dl` over the slip of a ring.
+    /// The integral of `r rate(cos theta, sin theta) dl` over the slip of an annulus.
     fn over_slip(&self, slip: &Slip, rate: impl Fn(f64, f64) -> f64) -> f64 {
         let Slip { met, limit, .. } = slip;
-        let straight = |way: f64, mean: f64, cos: f64| way * mean * rate(cos, 0.0);
+        let straight = |path: f64, mean: f64, cos: f64| path * mean * rate(cos, 0.0);
         let Some([near, far]) = met.half else {
             let cos = if met.at < 0.0 { -1.0 } else { 1.0 };
             return straight(met.rest, 0.5 * (met.limit + limit), cos);
@@ -152,15 +153,15 @@ impl<V: Lateral> Step<V> {
         }
         // In x = log tan(theta/2): dx = -dl/r, r = r_0 exp(slope (x_0 - x)).
         let first = libm::log(tangent.abs());
-        let fall = fall(met.rest, [met.limit, *limit], self.slope);
-        let last = (first - fall).max(ALIGNED.min(first));
+        let log_tangent_decrease = log_tangent_decrease(met.rest, [met.limit, *limit], self.slope);
+        let last = (first - log_tangent_decrease).max(ALIGNED_LOG_TANGENT.min(first));
         let limit_at = |x: f64| met.limit * libm::exp(self.slope * (first - x));
         let at = |x: f64| {
             let (tangent, limit) = (libm::exp(x).copysign(tangent), limit_at(x));
             let [cos, sin] = directions(tangent);
             limit * limit * rate(cos, sin)
         };
-        let panels = ((first - last) / PANEL).ceil().max(1.0);
+        let panels = ((first - last) / MAX_PANEL_WIDTH).ceil().max(1.0);
         let width = (first - last) / panels;
         let mut sum = 0.0;
         for panel in 0..panels as usize {
@@ -168,16 +169,16 @@ impl<V: Lateral> Step<V> {
             sum += GAUSS.iter().map(|(x, w)| w * at(from + x * width)).sum::<f64>() * width;
         }
         let aligned = limit_at(last);
-        let way = if self.slope == 0.0 {
+        let path = if self.slope == 0.0 {
             met.rest - met.limit * (first - last)
         } else {
             met.rest - (aligned - met.limit) / self.slope
         };
-        sum + straight(way.max(0.0), 0.5 * (aligned + limit), 1.0)
+        sum + straight(path.max(0.0), 0.5 * (aligned + limit), 1.0)
     }
 
-    /// The same where the limit shrinks faster than the shift moves: over the limit r, in panels
-    /// that shrink with it, `tan(theta/2) ~ r^(-1/slope)`.
+    /// The same if the limit decreases faster than the shift moves: over the limit r, in panels
+    /// that shrink in proportion, `tan(theta/2) ~ r^(-1/slope)`.
     fn over_steep_slip(
         &self,
         tangent: f64,
@@ -190,7 +191,8 @@ impl<V: Lateral> Step<V> {
         };
         let (mut high, mut sum) = (first, 0.0);
         for panel in 1..=STEEP_PANELS {
-            let low = if panel == STEEP_PANELS { last } else { (SHRINK * high).max(last) };
+            let low =
+                if panel == STEEP_PANELS { last } else { (LIMIT_RATIO_OF_PANELS * high).max(last) };
             let width = high - low;
             sum += GAUSS.iter().map(|(x, w)| w * at(low + x * width)).sum::<f64>() * width;
             high = low;
@@ -226,7 +228,7 @@ mod tests {
         for case in 0..200_000 {
             let (zeta, depth) = (0.2 + unit(), 0.15 * unit());
             let limit = zeta - depth;
-            // At the limit, within it, or, as it may be drawn, beyond.
+            // At the limit, within it, or beyond it because of the error of W.
             let reach = [1.0, unit(), 1.0 + 0.01 * unit()][case % 3] * limit;
             let angle = std::f64::consts::TAU * unit();
             let anchor = [reach * angle.cos(), reach * angle.sin()];

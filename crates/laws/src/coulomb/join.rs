@@ -1,71 +1,74 @@
-//! Two pieces of the curve in the place of one, where it costs next to nothing.
+//! Joins two pieces of the curve if one parabola is accurate enough.
 
 use super::drag::cross;
-use super::energy::Notes;
-use super::piece::{End, Knot, Piece, weights};
-use super::storage::Vertices;
-use crate::memory::Lateral;
+use super::energy::StepObserver;
+use super::piece::{End, Node, Piece, weights};
+use crate::memory::{Lateral, Nodes};
 
-/// Lengths that count in a step.
+/// The lengths that control splitting and joining in a step.
 #[derive(Debug, Clone, Copy)]
-pub(super) struct Sizes {
-    /// The largest stretch there has been.
+pub(super) struct ControlLengths {
+    /// Largest stretch of the centre since first contact.
     pub(super) extent: f64,
-    /// How far a join may move the curve of the whole contact, over the approach at which it comes to
-    /// light again or, where that is smaller, the extent.
-    pub(super) miss: f64,
-    /// The largest bubble of the whole contact over the same.
-    pub(super) bulge: f64,
-    /// What is no length at all.
+    /// Largest displacement of the curve by a join of pieces that reach from the centre to the edge,
+    /// over the approach or, if it is smaller, over `extent`.
+    pub(super) max_move: f64,
+    /// Largest deviation from its chord of a parabola from the centre to the edge, over the same
+    /// length.
+    pub(super) max_bubble: f64,
+    /// Lengths up to this count as zero.
     pub(super) exact: f64,
 }
 
-impl Sizes {
-    /// By what the errors of a piece are measured: its own approach, since the contact may recede
-    /// to it.
+impl ControlLengths {
+    /// The length that makes the errors of a piece relative: its own approach, to which the contact
+    /// may recede, or `extent`.
     #[inline]
     fn of<V>(&self, high: &End<V>) -> f64 {
         high.depth.min(self.extent)
     }
 
-    /// How far a join may move the curve between two ends, and how large a bubble may be there: the
-    /// more, the smaller the part of these rings in the force of the contact that they are the edge of,
-    /// `1 - sqrt(low/high)`.
+    /// The allowed displacement of a join and the allowed deviation from the chord between two
+    /// ends. Both are larger, the smaller the share `1 - sqrt(low/high)` of these annuli in the
+    /// force of the contact of which they are the edge.
     #[inline]
     pub(super) fn allowed<V>(&self, low: &End<V>, high: &End<V>) -> [f64; 2] {
         let size = self.of(high);
         let inverse = high.root / (high.root - low.root);
         let at_most = |most: f64| if inverse < most { inverse } else { most };
-        [self.miss * size * at_most(NARROWEST), self.bulge * size * at_most(NARROW)]
+        [
+            self.max_move * size * at_most(MAX_MOVE_FACTOR),
+            self.max_bubble * size * at_most(MAX_BUBBLE_FACTOR),
+        ]
     }
 
-    /// What is a straight line.
+    /// Deviations up to this count as a straight line.
     #[inline]
     pub(super) fn straight<V>(&self, high: &End<V>) -> f64 {
-        self.exact.max(STRAIGHT * self.miss * self.of(high))
+        self.exact.max(STRAIGHT_SHARE_OF_MOVE * self.max_move * self.of(high))
     }
 }
 
-/// How much more a join may move what has a small part in the force than the whole contact, and how
-/// much larger its bubble may be. What is drawn stays within the tolerance.
-const NARROWEST: f64 = 10.0;
-const NARROW: f64 = 2.5;
-/// What is a straight line, as a share of what a join may move.
-const STRAIGHT: f64 = 1e-6;
-/// How far a parabola that vanishes at one end lies off at most, over its larger value at the middle
-/// and the other end.
-pub(super) const BETWEEN: f64 = 1.125;
-/// The sine below which three anchors lie on a line.
-const IN_LINE: f64 = 1e-9;
+/// Largest factors by which narrow pieces, with a small share in the force, may exceed `max_move`
+/// and `max_bubble`. Fitted pieces stay within the tolerance.
+const MAX_MOVE_FACTOR: f64 = 10.0;
+const MAX_BUBBLE_FACTOR: f64 = 2.5;
+/// Largest deviation of a straight line, as a share of the displacement allowed to a join.
+const STRAIGHT_SHARE_OF_MOVE: f64 = 1e-6;
+/// Largest deviation of a parabola that vanishes at one end, over the larger of its values at the
+/// middle and the other end.
+pub(super) const MAX_OVER_SAMPLED_MOVE: f64 = 1.125;
+/// Three points of the curve are collinear below this sine.
+const COLLINEAR_SINE: f64 = 1e-9;
 
-/// A place on two neighbouring pieces: its way off their common chord, and how far it would lie off
-/// on one parabola, over its bubble.
-pub(super) struct Place<V> {
-    off: V,
+/// A point of two neighbouring pieces: its distance from their common chord, and the distance of
+/// one parabola there, over the deviation of its middle.
+pub(super) struct Sample<V> {
+    deviation: V,
     weight: f64,
 }
 
-/// The larger of two numbers that are ones.
+/// The larger of two numbers, neither of which is NaN.
 #[inline]
 fn larger(a: f64, b: f64) -> f64 {
     if a > b { a } else { b }
@@ -79,20 +82,20 @@ pub(super) struct Pair<V> {
 
 impl<V: Lateral> Pair<V> {
     #[inline(always)]
-    pub(super) fn at<S: Vertices<V>>(stack: &S, i: usize, tip: End<V>) -> Self {
-        let (below, here) = (Knot::of(stack.get(i - 1)), Knot::of(stack.get(i)));
-        let end = if i + 1 < stack.len() { Knot::of(stack.get(i + 1)).end() } else { tip };
+    pub(super) fn at<S: Nodes<Node<V>>>(stack: &S, i: usize, tip: End<V>) -> Self {
+        let (below, here) = ((*stack.get(i - 1)), (*stack.get(i)));
+        let end = if i + 1 < stack.len() { (*stack.get(i + 1)).end() } else { tip };
         Self { below: Piece::new(&below, here.end()), above: Piece::new(&here, end) }
     }
 
-    /// The piece that takes the place of both.
+    /// The piece that replaces both.
     #[inline]
-    pub(super) fn one(&self, bubble: V) -> Piece<V> {
+    pub(super) fn merged(&self, bubble: V) -> Piece<V> {
         let error = larger(self.below.error, self.above.error);
         Piece { low: self.below.low, high: self.above.high, bubble, error }
     }
 
-    /// The rises of both together and of the lower one.
+    /// The rise of both together and that of the lower one.
     #[inline(always)]
     fn rises(&self) -> [V; 2] {
         let foot = self.below.low.anchor;
@@ -106,20 +109,21 @@ impl<V: Lateral> Pair<V> {
         (self.below.high.depth - low) / (high - low)
     }
 
-    /// Whether both are straight and on one line, to and fro, as all are on a collinear path.
+    /// Whether both are straight and collinear, also if they reverse: true for all pieces of a path
+    /// along a line.
     #[inline(always)]
-    fn in_line(&self, exact: f64) -> bool {
+    fn is_collinear(&self, exact: f64) -> bool {
         if self.below.bubble != V::default() || self.above.bubble != V::default() {
             return false;
         }
         let [rise, first] = self.rises();
         let (long, short) = (rise.dot(rise), first.dot(first));
         let area = cross(rise, first);
-        let within = (IN_LINE * IN_LINE * short.min(long)).max(exact * exact);
+        let within = (COLLINEAR_SINE * COLLINEAR_SINE * short.min(long)).max(exact * exact);
         area * area <= within * long.max(short)
     }
 
-    /// The bubble of the one piece that leaves the force as it is.
+    /// The deviation of the one piece that leaves the force unchanged.
     #[inline]
     pub(super) fn bubble(&self) -> V {
         let [chord, bubble] = weights(&self.below.low, &self.above.high);
@@ -127,42 +131,45 @@ impl<V: Lateral> Pair<V> {
         rise.times(chord).minus(self.below.force()).minus(self.above.force()).times(1.0 / bubble)
     }
 
-    /// The places whose moves count: the vertex taken out and both middles.
+    /// The sampled points: the vertex to be removed and both middles.
     #[inline(always)]
-    pub(super) fn places(&self) -> [Place<V>; 3] {
+    pub(super) fn samples(&self) -> [Sample<V>; 3] {
         let part = self.part();
         let rest = 1.0 - part;
         let [rise, first] = self.rises();
-        let off = first.minus(rise.times(part));
-        let half = off.times(0.5);
+        let deviation = first.minus(rise.times(part));
+        let half = deviation.times(0.5);
         [
-            Place { off, weight: 4.0 * part * rest },
-            Place { off: half.plus(self.below.bubble), weight: part * (1.0 + rest) },
-            Place { off: half.plus(self.above.bubble), weight: rest * (1.0 + part) },
+            Sample { deviation, weight: 4.0 * part * rest },
+            Sample { deviation: half.plus(self.below.bubble), weight: part * (1.0 + rest) },
+            Sample { deviation: half.plus(self.above.bubble), weight: rest * (1.0 + part) },
         ]
     }
 
-    /// The square of how far the curve moves.
+    /// The square of the displacement of the curve.
     #[inline(always)]
-    pub(super) fn move_by(places: &[Place<V>; 3], bubble: V) -> f64 {
-        let [vertex, below, above] = places.each_ref().map(|place| {
-            let by = place.off.minus(bubble.times(place.weight));
+    pub(super) fn move_by(samples: &[Sample<V>; 3], bubble: V) -> f64 {
+        let [vertex, below, above] = samples.each_ref().map(|sample| {
+            let by = sample.deviation.minus(bubble.times(sample.weight));
             by.dot(by)
         });
         larger(vertex, larger(below, above))
     }
 
-    /// How far apart the vertex and a middle are from one parabola, times what is second.
+    /// The distance of the vertex and a middle from one common parabola: squares of numerator and
+    /// denominator.
     #[inline(always)]
-    fn gap(vertex: &Place<V>, middle: &Place<V>) -> [f64; 2] {
-        let gap = vertex.off.times(middle.weight).minus(middle.off.times(vertex.weight));
+    fn gap(vertex: &Sample<V>, middle: &Sample<V>) -> [f64; 2] {
+        let gap =
+            vertex.deviation.times(middle.weight).minus(middle.deviation.times(vertex.weight));
         let weight = vertex.weight + middle.weight;
         [gap.dot(gap), weight * weight]
     }
 
-    /// The square of how far the vertex or a middle moves at least, whatever the bubble.
+    /// The square of the smallest possible displacement of the vertex and the middles, for any
+    /// deviation.
     #[inline]
-    pub(super) fn least_move([vertex, below, above]: &[Place<V>; 3]) -> f64 {
+    pub(super) fn least_move([vertex, below, above]: &[Sample<V>; 3]) -> f64 {
         let [low, high] = [below, above].map(|middle| {
             let [gap, weight] = Self::gap(vertex, middle);
             gap / weight
@@ -170,75 +177,81 @@ impl<V: Lateral> Pair<V> {
         larger(low, high)
     }
 
-    /// Whether no bubble that is allowed keeps the moves within a length.
+    /// Whether every allowed deviation moves the curve by more than `max_move`.
     #[inline(always)]
-    fn is_hopeless([vertex, below, above]: &[Place<V>; 3], miss: f64, bulge: f64) -> bool {
-        let reach = miss + vertex.weight * bulge;
-        let square = miss * miss;
-        vertex.off.dot(vertex.off) > reach * reach
+    fn cannot_join(
+        [vertex, below, above]: &[Sample<V>; 3],
+        max_move: f64,
+        max_bubble: f64,
+    ) -> bool {
+        let reach = max_move + vertex.weight * max_bubble;
+        let square = max_move * max_move;
+        vertex.deviation.dot(vertex.deviation) > reach * reach
             || [above, below].into_iter().any(|middle| {
                 let [gap, weight] = Self::gap(vertex, middle);
                 gap > square * weight
             })
     }
 
-    /// The bubble of one piece in the place of both, if it may take it, and how far their anchors
-    /// move at most.
+    /// The deviation of the one piece and the largest displacement of the curve, if the join is
+    /// allowed.
     #[inline(always)]
-    fn joint(&self, sizes: &Sizes) -> Option<(V, f64)> {
-        let places = self.places();
-        if self.in_line(sizes.exact) {
-            let off = places[0].off;
-            return (off.dot(off) <= sizes.exact * sizes.exact).then(|| (V::default(), 0.0));
+    fn join_bubble(&self, lengths: &ControlLengths) -> Option<(V, f64)> {
+        let samples = self.samples();
+        if self.is_collinear(lengths.exact) {
+            let deviation = samples[0].deviation;
+            return (deviation.dot(deviation) <= lengths.exact * lengths.exact)
+                .then(|| (V::default(), 0.0));
         }
-        let [miss, bulge] = sizes.allowed(&self.below.low, &self.above.high);
-        if Self::is_hopeless(&places, miss, bulge) {
+        let [max_move, max_bubble] = lengths.allowed(&self.below.low, &self.above.high);
+        if Self::cannot_join(&samples, max_move, max_bubble) {
             return None;
         }
         let bubble = self.bubble();
-        let square = Self::move_by(&places, bubble);
-        let holds = bubble.dot(bubble) <= bulge * bulge && square <= miss * miss;
-        holds.then(|| (bubble, BETWEEN * square.sqrt()))
+        let square = Self::move_by(&samples, bubble);
+        let holds = bubble.dot(bubble) <= max_bubble * max_bubble && square <= max_move * max_move;
+        holds.then(|| (bubble, MAX_OVER_SAMPLED_MOVE * square.sqrt()))
     }
 }
 
 impl<V: Lateral> Pair<V> {
-    /// One piece in the place of both, between which vertex i lies, that moves their anchors so far; returns it.
+    /// Replaces both pieces, of which vertex `i` is the common end, by one with the deviation
+    /// `bubble` that moves the curve by at most `moved`; returns it.
     #[inline]
-    pub(super) fn replace<S: Vertices<V>>(
+    pub(super) fn replace<S: Nodes<Node<V>>>(
         &self,
         stack: &mut S,
         i: usize,
         (bubble, moved): (V, f64),
         shift: V,
-        notes: &mut impl Notes<V>,
+        observer: &mut impl StepObserver<V>,
     ) -> Piece<V> {
-        let one = self.one(bubble);
-        notes.joined([&self.below, &self.above], &one, shift);
-        stack.get_mut(i - 1).slope = bubble;
-        stack.get_mut(i - 1).force_slope = V::from_components([one.error + moved, 0.0]);
+        let merged = self.merged(bubble);
+        observer.joined([&self.below, &self.above], &merged, shift);
+        stack.get_mut(i - 1).bubble = bubble;
+        stack.get_mut(i - 1).error = merged.error + moved;
         stack.remove(i);
-        Piece { error: one.error + moved, ..one }
+        Piece { error: merged.error + moved, ..merged }
     }
 }
 
-/// Joins what may be joined of the pieces from that below vertex i on.
+/// Joins pieces where the tolerance allows, from the one below vertex `i` upwards.
 #[inline]
-pub(super) fn join_from<V: Lateral, S: Vertices<V>>(
+pub(super) fn join_from<V: Lateral, S: Nodes<Node<V>>>(
     stack: &mut S,
     mut i: usize,
     tip: End<V>,
-    sizes: &Sizes,
-    notes: &mut impl Notes<V>,
+    lengths: &ControlLengths,
+    observer: &mut impl StepObserver<V>,
 ) {
-    let mut here = Knot::of(stack.get(i));
-    let mut below = Piece::new(&Knot::of(stack.get(i - 1)), here.end());
+    let mut here = *stack.get(i);
+    let mut below = Piece::new(stack.get(i - 1), here.end());
     loop {
-        let next = (i + 1 < stack.len()).then(|| Knot::of(stack.get(i + 1)));
+        let next = (i + 1 < stack.len()).then(|| *stack.get(i + 1));
         let high = next.map_or(tip, |next| next.end());
         let pair = Pair { below, above: Piece::new(&here, high) };
-        if let Some((bubble, moved)) = pair.joint(sizes) {
-            below = pair.replace(stack, i, (bubble, moved), tip.anchor, notes);
+        if let Some((bubble, moved)) = pair.join_bubble(lengths) {
+            below = pair.replace(stack, i, (bubble, moved), tip.anchor, observer);
         } else {
             below = pair.above;
             i += 1;

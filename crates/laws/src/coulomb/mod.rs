@@ -1,49 +1,56 @@
-//! Coulomb's law in two directions with memory: each ring of the contact slips by itself.
+//! Coulomb's law with memory for shifts in two directions: each annulus of the contact slips by
+//! itself.
 //!
-//! The state is that of [`crate::memory`], the anchor W(s) of the ring that touches at the approach
-//! s, up to the tip (zeta, X). A ring carries at most its limit, `|X - W(s)| <= zeta - s`; its
-//! anchor moves only when it must, and then towards X, on a tractrix. The force is
-//! `Phi = (3/2) int (X - W(t^2)) dt`, t from 0 to sqrt(zeta). In one direction this is the exact
-//! law of chapter 6; where the shift turns, chapter 7 gives a slip ring one direction of traction in
-//! its whole width, and misses the law by 5 % of the friction limit in the mean.
+//! The state is that of [`crate::memory`]: the zero-traction shift W(s) of each annulus (`anchor`
+//! in code), from the centre, s = 0, to the tip of the curve, (zeta, X). The annulus of depth s was
+//! the edge of the contact at the approach s. Its traction is proportional to the stretch X - W(s),
+//! and Coulomb's limit is `|X - W(s)| <= zeta - s`. W(s) changes only in slip, and then moves
+//! towards X along a tractrix. The force is `Phi = (3/2) int (X - W(t^2)) dt`, t from 0 to
+//! sqrt(zeta). In one direction this is the exact law of chapter 6. Where the shift turns, chapter
+//! 7 gives a slip annulus one direction of traction over its whole width; its mean error is then 5
+//! % of the friction limit.
 //!
-//! W is a chain of parabolas, each a chord and a bubble. A step drags the vertices and the middles
-//! of those that slip by the exact map of a straight step; a piece whose bubble outgrows the
-//! tolerance is split, two pieces that one parabola replaces are joined such that the force stays.
-//! Slip may lie below stick, as the curve may be steeper than the cone, so that all are looked at.
+//! W is stored as a chain of parabolas. Each is a chord and the deviation of its middle from the
+//! chord (`bubble` in code). A step applies the exact return mapping of a straight step to the
+//! nodes and the middles of the pieces that slip. A piece whose deviation exceeds the tolerance is
+//! split. Two pieces that one parabola can replace are joined in such a way that the force does not
+//! change. An annulus that slips may lie inside one that sticks, since the curve may be steeper
+//! than the friction cone. Therefore all annuli are checked.
 //!
-//! Each piece carries an estimate of the error of its anchors. Laying and joining pieces adds to it. A
-//! step does not expand the distance of two anchors of a ring (its map is the play operator), so that
-//! no error grows; slip that turns the traction reduces it. [`CoulombMemory::error_estimate`] sums up.
+//! Each piece carries an estimate of the error of W. Fitting and joining pieces adds to it. The
+//! return mapping is the play operator: it does not increase the distance of two values of W. So no
+//! error grows, and slip that turns the traction reduces it. [`CoulombMemory::error_estimate`]
+//! gives the error of the force.
 //!
-//! Where c_x and c_y differ, a ring slips along its traction in normalised shifts, as chapter 7
-//! scales them, not in lengths; [`crate::sliders`] knows the difference.
+//! If c_x and c_y differ, an annulus slips along its traction in the normalised shifts of chapter
+//! 7, not in lengths. [`crate::sliders`] makes the distinction.
 
+mod capacity;
 mod check;
 mod drag;
 mod energy;
+mod fit;
 mod heat;
 mod join;
-mod lay;
-mod left;
 mod pack;
 mod piece;
+mod remaining_error;
 mod report;
-mod room;
 mod step;
 mod storage;
 mod zones;
 
 pub(crate) use drag::Step;
 pub use pack::packed_numbers;
+pub use piece::Node;
 pub use report::Arc;
 
 use carom_special::RangeError;
 
 use crate::bounds::in_memory;
-use crate::memory::{Growing, Lateral, MemoryRegime as Regime, VertexStack};
+use crate::memory::{FixedStack, GrowingStack, Lateral, MemoryRegime as Regime, NodeStack};
 
-/// The memory of a contact whose rings slip each by itself.
+/// The memory of a contact in which each annulus slips by itself.
 ///
 /// ```
 /// use carom_laws::coulomb::{CoulombMemory, Tolerance};
@@ -55,65 +62,74 @@ use crate::memory::{Growing, Lateral, MemoryRegime as Regime, VertexStack};
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub struct CoulombMemory<V, S = Growing<V>> {
+pub struct CoulombMemory<V, S = GrowingStack<Node<V>>> {
     zeta: f64,
     /// The square root of zeta.
     root: f64,
     shift: V,
     force: V,
     regime: Regime,
-    /// The deepest ring that slipped in the last step; after adhesion where that began.
+    /// Depth of the slip front: the deepest annulus that slipped in the last step. After adhesion,
+    /// the approach at which the step began.
     front: f64,
-    /// The largest stretch of the deepest ring since touch.
+    /// The largest stretch |X - W(0)| of the centre since first contact.
     extent: f64,
     tolerance: f64,
-    /// The largest bubble over the approach.
-    bulge: f64,
+    /// The largest deviation of a parabola from its chord, over the approach.
+    max_bubble: f64,
     stack: S,
 }
 
-/// How finely the curve of the anchors is drawn, over the approach or, where it is smaller, over the
-/// largest shift since touch: pieces are split and joined such that the force stays within this share
-/// of its limit.
+/// Storage of at most N nodes for a [`CoulombMemory`]: plain data.
+pub type FixedCurve<V, const N: usize> = FixedStack<Node<V>, N>;
+
+/// Relative accuracy of the curve W(s), and through it of the force: > 0 and at most 0.1.
 ///
-/// It steers the law and is no bound of the error; [`CoulombMemory::error_estimate`] estimates that.
+/// It is a share of the approach or, if that is smaller, of the largest shift since first contact.
+/// Pieces of the curve are split and joined such that the force stays within this share of the
+/// friction limit.
 ///
-/// Against rings of sliders on ordinary turning paths the force at 1e-2 was off, over its limit, by
-/// 5e-5 in the mean and 1e-3 at most, with each step in 16 by 3e-4 and 4e-3; at 1e-3 by 4e-6 and 4e-5,
-/// in parts by 2e-5 and 2e-4. On paths found by climbing it was off by 8 times the tolerance at 1e-2. What
-/// is joined deep in the contact is measured by its own approach, since the contact may recede to it,
-/// and what carries little of the force may be off by more.
+/// It controls the discretisation and is no bound of the error; [`CoulombMemory::error_estimate`]
+/// estimates the error.
 ///
-/// Storage that is full holds no tolerance: pieces are merged until the rest fits, and drawn no finer than so
-/// few last, at a tolerance of 7e-3 for 8 vertices and 2e-3 for 12.
+/// Errors of the force over its limit, measured against annuli of sliders on ordinary turning
+/// paths: at 1e-2, 5e-5 in the mean and 1e-3 at most (3e-4 and 4e-3 with each step divided into
+/// 16); at 1e-3, 4e-6 and 4e-5 (divided, 2e-5 and 2e-4). On paths found by hill climbing the error
+/// reached 8 times the tolerance at 1e-2. Pieces deep in the contact are joined to an accuracy
+/// relative to their own approach, since the contact may recede to it. Pieces that carry little of
+/// the force may be less accurate.
+///
+/// Full storage does not keep the tolerance. Pieces are then merged until the vertices fit, and the
+/// curve is resolved no finer than the storage allows: to 7e-3 for 8 vertices and 2e-3 for 12.
 #[derive(Debug, Clone, Copy, PartialEq, PartialOrd)]
 pub struct Tolerance(f64);
 
-/// The largest bubble over the power 2/3 of the tolerance.
-const BULGE: f64 = 0.24;
+/// The largest deviation of a parabola from its chord, over the power 2/3 of the tolerance.
+const BUBBLE_PER_TOLERANCE: f64 = 0.24;
 
 impl Tolerance {
-    /// That of many particles: 1e-2.
+    /// For many particles: 1e-2.
     pub const PARTICLES: Self = Self(1e-2);
-    /// That of single contacts: 1e-3.
+    /// For single contacts: 1e-3.
     pub const FINE: Self = Self(1e-3);
 
-    /// A tolerance.
+    /// A tolerance, > 0 and at most 0.1.
     ///
     /// # Errors
-    /// [`RangeError`] unless it is above 0 and not above 0.1.
+    /// [`RangeError`] if it is not above 0 or is above 0.1.
     pub fn new(tolerance: f64) -> Result<Self, RangeError> {
         let holds = tolerance > 0.0 && tolerance <= 0.1;
         RangeError::check("tolerance", tolerance, holds, "> 0 and <= 0.1").map(Self)
     }
 
-    /// The largest bubble: what a parabola then leaves out, of third order, goes as its power 3/2.
-    fn bulge(self) -> f64 {
+    /// The largest deviation from the chord. The error of a parabola is of third order, as the
+    /// power 3/2 of this deviation.
+    fn max_bubble(self) -> f64 {
         let root = libm::cbrt(self.0);
-        BULGE * root * root
+        BUBBLE_PER_TOLERANCE * root * root
     }
 
-    /// The number.
+    /// The tolerance as a number.
     #[must_use]
     pub const fn get(self) -> f64 {
         self.0
@@ -126,11 +142,11 @@ impl Default for Tolerance {
     }
 }
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
-    /// The place of the regime among the bytes.
+impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
+    /// Byte offset of the regime in the struct.
     pub(crate) const REGIME_AT: usize = std::mem::offset_of!(Self, regime);
 
-    /// Two bodies that just touch, unshifted.
+    /// Two bodies in first contact at zero shift.
     #[must_use]
     pub fn new(tolerance: Tolerance) -> Self {
         Self {
@@ -142,18 +158,19 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
             front: 0.0,
             extent: 0.0,
             tolerance: tolerance.get(),
-            bulge: tolerance.bulge(),
+            max_bubble: tolerance.max_bubble(),
             stack: S::default(),
         }
     }
 
-    /// Goes straight to a new approach and shift and returns the force Phi.
+    /// Makes a straight step to a new approach and shift and returns the force Phi.
     ///
-    /// An approach that is not positive separates the bodies: the memory is lost. In the step
-    /// that closes the gap the shift at touch is interpolated.
+    /// An approach that is not positive separates the bodies and deletes the memory. In the step
+    /// that closes the gap, the shift at first contact is interpolated.
     ///
     /// # Errors
-    /// [`RangeError`] for a value above 1e100 in size or not a number; the state is then unchanged.
+    /// [`RangeError`] if a value is above 1e100 in size or not a number; the state is then
+    /// unchanged.
     #[inline]
     pub fn advance(&mut self, zeta: f64, shift: V) -> Result<V, RangeError> {
         in_memory("zeta", zeta)?;

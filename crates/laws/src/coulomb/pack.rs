@@ -1,61 +1,67 @@
-//! The state as plain numbers, to be kept elsewhere.
+//! The state as plain numbers, for files and other processes.
 
 use carom_special::RangeError;
 
 use super::CoulombMemory;
 use super::check::check_meaning;
-use super::piece::{End, Knot};
+use super::piece::{End, Node};
 use crate::bounds::in_memory;
-use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
+use crate::memory::{Lateral, MemoryRegime as Regime, NodeStack};
 
-/// The version of the format; the first number is `1e4 version + 100 regime + vertices`.
+/// Version of the format. The first number is `1e4 version + 100 regime + vertices`.
 const VERSION: f64 = 1.0;
-pub(super) const HEAD: usize = 6;
-pub(super) const EACH: usize = 5;
-/// The most vertices that the first number can count.
-const MOST: usize = 99;
+pub(super) const HEAD_NUMBERS: usize = 6;
+pub(super) const NUMBERS_PER_VERTEX: usize = 5;
+/// The largest number of vertices that the first number can hold.
+const MAX_VERTICES: usize = 99;
 
-/// How many numbers the state of a contact takes in that many vertices: 66 for 12.
+/// Number of plain numbers for a state of this many vertices: 66 for 12.
 ///
 /// ```
 /// assert_eq!(carom_laws::coulomb::packed_numbers(12), 66);
 /// ```
 #[must_use]
 pub const fn packed_numbers(vertices: usize) -> usize {
-    HEAD + EACH * vertices
+    HEAD_NUMBERS + NUMBERS_PER_VERTEX * vertices
 }
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
-    /// Writes the state into numbers: a mark of version, regime and number of vertices, the
-    /// approach, the shift, the depth of the front, the largest stretch, and of each vertex depth,
-    /// anchor and bubble. What is left over becomes zero. All zeros are two bodies apart.
+impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
+    /// Writes the state as plain numbers.
+    ///
+    /// They are: a mark of version, regime and number of vertices; the approach; the shift; the
+    /// depth of the slip front; the largest stretch; and for each vertex depth, anchor and bubble.
+    /// The remaining numbers are set to zero. All zeros are two separated bodies.
     ///
     /// # Errors
     /// [`RangeError`] if there is no room for the vertices; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
         let len = self.stack.len();
-        let room = numbers.len() as f64;
-        let holds = numbers.len() >= packed_numbers(len) && len <= MOST;
-        RangeError::check("numbers", room, holds, ">= 6 + 5 per vertex, of which at most 99")?;
+        let count = numbers.len() as f64;
+        let holds = numbers.len() >= packed_numbers(len) && len <= MAX_VERTICES;
+        RangeError::check("numbers", count, holds, ">= 6 + 5 per vertex, of which at most 99")?;
         numbers.fill(0.0);
         let [x, y] = self.shift.components();
         let mark = 1e4 * VERSION + 100.0 * f64::from(self.regime.number()) + len as f64;
-        numbers[..HEAD].copy_from_slice(&[mark, self.zeta, x, y, self.front, self.extent]);
-        for (i, numbers) in numbers[HEAD..].chunks_exact_mut(EACH).take(len).enumerate() {
-            let knot = Knot::of(self.stack.get(i));
-            let ([w_x, w_y], [b_x, b_y]) = (knot.anchor.components(), knot.bubble.components());
-            numbers.copy_from_slice(&[knot.depth, w_x, w_y, b_x, b_y]);
+        numbers[..HEAD_NUMBERS].copy_from_slice(&[mark, self.zeta, x, y, self.front, self.extent]);
+        for (i, numbers) in
+            numbers[HEAD_NUMBERS..].chunks_exact_mut(NUMBERS_PER_VERTEX).take(len).enumerate()
+        {
+            let node = *self.stack.get(i);
+            let ([w_x, w_y], [b_x, b_y]) = (node.anchor.components(), node.bubble.components());
+            numbers.copy_from_slice(&[node.depth, w_x, w_y, b_x, b_y]);
         }
         Ok(())
     }
 
-    /// Takes the state from numbers that [`CoulombMemory::pack`] wrote. Forces are summed anew and
-    /// may differ by round-off; [`CoulombMemory::error_estimate`] counts from here on.
+    /// Restores the state from the numbers of [`CoulombMemory::pack`].
+    ///
+    /// Forces are summed anew and may differ by round-off. [`CoulombMemory::error_estimate`] counts
+    /// from here on.
     ///
     /// # Errors
-    /// [`RangeError`] for another version, too few numbers, more vertices than the storage has room
-    /// for, depths that do not rise to the approach, anchors far beyond the friction cone, a force
-    /// beyond its limit, or values out of range; the state is then unchanged.
+    /// [`RangeError`] for another version, too few numbers, more vertices than the capacity, depths
+    /// that do not increase to the approach, anchors far beyond the friction cone, a force beyond
+    /// its limit, or values out of range; the state is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let (regime, len) = check(numbers, self.stack.capacity())?;
         check_meaning::<V>(numbers, len)?;
@@ -65,8 +71,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         (self.front, self.extent) = (numbers[4], numbers[5]);
         (self.regime, self.force) = (regime, V::default());
         self.stack.truncate(0);
-        for vertex in numbers[HEAD..].chunks_exact(EACH).take(len) {
-            self.stack.push(knot_of::<V>(vertex).vertex());
+        for vertex in numbers[HEAD_NUMBERS..].chunks_exact(NUMBERS_PER_VERTEX).take(len) {
+            self.stack.push(node_of::<V>(vertex));
         }
         if len > 0 {
             self.finish(End { depth: self.zeta, root: self.root, anchor: self.shift }, 0);
@@ -75,9 +81,9 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 }
 
-/// The knot that five numbers tell; of its force they tell nothing.
-pub(super) fn knot_of<V: Lateral>(numbers: &[f64]) -> Knot<V> {
-    Knot {
+/// The node of five numbers, without its force.
+pub(super) fn node_of<V: Lateral>(numbers: &[f64]) -> Node<V> {
+    Node {
         depth: numbers[0],
         root: numbers[0].sqrt(),
         anchor: V::from_components([numbers[1], numbers[2]]),
@@ -87,10 +93,10 @@ pub(super) fn knot_of<V: Lateral>(numbers: &[f64]) -> Knot<V> {
     }
 }
 
-/// The regime and the number of vertices, if the numbers are a state.
+/// The regime and the number of vertices, if the numbers have the format of a state.
 fn check(numbers: &[f64], capacity: usize) -> Result<(Regime, usize), RangeError> {
-    let room = numbers.len() as f64;
-    RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
+    let count = numbers.len() as f64;
+    RangeError::check("numbers", count, numbers.len() >= HEAD_NUMBERS, ">= 6")?;
     let mark = if numbers[0] == 0.0 { 1e4 * VERSION } else { numbers[0] };
     let rest = mark - 1e4 * VERSION;
     let (regime, len) = ((rest / 100.0).floor(), rest.rem_euclid(100.0));
@@ -103,7 +109,7 @@ fn check(numbers: &[f64], capacity: usize) -> Result<(Regime, usize), RangeError
         in_memory("numbers", *value)?;
     }
     let mut below = -1.0;
-    for vertex in numbers[HEAD..].chunks_exact(EACH).take(len) {
+    for vertex in numbers[HEAD_NUMBERS..].chunks_exact(NUMBERS_PER_VERTEX).take(len) {
         let depth = vertex[0];
         let rises = if below < 0.0 { depth == 0.0 } else { depth > below && depth < numbers[1] };
         RangeError::check("depth", depth, rises, "rising from 0 to below the approach")?;

@@ -1,51 +1,25 @@
-//! A piece of the anchor's curve: a parabola over its chord.
+//! A piece of the curve W(s): a parabola on its chord.
 
 use super::CoulombMemory;
 use super::drag::Step;
-use super::storage::Vertices;
-use crate::memory::{Lateral, Vertex};
+use crate::memory::{Lateral, Nodes};
 
-/// The lower end of a piece of the curve W(s), as the law sees a [`Vertex`].
+/// The lower end of a piece of the curve W(s).
 ///
-/// The piece is `W = chord + 4 tau (1 - tau) bubble`, tau from 0 to 1 over the depth.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Knot<V> {
+/// The piece is `W = chord + 4 tau (1 - tau) bubble`, with tau from 0 to 1 over the depth.
+#[derive(Debug, Clone, Copy, PartialEq, Default)]
+#[repr(C)]
+pub struct Node<V> {
     pub(super) depth: f64,
     /// The square root of the depth.
     pub(super) root: f64,
     pub(super) anchor: V,
-    /// How far the middle of the piece above lies off the chord.
+    /// Deviation of the middle of the piece above from its chord.
     pub(super) bubble: V,
-    /// The force of the contact below.
+    /// Force of the part of the contact deeper than this node.
     pub(super) force: V,
-    /// How far the anchors of the piece above may be off.
+    /// Estimated error of W on the piece above.
     pub(super) error: f64,
-}
-
-impl<V: Lateral> Knot<V> {
-    #[inline]
-    pub(super) fn of(vertex: &Vertex<V>) -> Self {
-        Self {
-            depth: vertex.depth,
-            root: vertex.curb,
-            anchor: vertex.anchor,
-            bubble: vertex.slope,
-            force: vertex.force,
-            error: vertex.force_slope.components()[0],
-        }
-    }
-
-    #[inline]
-    pub(super) fn vertex(self) -> Vertex<V> {
-        Vertex {
-            depth: self.depth,
-            anchor: self.anchor,
-            slope: self.bubble,
-            force_slope: V::from_components([self.error, 0.0]),
-            force: self.force,
-            curb: self.root,
-        }
-    }
 }
 
 /// The upper end of a piece.
@@ -56,7 +30,7 @@ pub(super) struct End<V> {
     pub(super) anchor: V,
 }
 
-impl<V: Lateral> Knot<V> {
+impl<V: Lateral> Node<V> {
     #[inline]
     pub(super) fn end(&self) -> End<V> {
         End { depth: self.depth, root: self.root, anchor: self.anchor }
@@ -69,31 +43,31 @@ pub(super) struct Piece<V> {
     pub(super) low: End<V>,
     pub(super) high: End<V>,
     pub(super) bubble: V,
-    /// How far its anchors may be off.
+    /// Estimated error of W.
     pub(super) error: f64,
 }
 
 impl<V: Lateral> Piece<V> {
     #[inline]
-    pub(super) fn new(knot: &Knot<V>, high: End<V>) -> Self {
-        Self { low: knot.end(), high, bubble: knot.bubble, error: knot.error }
+    pub(super) fn new(node: &Node<V>, high: End<V>) -> Self {
+        Self { low: node.end(), high, bubble: node.bubble, error: node.error }
     }
 
-    /// How far the force may be off by the error of its anchors, in a contact of some approach:
-    /// `(3/2) int error dt`. No two tractions of a ring differ by more than twice its limit.
+    /// Error of the force due to the error of W in a contact of this approach,
+    /// `(3/2) int error dt`. Two tractions of an annulus differ by at most twice its limit.
     pub(super) fn force_error(&self, zeta: f64) -> f64 {
         let error = self.error.min(2.0 * (zeta - self.low.depth));
         1.5 * error * (self.high.root - self.low.root)
     }
 
-    /// The anchor at a part of the piece, from 0 to 1.
+    /// W at a fraction of the piece, from 0 at the lower end to 1 at the upper.
     #[inline]
     pub(super) fn at(&self, part: f64) -> V {
         let chord = self.high.anchor.minus(self.low.anchor).times(part);
         self.low.anchor.plus(chord).plus(self.bubble.times(4.0 * part * (1.0 - part)))
     }
 
-    /// The derivative of the anchor by the part.
+    /// The derivative of W by this fraction.
     #[inline]
     pub(super) fn rate(&self, part: f64) -> V {
         self.high.anchor.minus(self.low.anchor).plus(self.bubble.times(4.0 - 8.0 * part))
@@ -104,11 +78,16 @@ impl<V: Lateral> Piece<V> {
         self.low.anchor.plus(self.high.anchor).times(0.5).plus(self.bubble)
     }
 
-    /// The squares of the ways of its ends and its middle to others.
+    /// Squares of the distances of the lower end, the middle and the upper end to three other
+    /// points.
     #[inline]
-    pub(super) fn ways(&self, new: [V; 3]) -> [f64; 3] {
-        let way = |from: V, to: V| to.minus(from).dot(to.minus(from));
-        [way(self.low.anchor, new[0]), way(self.middle(), new[1]), way(self.high.anchor, new[2])]
+    pub(super) fn squared_moves(&self, new: [V; 3]) -> [f64; 3] {
+        let squared_distance = |from: V, to: V| to.minus(from).dot(to.minus(from));
+        [
+            squared_distance(self.low.anchor, new[0]),
+            squared_distance(self.middle(), new[1]),
+            squared_distance(self.high.anchor, new[2]),
+        ]
     }
 
     #[inline]
@@ -121,14 +100,14 @@ impl<V: Lateral> Piece<V> {
         self.low.depth + part * (self.high.depth - self.low.depth)
     }
 
-    /// The end at a part of the piece.
+    /// The point at a fraction of the piece, as an end.
     #[inline]
     pub(super) fn cut(&self, part: f64) -> End<V> {
         let depth = self.depth_at(part);
         End { depth, root: depth.sqrt(), anchor: self.at(part) }
     }
 
-    /// The force of its rings: `(3/2) int sqrt(s) dW`.
+    /// The force of its annuli, `(3/2) int sqrt(s) dW`.
     #[inline]
     pub(super) fn force(&self) -> V {
         let [chord, bubble] = weights(&self.low, &self.high);
@@ -136,8 +115,8 @@ impl<V: Lateral> Piece<V> {
         rise.times(chord).minus(self.bubble.times(bubble))
     }
 
-    /// The part at which the rings begin to be beyond their limit, given a part that is within and
-    /// one that is not.
+    /// The slip front: the fraction at which the limit is reached, between a fraction `within` the
+    /// limit and one `beyond` it.
     #[inline]
     pub(super) fn front(&self, step: &Step<V>, within: f64, beyond: f64) -> f64 {
         let (low, high) = (self.at(within), self.at(beyond));
@@ -145,14 +124,14 @@ impl<V: Lateral> Piece<V> {
         let rise = high.minus(low);
         let length = (beyond - within) * (self.high.depth - self.low.depth);
         let limit = step.zeta - self.depth_at(beyond);
-        // |stretch + t rise|^2 = (limit + t length)^2 on the half chord, from above: near the edge
-        // nothing cancels.
+        // |stretch + t rise|^2 = (limit + t length)^2 on this part of the chord, t from its upper
+        // end, so that nothing cancels near the edge.
         let curve = rise.dot(rise) - length * length;
         let slope = stretch.dot(rise) - limit * length;
         let excess = stretch.dot(stretch) - limit * limit;
         let root = (slope * slope - curve * excess).max(0.0).sqrt();
         let down = if slope <= 0.0 { excess / (root - slope) } else { (slope + root) / -curve };
-        // Not a number only where all are one point.
+        // Not a number only if all points coincide.
         let down = if down <= 1.0 { down.max(0.0) } else { 1.0 };
         let part = beyond - (beyond - within) * down;
         if self.bubble == V::default() {
@@ -161,14 +140,14 @@ impl<V: Lateral> Piece<V> {
         self.on_curve(step, part, within, beyond)
     }
 
-    /// Newton's steps from the chord to the curve.
+    /// Newton's method from the front on the chord to that on the parabola.
     fn on_curve(&self, step: &Step<V>, mut part: f64, within: f64, beyond: f64) -> f64 {
         let length = self.high.depth - self.low.depth;
         for _ in 0..6 {
             let (depth, anchor) = (self.depth_at(part), self.at(part));
             let rise = step.shift.minus(anchor).dot(self.rate(part));
             let slope = 2.0 * ((step.zeta - depth) * length - rise);
-            // Outwards, from what sticks to what slips.
+            // The excess must grow from stick towards slip.
             if slope * (beyond - within) <= 0.0 {
                 return part;
             }
@@ -183,7 +162,7 @@ impl<V: Lateral> Piece<V> {
     }
 }
 
-/// The forces per rise of the chord and, negative, per bubble.
+/// The force per rise of the chord and, with negative sign, per deviation of the middle.
 #[inline]
 pub(super) fn weights<V>(low: &End<V>, high: &End<V>) -> [f64; 2] {
     let (a, b) = (low.root, high.root);
@@ -196,20 +175,20 @@ pub(super) fn weights<V>(low: &End<V>, high: &End<V>) -> [f64; 2] {
     [sum - product, 0.8 * (high.depth - low.depth) * inverse * (1.0 + product * inverse)]
 }
 
-impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
-    /// The pieces of the curve, from the deepest ring to the edge.
+impl<V: Lateral, S: Nodes<Node<V>>> CoulombMemory<V, S> {
+    /// The pieces of the curve, from the centre to the edge.
     pub(super) fn chain(&self) -> impl Iterator<Item = Piece<V>> + '_ {
         self.chain_to(End { depth: self.zeta, root: self.root, anchor: self.shift })
     }
 
-    /// The same to another end.
+    /// The same, with another upper end.
     pub(super) fn chain_to(&self, tip: End<V>) -> impl Iterator<Item = Piece<V>> + '_ {
         (0..self.stack.len()).map(move |i| {
             let end = match i + 1 < self.stack.len() {
-                true => Knot::of(self.stack.get(i + 1)).end(),
+                true => (*self.stack.get(i + 1)).end(),
                 false => tip,
             };
-            Piece::new(&Knot::of(self.stack.get(i)), end)
+            Piece::new(self.stack.get(i), end)
         })
     }
 }

@@ -1,33 +1,34 @@
-//! What the law can tell: stick area, tractions, tangent.
+//! What can be asked of the law: stick area, tractions, tangent stiffness.
 
-use super::CoulombMemory;
 use super::piece::Piece;
-use crate::memory::{Lateral, MemoryRegime as Regime, Tangent, Turn, VertexStack};
+use super::{CoulombMemory, Node};
+use crate::memory::{Lateral, MemoryRegime as Regime, NodeStack, Tangent, Turn};
 use crate::profile::GAUSS;
 
-/// A piece of the curve of anchors: `W = chord + 4 tau (1 - tau) bubble`, tau from 0 to 1 over the
-/// depth.
+/// A piece of the curve of zero-traction shifts: `W = chord + 4 tau (1 - tau) bubble`, with tau
+/// from 0 to 1 over the depth.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct Arc<V> {
     /// Depth of the lower end.
     pub from: f64,
     /// Depth of the upper end.
     pub to: f64,
-    /// Anchors at both ends.
+    /// Zero-traction shifts at both ends.
     pub anchors: [V; 2],
-    /// How far the middle lies off the chord.
+    /// Deviation of the middle from the chord.
     pub bubble: V,
 }
 
-/// The error of the force over its limit by round-off alone, where the shift is small.
+/// Error of the force over its limit by round-off alone, for small shifts.
 const ROUND_OFF: f64 = 1e-12;
-/// Below this tolerance the sum of the errors of the pieces counts so often: pieces are then drawn until what is
-/// seen at a few of their rings is small, and what lies between counts for more.
-const COARSE: f64 = 5e-3;
-const AT_FINE: f64 = 2.0;
+/// Below this tolerance the summed error of the pieces is multiplied by `FACTOR_AT_FINE_TOLERANCE`:
+/// pieces are then fitted until the error at a few annuli is small, and the error between them
+/// counts for more.
+const COARSE_TOLERANCE: f64 = 5e-3;
+const FACTOR_AT_FINE_TOLERANCE: f64 = 2.0;
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
-    /// The approach zeta; negative while the bodies are apart.
+impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
+    /// The approach zeta; negative while the bodies are separated.
     #[must_use]
     pub fn zeta(&self) -> f64 {
         self.zeta
@@ -53,48 +54,50 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         zeta * zeta.sqrt()
     }
 
-    /// What the last step did. A ring that overlays others is not told apart.
+    /// What the last step did. Alternating zones of stick and slip are not distinguished.
     #[must_use]
     pub fn regime(&self) -> Regime {
         self.regime
     }
 
-    /// Whether the bodies touch.
+    /// Whether the bodies are in contact.
     #[must_use]
     pub fn is_touching(&self) -> bool {
         !self.stack.is_empty()
     }
 
-    /// The stack itself, for state that is stored elsewhere.
+    /// The storage of the vertices, for state that is stored elsewhere.
     #[must_use]
     pub fn stack(&self) -> &S {
         &self.stack
     }
 
-    /// How often two pieces were joined for want of room, whatever the tolerance.
+    /// How often two pieces were merged for lack of room, regardless of the tolerance.
     #[must_use]
     pub fn merges(&self) -> u32 {
         self.stack.merges()
     }
 
-    /// An estimate of the error of the force over its limit `zeta^(3/2)`, since touch: at most 2, and
-    /// round-off alone where the law is exact.
+    /// An estimate of the error of the force over its limit `zeta^(3/2)` since first contact: at
+    /// most 2, and round-off alone where the law is exact.
     ///
-    /// It sums, over the pieces of the curve of anchors, `(3/2) int e dt` with the error e of their
-    /// anchors. What joins and merges moved them is exact. How far the parabola in the place of a dragged
-    /// piece may be off is estimated at three to five of its rings, and from the growth of its bubble. No error
-    /// grows afterwards, and slip that turns a traction reduces it. Below a tolerance of 5e-3 the sum counts
-    /// twice. The tolerance itself is added, for what no ring of the estimate sees.
+    /// It sums `(3/2) int e dt` over the pieces of the curve, e the error of W. The displacement by
+    /// joins and merges is exact. The error of a fitted parabola is estimated from three to five of
+    /// its annuli and from the change of its deviation from the chord. No error grows afterwards,
+    /// and slip that turns a traction reduces it. Below a tolerance of 5e-3 the sum is doubled. The
+    /// tolerance itself is added, for errors that no sampled annulus shows.
     ///
-    /// This is no proven bound: what lies between the rings that are looked at is not enclosed. A hill climb over
-    /// paths (the example `adversary`) looks for the largest error over the estimate, in storage that grows and
-    /// of 8, 12, 16 and 32 vertices. Climbs of 40 seconds each (seed 31), and of 80 at 1e-5 (seed 22), came to
-    /// 0.74 of it at a tolerance of 1e-2, 0.42 at 1e-3 and 0.44 at 1e-5. The error itself came to 8
-    /// times the tolerance at 1e-2, and more where storage is full: where the contact recedes to a hundredth of
-    /// its approach, what was drawn for the whole counts for more. On ordinary paths the estimate is some hundred
-    /// times the error, and up to a thousand times where each step is cut in 16. It counts from the last touch, or
-    /// from [`CoulombMemory::unpack`], since a packed state does not hold it. Work and heat have errors of their
-    /// own: [`CoulombMemory::joined_energy`].
+    /// This is no proven bound, since the error between the sampled annuli is not enclosed. A hill
+    /// climb over paths (the example `adversary`) seeks the largest ratio of error to estimate, in
+    /// growing storage and for 8, 12, 16 and 32 vertices. Climbs of 40 seconds each (seed 31), and
+    /// of 80 at 1e-5 (seed 22), reached a ratio of 0.74 at a tolerance of 1e-2, 0.42 at 1e-3 and
+    /// 0.44 at 1e-5. The error itself reached 8 times the tolerance at 1e-2, and more in full
+    /// storage: if the contact recedes to a hundredth of its approach, errors allowed for the whole
+    /// contact count for more. On ordinary paths the estimate is some hundred times the error, and
+    /// up to a thousand times if each step is divided into 16.
+    ///
+    /// It counts from first contact, or from [`CoulombMemory::unpack`], since a packed state does
+    /// not contain it. Work and heat have errors of their own: [`CoulombMemory::joined_energy`].
     #[must_use]
     pub fn error_estimate(&self) -> f64 {
         let limit = self.normal_force();
@@ -103,12 +106,14 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         }
         let error: f64 = self.chain().map(|piece| piece.force_error(self.zeta)).sum();
         let round_off = ROUND_OFF * (1.0 + self.shift.length() / self.zeta);
-        let share = if self.tolerance < COARSE { AT_FINE } else { 1.0 } * error / limit;
+        let share = if self.tolerance < COARSE_TOLERANCE { FACTOR_AT_FINE_TOLERANCE } else { 1.0 }
+            * error
+            / limit;
         let unseen = if share > round_off { self.tolerance } else { 0.0 };
         (share + unseen + round_off).min(2.0)
     }
 
-    /// The pieces of the curve, from the deepest ring to the edge.
+    /// The pieces of the curve, from the centre to the edge.
     pub fn arcs(&self) -> impl Iterator<Item = Arc<V>> + '_ {
         self.chain().map(|piece| Arc {
             from: piece.low.depth,
@@ -118,8 +123,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         })
     }
 
-    /// The anchor W(s): the shift at which the ring of depth s would carry no load. Beyond the
-    /// edge it is the present shift.
+    /// The zero-traction shift W(s): the shift at which the annulus of depth s would carry no load.
+    /// Outside the contact it is the present shift.
     #[must_use]
     pub fn anchor(&self, depth: f64) -> V {
         let holds = |piece: &Piece<V>| depth < piece.high.depth;
@@ -129,8 +134,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         })
     }
 
-    /// zeta*, the depth below which all rings stuck in the last step; zero in gross sliding. Above
-    /// it there may be others that stuck: [`CoulombMemory::sticking`].
+    /// zeta*, the depth below which all annuli stuck in the last step; zero in sliding. Annuli
+    /// above it may also have stuck: [`CoulombMemory::sticking`].
     #[must_use]
     pub fn stick_depth(&self) -> f64 {
         match self.regime {
@@ -140,10 +145,11 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         }
     }
 
-    /// The share of the contact area that sticks: the rings below [`CoulombMemory::stick_depth`]
-    /// and those above it that are further from their limit than the tolerance.
+    /// The share of the contact area that sticks, from 0 to 1: the annuli below
+    /// [`CoulombMemory::stick_depth`], and those above it that are farther from their limit than
+    /// the tolerance.
     #[must_use]
-    pub fn sticking(&self) -> f64 {
+    pub fn stick_fraction(&self) -> f64 {
         if self.zeta <= 0.0 {
             return 0.0;
         }
@@ -157,13 +163,13 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         (depth / self.zeta).min(1.0)
     }
 
-    /// Whether a ring above the stick depth keeps away from its limit.
+    /// Whether an annulus above the stick depth is farther from its limit than the tolerance.
     fn sticks(&self, depth: f64, anchor: V) -> bool {
         let stretch = self.shift.minus(anchor).length();
         self.zeta - depth - stretch > self.tolerance * self.zeta
     }
 
-    /// The halves of all pieces: the depths of their ends and the anchor at their middle.
+    /// The halves of all pieces: the depths of their ends, and W at their middle.
     fn halves(&self) -> impl Iterator<Item = (f64, f64, V)> + '_ {
         self.chain().flat_map(|piece| {
             let middle = piece.middle_depth();
@@ -171,8 +177,8 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         })
     }
 
-    /// The direction of the traction of the ring of a depth, that of its stretch X - W; zero where
-    /// it has none.
+    /// The direction of the traction of the annulus of a depth, that of its stretch X - W: a unit
+    /// vector, or zero if it has no traction.
     #[must_use]
     pub fn direction(&self, depth: f64) -> V {
         let stretch = self.shift.minus(self.anchor(depth));
@@ -180,11 +186,13 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         if length > 0.0 { stretch.times(1.0 / length) } else { V::default() }
     }
 
-    /// The traction in units of `f sigma_z0`, the greatest friction, at the elliptical radius
-    /// squared `q = (x/a)^2 + (y/b)^2` of the present contact: `int sqrt(s - q zeta)' dW`.
+    /// The traction in units of `f sigma_z0`, the greatest frictional traction.
     ///
-    /// The limit holds ring by ring of the equivalent foundation; where the direction turns the
-    /// traction at a point may be some percent beyond its own.
+    /// `q = (x/a)^2 + (y/b)^2` is the square of the elliptical radius in the present contact, and
+    /// the traction `int sqrt(s - q zeta)' dW`.
+    ///
+    /// The limit holds for each annulus of the equivalent foundation. Where the direction turns,
+    /// the traction at a point may exceed its limit by some percent.
     #[must_use]
     pub fn traction(&self, q: f64) -> V {
         if !(self.zeta > 0.0 && q < 1.0) {
@@ -207,10 +215,11 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         sum.times(1.0 / self.zeta.sqrt())
     }
 
-    /// The derivatives of the force with respect to approach and shift as the last step goes on.
+    /// The derivatives of the force with respect to approach and shift if the last step continues.
     ///
-    /// In adhesion they are those of the step's end. In slip they are of the last instant: a
-    /// ring at its limit turns, `dPhi = (3/2) (I - m m^T) dX dt + (3/2) m dzeta dt`, others stick.
+    /// In adhesion they are those at the end of the step. In slip they are those of the last
+    /// instant: the traction of a slipping annulus turns,
+    /// `dPhi = (3/2) (I - m m^T) dX dt + (3/2) m dzeta dt`; the other annuli stick.
     #[must_use]
     pub fn tangent(&self) -> Tangent {
         let isotropic = |k: f64| [[k, 0.0], [0.0, k]];
@@ -230,7 +239,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         }
     }
 
-    /// Of the piece laid down by the last step, which began at `front`.
+    /// The tangent of the piece appended by the last step, which began at `front`.
     fn adhesion_tangent(&self) -> Tangent {
         let (a, b) = (self.front.sqrt(), self.root);
         let chord = a + b - a * b / (a + b);
@@ -240,7 +249,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         Tangent { by_shift: [[chord, 0.0], [0.0, chord]], by_approach: rise.map(|r| r * by_depth) }
     }
 
-    /// What the rings of a piece above the stick depth add.
+    /// Adds the annuli of a piece above the stick depth.
     fn add_slip(&self, piece: &Piece<V>, tangent: &mut Tangent) {
         let (low, high) = (piece.low.root.max(self.stick_depth().sqrt()), piece.high.root);
         let length = piece.high.depth - piece.low.depth;
@@ -266,7 +275,7 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         }
     }
 
-    /// Moves the origin of the shifts: X and every anchor grow by `by`. Forces do not change.
+    /// Moves the origin of the shifts: adds `by` to X and W. Forces do not change.
     pub fn translate(&mut self, by: V) {
         self.shift = self.shift.plus(by);
         for i in 0..self.stack.len() {
@@ -276,18 +285,18 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
     }
 }
 
-impl<S: VertexStack<[f64; 2]>> CoulombMemory<[f64; 2], S> {
-    /// Turns the frame in the contact plane: all components are expressed in axes that are
-    /// rotated by `angle` (radians, counter-clockwise).
+impl<S: NodeStack<Node<[f64; 2]>>> CoulombMemory<[f64; 2], S> {
+    /// Turns the frame in the contact plane: all components refer to axes rotated by `angle`
+    /// (radians, counter-clockwise).
     pub fn turn_frame(&mut self, angle: f64) {
         let turn = Turn::by(angle);
         self.shift = turn.of(self.shift);
         self.force = turn.of(self.force);
         for i in 0..self.stack.len() {
-            let vertex = self.stack.get_mut(i);
-            let error = vertex.force_slope;
-            turn.vertex(vertex);
-            vertex.force_slope = error;
+            let node = self.stack.get_mut(i);
+            for vector in [&mut node.anchor, &mut node.bubble, &mut node.force] {
+                *vector = turn.of(*vector);
+            }
         }
     }
 }

@@ -1,37 +1,43 @@
-//! A straight step: adhesion lays a piece down, slip drags what is beyond its limit.
+//! A straight step: adhesion appends a piece; in slip the return mapping acts on what exceeds the
+//! limit.
 
 use super::CoulombMemory;
-use super::drag::{BEYOND, Step, grain};
-use super::energy::{Notes, Unnoted};
-use super::join::{Sizes, join_from};
-use super::lay::{Dragged, HALVINGS};
-use super::piece::{End, Knot, Piece};
-use super::storage::Vertices;
-use crate::memory::{Lateral, MemoryRegime as Regime, VertexStack};
+use super::drag::{MAX_EXCESS_OF_ROUND_OFF, Step, round_off_length};
+use super::energy::{NoObserver, StepObserver};
+use super::fit::{Dragged, MAX_HALVINGS};
+use super::join::{ControlLengths, join_from};
+use super::piece::{End, Node, Piece};
+use crate::memory::{Lateral, MemoryRegime as Regime, NodeStack, Nodes};
 
-/// What counts as no length at all, over the approach and over the shift.
-const EXACT: [f64; 2] = [1e-13, 1e-15];
-/// The share of the tolerance by which a join may move the curve of the whole contact.
-const SHARE: f64 = 0.06;
+/// Lengths up to these shares of the approach and of the shift count as zero.
+const ZERO_LENGTH_SHARES: [f64; 2] = [1e-13, 1e-15];
+/// Share of the tolerance by which a join of pieces from the centre to the edge may move the curve.
+const JOIN_SHARE_OF_TOLERANCE: f64 = 0.06;
 /// Where the slipping part of the curve begins.
 enum Front {
     /// Nothing slips.
     None,
-    /// The deepest ring slips.
+    /// The centre slips.
     Bottom,
-    /// On the piece above a vertex, between a part that sticks and one that slips.
+    /// On the piece above vertex `piece`, between the fraction `within` (sticks) and `beyond`
+    /// (slips).
     On { piece: usize, within: f64, beyond: f64 },
 }
 
-impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
-    /// A step that was checked.
+impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
+    /// A step with checked arguments.
     #[inline]
     pub(crate) fn step(&mut self, zeta: f64, shift: V) {
-        self.step_noted(zeta, shift, &mut Unnoted);
+        self.step_observed(zeta, shift, &mut NoObserver);
     }
 
     #[inline]
-    pub(super) fn step_noted(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
+    pub(super) fn step_observed(
+        &mut self,
+        zeta: f64,
+        shift: V,
+        observer: &mut impl StepObserver<V>,
+    ) {
         if zeta <= 0.0 {
             self.separate(zeta, shift);
             return;
@@ -42,14 +48,14 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         let dz = zeta - self.zeta;
         let dx = shift.minus(self.shift);
         if dz == 0.0 && dx == V::default() {
-            return; // not a step at all
+            return; // no step
         }
         let stretch = shift.minus(self.stack.get(0).anchor);
         let square = stretch.dot(stretch);
         if square > self.extent * self.extent {
             self.extent = square.sqrt();
         }
-        self.step_within_room(zeta, shift, notes);
+        self.step_within_room(zeta, shift, observer);
     }
 
     #[cold]
@@ -59,47 +65,52 @@ impl<V: Lateral, S: VertexStack<V>> CoulombMemory<V, S> {
         (self.regime, self.front, self.force) = (Regime::Separated, 0.0, V::default());
     }
 
-    /// Moves a separated pair to the point of its path at which it touches.
+    /// Moves a separated pair to the point of its path at which contact begins.
     #[cold]
     pub(super) fn touch(&mut self, zeta: f64, shift: V) {
         let part = self.zeta / (self.zeta - zeta);
         self.shift = self.shift.plus(shift.minus(self.shift).times(part));
         (self.zeta, self.root, self.force) = (0.0, 0.0, V::default());
         self.extent = 0.0;
-        self.stack.push(self.tip().vertex());
+        self.stack.push(self.tip());
     }
 }
 
-impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
+impl<V: Lateral, S: Nodes<Node<V>>> CoulombMemory<V, S> {
     /// A step of a pair in contact, in storage that has room.
     #[inline]
-    pub(super) fn go(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
+    pub(super) fn step_in_contact(
+        &mut self,
+        zeta: f64,
+        shift: V,
+        observer: &mut impl StepObserver<V>,
+    ) {
         let (dz, dx) = (zeta - self.zeta, shift.minus(self.shift));
-        // On the cone itself, to round-off, the rings that touch may as well slip.
-        let clear = dz - grain(zeta, shift);
-        if clear > 0.0 && dx.dot(dx) <= clear * clear {
-            self.adhere(zeta, shift, notes);
+        // On the cone itself, to round-off, new annuli may be treated as slipping.
+        let growth = dz - round_off_length(zeta, shift);
+        if growth > 0.0 && dx.dot(dx) <= growth * growth {
+            self.adhere(zeta, shift, observer);
         } else {
-            self.slip(zeta, shift, notes);
+            self.slip(zeta, shift, observer);
         }
         (self.zeta, self.shift) = (zeta, shift);
     }
 
     #[inline]
-    fn sizes(&self, end: End<V>) -> Sizes {
+    fn lengths(&self, end: End<V>) -> ControlLengths {
         let [x, y] = end.anchor.components();
-        Sizes {
+        ControlLengths {
             extent: self.extent,
-            miss: SHARE * self.tolerance,
-            bulge: self.bulge,
-            exact: EXACT[0] * end.depth + EXACT[1] * (x.abs() + y.abs()),
+            max_move: JOIN_SHARE_OF_TOLERANCE * self.tolerance,
+            max_bubble: self.max_bubble,
+            exact: ZERO_LENGTH_SHARES[0] * end.depth + ZERO_LENGTH_SHARES[1] * (x.abs() + y.abs()),
         }
     }
 
-    /// The tip of the curve, as a vertex to be.
+    /// The tip of the curve (zeta, X) as a node.
     #[inline]
-    pub(super) fn tip(&self) -> Knot<V> {
-        Knot {
+    pub(super) fn tip(&self) -> Node<V> {
+        Node {
             depth: self.zeta,
             root: self.root,
             anchor: self.shift,
@@ -109,40 +120,40 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
         }
     }
 
-    /// The piece laid down in complete adhesion (6.45), (7.54).
+    /// Appends the piece formed in complete adhesion (6.45), (7.54).
     #[inline]
-    fn adhere(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
+    fn adhere(&mut self, zeta: f64, shift: V, observer: &mut impl StepObserver<V>) {
         let end = End { depth: zeta, root: zeta.sqrt(), anchor: shift };
-        let top = self.grow();
+        let top = self.make_tip_a_vertex();
         self.force = self.force.plus(Piece::new(&self.tip(), end).force());
         if top > 0 {
-            let sizes = self.sizes(end);
-            notes.drawn(self.chain_to(end), shift);
-            join_from(&mut self.stack, top, end, &sizes, notes);
+            let lengths = self.lengths(end);
+            observer.fitted(self.chain_to(end), shift);
+            join_from(&mut self.stack, top, end, &lengths, observer);
         }
         (self.root, self.regime, self.front) = (end.root, Regime::Adhesion, self.zeta);
         self.hold_limit(end);
     }
 
-    /// Makes the tip a vertex, the foot of the piece to come, and returns its place.
+    /// Makes the tip a vertex, the lower end of the next piece, and returns its index.
     #[inline]
-    fn grow(&mut self) -> usize {
+    fn make_tip_a_vertex(&mut self) -> usize {
         let top = self.stack.len() - 1;
         if self.stack.get(top).depth >= self.zeta {
             return top;
         }
         let tip = self.tip();
         self.make_room(tip.end());
-        self.stack.push(tip.vertex());
+        self.stack.push(tip);
         self.stack.len() - 1
     }
 
-    /// Drags what is beyond its limit at the end of the step.
-    fn slip(&mut self, zeta: f64, shift: V, notes: &mut impl Notes<V>) {
+    /// Applies the return mapping to the annuli that exceed their limit at the end of the step.
+    fn slip(&mut self, zeta: f64, shift: V, observer: &mut impl StepObserver<V>) {
         let step = Step::new((self.zeta, self.shift), (zeta, shift));
         let released = zeta < self.zeta;
         if zeta > self.zeta {
-            self.grow();
+            self.make_tip_a_vertex();
         }
         let old = self.old_end(zeta);
         self.make_room(old);
@@ -159,33 +170,33 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
             Front::Bottom => (0, false),
             Front::On { piece, within, beyond } => self.cut(&step, old, piece, within, beyond),
         };
-        let slides = self.drag_from((first, sticks), &step, old, &self.sizes(end));
+        let slides = self.drag_from((first, sticks), &step, old, &self.lengths(end));
         self.report(first, slides && matches!(front, Front::Bottom), zeta);
         self.finish(end, first.saturating_sub(1));
-        notes.drawn(self.chain_to(end), shift);
-        self.join_from(first.max(1), end, notes);
+        observer.fitted(self.chain_to(end), shift);
+        self.join_from(first.max(1), end, observer);
     }
 
-    /// Cuts the curve at an approach; its end there before anything is dragged.
+    /// Removes the curve above an approach and returns its end there, before the return mapping.
     #[inline]
     fn old_end(&mut self, zeta: f64) -> End<V> {
         let mut end = self.tip().end();
         if zeta > self.zeta {
-            // The rings that touch on the way have no stretch to begin with.
+            // Annuli that come into contact during the step have no stretch at first.
             return End { depth: zeta, root: zeta.sqrt(), anchor: self.shift };
         }
         if zeta < self.zeta {
             let mut top = self.stack.len() - 1;
             while self.stack.get(top).depth >= zeta {
-                end = Knot::of(self.stack.get(top)).end();
+                end = (*self.stack.get(top)).end();
                 self.stack.truncate(top);
                 top -= 1;
             }
-            let knot = Knot::of(self.stack.get(top));
-            let piece = Piece::new(&knot, end);
-            let part = (zeta - knot.depth) / (end.depth - knot.depth);
+            let node = *self.stack.get(top);
+            let piece = Piece::new(&node, end);
+            let part = (zeta - node.depth) / (end.depth - node.depth);
             end = End { depth: zeta, root: zeta.sqrt(), anchor: piece.at(part) };
-            self.stack.get_mut(top).slope = knot.bubble.times(part * part);
+            self.stack.get_mut(top).bubble = node.bubble.times(part * part);
         }
         end
     }
@@ -193,26 +204,26 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
     /// The upper end of the piece above a vertex.
     #[inline]
     fn end_of(&self, i: usize, tip: End<V>) -> End<V> {
-        if i + 1 < self.stack.len() { Knot::of(self.stack.get(i + 1)).end() } else { tip }
+        if i + 1 < self.stack.len() { (*self.stack.get(i + 1)).end() } else { tip }
     }
 
-    /// The lowest place that slips; there may be others that stick above it.
+    /// The slip front: the deepest point that slips. Annuli above it may stick.
     #[inline]
     fn find_front(&self, step: &Step<V>, old: End<V>) -> Front {
         let len = self.stack.len();
-        let mut knot = Knot::of(self.stack.get(0));
-        if step.is_beyond(knot.depth, knot.anchor) {
+        let mut node = *self.stack.get(0);
+        if step.is_beyond_limit(node.depth, node.anchor) {
             return Front::Bottom;
         }
         for i in 0..len {
-            let piece = Piece::new(&knot, self.end_of(i, old));
+            let piece = Piece::new(&node, self.end_of(i, old));
             let excess = step.excess(piece.middle_depth(), piece.middle());
-            if step.counts(excess, piece.middle_depth()) {
+            if step.exceeds_round_off(excess, piece.middle_depth()) {
                 return Front::On { piece: i, within: 0.0, beyond: 0.5 };
             }
             let high = piece.high;
-            let beyond = step.is_beyond(high.depth, high.anchor);
-            // Before the upper end there may be a band that no end and no middle sees.
+            let beyond = step.is_beyond_limit(high.depth, high.anchor);
+            // A zone of slip may lie below the upper end and contain neither an end nor the middle.
             if piece.may_slip(step, excess)
                 && let Some([within, beyond]) = piece.look_for_slip(step)
             {
@@ -222,13 +233,13 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
                 return Front::On { piece: i, within: 0.5, beyond: 1.0 };
             }
             if i + 1 < len {
-                knot = Knot::of(self.stack.get(i + 1));
+                node = *self.stack.get(i + 1);
             }
         }
         Front::None
     }
 
-    /// Makes the front a vertex and returns its place, and whether it is at its limit, so that it sticks.
+    /// Makes the front a vertex. Returns its index and whether it sticks, being just at its limit.
     fn cut(
         &mut self,
         step: &Step<V>,
@@ -237,122 +248,133 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
         within: f64,
         beyond: f64,
     ) -> (usize, bool) {
-        let knot = Knot::of(self.stack.get(i));
-        let piece = Piece::new(&knot, self.end_of(i, old));
+        let node = *self.stack.get(i);
+        let piece = Piece::new(&node, self.end_of(i, old));
         let part = piece.front(step, within, beyond);
         let cut = piece.cut(part);
-        let grain = BEYOND * step.grain;
-        if cut.depth <= knot.depth + grain {
+        let round_off_length = MAX_EXCESS_OF_ROUND_OFF * step.round_off_length;
+        if cut.depth <= node.depth + round_off_length {
             return (i, false);
         }
-        if cut.depth >= piece.high.depth - grain {
-            // The vertex above is the front, or a ring at the edge too thin to be seen.
+        if cut.depth >= piece.high.depth - round_off_length {
+            // The front is the vertex above, or the slip annulus is too thin to count.
             return ((i + 1).min(self.stack.len() - 1), false);
         }
         let rest = 1.0 - part;
-        let front = Knot {
+        let front = Node {
             depth: cut.depth,
             root: cut.root,
             anchor: cut.anchor,
-            bubble: knot.bubble.times(rest * rest),
+            bubble: node.bubble.times(rest * rest),
             force: V::default(),
-            error: knot.error,
+            error: node.error,
         };
-        self.stack.get_mut(i).slope = knot.bubble.times(part * part);
-        self.stack.insert(i + 1, front.vertex());
+        self.stack.get_mut(i).bubble = node.bubble.times(part * part);
+        self.stack.insert(i + 1, front);
         (i + 1, true)
     }
 
-    /// Drags the curve from a vertex up, which may stick, from the edge down; whether all of it slips.
+    /// Applies the return mapping from the edge down to vertex `first`, which sticks if `sticks`.
+    /// Returns whether all annuli slipped.
     fn drag_from(
         &mut self,
         (first, sticks): (usize, bool),
         step: &Step<V>,
         old: End<V>,
-        sizes: &Sizes,
+        lengths: &ControlLengths,
     ) -> bool {
         let mut old = old;
         let mut new = step.shift;
         let end = End { depth: step.zeta, root: old.root, anchor: new };
-        let straight = sizes.straight(&end);
+        let straight = lengths.straight(&end);
         let near = |depth: f64, anchor: V| {
-            let off = anchor.minus(step.behind(depth));
-            off.dot(off) <= straight * straight
+            let offset = anchor.minus(step.behind(depth));
+            offset.dot(offset) <= straight * straight
         };
-        // Behind the tip after the step, and before it.
+        // Whether the curve above lies on a straight line behind the tip: after the step, and
+        // before it.
         let mut in_line = true;
         let mut was_in_line =
-            old.depth >= self.zeta || step.is_in_line(old.depth, old.anchor, sizes.exact);
+            old.depth >= self.zeta || step.is_in_line(old.depth, old.anchor, lengths.exact);
         let mut slides = !sticks;
         // The error of the straight piece behind the tip.
         let mut error = 0.0;
         for i in (first..self.stack.len()).rev() {
-            let knot = Knot::of(self.stack.get(i));
-            let piece = Piece::new(&knot, old);
+            let node = *self.stack.get(i);
+            let piece = Piece::new(&node, old);
             was_in_line = was_in_line
-                && knot.bubble == V::default()
-                && step.is_in_line(knot.depth, knot.anchor, sizes.exact);
+                && node.bubble == V::default()
+                && step.is_in_line(node.depth, node.anchor, lengths.exact);
             if was_in_line {
-                if knot.error > 0.0 {
-                    error = step.left_in_line(knot.depth, knot.anchor, knot.error).max(error);
+                if node.error > 0.0 {
+                    error = step
+                        .remaining_error_in_line(node.depth, node.anchor, node.error)
+                        .max(error);
                 }
-                (old, new) = (piece.low, step.behind(knot.depth));
-                self.lay_line(i, new, error);
+                (old, new) = (piece.low, step.behind(node.depth));
+                self.fit_line(i, new, error);
                 continue;
             }
             let sticks = sticks && i == first;
-            let low = if sticks { knot.anchor } else { step.drag(knot.depth, knot.anchor) };
+            let low = if sticks { node.anchor } else { step.drag(node.depth, node.anchor) };
             let middle = step.drag(piece.middle_depth(), piece.middle());
             in_line = in_line
-                && near(knot.depth, low)
-                && (knot.depth >= self.zeta || near(piece.middle_depth(), middle));
+                && near(node.depth, low)
+                && (node.depth >= self.zeta || near(piece.middle_depth(), middle));
             if in_line {
-                let left = step.left(&piece, step.across([low, middle, new]));
-                error = if left > error { left } else { error };
-                self.lay_line(i, low, error);
+                let remaining_error = step.remaining_error(&piece, step.across([low, middle, new]));
+                error = if remaining_error > error { remaining_error } else { error };
+                self.fit_line(i, low, error);
             } else {
                 let new = [low, middle, new];
-                let ways = piece.ways(new);
-                slides = slides && ways[0] > 0.0 && ways[1] > 0.0;
+                let squared_moves = piece.squared_moves(new);
+                slides = slides && squared_moves[0] > 0.0 && squared_moves[1] > 0.0;
                 let across = step.across(new);
-                let slips = ways[0] > 0.0 && ways[1] > 0.0 && ways[2] > 0.0;
-                let left = if slips { step.left(&piece, across) } else { knot.error };
-                let ways = if sticks { [ways[1], ways[1], ways[2]] } else { ways };
-                let at_front = ways[0] == ways[1];
-                let dragged = Dragged { old: &piece, new, ways, at_front, across, left };
-                self.lay(i, &dragged, step, (sizes, HALVINGS));
+                let slips =
+                    squared_moves[0] > 0.0 && squared_moves[1] > 0.0 && squared_moves[2] > 0.0;
+                let remaining_error =
+                    if slips { step.remaining_error(&piece, across) } else { node.error };
+                let squared_moves = if sticks {
+                    [squared_moves[1], squared_moves[1], squared_moves[2]]
+                } else {
+                    squared_moves
+                };
+                let at_front = squared_moves[0] == squared_moves[1];
+                let dragged =
+                    Dragged { old: &piece, new, squared_moves, at_front, across, remaining_error };
+                self.fit(i, &dragged, step, (lengths, MAX_HALVINGS));
             }
             (old, new) = (piece.low, low);
         }
         slides
     }
 
-    /// One piece, straight behind the tip.
+    /// Replaces the curve above vertex `i` by one straight piece to the tip.
     #[inline]
-    fn lay_line(&mut self, i: usize, anchor: V, error: f64) {
+    fn fit_line(&mut self, i: usize, anchor: V, error: f64) {
         self.stack.truncate(i + 1);
         let vertex = self.stack.get_mut(i);
-        (vertex.anchor, vertex.slope) = (anchor, V::default());
-        vertex.force_slope = V::from_components([error, 0.0]);
+        (vertex.anchor, vertex.bubble) = (anchor, V::default());
+        vertex.error = error;
     }
 
-    /// The forces from a vertex up, and the end of the step.
+    /// Sums the forces from a vertex upwards and ends the step.
     #[inline]
     pub(super) fn finish(&mut self, end: End<V>, first: usize) {
-        let mut knot = Knot::of(self.stack.get(first));
+        let mut node = *self.stack.get(first);
         for i in first + 1..self.stack.len() {
-            let next = Knot::of(self.stack.get(i));
-            let force = knot.force.plus(Piece::new(&knot, next.end()).force());
+            let next = *self.stack.get(i);
+            let force = node.force.plus(Piece::new(&node, next.end()).force());
             self.stack.get_mut(i).force = force;
-            knot = Knot { force, ..next };
+            node = Node { force, ..next };
         }
-        self.force = knot.force.plus(Piece::new(&knot, end).force());
+        self.force = node.force.plus(Piece::new(&node, end).force());
         self.root = end.root;
         self.hold_limit(end);
     }
 
-    /// Takes the force back to its limit, beyond which round-off of the shift may bring it where the
-    /// approach is small beside the shift.
+    /// Scales the force back to its limit. Round-off of the shift may exceed the limit if the
+    /// approach is small against the shift.
     #[inline]
     fn hold_limit(&mut self, end: End<V>) {
         let (limit, square) = (end.depth * end.root, self.force.dot(self.force));
@@ -361,16 +383,16 @@ impl<V: Lateral, S: Vertices<V>> CoulombMemory<V, S> {
         }
     }
 
-    /// Joins what can be joined from a vertex up.
+    /// Joins pieces from a vertex upwards where the tolerance allows.
     #[inline]
-    fn join_from(&mut self, first: usize, end: End<V>, notes: &mut impl Notes<V>) {
+    fn join_from(&mut self, first: usize, end: End<V>, observer: &mut impl StepObserver<V>) {
         if first < self.stack.len() {
-            let sizes = self.sizes(end);
-            join_from(&mut self.stack, first, end, &sizes, notes);
+            let lengths = self.lengths(end);
+            join_from(&mut self.stack, first, end, &lengths, observer);
         }
     }
 
-    /// What the step did: the front is vertex `first`.
+    /// Sets the regime and the slip front, which is vertex `first`.
     #[inline]
     fn report(&mut self, first: usize, slides: bool, zeta: f64) {
         let front = self.stack.get(first).depth;

@@ -1,154 +1,92 @@
-//! What a step needs of the storage of vertices, and storage that has more room than it lasts for.
+//! The operations of a step on the storage of vertices, and storage with spare capacity for one
+//! step.
 
-use crate::memory::{Lateral, Vertex, VertexStack};
+use super::Node;
+use crate::memory::{Lateral, NodeStack, Nodes};
 
-/// Vertices in the course of a step, see [`VertexStack`].
-pub trait Vertices<V: Lateral> {
-    fn len(&self) -> usize;
-    fn get(&self, index: usize) -> &Vertex<V>;
-    fn get_mut(&mut self, index: usize) -> &mut Vertex<V>;
-    fn truncate(&mut self, len: usize);
-    fn capacity(&self) -> usize;
-    fn push(&mut self, vertex: Vertex<V>);
-    fn count_merge(&mut self);
+/// Number of vertices that a step may need beyond the capacity, in blocks.
+pub(super) const SPARE_VERTICES: usize = SPARE_BLOCKS * BLOCK;
+const SPARE_BLOCKS: usize = 6;
+const BLOCK: usize = 8;
 
-    /// Puts a vertex below the one at a position; there is room for it.
+/// Storage with spare capacity for one step. Vertices within the capacity are not copied.
+pub(super) struct WithSpare<'a, V, S> {
+    storage: &'a mut S,
+    /// Allocated on demand: most steps need none.
+    spare: [Option<[Node<V>; BLOCK]>; SPARE_BLOCKS],
+    spare_len: usize,
+}
+
+impl<'a, V: Lateral, S: NodeStack<Node<V>>> WithSpare<'a, V, S> {
     #[inline]
-    fn insert(&mut self, index: usize, vertex: Vertex<V>) {
-        let len = self.len();
-        self.push(vertex);
-        for i in (index..len).rev() {
-            *self.get_mut(i + 1) = *self.get(i);
-        }
-        *self.get_mut(index) = vertex;
+    pub(super) fn new(storage: &'a mut S) -> Self {
+        Self { storage, spare: [None; SPARE_BLOCKS], spare_len: 0 }
     }
 
-    /// Takes the vertex at a position out.
+    /// The number of vertices that remain after the step.
     #[inline]
-    fn remove(&mut self, index: usize) {
-        let last = self.len() - 1;
-        for i in index..last {
-            *self.get_mut(i) = *self.get(i + 1);
-        }
-        self.truncate(last);
+    pub(super) fn permanent_capacity(&self) -> usize {
+        self.storage.capacity()
+    }
+
+    #[inline]
+    fn spare_mut(&mut self, index: usize) -> &mut Node<V> {
+        &mut self.spare[index / BLOCK].get_or_insert_with(|| [Node::default(); BLOCK])
+            [index % BLOCK]
     }
 }
 
-impl<V: Lateral, S: VertexStack<V>> Vertices<V> for S {
+impl<V: Lateral, S: NodeStack<Node<V>>> Nodes<Node<V>> for WithSpare<'_, V, S> {
     #[inline]
     fn len(&self) -> usize {
-        VertexStack::len(self)
+        self.storage.len() + self.spare_len
     }
 
     #[inline]
-    fn get(&self, index: usize) -> &Vertex<V> {
-        VertexStack::get(self, index)
-    }
-
-    #[inline]
-    fn get_mut(&mut self, index: usize) -> &mut Vertex<V> {
-        VertexStack::get_mut(self, index)
-    }
-
-    #[inline]
-    fn truncate(&mut self, len: usize) {
-        VertexStack::truncate(self, len);
-    }
-
-    #[inline]
-    fn capacity(&self) -> usize {
-        VertexStack::capacity(self)
-    }
-
-    #[inline]
-    fn push(&mut self, vertex: Vertex<V>) {
-        VertexStack::push(self, vertex);
-    }
-
-    #[inline]
-    fn count_merge(&mut self) {
-        VertexStack::count_merge(self);
-    }
-}
-
-/// How many vertices a step may need beyond the room there is, in parts.
-pub(super) const SPARE: usize = PARTS * PART;
-const PARTS: usize = 6;
-const PART: usize = 8;
-
-/// Storage with room to spare for one step. What fits stays where it is.
-pub(super) struct Roomy<'a, V, S> {
-    own: &'a mut S,
-    /// None until they are needed: most steps do without.
-    spare: [Option<[Vertex<V>; PART]>; PARTS],
-    spared: usize,
-}
-
-impl<'a, V: Lateral, S: VertexStack<V>> Roomy<'a, V, S> {
-    #[inline]
-    pub(super) fn new(own: &'a mut S) -> Self {
-        Self { own, spare: [None; PARTS], spared: 0 }
-    }
-
-    /// How many vertices last.
-    #[inline]
-    pub(super) fn lasting(&self) -> usize {
-        self.own.capacity()
-    }
-
-    #[inline]
-    fn spare_mut(&mut self, index: usize) -> &mut Vertex<V> {
-        &mut self.spare[index / PART].get_or_insert_with(|| [Vertex::default(); PART])[index % PART]
-    }
-}
-
-impl<V: Lateral, S: VertexStack<V>> Vertices<V> for Roomy<'_, V, S> {
-    #[inline]
-    fn len(&self) -> usize {
-        self.own.len() + self.spared
-    }
-
-    #[inline]
-    fn get(&self, index: usize) -> &Vertex<V> {
-        let room = self.own.capacity();
-        let past = index.wrapping_sub(room);
-        match self.spare.get(past / PART) {
-            Some(Some(part)) => &part[past % PART],
-            _ => self.own.get(index),
+    fn get(&self, index: usize) -> &Node<V> {
+        let capacity = self.storage.capacity();
+        let past = index.wrapping_sub(capacity);
+        match self.spare.get(past / BLOCK) {
+            Some(Some(part)) => &part[past % BLOCK],
+            _ => self.storage.get(index),
         }
     }
 
     #[inline]
-    fn get_mut(&mut self, index: usize) -> &mut Vertex<V> {
-        let room = self.own.capacity();
-        if index < room { self.own.get_mut(index) } else { self.spare_mut(index - room) }
-    }
-
-    #[inline]
-    fn truncate(&mut self, len: usize) {
-        let room = self.own.capacity();
-        self.spared = len.saturating_sub(room);
-        if len < room {
-            self.own.truncate(len);
-        }
-    }
-
-    #[inline]
-    fn capacity(&self) -> usize {
-        self.own.capacity() + SPARE
-    }
-
-    #[inline]
-    fn push(&mut self, vertex: Vertex<V>) {
-        if self.own.len() < self.own.capacity() {
-            self.own.push(vertex);
+    fn get_mut(&mut self, index: usize) -> &mut Node<V> {
+        let capacity = self.storage.capacity();
+        if index < capacity {
+            self.storage.get_mut(index)
         } else {
-            *self.spare_mut(self.spared) = vertex;
-            self.spared += 1;
+            self.spare_mut(index - capacity)
+        }
+    }
+
+    #[inline]
+    fn truncate(&mut self, len: usize) {
+        let capacity = self.storage.capacity();
+        self.spare_len = len.saturating_sub(capacity);
+        if len < capacity {
+            self.storage.truncate(len);
+        }
+    }
+
+    #[inline]
+    fn capacity(&self) -> usize {
+        self.storage.capacity() + SPARE_VERTICES
+    }
+
+    #[inline]
+    fn push(&mut self, node: Node<V>) {
+        if self.storage.len() < self.storage.capacity() {
+            self.storage.push(node);
+        } else {
+            *self.spare_mut(self.spare_len) = node;
+            self.spare_len += 1;
         }
     }
 
     fn count_merge(&mut self) {
-        self.own.count_merge();
+        self.storage.count_merge();
     }
 }

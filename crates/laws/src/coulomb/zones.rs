@@ -1,44 +1,44 @@
-//! Zones of stick and slip within a piece that its ends and its middle do not show.
+//! Zones of stick and slip within a piece that contain neither its ends nor its middle.
 //!
-//! The excess of a ring over its limit is a polynomial of fourth degree along a piece. Between two
-//! rings that stick, one slips only where the piece bends: the limit is a convex cone. Between two
-//! that slip, one may stick where the piece is steeper than the cone.
+//! The excess of an annulus over its limit is a polynomial of fourth degree along a piece. Between
+//! two annuli that stick, one can slip only where the piece is curved, since the limit is a convex
+//! cone. Between two that slip, one may stick where the piece is steeper than the cone.
 
-use super::drag::{BEYOND, Step};
+use super::drag::{MAX_EXCESS_OF_ROUND_OFF, Step};
 use super::piece::{End, Piece};
 use crate::memory::Lateral;
 
-/// Steps from the middle of a half to its extreme, and what is no step.
-const STEPS: u32 = 24;
-const NEAR: f64 = 1e-6;
+/// Largest number of Newton steps to an extremum, and the change that counts as none.
+const MAX_NEWTON_STEPS: u32 = 24;
+const ZERO_CHANGE: f64 = 1e-6;
 /// The halves of a piece.
 const HALVES: [[f64; 2]; 2] = [[0.0, 0.5], [0.5, 1.0]];
 
 impl<V: Lateral> Piece<V> {
-    /// Whether the piece may bend out of the cone, if its lower end and its middle, which is in excess by
-    /// so much, stick.
+    /// Whether a piece may leave the friction cone although its lower end and its middle stick.
+    /// `excess` is that of the middle.
     #[inline(always)]
     pub(super) fn may_slip(&self, step: &Step<V>, excess: f64) -> bool {
         let square = self.bubble.dot(self.bubble);
-        // The margin to the limit is concave on a chord, and a half piece leaves its chord by at most
-        // part (1 - part) |bubble|.
+        // The margin to the limit is concave on a chord, and a half piece deviates from its chord
+        // by at most part (1 - part) |bubble|.
         let limit = step.zeta - self.middle_depth();
         square > 0.0 && !(excess < 0.0 && excess * excess >= 4.0 * limit * limit * square)
     }
 
-    /// Two parts of the piece, the first of which sticks and the second of which slips, if its
-    /// lower end and its middle stick and it bends out of the cone between them, or above.
+    /// Two fractions of a piece, of which the first sticks and the second slips, if the piece
+    /// leaves the friction cone although its lower end and its middle stick.
     #[cold]
     pub(super) fn look_for_slip(&self, step: &Step<V>) -> Option<[f64; 2]> {
         let rate = self.excess_rate(step);
         HALVES.into_iter().find_map(|[from, to]| {
             let part = rate.zero([from, to], 1.0)?;
-            let beyond = step.is_beyond(self.depth_at(part), self.at(part));
+            let beyond = step.is_beyond_limit(self.depth_at(part), self.at(part));
             beyond.then_some([from, part])
         })
     }
 
-    /// Half the derivative of the excess by the part.
+    /// Half the derivative of the excess by the fraction.
     #[inline]
     fn excess_rate(&self, step: &Step<V>) -> Cubic {
         let length = self.high.depth - self.low.depth;
@@ -53,7 +53,7 @@ impl<V: Lateral> Piece<V> {
         ])
     }
 
-    /// Whether a dragged piece whose ends and middle all stick, or all slip, may do the other between.
+    /// Whether a piece whose ends and middle all stick, or all slip, may do the opposite between.
     #[inline(always)]
     pub(super) fn may_hide(&self, step: &Step<V>, slips: bool) -> bool {
         let stretch = step.shift.minus(self.middle());
@@ -65,26 +65,27 @@ impl<V: Lateral> Piece<V> {
         let rise = self.high.anchor.minus(self.low.anchor);
         let length = self.high.depth - self.low.depth;
         let bubble = self.bubble;
-        // A half bends by its steepness and its bubble: four times the sag of its excess below the chord.
+        // The curvature of a half, by its slope and its deviation: four times the sag of its excess
+        // below the chord.
         let turned = 3.0 * rise.dot(bubble).abs() + 6.0 * bubble.dot(bubble);
         let bent = 2.0 * stretch.dot(bubble).abs() + turned;
         let sag = 0.25 * (rise.dot(rise) - length * length) + bent;
         sag > middle && self.sags(step, sag, middle)
     }
 
-    /// Whether the excess, its value at the middle given, may vanish by such a sag: between two places where it
-    /// is a and b it does above `(sqrt(a) + sqrt(b))^2`.
+    /// Whether the excess may vanish by such a sag, given its value at the middle. Between two
+    /// points of excess a and b it does above `(sqrt(a) + sqrt(b))^2`.
     #[inline]
     fn sags(&self, step: &Step<V>, sag: f64, middle: f64) -> bool {
-        let held = |end: End<V>| {
+        let least_sag = |end: End<V>| {
             let end = step.excess(end.depth, end.anchor);
             if end < middle { middle + 3.0 * end } else { end + 3.0 * middle }
         };
-        sag > held(self.low) || sag > held(self.high)
+        sag > least_sag(self.low) || sag > least_sag(self.high)
     }
 
-    /// The part of a dragged piece whose ends and middle all stick, or all slip, at which it does the
-    /// other.
+    /// The fraction at which a piece whose ends and middle all stick, or all slip, does the
+    /// opposite.
     #[cold]
     pub(super) fn hidden_zone(&self, step: &Step<V>, slips: bool) -> Option<f64> {
         if slips {
@@ -100,7 +101,7 @@ impl<V: Lateral> Piece<V> {
             let part = rate.zero(ends, -1.0)?;
             let limit = step.zeta - self.depth_at(part);
             let excess = step.excess(self.depth_at(part), self.at(part));
-            (excess < -BEYOND * step.grain * limit).then_some(part)
+            (excess < -MAX_EXCESS_OF_ROUND_OFF * step.round_off_length * limit).then_some(part)
         })
     }
 }
@@ -109,22 +110,22 @@ impl<V: Lateral> Piece<V> {
 struct Cubic([f64; 4]);
 
 impl Cubic {
-    /// Its value and its derivative.
+    /// Value and derivative.
     #[inline]
     fn at(&self, x: f64) -> [f64; 2] {
         let [a, b, c, d] = self.0;
         [a + x * (b + x * (c + x * d)), b + x * (2.0 * c + x * (3.0 * d))]
     }
 
-    /// Where it, times a sign, changes from above to below zero between two places: by Newton's steps, or
-    /// halves.
+    /// Where the polynomial, times `sign`, changes from positive to negative between two points: by
+    /// Newton's method, with bisection as fallback.
     #[inline]
     fn zero(&self, [mut from, mut to]: [f64; 2], sign: f64) -> Option<f64> {
         if sign * self.at(from)[0] <= 0.0 || sign * self.at(to)[0] >= 0.0 {
             return None;
         }
         let mut x = 0.5 * (from + to);
-        for _ in 0..STEPS {
+        for _ in 0..MAX_NEWTON_STEPS {
             let [value, slope] = self.at(x);
             if sign * value > 0.0 {
                 from = x
@@ -134,7 +135,7 @@ impl Cubic {
             let next = x - value / slope;
             let before = x;
             x = if next > from && next < to { next } else { 0.5 * (from + to) };
-            if (x - before).abs() < NEAR {
+            if (x - before).abs() < ZERO_CHANGE {
                 break;
             }
         }

@@ -5,7 +5,8 @@
 //! force and torques from it. It rotates the axes of the contact with the two bodies and holds a
 //! [`crate::shift_law::ShiftLaw`] in these axes, so that a pair that rotates as a whole does not
 //! slip. A [`GrainTwist`] is used in addition where the torque about the normal matters. Contacts
-//! of spheres may be advanced four at a time ([`advance_together`]).
+//! of spheres may be advanced four at a time ([`advance_together`]). [`GrainRings`] holds the law of
+//! rings instead, in which shift, twist and the coupling of dissimilar materials act together.
 //!
 //! ```
 //! use carom_laws::friction::Friction;
@@ -28,6 +29,9 @@ mod contact;
 mod meeting;
 mod number;
 mod pack;
+mod rings;
+mod rings_pack;
+mod step;
 mod together;
 mod twist;
 mod vector;
@@ -35,5 +39,7 @@ mod vector;
 pub use contact::{GrainContact, GrainLoad, Heats};
 pub use meeting::{Grain, Meeting, Wall, compliance_shares};
 pub use pack::grain_numbers;
+pub use rings::GrainRings;
+pub use rings_pack::{RING_GRAIN_MARK, ring_grain_numbers};
 pub use together::{TOGETHER, Touching, advance_together};
 pub use twist::GrainTwist;

@@ -8,7 +8,7 @@ use crate::coulomb::packed_numbers;
 use crate::memory::VertexStack;
 
 /// Tangent, normal, friction, drag, velocity and lead.
-const BESIDE: usize = 13;
+pub(super) const BESIDE: usize = 13;
 
 /// Number of values of a stored grain contact with this many vertices: 79 for 12.
 ///
@@ -33,12 +33,10 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         RangeError::check("numbers", room as f64, room >= BESIDE, "enough for the contact")?;
         let (law, beside) = numbers.split_at_mut(room - BESIDE);
         self.law.pack(law)?;
-        beside[..3].copy_from_slice(&self.tangent);
-        beside[3..6].copy_from_slice(&self.normal);
-        beside[6..8].copy_from_slice(&self.friction);
-        beside[8] = self.drag;
-        beside[9..11].copy_from_slice(&self.velocity);
-        beside[11..].copy_from_slice(&self.lead);
+        let (tangent, normal, friction, drag) =
+            (self.tangent, self.normal, self.friction, self.drag);
+        let (velocity, lead) = (self.velocity, self.lead);
+        Beside { tangent, normal, friction, drag, velocity, lead }.write(beside);
         Ok(())
     }
 
@@ -51,23 +49,50 @@ impl<S: VertexStack<[f64; 2]>> GrainContact<S> {
         let room = numbers.len();
         RangeError::check("numbers", room as f64, room >= BESIDE, "enough for the contact")?;
         let (law, beside) = numbers.split_at(room - BESIDE);
-        let vector = |i: usize| [beside[i], beside[i + 1], beside[i + 2]];
+        let beside = Beside::read(beside)?;
+        self.law.unpack(law)?;
+        let Beside { tangent, normal, friction, drag, velocity, lead } = beside;
+        (self.tangent, self.normal, self.friction) = (tangent, normal, friction);
+        (self.drag, self.velocity, self.lead) = (drag, velocity, lead);
+        Ok(())
+    }
+}
+
+/// What is stored of a contact beside its law.
+pub(super) struct Beside {
+    pub(super) tangent: Vector,
+    pub(super) normal: Vector,
+    pub(super) friction: [f64; 2],
+    pub(super) drag: f64,
+    pub(super) velocity: [f64; 2],
+    pub(super) lead: [f64; 2],
+}
+
+impl Beside {
+    pub(super) fn write(&self, numbers: &mut [f64]) {
+        numbers[..3].copy_from_slice(&self.tangent);
+        numbers[3..6].copy_from_slice(&self.normal);
+        numbers[6..8].copy_from_slice(&self.friction);
+        numbers[8] = self.drag;
+        numbers[9..11].copy_from_slice(&self.velocity);
+        numbers[11..].copy_from_slice(&self.lead);
+    }
+
+    pub(super) fn read(numbers: &[f64]) -> Result<Self, RangeError> {
+        let vector = |i: usize| [numbers[i], numbers[i + 1], numbers[i + 2]];
         let (tangent, normal): (Vector, Vector) = (vector(0), vector(3));
         for (field, vector) in [("tangent", tangent), ("normal", normal)] {
             let square = dot(vector, vector);
             let holds = square == 0.0 || (square - 1.0).abs() < 1e-9;
             RangeError::check(field, square.sqrt(), holds, "of length 0 or 1")?;
         }
-        for (field, values) in [("force", &beside[6..9]), ("velocity", &beside[9..])] {
+        for (field, values) in [("force", &numbers[6..9]), ("velocity", &numbers[9..])] {
             for value in values {
                 RangeError::finite(field, *value)?;
             }
         }
-        self.law.unpack(law)?;
-        (self.tangent, self.normal) = (tangent, normal);
-        let pair = |i: usize| [beside[i], beside[i + 1]];
-        (self.friction, self.drag) = (pair(6), beside[8]);
-        (self.velocity, self.lead) = (pair(9), pair(11));
-        Ok(())
+        let pair = |i: usize| [numbers[i], numbers[i + 1]];
+        let (friction, drag, velocity, lead) = (pair(6), numbers[8], pair(9), pair(11));
+        Ok(Self { tangent, normal, friction, drag, velocity, lead })
     }
 }

@@ -4,9 +4,10 @@ use std::array::from_fn;
 
 use carom_special::RangeError;
 
-use super::contact::{Before, GrainContact, GrainLoad, Step, drag, elastic, forces, parting};
+use super::contact::{GrainContact, GrainLoad};
 use super::meeting::{Grain, Meeting};
 use super::number::{LANES, Lanes, lanes};
+use super::step::{Before, Step, drag, elastic, forces, parting};
 use crate::bounds::{LARGEST, LARGEST_IN_MEMORY};
 use crate::law::{ContactLaw as _, Shift};
 use crate::memory::VertexStack;
@@ -16,7 +17,7 @@ pub const TOGETHER: usize = LANES;
 
 /// Two spheres and their contact.
 #[derive(Debug)]
-pub struct Touching<'a, S> {
+pub struct Touching<'a, S: VertexStack<[f64; 2]>> {
     /// Their contact, with its load history.
     pub contact: &'a mut GrainContact<S>,
     /// Body 1 and body 2.
@@ -76,7 +77,10 @@ pub fn advance_together<S: VertexStack<[f64; 2]>>(
 type Pairs<'a, S> = [Touching<'a, S>; TOGETHER];
 
 #[inline(always)]
-fn each<S>(pairs: &Pairs<'_, S>, of: impl Fn(&Touching<'_, S>) -> f64) -> Lanes {
+fn each<S: VertexStack<[f64; 2]>>(
+    pairs: &Pairs<'_, S>,
+    of: impl Fn(&Touching<'_, S>) -> f64,
+) -> Lanes {
     lanes(|i| of(&pairs[i]))
 }
 

@@ -31,7 +31,7 @@ pub use adhesion::AdhesionMemory;
 pub use lateral::Lateral;
 pub(crate) use report::Turn;
 pub use report::{Segment, Tangent};
-pub use stack::{Fixed, Growing, Vertex, VertexStack};
+pub use stack::{Fixed, FixedStack, Growing, GrowingStack, NodeStack, Nodes, Vertex, VertexStack};
 
 use carom_special::RangeError;
 

@@ -88,6 +88,11 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> Memory<V, S, P> {
         &self.stack
     }
 
+    /// zeta*/zeta, the share of the contact area that sticks, for bodies in contact.
+    pub(crate) fn stick_fraction(&self) -> f64 {
+        self.stick_depth() / self.zeta
+    }
+
     /// zeta*, the approach at which the contact would have the size of the stick area: `(a*/a)^2 =
     /// zeta*/zeta`. Equal to zeta after adhesion and release, zero in gross sliding.
     #[must_use]

@@ -1,6 +1,9 @@
 //! Storage of the vertices of a memory: a stack that grows, or one of fixed capacity.
 
+use std::fmt;
+
 use super::lateral::Lateral;
+use crate::coulomb::Node;
 use crate::profile::NormalProfile;
 
 /// The lower end of a segment of the memory polyline.
@@ -52,9 +55,10 @@ impl<V: Lateral> Vertex<V> {
     }
 }
 
-/// A stack of vertices; the deepest part of the contact (depth zero) is at its bottom.
-pub trait VertexStack<V: Lateral>: Clone + Default {
-    /// Number of vertices.
+/// The nodes of a curve over the depth: from the bottom, which stands for the deepest part of the contact (depth
+/// zero), upwards.
+pub trait Nodes<T: Copy> {
+    /// Number of nodes.
     fn len(&self) -> usize;
 
     /// Whether it is empty: the bodies are separated.
@@ -62,33 +66,33 @@ pub trait VertexStack<V: Lateral>: Clone + Default {
         self.len() == 0
     }
 
-    /// The vertex at an index below [`VertexStack::len`], counted from the bottom.
-    fn get(&self, index: usize) -> &Vertex<V>;
+    /// The node at an index below [`Nodes::len`], counted from the bottom.
+    fn get(&self, index: usize) -> &T;
 
-    /// The vertex at an index, mutable.
-    fn get_mut(&mut self, index: usize) -> &mut Vertex<V>;
+    /// The node at an index, mutable.
+    fn get_mut(&mut self, index: usize) -> &mut T;
 
-    /// Removes all vertices except the lowest `len`; `len` is at most [`VertexStack::len`].
+    /// Removes all nodes except the lowest `len`; `len` is at most [`Nodes::len`].
     fn truncate(&mut self, len: usize);
 
-    /// The greatest number of vertices.
+    /// The greatest number of nodes.
     fn capacity(&self) -> usize;
 
-    /// Adds a vertex on top; [`VertexStack::len`] must be below [`VertexStack::capacity`].
-    fn push(&mut self, vertex: Vertex<V>);
+    /// Adds a node on top; [`Nodes::len`] must be below [`Nodes::capacity`].
+    fn push(&mut self, node: T);
 
-    /// Inserts a vertex below the one at an index; there must be room for it.
+    /// Inserts a node below the one at an index; there must be room for it.
     #[inline]
-    fn insert(&mut self, index: usize, vertex: Vertex<V>) {
+    fn insert(&mut self, index: usize, node: T) {
         let len = self.len();
-        self.push(vertex);
+        self.push(node);
         for i in (index..len).rev() {
             *self.get_mut(i + 1) = *self.get(i);
         }
-        *self.get_mut(index) = vertex;
+        *self.get_mut(index) = node;
     }
 
-    /// Removes the vertex at an index.
+    /// Removes the node at an index.
     #[inline]
     fn remove(&mut self, index: usize) {
         let last = self.len() - 1;
@@ -98,43 +102,66 @@ pub trait VertexStack<V: Lateral>: Clone + Default {
         self.truncate(last);
     }
 
-    /// How often two segments were merged because the storage was full.
-    fn merges(&self) -> u32;
-
     /// Counts a merge of two segments.
     fn count_merge(&mut self);
 }
 
-/// Number of vertices stored inline before the stack uses the heap.
-const IN_LINE: usize = 8;
-
-/// A stack of unlimited size: eight vertices inline, more on the heap. It loses no history.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Growing<V> {
-    in_line: [Vertex<V>; IN_LINE],
-    len: usize,
-    heap: Vec<Vertex<V>>,
+/// Storage of nodes between steps.
+pub trait NodeStack<T: Copy>: Nodes<T> + Clone + fmt::Debug + Default + PartialEq {
+    /// How often two segments were merged because the storage was full.
+    fn merges(&self) -> u32;
 }
 
-impl<V: Lateral> Default for Growing<V> {
-    fn default() -> Self {
-        Self { in_line: [Vertex::default(); IN_LINE], len: 0, heap: Vec::new() }
-    }
+/// Storage of the vertices of a polyline; it names the storage of the same kind and capacity for the nodes of
+/// Coulomb's curve.
+pub trait VertexStack<V: Lateral>: NodeStack<Vertex<V>> {
+    /// Storage of the nodes of [`CoulombMemory`](crate::coulomb::CoulombMemory).
+    type Curve: NodeStack<Node<V>>;
 }
 
 impl<V: Lateral> VertexStack<V> for Growing<V> {
+    type Curve = GrowingStack<Node<V>>;
+}
+
+impl<V: Lateral, const N: usize> VertexStack<V> for Fixed<V, N> {
+    type Curve = FixedStack<Node<V>, N>;
+}
+
+/// Vertices of a polyline in storage that grows.
+pub type Growing<V> = GrowingStack<Vertex<V>>;
+/// At most N vertices of a polyline.
+pub type Fixed<V, const N: usize> = FixedStack<Vertex<V>, N>;
+
+/// Number of nodes stored inline before the stack uses the heap.
+const IN_LINE: usize = 8;
+
+/// A stack of unlimited size: eight nodes inline, more on the heap. It loses no history.
+#[derive(Debug, Clone, PartialEq)]
+pub struct GrowingStack<T> {
+    in_line: [T; IN_LINE],
+    len: usize,
+    heap: Vec<T>,
+}
+
+impl<T: Copy + Default> Default for GrowingStack<T> {
+    fn default() -> Self {
+        Self { in_line: [T::default(); IN_LINE], len: 0, heap: Vec::new() }
+    }
+}
+
+impl<T: Copy + Default> Nodes<T> for GrowingStack<T> {
     #[inline]
     fn len(&self) -> usize {
         self.len
     }
 
     #[inline]
-    fn get(&self, index: usize) -> &Vertex<V> {
+    fn get(&self, index: usize) -> &T {
         if index < IN_LINE { &self.in_line[index] } else { &self.heap[index - IN_LINE] }
     }
 
     #[inline]
-    fn get_mut(&mut self, index: usize) -> &mut Vertex<V> {
+    fn get_mut(&mut self, index: usize) -> &mut T {
         if index < IN_LINE { &mut self.in_line[index] } else { &mut self.heap[index - IN_LINE] }
     }
 
@@ -152,68 +179,61 @@ impl<V: Lateral> VertexStack<V> for Growing<V> {
     }
 
     #[inline]
-    fn push(&mut self, vertex: Vertex<V>) {
+    fn push(&mut self, node: T) {
         match self.in_line.get_mut(self.len) {
-            Some(place) => *place = vertex,
-            None => self.heap.push(vertex),
+            Some(place) => *place = node,
+            None => self.heap.push(node),
         }
         self.len += 1;
-    }
-
-    fn merges(&self) -> u32 {
-        0
     }
 
     fn count_merge(&mut self) {}
 }
 
-/// A stack of at most N vertices (N >= 4): plain data that can be stored in an array of another
+impl<T: Copy + fmt::Debug + Default + PartialEq> NodeStack<T> for GrowingStack<T> {
+    fn merges(&self) -> u32 {
+        0
+    }
+}
+
+/// A stack of at most N nodes (N >= 4): plain data that can be stored in an array of another
 /// program.
 ///
-/// When it is full, the law removes the vertex whose removal changes later loads least: two
+/// When it is full, the law removes the node whose removal changes later loads least: two
 /// segments are replaced by one that carries the same force, below the friction limit.
-/// [`VertexStack::merges`] counts such merges. In two directions
+/// [`NodeStack::merges`] counts such merges. In two directions
 /// [`CoulombMemory::error_estimate`](crate::coulomb::CoulombMemory::error_estimate) estimates their
 /// effect.
 #[derive(Debug, Clone, Copy, PartialEq)]
 #[repr(C)]
-pub struct Fixed<V, const N: usize> {
+pub struct FixedStack<T, const N: usize> {
     // At the front because every step reads it.
     len: u32,
     merges: u32,
-    vertices: [Vertex<V>; N],
+    nodes: [T; N],
 }
 
-impl<V: Lateral, const N: usize> Default for Fixed<V, N> {
+impl<T: Copy + Default, const N: usize> Default for FixedStack<T, N> {
     fn default() -> Self {
-        const { assert!(N >= 4, "a memory of fixed capacity needs room for four vertices") };
-        Self { vertices: [Vertex::default(); N], len: 0, merges: 0 }
+        const { assert!(N >= 4, "a memory of fixed capacity needs room for four nodes") };
+        Self { nodes: [T::default(); N], len: 0, merges: 0 }
     }
 }
 
-impl<V: Lateral, const N: usize> Fixed<V, N> {
-    /// The state as plain data: the array of vertices, the number of those in use, and the number
-    /// of merges.
-    #[must_use]
-    pub fn parts(&self) -> (&[Vertex<V>; N], u32, u32) {
-        (&self.vertices, self.len, self.merges)
-    }
-}
-
-impl<V: Lateral, const N: usize> VertexStack<V> for Fixed<V, N> {
+impl<T: Copy + Default, const N: usize> Nodes<T> for FixedStack<T, N> {
     #[inline]
     fn len(&self) -> usize {
         self.len as usize
     }
 
     #[inline]
-    fn get(&self, index: usize) -> &Vertex<V> {
-        &self.vertices[index]
+    fn get(&self, index: usize) -> &T {
+        &self.nodes[index]
     }
 
     #[inline]
-    fn get_mut(&mut self, index: usize) -> &mut Vertex<V> {
-        &mut self.vertices[index]
+    fn get_mut(&mut self, index: usize) -> &mut T {
+        &mut self.nodes[index]
     }
 
     #[inline]
@@ -227,17 +247,19 @@ impl<V: Lateral, const N: usize> VertexStack<V> for Fixed<V, N> {
     }
 
     #[inline]
-    fn push(&mut self, vertex: Vertex<V>) {
-        self.vertices[self.len as usize] = vertex;
+    fn push(&mut self, node: T) {
+        self.nodes[self.len as usize] = node;
         self.len += 1;
-    }
-
-    #[inline]
-    fn merges(&self) -> u32 {
-        self.merges
     }
 
     fn count_merge(&mut self) {
         self.merges = self.merges.saturating_add(1);
+    }
+}
+
+impl<T: Copy + fmt::Debug + Default + PartialEq, const N: usize> NodeStack<T> for FixedStack<T, N> {
+    #[inline]
+    fn merges(&self) -> u32 {
+        self.merges
     }
 }

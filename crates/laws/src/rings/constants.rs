@@ -43,7 +43,11 @@ impl RingConstants {
         Self { c_z, radius, kappa: materials.kappa(), gamma: materials.gamma() }.checked()
     }
 
-    pub(super) fn checked(self) -> Result<Self, RangeError> {
+    /// The constants, if each is within its range.
+    ///
+    /// # Errors
+    /// [`RangeError`] for the one that is not.
+    pub fn checked(self) -> Result<Self, RangeError> {
         let size = |value: f64| value > 0.0 && value <= 1e150;
         RangeError::check("c_z", self.c_z, size(self.c_z), "> 0 and at most 1e150")?;
         RangeError::check("radius", self.radius, size(self.radius), "> 0 and at most 1e150")?;
@@ -66,6 +70,11 @@ pub struct Tolerance(f64);
 impl Tolerance {
     /// That of many particles: 1e-2.
     pub const PARTICLES: Self = Self(1e-2);
+    /// That of grains that collide in some 100 steps: 3e-3.
+    ///
+    /// In impacts of five everyday pairs in 100 steps, the tangential velocity over that before at most 5 f times and
+    /// at least f/2 times that of approach, R_x was off by 8e-3 at most, by 13e-3 at 1e-2.
+    pub const GRAINS: Self = Self(3e-3);
     /// That of single contacts: 1e-3.
     pub const FINE: Self = Self(1e-3);
 

@@ -1,29 +1,17 @@
 //! The law of rings in the user's units.
 
+use std::sync::Arc;
+
 use carom_special::RangeError;
 
 use super::constants::{RingConstants, Tolerance};
-use super::contact::{Contact, Done, Step, Sums};
-use super::pair::Pair;
+use super::matrices::{RingMatrices, Rings};
+use super::memory::RingMemory;
 use super::symmetry::{AlikePlane, Plane, Symmetry, Whole};
-use crate::bounds::in_contact;
+use super::units::Units;
 use crate::friction::Friction;
 use crate::hertz::Hertz;
 use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, ImpactLaw, Shift};
-
-/// Units of the normalised contact.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Units {
-    c_z: f64,
-    /// Normalised shift over shift: 1/f.
-    shift: f64,
-    /// Normalised twist over twist, counter-clockwise.
-    twist: f64,
-    force: f64,
-    torque: f64,
-    energy: f64,
-    traction: f64,
-}
 
 /// The contact law of spheres and planes of unlike materials: shift in two directions, twist and their
 /// coupling with the approach, with memory.
@@ -37,6 +25,9 @@ pub(super) struct Units {
 /// A step goes straight from one shift to the next. In a step that closes the gap only the part in contact
 /// counts. An approach that is not positive separates the bodies: the memory is lost, and what was stored
 /// in the tangential tractions is heat.
+///
+/// Of dissimilar bodies the one whose surface pressure draws inwards more (gamma > 0) is taken as body 1, so that an
+/// exchange of the bodies gives the same bits.
 ///
 /// Infinite friction sticks, but to what has been lost at a receding rim; without friction only Hertz's
 /// force is left, and F_z is Hertz's where gamma = 0.
@@ -61,13 +52,10 @@ pub(super) struct Units {
 /// ```
 #[derive(Debug, Clone)]
 pub struct RingLaw<const N: usize = 6, const M: usize = 8, S: Symmetry<M> = Whole> {
-    /// None without friction.
-    pub(super) pair: Option<Pair<N, M, S>>,
+    matrices: Arc<RingMatrices<N, M, S>>,
     units: Units,
-    pub(super) tolerance: f64,
-    pub(super) contact: Contact<N, M>,
-    pub(super) sums: Sums,
-    pub(super) shift: Shift,
+    tolerance: f64,
+    memory: RingMemory<N, M>,
     iterations: usize,
 }
 
@@ -137,28 +125,18 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingLaw<N, M, S> {
         tolerance: Tolerance,
     ) -> Result<Self, RangeError> {
         let RingConstants { c_z, radius, kappa, gamma } = constants.checked()?;
-        let f = friction.coefficient().unwrap_or(1.0);
-        let over = |value: f64| if f > 0.0 { value / f } else { 0.0 };
-        let force = 0.25 * c_z * f;
-        let units = Units {
-            c_z,
-            shift: over(1.0),
-            twist: -over(radius),
-            force,
-            torque: -force * radius,
-            energy: force * f,
-            traction: force / (radius * radius),
-        };
-        let pair = (f > 0.0).then(|| Pair::new(kappa, gamma, friction.get()));
+        let matrices = RingMatrices::at(kappa, gamma, friction)?;
         Ok(Self {
-            pair,
-            units,
+            matrices: Arc::new(matrices),
+            units: Units::new(c_z, radius, friction),
             tolerance: tolerance.get(),
-            contact: Contact::default(),
-            sums: Sums::default(),
-            shift: Shift::default(),
+            memory: RingMemory::default(),
             iterations: 0,
         })
+    }
+
+    fn rings(&self) -> Rings<'_, N, M, S> {
+        self.matrices.rings(self.units, self.tolerance)
     }
 
     /// Iterations of the last step, 0 where there was nothing to solve.
@@ -170,14 +148,14 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingLaw<N, M, S> {
     /// Edges and state of the rings, from the middle: the outer edge over the contact radius (the last
     /// lies outside), and the share of its angles that slipped in the last step.
     pub fn slipping(&self) -> impl Iterator<Item = (f64, f64)> + '_ {
-        let slips =
-            move |j: usize, i: usize| self.contact.tractions.y[j].iter().any(|part| part[i] != 0.0);
-        self.pair.iter().flat_map(|pair| &pair.layout.edges[1..]).enumerate().map(
-            move |(i, &edge)| {
-                let count = (0..M).filter(|&j| slips(j, i)).count();
-                (edge, count as f64 / M as f64)
-            },
-        )
+        let slips = move |j: usize, i: usize| {
+            self.memory.contact.tractions.y[j].iter().any(|part| part[i] != 0.0)
+        };
+        let edges = self.rings().pair.into_iter().flat_map(|pair| &pair.layout.edges[1..]);
+        edges.enumerate().map(move |(i, &edge)| {
+            let count = (0..M).filter(|&j| slips(j, i)).count();
+            (edge, count as f64 / M as f64)
+        })
     }
 
     /// The traction on body 1, radial (outwards) and circumferential (counter-clockwise): its mean over a
@@ -185,37 +163,41 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> RingLaw<N, M, S> {
     /// friction.
     #[must_use]
     pub fn traction(&self, ring: usize, angle: usize) -> Option<[f64; 2]> {
-        self.pair.as_ref()?;
-        let [radial, around] = self.contact.tractions.z.get(angle)?;
-        let scale = self.units.traction * self.contact.radius;
-        Some([scale * radial.get(ring)?, scale * around.get(ring)?])
+        let Rings { pair: Some(_), side, .. } = self.rings() else { return None };
+        let contact = &self.memory.contact;
+        // With the bodies exchanged y is reversed, and the traction is that on the other body.
+        // In a plane that is the mirror image.
+        let (place, turn) = match side < 0.0 {
+            true if S::MIRRORED => (angle, -1.0),
+            true => (M.checked_sub(angle)? % M, 1.0),
+            false => (angle, 1.0),
+        };
+        let [radial, around] = contact.tractions.z.get(place)?;
+        let scale = self.units.traction * contact.radius;
+        Some([side * scale * radial.get(ring)?, turn * scale * around.get(ring)?])
     }
 
-    /// Goes to a shift that was checked; the heat over the unit of energy.
-    fn go(&mut self, to: Shift) -> f64 {
-        let from = std::mem::replace(&mut self.shift, to);
-        self.iterations = 0;
-        let Some(pair) = &self.pair else { return 0.0 };
-        if to.zeta <= 0.0 {
-            self.contact = Contact::default();
-            return std::mem::take(&mut self.sums).stored;
-        }
-        if to == from {
-            return 0.0;
-        }
-        // The part of the way on which they touch.
-        let part = if from.zeta < 0.0 { to.zeta / (to.zeta - from.zeta) } else { 1.0 };
-        let Units { shift, twist, .. } = self.units;
-        let step = Step {
-            approach: to.zeta,
-            approached: part * (to.zeta - from.zeta),
-            shifted: [(to.xi - from.xi) * part * shift, (to.eta - from.eta) * part * shift],
-            twisted: (to.omega - from.omega) * part * twist,
-        };
-        let Done { iterations, heat } = self.contact.advance(pair, self.tolerance, &step);
-        self.iterations = iterations;
-        self.sums = self.contact.sums(pair);
-        heat
+    /// The share of the contact area on which nothing slipped in the last step.
+    #[must_use]
+    pub fn sticking(&self) -> f64 {
+        self.memory.sticking(&self.matrices)
+    }
+
+    /// Writes what the law remembers into numbers, [`super::packed_numbers`] of them. All zeros are two bodies
+    /// that just touch. The constants of the contact are not among them.
+    ///
+    /// # Errors
+    /// [`RangeError`] for too few numbers; nothing is then written.
+    pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
+        self.memory.pack(numbers)
+    }
+
+    /// Takes up what [`RingLaw::pack`] of a law of the same constants wrote, to the same bits.
+    ///
+    /// # Errors
+    /// [`RangeError`] for numbers that are no state of this law; the law is then unchanged.
+    pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
+        self.memory.unpack(&self.matrices.rings(self.units, self.tolerance), numbers)
     }
 }
 
@@ -224,58 +206,36 @@ impl<const N: usize, const M: usize, S: Symmetry<M>> ContactLaw for RingLaw<N, M
 
     fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
         self.check(shift)?;
-        self.go(shift);
+        let rings = self.matrices.rings(self.units, self.tolerance);
+        self.iterations = self.memory.go(&rings, shift).iterations;
         Ok(self.load())
     }
 
     fn shift(&self) -> Shift {
-        self.shift
+        self.memory.shift()
     }
 
     fn load(&self) -> ContactLoad {
-        let Units { c_z, force, torque, .. } = self.units;
-        let [x, y] = self.sums.force;
-        let f_z = match &self.pair {
-            Some(pair) if pair.lift != 0.0 => 0.25 * c_z * self.sums.normal,
-            _ => {
-                let zeta = self.shift.zeta.max(0.0);
-                2.0 / 3.0 * c_z * (zeta * zeta.sqrt())
-            }
-        };
-        ContactLoad { f_x: force * x, f_y: force * y, f_z, m_z: torque * self.sums.torque }
+        self.memory.load(&self.rings())
     }
 }
 
 impl<const N: usize, const M: usize, S: Symmetry<M>> Checked for RingLaw<N, M, S> {
     fn check(&self, to: Shift) -> Result<(), RangeError> {
-        to.check_finite()?;
-        if S::MIRRORED {
-            RangeError::check("eta", to.eta, to.eta == 0.0, "0: the law of a plane")?;
-            RangeError::check("omega", to.omega, to.omega == 0.0, "0: the law of a plane")?;
-        }
-        let Units { shift, twist, .. } = self.units;
-        in_contact("shift over friction", (to.xi - self.shift.xi) * shift)?;
-        in_contact("shift over friction", (to.eta - self.shift.eta) * shift)?;
-        in_contact("twist over friction", (to.omega - self.shift.omega) * twist)?;
-        Ok(())
+        self.memory.check(&self.rings(), to)
     }
 }
 
 impl<const N: usize, const M: usize, S: Symmetry<M>> Dissipative for RingLaw<N, M, S> {
-    /// Compression by Hertz's law, and what tangential tractions have stored, with the pressures they add.
     fn stored_energy(&self) -> f64 {
-        let zeta = self.shift.zeta.max(0.0);
-        let normal = 4.0 / 15.0 * self.units.c_z * (zeta * zeta * zeta.sqrt());
-        normal + self.units.energy * self.sums.stored
+        self.memory.stored_energy(&self.rings())
     }
 
     /// Traction times slip, both of the end of the step: never negative. Work, by the mean of the loads at
     /// both ends, is heat and stored energy but for what the rings and steps leave out.
     fn dissipation(&self, to: Shift) -> f64 {
-        match self.check(to) {
-            Ok(()) => self.clone().go(to) * self.units.energy,
-            Err(_) => 0.0,
-        }
+        let mut memory = self.memory;
+        memory.advance(&self.rings(), to).unwrap_or(0.0)
     }
 }
 

@@ -3,8 +3,10 @@
 use carom_special::RangeError;
 
 use super::contact::Contact;
-use super::law::RingLaw;
+use super::matrices::Rings;
+use super::memory::RingMemory;
 use super::pair::Pair;
+use super::symmetry::Symmetry;
 use super::transform::Field;
 use crate::bounds::in_contact;
 use crate::law::Shift;
@@ -18,14 +20,14 @@ const FIELDS: usize = 3;
 const OFF: f64 = 40.0;
 const FINEST: f64 = 1e-4;
 
-/// How many numbers the state of a [`RingLaw`] of so many rings and angles takes: 294 for 6 x 8.
+/// How many numbers the state of a [`super::RingLaw`] of so many rings and angles takes: 294 for 6 x 8.
 #[must_use]
 pub const fn packed_numbers(rings: usize, angles: usize) -> usize {
     HEAD + FIELDS * 2 * rings * angles
 }
 
-impl<const N: usize, const M: usize> RingLaw<N, M> {
-    /// Writes what the law remembers into numbers, [`packed_numbers`] of them. All zeros are two bodies that
+impl<const N: usize, const M: usize> RingMemory<N, M> {
+    /// Writes the history into numbers, [`packed_numbers`] of them. All zeros are two bodies that
     /// just touch. The constants of the contact are not among them.
     ///
     /// # Errors
@@ -45,11 +47,15 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
         Ok(())
     }
 
-    /// Takes up what [`RingLaw::pack`] of a law of the same constants wrote, to the same bits.
+    /// Takes up what [`RingMemory::pack`] of a contact of the same constants wrote, to the same bits.
     ///
     /// # Errors
-    /// [`RangeError`] for numbers that are no state of this law; the law is then unchanged.
-    pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
+    /// [`RangeError`] for numbers that are no state of such a contact; nothing is then changed.
+    pub fn unpack<S: Symmetry<M>>(
+        &mut self,
+        rings: &Rings<'_, N, M, S>,
+        numbers: &[f64],
+    ) -> Result<(), RangeError> {
         check_room::<N, M>(numbers.len())?;
         let [zeta, xi, eta, omega, length, normal] = std::array::from_fn(|i| numbers[i]);
         let shift = Shift { zeta, xi, eta, omega };
@@ -66,29 +72,29 @@ impl<const N: usize, const M: usize> RingLaw<N, M> {
         }
         [contact.slip, contact.tractions.z, contact.tractions.y] = fields;
         let mut sums = super::contact::Sums::default();
-        if let (Some(pair), true) = (&self.pair, zeta > 0.0) {
+        if let (Some(pair), true) = (rings.pair, zeta > 0.0) {
             (contact.radius, contact.length) = (zeta.sqrt(), length);
             pair.follow(&mut contact.tractions);
             contact.rim = contact.at_rim(pair, zeta);
-            check_tractions(pair, &contact, self.tolerance)?;
+            check_tractions(pair, &contact, rings.tolerance)?;
             sums = contact.sums(pair);
             let least = sums.force[0].hypot(sums.force[1]) * (1.0 - 1e-9);
             let off = (normal - sums.normal).abs();
             let holds =
-                !pair.slips || (normal >= least && off <= room(self.tolerance) * sums.normal);
+                !pair.slips || (normal >= least && off <= room(rings.tolerance) * sums.normal);
             RangeError::check("normal force", normal, holds, "that of the tractions")?;
             sums.normal = normal;
         } else {
             contact = Contact::default();
         }
-        (self.contact, self.sums, self.shift) = (contact, sums, shift);
+        *self = Self { contact, sums, shift };
         Ok(())
     }
 }
 
 /// The tractions are those of the slip, and no larger than the pressure lets them be.
-fn check_tractions<const N: usize, const M: usize>(
-    pair: &Pair<N, M>,
+fn check_tractions<const N: usize, const M: usize, S: Symmetry<M>>(
+    pair: &Pair<N, M, S>,
     contact: &Contact<N, M>,
     tolerance: f64,
 ) -> Result<(), RangeError> {

@@ -2,7 +2,7 @@
 
 use carom_special::RangeError;
 
-use super::{ShiftLaw, State};
+use super::{ShiftLaw, State, with_memory};
 use crate::bounds::{in_contact, in_memory};
 use crate::law::Shift;
 use crate::memory::{Lateral, VertexStack};
@@ -40,19 +40,16 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// # Errors
     /// [`RangeError`] if the slice is too short for the vertices; nothing is then written.
     pub fn pack(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
-        match &self.state {
-            State::FixedDirection(memory) => memory.pack(numbers),
-            State::Coulomb(memory) => memory.pack(numbers),
-            State::Frictionless => {
-                let room = numbers.len() as f64;
-                RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
-                numbers.fill(0.0);
-                let Shift { zeta, xi, eta, .. } = self.shift;
-                numbers[..4].copy_from_slice(&[FRICTIONLESS, zeta, xi, eta]);
-                Ok(())
-            }
-            State::Adhesion(memory) => memory.pack(numbers),
-        }
+        with_memory!(&self.state, memory => memory.pack(numbers), else self.pack_shift(numbers))
+    }
+
+    fn pack_shift(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
+        let room = numbers.len() as f64;
+        RangeError::check("numbers", room, numbers.len() >= HEAD, ">= 6")?;
+        numbers.fill(0.0);
+        let Shift { zeta, xi, eta, .. } = self.shift;
+        numbers[..4].copy_from_slice(&[FRICTIONLESS, zeta, xi, eta]);
+        Ok(())
     }
 
     /// Restores what [`ShiftLaw::pack`] of a law with the same constants wrote. Forces are summed
@@ -62,12 +59,11 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// [`RangeError`] for numbers that are not a state of this law; the law is then unchanged.
     pub fn unpack(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
         let shift = self.shift_in(numbers);
-        match &mut self.state {
-            State::Frictionless => return self.unpack_free(numbers),
-            State::FixedDirection(memory) => shift.and_then(|_| memory.unpack(numbers))?,
-            State::Coulomb(memory) => shift.and_then(|_| memory.unpack(numbers))?,
-            State::Adhesion(memory) => shift.and_then(|_| memory.unpack(numbers))?,
-        }
+        with_memory!(
+            &mut self.state,
+            memory => shift.and_then(|_| memory.unpack(numbers))?,
+            else return self.unpack_free(numbers)
+        );
         self.shift = shift?;
         Ok(())
     }

@@ -2,9 +2,9 @@
 
 use std::mem::offset_of;
 
-use super::{ShiftLaw, State};
-use crate::coulomb::CoulombMemory;
-use crate::memory::{Fixed, Lateral, Memory, MemoryRegime, VertexStack};
+use super::{ShiftLaw, State, with_memory};
+use crate::coulomb::{CoulombMemory, FixedCurve};
+use crate::memory::{Fixed, Lateral, Memory, MemoryRegime, Nodes};
 
 /// The tags of [`State`].
 pub(super) const FRICTIONLESS: u8 = 0;
@@ -25,7 +25,7 @@ impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
         let regime = match byte(tag) {
             FRICTIONLESS | ADHESION => return true,
             FIXED_DIRECTION => Memory::<V, Fixed<V, N>>::REGIME_AT,
-            COULOMB => CoulombMemory::<V, Fixed<V, N>>::REGIME_AT,
+            COULOMB => CoulombMemory::<V, FixedCurve<V, N>>::REGIME_AT,
             _ => return false,
         };
         byte(memory + regime) < MemoryRegime::COUNT
@@ -36,12 +36,9 @@ impl<V: Lateral, const N: usize> ShiftLaw<V, Fixed<V, N>> {
     #[inline(always)]
     #[must_use]
     pub fn fits(&self) -> bool {
-        let (zeta, len) = match &self.state {
-            State::Frictionless => return true,
-            State::FixedDirection(memory) => (memory.zeta(), memory.stack().len()),
-            State::Coulomb(memory) => (memory.zeta(), memory.stack().len()),
-            State::Adhesion(memory) => (memory.zeta(), memory.stack().len()),
-        };
-        len <= N && (len == 0) != (zeta > 0.0)
+        with_memory!(&self.state, memory => {
+            let len = memory.stack().len();
+            len <= N && (len == 0) != (memory.zeta() > 0.0)
+        }, else true)
     }
 }

@@ -1,7 +1,7 @@
 //! Invariants of Coulomb's law in two directions.
 
-use carom_laws::coulomb::{CoulombMemory, Tolerance};
-use carom_laws::memory::{Fixed, ScalarMemory};
+use carom_laws::coulomb::{CoulombMemory, FixedCurve, Tolerance};
+use carom_laws::memory::ScalarMemory;
 
 use crate::common;
 use crate::common::turning::{Kind, divided};
@@ -165,7 +165,8 @@ fn every_storage_gives_the_same_bits_while_it_suffices() {
     let mut merged = 0;
     paths(20, &[1, 7], |_, path| {
         let mut growing = law(1e-2);
-        let mut fixed = CoulombMemory::<[f64; 2], Fixed<[f64; 2], 64>>::new(Tolerance::PARTICLES);
+        let mut fixed =
+            CoulombMemory::<[f64; 2], FixedCurve<[f64; 2], 64>>::new(Tolerance::PARTICLES);
         for &(zeta, x) in path {
             let want = growing.advance(zeta, x).unwrap();
             let got = fixed.advance(zeta, x).unwrap();
@@ -262,7 +263,9 @@ fn traction_makes_the_force() {
         }
         let limit = law.normal_force();
         assert!(off(sum.map(|s| s * limit), force) < 1e-4 * limit, "{sum:?} {force:?} {limit}");
-        assert!(law.sticking() >= law.stick_depth() / zeta - 1e-15 && law.sticking() <= 1.0);
+        assert!(
+            law.stick_fraction() >= law.stick_depth() / zeta - 1e-15 && law.stick_fraction() <= 1.0
+        );
     }
 }
 
@@ -281,7 +284,7 @@ fn slip_lies_below_stick_where_the_curve_is_steep() {
         let size = 10_f64.powf(random.between(-2.0, -0.2));
         x = [0.5 * x[0] + size * angle.cos(), 0.5 * x[1] + size * angle.sin()];
         law.advance(1.0, x).unwrap();
-        found |= law.sticking() > law.stick_depth() + 0.05;
+        found |= law.stick_fraction() > law.stick_depth() + 0.05;
     }
     assert!(found);
 }

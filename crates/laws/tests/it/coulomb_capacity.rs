@@ -1,6 +1,6 @@
 //! Coulomb's law in two directions with storage of fixed capacity, and stored as plain numbers.
 
-use carom_laws::coulomb::{CoulombMemory, Tolerance, packed_numbers};
+use carom_laws::coulomb::{CoulombMemory, FixedCurve, Tolerance, packed_numbers};
 use carom_laws::memory::{Fixed, Memory, VectorMemory};
 
 use crate::common::Random;
@@ -32,7 +32,8 @@ fn errors<const N: usize>(parts: usize) -> [f64; 4] {
     for kind in [Kind::Turning, Kind::TurningVarying, Kind::Corners, Kind::Collision, Kind::Noise] {
         for seed in 0..10 {
             let path = kind.path(&mut Random(seed));
-            let mut law = CoulombMemory::<[f64; 2], Fixed<[f64; 2], N>>::new(Tolerance::PARTICLES);
+            let mut law =
+                CoulombMemory::<[f64; 2], FixedCurve<[f64; 2], N>>::new(Tolerance::PARTICLES);
             let mut oracle = Rings::new(400, 1.3);
             let mut bounded = Memory::<[f64; 2], Fixed<[f64; 2], N>>::new();
             let mut exact = VectorMemory::new();
@@ -75,7 +76,7 @@ fn trembling<const N: usize>(size: f64) -> [f64; 2] {
     for seed in 0..3 {
         let path = Kind::Turning.path(&mut Random(seed));
         let [mut one, mut two] = [0; 2]
-            .map(|_| CoulombMemory::<[f64; 2], Fixed<[f64; 2], N>>::new(Tolerance::PARTICLES));
+            .map(|_| CoulombMemory::<[f64; 2], FixedCurve<[f64; 2], N>>::new(Tolerance::PARTICLES));
         let [mut old, mut other] = [0; 2].map(|_| Memory::<[f64; 2], Fixed<[f64; 2], N>>::new());
         let mut follow = |zeta: f64, x: [f64; 2], count: bool| {
             let (near, limit) = ([x[0] + 1e-14, x[1]], zeta.powf(1.5));
@@ -113,7 +114,7 @@ fn round_off_does_not_grow_in_a_contact_at_rest() {
 #[test]
 fn packed_state_goes_on_as_before() {
     assert!(packed_numbers(12) <= 70);
-    type Law = CoulombMemory<[f64; 2], Fixed<[f64; 2], 12>>;
+    type Law = CoulombMemory<[f64; 2], FixedCurve<[f64; 2], 12>>;
     for seed in 0..20 {
         let path = Kind::Adversarial.path(&mut Random(seed));
         let mut law = Law::new(Tolerance::PARTICLES);
@@ -135,7 +136,7 @@ fn packed_state_goes_on_as_before() {
 
 #[test]
 fn zeros_are_apart_and_bad_numbers_are_named() {
-    type Law = CoulombMemory<[f64; 2], Fixed<[f64; 2], 12>>;
+    type Law = CoulombMemory<[f64; 2], FixedCurve<[f64; 2], 12>>;
     let mut law = Law::new(Tolerance::PARTICLES);
     law.advance(1.0, [0.3, 0.0]).unwrap();
     law.advance(1.0, [0.3, 0.4]).unwrap();

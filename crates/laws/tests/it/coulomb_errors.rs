@@ -2,7 +2,7 @@
 //! tolerance.
 
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
-use carom_laws::memory::{VectorMemory, VertexStack as _};
+use carom_laws::memory::{Nodes as _, VectorMemory};
 
 use crate::common::Random;
 use crate::common::rings::{Rings, exact};
@@ -210,6 +210,11 @@ fn layers_and_deep_joins_stay_below_their_share() {
     ] {
         let errors = scan.run(kind, seed..seed + 1);
         assert!(errors.largest < 1e-3, "{kind:?}, {seed}");
+    }
+    // Thin layers: off by 6e-4 if they are looked for at three quarters of the depth.
+    for (kind, seed) in [(Kind::Noise, 776), (Kind::Noise, 470), (Kind::Corners, 905)] {
+        let errors = scan.run(kind, seed..seed + 1);
+        assert!(errors.largest < 3e-4, "{kind:?}, {seed}");
     }
 }
 

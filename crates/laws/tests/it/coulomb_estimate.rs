@@ -1,7 +1,7 @@
 //! The error of Coulomb's law in two directions, compared with independent annuli of sliders, and
 //! its own estimate of that error.
 
-use carom_laws::coulomb::{CoulombMemory, Tolerance};
+use carom_laws::coulomb::{CoulombMemory, FixedCurve, Tolerance};
 use carom_laws::memory::{Fixed, Growing, VertexStack};
 use proptest::prelude::*;
 
@@ -14,7 +14,7 @@ type Point = (f64, [f64; 2]);
 
 /// The error over the limit at the end of a path, and its estimate.
 fn error<S: VertexStack<[f64; 2]>>(path: &[Point], tolerance: f64, want: [f64; 2]) -> [f64; 2] {
-    let mut law = CoulombMemory::<[f64; 2], S>::new(Tolerance::new(tolerance).unwrap());
+    let mut law = CoulombMemory::<[f64; 2], S::Curve>::new(Tolerance::new(tolerance).unwrap());
     for &(zeta, x) in path {
         law.advance(zeta, x).unwrap();
     }
@@ -299,7 +299,7 @@ proptest! {
         for [error, estimate] in errors(&path, tolerance, 1500) {
             prop_assert!(error <= estimate + of_rings(1500), "{error:e} beyond {estimate:e}");
         }
-        let mut law = CoulombMemory::<[f64; 2], Fixed<[f64; 2], 8>>::new(Tolerance::PARTICLES);
+        let mut law = CoulombMemory::<[f64; 2], FixedCurve<[f64; 2], 8>>::new(Tolerance::PARTICLES);
         for &(zeta, x) in &path {
             let [f_x, f_y] = law.advance(zeta, x).unwrap();
             prop_assert!(f_x.hypot(f_y) <= law.normal_force() * (1.0 + 4e-15));

@@ -48,5 +48,5 @@ fn gross_sliding_turns_all_traction_into_its_own_direction() {
     }
     let limit = 0.7_f64.powf(1.5);
     assert!(law.force()[0].abs() < 1e-14 && (law.force()[1] - limit).abs() < 1e-14);
-    assert_eq!((law.stick_depth(), law.sticking()), (0.0, 0.0));
+    assert_eq!((law.stick_depth(), law.stick_fraction()), (0.0, 0.0));
 }

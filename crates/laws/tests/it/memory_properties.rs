@@ -1,8 +1,6 @@
 //! Invariants of the memory law on random histories, and an independent oracle of springs.
 
-use carom_laws::memory::{
-    Fixed, Growing, Lateral, Memory, ScalarMemory, VectorMemory, VertexStack,
-};
+use carom_laws::memory::{Fixed, Growing, Lateral, Memory, Nodes as _, ScalarMemory, VectorMemory};
 use carom_laws::profile::{Hertzian, NormalProfile, PowerLaw, RoundedFlat};
 
 use crate::common::{Random, next};

@@ -78,7 +78,7 @@ class Hertz:
         self, given: Literal["force", "approach", "semi_axis_a", "semi_axis_b"], values: Array
     ) -> _Columns: ...
 
-_Law = Literal["coulomb", "fixed-direction"]
+_Law = Literal["coulomb", "fixed-direction", "rings"]
 
 class Contact:
     def __new__(
@@ -91,13 +91,21 @@ class Contact:
         heat: bool = True,
     ) -> Contact: ...
     def advance(
-        self, zeta: float, xi: float = 0.0, eta: float = 0.0
+        self, zeta: float, xi: float = 0.0, eta: float = 0.0, omega: float = 0.0
     ) -> tuple[float, float, float]: ...
     def follow(
-        self, zeta: ArrayLike, xi: ArrayLike | None = None, eta: ArrayLike | None = None
+        self,
+        zeta: ArrayLike,
+        xi: ArrayLike | None = None,
+        eta: ArrayLike | None = None,
+        omega: ArrayLike | None = None,
     ) -> Array: ...
     @property
     def load(self) -> tuple[float, float, float]: ...
+    @property
+    def torque(self) -> float: ...
+    @property
+    def coupling_bound(self) -> float | None: ...
     @property
     def shift(self) -> tuple[float, float, float]: ...
     @property
@@ -126,10 +134,20 @@ class Contacts:
     ) -> Contacts: ...
     def __len__(self) -> int: ...
     def follow(
-        self, steps: int, zeta: Array, xi: Array, eta: Array | None, loads: Array
+        self,
+        steps: int,
+        zeta: Array,
+        xi: Array,
+        eta: Array | None,
+        omega: Array | None,
+        loads: Array,
     ) -> None: ...
     @property
     def loads(self) -> Array: ...
+    @property
+    def torques(self) -> Array: ...
+    @property
+    def coupling_bound(self) -> float | None: ...
     @property
     def stored_energy(self) -> Array: ...
 
@@ -223,7 +241,7 @@ def collide(
     body_2: Body,
     friction: float,
     normal: _Vector | None,
-    torsion: bool,
+    torsion: bool | None,
     law: str,
     tolerance: float | None,
     normal_restitution: float | None,
@@ -234,7 +252,7 @@ def collide_many(
     friction: Array,
     motions: Sequence[Array],
     normal: _Vector | None,
-    torsion: bool,
+    torsion: bool | None,
     law: str,
     tolerance: float | None,
     normal_restitution: float | None,

@@ -1,7 +1,7 @@
 //! Coulomb's law where the shift turns: the three laws on a circle and on other paths.
 
 use carom_laws::coulomb::{CoulombMemory, Tolerance};
-use carom_laws::memory::{VectorMemory, VertexStack as _};
+use carom_laws::memory::{Nodes as _, VectorMemory};
 use carom_laws::sliders::SliderLaw;
 use carom_special::quadrature::{self, adaptive};
 

@@ -294,6 +294,6 @@ fn dragged(anchor: [f64; 2], shift: f64, c: [f64; 2], limit: f64) -> [f64; 2] {
         enough *= 2.0;
     }
     let [_, slip] = bisect([0.0, enough], 40, |slip| size(at(slip)) > limit);
-    let held = at(slip);
-    [0, 1].map(|i| shift - held[i] / c[i])
+    let claims_that_hold = at(slip);
+    [0, 1].map(|i| shift - claims_that_hold[i] / c[i])
 }

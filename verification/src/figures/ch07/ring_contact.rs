@@ -73,9 +73,9 @@ impl RingContact {
                 let lag = self.lag(i, shift);
                 let trial = self.traction[i].plus(lag.times(1.0 / self.compliance[i][i]));
                 let size = trial.length();
-                let held = if size > limit { trial.times(limit / size) } else { trial };
-                change = change.max(held.minus(self.traction[i]).length());
-                self.traction[i] = held;
+                let claims_that_hold = if size > limit { trial.times(limit / size) } else { trial };
+                change = change.max(claims_that_hold.minus(self.traction[i]).length());
+                self.traction[i] = claims_that_hold;
             }
             if change < SETTLED {
                 for i in 0..self.radii.len() {

@@ -58,8 +58,9 @@ impl Hertz {
 
     /// The integrated coefficients (4.29).
     fn rectangles(&self) -> Result<HalfSpaceOperator, Failure> {
-        let held = HalfSpaceOperator::with_blocks(pair()?, self.grid, Blocks::Normal, Threads::One);
-        Ok(held?)
+        let claims_that_hold =
+            HalfSpaceOperator::with_blocks(pair()?, self.grid, Blocks::Normal, Threads::One);
+        Ok(claims_that_hold?)
     }
 
     /// The function 1/r at the centres; the singular own cell counts as zero.

@@ -1,5 +1,5 @@
-//! The claims of a page as a test: `--list` names the pages, `--exact ID` fails if a claim of the
-//! page does, or if it cannot be computed.
+//! The claims of a page as a test: `--list` lists the pages; `--exact ID` fails if a claim of the
+//! page fails or the page cannot be computed.
 
 use carom_verification::{Claim, catalogue};
 

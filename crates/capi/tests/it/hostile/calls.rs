@@ -9,7 +9,7 @@ use carom_capi::*;
 use super::world::{GLASS, World};
 
 /// All functions of the border.
-pub(crate) const NAMES: [&str; 43] = [
+pub(crate) const NAMES: [&str; 44] = [
     "carom_contact_advance",
     "carom_contact_load",
     "carom_contact_energy",
@@ -19,13 +19,13 @@ pub(crate) const NAMES: [&str; 43] = [
     "carom_contact_pack",
     "carom_contact_unpack",
     "carom_contact_advance_many",
-    "carom_state_advance",
-    "carom_state_load",
-    "carom_state_energy",
-    "carom_state_heat",
-    "carom_state_report",
-    "carom_state_turn_frame",
-    "carom_state_advance_many",
+    "carom_ring_touch_grains",
+    "carom_ring_touch_wall",
+    "carom_ring_touch_grains_load",
+    "carom_ring_touch_wall_load",
+    "carom_ring_touch_energy",
+    "carom_ring_touch_report",
+    "carom_ring_touch_pack",
     "carom_twist_advance",
     "carom_twist_torque",
     "carom_twist_energy",
@@ -49,10 +49,11 @@ pub(crate) const NAMES: [&str; 43] = [
     "carom_restitution",
     "carom_restitution_many",
     "carom_collide",
-    "carom_collide_losing",
+    "carom_ring_touch_unpack",
     "carom_status_text",
     "carom_version",
     "carom_abi_version",
+    "carom_rings_of",
 ];
 
 /// Makes one call, now and then after bytes were garbled, and returns its name.
@@ -64,7 +65,7 @@ pub(crate) fn one(world: &mut World) -> &'static str {
     let which = match world.pick(400) {
         0 => 38 + world.pick(2),
         1 => 36 + world.pick(2),
-        2 => 40 + world.pick(3),
+        2 => 40 + world.pick(4),
         3..=12 => 32 + world.pick(4),
         13..=40 => 16 + world.pick(4),
         41..=60 => 29 + world.pick(3),
@@ -73,13 +74,14 @@ pub(crate) fn one(world: &mut World) -> &'static str {
     };
     let status = match which {
         0..=8 => contact(world, which),
-        9..=15 => state(world, which),
+        9..=15 | 39 => ring_touch(world, which),
         16..=19 => twist(world, which),
         20..=28 => touch(world, which),
         29..=31 => touch_twist(world, which),
         32..=35 => constants(world, which),
         36..=37 => restitution(world, which),
-        38..=39 => collide(world, which),
+        38 => collide(world),
+        43 => rings(world),
         _ => words(world, which),
     };
     world.told[status as usize] += 1;
@@ -142,45 +144,54 @@ fn reported(
     status
 }
 
-fn state(world: &mut World, which: usize) -> CaromStatus {
-    let (at, of, shift, error) = (world.pick(6), world.pick(5), world.shift(), world.error());
-    let (mut load, mut number) = (CaromLoad::default(), 0.0);
-    let mut report = MaybeUninit::<CaromReport>::uninit();
-    let (pair, state) = (&raw mut world.pairs[of], &raw mut world.states[at]);
-    let (pair, state) = (world.point(pair), world.point(state));
-    let (to, number) = (&raw mut load, world.point(&raw mut number));
-    let angle = world.number(-4.0, 4.0);
-    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    let status = unsafe {
-        match which {
-            9 => carom_state_advance(pair, state, shift, to, error),
-            10 => carom_state_load(pair, state, to, error),
-            11 => carom_state_energy(pair, state, number, error),
-            12 => carom_state_heat(pair, state, shift, number, error),
-            13 => reported(&mut report, |report| carom_state_report(pair, state, report, error)),
-            14 => carom_state_turn_frame(pair, state, angle, error),
-            _ => {
-                let (shifts, size) = ([shift; 6], size_of::<CaromState>());
-                let first = world.states.as_mut_ptr();
-                carom_state_advance_many(
-                    pair,
-                    6,
-                    first,
-                    size,
-                    shifts.as_ptr(),
-                    24,
-                    null_mut(),
-                    0,
-                    error,
-                )
-            }
-        }
-    };
-    if status == CaromStatus::Ok && which <= 10 && world.are_sound[of] {
-        let numbers = load.f_x.is_nan() || load.f_y.is_nan() || load.f_z.is_nan();
-        assert!(!numbers, "{load:?} of {:?} {:?}", world.states[at], world.pairs[of]);
+fn ring_touch(world: &mut World, which: usize) -> CaromStatus {
+    let (at, error, kept) = (world.pick(6), world.error(), world.pick(3));
+    let ([mut one, mut two], dt) = (world.meeting(), world.number(1e-9, 2e-8));
+    let (place, velocity) = (world.vector(1e-9), world.vector(0.1));
+    let mut wall = CaromWall { place, normal: [0.0, 0.0, 1.0], velocity };
+    if which == 10 || which == 12 {
+        one.place[2] -= 1e-3;
     }
-    status
+    let (mut load, mut heats, mut number) = (CaromGrainLoad::default(), CaromHeats::default(), 0.0);
+    let mut report = MaybeUninit::<CaromReport>::uninit();
+    let [radius_1, radius_2] = [world.number(1e-3, 2e-3), world.number(1e-3, 2e-3)];
+    let (grains, touch) = (&raw mut world.ring_grains, &raw mut world.ring_touches[at]);
+    let (grains, touch, rings) =
+        (world.point(grains), world.point(touch), world.point(world.rings));
+    let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
+    let wall = world.point(&raw mut wall);
+    let heats = if world.chance(0.7) { null_mut() } else { &raw mut heats };
+    let numbers = &raw mut world.ring_packed[kept];
+    let (load, numbers) = (world.point(&raw mut load), world.point(numbers).cast());
+    let number = world.point(&raw mut number);
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        match which {
+            9 => carom_ring_touch_grains(grains, rings, touch, one, two, dt, load, heats, error),
+            10 => carom_ring_touch_wall(grains, rings, touch, one, wall, dt, load, heats, error),
+            11 => carom_ring_touch_grains_load(grains, rings, touch, one, two, load, error),
+            12 => carom_ring_touch_wall_load(grains, rings, touch, one, wall, load, error),
+            13 => carom_ring_touch_energy(grains, rings, touch, radius_1, radius_2, number, error),
+            14 => reported(&mut report, |to| carom_ring_touch_report(rings, touch, to, error)),
+            15 => carom_ring_touch_pack(touch, numbers, error),
+            _ => carom_ring_touch_unpack(grains, rings, radius_1, radius_2, numbers, touch, error),
+        }
+    }
+}
+
+fn rings(world: &mut World) -> CaromStatus {
+    let (error, mut made) = (world.error(), null_mut());
+    let pair = match world.chance(0.5) {
+        true => &raw mut world.ring_grains.unit,
+        false => &raw mut world.pairs[0],
+    };
+    let (pair, to) = (world.point(pair), world.point(&raw mut made));
+    // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
+    unsafe {
+        let status = carom_rings_of(pair, to, error);
+        carom_rings_free(made);
+        status
+    }
 }
 
 fn twist(world: &mut World, which: usize) -> CaromStatus {
@@ -354,7 +365,7 @@ fn body(world: &mut World) -> CaromBody {
     body
 }
 
-fn collide(world: &mut World, which: usize) -> CaromStatus {
+fn collide(world: &mut World) -> CaromStatus {
     let ([mut one, mut two], friction) = ([body(world), body(world)], world.number(0.0, 1.0));
     // Spheres and planes, but for a few: others take their time.
     if world.chance(0.9) {
@@ -366,14 +377,18 @@ fn collide(world: &mut World, which: usize) -> CaromStatus {
     let normal = if world.chance(0.1) { null() } else { normal.as_ptr() };
     let (mut rebound, error) = (CaromRebound::default(), world.error());
     let [one, two] = [world.point(&raw mut one), world.point(&raw mut two)];
-    let (loss, part) = (world.pick(4) as u32, world.number(0.0, 1.0));
+    let size = [0, 8, 40, size_of::<CaromCollideOptions>()][world.pick(12).min(3)];
+    let options = CaromCollideOptions {
+        size,
+        law: [0, 0, 0, 1, 2, 4][world.pick(6)],
+        loss: world.pick(4) as u32,
+        normal_restitution: world.number(0.0, 1.0),
+        tolerance: if world.chance(0.8) { 0.0 } else { world.number(1e-4, 1e-2) },
+        torsion: [0, 0, 1, 2, 3][world.pick(5)],
+    };
+    let options = if world.chance(0.5) { null() } else { &raw const options };
     // SAFETY: each pointer is null, misaligned or that of something that may be written, and none twice.
-    unsafe {
-        match which {
-            38 => carom_collide(one, two, friction, normal, &mut rebound, error),
-            _ => carom_collide_losing(one, two, friction, loss, part, normal, &mut rebound, error),
-        }
-    }
+    unsafe { carom_collide(one, two, friction, normal, options, &mut rebound, error) }
 }
 
 fn words(world: &mut World, which: usize) -> CaromStatus {

@@ -18,6 +18,10 @@ pub(crate) struct World {
     pub(crate) touches: [CaromTouch; 12],
     pub(crate) packed: [[f64; CAROM_TOUCH_NUMBERS]; 4],
     pub(crate) twists: [CaromTwist; 4],
+    pub(crate) ring_grains: CaromGrains,
+    pub(crate) rings: *mut CaromRings,
+    pub(crate) ring_touches: [CaromRingTouch; 6],
+    pub(crate) ring_packed: [[f64; CAROM_RING_TOUCH_NUMBERS]; 3],
     pub(crate) time: f64,
     pub(crate) error: CaromError,
     /// How often each status was told.
@@ -41,6 +45,10 @@ impl World {
                 touches: zeroed(),
                 packed: zeroed(),
                 twists: zeroed(),
+                ring_grains: zeroed(),
+                rings: null_mut(),
+                ring_touches: zeroed(),
+                ring_packed: zeroed(),
                 time: 0.0,
                 error: zeroed(),
                 told: [0; 8],
@@ -49,6 +57,23 @@ impl World {
         };
         world.renew();
         world
+    }
+
+    /// Unlike grains with the law of rings; their matrices are made once.
+    fn renew_rings(&mut self) {
+        let rubber = CaromMaterial { young_modulus: 1e9, poisson: 0.5 };
+        let (grains, law) = (&raw mut self.ring_grains, CAROM_LAW_RINGS);
+        // SAFETY: all pointers are references or null.
+        unsafe {
+            let made = carom_grains_of(&GLASS, &rubber, 0.3, law, 0.0, 1e-7, grains, null_mut());
+            assert_eq!(made, CaromStatus::Ok);
+            if self.rings.is_null() {
+                let pair = &raw const self.ring_grains.unit;
+                let made = carom_rings_of(pair, &raw mut self.rings, null_mut());
+                assert_eq!(made, CaromStatus::Ok);
+            }
+            (self.ring_touches, self.ring_packed) = (zeroed(), zeroed());
+        }
     }
 
     /// Valid constants, and memories of bodies that just touch.
@@ -84,6 +109,7 @@ impl World {
             (self.contacts, self.states, self.touches) = (zeroed(), zeroed(), zeroed());
             (self.packed, self.twists) = (zeroed(), zeroed());
         }
+        self.renew_rings();
         (self.time, self.are_sound) = (0.0, [true; 5]);
     }
 
@@ -178,7 +204,8 @@ impl World {
 
     /// Changes bytes anywhere in what is kept: some of one, or all of one by those of another.
     pub(crate) fn garble(&mut self) {
-        let parts: [(*mut u8, usize, usize); 7] = [
+        let touches = &mut self.ring_touches;
+        let parts: [(*mut u8, usize, usize); 10] = [
             (self.pairs.as_mut_ptr().cast(), self.pairs.len(), size_of::<CaromPair>()),
             (self.grains.as_mut_ptr().cast(), self.grains.len(), size_of::<CaromGrains>()),
             (self.contacts.as_mut_ptr().cast(), self.contacts.len(), size_of::<CaromContact>()),
@@ -186,9 +213,13 @@ impl World {
             (self.touches.as_mut_ptr().cast(), self.touches.len(), size_of::<CaromTouch>()),
             (self.packed.as_mut_ptr().cast(), self.packed.len(), 8 * CAROM_TOUCH_NUMBERS),
             (self.twists.as_mut_ptr().cast(), self.twists.len(), size_of::<CaromTwist>()),
+            (touches.as_mut_ptr().cast(), touches.len(), size_of::<CaromRingTouch>()),
+            (self.ring_packed.as_mut_ptr().cast(), 3, 8 * CAROM_RING_TOUCH_NUMBERS),
+            ((&raw mut self.ring_grains).cast(), 1, size_of::<CaromGrains>()),
         ];
         // Memories more often than constants, which few calls then take.
-        let kind = [0, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6][self.pick(17)];
+        let kind =
+            [0, 1, 2, 2, 2, 3, 3, 3, 4, 4, 4, 5, 5, 5, 6, 6, 6, 7, 7, 7, 8, 8, 8, 9][self.pick(24)];
         let (first, count, size) = parts[kind];
         let (at, from) = (self.pick(count), self.pick(count));
         if kind == 0 {
@@ -223,5 +254,12 @@ impl World {
                 *byte = MaybeUninit::new(new);
             }
         }
+    }
+}
+
+impl Drop for World {
+    fn drop(&mut self) {
+        // SAFETY: made by `carom_rings_of`.
+        unsafe { carom_rings_free(self.rings) };
     }
 }

@@ -1,35 +1,40 @@
 //! The method of solution: `contact.method`.
 
 use crate::case::error::CaseError;
-use crate::case::field::{Default, Field, Form};
+use crate::case::field::{Default as Unless, Field, Form};
 use crate::case::section::Section;
-
-const NEWTON: &str = "newton";
-const GAUSS_SEIDEL: &str = "gauss_seidel";
-const DISCS: &str = "discs";
-const JOHNSON: &str = "johnson";
-const PANAGIOTOPOULOS: &str = "panagiotopoulos";
-const KOMBI: &str = "kombi";
+use carom_special::WordError;
+use std::str::FromStr;
 
 /// The field of a case.
 pub(super) const METHOD: Field = Field::new(
     "method",
     Form::Word(&[
-        (NEWTON, "of today: Newton's on sets of sticking and slipping cells"),
-        (GAUSS_SEIDEL, "the program of 1992, chapter 12"),
-        (DISCS, "Gauss and Seidel's, the friction of one cell after the other solved exactly"),
-        (JOHNSON, "Kalker's NORM, then TANG; bodies of similar material"),
-        (PANAGIOTOPOULOS, "NORM and TANG in turn"),
-        (KOMBI, "both at once"),
+        (SolveMethod::Newton.name(), "of today: Newton's on sets of sticking and slipping cells"),
+        (SolveMethod::GaussSeidel.name(), "the program of 1992, chapter 12"),
+        (
+            SolveMethod::Discs.name(),
+            "Gauss and Seidel's, the friction of one cell after the other solved exactly",
+        ),
+        (SolveMethod::Johnson.name(), "Kalker's NORM, then TANG; bodies of similar material"),
+        (SolveMethod::Panagiotopoulos.name(), "NORM and TANG in turn"),
+        (SolveMethod::Kombi.name(), "both at once"),
     ]),
     "how each step is solved; all but the first take shifts only",
 )
-.default(Default::Word(NEWTON));
+.default(Unless::Word(SolveMethod::Newton.name()));
 
-/// A method of solution.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+/// The numerical method that solves each step of a case.
+///
+/// ```
+/// use carom_cases::case::SolveMethod;
+/// assert_eq!("kombi".parse(), Ok(SolveMethod::Kombi));
+/// assert_eq!(SolveMethod::default().name(), "newton");
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
 pub enum SolveMethod {
     /// Newton's on active sets.
+    #[default]
     Newton,
     /// The program of chapter 12.
     GaussSeidel,
@@ -43,13 +48,51 @@ pub enum SolveMethod {
     Kombi,
 }
 
+impl SolveMethod {
+    /// All methods.
+    pub const ALL: [Self; 6] = [
+        Self::Newton,
+        Self::GaussSeidel,
+        Self::Discs,
+        Self::Johnson,
+        Self::Panagiotopoulos,
+        Self::Kombi,
+    ];
+    const NAMES: [&'static str; 6] = {
+        let (mut names, mut i) = ([""; 6], 0);
+        while i < names.len() {
+            names[i] = Self::ALL[i].name();
+            i += 1;
+        }
+        names
+    };
+
+    /// The word for it.
+    #[must_use]
+    pub const fn name(self) -> &'static str {
+        match self {
+            Self::Newton => "newton",
+            Self::GaussSeidel => "gauss_seidel",
+            Self::Discs => "discs",
+            Self::Johnson => "johnson",
+            Self::Panagiotopoulos => "panagiotopoulos",
+            Self::Kombi => "kombi",
+        }
+    }
+}
+
+impl FromStr for SolveMethod {
+    type Err = WordError;
+
+    /// # Errors
+    /// [`WordError`], which lists the allowed words.
+    fn from_str(word: &str) -> Result<Self, WordError> {
+        let method = Self::ALL.into_iter().find(|method| method.name() == word);
+        method.ok_or_else(|| WordError::new("method", word, &Self::NAMES))
+    }
+}
+
 pub(super) fn read(contact: &Section<'_>) -> Result<SolveMethod, CaseError> {
-    Ok(match contact.word(&METHOD)? {
-        GAUSS_SEIDEL => SolveMethod::GaussSeidel,
-        DISCS => SolveMethod::Discs,
-        JOHNSON => SolveMethod::Johnson,
-        PANAGIOTOPOULOS => SolveMethod::Panagiotopoulos,
-        KOMBI => SolveMethod::Kombi,
-        _ => SolveMethod::Newton,
-    })
+    // The section has refused other words.
+    Ok(contact.word(&METHOD)?.parse().unwrap_or_default())
 }

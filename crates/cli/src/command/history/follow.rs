@@ -1,4 +1,4 @@
-//! Following a history, and what lies between its steps for a picture.
+//! Computes a history, with states between its steps for a picture.
 
 use super::plot;
 use crate::command::plot::MOST_MARKS;
@@ -12,32 +12,32 @@ use carom_laws::friction::Friction;
 use carom_laws::law::Shift;
 use carom_special::RangeError;
 
-/// Radii of a drawn traction.
+/// Number of radii of a traction in a picture.
 const RADII: usize = 401;
 
-/// What a history is asked for.
+/// What the user requested of a history.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Wanted {
-    /// Radii at which tractions are given after each step; none for 0.
+    /// Number of radii at which tractions are given after each step; 0 for none.
     pub(super) radii: usize,
-    /// Whether there will be a picture.
+    /// Whether a picture is drawn.
     pub(super) picture: bool,
 }
 
-/// The states of a history that are drawn.
+/// The states of a history for a picture.
 #[derive(Debug)]
 pub(super) struct Drawn {
-    /// Before, between and after the steps.
+    /// States before, between and after the steps.
     pub(super) course: Vec<Step>,
-    /// Those after a step, no more than tell whether they can be marked.
+    /// States after a step, only as many as are needed to decide whether they can be marked.
     pub(super) marked: Vec<Step>,
-    /// The last step in contact, if tractions are asked for: with tractions at many radii, and as it is
-    /// given.
+    /// The last step in contact, if tractions are requested: with tractions at many radii for the
+    /// picture, and as printed.
     pub(super) last: Option<[Step; 2]>,
 }
 
-/// Goes through the shifts; `visit` is shown some of the states after a step at a time. What is to be drawn
-/// is told in the end. `at_fault` blames the case for what a law refuses.
+/// Computes the states along the shifts. `visit` is called with blocks of states after steps; the
+/// states for a picture are returned. `at_fault` turns an error of a law into one of the case.
 pub(super) fn follow(
     case: &HistoryCase,
     shifts: &[Shift],
@@ -47,7 +47,7 @@ pub(super) fn follow(
 ) -> Result<Drawn, CliError> {
     let friction = Friction::new(case.friction).map_err(&at_fault)?;
     if wanted.radii > 0 && friction.coefficient().is_none() {
-        return Err(CliError::Options("--tractions takes a case with finite friction"));
+        return Err(CliError::Options("--tractions requires finite friction"));
     }
     let state = |number, laws: &Laws, radii| history::step(number, laws, friction, radii);
     let mut laws = Laws::new(case, friction, shifts).map_err(&at_fault)?;
@@ -58,7 +58,8 @@ pub(super) fn follow(
             let first = usize::from(i > 0);
             let parts = parts_of_a_step(shifts.len());
             for part in (first..parts).map(|part| part as f64 / parts as f64) {
-                // From the same state each, so that the line runs through the steps themselves.
+                // Each from the same state, so that the line passes through the states after the
+                // steps.
                 let mut between = laws.clone();
                 between.advance(lerp(laws.present(), *shift, part)).map_err(&at_fault)?;
                 course.push(state(i as f64 + part, &between, 0)?);
@@ -90,12 +91,13 @@ pub(super) fn follow(
     Ok(Drawn { course: course.records(), marked, last })
 }
 
-/// States drawn for every step, the last its own: enough for a smooth line.
+/// Number of states drawn for each step, of which the last is the one after the step: enough for a
+/// smooth line.
 fn parts_of_a_step(steps: usize) -> usize {
     (2000 / steps).clamp(1, 50)
 }
 
-/// The shift at a part of the way from one to the other.
+/// Linear interpolation between two shifts.
 fn lerp(from: Shift, to: Shift, part: f64) -> Shift {
     let between = |from: f64, to: f64| from + part * (to - from);
     Shift {

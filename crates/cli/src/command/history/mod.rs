@@ -20,17 +20,17 @@ use follow::{Wanted, follow};
 
 /// Loads of a contact along a history of shifts and twists, with memory.
 ///
-/// The file is TOML in SI units, others as texts such as "2.5 mm", its steps inline or, plain, in a
-/// CSV file; see examples/history_*.toml. xi and eta shift body 2 against body 1 along x and y, zeta
-/// presses it in, omega (radians) twists it about z. The picture shows loads, stick area and energy,
-/// and the last tractions asked for.
+/// The file is TOML. Numbers are in SI units; other units are given as texts such as "2.5 mm".
+/// Steps are listed in the file or in a CSV file; see examples/history_*.toml. xi and eta shift
+/// body 2 against body 1 along x and y, zeta is the approach, omega (radians) the twist about z.
+/// The picture shows loads, stick area and energy, and the last tractions if requested.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
-    /// Give the tangential traction after each step at this many radii, from the centre to the
-    /// edge.
+    /// Also give the tangential traction after each step, at this number of radii from the centre
+    /// to the edge.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
     tractions: Option<u32>,
 }
@@ -80,7 +80,7 @@ pub(super) fn run(arguments: &Arguments, results: &mut Results) -> Result<Answer
     Ok(answer.cautioned(worst.caution("steps"), format))
 }
 
-/// What the rows hold.
+/// Help on the columns of the rows.
 fn help() -> String {
     let steps = columns::help("A row for each step", history::COLUMNS);
     let twists = columns::help("with a twist also", history::TWIST_COLUMNS);
@@ -89,11 +89,11 @@ fn help() -> String {
     format!("{steps}{twists}\n{tractions}")
 }
 
-/// How close shift and twist come to their friction limits.
+/// Largest use of the friction limits by shift and twist.
 #[derive(Debug, Default)]
 struct Limits {
     is_twisted: bool,
-    /// The greatest share of both at once.
+    /// The largest share of both at the same time.
     both: f64,
 }
 
@@ -104,7 +104,7 @@ impl Limits {
     }
 }
 
-/// What the law neglects in this case.
+/// Warnings about effects that the law neglects in this case.
 fn warnings(case: &HistoryCase, limits: &Limits, has_tractions: bool) -> Vec<String> {
     let mut warnings = Vec::new();
     let materials = case.hertz.materials();
@@ -127,17 +127,17 @@ fn warnings(case: &HistoryCase, limits: &Limits, has_tractions: bool) -> Vec<Str
         return warnings;
     }
     if (case.hertz.axis_ratio().get() - 1.0).abs() > 1e-12 {
-        let tractions = if has_tractions { "; its tractions are left out" } else { "" };
+        let tractions = if has_tractions { "; tractions of the twist are not given" } else { "" };
         warnings.push(format!(
-            "the contact is no circle: between no slip and sliding the law of the twist is an \
+            "the contact is not circular: between no slip and sliding the torsional law is an \
              approximation{tractions}"
         ));
     }
     if limits.both > 0.01 {
         let percent = 100.0 * limits.both;
         warnings.push(format!(
-            "shift and twist are computed each as if the other were absent, which is right while \
-             one of them is small: both reach {percent:.0} % of their friction limits at once"
+            "shift and twist are computed independently, which is valid if one of them is small: \
+             both reach {percent:.0} % of their friction limits at the same time"
         ));
     }
     warnings

@@ -6,7 +6,7 @@ use crate::output::Picture;
 use carom_cases::history::{Step, Traction};
 use carom_plot::Panel;
 
-/// What is drawn of a step.
+/// The drawn quantities of a step.
 pub(super) const QUANTITIES: [Value<Step>; 14] = [
     |s| s.load.f_x,
     |s| s.load.f_y,

@@ -6,7 +6,7 @@ use carom_cases::history::{Step, TRACTION_COLUMNS, Traction};
 use carom_table::Column;
 use serde::Serialize;
 
-/// A step as it stands in JSON.
+/// A step in JSON.
 #[derive(Serialize)]
 pub(super) struct StepRecord<'a> {
     #[serde(flatten)]
@@ -16,7 +16,7 @@ pub(super) struct StepRecord<'a> {
     outside_theory: Vec<String>,
 }
 
-/// A step as it stands in JSON; `radius` is the smallest of curvature.
+/// A step in JSON; `radius` is the smallest radius of curvature.
 pub(super) fn record<'a>(
     columns: &'a [Column<Step>],
     step: &'a Step,

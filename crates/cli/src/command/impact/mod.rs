@@ -25,8 +25,10 @@ use view::{Parameter, Record};
 ///
 /// The file is TOML in SI units, others as texts such as "2.5 mm"; see the cases under examples/. z
 /// points into body 1. Any number may be a sweep, a list or { start, stop, count }, or a
-/// distribution, as in glass_scatter.toml. The spin about the normal is left alone unless
-/// `contact.torsion = true`. The picture shows the course of the impact, the sweep, or the scatter.
+/// distribution, as in glass_scatter.toml. `contact.law` and `contact.torsion` choose what counts:
+/// by default the coupling of unlike materials and the spin about the normal where they matter, of
+/// which each impact by rings takes about a millisecond. The picture shows the course of the impact,
+/// the sweep, or the scatter.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each impact, motions afterwards", &view::cells(None)) + "\n"
     + &columns::help("With --history a row for each instant, in contact axes", HistoryPoint::COLUMNS)

@@ -1,12 +1,13 @@
 //! An impact with uncertain inputs: what its outcome is, and how it scatters.
 
 use crate::columns::{self, add_fields};
-use crate::command::theory::Excess;
+use crate::command::theory::{Excess, readable};
 use crate::error::CliError;
 use crate::output::{Format, Picture, json, short};
 use carom_cases::case::{CaseError, ImpactFile, Input, Uncertainty};
 use carom_impact::uncertain::{Bin, Quantity, Study, Summary, UncertainError};
 use carom_impact::{CollisionError, Outcome};
+use carom_numerical::CollisionLawError;
 use carom_plot::{Axis, Panel, Series};
 use carom_special::RangeError;
 use carom_table::{Cell, Column, row};
@@ -19,6 +20,12 @@ pub(super) struct Report {
     samples: usize,
     no_impact: usize,
     out_of_range: Vec<Rejected>,
+    /// How the samples were followed.
+    methods: Vec<MethodRecord>,
+    /// The greatest of all samples.
+    error_estimate: f64,
+    /// Samples of which the coupling of unlike materials is neglected.
+    coupling_neglected: usize,
     /// What lies outside the theory where all inputs have their means, if anything.
     outside_theory: Vec<String>,
     inputs: Vec<Spread>,
@@ -31,6 +38,13 @@ struct Rejected {
     field: &'static str,
     allowed: &'static str,
     first_value: f64,
+    count: usize,
+}
+
+/// Samples that were followed by one method.
+#[derive(Debug, Clone, Serialize)]
+struct MethodRecord {
+    method: &'static str,
     count: usize,
 }
 
@@ -90,13 +104,16 @@ struct BinRecord {
 pub(super) fn study(
     file: &ImpactFile<'_>,
     uncertainty: &Uncertainty,
-) -> Result<Study, UncertainError> {
+) -> Result<Study, Box<UncertainError<CollisionLawError>>> {
     let distributions: Vec<_> = file.inputs().iter().filter_map(Input::distribution).collect();
-    uncertainty.sampling.run(&distributions, |values| match file.case(values) {
-        Ok(case) => Ok(case.collision),
-        Err(CaseError::Collision { source, .. }) => Err(*source),
-        Err(error) => Err(CollisionError::Range(out_of_range(file, &error))),
-    })
+    let law = file.nominal().contact.law;
+    let study =
+        uncertainty.sampling.run_by(&law, &distributions, |values| match file.case(values) {
+            Ok(case) => Ok(case.collision),
+            Err(CaseError::Collision { source, .. }) => Err(*source),
+            Err(error) => Err(CollisionError::Range(out_of_range(file, &error))),
+        });
+    study.map_err(Box::new)
 }
 
 /// The error of drawn values as that of a field out of range.
@@ -112,7 +129,8 @@ fn out_of_range(file: &ImpactFile<'_>, error: &CaseError) -> RangeError {
 
 /// How far the impact with all inputs at their means lies outside the theory.
 pub(super) fn excess(file: &ImpactFile<'_>) -> Excess {
-    let outcome = file.nominal().collision.solve().ok();
+    let case = file.nominal();
+    let outcome = case.contact.law.solve(&case.collision).ok();
     outcome.as_ref().and_then(Outcome::rebound).map(Excess::of_impact).unwrap_or_default()
 }
 
@@ -137,6 +155,13 @@ pub(super) fn report(
                 count: seen.count,
             })
             .collect(),
+        methods: study
+            .methods()
+            .iter()
+            .map(|&(method, count)| MethodRecord { method, count })
+            .collect(),
+        error_estimate: study.error_estimate(),
+        coupling_neglected: study.coupling_neglected(),
         outside_theory: excess.reasons(),
         inputs: inputs.map(|(n, s)| spread(case, n, s)).collect::<Result<_, _>>()?,
         outcome: outcome.map(|(n, s)| spread(case, n, s)).collect::<Result<_, _>>()?,
@@ -170,7 +195,13 @@ pub(super) fn render_text(report: &Report, format: Format) -> Result<String, Cli
             let table = columns::cell_rows(format, &rows(report, moves))?;
             let (none, all) = (report.no_impact, report.samples);
             let out = report.out_of_range.iter().map(|seen| seen.count).sum::<usize>();
-            Ok(format!("{table}{all} samples, {none} without impact, {out} out of range\n"))
+            let methods = report.methods.iter().map(|m| format!("{} {}", m.count, m.method));
+            let methods = methods.collect::<Vec<_>>().join(", ");
+            let estimate = readable(report.error_estimate);
+            Ok(format!(
+                "{table}{all} samples, {none} without impact, {out} out of range; methods: {methods}; \
+                 velocities may be off by {estimate} of those before\n"
+            ))
         }
     }
 }
@@ -207,6 +238,13 @@ pub(super) fn warnings(report: &Report) -> Vec<String> {
             )
         })
         .collect();
+    if report.coupling_neglected > 0 {
+        let (neglected, all) = (report.coupling_neglected, report.samples);
+        warnings.push(format!(
+            "dissimilar materials: the coupling of normal and tangential displacements is neglected in {neglected} \
+             of {all} samples"
+        ));
+    }
     if report.no_impact > 0 {
         let (none, all) = (report.no_impact, report.samples);
         warnings.push(format!("{none} of {all} samples make no impact and are left out"));

@@ -17,20 +17,20 @@ use view::{COLUMNS, CREEP, Creep, Row};
 
 /// A rolling contact: creep forces in the steady state, or step by step from rest.
 ///
-/// The file is TOML in SI units, others as texts such as "2.5 mm"; see examples/roll_*.toml. The contact
-/// rolls along x; creepages are motions of body 2 against body 1 for each length rolled, loads act on
-/// body 1. Several creepages give a creep curve. The picture shows the curve and the last contact.
-/// Forces under small creepage are within some 5 % at 20 elements across, and the better the more there
-/// are; --coefficients gives their limit.
+/// The file is TOML. Numbers are in SI units; other units are given as texts such as "2.5 mm"; see
+/// examples/roll_*.toml. The contact rolls along x. Creepages are motions of body 2 against body 1
+/// per length rolled; loads act on body 1. Several creepages give a creep curve. The picture shows
+/// the curve and the last contact. With 20 elements across, forces under small creepage have errors
+/// of about 5 %, and less with more elements; --coefficients gives their limit.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
-    /// Give Kalker's creep coefficients of the contact too; as CSV they stand alone.
+    /// Also give Kalker's creep coefficients of the contact; as CSV they replace the rows.
     #[arg(long)]
     coefficients: bool,
-    /// Give the forces of FASTSIM, rolling on springs, beside the solver's.
+    /// Also give the forces of FASTSIM, an elastic foundation model, beside those of the solver.
     #[arg(long)]
     fastsim: bool,
 }
@@ -41,7 +41,7 @@ fn help() -> String {
     format!("{rows}\n{creep}")
 }
 
-/// All of a case as it stands in JSON with `--coefficients`.
+/// The complete JSON output with `--coefficients`.
 #[derive(Serialize)]
 struct Both<'a> {
     coefficients: Record<'a, Creep>,
@@ -53,7 +53,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
     let case = file.parse(RollCase::parse)?;
     if arguments.fastsim && case.distance.is_some() {
         return Err(CliError::Options(
-            "--fastsim knows the steady state only: leave out `distance`",
+            "--fastsim supports the steady state only: remove `distance`",
         ));
     }
     let creep = (arguments.coefficients || arguments.fastsim)
@@ -97,20 +97,19 @@ fn text(format: Format, rows: &[Row], creep: Option<&Creep>) -> Result<String, C
     }
 }
 
-/// Full sliding, and what creep coefficients leave out.
+/// Warnings about full sliding, and about effects that creep coefficients neglect.
 fn warnings(case: &RollCase, rows: &[Row], uses_coefficients: bool) -> Vec<String> {
     let sliding = rows.iter().filter(|row| row.slides).count();
     let mut warnings = Vec::new();
     if sliding > 0 {
         warnings.push(format!(
-            "full sliding in {sliding} of {} rows: the creepage is beyond saturation, more of it \
-             brings no more force",
+            "full sliding in {sliding} of {} rows: the creep force is saturated, and more creepage \
+             does not increase it",
             rows.len()
         ));
     }
     if uses_coefficients && !case.hertz.materials().is_uncoupled() {
-        let note =
-            "creep coefficients and FASTSIM take two equal bodies in the place of unlike ones";
+        let note = "creep coefficients and FASTSIM replace dissimilar bodies by two equal ones";
         warnings.push(note.to_owned());
     }
     warnings

@@ -8,7 +8,7 @@ use crate::output::Picture;
 use carom_plot::{Axis, Panel, Series};
 use carom_solver::ContactState;
 
-/// What changes from row to row: its name, and its value.
+/// The quantity that varies between rows: its name and its value.
 fn abscissa(rows: &[Row]) -> (&'static str, Value<Row>) {
     let all: [(&str, Value<Row>); 4] = [
         ("distance / m", |row| row.distance.unwrap_or(0.0)),

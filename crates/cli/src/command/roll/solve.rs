@@ -1,4 +1,4 @@
-//! The rolling contact on its grid.
+//! Solves the rolling contact on its grid.
 
 use super::view::{Creep, Row};
 use crate::error::CliError;
@@ -14,12 +14,12 @@ use carom_solver::{
 };
 use std::path::Path;
 
-/// Cells beyond the contact, on each side along and across: particles enter from the next one.
+/// Cells beyond the contact on each side, along and across: particles enter from the next cell.
 const BORDER: [usize; 2] = [2, 1];
 /// Strips and elements of FASTSIM.
 const SPRINGS: [usize; 2] = [100, 100];
 
-/// A contact ready to roll.
+/// A contact prepared for rolling.
 pub(super) struct Rolling<'a> {
     path: &'a Path,
     case: &'a RollCase,
@@ -48,11 +48,11 @@ impl<'a> Rolling<'a> {
         CliError::Rolling { path: self.path.to_owned(), row, source: Box::new(source.into()) }
     }
 
-    fn row(&self, state: &ContactState, went: Convergence, creepage: Creepage) -> Row {
-        Row::of(state, went, [self.case.speed, self.case.friction], creepage)
+    fn row(&self, state: &ContactState, convergence: Convergence, creepage: Creepage) -> Row {
+        Row::of(state, convergence, [self.case.speed, self.case.friction], creepage)
     }
 
-    /// A row for each creepage, and the state under the last one.
+    /// A row for each creepage, and the state of the last one.
     pub(super) fn steadily(
         &self,
         creep: Option<&Creep>,
@@ -100,27 +100,27 @@ impl<'a> Rolling<'a> {
         let mut state = apart.clone();
         let normal = Driven::Load(self.case.loaded.force);
         let pressed = Drive { normal, ..Drive::default() };
-        let went = method
+        let convergence = method
             .step(&self.problem, &apart, &pressed, &mut state, &mut scratch, &mut ())
             .map_err(|source| self.failed(1, source))?;
         let creepage = self.case.creepages.first().copied().unwrap_or_default();
         let step = self.problem.grid().dx();
         let at = |row: Row, steps: usize| Row { distance: Some(steps as f64 * step), ..row };
-        let mut rows = vec![at(self.row(&state, went, creepage), 0)];
+        let mut rows = vec![at(self.row(&state, convergence, creepage), 0)];
         let roll = Roll { distance: step, creepage, normal };
-        // A whole number of cells, but for rounding.
+        // A whole number of cells, up to round-off.
         for number in 1..=(distance / step * (1.0 - 1e-9)).ceil() as usize {
             let before = state.clone();
-            let went = roll
+            let convergence = roll
                 .step(&method, &self.problem, &before, &mut state, &mut scratch, &mut ())
                 .map_err(|source| self.failed(number + 1, source))?;
-            rows.push(at(self.row(&state, went, creepage), number));
+            rows.push(at(self.row(&state, convergence, creepage), number));
         }
         Ok((rows, state))
     }
 }
 
-/// The creep coefficients of the contact, its bodies replaced by two equal ones.
+/// The creep coefficients of the contact, with its bodies replaced by two equal ones.
 pub(super) fn creep(path: &Path, case: &RollCase) -> Result<Creep, CliError> {
     let (ellipse, materials) = (case.loaded.ellipse, case.hertz.materials());
     let ratio = ellipse.semi_axis_a() / ellipse.semi_axis_b();

@@ -5,10 +5,10 @@ use carom_rolling::{CreepCoefficients, Creepage};
 use carom_solver::{CellState, ContactState, Convergence};
 use carom_table::Column;
 
-/// A rolling contact under one creepage, or at one place of its way. SI units; loads act on body 1.
+/// A rolling contact under one creepage, or after one distance. SI units; loads act on body 1.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) struct Row {
-    /// How far it has rolled from rest; none in the steady state.
+    /// Distance rolled from rest; `None` in the steady state.
     pub(super) distance: Option<f64>,
     pub(super) speed: f64,
     pub(super) creepage: Creepage,
@@ -19,15 +19,15 @@ pub(super) struct Row {
     pub(super) contact_area: f64,
     pub(super) stick_area: f64,
     pub(super) slides: bool,
-    /// Along and across, by springs.
+    /// Forces along and across by FASTSIM.
     pub(super) springs: Option<[f64; 2]>,
-    pub(super) went: Convergence,
+    pub(super) convergence: Convergence,
 }
 
 impl Row {
     pub(super) fn of(
         state: &ContactState,
-        went: Convergence,
+        convergence: Convergence,
         [speed, friction]: [f64; 2],
         creepage: Creepage,
     ) -> Self {
@@ -45,11 +45,11 @@ impl Row {
             stick_area: area * stick,
             slides: stick == 0.0 && slip > 0.0,
             springs: None,
-            went,
+            convergence,
         }
     }
 
-    /// What the loads do on the sliding bodies, all of it heat in the steady state.
+    /// Power of the loads on the creepage; in the steady state all of it is heat.
     fn power(&self) -> f64 {
         let Creepage { along, across, spin } = self.creepage;
         let ContactLoad { f_x, f_y, m_z, .. } = self.load;
@@ -66,40 +66,48 @@ pub(super) const COLUMNS: &[Column<Row>] = &[
     Column::new("distance", "m", "rolled from rest, if the case gives one", |row| {
         row.distance.into()
     }),
-    Column::new("time", "s", "since then", |row| row.distance.map(|way| way / row.speed).into()),
+    Column::new("time", "s", "since rest", |row| row.distance.map(|way| way / row.speed).into()),
     Column::new("creepage", "", "along x", |row| row.creepage.along.into()),
     Column::new("creepage_across", "", "along y", |row| row.creepage.across.into()),
     Column::new("spin", "rad/m", "about the normal", |row| row.creepage.spin.into()),
     Column::new("F_x", "N", "force on body 1 along x", |row| row.load.f_x.into()),
-    Column::new("F_y", "N", "the same along y", |row| row.load.f_y.into()),
+    Column::new("F_y", "N", "force on body 1 along y", |row| row.load.f_y.into()),
     Column::new("F_z", "N", "normal force", |row| row.load.f_z.into()),
     Column::new("M_z", "N m", "torque on body 1", |row| row.load.m_z.into()),
     Column::new("used", "", "tangential force over f F_z", |row| {
         (libm::hypot(row.load.f_x, row.load.f_y) / row.limit).into()
     }),
-    Column::new("power", "W", "of the loads on the creepage: heat, when steady", |row| {
-        row.power().into()
-    }),
-    Column::new("p_max", "Pa", "greatest pressure", |row| row.greatest_pressure.into()),
+    Column::new(
+        "power",
+        "W",
+        "work rate of the loads on the creepage; heat in the steady state",
+        |row| row.power().into(),
+    ),
+    Column::new("p_max", "Pa", "maximum pressure", |row| row.greatest_pressure.into()),
     Column::new("contact_area", "m2", "of all cells in contact", |row| row.contact_area.into()),
-    Column::new("stick_area", "m2", "of those that stick", |row| row.stick_area.into()),
-    Column::new("slides", "", "whether all slides: more creepage brings no more force", |row| {
-        if row.slides { "yes".into() } else { "no".into() }
-    }),
+    Column::new("stick_area", "m2", "of all cells that stick", |row| row.stick_area.into()),
+    Column::new(
+        "slides",
+        "",
+        "whether the whole contact slides: the creep force is saturated",
+        |row| {
+            if row.slides { "yes".into() } else { "no".into() }
+        },
+    ),
     Column::new("F_x_springs", "N", "F_x of FASTSIM, with --fastsim", |row| row.spring(0).into()),
     Column::new("F_y_springs", "N", "F_y of FASTSIM, with --fastsim", |row| row.spring(1).into()),
-    Column::new("residual_normal", "", "what is left of the normal conditions", |row| {
-        row.went.residuals.normal.into()
+    Column::new("residual_normal", "", "residual of the contact conditions", |row| {
+        row.convergence.residuals.normal.into()
     }),
-    Column::new("residual_tangential", "", "what is left of the friction law", |row| {
-        row.went.residuals.tangential.into()
+    Column::new("residual_tangential", "", "residual of the friction law", |row| {
+        row.convergence.residuals.tangential.into()
     }),
     Column::new("iterations", "", "linear systems or passes", |row| {
-        (row.went.iterations as u64).into()
+        (row.convergence.iterations as u64).into()
     }),
 ];
 
-/// Those that the rows fill; for a table to read without the last ones.
+/// The columns that have values; a table to read omits the last ones.
 pub(super) fn columns(rows: &[Row], is_to_read: bool) -> Vec<Column<Row>> {
     let has = |name: &str| match name {
         "distance" | "time" => rows.iter().any(|row| row.distance.is_some()),
@@ -115,16 +123,16 @@ pub(super) fn columns(rows: &[Row], is_to_read: bool) -> Vec<Column<Row>> {
 pub(super) struct Creep {
     pub(super) coefficients: CreepCoefficients,
     pub(super) ratio: f64,
-    /// Combined as that of each of two equal bodies.
+    /// Combined modulus, as that of each of two equal bodies.
     pub(super) shear_modulus: f64,
     pub(super) poisson: f64,
 }
 
-/// What `--coefficients` gives.
+/// The columns of `--coefficients`.
 pub(super) const CREEP: &[Column<Creep>] = &[
     Column::new("axis_ratio", "", "a/b, a along the direction of rolling", |c| c.ratio.into()),
-    Column::new("G", "Pa", "of each of two equal bodies", |c| c.shear_modulus.into()),
-    Column::new("nu", "", "the same", |c| c.poisson.into()),
+    Column::new("G", "Pa", "shear modulus of each of two equal bodies", |c| c.shear_modulus.into()),
+    Column::new("nu", "", "Poisson's ratio of each of them", |c| c.poisson.into()),
     Column::new("C11", "", "F_x = G a b C11 creepage", |c| c.coefficients.c11.into()),
     Column::new("C22", "", "F_y = G a b C22 creepage_across", |c| c.coefficients.c22.into()),
     Column::new("C23", "", "F_y = -G (ab)^1.5 C23 spin", |c| c.coefficients.c23.into()),

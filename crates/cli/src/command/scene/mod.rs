@@ -17,7 +17,9 @@ use std::path::Path;
 /// Path and bounces of a ball between walls, from a case file.
 ///
 /// The file is TOML in SI units, others as texts such as "2.5 mm"; see the cases scene_*.toml under
-/// examples/. The picture shows walls, path and bounces.
+/// examples/. The coupling of unlike materials and the spin about the normal count where they
+/// matter; a bounce takes about a millisecond then, and some microseconds else. The picture shows
+/// walls, path and bounces.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each bounce", &view::cells(None)) + "\n"
     + &columns::help("With --points a row for each instant", PathPoint::COLUMNS))]
@@ -99,8 +101,9 @@ fn follow(
     case: &SceneCase,
     mut visit: impl FnMut(&[Leg]) -> Result<(), CliError>,
 ) -> Result<End, CliError> {
-    let at_fault = |source| CliError::Scene { path: path.to_owned(), source };
-    let mut legs = case.scene.legs(&case.ball, case.limits).map_err(at_fault)?;
+    let at_fault = |source| CliError::Scene { path: path.to_owned(), source: Box::new(source) };
+    let legs = case.scene.legs_by(case.law, &case.ball, case.limits);
+    let mut legs = legs.map_err(at_fault)?;
     let mut ending = Ending::Time;
     loop {
         let some = legs.by_ref().take(BLOCK).collect::<Result<Vec<_>, _>>().map_err(at_fault)?;

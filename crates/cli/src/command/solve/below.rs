@@ -1,4 +1,4 @@
-//! Stresses below the contact at the end.
+//! Stresses below the contact after the last step.
 
 use crate::error::CliError;
 use carom_cases::Error;
@@ -10,10 +10,10 @@ use carom_special::linspace;
 use carom_table::Column;
 use std::path::Path;
 
-/// Depths reach down to so many radii of a round contact of the same area.
+/// Largest depth, over the radius of a circular contact of the same area.
 const RADII: f64 = 3.0;
 
-/// The stress in a body at a depth, in common axes.
+/// The stress in a body at a depth, in the common axes.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Below {
     body: u64,
@@ -34,8 +34,8 @@ pub(super) const COLUMNS: &[Column<Below>] = &[
     Column::new("von_mises", "Pa", "equivalent stress", |below| below.stress.von_mises().into()),
 ];
 
-/// The stresses along the normal through the cell of the greatest pressure, at `count` depths in
-/// each elastic body; none where the bodies are apart.
+/// The stresses along the normal through the cell of maximum pressure, at `count` depths in each
+/// elastic body; empty if the bodies are separated.
 pub(super) fn along_normal(
     path: &Path,
     case: &SolveCase,

@@ -1,4 +1,4 @@
-//! `carom compare`: one case by all methods.
+//! `carom compare`: one case solved by all methods.
 
 use std::time::{Duration, Instant};
 
@@ -17,14 +17,14 @@ use carom_solver::{CellState, ContactProblem, ContactState, Drive, Frictional, M
 use carom_table::{Column, Value};
 use std::path::PathBuf;
 
-/// Most cells in contact for the methods that sweep, for those with dense matrices, and for KOMBI:
-/// more would take minutes a step.
-const MOST: [usize; 3] = [2000, 500, 150];
+/// Largest number of cells in contact for sweeping methods, for those with dense matrices, and for
+/// KOMBI: more would take minutes per step.
+const MAX_CELLS_IN_CONTACT: [usize; 3] = [2000, 500, 150];
 
-/// One case by all methods: those of 1992 and before beside that of today.
+/// Solve one case by all methods: those of 1992 and earlier, and the present one.
 ///
-/// The file is one for `carom solve`. Loads, if there are any, are replaced by the shifts that they
-/// lead to, as the older methods take no others. The difference is the largest one of a traction or
+/// The file is one for `carom solve`. Loads are replaced by the shifts that result from them, since
+/// the older methods accept shifts only. The difference is the largest difference of a traction or
 /// pressure at the end, over the largest pressure.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each method", COLUMNS))]
@@ -37,14 +37,14 @@ pub(in crate::command) struct Arguments {
     format: Format,
 }
 
-/// How a method did.
+/// The result of a method.
 #[derive(Debug)]
 struct Row {
     method: &'static str,
     went: Option<Went>,
-    /// From the method of today.
+    /// Difference from the present method.
     difference: Option<f64>,
-    /// Why it gave none.
+    /// Why there is no result.
     note: String,
 }
 
@@ -53,7 +53,7 @@ const COLUMNS: &[Column<Row>] = &[
     Column::new("iterations", "", "sweeps or linear systems of all steps", |row| {
         row.of(|went| Some(Value::Count(went.iterations as u64)))
     }),
-    Column::new("products", "", "with blocks of the influence", |row| {
+    Column::new("products", "", "products with blocks of the influence matrix", |row| {
         row.of(|went| Some(went.products.into()).filter(|_| went.products > 0.0))
     }),
     Column::new("seconds", "s", "all steps", |row| {
@@ -62,10 +62,10 @@ const COLUMNS: &[Column<Row>] = &[
     Column::new(
         "difference",
         "",
-        "largest of a traction or pressure, over the largest pressure",
+        "largest difference of a traction or pressure, over the largest pressure",
         |row| row.difference.map_or(Value::Undefined, Value::Number),
     ),
-    Column::new("note", "", "why there is none", |row| row.note.clone().into()),
+    Column::new("note", "", "why there is no result", |row| row.note.clone().into()),
 ];
 
 impl Row {
@@ -74,7 +74,7 @@ impl Row {
     }
 }
 
-/// A history of shifts, to be followed by any method.
+/// A history of shifts that every method can solve.
 struct Course<'a> {
     problem: &'a ContactProblem,
     shifts: Vec<Shift>,
@@ -110,7 +110,7 @@ impl Course<'_> {
     fn row<M: Method>(&self, name: &'static str, most: usize, method: &M) -> Row {
         let none = |note| Row { method: name, went: None, difference: None, note };
         if self.touching > most {
-            return none(format!("left out: {} cells touch, at most {most}", self.touching));
+            return none(format!("not run: {} cells in contact, at most {most}", self.touching));
         }
         match self.follow(method) {
             Ok(went) => {
@@ -142,7 +142,7 @@ pub(in crate::command) fn run(
 ) -> Result<Answer, CliError> {
     let outputs = Outputs::of_command(arguments.format)?;
     let file = outputs.read_case(&arguments.case)?;
-    // The one that the case asks for is among all.
+    // The method that the case requests is one of those compared.
     let case = SolveCase { method: SolveMethod::Newton, ..file.parse(SolveCase::parse)? };
     let bodies = Bodies::of(&file, &case)?;
     let run = Run::new(&file.path, &case, &bodies)?;
@@ -163,9 +163,9 @@ pub(in crate::command) fn run(
 }
 
 fn rows(path: &Course<'_>, today: &Frictional) -> Vec<Row> {
-    let [sweeps, dense, combined] = MOST;
+    let [sweeps, dense, combined] = MAX_CELLS_IN_CONTACT;
     vec![
-        path.row("Newton on active sets, today", usize::MAX, today),
+        path.row("Newton on active sets (present method)", usize::MAX, today),
         path.row("Jaeger: Gauss-Seidel", sweeps, &GaussSeidel::default()),
         path.row("Gauss-Seidel on discs", sweeps, &DiscGaussSeidel::default()),
         path.row("Johnson", dense, &Johnson::default()),

@@ -1,7 +1,7 @@
-//! The folder that `--keep` names: it belongs to one case, and to one run at a time.
+//! The folder of `--keep`: it belongs to one case, and to one run at a time.
 //!
-//! A manifest says whose it is, and a lock whether a run is at work. What is in it without a manifest is
-//! not touched: the folder is refused.
+//! A manifest names the case, and a lock shows whether a run uses the folder. A folder with files
+//! but without a manifest is rejected unchanged.
 
 use crate::aside::{self, Aside};
 use crate::columns;
@@ -18,25 +18,25 @@ use std::path::{Path, PathBuf};
 
 const MANIFEST: &str = "carom-kept.txt";
 const LOCK: &str = "carom-kept.lock";
-/// The loads of all steps.
+/// The file with the loads of all steps.
 pub(super) const LOADS: &str = "loads.csv";
-/// The manifest's first line.
+/// First line of the manifest.
 const HEAD: &str = "The steps of one run of carom solve: carom alone writes here.\n";
-/// Bytes of a manifest, at most.
-const MOST_OF_MANIFEST: u64 = 4096;
+/// Largest size of a manifest in bytes.
+const MAX_MANIFEST_BYTES: u64 = 4096;
 
-const FOREIGN: &str = "the folder has files, but no manifest of carom: `--keep` takes a folder of its \
-                       own; name another one";
-const EARLIER: &str = "steps of an earlier run are here; add --resume to go on with them, or name \
-                       another folder";
-const OTHER: &str = "the steps here belong to another case, or to another version of carom";
+const FOREIGN: &str = "the folder contains files, but no manifest of carom: `--keep` requires a folder \
+                       of its own; name another one";
+const EARLIER: &str = "the folder contains steps of an earlier run; add --resume to continue them, or \
+                       name another folder";
+const OTHER: &str = "the steps in the folder belong to another case or another version of carom";
 
-/// The name of a step's file.
+/// The file name of a step.
 pub(super) fn step_name(number: usize) -> String {
     format!("step-{number:06}.npz")
 }
 
-/// The number of the step that a file of this name holds.
+/// The step number in a file name.
 fn step_number(name: &OsStr) -> Option<usize> {
     let number = name.to_str()?.strip_prefix("step-")?.strip_suffix(".npz")?.parse().ok()?;
     (*name == *step_name(number)).then_some(number)
@@ -46,22 +46,22 @@ fn step_number(name: &OsStr) -> Option<usize> {
 #[derive(Debug)]
 pub(super) struct Folder {
     path: PathBuf,
-    /// Of the case and all that it reads.
+    /// Fingerprint of the case and of all files it reads.
     fingerprint: u64,
     is_resumed: bool,
 }
 
-/// One that no other run writes to while this lives.
+/// A folder to which no other run writes while this value exists.
 #[derive(Debug)]
 pub(super) struct Owned {
     folder: Folder,
     steps: usize,
-    /// Released by the system when the process ends, however it ends.
+    /// Released by the system when the process ends for any reason.
     _lock: File,
 }
 
 impl Folder {
-    /// The folder for a case of these inputs; with `is_resumed` for going on with its steps.
+    /// The folder for a case of these inputs; with `is_resumed`, to continue its steps.
     pub(super) fn new(path: PathBuf, inputs: &[&[u8]], is_resumed: bool) -> Self {
         Self { path, fingerprint: fingerprint(inputs), is_resumed }
     }
@@ -69,8 +69,8 @@ impl Folder {
     /// The number of steps in the folder, if a run may write to it; nothing is written yet.
     ///
     /// # Errors
-    /// [`CliError::Input`] if it holds something else than steps of the same case, or steps that are not
-    /// to be resumed; [`CliError::Io`] if it cannot be read.
+    /// [`CliError::Input`] if it contains anything but steps of the same case, or steps that are
+    /// not to be resumed; [`CliError::Io`] if it cannot be read.
     pub(super) fn check(&self) -> Result<usize, CliError> {
         let failed = |error| CliError::io("read", &self.path, error);
         let entries = match std::fs::read_dir(&self.path) {
@@ -83,17 +83,17 @@ impl Folder {
         }
         let has = |name: &str| names.iter().any(|own| own == name);
         if !has(MANIFEST) {
-            // A run that died, or is at work, before it wrote the manifest.
+            // Another run ended, or is active, before it wrote the manifest.
             let is_foreign = |name: &&OsString| **name != *LOCK && !aside::is_aside(name);
             return match names.iter().find(is_foreign) {
-                Some(other) => Err(refused(&self.path.join(other), FOREIGN)),
+                Some(other) => Err(input_error(&self.path.join(other), FOREIGN)),
                 None => Ok(0),
             };
         }
         for name in names.iter().filter(|name| is_own(name)) {
             let path = self.path.join(name);
             if !std::fs::symlink_metadata(&path).map_err(failed)?.is_file() {
-                return Err(refused(&path, "this is no file of carom"));
+                return Err(input_error(&path, "this is no file of carom"));
             }
         }
         let mut steps: Vec<usize> = names.iter().filter_map(|name| step_number(name)).collect();
@@ -101,7 +101,7 @@ impl Folder {
         self.check_manifest(steps.len())?;
         if let Some((last, next)) = steps.iter().zip(1..).find(|(step, want)| *step != want) {
             let reason = format!("step {next} is missing before this one");
-            return Err(refused(&self.path.join(step_name(*last)), &reason));
+            return Err(input_error(&self.path.join(step_name(*last)), &reason));
         }
         if has(LOADS) {
             self.check_loads(steps.len())?;
@@ -111,19 +111,20 @@ impl Folder {
 
     fn check_manifest(&self, steps: usize) -> Result<(), CliError> {
         let path = self.path.join(MANIFEST);
-        let text = input::read(&path, MOST_OF_MANIFEST, "a manifest")?;
+        let text = input::read(&path, MAX_MANIFEST_BYTES, "a manifest")?;
         if !text.starts_with(HEAD.as_bytes()) {
-            return Err(refused(&path, "this is no manifest of carom"));
+            return Err(input_error(&path, "this is not a manifest of carom"));
         }
         match self.is_resumed {
             _ if steps == 0 => Ok(()),
-            false => Err(refused(&self.path, EARLIER)),
-            true if text != self.manifest().as_bytes() => Err(refused(&self.path, OTHER)),
+            false => Err(input_error(&self.path, EARLIER)),
+            true if text != self.manifest().as_bytes() => Err(input_error(&self.path, OTHER)),
             true => Ok(()),
         }
     }
 
-    /// Whether the table of loads is one of carom: with its heads, and not before the first step.
+    /// Checks that the table of loads was written by carom: with its heads, and only if there are
+    /// steps.
     fn check_loads(&self, steps: usize) -> Result<(), CliError> {
         let path = self.path.join(LOADS);
         let heads = columns::rows(Format::Csv, &StepSummary::columns(), &[])?;
@@ -133,7 +134,10 @@ impl Folder {
             .read_to_end(&mut found)
             .map_err(|error| CliError::io("read", &path, error))?;
         if steps == 0 || found != heads.as_bytes() {
-            return Err(refused(&path, "this is no table of loads of this run; move it elsewhere"));
+            return Err(input_error(
+                &path,
+                "this is not the table of loads of this run; move it elsewhere",
+            ));
         }
         Ok(())
     }
@@ -142,10 +146,10 @@ impl Folder {
         format!("{HEAD}version {}\ncase {:016x}\n", env!("CARGO_PKG_VERSION"), self.fingerprint)
     }
 
-    /// Makes it what the run owns, and removes what runs that died have left half written.
+    /// Locks the folder, writes the manifest, and removes temporary files of ended runs.
     ///
     /// # Errors
-    /// As [`Folder::check`]; [`CliError::Input`] if another run is at work there, [`CliError::Io`] if it
+    /// As [`Folder::check`]; [`CliError::Input`] if another run uses it, [`CliError::Io`] if it
     /// cannot be written.
     pub(super) fn open(self) -> Result<Owned, CliError> {
         let failed = |error| CliError::io("write", &self.path, error);
@@ -155,10 +159,10 @@ impl Folder {
         let lock = lock.write(true).create(true).truncate(false).open(self.path.join(LOCK));
         let lock = lock.map_err(failed)?;
         lock.try_lock().map_err(|error| match error {
-            TryLockError::WouldBlock => refused(&self.path, "another run keeps its steps here now"),
+            TryLockError::WouldBlock => input_error(&self.path, "another run is using this folder"),
             TryLockError::Error(error) => failed(error),
         })?;
-        // Another run may have come and gone in the meantime.
+        // Another run may have used it in the meantime.
         let steps = self.check()?;
         aside::clear_in(&self.path, is_own);
         if steps == 0 {
@@ -170,25 +174,25 @@ impl Folder {
 }
 
 impl Owned {
-    /// Steps that were there when it was opened.
+    /// Number of steps when it was opened.
     pub(super) const fn steps(&self) -> usize {
         self.steps
     }
 
-    /// Of the case and all that it reads.
+    /// Fingerprint of the case and of all files it reads.
     pub(super) const fn fingerprint(&self) -> u64 {
         self.folder.fingerprint
     }
 
-    /// Reads one of its files.
+    /// Reads one of its files, of at most `most` bytes.
     ///
     /// # Errors
-    /// If it cannot be read, is none of `most` bytes at most, or not there.
+    /// If it cannot be read, is larger or does not exist.
     pub(super) fn read(&self, name: &str, most: u64) -> Result<Vec<u8>, CliError> {
         Ok(input::read(&self.folder.path.join(name), most, "a step")?)
     }
 
-    /// Writes one of its files: whole, or not at all.
+    /// Writes one of its files, completely or not at all.
     ///
     /// # Errors
     /// [`CliError::Io`].
@@ -196,22 +200,22 @@ impl Owned {
         Aside::write(&Place::owned(&self.folder.path, name), bytes)?.put_in_place()
     }
 
-    /// What is wrong with one of its files.
-    pub(super) fn refused(&self, name: &str, reason: &str) -> CliError {
-        refused(&self.folder.path.join(name), reason)
+    /// The error of one of its files.
+    pub(super) fn input_error(&self, name: &str, reason: &str) -> CliError {
+        input_error(&self.folder.path.join(name), reason)
     }
 }
 
-/// Whether files of this name are written here.
+/// Whether a file of this name belongs to the folder.
 fn is_own(name: &OsStr) -> bool {
     [MANIFEST, LOCK, LOADS].iter().any(|own| *name == **own) || step_number(name).is_some()
 }
 
-fn refused(path: &Path, reason: &str) -> CliError {
+fn input_error(path: &Path, reason: &str) -> CliError {
     Error::Input { path: path.to_owned(), reason: reason.to_owned() }.into()
 }
 
-/// FNV-1a, 64 bits, of all inputs with their lengths and of the program's version.
+/// FNV-1a, 64 bits, of all inputs with their lengths and of the version of the program.
 fn fingerprint(inputs: &[&[u8]]) -> u64 {
     let version = env!("CARGO_PKG_VERSION").as_bytes();
     let mut sum = 0xcbf2_9ce4_8422_2325_u64;

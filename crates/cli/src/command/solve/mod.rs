@@ -22,42 +22,42 @@ use store::Store;
 
 /// A contact with friction on a grid: any gap, any materials, any history.
 ///
-/// The file is TOML in SI units, others as texts such as "2.5 mm"; see examples/solve_*.toml. Each
-/// [[step]] goes to a shift or a load for each of the four motions (zeta or F_z, xi or F_x, eta or
-/// F_y, omega or M_z) in `count` equal parts; what it does not name stays as it was. Body 2 is
-/// shifted against body 1; loads act on body 1. The picture shows loads, stick and slip, stresses and
-/// energies of the last step.
+/// The file is TOML. Numbers are in SI units; other units are given as texts such as "2.5 mm"; see
+/// examples/solve_*.toml. Each [[step]] prescribes a shift or a load for each of the four motions
+/// (zeta or F_z, xi or F_x, eta or F_y, omega or M_z), reached in `count` equal parts; a motion
+/// that is not named keeps its value. Body 2 is shifted against body 1; loads act on body 1. The
+/// picture shows loads, stick and slip, stresses and energies of the last step.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = help())]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
-    /// Keep each step in this folder as soon as it is done: loads.csv, and the fields as NumPy
-    /// archives step-000001.npz, ... The folder is new or empty, or one that was kept before, and no
-    /// other run keeps its steps there at the same time.
+    /// Save each step in this folder when it is complete: loads.csv, and the fields as NumPy
+    /// archives step-000001.npz, ... The folder must be new, empty or from an earlier run, and no
+    /// other run may use it at the same time.
     #[arg(long, value_name = "FOLDER")]
     keep: Option<PathBuf>,
-    /// Choose window and cells for this accuracy, whatever the case says: estimated errors of loads
-    /// and shifts are at most this part of the greatest ones.
+    /// Choose window and cells for this accuracy instead of those of the case: estimated errors of
+    /// loads and shifts are at most this share of the largest ones.
     #[arg(long, value_name = "ACCURACY")]
     accuracy: Option<f64>,
-    /// Go on from the steps that are in the folder: the same bits as if it had never stopped.
+    /// Continue from the steps in the folder. Results are the same bits as without interruption.
     #[arg(long, requires = "keep")]
     resume: bool,
-    /// Give the stress in both bodies at the end too, at this many depths below the greatest
-    /// pressure.
+    /// Also give the stress in both bodies after the last step, at this number of depths below the
+    /// maximum pressure.
     #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u32).range(2..=100_000))]
     depths: Option<u32>,
 }
 
-/// What the rows hold.
+/// Help on the columns of the rows.
 fn help() -> String {
     let steps = columns::help("A row for each step", &StepSummary::columns());
     let depths = columns::help("With --depths as CSV, a row for each depth", below::COLUMNS);
     format!("{steps}\n{depths}")
 }
 
-/// Steps, and stresses below the last one, as they stand in JSON.
+/// Steps, and stresses below the last one, in JSON.
 #[derive(Serialize)]
 struct Both<'a> {
     steps: Vec<Record<'a, StepSummary>>,
@@ -110,7 +110,11 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     };
     let mut warnings = Vec::new();
     if followed.found > 0 {
-        warnings.push(format!("{} of {} steps were there already", followed.found, steps.len()));
+        warnings.push(format!(
+            "{} of {} steps were already in the folder",
+            followed.found,
+            steps.len()
+        ));
     }
     warnings.extend(few_cells(&followed));
     warnings.extend(unreached(&case, steps));
@@ -121,7 +125,7 @@ pub(super) fn run(arguments: &Arguments, messages: &Messages) -> Result<Answer, 
     Ok(Answer { text, warnings, picture, ..Answer::default() })
 }
 
-/// Goes on from what was found to the last step; each step is kept when it is done.
+/// Continues from the saved steps to the last one; each step is saved when it is complete.
 fn follow(
     run: Run<'_>,
     found: Found,
@@ -142,7 +146,7 @@ fn follow(
     Ok(followed)
 }
 
-/// A warning if few cells lie across the contact.
+/// A warning if the contact is only a few cells wide.
 fn few_cells(followed: &Followed) -> Option<String> {
     let across = followed.state.warnings().into_iter().find_map(|warning| match warning {
         GridWarning::FewCells { across } => Some(across),
@@ -151,19 +155,22 @@ fn few_cells(followed: &Followed) -> Option<String> {
     let last = followed.steps.last()?;
     let error = last.estimates.map(|all| Estimates::worst(&[all]));
     let error = error.map_or_else(
-        || "there is no estimate of the error".to_owned(),
-        |error| format!("loads and shifts may be off by {:.1} %", 100.0 * error),
+        || "no error estimate is available".to_owned(),
+        |error| format!("the estimated error of loads and shifts is {:.1} %", 100.0 * error),
     );
-    Some(format!("only {across} cells lie across the contact: {error}"))
+    Some(format!("the contact is only {across} cells wide: {error}"))
 }
 
-/// A warning if steps between the ends of the legs, or from one to the next, have greater errors than
-/// was asked for.
+/// A warning if steps within the legs, or increments between steps, have larger errors than
+/// requested.
 fn unreached(case: &SolveCase, steps: &[StepSummary]) -> Option<String> {
     let GridCase::Accuracy(accuracy) = case.grid else { return None };
     let all: Option<Vec<Estimates>> = steps.iter().map(|step| step.estimates).collect();
     let reached = all.map_or(f64::INFINITY, |all| Estimates::worst(&all));
     (reached > accuracy).then(|| {
-        format!("estimated errors reach {reached:.1e} on the way, above {accuracy}; ask for more")
+        format!(
+            "estimated errors reach {reached:.1e} within the history, above {accuracy}; request a \
+             higher accuracy"
+        )
     })
 }

@@ -8,8 +8,8 @@ use carom_cases::solve::Followed;
 use carom_plot::{Arrow, Axis, Field, Marker, Panel, Point, Series};
 use carom_solver::{CellState, ContactState, Contour, StepSummary};
 
-/// Arrows along an axis, at most.
-const MOST_ARROWS: usize = 40;
+/// Largest number of arrows along an axis.
+const MAX_ARROWS: usize = 40;
 
 pub(super) fn draw(followed: &Followed, case: &SolveCase) -> Result<Picture, CliError> {
     let steps = followed.steps.as_slice();
@@ -108,13 +108,13 @@ pub(in crate::command) fn pressures(
     Ok(panel)
 }
 
-/// Tractions as arrows over the outlines of contact and stick area.
+/// Tractions as arrows, with the outlines of contact and stick area.
 pub(in crate::command) fn stick_and_slip(state: &ContactState, middle: [f64; 2]) -> Panel {
     let mut panel = axes("tractions on body 1, outlines smoothed");
     outlines(&mut panel, &state.contact_outlines(), middle, "contact", 0);
     outlines(&mut panel, &state.stick_outlines(), middle, "stick", 1);
     let grid = state.pressure.grid();
-    let stride = grid.nx().max(grid.ny()).div_ceil(MOST_ARROWS);
+    let stride = grid.nx().max(grid.ny()).div_ceil(MAX_ARROWS);
     let (x, y) = (state.traction_x.values(), state.traction_y.values());
     let longest = x.iter().zip(y).map(|(x, y)| libm::hypot(*x, *y)).fold(0.0, f64::max);
     let scale = 2.0 * stride as f64 * grid.dx().max(grid.dy()) / longest;
@@ -136,7 +136,7 @@ pub(in crate::command) fn stick_and_slip(state: &ContactState, middle: [f64; 2])
     panel
 }
 
-/// Cells in contact by what they do: distance from the middle, size and angle of the traction.
+/// Cells in contact with this state: distance from the middle, size and angle of the traction.
 fn scatter(state: &ContactState, cell: CellState) -> impl Iterator<Item = [f64; 3]> + '_ {
     let cells = state.pressure.grid().centres().enumerate();
     cells.filter(move |(i, _)| state.cells.values()[*i] == cell).map(|(i, (x, y))| {

@@ -1,5 +1,5 @@
-//! A folder with the history so far: `loads.csv`, and each step's fields as `step-000001.npz`, from
-//! which the run goes on bit for bit.
+//! A folder with the history so far: `loads.csv`, and the fields of each step as `step-000001.npz`,
+//! from which a run continues bit for bit.
 
 use super::kept::{LOADS, Owned, step_name};
 use crate::columns;
@@ -11,24 +11,25 @@ use carom_halfspace::{Field, Grid};
 use carom_laws::law::Shift;
 use carom_solver::{CellState, ContactState, NestedHistory, StepSummary, Window};
 use std::collections::BTreeMap;
+use std::path::Path;
 
-/// Where the steps go.
+/// Storage of the steps.
 #[derive(Debug)]
 pub(super) struct Store(Owned);
 
-/// What the arrays of coarser grids begin with.
+/// Prefixes of the arrays of coarser grids.
 const COARSE: [&str; 2] = ["coarse_", "coarsest_"];
 
 impl Store {
-    /// In this folder.
+    /// Storage in this folder.
     pub(super) const fn new(folder: Owned) -> Self {
         Self(folder)
     }
 
-    /// The steps that are there, on this grid.
+    /// The stored steps, on this grid.
     ///
     /// # Errors
-    /// If one cannot be read, is damaged or of another case.
+    /// If one cannot be read, is damaged or belongs to another case.
     pub(super) fn find(&self, grid: Grid) -> Result<Found, CliError> {
         let mut found = Found::default();
         let below = |grid: Option<Grid>| grid.and_then(|grid| grid.coarser().ok());
@@ -36,12 +37,12 @@ impl Store {
         for number in 1..=self.0.steps() {
             let name = step_name(number);
             let arrays = npz::decode(&self.0.read(&name, most_bytes(grid))?)
-                .ok_or_else(|| self.0.refused(&name, DAMAGED))?;
+                .ok_or_else(|| self.0.input_error(&name, DAMAGED))?;
             if arrays.get("case") != Some(&self.stamp()) {
-                return Err(self.0.refused(&name, "this step belongs to another case"));
+                return Err(self.0.input_error(&name, "this step belongs to another case"));
             }
             let read = || Some((read_numbers(&arrays)?, read_state(&arrays, "", grid)?));
-            let (step, state) = read().ok_or_else(|| self.0.refused(&name, DAMAGED))?;
+            let (step, state) = read().ok_or_else(|| self.0.input_error(&name, DAMAGED))?;
             found.steps.push(step);
             let coarse = std::array::from_fn(|i| read_state(&arrays, COARSE[i], coarse[i]?));
             found.saved = Some(Saved { state, coarse });
@@ -49,7 +50,7 @@ impl Store {
         Ok(found)
     }
 
-    /// Keeps the last step and its state: whole, or not at all.
+    /// Saves the last step and its state, completely or not at all.
     ///
     /// # Errors
     /// [`CliError::Io`]; earlier steps stay as they are.
@@ -60,7 +61,10 @@ impl Store {
         window: &Window,
     ) -> Result<(), CliError> {
         let Some(last) = steps.last() else { return Ok(()) };
-        self.0.write(&step_name(steps.len()), &npz::encode(&self.arrays(last, history, window)))?;
+        let name = step_name(steps.len());
+        let archive = npz::encode(&self.arrays(last, history, window))
+            .map_err(|source| CliError::io("write", Path::new(&name), source))?;
+        self.0.write(&name, &archive)?;
         let text = columns::rows(Format::Csv, &StepSummary::columns(), steps)?;
         self.0.write(LOADS, text.as_bytes())
     }
@@ -98,9 +102,10 @@ impl Store {
     }
 }
 
-const DAMAGED: &str = "this is no step of carom, or damaged";
+const DAMAGED: &str = "this is not a step of carom, or it is damaged";
 
-/// More than the bytes of a step on this grid and two coarser ones: 41 a cell, and the heads.
+/// Upper bound of the size in bytes of a step on this grid and two coarser ones: 41 per cell, and
+/// headers.
 fn most_bytes(grid: Grid) -> u64 {
     (1 << 20) + 128 * grid.cells() as u64
 }
@@ -110,7 +115,7 @@ fn read_numbers(arrays: &BTreeMap<String, Array>) -> Option<StepSummary> {
     Some(StepSummary::from_numbers(numbers.as_slice().try_into().ok()?))
 }
 
-/// The fields of a state under their names with a prefix.
+/// Adds the fields of a state under their names with a prefix.
 fn add_state(arrays: &mut BTreeMap<String, Array>, prefix: &str, state: &ContactState) {
     let grid = state.pressure.grid();
     let shape = vec![grid.ny(), grid.nx()];

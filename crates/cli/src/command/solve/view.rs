@@ -3,7 +3,7 @@
 use carom_solver::StepSummary;
 use carom_table::Column;
 
-/// Those of a table to read.
+/// The columns of a table to read.
 pub(super) fn readable() -> &'static [Column<StepSummary>] {
     &StepSummary::COLUMNS[..14]
 }
@@ -11,7 +11,7 @@ pub(super) fn readable() -> &'static [Column<StepSummary>] {
 /// The estimated errors of the last step, in a line to read.
 pub(super) fn errors(steps: &[StepSummary]) -> String {
     let Some(all) = steps.last().and_then(|step| step.estimates) else { return String::new() };
-    let told = [
+    let errors = [
         ("zeta", all.zeta, "m"),
         ("xi", all.xi, "m"),
         ("eta", all.eta, "m"),
@@ -23,11 +23,11 @@ pub(super) fn errors(steps: &[StepSummary]) -> String {
         ("p_max", all.peak, "Pa"),
         ("stick_area", all.stick_area, "m2"),
     ];
-    let told = told.iter().filter(|(_, one, _)| one.error > 1e-12 * one.value.abs());
-    let told: Vec<_> =
-        told.map(|(name, one, unit)| format!("{name} {:.1e} {unit}", one.error)).collect();
-    if told.is_empty() {
+    let errors = errors.iter().filter(|(_, one, _)| one.error > 1e-12 * one.value.abs());
+    let errors: Vec<_> =
+        errors.map(|(name, one, unit)| format!("{name} {:.1e} {unit}", one.error)).collect();
+    if errors.is_empty() {
         return String::new();
     }
-    format!("errors of the last step by the mesh, estimated: {}\n", told.join(", "))
+    format!("estimated discretisation errors of the last step: {}\n", errors.join(", "))
 }

@@ -1,4 +1,4 @@
-//! The stresses at every point as a file for other programs: arrays of NumPy, or a grid of VTK.
+//! The stresses at all points as a file for other programs: NumPy arrays or a VTK grid.
 
 use super::StressPoint;
 use crate::command::npz::{self, Array};
@@ -21,14 +21,15 @@ enum Kind {
 }
 
 impl FieldFile {
-    /// That which `--field` names; nothing is written yet.
+    /// The file of `--field`; nothing is written yet.
     ///
     /// # Errors
     /// [`CliError::Destination`] unless its name ends in `.npz` or `.vtk` and it may be written.
     pub(super) fn new(path: &Path, outputs: &mut Outputs) -> Result<Self, CliError> {
         const OPTION: &str = "field";
-        let is =
-            |ending: &str| path.extension().is_some_and(|own| own.eq_ignore_ascii_case(ending));
+        let is = |ending: &str| {
+            path.extension().is_some_and(|extension| extension.eq_ignore_ascii_case(ending))
+        };
         let kind = match () {
             () if is("npz") => Kind::Npz,
             () if is("vtk") => Kind::Vtk,
@@ -44,13 +45,21 @@ impl FieldFile {
         Ok(Self { place: outputs.file(OPTION, path)?, kind })
     }
 
-    /// Its place, and what goes there.
-    pub(super) fn encoded(self, case: &StressCase, points: &[StressPoint]) -> (Place, Vec<u8>) {
+    /// Its place and its content.
+    ///
+    /// # Errors
+    /// [`CliError::Case`] with the error of the archive.
+    pub(super) fn encoded(
+        self,
+        case: &StressCase,
+        points: &[StressPoint],
+    ) -> Result<(Place, Vec<u8>), CliError> {
         let bytes = match self.kind {
-            Kind::Npz => npz::encode(&arrays(case, points)),
+            Kind::Npz => npz::encode(&arrays(case, points))
+                .map_err(|source| CliError::io("write", self.place.path(), source))?,
             Kind::Vtk => grid(case, points),
         };
-        (self.place, bytes)
+        Ok((self.place, bytes))
     }
 }
 
@@ -61,7 +70,7 @@ fn number(column: &Column<StressPoint>, point: &StressPoint) -> f64 {
     }
 }
 
-/// x, y and depth, and each column over depth, y and x.
+/// x, y and depth, and each column as an array over depth, y and x.
 fn arrays(case: &StressCase, points: &[StressPoint]) -> BTreeMap<String, Array> {
     let (axes, stresses) = StressPoint::COLUMNS.split_at(3);
     let shape: Vec<usize> = case.places.iter().rev().map(Vec::len).collect();
@@ -75,8 +84,7 @@ fn arrays(case: &StressCase, points: &[StressPoint]) -> BTreeMap<String, Array> 
     along.chain(over).collect()
 }
 
-/// A structured grid in VTK's legacy form, numbers with the high byte first. z is that of space: body 2
-/// lies below.
+/// A structured grid in VTK's legacy format, big-endian. z points into body 1: body 2 lies below.
 fn grid(case: &StressCase, points: &[StressPoint]) -> Vec<u8> {
     let (body, side) = if case.is_in_body_1 { ("body 1", 1.0) } else { ("body 2", -1.0) };
     let [nx, ny, nz] = case.places.each_ref().map(Vec::len);

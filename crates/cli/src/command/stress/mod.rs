@@ -22,21 +22,22 @@ use std::path::PathBuf;
 
 use field::FieldFile;
 
-/// Stresses below a contact, pressed by Hertz's theory and pushed by Cattaneo and Mindlin's.
+/// Stresses below a contact with normal force (Hertz) and tangential force (Cattaneo and Mindlin).
 ///
-/// The file is TOML in SI units, others as texts such as "2.5 mm"; see examples/stress_*.toml. x is the
-/// direction of the larger relative curvature, so that a <= b. The force along the surface grew after
-/// the normal one: an outer ring of the ellipse slips, all of it at the limit. Stresses are exact for
-/// these tractions. The table tells of the point of the greatest equivalent stress; CSV and JSON give
-/// every point. The picture shows the equivalent stress over a plane, or all stresses along a line.
+/// The file is TOML. Numbers are in SI units; other units are given as texts such as "2.5 mm"; see
+/// examples/stress_*.toml. x is the direction of the larger relative curvature, so that a <= b. The
+/// tangential force was applied after the normal force: an outer annulus of the ellipse slips, all
+/// of it at the limit. Stresses are exact for these tractions. The table gives the point of maximum
+/// equivalent stress; CSV and JSON give every point. The picture shows the equivalent stress in a
+/// plane, or all stresses along a line.
 #[derive(Debug, clap::Args)]
 #[command(after_long_help = columns::help("A row for each point", StressPoint::COLUMNS))]
 pub(super) struct Arguments {
     #[command(flatten)]
     given: CaseArguments,
 
-    /// Write the stresses at all points into this file: arrays for NumPy over depth, y and x, named as the
-    /// columns below, if it ends in .npz, a grid for ParaView and its like if it ends in .vtk.
+    /// Write the stresses at all points to this file: as NumPy arrays over depth, y and x, with the
+    /// names of the columns below, if it ends in .npz; as a grid for ParaView if it ends in .vtk.
     #[arg(long, value_name = "FILE")]
     field: Option<PathBuf>,
 }
@@ -109,7 +110,7 @@ pub(super) fn run(arguments: &Arguments) -> Result<Answer, CliError> {
         None => None,
     };
     let excess = Excess::of_contact(state.approach, smallest_radius(&case.hertz));
-    let file = to.map(|to| to.encoded(&case, &points));
+    let file = to.map(|to| to.encoded(&case, &points)).transpose()?;
     let answer = Answer { text, picture, file, ..Answer::default() };
     Ok(answer.cautioned(caution(&[excess], "loads"), format))
 }

@@ -103,3 +103,22 @@ fn size_does_not_matter() {
     });
     assert!(off < 1e-10, "{off:e}");
 }
+
+/// An exchange of the bodies turns the axes half about x, and reverses shift and force: the same bits.
+#[test]
+fn exchanged_bodies_have_the_same_bits() {
+    let hertz = |poisson| super::common::hertz([2.0, 2.0], poisson);
+    let mut one = law::<6, 8>(&hertz([0.0, 0.5]), 0.3, 1e-2);
+    let mut other = law::<6, 8>(&hertz([0.5, 0.0]), 0.3, 1e-2);
+    for at in Random(21).path(6, 10, [0.4, 0.4]) {
+        let load = one.advance(at).unwrap();
+        let exchanged = other.advance(Shift { xi: -at.xi, ..at }).unwrap();
+        assert_eq!((load.f_x, load.f_y), (-exchanged.f_x, exchanged.f_y));
+        assert_eq!((load.f_z, load.m_z), (exchanged.f_z, exchanged.m_z));
+        for angle in 0..8 {
+            let [radial, around] = one.traction(3, angle).unwrap();
+            let opposite = other.traction(3, (8 - angle) % 8).unwrap();
+            assert_eq!(opposite, [-radial, around]);
+        }
+    }
+}

@@ -1,16 +1,16 @@
-//! Where the normal motion stands, by a coordinate in which it is analytic from touch to
+//! Position of the normal motion, by a coordinate in which it is analytic from first contact to
 //! separation.
 //!
-//! `tau` runs from 1 (touch) over 0 (maximal compression) to -1 (separation):
-//! contact radius `a = (1 - tau^2)/(1 + tau^2)`, normal velocity `w = tau omega(a)` with
-//! `omega^2 = (1 - a^5)/tau^2 = (1 + a)(1 + a + a^2 + a^3 + a^4)`. Neither the root of the
-//! compression at touch nor that of the velocity at its maximum remains.
+//! `tau` runs from 1 (first contact) through 0 (maximum compression) to -1 (separation): contact
+//! radius `a = (1 - tau^2)/(1 + tau^2)`, normal velocity `w = tau omega(a)` with
+//! `omega^2 = (1 - a^5)/tau^2 = (1 + a)(1 + a + a^2 + a^3 + a^4)`. In this coordinate neither the
+//! root of the compression at first contact nor that of the velocity at its maximum appears.
 
 use crate::normal;
 
 /// One position of the normal motion.
 #[derive(Debug, Clone, Copy, PartialEq)]
-pub(super) struct Place {
+pub(super) struct Position {
     pub(super) tau: f64,
     /// Contact radius over its maximum.
     pub(super) radius: f64,
@@ -19,7 +19,7 @@ pub(super) struct Place {
     pub(super) w: f64,
 }
 
-impl Place {
+impl Position {
     pub(super) const TOUCH: Self = Self { tau: 1.0, radius: 0.0, omega: 1.0, w: 1.0 };
     pub(super) const MAXIMUM: Self =
         Self { tau: 0.0, radius: 1.0, omega: 3.162_277_660_168_379_5, w: 0.0 };
@@ -63,7 +63,7 @@ fn omega(radius: f64) -> f64 {
     ((1.0 + radius) * ((1.0 + radius) + squared * (1.0 + radius + squared))).sqrt()
 }
 
-/// How two places differ, without cancellation where they have nearly the same radius.
+/// Differences of two positions, without cancellation if their radii are nearly equal.
 #[derive(Debug, Clone, Copy)]
 pub(super) struct Difference {
     /// (a^n - a'^n)/(a - a') for n = 2, 3, 5.
@@ -76,7 +76,7 @@ pub(super) struct Difference {
 
 impl Difference {
     #[inline(always)]
-    pub(super) fn new(one: &Place, two: &Place) -> Self {
+    pub(super) fn new(one: &Position, two: &Position) -> Self {
         let (a, b) = (one.radius, two.radius);
         let (squares, product) = (a * a + b * b, a * b);
         let linear = a + b;
@@ -95,22 +95,24 @@ mod tests {
     #[test]
     fn places_are_consistent() {
         for i in 0..=40 {
-            let place = Place::at(1.0 - 0.05 * f64::from(i));
-            let again = Place::of_velocity(place.w);
-            assert!((place.radius - again.radius).abs() < 1e-3 * (1.0 - place.w.abs()) + 4e-4);
-            assert!((place.w * place.w + place.radius.powi(5) - 1.0).abs() < 5e-16);
-            if place.radius > 0.1 {
-                assert!((place.tau - again.tau).abs() < 1e-12);
+            let position = Position::at(1.0 - 0.05 * f64::from(i));
+            let again = Position::of_velocity(position.w);
+            assert!(
+                (position.radius - again.radius).abs() < 1e-3 * (1.0 - position.w.abs()) + 4e-4
+            );
+            assert!((position.w * position.w + position.radius.powi(5) - 1.0).abs() < 5e-16);
+            if position.radius > 0.1 {
+                assert!((position.tau - again.tau).abs() < 1e-12);
             }
         }
-        assert_eq!(Place::at(1.0), Place::TOUCH);
-        assert_eq!(Place::at(0.0), Place::MAXIMUM);
-        assert_eq!(Place::at(-1.0), Place::SEPARATION);
+        assert_eq!(Position::at(1.0), Position::TOUCH);
+        assert_eq!(Position::at(0.0), Position::MAXIMUM);
+        assert_eq!(Position::at(-1.0), Position::SEPARATION);
     }
 
     #[test]
     fn divided_differences() {
-        let (one, two) = (Place::at(-0.4), Place::at(0.7));
+        let (one, two) = (Position::at(-0.4), Position::at(0.7));
         let difference = Difference::new(&one, &two);
         let gap = one.radius - two.radius;
         assert!((difference.omega * gap - (one.omega - two.omega)).abs() < 4e-15);

@@ -12,9 +12,9 @@ use crate::coulomb::{CoulombMemory, Tolerance};
 use crate::friction::Friction;
 use crate::law::{Checked, ContactLaw, ContactLoad, Dissipative, ImpactLaw, Shift};
 use crate::memory::{
-    AdhesionMemory, Growing, Lateral, Memory, MemoryRegime as Regime, Tangent, Turn, VertexStack,
+    AdhesionMemory, Growing, Lateral, Memory, MemoryRegime as Regime, Nodes, Tangent, Turn,
+    VertexStack,
 };
-use crate::profile::{Hertzian, NormalProfile};
 use crate::stiffness::ContactStiffness;
 use crate::turning_law::TurningLaw;
 
@@ -33,7 +33,7 @@ use crate::turning_law::TurningLaw;
 /// direction changes may then return some heat.
 ///
 /// With a [`crate::memory::Fixed`] stack the law is plain data and `Copy`: with 16 vertices it
-/// takes 936 bytes in one direction and 1472 in two.
+/// takes 936 bytes in one direction and 1432 in two.
 ///
 /// ```
 /// use carom_laws::friction::Friction;
@@ -47,8 +47,8 @@ use crate::turning_law::TurningLaw;
 /// assert!((load.f_x - 0.3 * load.f_z).abs() < 1e-15); // gross sliding
 /// # Ok::<(), carom_special::RangeError>(())
 /// ```
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct ShiftLaw<V, S = Growing<V>> {
+#[derive(Debug, Clone, PartialEq)]
+pub struct ShiftLaw<V: Lateral, S: VertexStack<V> = Growing<V>> {
     stiffness: ContactStiffness,
     scale: Scale<V>,
     state: State<V, S>,
@@ -68,18 +68,34 @@ struct Scale<V> {
 
 /// The offset of its tag is known, so that bytes from outside can be checked before they are used
 /// as a law.
-#[derive(Debug, Clone, Copy, PartialEq)]
+#[derive(Debug, Clone, PartialEq)]
 #[repr(C, u8)]
-enum State<V, S> {
+enum State<V: Lateral, S: VertexStack<V>> {
     /// No friction: no tangential load.
     Frictionless = tags::FRICTIONLESS,
     /// Coulomb friction with one direction of traction in a slip annulus.
     FixedDirection(Memory<V, S>) = tags::FIXED_DIRECTION,
     /// Coulomb friction in two directions, annulus by annulus.
-    Coulomb(CoulombMemory<V, S>) = tags::COULOMB,
+    Coulomb(CoulombMemory<V, S::Curve>) = tags::COULOMB,
     /// Infinite friction.
     Adhesion(AdhesionMemory<V, S>) = tags::ADHESION,
 }
+
+/// The one place that tells the memories apart: what `$then` makes of the memory, or `$none` without friction.
+macro_rules! with_memory {
+    ($state:expr, $memory:ident => $then:expr, else $none:expr) => {
+        match $state {
+            State::Frictionless => $none,
+            State::FixedDirection($memory) => $then,
+            State::Coulomb($memory) => $then,
+            State::Adhesion($memory) => $then,
+        }
+    };
+}
+use with_memory;
+
+impl<V: Lateral, S: VertexStack<V> + Copy> Copy for ShiftLaw<V, S> where S::Curve: Copy {}
+impl<V: Lateral, S: VertexStack<V> + Copy> Copy for State<V, S> where S::Curve: Copy {}
 
 impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// A law in its initial state: bodies at first contact, without shift.
@@ -150,7 +166,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
 
     /// The Coulomb memory in two directions, if friction is neither zero nor infinite.
     #[must_use]
-    pub fn coulomb(&self) -> Option<&CoulombMemory<V, S>> {
+    pub fn coulomb(&self) -> Option<&CoulombMemory<V, S::Curve>> {
         match &self.state {
             State::Coulomb(memory) => Some(memory),
             _ => None,
@@ -182,10 +198,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     pub fn regime(&self) -> Regime {
         match &self.state {
             _ if self.shift.zeta <= 0.0 => Regime::Separated,
-            State::Frictionless => Regime::Sliding,
-            State::Adhesion(_) => Regime::Adhesion,
-            State::FixedDirection(memory) => memory.regime(),
-            State::Coulomb(memory) => memory.regime(),
+            state => with_memory!(state, memory => memory.regime(), else Regime::Sliding),
         }
     }
 
@@ -194,10 +207,7 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     pub fn stick_depth(&self) -> f64 {
         match &self.state {
             _ if self.shift.zeta <= 0.0 => 0.0,
-            State::Frictionless => 0.0,
-            State::Adhesion(_) => 1.0,
-            State::FixedDirection(memory) => memory.stick_depth() / memory.zeta(),
-            State::Coulomb(memory) => memory.sticking(),
+            state => with_memory!(state, memory => memory.stick_fraction(), else 0.0),
         }
     }
 
@@ -205,17 +215,9 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     /// to (xi, eta, zeta) (columns).
     #[must_use]
     pub fn tangent(&self) -> [[f64; 3]; 3] {
-        let zeta = self.shift.zeta.max(0.0);
-        let normal = self.stiffness.c_z * zeta.sqrt();
-        let tangent = match &self.state {
-            State::Frictionless => Tangent { by_shift: [[0.0; 2]; 2], by_approach: [0.0; 2] },
-            State::FixedDirection(memory) => memory.tangent(),
-            State::Coulomb(memory) => memory.tangent(),
-            State::Adhesion(_) => {
-                let k = Hertzian.stiffness(zeta);
-                Tangent { by_shift: [[k, 0.0], [0.0, k]], by_approach: [0.0; 2] }
-            }
-        };
+        let normal = self.stiffness.c_z * self.shift.zeta.max(0.0).sqrt();
+        let none = Tangent { by_shift: [[0.0; 2]; 2], by_approach: [0.0; 2] };
+        let tangent = with_memory!(&self.state, memory => memory.tangent(), else none);
         let by = self.scale.shift.components();
         let row = |i: usize| {
             let [x, y] = tangent.by_shift[i];
@@ -267,32 +269,16 @@ impl<V: Lateral, S: VertexStack<V>> ShiftLaw<V, S> {
     #[inline(always)]
     pub(crate) fn go(&mut self, shift: Shift, to: V) -> [f64; 2] {
         self.shift = shift;
-        let phi = match &mut self.state {
-            State::Frictionless => V::default(),
-            State::FixedDirection(memory) => {
-                memory.step(shift.zeta, to);
-                memory.force()
-            }
-            State::Coulomb(memory) => {
-                memory.step(shift.zeta, to);
-                memory.force()
-            }
-            State::Adhesion(memory) => {
-                memory.step(shift.zeta, to);
-                memory.force()
-            }
-        };
+        let phi = with_memory!(&mut self.state, memory => {
+            memory.step(shift.zeta, to);
+            memory.force()
+        }, else V::default());
         phi.times(self.scale.force).components()
     }
 
     #[inline]
     fn force(&self) -> [f64; 2] {
-        let phi = match &self.state {
-            State::Frictionless => V::default(),
-            State::FixedDirection(memory) => memory.force(),
-            State::Coulomb(memory) => memory.force(),
-            State::Adhesion(memory) => memory.force(),
-        };
+        let phi = with_memory!(&self.state, memory => memory.force(), else V::default());
         phi.times(self.scale.force).components()
     }
 }
@@ -327,12 +313,8 @@ impl<V: Lateral, S: VertexStack<V>> Checked for ShiftLaw<V, S> {
 
 impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
     fn stored_energy(&self) -> f64 {
-        let tangential = match &self.state {
-            State::Frictionless => V::default(),
-            State::FixedDirection(memory) => memory.stored_energy(),
-            State::Coulomb(memory) => memory.stored_energy(),
-            State::Adhesion(memory) => memory.stored_energy(),
-        };
+        let tangential =
+            with_memory!(&self.state, memory => memory.stored_energy(), else V::default());
         let zeta = self.shift.zeta.max(0.0);
         let normal = 4.0 / 15.0 * self.stiffness.c_z * (zeta * zeta * zeta.sqrt());
         normal + tangential.dot(self.scale_of_energies())
@@ -340,12 +322,8 @@ impl<V: Lateral, S: VertexStack<V>> Dissipative for ShiftLaw<V, S> {
 
     fn dissipation(&self, to: Shift) -> f64 {
         let unit = self.scale_of_energies();
-        match (self.reachable(to), &self.state) {
-            (Err(_), _) | (_, State::Frictionless) => 0.0,
-            (Ok(x), State::FixedDirection(memory)) => memory.heat(to.zeta, x, unit),
-            (Ok(x), State::Coulomb(memory)) => memory.heat(to.zeta, x, unit),
-            (Ok(x), State::Adhesion(memory)) => memory.dissipation(to.zeta, x).dot(unit),
-        }
+        let Ok(x) = self.reachable(to) else { return 0.0 };
+        with_memory!(&self.state, memory => memory.heat(to.zeta, x, unit), else 0.0)
     }
 }
 
@@ -360,21 +338,10 @@ impl<S: VertexStack<[f64; 2]>> ShiftLaw<[f64; 2], S> {
         let [xi, eta] = Turn::by(angle).of([self.shift.xi, self.shift.eta]);
         self.shift = Shift { xi, eta, ..self.shift };
         let to = self.normalised(self.shift);
-        match &mut self.state {
-            State::Frictionless => {}
-            State::FixedDirection(memory) => {
-                memory.turn_frame(angle);
-                memory.translate(to.minus(memory.shift()));
-            }
-            State::Coulomb(memory) => {
-                memory.turn_frame(angle);
-                memory.translate(to.minus(memory.shift()));
-            }
-            State::Adhesion(memory) => {
-                memory.turn_frame(angle);
-                memory.translate(to.minus(memory.shift()));
-            }
-        }
+        with_memory!(&mut self.state, memory => {
+            memory.turn_frame(angle);
+            memory.translate(to.minus(memory.shift()));
+        }, else ());
     }
 }
 

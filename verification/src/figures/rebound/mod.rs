@@ -5,11 +5,14 @@ use crate::catalogue::Entry;
 mod angles;
 mod play;
 mod regimes;
+mod unlike;
 
 /// The pages.
 pub(super) const ENTRIES: &[Entry] = &[
     Entry::check("rebound.regimes", "Which regimes an oblique impact goes through")
         .by(regimes::draw),
     Entry::check("rebound.angles", "Angle of rebound against angle of incidence").by(angles::draw),
+    Entry::check("rebound.unlike", "Eight pairs of unlike materials: what coupling changes")
+        .slowly_by(unlike::draw),
     Entry::check("rebound.play", "The table under the impact to play with").by(play::draw),
 ];

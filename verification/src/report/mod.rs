@@ -1,5 +1,5 @@
-//! The report: one HTML page with everything in it. A run of all pages gives the same bytes
-//! every time; what a run left as it was bears its date.
+//! The report: one self-contained HTML page. Two runs of all pages give the same bytes; pages of
+//! earlier runs have a date.
 
 mod contents;
 mod equations;
@@ -15,23 +15,23 @@ use markup::{escape, prose};
 use std::fmt::Write as _;
 use std::path::Path;
 
-const STYLE: &str = include_str!("report/style.css");
-const SCRIPT: &str = include_str!("report/script.js");
+const STYLE: &str = include_str!("style.css");
+const SCRIPT: &str = include_str!("script.js");
 
-/// What a report is made of.
+/// The contents of a report.
 #[derive(Debug, Clone, Copy)]
 pub struct Report<'a> {
     /// All tables, figures and checks.
     pub catalogue: &'a [Entry],
-    /// The ones that were computed, in this run or an earlier one.
+    /// The pages computed in this run or an earlier one.
     pub pages: &'a [(Entry, Page)],
-    /// The folder of the workspace, below which the sources stand.
+    /// The root of the workspace, for links to sources.
     pub workspace: &'a Path,
 }
 
 impl Report<'_> {
-    /// The report, with a line for each entry of the catalogue; `is_fresh` says which pages are of
-    /// this run.
+    /// The report, with a line for each entry of the catalogue; `is_fresh` tells whether a page is
+    /// from this run.
     #[must_use]
     pub fn html(&self, is_fresh: impl Fn(&Entry) -> bool) -> String {
         let mut page = String::new();
@@ -94,16 +94,16 @@ impl Report<'_> {
 
 const INTRODUCTION: &str = "<p>What happens when two elastic bodies touch, slip, stick, twist and \
 rebound: J. Jaeger's thesis (TU Delft 1992) answers in formulas, tables and figures. carom \
-computes each of them anew, and each page below says what it shows, what went in, and which \
-statements could have failed.</p>\n\
+computes each of them again. Each page below gives its inputs, its results and the claims that check \
+them.</p>\n\
 <p>A page counts if its claims hold and its snapshot agrees. A <span class=\"partial\">partial</span> \
-page lacks something that the thesis shows, and says what; one that is missing stands in the \
-contents in grey. Inputs are <span class=\"origin stated\">stated</span> where the source gives them, \
-<span class=\"origin derived\">derived</span> where they follow from what it gives, \
-<span class=\"origin assumed\">assumed</span> where they are our choice. A claim's deviation is given \
-over its tolerance: up to 1 it holds; for a bound it is the part used. Each claim links to the line \
-of source that makes it. Search knows titles, texts, claims and the numbers of equations, as \
-<kbd>7.48</kbd>; the key <kbd>/</kbd> goes there.</p></section>\n";
+page lacks something that the thesis shows, and names it; missing pages are grey in the \
+contents. Inputs are <span class=\"origin stated\">stated</span> if the source gives them, \
+<span class=\"origin derived\">derived</span> if they follow from what it gives, and \
+<span class=\"origin assumed\">assumed</span> if they were chosen here. The deviation of a claim is \
+given over its tolerance: the claim holds up to 1. For a bound it is the share that is used. Each \
+claim links to its line in the source. The search covers titles, texts, claims and equation numbers \
+such as <kbd>7.48</kbd>; the key <kbd>/</kbd> opens it.</p></section>\n";
 
 fn section(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
     let (id, name) = (entry.id, escape(&entry.name()));
@@ -129,14 +129,14 @@ fn section(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
 }
 
 fn tags(page: &mut String, entry: &Entry, record: &Page, is_fresh: bool) {
-    let (held, all) = (record.held(), record.claims.len());
+    let (claims_that_hold, all) = (record.claims_that_hold(), record.claims.len());
     let verdict = if record.passes() { "pass" } else { "fail" };
     let word = if record.passes() { "holds" } else { "FAILS" };
     let _ = write!(page, "<p class=\"tags\"><span class=\"{verdict}\">{word}</span>");
     if entry.state() == State::Partial {
         page.push_str("<span class=\"partial\">partial</span>");
     }
-    let _ = write!(page, "<span>{held} of {all} claims</span>");
+    let _ = write!(page, "<span>{claims_that_hold} of {all} claims</span>");
     if let Some(worst) = record.worst() {
         let _ = write!(page, "<span>worst deviation {} of its tolerance</span>", ratio(worst));
     }

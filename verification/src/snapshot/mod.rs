@@ -1,10 +1,9 @@
-//! Snapshots: what a figure says, as text beside the code: its inputs, its claims and its
-//! numbers, rounded.
+//! Snapshots: the inputs, claims and rounded numbers of a figure as text files in the repository.
 //!
-//! A stored number stands for the interval that rounds to it. A new value is held against that
-//! interval, widened by a tenth, so that a last-bit difference between machines never shows,
-//! however close a value lies to the edge between two roundings. (That is why these are not
-//! snapshots of `insta`, which compares text; and accepting one asks for claims that hold.)
+//! A stored number stands for the interval that rounds to it. A new value is compared with that
+//! interval, widened by a tenth, so that a difference in the last bit between machines does not
+//! matter, even next to a rounding boundary. Therefore these are not snapshots of `insta`, which
+//! compares text. A new snapshot is accepted only if all claims hold.
 
 mod difference;
 mod lines;
@@ -14,28 +13,28 @@ pub use difference::{Change, Difference};
 use std::io::ErrorKind;
 use std::path::{Path, PathBuf};
 
-/// How a figure compares with its snapshot.
+/// Result of the comparison of a figure with its snapshot.
 #[derive(Debug, Clone, PartialEq, serde::Serialize, serde::Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Comparison {
-    /// The same to the digits kept.
+    /// Equal to the stored digits.
     Same,
-    /// There was none, or another one: the new one has been written.
+    /// The snapshot was missing or different, and the new one was written.
     Written,
-    /// There is none.
+    /// The snapshot is missing.
     Missing,
-    /// They differ.
+    /// The snapshot is different.
     Differs(Difference),
 }
 
 impl Comparison {
-    /// Whether the snapshot is that of the figure.
+    /// Whether the snapshot agrees with the figure.
     #[must_use]
     pub const fn agrees(&self) -> bool {
         matches!(self, Self::Same | Self::Written)
     }
 
-    /// The word for it.
+    /// The result as a word.
     #[must_use]
     pub const fn word(&self) -> &'static str {
         match self {
@@ -46,7 +45,7 @@ impl Comparison {
     }
 }
 
-/// What to do with a snapshot that is missing or differs.
+/// What to do with a snapshot that is missing or different.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Policy {
     /// Report it.
@@ -55,7 +54,7 @@ pub enum Policy {
     Update,
 }
 
-/// Holds `figure` against its snapshot in `folder`.
+/// Compares `figure` with its snapshot in `folder`.
 ///
 /// # Errors
 /// If the snapshot cannot be read.
@@ -68,13 +67,13 @@ pub fn compare(folder: &Path, figure: &Figure) -> std::io::Result<Comparison> {
     }
 }
 
-/// The snapshot of `figure` as it would be now.
+/// The new snapshot of `figure`.
 #[must_use]
 pub fn text(figure: &Figure) -> String {
     lines::text(&lines::of(figure))
 }
 
-/// Makes `text` the snapshot of figure `id`; the old one stays whole if this fails.
+/// Writes `text` as the snapshot of figure `id`. If this fails, the old one remains.
 ///
 /// # Errors
 /// If it cannot be written.
@@ -85,16 +84,16 @@ pub fn accept(folder: &Path, id: &str, text: &str) -> std::io::Result<()> {
     std::fs::rename(aside, path(folder, id))
 }
 
-/// The file of the snapshot of figure `id`.
+/// The snapshot file of figure `id`.
 #[must_use]
 pub fn path(folder: &Path, id: &str) -> PathBuf {
     folder.join(format!("{id}.txt"))
 }
 
-/// The files in `folder` that are not the snapshot of any of `ids`, in order of their names.
+/// The files in `folder` that are snapshots of none of `ids`, sorted by name.
 ///
 /// # Errors
-/// If the folder cannot be read; one that does not exist has no files.
+/// If the folder cannot be read; a folder that does not exist has no files.
 pub fn orphans<'a>(
     folder: &Path,
     ids: impl IntoIterator<Item = &'a str>,

@@ -6,8 +6,8 @@ use carom_special::RangeError;
 
 use super::energy::{flat_energy, spring_energy};
 use super::merge::push;
-use super::report::Turn;
-use super::{Growing, Lateral, Vertex, VertexStack};
+use super::report::{Tangent, Turn};
+use super::{Growing, Lateral, MemoryRegime, Vertex, VertexStack};
 use crate::bounds::in_memory;
 use crate::profile::{Hertzian, NormalProfile};
 
@@ -165,6 +165,27 @@ impl<V: Lateral, S: VertexStack<V>, P: NormalProfile> AdhesionMemory<V, S, P> {
         }
         let rate = shift.minus(self.shift).times(1.0 / (self.zeta - zeta));
         self.energy_between(zeta.max(0.0), |s| self.shift.plus(rate.times(self.zeta - s)))
+    }
+
+    /// [`AdhesionMemory::dissipation`] in units of energy per direction.
+    pub(crate) fn heat(&self, zeta: f64, shift: V, unit: V) -> f64 {
+        self.dissipation(zeta, shift).dot(unit)
+    }
+
+    /// The state of bodies in contact.
+    pub(crate) const fn regime(&self) -> MemoryRegime {
+        MemoryRegime::Adhesion
+    }
+
+    /// The share of the contact area that sticks.
+    pub(crate) const fn stick_fraction(&self) -> f64 {
+        1.0
+    }
+
+    /// The tangent of the last step.
+    pub(crate) fn tangent(&self) -> Tangent {
+        let k = self.profile.stiffness(self.zeta.max(0.0));
+        Tangent { by_shift: [[k, 0.0], [0.0, k]], by_approach: [0.0; 2] }
     }
 
     /// The energy of the annuli deeper than the edge and no deeper than `from`, if the shift of

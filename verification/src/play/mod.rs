@@ -1,5 +1,5 @@
-//! An impact to play with: a table of the impact of two solid spheres, and the part of the report
-//! that reads it while its reader moves the sliders.
+//! An interactive impact: a table of the impact of two solid spheres, and the section of the report
+//! whose sliders read it.
 
 mod table;
 
@@ -9,20 +9,20 @@ use std::fmt::Write as _;
 use crate::Failure;
 pub(crate) use table::{Instant, Table, exact, lambda_of_sliding, restitution};
 
-const SCRIPT: &str = include_str!("play/script.js");
-const BODY: &str = include_str!("play/body.html");
+const SCRIPT: &str = include_str!("script.js");
+const BODY: &str = include_str!("body.html");
 
-/// A position of the sliders, and the exact answer there.
+/// A position of the sliders and the exact result there.
 struct Check {
     poisson: f64,
     friction: f64,
-    /// Degrees from the normal.
+    /// Angle of incidence from the normal, in degrees.
     angle: f64,
-    /// R omega/v, forward where positive.
+    /// R omega/v, positive in the direction of motion.
     spin: f64,
 }
 
-/// Positions that a browser must answer right: one in each regime, the last without slip at all.
+/// Positions that a browser must compute correctly: one in each regime, the last without slip.
 const CHECKS: [Check; 5] = [
     Check { poisson: 0.3, friction: 0.3, angle: 45.0, spin: 0.0 },
     Check { poisson: 0.5, friction: 0.6, angle: 60.0, spin: 0.0 },
@@ -32,7 +32,7 @@ const CHECKS: [Check; 5] = [
 ];
 
 impl Check {
-    /// |xi'|/(f zeta'), contact point against contact point.
+    /// lambda = |xi'|/(f zeta') at the contact point.
     fn lambda(&self) -> f64 {
         let (sin, cos) = libm::sincos(self.angle.to_radians());
         (sin - self.spin).abs() / (self.friction * cos)
@@ -47,7 +47,7 @@ impl Check {
     }
 }
 
-/// The part of the report; without a table it says why there is none.
+/// The section of the report; without a table it gives the reason.
 pub(crate) fn section() -> String {
     made().unwrap_or_else(|error| format!("<p class=\"fail\">no table: {error}</p>\n"))
 }

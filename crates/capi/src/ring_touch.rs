@@ -1,0 +1,332 @@
+//! The contact of two grains, or of a grain and a wall, with the law of rings.
+
+use std::mem::MaybeUninit;
+
+use carom_laws::grains::{Grain, GrainRings, Heats, RING_GRAIN_MARK, Wall, ring_grain_numbers};
+use carom_laws::rings::Rings;
+
+use crate::error::{CaromError, CaromStatus, Failure, border};
+use crate::grains::{Bodies, CaromGrainLoad, CaromGrains, relative_radius};
+use crate::law::{CaromRegime, CaromReport};
+use crate::pointers::{read, write};
+use crate::rings::CaromRings;
+use crate::stored::{present, present_mut, store};
+
+/// The words of 8 bytes in a `carom_ring_touch`, beside its mark.
+pub const CAROM_RING_TOUCH_WORDS: usize = 420;
+/// The numbers in which a `carom_ring_touch` is kept elsewhere.
+pub const CAROM_RING_TOUCH_NUMBERS: usize = 309;
+
+/// The first of these numbers, unless the grains are apart.
+pub const CAROM_RING_TOUCH_MARK: f64 = 30001.0;
+
+const _: () = assert!(CAROM_RING_TOUCH_MARK == RING_GRAIN_MARK);
+const _: () = assert!(CAROM_RING_TOUCH_NUMBERS == ring_grain_numbers(6, 8));
+
+/// The memory of the contact of two grains with CAROM_LAW_RINGS, the caller's: 3368 bytes, aligned to 8, that may be
+/// copied as bytes. Zero bytes are two grains apart. It is understood only by the build that wrote it:
+/// `carom_ring_touch_pack` makes numbers of it that any build of this `carom_state_version()` understands.
+///
+/// Shift, twist and the coupling of dissimilar materials act together: no `carom_twist` stands beside it.
+#[derive(Debug, Clone, Copy)]
+#[repr(C)]
+pub struct CaromRingTouch {
+    /// Not to be changed but by the functions of this library.
+    pub mark: u64,
+    /// The contact.
+    pub words: [MaybeUninit<u64>; CAROM_RING_TOUCH_WORDS],
+}
+
+impl CaromRingTouch {
+    fn present(&self) -> Result<Option<&GrainRings>, Failure> {
+        present(self.mark, &self.words)
+    }
+
+    fn keep(&mut self, contact: &GrainRings) {
+        self.mark = store(contact, &mut self.words);
+    }
+}
+
+/// The constants of the contact of two bodies.
+fn constants<'a>(
+    grains: &CaromGrains,
+    rings: &'a CaromRings,
+    radii: [f64; 2],
+) -> Result<Rings<'a>, Failure> {
+    let [one, two] = radii;
+    grains.pair(relative_radius(one, two)?).rings(rings)
+}
+
+/// # Safety
+/// As `carom_ring_touch_grains`.
+unsafe fn advance(
+    (grains, rings): (*const CaromGrains, *const CaromRings),
+    touch: *mut CaromRingTouch,
+    bodies: impl Bodies,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut Heats,
+) -> Result<(), Failure> {
+    // SAFETY: the caller's promise.
+    let (grains, rings) = unsafe { (read(grains, "grains")?, read(rings, "rings")?) };
+    // SAFETY: the caller's promise.
+    let (touch, load) = unsafe { (write(touch, "touch")?, write(load, "load")?) };
+    // SAFETY: the caller's promise.
+    let sums = if heats.is_null() { None } else { Some(unsafe { write(heats, "heats")? }) };
+    let meeting = bodies.meeting(grains)?;
+    let rings = constants(grains, rings, bodies.radii())?;
+    let mut unasked = Heats::default();
+    let heats = sums.unwrap_or(&mut unasked);
+    if let Some(contact) = present_mut::<GrainRings, _>(touch.mark, &mut touch.words)? {
+        *load = contact.advance_accounted(&rings, &meeting, dt, heats)?.into();
+    } else {
+        let mut contact = GrainRings::new(&rings, grains.relaxation)?;
+        *load = contact.advance_accounted(&rings, &meeting, dt, heats)?.into();
+        touch.keep(&contact);
+    }
+    Ok(())
+}
+
+/// # Safety
+/// As `carom_ring_touch_grains_load`.
+unsafe fn load_of(
+    (grains, rings): (*const CaromGrains, *const CaromRings),
+    touch: *const CaromRingTouch,
+    bodies: impl Bodies,
+    load: *mut CaromGrainLoad,
+) -> Result<(), Failure> {
+    // SAFETY: the caller's promise.
+    let (grains, rings) = unsafe { (read(grains, "grains")?, read(rings, "rings")?) };
+    // SAFETY: the caller's promise.
+    let (touch, load) = unsafe { (read(touch, "touch")?, write(load, "load")?) };
+    let meeting = bodies.meeting(grains)?;
+    let rings = constants(grains, rings, bodies.radii())?;
+    *load = match touch.present()? {
+        Some(contact) => contact.load(&rings, &meeting),
+        None => GrainRings::new(&rings, grains.relaxation)?.load(&rings, &meeting),
+    }
+    .into();
+    Ok(())
+}
+
+/// One step of the contact of two grains with CAROM_LAW_RINGS, as `carom_touch_grains`; the torques contain that
+/// about the normal. `rings` are those of `grains->unit`. `heats` may be null; it costs nothing here.
+///
+/// A step costs 2 to 5 microseconds.
+///
+/// # Safety
+/// `grains`, `one` and `two` are null or may be read; `rings` is null or was made by `carom_rings_of`; `touch`, `load`,
+/// `heats` and `error` are null or may be written. The touch is zero, or was written by this build of the library;
+/// other bytes end in a status, or in numbers that mean nothing.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_ring_touch_grains(
+    grains: *const CaromGrains,
+    rings: *const CaromRings,
+    touch: *mut CaromRingTouch,
+    one: *const Grain,
+    two: *const Grain,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut Heats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let bodies = [read(one, "one")?, read(two, "two")?];
+        advance((grains, rings), touch, bodies, dt, load, heats)
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The same of a grain, body 1, and a wall, which takes no torque.
+///
+/// # Safety
+/// As `carom_ring_touch_grains`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_ring_touch_wall(
+    grains: *const CaromGrains,
+    rings: *const CaromRings,
+    touch: *mut CaromRingTouch,
+    one: *const Grain,
+    wall: *const Wall,
+    dt: f64,
+    load: *mut CaromGrainLoad,
+    heats: *mut Heats,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let bodies = (read(one, "one")?, read(wall, "wall")?);
+        advance((grains, rings), touch, bodies, dt, load, heats)
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The load of two grains as the last step left them, without a step, as `carom_touch_grains_load`.
+///
+/// # Safety
+/// `grains`, `touch`, `one` and `two` are null or may be read; `load` and `error` are null or may be
+/// written. Rings and touch are as in `carom_ring_touch_grains`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_ring_touch_grains_load(
+    grains: *const CaromGrains,
+    rings: *const CaromRings,
+    touch: *const CaromRingTouch,
+    one: *const Grain,
+    two: *const Grain,
+    load: *mut CaromGrainLoad,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call =
+        || unsafe { load_of((grains, rings), touch, [read(one, "one")?, read(two, "two")?], load) };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The same of a grain, body 1, and a wall.
+///
+/// # Safety
+/// As `carom_ring_touch_grains_load`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_ring_touch_wall_load(
+    grains: *const CaromGrains,
+    rings: *const CaromRings,
+    touch: *const CaromRingTouch,
+    one: *const Grain,
+    wall: *const Wall,
+    load: *mut CaromGrainLoad,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        load_of((grains, rings), touch, (read(one, "one")?, read(wall, "wall")?), load)
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The elastic energy of a contact, compression and twist included, J; the radius of a wall is infinite.
+///
+/// # Safety
+/// As `carom_ring_touch_grains_load`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_ring_touch_energy(
+    grains: *const CaromGrains,
+    rings: *const CaromRings,
+    touch: *const CaromRingTouch,
+    radius_1: f64,
+    radius_2: f64,
+    energy: *mut f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let (grains, rings) = (read(grains, "grains")?, read(rings, "rings")?);
+        let (touch, energy) = (read(touch, "touch")?, write(energy, "energy")?);
+        let rings = constants(grains, rings, [radius_1, radius_2])?;
+        let stored = |contact: &GrainRings| contact.memory().stored_energy(&rings);
+        *energy = touch.present()?.map_or(0.0, stored);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// The share of the contact that sticks, and what the last step did: separated, adhesion, slip or sliding.
+///
+/// # Safety
+/// `touch` is null or may be read; `rings` is as in `carom_ring_touch_grains`; `report` and `error` are null or may be
+/// written.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_ring_touch_report(
+    rings: *const CaromRings,
+    touch: *const CaromRingTouch,
+    report: *mut CaromReport,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let (rings, touch) = (read(rings, "rings")?, read(touch, "touch")?);
+        let place = write(report, "report")?;
+        let memory = touch.present()?.map(GrainRings::memory);
+        *place = match memory.filter(|memory| memory.shift().zeta > 0.0) {
+            None => CaromReport::APART,
+            Some(memory) => {
+                let sticking = rings.sticking(memory);
+                let regime = match sticking {
+                    1.0.. => CaromRegime::Adhesion,
+                    0.0 => CaromRegime::Sliding,
+                    _ => CaromRegime::Slip,
+                };
+                CaromReport { sticking, regime }
+            }
+        };
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// Writes a contact into CAROM_RING_TOUCH_NUMBERS numbers, for a file or another process: zeros are two grains
+/// apart, the first of others is positive.
+///
+/// # Safety
+/// `touch` is null or may be read; `numbers` is null or has room for so many; `error` is null or may be
+/// written. The touch is as in `carom_ring_touch_grains`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_ring_touch_pack(
+    touch: *const CaromRingTouch,
+    numbers: *mut f64,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let touch = read(touch, "touch")?;
+        let numbers = write(numbers.cast::<[f64; CAROM_RING_TOUCH_NUMBERS]>(), "numbers")?;
+        match touch.present()? {
+            Some(contact) => contact.pack(numbers)?,
+            None => numbers.fill(0.0),
+        }
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}
+
+/// Makes a contact of what `carom_ring_touch_pack` wrote, of the same constants and radii; that of a wall is
+/// infinite. Its load is the same to the bit, and so is the way on from there.
+///
+/// # Safety
+/// `grains` is null or may be read, `numbers` null or may be read so far; `touch` and `error` are null or
+/// may be written; `rings` is as in `carom_ring_touch_grains`.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn carom_ring_touch_unpack(
+    grains: *const CaromGrains,
+    rings: *const CaromRings,
+    radius_1: f64,
+    radius_2: f64,
+    numbers: *const f64,
+    touch: *mut CaromRingTouch,
+    error: *mut CaromError,
+) -> CaromStatus {
+    // SAFETY: the caller's promise.
+    let call = || unsafe {
+        let (grains, rings) = (read(grains, "grains")?, read(rings, "rings")?);
+        let numbers = read(numbers.cast::<[f64; CAROM_RING_TOUCH_NUMBERS]>(), "numbers")?;
+        let touch = write(touch, "touch")?;
+        if numbers[0] == 0.0 {
+            touch.mark = 0;
+            return Ok(());
+        }
+        let rings = constants(grains, rings, [radius_1, radius_2])?;
+        let mut contact = GrainRings::new(&rings, grains.relaxation)?;
+        contact.unpack(&rings, numbers).map_err(|error| Failure::from(error).in_state())?;
+        touch.keep(&contact);
+        Ok(())
+    };
+    // SAFETY: the caller's promise.
+    unsafe { border(error, call) }
+}

@@ -1,0 +1,184 @@
+//! Friction acts on the spin about the normal by default, where it matters.
+
+use carom_halfspace::Material;
+use carom_impact::{
+    AnalyticOrRings, Body, Collision, CollisionSolver, LogEntry, Motion, NeededLaw, Rebound,
+    RingImpact, TorsionMode, Warning,
+};
+use carom_laws::friction::Friction;
+
+const SPEED: f64 = 2.0;
+
+/// A ball on a plane of the same material; tangential velocity and that of spin at the edge of the greatest contact
+/// over f v_z.
+fn alike(poisson: f64, friction: f64, lambda: f64, twist: f64) -> Collision {
+    unlike([poisson, poisson], friction, lambda, twist)
+}
+
+fn unlike(poisson: [f64; 2], friction: f64, lambda: f64, twist: f64) -> Collision {
+    at_speed(SPEED, poisson, friction, lambda, twist)
+}
+
+fn at_speed(speed: f64, poisson: [f64; 2], friction: f64, lambda: f64, twist: f64) -> Collision {
+    let [ball, plane] = poisson.map(|nu| Material::from_shear(80e9, nu).unwrap());
+    let sphere = Body::sphere(0.01, ball, 0.03).unwrap();
+    let friction_number = Friction::new(friction).unwrap();
+    let with = |motion: Motion| {
+        let ball = sphere.clone().moving(motion);
+        Collision::new(ball, Body::plane(plane), friction_number).unwrap()
+    };
+    let slip = lambda * friction.min(1.0) * speed;
+    let still = with(Motion::new([slip, 0.0, -speed], [0.0; 3]).unwrap());
+    let radius = still.solve().unwrap().rebound().unwrap().maximal_contact.semi_axis_a();
+    let spin = twist * friction.min(1.0) * speed / radius;
+    with(Motion::new([slip, 0.0, -speed], [0.0, 0.0, spin]).unwrap())
+}
+
+fn auto(collision: &Collision) -> Rebound {
+    AnalyticOrRings.solve(collision).unwrap().rebound().unwrap().clone()
+}
+
+fn needed(collision: &Collision) -> NeededLaw {
+    collision.needed_law(Collision::NEGLIGIBLE_COUPLING)
+}
+
+/// The part of the spin about the normal that is left.
+fn spin_left(collision: &Collision, rebound: &Rebound) -> f64 {
+    rebound.motions[0].spin.z / collision.bodies()[0].motion().spin.z
+}
+
+#[test]
+fn the_bounds_hold_for_drawn_impacts() {
+    let mut state = 3_u64;
+    let mut draw = |low: f64, high: f64| {
+        state =
+            state.wrapping_mul(6_364_136_223_846_793_005).wrapping_add(1_442_695_040_888_963_407);
+        low + (high - low) * ((state >> 11) as f64 / (1_u64 << 53) as f64)
+    };
+    let mut worst = [0.0_f64; 2];
+    for _ in 0..60 {
+        let (nu, friction) = (draw(0.0, 0.5), draw(0.05, 0.6));
+        let (lambda, twist) = (10_f64.powf(draw(-1.3, 0.8)), 10_f64.powf(draw(-1.5, 0.8)));
+        let collision = alike(nu, friction, lambda, twist);
+        let bound = collision.twist_bound();
+        let spun = RingImpact::new(&collision).solve().unwrap();
+        let spun = spun.rebound().unwrap();
+        let still = collision.solve().unwrap().rebound().unwrap().r_x.unwrap();
+        let change = (spun.r_x.unwrap() - still).abs();
+        // What the rings themselves miss.
+        let missed = RingImpact::TOLERANCE / lambda;
+        assert!(change < bound.restitution + missed, "{nu} {lambda} {twist}: {change}");
+        let lost = 1.0 - spun.torsion.unwrap().spin_ratio;
+        // The rings know sliding to 0.3 %.
+        assert!(lost <= 1.005 * bound.spin, "{nu} {lambda} {twist}: {lost} {}", bound.spin);
+        worst = [worst[0].max(change / bound.restitution), worst[1].max(lost / bound.spin)];
+    }
+    // Neither is far from what happens at worst.
+    assert!(worst[0] > 0.5 && worst[1] > 0.8, "{worst:?}");
+}
+
+#[test]
+fn the_law_changes_where_a_bound_meets_the_tolerance_and_the_result_by_less() {
+    let tolerance = Collision::NEGLIGIBLE_COUPLING;
+    for lambda in [0.3, 1.5, 4.0] {
+        // So slow that the contact is small: friction takes 0.13 % of the spin, which is no reason for rings.
+        let at = |twist: f64| at_speed(0.05, [0.3, 0.3], 0.2, lambda, twist);
+        assert!(at(0.5).twist_bound().spin < 0.5 * tolerance);
+        let (mut low, mut high) = (0.0, 1.0);
+        for _ in 0..40 {
+            let middle = 0.5 * (low + high);
+            if needed(&at(middle)) == NeededLaw::Analytic { low = middle } else { high = middle }
+        }
+        let [below, above] = [low, high].map(|twist| auto(&at(twist)));
+        assert_eq!([below.method.name(), above.method.name()], ["uncoupled", "rings"]);
+        let change = (below.r_x.unwrap() - above.r_x.unwrap()).abs();
+        assert!(change < tolerance, "{lambda}: {change}");
+        let left = [(low, &below), (high, &above)].map(|(t, r)| spin_left(&at(t), r));
+        assert!((left[0] - left[1]).abs() < tolerance, "{lambda}: {left:?}");
+        // What is neglected stands in the estimate.
+        assert!(below.error_estimate > 0.0 && below.error_estimate < 2.0 * tolerance);
+    }
+}
+
+#[test]
+fn a_spin_alone_is_exact() {
+    let collision = alike(0.3, 0.2, 0.0, 0.5);
+    assert_eq!(needed(&collision), NeededLaw::Analytic);
+    let (ours, exact) = (auto(&collision), collision.clone().with_torsion().solve().unwrap());
+    assert_eq!(Some(&ours), exact.rebound());
+    assert!(spin_left(&collision, &ours) < 1.0);
+    // Rings agree.
+    let rings = RingImpact::new(&collision).solve().unwrap();
+    let rings = spin_left(&collision, rings.rebound().unwrap());
+    let loss = 1.0 - spin_left(&collision, &ours);
+    assert!((1.0 - rings - loss).abs() < 0.03 * loss, "{rings} {loss}");
+}
+
+#[test]
+fn a_spin_that_is_left_out_changes_nothing_and_is_told() {
+    for poisson in [[0.3, 0.3], [0.0, 0.5]] {
+        let spun = unlike(poisson, 0.2, 0.8, 0.7).with_torsion_mode(TorsionMode::LeftOut);
+        let still = unlike(poisson, 0.2, 0.8, 0.0);
+        let (spun, still) = (auto(&spun), auto(&still));
+        assert_eq!((spun.r_x, spun.method), (still.r_x, still.method));
+        assert_eq!(spun.impulse, still.impulse);
+        assert!(spun.torsion.is_none());
+        let told = |warning: &Warning| matches!(warning, Warning::SpinLeftAlone { .. });
+        assert!(spun.warnings.iter().any(told) && !still.warnings.iter().any(told));
+        // By default it counts, and nothing is told.
+        let counted = auto(&unlike(poisson, 0.2, 0.8, 0.7));
+        assert!((counted.r_x.unwrap() - still.r_x.unwrap()).abs() > 0.05);
+        assert!(counted.torsion.is_some() && !counted.warnings.iter().any(told));
+    }
+}
+
+#[test]
+fn a_small_tangential_velocity_beside_a_spin_has_a_limit() {
+    let r_x = |lambda: f64| {
+        let collision = unlike([0.0, 0.5], 0.2, lambda, 0.7);
+        auto(&collision).r_x.unwrap()
+    };
+    let limit = r_x(1e-9);
+    assert!((r_x(1e-5) - limit).abs() < 1e-4);
+    assert!((r_x(0.019) - r_x(0.021)).abs() < 0.01, "{} {}", r_x(0.019), r_x(0.021));
+    // The contact is axisymmetric in the limit: the velocity turns with the plane of coordinates.
+    assert!(limit.abs() < 1.0);
+}
+
+#[test]
+fn without_slip_shift_and_twist_are_apart() {
+    let collision = alike(0.3, f64::INFINITY, 0.5, 0.3);
+    let exact = collision.clone().with_torsion().solve().unwrap();
+    let (ours, exact) = (auto(&collision), exact.rebound().unwrap().clone());
+    assert_eq!((ours.r_x, ours.motions), (exact.r_x, exact.motions));
+}
+
+/// Slip and its sign apart: rings take the sign of the whole force, which follows that of the edge.
+fn stages(rebound: &Rebound) -> Vec<(&'static str, f64)> {
+    let stage = |entry: &LogEntry| {
+        (entry.regime.name().trim_end_matches(['+', '-']), entry.time / rebound.duration)
+    };
+    let mut stages: Vec<_> = rebound.log.iter().map(stage).collect();
+    stages.dedup_by_key(|(name, _)| *name);
+    stages
+}
+
+#[test]
+fn rings_log_the_regimes_of_the_exact_impact() {
+    for (lambda, count) in [(0.4, 3), (1.5, 4), (3.0, 4), (8.0, 1)] {
+        let collision = alike(0.3, 0.2, lambda, 0.0);
+        let [rings, exact] = [
+            RingImpact::new(&collision).within(1e-3).unwrap().solve(),
+            Ok(collision.solve().unwrap()),
+        ]
+        .map(|outcome| stages(outcome.unwrap().rebound().unwrap()));
+        assert_eq!(exact.len(), count);
+        let mut later = rings.iter();
+        for (name, time) in exact {
+            let near = later.find(|(ring, _)| *ring == name).unwrap();
+            assert!((near.1 - time).abs() < 0.05, "{lambda}: {name} {time} {near:?}");
+        }
+        // On the way from sliding to adhesion the last ring sticks a step later.
+        assert!(rings.len() <= count + 1, "{rings:?}");
+    }
+}

@@ -1,0 +1,233 @@
+//! The contact of two grains of any materials, with shift, twist and their coupling.
+
+use carom_special::RangeError;
+
+use super::contact::{GrainLoad, Heats};
+use super::meeting::Meeting;
+use super::step::{
+    Before, Step, drag, elastic, first_step, leaves, load_in, mean_about, on_the_way,
+    one_step_before,
+};
+use super::vector::{Vector, dot, times};
+use crate::law::{ContactLoad, Shift};
+use crate::rings::{RingMemory, Rings};
+
+/// The contact of two grains with the load history of the law of rings ([`crate::rings`]), in axes that
+/// move with the grains as those of [`super::GrainContact`].
+///
+/// Approach, shift and twist act together: dissimilar materials are coupled, and the spin about the normal
+/// has its torque. Numerov's correction, the mean of friction before the gap opens and the damping are those of
+/// [`super::GrainContact`]. An exchange of the grains gives the same bits.
+///
+/// The constants ([`Rings`]) are given to each call and must be those with which the contact began.
+///
+/// ```
+/// use carom_laws::friction::Friction;
+/// use carom_laws::grains::{Grain, GrainRings, Meeting};
+/// use carom_laws::rings::{RingMatrices, Tolerance};
+/// let matrices = RingMatrices::<6, 8>::new(1.2, 0.25, Friction::new(0.3)?)?;
+/// let rings = matrices.contact(1.0, 0.7, Tolerance::PARTICLES)?;
+/// let mut contact = GrainRings::new(&rings, 0.0)?;
+/// let below = Grain { place: [0.0; 3], velocity: [0.0; 3], spin: [0.0; 3], radius: 1.0 };
+/// let above = Grain { place: [0.0, 0.0, 1.99], velocity: [0.1, 0.0, 0.0], spin: [0.0, 0.0, 1.0], ..below };
+/// let load = contact.advance(&rings, &Meeting::of_spheres(&above, &below, [0.5; 2])?, 1e-3)?;
+/// // Held back in its way and in its spin.
+/// assert!(load.force[0] < 0.0 && load.torques[0][2] < 0.0 && load.torques[1][2] > 0.0);
+/// # Ok::<(), carom_special::RangeError>(())
+/// ```
+#[derive(Debug, Clone, Copy, PartialEq)]
+#[repr(C)]
+pub struct GrainRings<const N: usize = 6, const M: usize = 8> {
+    pub(super) memory: RingMemory<N, M>,
+    /// The axis x of the contact; zero while the grains are separated.
+    pub(super) tangent: Vector,
+    pub(super) normal: Vector,
+    /// The tangential force of the last step, along x and y.
+    pub(super) friction: [f64; 2],
+    /// The torque of the last step about the normal, on body 1.
+    pub(super) torque: f64,
+    /// The damping force of the last step.
+    pub(super) drag: f64,
+    /// The velocity of the shift in the last step.
+    pub(super) velocity: [f64; 2],
+    /// Difference between the shift given to the law and the true shift.
+    pub(super) lead: [f64; 2],
+    /// The damping force divided by `sqrt(zeta) dzeta/dt`.
+    pub(super) viscosity: f64,
+}
+
+/// What the law gives at the end of a step.
+struct Given {
+    load: ContactLoad,
+    heat: f64,
+}
+
+impl<const N: usize, const M: usize> GrainRings<N, M> {
+    /// A contact without history, with a viscous relaxation time A of the materials, s.
+    ///
+    /// # Errors
+    /// [`RangeError`] unless the time is finite and not negative, and the damping force is finite.
+    pub fn new(rings: &Rings<'_, N, M>, relaxation: f64) -> Result<Self, RangeError> {
+        RangeError::non_negative("relaxation", relaxation)?;
+        let viscosity = relaxation * rings.c_z();
+        RangeError::finite("relaxation", viscosity)?;
+        Ok(Self {
+            memory: RingMemory::default(),
+            tangent: [0.0; 3],
+            normal: [0.0; 3],
+            friction: [0.0; 2],
+            torque: 0.0,
+            drag: 0.0,
+            velocity: [0.0; 2],
+            lead: [0.0; 2],
+            viscosity,
+        })
+    }
+
+    /// The load history in the axes of the contact.
+    #[must_use]
+    pub const fn memory(&self) -> &RingMemory<N, M> {
+        &self.memory
+    }
+
+    /// The axis x of the contact; zero while the grains are separated.
+    #[must_use]
+    pub const fn tangent(&self) -> [f64; 3] {
+        self.tangent
+    }
+
+    /// Advances by a step of duration `dt`, as [`super::GrainContact::advance`].
+    ///
+    /// # Errors
+    /// [`RangeError`] for a shift that the law does not allow; the contact is then unchanged.
+    pub fn advance(
+        &mut self,
+        rings: &Rings<'_, N, M>,
+        meeting: &Meeting,
+        dt: f64,
+    ) -> Result<GrainLoad, RangeError> {
+        self.advance_accounted(rings, meeting, dt, &mut Heats::default())
+    }
+
+    /// As [`GrainRings::advance`], and adds the dissipated energy to `heats`, at no further cost.
+    ///
+    /// # Errors
+    /// As [`GrainRings::advance`].
+    pub fn advance_accounted(
+        &mut self,
+        rings: &Rings<'_, N, M>,
+        meeting: &Meeting,
+        dt: f64,
+        heats: &mut Heats,
+    ) -> Result<GrainLoad, RangeError> {
+        let (step, given) = match self.is_new() {
+            true => self.begin(rings, meeting, dt)?,
+            false => self.go_on(rings, meeting, dt)?,
+        };
+        let old = self.drag;
+        let load = self.keep(meeting, &step, given.load);
+        heats.friction += given.heat;
+        heats.damping += 0.5 * (old + self.drag) * dot(meeting.velocity, meeting.normal) * dt;
+        Ok(load)
+    }
+
+    /// The load at the end of the last step, for the bodies as given. A contact without a step has
+    /// Hertz's force only.
+    #[must_use]
+    pub fn load(&self, rings: &Rings<'_, N, M>, meeting: &Meeting) -> GrainLoad {
+        if self.is_new() {
+            let force = times(meeting.normal, elastic(rings.c_z(), meeting.zeta));
+            return GrainLoad { force, ..GrainLoad::default() };
+        }
+        let pressed = self.memory.load(rings).f_z + self.drag;
+        self.exerted(meeting, pressed)
+    }
+
+    pub(super) fn is_new(&self) -> bool {
+        self.tangent == [0.0; 3]
+    }
+
+    fn begin(
+        &mut self,
+        rings: &Rings<'_, N, M>,
+        meeting: &Meeting,
+        dt: f64,
+    ) -> Result<(Step, Given), RangeError> {
+        let step = first_step(meeting, dt);
+        let mut memory = self.memory;
+        memory.advance(rings, one_step_before(meeting, dt))?;
+        let heat = memory.advance(rings, Shift { omega: turned(meeting, dt), ..step.to() })?;
+        self.memory = memory;
+        Ok((step, Given { load: memory.load(rings), heat }))
+    }
+
+    fn go_on(
+        &mut self,
+        rings: &Rings<'_, N, M>,
+        meeting: &Meeting,
+        dt: f64,
+    ) -> Result<(Step, Given), RangeError> {
+        let from = self.memory.shift();
+        let (tangent, normal, velocity, lead) =
+            (self.tangent, self.normal, self.velocity, self.lead);
+        let before = Before { tangent, normal, velocity, lead, shift: [from.xi, from.eta] };
+        let step = before.step(meeting, dt);
+        let to = Shift { omega: from.omega + turned(meeting, dt), ..step.to() };
+        if leaves(meeting, dt) {
+            return Ok((step, self.leave(rings, to)?));
+        }
+        let heat = self.memory.advance(rings, to)?;
+        Ok((step, Given { load: self.memory.load(rings), heat }))
+    }
+
+    /// A step in which friction is averaged over half a step before its end and half a step after it.
+    #[inline(never)]
+    fn leave(&mut self, rings: &Rings<'_, N, M>, to: Shift) -> Result<Given, RangeError> {
+        let from = self.memory.shift();
+        let loaded = |mut memory: RingMemory<N, M>, part: f64| {
+            let heat = memory.advance(rings, on_the_way(from, to, part))?;
+            Ok((memory, Given { load: memory.load(rings), heat }))
+        };
+        let (_, Given { load: past, .. }) = loaded(self.memory, 0.5)?;
+        let (memory, Given { load: now, heat }) = loaded(self.memory, 1.0)?;
+        let (_, Given { load: ahead, .. }) = loaded(memory, 1.5)?;
+        self.memory = memory;
+        let mean = |of: fn(&ContactLoad) -> f64| mean_about(of(&past), of(&now), of(&ahead));
+        let load = ContactLoad {
+            f_x: mean(|load| load.f_x),
+            f_y: mean(|load| load.f_y),
+            m_z: mean(|load| load.m_z),
+            ..now
+        };
+        Ok(Given { load, heat })
+    }
+
+    fn keep(&mut self, meeting: &Meeting, step: &Step, load: ContactLoad) -> GrainLoad {
+        self.drag = drag(self.viscosity, meeting, load.f_z);
+        (self.tangent, self.normal) = (step.tangent, meeting.normal);
+        (self.velocity, self.lead) = (step.velocity, step.lead);
+        self.friction = [load.f_x, load.f_y];
+        // The law counts twist and torque clockwise.
+        self.torque = -load.m_z;
+        self.exerted(meeting, load.f_z + self.drag)
+    }
+
+    fn exerted(&self, meeting: &Meeting, normal_force: f64) -> GrainLoad {
+        let axes = [self.tangent, meeting.normal];
+        let mut load = load_in(axes, meeting.arms, normal_force, self.friction);
+        for ((torque, arm), sign) in load.torques.iter_mut().zip(meeting.arms).zip([1.0, -1.0]) {
+            // A wall has no arm and takes no torque.
+            if arm != 0.0 {
+                for (torque, normal) in torque.iter_mut().zip(meeting.normal) {
+                    *torque += sign * self.torque * normal;
+                }
+            }
+        }
+        load
+    }
+}
+
+/// The twist of a step; the law counts it clockwise.
+fn turned(meeting: &Meeting, dt: f64) -> f64 {
+    -dot(meeting.twisting, meeting.normal) * dt
+}

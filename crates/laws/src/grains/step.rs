@@ -1,0 +1,187 @@
+//! A step of two grains: how their axes move on, and the shift at its end.
+
+use super::contact::GrainLoad;
+use super::meeting::Meeting;
+use super::number::Number;
+use super::vector::{Vector, cross, dot, minus, plus, times};
+use crate::law::Shift;
+
+/// The state of a contact before a step, as far as the step needs it.
+pub(super) struct Before<T> {
+    pub(super) tangent: Vector<T>,
+    pub(super) normal: Vector<T>,
+    pub(super) velocity: [T; 2],
+    pub(super) lead: [T; 2],
+    /// The shift that the law was given.
+    pub(super) shift: [T; 2],
+}
+
+/// The end of a step.
+pub(super) struct Step<T = f64> {
+    pub(super) tangent: Vector<T>,
+    pub(super) zeta: T,
+    /// The shift that the law is given.
+    pub(super) shift: [T; 2],
+    pub(super) velocity: [T; 2],
+    pub(super) lead: [T; 2],
+}
+
+impl Step {
+    #[inline(always)]
+    pub(super) fn to(&self) -> Shift {
+        let [xi, eta] = self.shift;
+        Shift { zeta: self.zeta, xi, eta, omega: 0.0 }
+    }
+}
+
+/// Friction is averaged if the gap opens within this number of steps.
+const STEPS_TO_OPENING: f64 = 4.0;
+
+impl<T: Number> Before<T> {
+    /// The end of a step of duration `dt`.
+    #[inline(always)]
+    pub(super) fn step(&self, meeting: &Meeting<T>, dt: f64) -> Step<T> {
+        let half = T::of(0.5);
+        let middle = times(plus(self.normal, meeting.normal), half);
+        let tangent = self.carried(meeting, dot(meeting.turning, middle) * T::of(dt));
+        let x = times(plus(self.tangent, tangent), half);
+        let slip = plus(meeting.velocity, cross(meeting.rolling, middle));
+        let velocity = [dot(slip, x), dot(slip, cross(middle, x))];
+        let lead = match dt > 0.0 {
+            true => {
+                let by = T::of(dt * (1.0 / 12.0));
+                [0, 1].map(|k| (velocity[k] - self.velocity[k]) * by)
+            }
+            false => self.lead,
+        };
+        let by = velocity.map(|v| v * T::of(dt));
+        let shift = [0, 1].map(|k| self.shift[k] + (by[k] + (lead[k] - self.lead[k])));
+        Step { tangent, zeta: meeting.zeta, shift, velocity, lead }
+    }
+
+    /// The tangent, rotated with the normal and by an angle about it.
+    #[inline(always)]
+    fn carried(&self, meeting: &Meeting<T>, angle: T) -> Vector<T> {
+        let (old, new) = (self.normal, meeting.normal);
+        let tilt = dot(self.tangent, new) * over_lean(T::of(1.0) - dot(old, new));
+        let tangent = minus(self.tangent, times(plus(old, new), tilt));
+        let (sine, cosine) = turn(angle);
+        let turned = plus(times(tangent, cosine), times(cross(new, tangent), sine));
+        // Rounding must not accumulate: the correction removes any component along the normal, and
+        // one Newton step restores unit length.
+        times(turned, T::of(1.5) - T::of(0.5) * dot(turned, turned))
+    }
+}
+
+/// Hertz's force (5.27).
+#[inline(always)]
+pub(super) fn elastic<T: Number>(c_z: T, zeta: T) -> T {
+    let zeta = zeta.larger(T::of(0.0));
+    T::of(2.0 / 3.0) * c_z * (zeta * zeta.sqrt())
+}
+
+/// The damping force; its sum with Hertz's force is never tensile.
+#[inline(always)]
+pub(super) fn drag<T: Number>(viscosity: T, meeting: &Meeting<T>, elastic: T) -> T {
+    let speed = dot(meeting.velocity, meeting.normal);
+    let root = meeting.zeta.larger(T::of(0.0)).sqrt();
+    (viscosity * root * speed).larger(T::of(0.0) - elastic)
+}
+
+/// The force on body 1 and the torques on both bodies, in the axes of tangent and normal.
+#[inline(always)]
+pub(super) fn forces<T: Number>(
+    [tangent, normal]: [Vector<T>; 2],
+    arms: [T; 2],
+    normal_force: T,
+    [x, y]: [T; 2],
+) -> [Vector<T>; 3] {
+    let along = cross(normal, tangent);
+    let friction = plus(times(tangent, x), times(along, y));
+    // normal x tangent is the second axis, normal x second axis is minus the tangent; the torque on
+    // body 1 is - arm normal x force.
+    let couple = minus(times(tangent, y), times(along, x));
+    let [torque_1, torque_2] = arms.map(|arm| times(couple, arm));
+    [plus(times(normal, normal_force), friction), torque_1, torque_2]
+}
+
+#[inline]
+pub(super) fn load_in(
+    axes: [Vector; 2],
+    arms: [f64; 2],
+    normal_force: f64,
+    friction: [f64; 2],
+) -> GrainLoad {
+    let [force, torque_1, torque_2] = forces(axes, arms, normal_force, friction);
+    GrainLoad { force, torques: [torque_1, torque_2] }
+}
+
+/// Whether the gap opens within a few steps.
+#[inline]
+pub(super) fn leaves(meeting: &Meeting, dt: f64) -> bool {
+    parting(meeting, dt) < -meeting.zeta
+}
+
+/// The growth of the approach in this number of steps.
+#[inline(always)]
+pub(super) fn parting<T: Number>(meeting: &Meeting<T>, dt: f64) -> T {
+    T::of(STEPS_TO_OPENING * dt) * dot(meeting.velocity, meeting.normal)
+}
+
+/// The positions one step before, where first contact is searched from.
+pub(super) fn one_step_before(meeting: &Meeting, dt: f64) -> Shift {
+    let by = dot(meeting.velocity, meeting.normal) * dt;
+    Shift { zeta: meeting.zeta - by, ..Shift::default() }
+}
+
+pub(super) fn first_step(meeting: &Meeting, dt: f64) -> Step {
+    let tangent = across(meeting.normal);
+    let slip = plus(meeting.velocity, cross(meeting.rolling, meeting.normal));
+    let velocity = [dot(slip, tangent), dot(slip, cross(meeting.normal, tangent))];
+    let (zeta, shift, lead) = (meeting.zeta, velocity.map(|v| v * dt), [0.0; 2]);
+    Step { tangent, zeta, shift, velocity, lead }
+}
+
+/// 1/(2 - e), where 1 - e is the cosine of the rotation of the normal; by its series for small
+/// rotations. A normal that is reversed is rotated about the tangent.
+#[inline(always)]
+fn over_lean<T: Number>(e: T) -> T {
+    let near = |e: T| T::of(0.5) + e * (T::of(0.25) + T::of(0.125) * e);
+    let each = |e: f64| if e < 2.0 - 1e-12 { 1.0 / (2.0 - e) } else { 0.0 };
+    e.where_small(1e-4, near, each)
+}
+
+/// A unit vector perpendicular to another one; arbitrary but always the same.
+fn across(normal: Vector) -> Vector {
+    let any = if normal[0].abs() < 0.6 { [1.0, 0.0, 0.0] } else { [0.0, 1.0, 0.0] };
+    let across = minus(any, times(normal, dot(normal, any)));
+    times(across, 1.0 / dot(across, across).sqrt())
+}
+
+/// Sine and cosine of the rotation of one step; by series for small angles.
+#[inline(always)]
+fn turn<T: Number>(angle: T) -> (T, T) {
+    let (one, sixth) = (T::of(1.0), T::of(1.0 / 6.0));
+    let sine = |angle: T| angle * (one - (angle * angle) * sixth);
+    let cosine = |angle: T| {
+        let square = angle * angle;
+        one - square * (T::of(0.5) - square * T::of(1.0 / 24.0))
+    };
+    (angle.where_small(1e-3, sine, libm::sin), angle.where_small(1e-3, cosine, libm::cos))
+}
+
+/// A place on a straight path; a part above 1 lies beyond its end.
+pub(super) fn on_the_way(from: Shift, to: Shift, part: f64) -> Shift {
+    let between = |from: f64, to: f64| from + part * (to - from);
+    Shift {
+        zeta: between(from.zeta, to.zeta),
+        xi: between(from.xi, to.xi),
+        eta: between(from.eta, to.eta),
+        omega: between(from.omega, to.omega),
+    }
+}
+
+/// The mean over the half step before now and the half step after it, by trapezoids.
+pub(super) fn mean_about(past: f64, now: f64, ahead: f64) -> f64 {
+    0.5 * now + 0.25 * (past + ahead)
+}

@@ -1,0 +1,154 @@
+//! What a contact of rings remembers, apart from the constants with which it is advanced.
+
+use carom_special::RangeError;
+
+use super::contact::{Contact, Done, Step, Sums};
+use super::matrices::{RingMatrices, Rings};
+use super::symmetry::Symmetry;
+use super::units::Units;
+use crate::bounds::in_contact;
+use crate::law::{ContactLoad, Shift};
+
+/// The load history of a contact of rings: numbers without pointers, so that it can be kept as bytes.
+///
+/// The constants ([`Rings`]) are given to each call and must be those with which the history began.
+/// [`super::RingLaw`] holds both.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct RingMemory<const N: usize = 6, const M: usize = 8> {
+    pub(super) contact: Contact<N, M>,
+    pub(super) sums: Sums,
+    pub(super) shift: Shift,
+}
+
+impl<const N: usize, const M: usize> Default for RingMemory<N, M> {
+    /// Two bodies that just touch.
+    fn default() -> Self {
+        let (contact, sums, shift) = (Contact::default(), Sums::default(), Shift::default());
+        Self { contact, sums, shift }
+    }
+}
+
+impl<const N: usize, const M: usize> RingMemory<N, M> {
+    /// Advances on a straight path to a new shift; the heat of the step, J
+    /// ([`crate::law::Dissipative::dissipation`]).
+    ///
+    /// # Errors
+    /// [`RangeError`] as [`RingMemory::check`]; nothing is then changed.
+    pub fn advance<S: Symmetry<M>>(
+        &mut self,
+        rings: &Rings<'_, N, M, S>,
+        to: Shift,
+    ) -> Result<f64, RangeError> {
+        self.check(rings, to)?;
+        Ok(rings.units.energy * self.go(rings, to).heat)
+    }
+
+    /// Whether [`RingMemory::advance`] would accept this shift.
+    ///
+    /// # Errors
+    /// [`RangeError`] for a shift, or a change of it over the friction, beyond 1e60.
+    pub fn check<S: Symmetry<M>>(
+        &self,
+        rings: &Rings<'_, N, M, S>,
+        to: Shift,
+    ) -> Result<(), RangeError> {
+        to.check_finite()?;
+        if S::MIRRORED {
+            RangeError::check("eta", to.eta, to.eta == 0.0, "0: the law of a plane")?;
+            RangeError::check("omega", to.omega, to.omega == 0.0, "0: the law of a plane")?;
+        }
+        let Units { shift, twist, .. } = rings.units;
+        in_contact("shift over friction", (to.xi - self.shift.xi) * shift)?;
+        in_contact("shift over friction", (to.eta - self.shift.eta) * shift)?;
+        in_contact("twist over friction", (to.omega - self.shift.omega) * twist)?;
+        Ok(())
+    }
+
+    /// Whether numbers that may have been changed elsewhere are those of a contact: radius and shift are finite.
+    #[must_use]
+    pub fn fits(&self) -> bool {
+        self.contact.radius >= 0.0
+            && self.contact.radius < f64::INFINITY
+            && self.shift.check_finite().is_ok()
+    }
+
+    /// The present shift.
+    #[must_use]
+    pub const fn shift(&self) -> Shift {
+        self.shift
+    }
+
+    /// The present load.
+    #[must_use]
+    pub fn load<S: Symmetry<M>>(&self, rings: &Rings<'_, N, M, S>) -> ContactLoad {
+        let Units { c_z, force, torque, .. } = rings.units;
+        let [x, y] = self.sums.force;
+        let f_z = match rings.pair {
+            Some(pair) if pair.lift != 0.0 => 0.25 * c_z * self.sums.normal,
+            _ => {
+                let zeta = self.shift.zeta.max(0.0);
+                2.0 / 3.0 * c_z * (zeta * zeta.sqrt())
+            }
+        };
+        ContactLoad {
+            f_x: rings.side * (force * x),
+            f_y: force * y,
+            f_z,
+            m_z: torque * self.sums.torque,
+        }
+    }
+
+    /// The elastic energy: compression by Hertz's law, and what tangential tractions have stored, with the
+    /// pressures they add.
+    #[must_use]
+    pub fn stored_energy<S: Symmetry<M>>(&self, rings: &Rings<'_, N, M, S>) -> f64 {
+        let zeta = self.shift.zeta.max(0.0);
+        let normal = 4.0 / 15.0 * rings.units.c_z * (zeta * zeta * zeta.sqrt());
+        normal + rings.units.energy * self.sums.stored
+    }
+
+    /// The share of the contact area on which nothing slipped in the last step.
+    #[must_use]
+    pub fn sticking<S: Symmetry<M>>(&self, matrices: &RingMatrices<N, M, S>) -> f64 {
+        let Some(pair) = matrices.pair() else { return 0.0 };
+        if self.contact.radius == 0.0 {
+            return 0.0;
+        }
+        let area = &pair.layout.area;
+        let sticks =
+            |j: usize, i: usize| self.contact.tractions.y[j].iter().all(|part| part[i] == 0.0);
+        let stuck: f64 = (0..N)
+            .map(|i| area[i] * (0..M).filter(|&j| sticks(j, i)).count() as f64 / M as f64)
+            .sum();
+        (stuck / area.iter().sum::<f64>()).min(1.0)
+    }
+
+    /// Goes to a shift that was checked; the heat over the unit of energy.
+    pub(super) fn go<S: Symmetry<M>>(&mut self, rings: &Rings<'_, N, M, S>, to: Shift) -> Done {
+        let from = std::mem::replace(&mut self.shift, to);
+        let Some(pair) = rings.pair else { return Done::default() };
+        if to.zeta <= 0.0 {
+            self.contact = Contact::default();
+            let heat = std::mem::take(&mut self.sums).stored;
+            return Done { heat, ..Done::default() };
+        }
+        if to == from {
+            return Done::default();
+        }
+        // The part of the way on which they touch.
+        let part = if from.zeta < 0.0 { to.zeta / (to.zeta - from.zeta) } else { 1.0 };
+        let Units { shift, twist, .. } = rings.units;
+        let step = Step {
+            approach: to.zeta,
+            approached: part * (to.zeta - from.zeta),
+            shifted: [
+                rings.side * ((to.xi - from.xi) * part * shift),
+                (to.eta - from.eta) * part * shift,
+            ],
+            twisted: (to.omega - from.omega) * part * twist,
+        };
+        let done = self.contact.advance(pair, rings.tolerance, &step);
+        self.sums = self.contact.sums(pair);
+        done
+    }
+}

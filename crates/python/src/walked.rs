@@ -1,0 +1,266 @@
+//! The laws of a contact with memory, by one interface.
+
+use carom::laws::accounted::Accounted;
+use carom::laws::coulomb::{Tolerance, packed_numbers};
+use carom::laws::coupling::coupling_bound;
+use carom::laws::law::{Checked, ContactLaw as _, Dissipative, Energies as _, Shift};
+use carom::laws::memory::{Fixed, Lateral, VertexStack};
+use carom::laws::rings::{self, RingLaw};
+use carom::laws::shift_law::ShiftLaw;
+use carom::laws::turning_law::TurningLaw;
+use carom::prelude::{ContactLoad, Friction, RangeError};
+use carom::special::WordError;
+use pyo3::exceptions::PyValueError;
+use pyo3::prelude::*;
+
+use crate::error::Fault;
+use crate::hertz::Given;
+
+/// Vertices of the memory of one contact.
+pub(crate) const VERTICES: usize = 64;
+/// The word for the law of rings.
+const RINGS: &str = "rings";
+
+pub(crate) type Law = ShiftLaw<[f64; 2], Fixed<[f64; 2], VERTICES>>;
+
+/// The law of a word.
+fn turning_law(word: &str) -> PyResult<TurningLaw> {
+    word.parse().map_err(|error: WordError| PyValueError::new_err(format!("{error}, or 'rings'")))
+}
+
+/// What a contact was made of.
+#[derive(Debug, Clone, PartialEq)]
+pub(crate) struct Constants {
+    pub(crate) given: Given,
+    pub(crate) friction: f64,
+    pub(crate) law: String,
+    pub(crate) tolerance: f64,
+}
+
+impl Constants {
+    pub(crate) fn is_of_rings(&self) -> bool {
+        self.law == RINGS
+    }
+
+    pub(crate) fn law<V: Lateral, S: VertexStack<V>>(&self) -> PyResult<ShiftLaw<V, S>> {
+        let friction = Friction::new(self.friction).map_err(Fault::from)?;
+        let law = turning_law(&self.law)?;
+        let tolerance = match law {
+            TurningLaw::Coulomb => Tolerance::new(self.tolerance).map_err(Fault::from)?,
+            TurningLaw::FixedDirection => Tolerance::FINE,
+        };
+        Ok(ShiftLaw::chosen(law, self.given.stiffness(), friction, tolerance))
+    }
+
+    pub(crate) fn rings(&self) -> PyResult<RingLaw> {
+        let Given::Hertz(hertz) = &self.given else {
+            let text = "law = 'rings': stiffness must be a Hertz contact, whose materials it needs";
+            return Err(PyValueError::new_err(text));
+        };
+        let friction = Friction::new(self.friction).map_err(Fault::from)?;
+        let tolerance = rings::Tolerance::new(self.tolerance).map_err(Fault::from)?;
+        Ok(RingLaw::new(&hertz.0, friction, tolerance).map_err(Fault::from)?)
+    }
+
+    /// How much the coupling of dissimilar materials may change R_x where the law neglects it; None where the
+    /// materials are not known.
+    pub(crate) fn coupling_bound(&self) -> PyResult<Option<f64>> {
+        let Given::Hertz(hertz) = &self.given else { return Ok(None) };
+        if self.is_of_rings() {
+            return Ok(Some(0.0));
+        }
+        let friction = Friction::new(self.friction).map_err(Fault::from)?;
+        Ok(Some(coupling_bound(hertz.0.materials().gamma(), friction)))
+    }
+
+    /// Numbers that a state takes; that of a law with vertices has so many, and without slip each takes more.
+    pub(crate) fn numbers(&self, vertices: usize) -> usize {
+        if self.is_of_rings() {
+            return rings::packed_numbers(6, 8);
+        }
+        match self.friction == f64::INFINITY {
+            true => 6 + 9 * vertices,
+            false => packed_numbers(vertices),
+        }
+    }
+
+    /// As they are given to `__new__`.
+    pub(crate) fn arguments(&self) -> (Given, f64, String, f64) {
+        (self.given, self.friction, self.law.clone(), self.tolerance)
+    }
+}
+
+/// A law of one or many contacts.
+pub(crate) trait Member: Checked<Error = RangeError> + Dissipative + Send + Sync {
+    /// Writes the state as numbers.
+    fn write(&self, numbers: &mut [f64]) -> Result<(), RangeError>;
+    /// Takes up what was written.
+    fn read(&mut self, numbers: &[f64]) -> Result<(), RangeError>;
+}
+
+impl<V: Lateral + Send + Sync, const N: usize> Member for ShiftLaw<V, Fixed<V, N>> {
+    fn write(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
+        self.pack(numbers)
+    }
+
+    fn read(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
+        self.unpack(numbers)
+    }
+}
+
+impl Member for RingLaw {
+    fn write(&self, numbers: &mut [f64]) -> Result<(), RangeError> {
+        self.pack(numbers)
+    }
+
+    fn read(&mut self, numbers: &[f64]) -> Result<(), RangeError> {
+        self.unpack(numbers)
+    }
+}
+
+/// The law of one contact, with an account of the heat where it is asked for.
+#[derive(Debug, Clone)]
+pub(crate) enum Walked {
+    Bare(Law),
+    Accounted(Accounted<Law>),
+    Rings(Box<RingLaw>),
+    AccountedRings(Box<Accounted<RingLaw>>),
+}
+
+impl Walked {
+    /// In the state of a law that has dissipated so much.
+    pub(crate) fn new(
+        constants: &Constants,
+        state: Option<&[f64]>,
+        dissipated: Option<f64>,
+    ) -> PyResult<Self> {
+        if constants.is_of_rings() {
+            let law = restored(constants.rings()?, state)?;
+            return Ok(match dissipated {
+                Some(heat) => Self::AccountedRings(Box::new(Accounted::going_on(law, heat))),
+                None => Self::Rings(Box::new(law)),
+            });
+        }
+        let law: Law = restored(constants.law()?, state)?;
+        Ok(match dissipated {
+            Some(dissipated) => Self::Accounted(Accounted::going_on(law, dissipated)),
+            None => Self::Bare(law),
+        })
+    }
+
+    /// The law of shifts, if it is one.
+    pub(crate) fn shift_law(&self) -> PyResult<&Law> {
+        match self {
+            Self::Bare(law) => Ok(law),
+            Self::Accounted(accounted) => Ok(accounted.law()),
+            _ => Err(PyValueError::new_err("law = 'rings' does not tell this")),
+        }
+    }
+
+    /// The law of rings, if it is one.
+    pub(crate) fn rings(&self) -> Option<&RingLaw> {
+        match self {
+            Self::Rings(law) => Some(law),
+            Self::AccountedRings(accounted) => Some(accounted.law()),
+            _ => None,
+        }
+    }
+
+    pub(crate) fn dissipated(&self) -> Option<f64> {
+        match self {
+            Self::Bare(_) | Self::Rings(_) => None,
+            Self::Accounted(accounted) => Some(accounted.dissipated()),
+            Self::AccountedRings(accounted) => Some(accounted.dissipated()),
+        }
+    }
+
+    pub(crate) fn advance(&mut self, shift: Shift) -> Result<ContactLoad, RangeError> {
+        if self.rings().is_none() {
+            let holds = shift.omega == 0.0;
+            RangeError::check("omega", shift.omega, holds, "0 but for law = 'rings'")?;
+        }
+        match self {
+            Self::Bare(law) => law.advance(shift),
+            Self::Accounted(accounted) => accounted.advance(shift),
+            Self::Rings(law) => law.advance(shift),
+            Self::AccountedRings(accounted) => accounted.advance(shift),
+        }
+    }
+
+    pub(crate) fn load(&self) -> ContactLoad {
+        match self {
+            Self::Bare(law) => law.load(),
+            Self::Accounted(accounted) => accounted.load(),
+            Self::Rings(law) => law.load(),
+            Self::AccountedRings(accounted) => accounted.load(),
+        }
+    }
+
+    pub(crate) fn shift(&self) -> Shift {
+        match self {
+            Self::Bare(law) => law.shift(),
+            Self::Accounted(accounted) => accounted.shift(),
+            Self::Rings(law) => law.shift(),
+            Self::AccountedRings(accounted) => accounted.shift(),
+        }
+    }
+
+    pub(crate) fn stored_energy(&self) -> f64 {
+        match self {
+            Self::Bare(law) => law.stored_energy(),
+            Self::Accounted(accounted) => accounted.law().stored_energy(),
+            Self::Rings(law) => law.stored_energy(),
+            Self::AccountedRings(accounted) => accounted.law().stored_energy(),
+        }
+    }
+
+    /// What the last step did; of rings whether all, some or none of them stuck.
+    pub(crate) fn regime(&self) -> PyResult<String> {
+        let Some(law) = self.rings() else {
+            return Ok(format!("{:?}", self.shift_law()?.regime()).to_lowercase());
+        };
+        let word = match law.sticking() {
+            _ if law.shift().zeta <= 0.0 => "separated",
+            1.0.. => "adhesion",
+            0.0 => "sliding",
+            _ => "slip",
+        };
+        Ok(word.to_owned())
+    }
+
+    pub(crate) fn sticking(&self) -> PyResult<f64> {
+        match self.rings() {
+            Some(law) => Ok(law.sticking()),
+            None => Ok(self.shift_law()?.stick_depth()),
+        }
+    }
+
+    pub(crate) fn turn_frame(&mut self, angle: f64) -> PyResult<()> {
+        match self {
+            Self::Bare(law) => law.turn_frame(angle),
+            Self::Accounted(accounted) => accounted.turn_frame(angle),
+            _ => return self.shift_law().map(|_| ()),
+        }
+        Ok(())
+    }
+
+    pub(crate) fn pack(&self, numbers: &mut [f64]) -> PyResult<()> {
+        let packed = match self.rings() {
+            Some(law) => law.pack(numbers),
+            None => self.shift_law()?.pack(numbers),
+        };
+        Ok(packed.map_err(Fault::from)?)
+    }
+}
+
+fn restored<L: Member>(mut law: L, state: Option<&[f64]>) -> PyResult<L> {
+    if let Some(numbers) = state {
+        law.read(numbers).map_err(Fault::from)?;
+    }
+    Ok(law)
+}
+
+/// The first shift where a law cannot go.
+pub(crate) fn check<L: Member>(law: &L, shift: Shift, index: usize) -> Result<(), Fault> {
+    law.check(shift).map_err(|error| Fault::from(error).at(index))
+}

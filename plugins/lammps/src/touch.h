@@ -1,0 +1,41 @@
+// The contact of two bodies with any law: the library has one form for the law of rings and one for the others.
+#ifndef CAROM_TOUCH_H
+#define CAROM_TOUCH_H
+
+#include "carom.h"
+
+#include <memory>
+
+namespace carom {
+
+// The constants of the contacts of two materials; the matrices of law rings are shared by all who copy them.
+struct Constants {
+  carom_grains grains = {};
+  std::shared_ptr<const carom_rings> rings;    // null for the other laws
+};
+
+// A contact where it is unpacked, in one of the two forms.
+struct Touch {
+  carom_touch *plain = nullptr;
+  carom_ring_touch *rings = nullptr;
+
+  explicit operator bool() const { return plain || rings; }
+
+  // A step of two grains, or of a grain and a wall.
+  carom_status step(const Constants &constants, const carom_grain &one, const carom_grain &two, double dt,
+                    carom_grain_load *load, carom_heats *heats, carom_error *why) const;
+  carom_status step(const Constants &constants, const carom_grain &one, const carom_wall &wall, double dt,
+                    carom_grain_load *load, carom_heats *heats, carom_error *why) const;
+  // What the last step left of the load.
+  carom_status load(const Constants &constants, const carom_grain &one, const carom_grain &two,
+                    carom_grain_load *load, carom_error *why) const;
+  carom_status load(const Constants &constants, const carom_grain &one, const carom_wall &wall,
+                    carom_grain_load *load, carom_error *why) const;
+  // The elastic energy; without the twist that other laws than rings have beside the contact.
+  double energy(const Constants &constants, double radius_1, double radius_2) const;
+  carom_status report(const Constants &constants, carom_report *report, carom_error *why) const;
+};
+
+}    // namespace carom
+
+#endif

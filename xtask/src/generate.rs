@@ -1,0 +1,69 @@
+//! Files of the repository that are made from the sources: written anew, or compared with what would be written.
+
+use crate::cargo;
+use crate::outcome::{Outcome, Part};
+use crate::python::{self, NONE};
+use anyhow::{Context as _, ensure};
+use std::path::Path;
+use std::process::Command;
+
+/// Whether files are written or compared.
+#[derive(Clone, Copy, PartialEq, Eq)]
+pub(crate) enum Mode {
+    Write,
+    Check,
+}
+
+/// What one generator makes, and how it is called.
+type Generator = (&'static str, fn(Mode) -> anyhow::Result<Outcome>);
+
+const GENERATORS: &[Generator] = &[
+    ("the C header crates/capi/include/carom.h", |mode| by_test("carom-capi", "header::", mode)),
+    ("pictures and case reference of the book", |mode| by_test("carom-cli", "book::", mode)),
+    ("the result classes of Python, crates/python/python/carom/_records.py", records),
+];
+
+/// Where Python's result classes stand.
+const RECORDS: &str = "crates/python/python/carom/_records.py";
+
+/// Runs all generators; in [`Mode::Check`] it fails if a file is not what its generator makes.
+pub(crate) fn run(mode: Mode) -> anyhow::Result<Outcome> {
+    let mut outcome = Outcome::Passed;
+    for (what, generate) in GENERATORS {
+        println!("== {what}");
+        outcome = outcome.and(generate(mode)?);
+    }
+    Ok(outcome)
+}
+
+/// The table of R_x of dissimilar spheres, which takes a quarter of an hour; in [`Mode::Check`] some entries of it.
+pub(crate) fn tables(mode: Mode) -> anyhow::Result<()> {
+    let arguments: &[&str] = if mode == Mode::Check { &["--check"] } else { &[] };
+    cargo::run_built("--example", "dissimilar_table", arguments)
+}
+
+/// A test compares the file with what the sources make; with `CAROM_GENERATE` set it writes it first.
+fn by_test(package: &str, name: &str, mode: Mode) -> anyhow::Result<Outcome> {
+    let test = ["test", "--release", "--package", package, "--test", "it", name];
+    match mode {
+        Mode::Write => cargo::run_with(&test, "CAROM_GENERATE", "1")?,
+        Mode::Check => cargo::run(&test)?,
+    }
+    Ok(Outcome::Passed)
+}
+
+/// The columns are asked of the module as it is built now.
+fn records(mode: Mode) -> anyhow::Result<Outcome> {
+    let Some(place) = python::place()? else { return Ok(Outcome::skipped(Part::Python, NONE)) };
+    place.install()?;
+    let output = Command::new(place.python()).args(["-m", "carom._make_records"]).output()?;
+    let message = String::from_utf8_lossy(&output.stderr);
+    ensure!(output.status.success(), "carom._make_records failed: {message}");
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("..").join(RECORDS);
+    if mode == Mode::Write {
+        std::fs::write(&path, &output.stdout).with_context(|| path.display().to_string())?;
+    }
+    let kept = std::fs::read(&path).with_context(|| path.display().to_string())?;
+    ensure!(kept == output.stdout, "{RECORDS} is not current: cargo xtask generate");
+    Ok(Outcome::Passed)
+}
