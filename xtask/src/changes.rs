@@ -162,6 +162,6 @@ mod tests {
         assert_eq!(package("laws").unwrap(), "carom-laws");
         assert_eq!(package("xtask").unwrap(), "xtask");
         let error = package("lows").unwrap_err().to_string();
-        assert!(error.starts_with("no crate is called `lows`; there are "), "{error}");
+        assert!(error.starts_with("there is no crate `lows`; the crates are "), "{error}");
     }
 }

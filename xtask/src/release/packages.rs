@@ -202,7 +202,7 @@ mod tests {
     #[test]
     fn circles_and_what_stays_here_stand_in_the_way() {
         let circle = packages(json!([named("a", &["b"]), named("b", &["a"])]));
-        assert!(circle.in_order().unwrap_err().to_string().contains("a, b need each other"));
+        assert!(circle.in_order().unwrap_err().to_string().contains("a, b depend on each other"));
         assert!(packages(json!([named("a", &["hidden"])])).in_order().is_err());
     }
 

@@ -68,7 +68,7 @@ fn simple_cases_take_law_and_torsion_too() {
         .replace("shape = \"ellipsoid\"\nsemi_axes = [0.03, 0.02, 0.015]", "shape = \"sphere\"\nradius = 0.02")
         .replace("inertia = [1.2e-5, 2.2e-5, 2.6e-5]\nquaternion = [1, 0, 0, 0]\nposition = [0, 0, 0.015]\n", "")
         .replace("70e9, poisson = 0.22", "20e6, poisson = 0.5");
-    let left = solved("left", &simple);
+    let left = solved("left", &(simple.clone() + "torsion = false\n"));
     let with = solved("with", &(simple.clone() + "torsion = true\nlaw = \"fixed-direction\"\n"));
     let spin = |record: &serde_json::Value| numbers(&record["body_1_spin"])[2];
     assert_eq!(spin(&left), 20.0);
@@ -152,7 +152,7 @@ fn any_body_may_come_at_an_angle_be_swept_and_scatter() {
         let text = CASE
             .replace("shape = \"ellipsoid\"\nsemi_axes = [0.03, 0.02, 0.015]", &ball)
             .replace("inertia = [1.2e-5, 2.2e-5, 2.6e-5]\n", "")
-            .replace("friction = 0.2", "friction = 0.02");
+            .replace("friction = 0.2", "friction = 0.02\nlaw = \"coulomb\"\ntorsion = false");
         solved(inertia, &text)["body_1_spin"].clone()
     };
     let (solid, shell) = (numbers(&ball("solid")), numbers(&ball("shell")));

@@ -261,7 +261,7 @@ fn an_input_with_the_name_of_a_half_written_picture_is_not_removed() {
         run.args(["solve", "case.toml", "--plot", "x.svg"]).current_dir(&own);
         let output = run.output().unwrap();
         assert_eq!(output.status.code(), Some(2), "{}", said(&output));
-        assert!(said(&output).contains("give it another name"), "{}", said(&output));
+        assert!(said(&output).contains("rename it"), "{}", said(&output));
         assert!(contents(&own) == before);
     }
 }

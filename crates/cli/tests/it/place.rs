@@ -200,6 +200,7 @@ velocity = [0, 0, 0]
 spin = [0, 0, -5]
 [contact]
 friction = 0.15
+law = "coulomb"
 torsion = true
 "#;
     let placed = simple

@@ -169,7 +169,7 @@ fn a_law_that_fails_in_mid_impact_says_why_and_where() {
     // The cause is the law's own error, the message says where.
     let cause = std::error::Error::source(&error).unwrap();
     assert_eq!(cause.downcast_ref::<Broken>(), Some(&failure.source));
-    assert!(error.to_string().starts_with("step 5 of the law"), "{error}");
+    assert!(error.to_string().starts_with("step 5 of the contact law"), "{error}");
     assert!(brittle(usize::MAX).is_ok());
 }
 

@@ -168,7 +168,7 @@ fn rings_log_the_regimes_of_the_exact_impact() {
     for (lambda, count) in [(0.4, 3), (1.5, 4), (3.0, 4), (8.0, 1)] {
         let collision = alike(0.3, 0.2, lambda, 0.0);
         let [rings, exact] = [
-            RingImpact::new(&collision).within(1e-3).unwrap().solve(),
+            RingImpact::new(&collision).within(1e-4).unwrap().solve(),
             Ok(collision.solve().unwrap()),
         ]
         .map(|outcome| stages(outcome.unwrap().rebound().unwrap()));
