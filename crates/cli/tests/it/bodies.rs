@@ -72,9 +72,9 @@ fn simple_cases_take_law_and_torsion_too() {
     let with = solved("with", &(simple.clone() + "torsion = true\nlaw = \"fixed-direction\"\n"));
     let spin = |record: &serde_json::Value| numbers(&record["body_1_spin"])[2];
     assert_eq!(spin(&left), 20.0);
-    assert!(left["warnings"].to_string().contains("torsion is left out"));
+    assert!(left["warnings"].to_string().contains("torsion is not computed"));
     assert!(spin(&with) < 19.5 && spin(&with) > 10.0);
-    assert!(!with["warnings"].to_string().contains("torsion is left out"));
+    assert!(!with["warnings"].to_string().contains("torsion is not computed"));
     let number = |name: &str| with[name].as_f64().unwrap();
     let lost = number("energy_before") - number("energy_after") - number("energy_dissipated");
     assert!(lost.abs() < 1e-13 * number("energy_before"), "{lost}");
