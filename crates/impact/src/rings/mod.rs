@@ -37,7 +37,7 @@ pub enum RingImpactError {
     NoSeparation,
 }
 
-/// A collision of spheres or planes whose contact is [`RingLaw`]'s: the coupling of dissimilar bodies and
+/// A collision of spheres or planes whose contact is [`RingLaw`](carom_laws::rings::RingLaw)'s: the coupling of dissimilar bodies and
 /// the spin about the normal count.
 ///
 /// The spin about the normal changes with the rest, at no cost of its own.

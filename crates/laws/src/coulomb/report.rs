@@ -135,7 +135,7 @@ impl<V: Lateral, S: NodeStack<Node<V>>> CoulombMemory<V, S> {
     }
 
     /// zeta*, the depth below which all annuli stuck in the last step; zero in sliding. Annuli
-    /// above it may also have stuck: [`CoulombMemory::sticking`].
+    /// above it may also have stuck: [`CoulombMemory::stick_fraction`].
     #[must_use]
     pub fn stick_depth(&self) -> f64 {
         match self.regime {
