@@ -195,6 +195,7 @@ fn quickly(
         .collect();
     if !open.is_empty() {
         println!("{} need other tests: record them by `cargo xtask mutants --record`", open.len());
+        open.iter().for_each(|i| println!("  {}", mutants[chosen[*i] - 1].key()));
         let numbers: Vec<usize> = open.iter().map(|i| chosen[*i]).collect();
         let trials = place.build(&Selection::all())?;
         for (i, verdict) in open.into_iter().zip(thoroughly(&numbers, trials, &place.reach)?) {
