@@ -80,3 +80,28 @@ fn shifts_out_of_the_plane_and_twists_are_refused() {
     }
     assert_eq!(law.load(), before);
 }
+
+/// With either sign of gamma: for gamma < 0 the law takes the bodies in the other order.
+#[test]
+fn tractions_by_half_of_the_angles_are_those_by_all() {
+    let close = Tolerance::new(CLOSE).unwrap();
+    for gamma in [0.3, -0.3] {
+        let friction = Friction::new(0.2).unwrap();
+        let mut half =
+            RingLaw::<6, 5, Plane>::in_plane(constants(1.2, gamma), friction, close).unwrap();
+        let mut whole = law_of::<6, 8>([1.2, gamma, 0.2], CLOSE);
+        let mut largest = 0.0_f64;
+        for to in path(7) {
+            half.advance(to).unwrap();
+            whole.advance(to).unwrap();
+            for (ring, angle) in (0..6).flat_map(|ring| (0..5).map(move |angle| (ring, angle))) {
+                let [a, b] = [half.traction(ring, angle), whole.traction(ring, angle)];
+                let ([radial, around], [same, turned]) = (a.unwrap(), b.unwrap());
+                let off = (radial - same).abs().max((around - turned).abs());
+                assert!(off < 1e-3, "{gamma}, {ring}, {angle}: {a:?} {b:?}");
+                largest = largest.max(radial.abs().min(around.abs()));
+            }
+        }
+        assert!(largest > 0.05, "{largest}");
+    }
+}
